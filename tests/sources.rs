@@ -17,7 +17,8 @@ pub(crate) struct Source {
     pub(crate) syntax: File,
 }
 
-/// All product sources: what lies under `src` of each crate, without modules of tests.
+/// All product sources that a person wrote: what lies under `src` of each crate, without modules of
+/// tests and without Rust that was emitted from a description.
 pub(crate) fn all() -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let crates = fs::read_dir(root.join("crates")).expect("crates/").filter_map(Result::ok);
@@ -41,7 +42,7 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
     for path in entries.filter_map(Result::ok).map(|entry| entry.path()) {
         if path.is_dir() {
             files.extend(rust_files(&path));
-        } else if path.extension().is_some_and(|it| it == "rs") {
+        } else if path.extension().is_some_and(|it| it == "rs") && !path.ends_with("emitted.rs") {
             files.push(path);
         }
     }

@@ -17,6 +17,7 @@ mod description;
 mod emit;
 #[path = "emitted/example.rs"]
 mod emitted;
+mod emitted_models;
 mod energy;
 mod errors;
 mod evaluation;

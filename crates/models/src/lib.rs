@@ -1,7 +1,8 @@
 //! The instruments: what each key can be.
 //!
 //! One folder per model: `mod.rs` (parameters with units, names, presets),
-//! `equations.rs` (the equations themselves, in the form that generated ones will take),
+//! `equations.rs` (the equations themselves), `model.toml` (the same model as a description),
+//! `emitted.rs` (the Rust that the description gives; nothing runs it yet but tests and benches),
 //! `drawing.rs` (what it looks like from the side, to scale)
 //! and `README.md` (coordinates, modes and guards, source, where it stops being true).
 //! [`catalogue`] is the only file that knows all of them; to add one, copy

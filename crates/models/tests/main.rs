@@ -3,6 +3,7 @@
 mod certain_steps;
 mod common;
 mod conformance;
+mod described;
 mod drawing;
 mod drawing_to_scale;
 mod every_model;

@@ -104,12 +104,7 @@ pub struct LoadArgs {
 pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.command {
         ModelCommand::Derive(args) => print_equations(args, out),
-        ModelCommand::Emit(args) => {
-            let model = derived(&args.model)?;
-            let source = format!("the description of {}", model.program.table.name);
-            let rust = kane::emit::rust(model.program.table, model.program.tapes(), &source);
-            Ok(out.write_all(rust.as_bytes())?)
-        }
+        ModelCommand::Emit(args) => Ok(out.write_all(derived(&args.model)?.rust().as_bytes())?),
         ModelCommand::New(args) => new(args, out),
         ModelCommand::Load(args) => load(args, out),
     }

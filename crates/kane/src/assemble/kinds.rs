@@ -39,31 +39,41 @@ pub(super) fn kind_of(
 }
 
 /// Whether the fastest rate is a matter of the state: where the Jacobian has what sets in or
-/// grows, as felts do. Angles turn it by little, and are left to the rest pose.
-pub(super) fn is_stiffening(graph: &Graph, jacobian: &[Vec<Node>]) -> bool {
+/// grows with a place, as felts do. Angles turn it by little, and are left to the rest pose; so is
+/// what grows with speeds alone, as the loss of a felt.
+pub(super) fn is_stiffening(graph: &mut Graph, jacobian: &[Vec<Node>], state: &[Place]) -> bool {
     let entries: Vec<_> = jacobian.iter().flatten().copied().collect();
+    let zero = graph.constant(0.0);
+    let speeds = state.iter().filter(|place| matches!(place, Place::Speed(_)));
+    let mut still = Substitution::new(speeds.map(|place| (*place, zero)));
     graph.reached(&entries).into_iter().any(|node| {
-        let grows = match graph.operation(node) {
-            NodeOperation::Unary(function, _) => matches!(
-                function,
-                UnaryFunction::Exp
-                    | UnaryFunction::Softplus
-                    | UnaryFunction::Logistic
-                    | UnaryFunction::SoftplusArea
-                    | UnaryFunction::SoftplusSquareArea
-            ),
-            NodeOperation::Binary(function, _, _) => matches!(
-                function,
-                BinaryFunction::Power | BinaryFunction::Min | BinaryFunction::Max
-            ),
-            NodeOperation::Select(_) => true,
-            NodeOperation::Number(_)
-            | NodeOperation::Symbol(_)
-            | NodeOperation::Sum(..)
-            | NodeOperation::Product(_) => false,
-        };
-        grows && is_of_state(graph, node)
+        let Some(by) = grows_by(graph, node) else { return false };
+        let at_rest = still.of(graph, by);
+        is_of_state(graph, at_rest)
     })
+}
+
+/// What makes a node set in or grow, if it does so other than as a product.
+fn grows_by(graph: &Graph, node: Node) -> Option<Node> {
+    let grows = match graph.operation(node) {
+        NodeOperation::Unary(function, _) => matches!(
+            function,
+            UnaryFunction::Exp
+                | UnaryFunction::Softplus
+                | UnaryFunction::Logistic
+                | UnaryFunction::SoftplusArea
+                | UnaryFunction::SoftplusSquareArea
+        ),
+        NodeOperation::Binary(function, _, _) => {
+            matches!(function, BinaryFunction::Power | BinaryFunction::Min | BinaryFunction::Max)
+        }
+        NodeOperation::Select([condition, _, _]) => return Some(*condition),
+        NodeOperation::Number(_)
+        | NodeOperation::Symbol(_)
+        | NodeOperation::Sum(..)
+        | NodeOperation::Product(_) => false,
+    };
+    grows.then_some(node)
 }
 
 /// When nothing is dissipated: a number that is 0 where it is so, or always, or never.

@@ -83,7 +83,7 @@ fn motion(
         jacobian: builder.add(graph, functions, "jacobian", &flat)?,
         kind,
         loss: loss.function(graph, functions, &format!("{}_loss", builder.name))?,
-        is_stiffening: is_stiffening(graph, &rows),
+        is_stiffening: is_stiffening(graph, &rows, builder.context.places),
         ..ModeTable::NOTHING
     })
 }
@@ -144,13 +144,15 @@ fn longest_projection(
 }
 
 /// How many coordinates, constraints and independent speeds a mode has.
+///
+/// Where equations are plain, each coordinate in closed form is a constraint.
 fn freedom(mechanism: &Mechanism, number: usize) -> Freedom {
     let count = |count: usize| u8::try_from(count).unwrap_or(u8::MAX);
     let Some(mode) = mechanism.modes.get(number) else { return Freedom { n: 0, m: 0, p: 0 } };
-    let in_mechanics = |speed: &usize| !mode.equations.iter().any(|(it, _)| it == speed);
-    let n = (0..mechanism.speeds.len()).filter(in_mechanics).count();
+    let n = mechanism.speeds.len();
     let is_tie = |kind| matches!(kind, ConstraintKind::Holonomic | ConstraintKind::Nonholonomic);
     let known = mode.constraints.iter().filter_map(|it| mechanism.constraints.get(*it));
-    let m = known.filter(|it| is_tie(it.kind)).count();
+    let ties = known.filter(|it| is_tie(it.kind)).count();
+    let m = if mode.equations.is_empty() { ties } else { ties + mode.solved.len() };
     Freedom { n: count(n), m: count(m), p: count(n.saturating_sub(m)) }
 }

@@ -177,15 +177,13 @@ impl<'a> FunctionBody<'a> {
             AngleGroup::Two([first, second]) => {
                 let (x, y) = (self.short(first.angle).text, self.short(second.angle).text);
                 let [a, b] = [first, second].map(|it| self.name_both(it));
-                let statement = format!(
-                    "let ([{}, {}], [{}, {}]) = math::sin_cos_of_two([{x}, {y}]);",
-                    a.0, b.0, a.1, b.1
-                );
-                if statement.len() <= STATEMENT {
-                    self.lines.push(statement);
+                let names = format!("let ([{}, {}], [{}, {}]) =", a.0, b.0, a.1, b.1);
+                let value = format!("math::sin_cos_of_two([{x}, {y}]);");
+                if names.len() + 1 + value.len() <= STATEMENT {
+                    self.lines.push(format!("{names} {value}"));
                 } else {
-                    self.lines.push(format!("let ({}, {}) = math::sin_cos({x});", a.0, a.1));
-                    self.lines.push(format!("let ({}, {}) = math::sin_cos({y});", b.0, b.1));
+                    self.lines.push(names);
+                    self.lines.push(format!("    {value}"));
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! A ball that bounces on a floor which the key moves. See README.md.
 
 mod drawing;
+pub mod emitted;
 mod equations;
 
 use pode::{GuardId, Model as _, Motion};

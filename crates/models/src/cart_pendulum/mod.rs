@@ -1,6 +1,7 @@
 //! A cart with a pendulum between two walls, pulled by a spring. See README.md.
 
 mod drawing;
+pub mod emitted;
 mod equations;
 
 use pode::{GuardId, Model as _, Motion};

@@ -1,6 +1,7 @@
 //! The paper's model A: key and hammer, rigid contact. See README.md.
 
 mod drawing;
+pub mod emitted;
 mod equations;
 
 use pode::{GuardId, Model as _, Motion};

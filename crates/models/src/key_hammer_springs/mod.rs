@@ -1,6 +1,7 @@
 //! The paper's model B: key and hammer, springs in every contact. See README.md.
 
 mod drawing;
+pub mod emitted;
 mod equations;
 mod series;
 

@@ -2,6 +2,7 @@
 
 mod bounds;
 mod drawing;
+pub mod emitted;
 mod energy;
 mod entry;
 mod forces;

@@ -1,6 +1,7 @@
 //! A spring and a damper behind a wall: the calibration feel. See README.md.
 
 mod drawing;
+pub mod emitted;
 mod equations;
 
 use pode::{GuardId, Model as _, Motion};

@@ -1,0 +1,1165 @@
+//! Emitted from `the description of cart-pendulum` by `letoff model emit`; not to be changed by hand.
+#![allow(
+    non_snake_case,
+    unreachable_pub,
+    clippy::allow_attributes,
+    clippy::large_stack_frames,
+    clippy::suspicious_operation_groupings,
+    clippy::too_many_lines,
+    clippy::unnecessary_wraps,
+    reason = "names as in the description, straight lines of operations: what applies varies"
+)]
+
+use equations::functions;
+use equations::table::{
+    Arguments, DrawingTable, Freedom, FunctionId, Functions, GuardTable, ModeTable, ModelTable,
+    NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable, RestTable,
+    RestingTable, WayTable,
+};
+use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
+
+/// All of the model but its arithmetic.
+pub static TABLE: ModelTable = ModelTable {
+    name: "cart-pendulum",
+    summary: "a cart with a pendulum between two walls, pulled by a spring",
+    parameters: &[
+        ParameterTable {
+            name: "cart_mass",
+            title: "cart",
+            unit: "kg",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "mass of the cart",
+        },
+        ParameterTable {
+            name: "bob_mass",
+            title: "bob",
+            unit: "kg",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "mass of the bob",
+        },
+        ParameterTable {
+            name: "length",
+            title: "length",
+            unit: "m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "pivot to the bob's mass centre",
+        },
+        ParameterTable {
+            name: "inertia",
+            title: "inertia",
+            unit: "kg·m²",
+            range: (0.0, 1_000_000_000.0),
+            doc: "inertia of the bob about its mass centre",
+        },
+        ParameterTable {
+            name: "g",
+            title: "gravity",
+            unit: "m/s²",
+            range: (0.0, 1000.0),
+            doc: "gravity",
+        },
+        ParameterTable {
+            name: "k",
+            title: "spring",
+            unit: "N/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "spring between the input and the cart",
+        },
+        ParameterTable {
+            name: "b",
+            title: "damper",
+            unit: "N·s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "damper beside the spring",
+        },
+        ParameterTable {
+            name: "left",
+            title: "left wall",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "where the cart meets the left wall",
+        },
+        ParameterTable {
+            name: "right",
+            title: "right wall",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "where the cart meets the right wall; right of the left one",
+        },
+        ParameterTable {
+            name: "restitution",
+            title: "restitution",
+            unit: "1",
+            range: (0.0, 1.0),
+            doc: "speed of the cart after a wall over its speed before",
+        },
+        ParameterTable {
+            name: "scale",
+            title: "scale",
+            unit: "m/m",
+            range: (-1000.0, 1000.0),
+            doc: "input per key travel; positive pulls the cart to the right",
+        },
+    ],
+    presets: &[
+        PresetTable {
+            name: "default",
+            doc: "1 kg of cart, 0.3 kg of pendulum, walls at ±5 cm",
+            values: 31,
+        },
+        PresetTable {
+            name: "key",
+            doc: "60 g in all on a rubber band, pulled 5 times the key's travel",
+            values: 32,
+        },
+    ],
+    requirements: &[RequirementTable { text: "right > left", margin: 33 }],
+    states: &[
+        NamedQuantity { name: "x", unit: "m" },
+        NamedQuantity { name: "theta", unit: "rad" },
+        NamedQuantity { name: "x_dot", unit: "m/s" },
+        NamedQuantity { name: "theta_dot", unit: "rad/s" },
+    ],
+    coordinates: 2,
+    constants: 40,
+    derive_constants: 36,
+    input: NamedQuantity { name: "s", unit: "m" },
+    input_per_metre: 34,
+    modes: &[
+        ModeTable {
+            name: "free",
+            derivative: 0,
+            parts: &[PartTable {
+                entries: 0xf,
+                derivative: 0,
+                kind: EquationKind::Smooth,
+                loss: Some(1),
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::WHOLE],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 3,
+            slopes: 4,
+            outputs: 5,
+            balance: 6,
+            jacobian: 2,
+            kind: EquationKind::Smooth,
+            loss: Some(1),
+            is_stiffening: false,
+            guards: &[
+                GuardTable {
+                    id: 0,
+                    name: "left",
+                    priority: 0,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 11,
+                    bound: Some(12),
+                    ways: &[WayTable {
+                        when: None,
+                        to: 0,
+                        reset: Some(7),
+                        resting: Some(RestingTable { to: 1, state: 8, meeting: 9 }),
+                    }],
+                    sounds: Some(10),
+                },
+                GuardTable {
+                    id: 1,
+                    name: "right",
+                    priority: 1,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 14,
+                    bound: Some(12),
+                    ways: &[WayTable {
+                        when: None,
+                        to: 0,
+                        reset: Some(7),
+                        resting: Some(RestingTable { to: 2, state: 8, meeting: 13 }),
+                    }],
+                    sounds: Some(10),
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(0),
+                    name: "left",
+                    priority: 0,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(1),
+                    name: "right",
+                    priority: 1,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "left",
+            derivative: 15,
+            parts: &[PartTable {
+                entries: 0xa,
+                derivative: 15,
+                kind: EquationKind::Conservative,
+                loss: None,
+                reads: Reads::State,
+            }],
+            part_list: &[Part::of(&[1, 3]).of_state()],
+            slaved: Some(16),
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 18,
+            slopes: 4,
+            outputs: 19,
+            balance: 20,
+            jacobian: 17,
+            kind: EquationKind::Smooth,
+            loss: Some(1),
+            is_stiffening: false,
+            guards: &[GuardTable {
+                id: 2,
+                name: "off",
+                priority: 0,
+                scale: 1.0,
+                fires: Fires::WhileNegative,
+                reads: Reads::StateAndInput,
+                value: 22,
+                bound: Some(23),
+                ways: &[WayTable { when: None, to: 0, reset: Some(21), resting: None }],
+                sounds: None,
+            }],
+            guard_specs: &[GuardSpec {
+                id: GuardId(2),
+                name: "off",
+                priority: 0,
+                scale: 1.0,
+                fires: Fires::WhileNegative,
+                reads: Reads::StateAndInput,
+            }],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 1, p: 1 },
+        },
+        ModeTable {
+            name: "right",
+            derivative: 15,
+            parts: &[PartTable {
+                entries: 0xa,
+                derivative: 15,
+                kind: EquationKind::Conservative,
+                loss: None,
+                reads: Reads::State,
+            }],
+            part_list: &[Part::of(&[1, 3]).of_state()],
+            slaved: Some(24),
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 25,
+            slopes: 4,
+            outputs: 26,
+            balance: 27,
+            jacobian: 17,
+            kind: EquationKind::Smooth,
+            loss: Some(1),
+            is_stiffening: false,
+            guards: &[GuardTable {
+                id: 2,
+                name: "off",
+                priority: 0,
+                scale: 1.0,
+                fires: Fires::WhileNegative,
+                reads: Reads::StateAndInput,
+                value: 29,
+                bound: Some(23),
+                ways: &[WayTable { when: None, to: 0, reset: Some(28), resting: None }],
+                sounds: None,
+            }],
+            guard_specs: &[GuardSpec {
+                id: GuardId(2),
+                name: "off",
+                priority: 0,
+                scale: 1.0,
+                fires: Fires::WhileNegative,
+                reads: Reads::StateAndInput,
+            }],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 1, p: 1 },
+        },
+    ],
+    contacts: &[],
+    contact_specs: &[],
+    guard_specs: &[
+        GuardSpec {
+            id: GuardId(0),
+            name: "left",
+            priority: 0,
+            scale: 1.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(1),
+            name: "right",
+            priority: 1,
+            scale: 1.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(2),
+            name: "off",
+            priority: 0,
+            scale: 1.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::StateAndInput,
+        },
+    ],
+    outputs: &[NamedQuantity { name: "F", unit: "N" }, NamedQuantity { name: "N", unit: "N" }],
+    rest: RestTable { mode: 0, state: 35, is_improved: true },
+    damper: None,
+    drawing: DrawingTable { numbers: 30, count: 0, bodies: &[], springs: &[] },
+};
+
+/// The model's arithmetic.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CartPendulumFunctions;
+
+impl Functions for CartPendulumFunctions {
+    fn call(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derivative_free(given, out),
+            1 => function_1(given, out),
+            2 => jacobian_free(given, out),
+            3 => readout_free(given, out),
+            4 => slopes_free(given, out),
+            5 => outputs_free(given, out),
+            6 => balance_free(given, out),
+            7 => reset_0_left_free(given, out),
+            8 => function_8(given, out),
+            9 => function_9(given, out),
+            10 => speed_left_free(given, out),
+            11 => guard_left_free(given, out),
+            12 => bound_left_free(given, out),
+            13 => function_13(given, out),
+            14 => guard_right_free(given, out),
+            15 => derivative_left(given, out),
+            16 => slaved_left(given, out),
+            17 => jacobian_left(given, out),
+            18 => readout_left(given, out),
+            19 => outputs_left(given, out),
+            20 => balance_left(given, out),
+            21 => reset_0_off_left(given, out),
+            22 => guard_off_left(given, out),
+            23 => bound_off_left(given, out),
+            24 => slaved_right(given, out),
+            25 => readout_right(given, out),
+            26 => outputs_right(given, out),
+            27 => balance_right(given, out),
+            28 => reset_0_off_right(given, out),
+            29 => guard_off_right(given, out),
+            30 => function_30(given, out),
+            31 => preset_default(given, out),
+            32 => preset_key(given, out),
+            33 => requirement_0(given, out),
+            34 => input_per_metre(given, out),
+            35 => rest(given, out),
+            36 => derived_constants(given, out),
+            _ => return,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+}
+
+/// The derivative of the state in mode free.
+fn derivative_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<17>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let c11 = constants[11];
+    let c12 = constants[12];
+    let c13 = constants[13];
+    let c14 = constants[14];
+    let c15 = constants[15];
+    let c16 = constants[16];
+    let x = state[0];
+    let theta = state[1];
+    let x_dot = state[2];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = k * (s - x) + b * (s_rate - x_dot) + c11 * (theta_dot * theta_dot) * sin_theta;
+    let v1 = c15 * cos_theta;
+    let v2 = -(c12 * sin_theta + v1 * v0) * (1.0 / (c14 - c13 * (cos_theta * cos_theta)));
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = x_dot;
+    out[1] = theta_dot;
+    out[2] = c16 * v0 - v1 * v2;
+    out[3] = v2;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<7>()?;
+    let b = constants[6];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = b * b;
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode free.
+fn jacobian_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<24>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let c11 = constants[11];
+    let c12 = constants[12];
+    let c13 = constants[13];
+    let c14 = constants[14];
+    let c15 = constants[15];
+    let c17 = constants[17];
+    let c18 = constants[18];
+    let c19 = constants[19];
+    let c20 = constants[20];
+    let c21 = constants[21];
+    let c22 = constants[22];
+    let c23 = constants[23];
+    let x = state[0];
+    let theta = state[1];
+    let x_dot = state[2];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = 1.0 / (c14 - c13 * (cos_theta * cos_theta));
+    let v1 = cos_theta * v0;
+    let v2 = cos_theta * v1;
+    let v3 = theta_dot * sin_theta;
+    let v4 = k * (s - x) + b * (s_rate - x_dot) + theta_dot * c11 * v3;
+    let v5 = c15 * v4;
+    let v6 = sin_theta * -(c12 * sin_theta + cos_theta * v5);
+    let v7 = v6 * v1;
+    let v8 = c12 + theta_dot * (c13 * (theta_dot * cos_theta));
+    let v9 = sin_theta * v5 + cos_theta * -v8;
+    let v10 = theta_dot * (theta_dot * c15) + v0 * (2.0 * (c20 * v7) - c15 * v9);
+    let v11 = theta_dot * (sin_theta * (2.0 * (c15 + c20 * v2)));
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 1.0;
+    out[8] = -(c18 + c17 * v2);
+    out[9] = v6 * (c15 * v0) + cos_theta * v10;
+    out[10] = -(c22 + c21 * v2);
+    out[11] = v11;
+    out[12] = c19 * v1;
+    out[13] = v0 * (v9 - 2.0 * (c13 * v7));
+    out[14] = c23 * v1;
+    out[15] = -(2.0 * (c13 * v3 * v1));
+    Some(())
+}
+
+/// The readout in mode free.
+fn readout_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<7>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let x = state[0];
+    let x_dot = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = k * (s - x) + b * (s_rate - x_dot);
+    Some(())
+}
+
+/// The readout's slopes in mode free.
+fn slopes_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<7>()?;
+    let k = constants[5];
+    let b = constants[6];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = k;
+    out[1] = b;
+    Some(())
+}
+
+/// The outputs in mode free.
+fn outputs_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<7>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let x = state[0];
+    let x_dot = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = k * (s - x) + b * (s_rate - x_dot);
+    out[1] = 0.0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode free.
+fn balance_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<25>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let c11 = constants[11];
+    let c12 = constants[12];
+    let c14 = constants[14];
+    let c24 = constants[24];
+    let x = state[0];
+    let theta = state[1];
+    let x_dot = state[2];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let cos_theta = math::sin_cos(theta).1;
+    let v0 = 0.5 * (x_dot * c24) + c11 * (theta_dot * cos_theta);
+    let v1 = s - x;
+    let v2 = k * v1;
+    let v3 = 0.5 * (theta_dot * (theta_dot * c14) + v1 * v2) - c12 * cos_theta;
+    let v4 = s_rate - x_dot;
+    let v5 = b * v4;
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v3 + x_dot * v0;
+    out[1] = s_rate * (v2 + v5);
+    out[2] = v4 * v5;
+    Some(())
+}
+
+/// The state after guard left in mode free.
+fn reset_0_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<29>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let c13 = constants[13];
+    let c14 = constants[14];
+    let c16 = constants[16];
+    let c25 = constants[25];
+    let c26 = constants[26];
+    let c27 = constants[27];
+    let c28 = constants[28];
+    let x = state[0];
+    let theta = state[1];
+    let x_dot = state[2];
+    let theta_dot = state[3];
+    let cos_theta = math::sin_cos(theta).1;
+    let v0 = cos_theta * (1.0 / (c14 - c13 * (cos_theta * cos_theta)));
+    let v1 = cos_theta * v0;
+    let v2 = 1.0 / (c16 + c25 * v1);
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = x;
+    out[1] = theta;
+    out[2] = x_dot * (1.0 + -(c26 + c28 * v1) * v2);
+    out[3] = theta_dot + c27 * v0 * (x_dot * v2);
+    out[4] = 0.0;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_8(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<30>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let c13 = constants[13];
+    let c14 = constants[14];
+    let c15 = constants[15];
+    let c16 = constants[16];
+    let c25 = constants[25];
+    let c26 = constants[26];
+    let c28 = constants[28];
+    let c29 = constants[29];
+    let x = state[0];
+    let theta = state[1];
+    let x_dot = state[2];
+    let theta_dot = state[3];
+    let cos_theta = math::sin_cos(theta).1;
+    let v0 = cos_theta * (1.0 / (c14 - c13 * (cos_theta * cos_theta)));
+    let v1 = cos_theta * v0;
+    let v2 = 1.0 / (c16 + c25 * v1);
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = x;
+    out[1] = theta;
+    out[2] = x_dot + c29 * (x_dot * (-(c26 + c28 * v1) * v2));
+    out[3] = theta_dot + c15 * v0 * (x_dot * v2);
+    out[4] = 0.0;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_9(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<10>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let restitution = constants[9];
+    let x_dot = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = -x_dot;
+    out[1] = restitution;
+    Some(())
+}
+
+/// The speed of what strikes at guard left in mode free.
+fn speed_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let state = given.state.first_chunk::<3>()?;
+    let x_dot = state[2];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = x_dot.abs();
+    Some(())
+}
+
+/// The guard and its rate: left in mode free.
+fn guard_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<8>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let left = constants[7];
+    let x = state[0];
+    let x_dot = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = x - left;
+    out[1] = x_dot;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: left in mode free.
+fn bound_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let extra = given.extra.first_chunk::<3>()?;
+    let extra_0 = extra[0];
+    let extra_2 = extra[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_0;
+    out[1] = extra_2;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_13(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<10>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let restitution = constants[9];
+    let x_dot = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = x_dot;
+    out[1] = restitution;
+    Some(())
+}
+
+/// The guard and its rate: right in mode free.
+fn guard_right_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<9>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let right = constants[8];
+    let x = state[0];
+    let x_dot = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = right - x;
+    out[1] = -x_dot;
+    Some(())
+}
+
+/// The derivative of the state in mode left.
+fn derivative_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<31>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let c30 = constants[30];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let sin_theta = math::sin_cos(theta).0;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = 0.0;
+    out[1] = theta_dot;
+    out[2] = 0.0;
+    out[3] = -(c30 * sin_theta);
+    Some(())
+}
+
+/// The state with slaved entries in place in mode left.
+fn slaved_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<8>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let left = constants[7];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = left;
+    out[1] = theta;
+    out[2] = 0.0;
+    out[3] = theta_dot;
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode left.
+fn jacobian_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<31>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let c30 = constants[30];
+    let theta = state[1];
+    let cos_theta = math::sin_cos(theta).1;
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 1.0;
+    out[8] = 0.0;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[13] = -(c30 * cos_theta);
+    out[14] = 0.0;
+    out[15] = 0.0;
+    Some(())
+}
+
+/// The readout in mode left.
+fn readout_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<8>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let left = constants[7];
+    let s = input[0];
+    let s_rate = input[1];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = s_rate * b + k * (s - left);
+    Some(())
+}
+
+/// The outputs in mode left.
+fn outputs_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let left = constants[7];
+    let c11 = constants[11];
+    let c31 = constants[31];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s_rate * b + k * (s - left);
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v1 = -(theta_dot * (theta_dot * c11) + c31 * cos_theta);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v0;
+    out[1] = sin_theta * v1 - v0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode left.
+fn balance_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<15>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let left = constants[7];
+    let c12 = constants[12];
+    let c14 = constants[14];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - left;
+    let v1 = k * v0;
+    let cos_theta = math::sin_cos(theta).1;
+    let v2 = 0.5 * (c14 * (theta_dot * theta_dot) + v0 * v1) - c12 * cos_theta;
+    let v3 = s_rate * b;
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v2;
+    out[1] = s_rate * (v3 + v1);
+    out[2] = s_rate * v3;
+    Some(())
+}
+
+/// The state after guard off in mode left.
+fn reset_0_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<8>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let left = constants[7];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = left;
+    out[1] = theta;
+    out[2] = 0.0;
+    out[3] = theta_dot;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: off in mode left.
+fn guard_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let left = constants[7];
+    let c11 = constants[11];
+    let c31 = constants[31];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let s_rate2 = input[2];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = -(theta_dot * (theta_dot * c11) + c31 * cos_theta);
+    let v1 = 3.0 * (sin_theta * (c31 * sin_theta)) + cos_theta * v0;
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = sin_theta * v0 - (s_rate * b + k * (s - left));
+    out[1] = theta_dot * v1 - (b * s_rate2 + k * s_rate);
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: off in mode left.
+fn bound_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<40>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<15>()?;
+    let input = given.input;
+    let c11 = constants[11];
+    let c31 = constants[31];
+    let c32 = constants[32];
+    let c33 = constants[33];
+    let c34 = constants[34];
+    let c35 = constants[35];
+    let c36 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s_rate = input[1];
+    let s_rate2 = input[2];
+    let s_rate3 = input[3];
+    let extra_3 = extra[3];
+    let extra_4 = extra[4];
+    let extra_5 = extra[5];
+    let extra_6 = extra[6];
+    let extra_12 = extra[12];
+    let extra_13 = extra[13];
+    let extra_14 = extra[14];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = theta_dot * c11;
+    let v1 = theta_dot * v0;
+    let v2 = c31 * cos_theta;
+    let v3 = cos_theta * (v1 + v2) - sin_theta * (c31 * sin_theta);
+    let v4 = sin_theta.abs();
+    let v5 = 0.5 * extra_4;
+    let v6 = functions::smaller(v5 + v4, 1.0);
+    let v7 = v1.abs();
+    let v8 = cos_theta.abs();
+    let v9 = extra_4 * v6;
+    let v10 = functions::smaller(v8 + v9, 1.0);
+    let v11 = functions::smaller(v5 + v8, 1.0);
+    let v12 = extra_4 * v11;
+    let v13 = functions::smaller(v4 + v12, 1.0);
+    let v14 = v11 * (c33 * (v4 + v13)) + v6 * (v7 + c33 * (v8 + v10));
+    let v15 = extra_12 + 2.0 * theta_dot.abs();
+    let v16 = extra_12 * c32;
+    let v17 = v16 * v10;
+    let v18 = v3.abs() + v15 * v17 + extra_4 * v14;
+    let v19 = v16 * v13;
+    let v20 = v0.abs();
+    let v21 = (2.0 * (v0 * sin_theta)).abs() + 2.0 * (v20 * v12 + v19);
+    let v22 = extra_3 * (s_rate * c38 + s_rate2 * c39) + extra_12 * v21;
+    let v23 = extra_4 * ((c34 * sin_theta).abs() * v6 + v11 * (c35 * v10));
+    let v24 = (sin_theta * (v1 + 4.0 * v2)).abs() + v7 * v12 + v15 * v19;
+    let v25 = (2.0 * (v0 * cos_theta)).abs() + 2.0 * (v20 * v9 + v17);
+    let v26 = 2.0 * (extra_13 * v25) + extra_5 * (v24 + 4.0 * (c36 * v23));
+    let v27 = extra_3 * extra_3 * (c38 * s_rate2 + c39 * s_rate3);
+    let v28 = (2.0 * (c11 * sin_theta)).abs() + 2.0 * (c37 * v12);
+    let v29 = v27 + extra_13 * (extra_13 * v28) + extra_14 * v21;
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v22 + extra_4 * v18;
+    out[1] = v29 + extra_6 * v18 + extra_5 * v26;
+    Some(())
+}
+
+/// The state with slaved entries in place in mode right.
+fn slaved_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<9>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let right = constants[8];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = right;
+    out[1] = theta;
+    out[2] = 0.0;
+    out[3] = theta_dot;
+    Some(())
+}
+
+/// The readout in mode right.
+fn readout_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<9>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let right = constants[8];
+    let s = input[0];
+    let s_rate = input[1];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = s_rate * b + k * (s - right);
+    Some(())
+}
+
+/// The outputs in mode right.
+fn outputs_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let right = constants[8];
+    let c11 = constants[11];
+    let c31 = constants[31];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s_rate * b + k * (s - right);
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v1 = sin_theta * (theta_dot * (theta_dot * c11) + c31 * cos_theta);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v0;
+    out[1] = v0 + v1;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode right.
+fn balance_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<15>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let right = constants[8];
+    let c12 = constants[12];
+    let c14 = constants[14];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - right;
+    let v1 = k * v0;
+    let cos_theta = math::sin_cos(theta).1;
+    let v2 = 0.5 * (c14 * (theta_dot * theta_dot) + v0 * v1) - c12 * cos_theta;
+    let v3 = s_rate * b;
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v2;
+    out[1] = s_rate * (v3 + v1);
+    out[2] = s_rate * v3;
+    Some(())
+}
+
+/// The state after guard off in mode right.
+fn reset_0_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<9>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let right = constants[8];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = right;
+    out[1] = theta;
+    out[2] = 0.0;
+    out[3] = theta_dot;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: off in mode right.
+fn guard_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let right = constants[8];
+    let c11 = constants[11];
+    let c31 = constants[31];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let s_rate2 = input[2];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = theta_dot * (theta_dot * c11) + c31 * cos_theta;
+    let v1 = cos_theta * v0 - 3.0 * (sin_theta * (c31 * sin_theta));
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = s_rate * b + k * (s - right) + sin_theta * v0;
+    out[1] = b * s_rate2 + s_rate * k + theta_dot * v1;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_30(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// The preset default.
+fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<11>()?;
+    out[0] = 1.0;
+    out[1] = f64::from_bits(0x3fd3_3333_3333_3333);
+    out[2] = 0.25;
+    out[3] = 0.0;
+    out[4] = 9.81;
+    out[5] = 200.0;
+    out[6] = 0.0;
+    out[7] = -0.05;
+    out[8] = 0.05;
+    out[9] = f64::from_bits(0x3fe6_6666_6666_6666);
+    out[10] = 1.0;
+    Some(())
+}
+
+/// The preset key.
+fn preset_key(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<11>()?;
+    out[0] = 0.04;
+    out[1] = 0.02;
+    out[2] = 0.1;
+    out[3] = 0.0;
+    out[4] = 9.81;
+    out[5] = 60.0;
+    out[6] = f64::from_bits(0x3fd3_3333_3333_3333);
+    out[7] = -0.005;
+    out[8] = 0.04;
+    out[9] = 0.6;
+    out[10] = 5.0;
+    Some(())
+}
+
+/// Is positive where a condition on the parameters is met.
+fn requirement_0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<9>()?;
+    let left = constants[7];
+    let right = constants[8];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = right - left;
+    Some(())
+}
+
+/// Input per metre of key-front travel.
+fn input_per_metre(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<11>()?;
+    let scale = constants[10];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = scale;
+    Some(())
+}
+
+/// The state to start from.
+fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let input = given.input;
+    let s = input[0];
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = s;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// What follows from the parameters.
+fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<10>()?;
+    let cart_mass = constants[0];
+    let bob_mass = constants[1];
+    let length = constants[2];
+    let inertia = constants[3];
+    let g = constants[4];
+    let k = constants[5];
+    let b = constants[6];
+    let restitution = constants[9];
+    let v0 = bob_mass * length;
+    let v1 = g * v0;
+    let v2 = bob_mass + cart_mass;
+    let v3 = 1.0 / v2;
+    let v4 = v0 * v3;
+    let v5 = v0 * v4;
+    let v6 = inertia + length * v0;
+    let v7 = k * v4;
+    let v8 = b * v4;
+    let v9 = 1.0 + restitution;
+    let v10 = v9 * v4;
+    let v11 = 1.0 / v6;
+    let v12 = v1 * v11;
+    let v13 = v0 * v1;
+    let v14 = v13.abs();
+    let v15 = v11.abs();
+    let out = out.first_chunk_mut::<29>()?;
+    out[0] = v0;
+    out[1] = v1;
+    out[2] = v5;
+    out[3] = v6;
+    out[4] = v4;
+    out[5] = v3;
+    out[6] = v4 * v7;
+    out[7] = k * v3;
+    out[8] = v7;
+    out[9] = v4 * v5;
+    out[10] = v4 * v8;
+    out[11] = b * v3;
+    out[12] = v8;
+    out[13] = v2;
+    out[14] = v4 * v4;
+    out[15] = v9 * v3;
+    out[16] = v10;
+    out[17] = v4 * v10;
+    out[18] = 1.0 / v9;
+    out[19] = v12;
+    out[20] = v0 * v12;
+    out[21] = bob_mass.abs() * length.abs();
+    out[22] = v14 * v15;
+    out[23] = v13;
+    out[24] = v14;
+    out[25] = v15;
+    out[26] = v0.abs();
+    out[27] = k.abs();
+    out[28] = b.abs();
+    Some(())
+}

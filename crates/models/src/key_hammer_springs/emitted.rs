@@ -1,0 +1,1380 @@
+//! Emitted from `the description of key-hammer-springs` by `letoff model emit`; not to be changed by hand.
+#![allow(
+    non_snake_case,
+    unreachable_pub,
+    clippy::allow_attributes,
+    clippy::large_stack_frames,
+    clippy::suspicious_operation_groupings,
+    clippy::too_many_lines,
+    clippy::unnecessary_wraps,
+    reason = "names as in the description, straight lines of operations: what applies varies"
+)]
+
+use equations::functions;
+use equations::table::{
+    Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
+    Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
+    PresetTable, RestTable, SpringTable, WayTable,
+};
+use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
+
+/// All of the model but its arithmetic.
+pub static TABLE: ModelTable = ModelTable {
+    name: "key-hammer-springs",
+    summary: "the paper's model B: key and hammer with springs in the contacts",
+    parameters: &[
+        ParameterTable {
+            name: "L1",
+            title: "key lever",
+            unit: "m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "key pivot to the slider, along the key",
+        },
+        ParameterTable {
+            name: "L2",
+            title: "hammer radius",
+            unit: "m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "hammer pivot to the hammer's mass centre",
+        },
+        ParameterTable {
+            name: "L3",
+            title: "hammer pivot, x",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "hammer pivot, to the right of the key pivot",
+        },
+        ParameterTable {
+            name: "L4",
+            title: "hammer pivot, y",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "hammer pivot, above the key pivot",
+        },
+        ParameterTable {
+            name: "M1",
+            title: "key mass",
+            unit: "kg",
+            range: (0.0, 1_000_000_000.0),
+            doc: "mass of the key",
+        },
+        ParameterTable {
+            name: "M2",
+            title: "hammer mass",
+            unit: "kg",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "mass of the hammer",
+        },
+        ParameterTable {
+            name: "k1",
+            title: "coupling",
+            unit: "N·m/rad",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "torsion spring between manipulandum and key (model B; A is rigid)",
+        },
+        ParameterTable {
+            name: "k2",
+            title: "contact stiffness",
+            unit: "N/m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "spring between key and slider (model B; A is rigid)",
+        },
+        ParameterTable {
+            name: "cK",
+            title: "key balance",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "key pivot to the key's mass centre; negative on the player's side",
+        },
+        ParameterTable {
+            name: "JK",
+            title: "key inertia",
+            unit: "kg·m²",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "inertia of the key about its pivot",
+        },
+        ParameterTable {
+            name: "JH",
+            title: "hammer inertia",
+            unit: "kg·m²",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "inertia of the hammer about its pivot",
+        },
+        ParameterTable {
+            name: "g",
+            title: "gravity",
+            unit: "m/s²",
+            range: (0.0, 1000.0),
+            doc: "gravity",
+        },
+        ParameterTable {
+            name: "string_angle",
+            title: "string",
+            unit: "rad",
+            range: (-1.5, 1.5),
+            doc: "angle of the hammer at the string",
+        },
+        ParameterTable {
+            name: "restitution",
+            title: "restitution",
+            unit: "1",
+            range: (0.0, 1.0),
+            doc: "speed after the string over speed before; the paper has 1",
+        },
+        ParameterTable {
+            name: "b1",
+            title: "coupling damper",
+            unit: "N·m·s/rad",
+            range: (0.0, 1_000_000_000.0),
+            doc: "damper beside k1 (model B; the paper has none)",
+        },
+        ParameterTable {
+            name: "c2",
+            title: "felt loss",
+            unit: "s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "loss of the felt in k2, F = k2 q4 (1 + c2 q4') (model B; the paper has none)",
+        },
+        ParameterTable {
+            name: "r",
+            title: "finger lever",
+            unit: "m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "lever arm of the finger: finger force = torque / r",
+        },
+    ],
+    presets: &[
+        PresetTable {
+            name: "paper",
+            doc: "Table 2 of the paper, lengths read as decimetres",
+            values: 23,
+        },
+        PresetTable { name: "literal", doc: "Table 2 of the paper as printed, in SI", values: 24 },
+        PresetTable {
+            name: "playable",
+            doc: "a real key's size, graded over the compass; the key bottom leaves the hammer 2–3 \
+                mm short",
+            values: 25,
+        },
+    ],
+    requirements: &[],
+    states: &[
+        NamedQuantity { name: "theta_h", unit: "rad" },
+        NamedQuantity { name: "theta_k", unit: "rad" },
+        NamedQuantity { name: "theta_h_dot", unit: "rad/s" },
+        NamedQuantity { name: "theta_k_dot", unit: "rad/s" },
+    ],
+    coordinates: 2,
+    constants: 30,
+    derive_constants: 28,
+    input: NamedQuantity { name: "s", unit: "rad" },
+    input_per_metre: 26,
+    modes: &[
+        ModeTable {
+            name: "B1",
+            derivative: 0,
+            parts: &[PartTable {
+                entries: 0xf,
+                derivative: 0,
+                kind: EquationKind::Smooth,
+                loss: Some(1),
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::WHOLE],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 3,
+            slopes: 4,
+            outputs: 5,
+            balance: 6,
+            jacobian: 2,
+            kind: EquationKind::Smooth,
+            loss: Some(1),
+            is_stiffening: false,
+            guards: &[
+                GuardTable {
+                    id: 0,
+                    name: "release",
+                    priority: 0,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 7,
+                    bound: Some(8),
+                    ways: &[WayTable { when: None, to: 1, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 1,
+                    name: "string",
+                    priority: 2,
+                    scale: 1.0,
+                    fires: Fires::OnCrossing,
+                    reads: Reads::State,
+                    value: 11,
+                    bound: Some(12),
+                    ways: &[WayTable { when: None, to: 0, reset: Some(9), resting: None }],
+                    sounds: Some(10),
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(0),
+                    name: "release",
+                    priority: 0,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(1),
+                    name: "string",
+                    priority: 2,
+                    scale: 1.0,
+                    fires: Fires::OnCrossing,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 4, m: 2, p: 2 },
+        },
+        ModeTable {
+            name: "B2",
+            derivative: 13,
+            parts: &[
+                PartTable {
+                    entries: 0x5,
+                    derivative: 14,
+                    kind: EquationKind::Conservative,
+                    loss: None,
+                    reads: Reads::State,
+                },
+                PartTable {
+                    entries: 0xa,
+                    derivative: 15,
+                    kind: EquationKind::Smooth,
+                    loss: Some(16),
+                    reads: Reads::StateAndInput,
+                },
+            ],
+            part_list: &[Part::of(&[0, 2]).of_state(), Part::of(&[1, 3])],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 3,
+            slopes: 4,
+            outputs: 18,
+            balance: 19,
+            jacobian: 17,
+            kind: EquationKind::Smooth,
+            loss: Some(16),
+            is_stiffening: false,
+            guards: &[
+                GuardTable {
+                    id: 2,
+                    name: "land",
+                    priority: 1,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 20,
+                    bound: Some(21),
+                    ways: &[WayTable { when: None, to: 0, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 1,
+                    name: "string",
+                    priority: 2,
+                    scale: 1.0,
+                    fires: Fires::OnCrossing,
+                    reads: Reads::State,
+                    value: 11,
+                    bound: Some(12),
+                    ways: &[WayTable { when: None, to: 1, reset: Some(9), resting: None }],
+                    sounds: Some(10),
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(2),
+                    name: "land",
+                    priority: 1,
+                    scale: 1.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(1),
+                    name: "string",
+                    priority: 2,
+                    scale: 1.0,
+                    fires: Fires::OnCrossing,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 4, m: 2, p: 2 },
+        },
+    ],
+    contacts: &[],
+    contact_specs: &[],
+    guard_specs: &[
+        GuardSpec {
+            id: GuardId(0),
+            name: "release",
+            priority: 0,
+            scale: 1.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(1),
+            name: "string",
+            priority: 2,
+            scale: 1.0,
+            fires: Fires::OnCrossing,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(2),
+            name: "land",
+            priority: 1,
+            scale: 1.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+    ],
+    outputs: &[
+        NamedQuantity { name: "F_KH", unit: "N" },
+        NamedQuantity { name: "T_KU", unit: "N·m" },
+        NamedQuantity { name: "gap", unit: "m" },
+        NamedQuantity { name: "q4", unit: "m" },
+        NamedQuantity { name: "q3", unit: "m" },
+        NamedQuantity { name: "key.x", unit: "m" },
+        NamedQuantity { name: "key.y", unit: "m" },
+        NamedQuantity { name: "key.angle", unit: "rad" },
+        NamedQuantity { name: "hammer.x", unit: "m" },
+        NamedQuantity { name: "hammer.y", unit: "m" },
+        NamedQuantity { name: "hammer.angle", unit: "rad" },
+        NamedQuantity { name: "slider.x", unit: "m" },
+        NamedQuantity { name: "slider.y", unit: "m" },
+        NamedQuantity { name: "slider.angle", unit: "rad" },
+        NamedQuantity { name: "manipulandum.x", unit: "m" },
+        NamedQuantity { name: "manipulandum.y", unit: "m" },
+        NamedQuantity { name: "manipulandum.angle", unit: "rad" },
+    ],
+    rest: RestTable { mode: 0, state: 27, is_improved: true },
+    damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
+    drawing: DrawingTable {
+        numbers: 22,
+        count: 84,
+        bodies: &[
+            BodyTable {
+                name: "key",
+                output: Some(5),
+                outlines: &[OutlineTable {
+                    material: Material::Wood,
+                    is_closed: true,
+                    points: (4, 4),
+                    modes: &[],
+                }],
+            },
+            BodyTable {
+                name: "hammer",
+                output: Some(8),
+                outlines: &[OutlineTable {
+                    material: Material::Wood,
+                    is_closed: true,
+                    points: (12, 4),
+                    modes: &[],
+                }],
+            },
+            BodyTable {
+                name: "slider",
+                output: Some(11),
+                outlines: &[OutlineTable {
+                    material: Material::Metal,
+                    is_closed: true,
+                    points: (20, 24),
+                    modes: &[],
+                }],
+            },
+            BodyTable {
+                name: "manipulandum",
+                output: Some(14),
+                outlines: &[OutlineTable {
+                    material: Material::Metal,
+                    is_closed: true,
+                    points: (68, 4),
+                    modes: &[],
+                }],
+            },
+        ],
+        springs: &[
+            SpringTable { name: "k1", from: (0, 76), to: (3, 78), modes: &[] },
+            SpringTable { name: "k2", from: (0, 80), to: (2, 82), modes: &[] },
+        ],
+    },
+};
+
+/// The model's arithmetic.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct KeyHammerSpringsFunctions;
+
+impl Functions for KeyHammerSpringsFunctions {
+    fn call(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derivative_b1(given, out),
+            1 => function_1(given, out),
+            2 => jacobian_b1(given, out),
+            3 => readout_b1(given, out),
+            4 => slopes_b1(given, out),
+            5 => outputs_b1(given, out),
+            6 => balance_b1(given, out),
+            7 => guard_release_b1(given, out),
+            8 => bound_release_b1(given, out),
+            9 => reset_0_string_b1(given, out),
+            10 => speed_string_b1(given, out),
+            11 => guard_string_b1(given, out),
+            12 => bound_string_b1(given, out),
+            13 => derivative_b2(given, out),
+            14 => part_0_b2(given, out),
+            15 => part_1_b2(given, out),
+            16 => function_16(given, out),
+            17 => jacobian_b2(given, out),
+            18 => outputs_b2(given, out),
+            19 => balance_b2(given, out),
+            20 => guard_land_b2(given, out),
+            21 => bound_land_b2(given, out),
+            22 => drawing(given, out),
+            23 => preset_paper(given, out),
+            24 => preset_literal(given, out),
+            25 => preset_playable(given, out),
+            26 => input_per_metre(given, out),
+            27 => rest(given, out),
+            28 => derived_constants(given, out),
+            _ => return,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+}
+
+/// The derivative of the state in mode B1.
+fn derivative_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<21>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let k1 = constants[6];
+    let k2 = constants[7];
+    let b1 = constants[14];
+    let c2 = constants[15];
+    let c17 = constants[17];
+    let c18 = constants[18];
+    let c19 = constants[19];
+    let c20 = constants[20];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let ([sin_theta_k, sin_theta_h], [cos_theta_k, cos_theta_h]) =
+        math::sin_cos_of_two([theta_k, theta_h]);
+    let v0 = L1 * sin_theta_k;
+    let v1 = L4 - v0;
+    let v2 = L1 * cos_theta_k;
+    let v3 = L3 - v2;
+    let v4 = sin_theta_k * sin_theta_h + cos_theta_k * cos_theta_h;
+    let v5 = 1.0 / -v4;
+    let v6 = (sin_theta_k * v1 + cos_theta_k * v3) * v5;
+    let v7 = (cos_theta_h * v1 - sin_theta_h * v3) * v5;
+    let v8 = sin_theta_h * (v0 - cos_theta_k * v7) - cos_theta_h * -(v2 + sin_theta_k * v7);
+    let v9 = 1.0 / v4;
+    let v10 = c2 * (v9 * (theta_k_dot * v8 - theta_h_dot * v6));
+    let v11 = v9 * v7 * (k2 * functions::larger(1.0 + v10, 0.0));
+    let v12 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = theta_h_dot;
+    out[1] = theta_k_dot;
+    out[2] = c19 * (v6 * v11 - c18 * cos_theta_h);
+    out[3] = c20 * (v12 - v8 * v11);
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<16>()?;
+    let k2 = constants[7];
+    let b1 = constants[14];
+    let c2 = constants[15];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = b1 * b1 + k2 * k2 * (c2 * c2);
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode B1.
+fn jacobian_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<23>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let k1 = constants[6];
+    let k2 = constants[7];
+    let b1 = constants[14];
+    let c2 = constants[15];
+    let c17 = constants[17];
+    let c18 = constants[18];
+    let c19 = constants[19];
+    let c20 = constants[20];
+    let c21 = constants[21];
+    let c22 = constants[22];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let ([sin_theta_k, sin_theta_h], [cos_theta_k, cos_theta_h]) =
+        math::sin_cos_of_two([theta_k, theta_h]);
+    let v0 = L1 * sin_theta_k;
+    let v1 = L4 - v0;
+    let v2 = L1 * cos_theta_k;
+    let v3 = L3 - v2;
+    let v4 = sin_theta_k * v1 + cos_theta_k * v3;
+    let v5 = cos_theta_h * v1 - sin_theta_h * v3;
+    let v6 = sin_theta_k * sin_theta_h + cos_theta_k * cos_theta_h;
+    let v7 = -v6;
+    let v8 = 1.0 / v7;
+    let v9 = v5 * v8;
+    let v10 = v2 + sin_theta_k * v9;
+    let v11 = -v10;
+    let v12 = v0 - cos_theta_k * v9;
+    let v13 = sin_theta_h * v12 - cos_theta_h * v11;
+    let v14 = 1.0 / v6;
+    let v15 = v14 * (theta_k_dot * v13 - theta_h_dot * (v4 * v8));
+    let v16 = 1.0 + c2 * v15;
+    let v17 = sin_theta_k * cos_theta_h - cos_theta_k * sin_theta_h;
+    let v18 = -v17;
+    let v19 = v18 * v8;
+    let v20 = v17 * v14;
+    let v21 = v20 + v19;
+    let v22 = -(cos_theta_h * v3 + sin_theta_h * v1);
+    let v23 = v8 * (v18 * v9 - v22);
+    let v24 = cos_theta_h * (v12 - sin_theta_k * v23) + sin_theta_h * (v11 + cos_theta_k * v23);
+    let v25 = v14 * v13;
+    let v26 = theta_h_dot * (v8 * (v4 * v21)) + theta_k_dot * (v24 - v17 * v25);
+    let v27 = if v16 > 0.0 { c2 * (v14 * v26) } else { 0.0 };
+    let v28 = functions::larger(v16, 0.0);
+    let v29 = v22 * v28 + v5 * (v27 + -(v20 + 2.0 * v19) * v28);
+    let v30 = v8 * v8;
+    let v31 = c18 * sin_theta_h + k2 * (v30 * (v4 * (v14 * v29)));
+    let v32 = cos_theta_k * v1 - sin_theta_k * v3;
+    let v33 = v17 * v8;
+    let v34 = v18 * v14;
+    let v35 = v34 + v33;
+    let v36 = L1 * v7;
+    let v37 = v8 * (v17 * v9 - v36);
+    let v38 = sin_theta_h * (v10 + cos_theta_k * v37) - cos_theta_h * (v12 + sin_theta_k * v37);
+    let v39 = theta_h_dot * (v8 * (v4 * v35 - v32)) + theta_k_dot * (v38 - v18 * v25);
+    let v40 = if v16 > 0.0 { c2 * (v14 * v39) } else { 0.0 };
+    let v41 = v32 * v28 + v4 * (v40 + -(v34 + 2.0 * v33) * v28);
+    let v42 = c19 * (k2 * (v30 * (v14 * (v36 * v4 * v28 + v5 * v41))));
+    let v43 = v14 * v8;
+    let v44 = v4 * v43;
+    let v45 = if v16 > 0.0 { -(c2 * v44) } else { 0.0 };
+    let v46 = v44 * (c21 * v9);
+    let v47 = if v16 > 0.0 { c2 * v25 } else { 0.0 };
+    let v48 = v5 * (v13 * (v21 * v28 - v27) - v24 * v28) - v22 * v13 * v28;
+    let v49 = v5 * (v13 * (v35 * v28 - v40) - v38 * v28) - v36 * v13 * v28;
+    let v50 = c20 * (c17 * sin_theta_k - k1 + k2 * (v8 * (v14 * v49)));
+    let v51 = v5 * v13;
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 1.0;
+    out[8] = c19 * v31;
+    out[9] = v42;
+    out[10] = v46 * v45;
+    out[11] = v46 * v47;
+    out[12] = c20 * (k2 * (v8 * (v14 * v48)));
+    out[13] = v50;
+    out[14] = -(c22 * v43 * v51 * v45);
+    out[15] = c20 * -(b1 + k2 * v43 * v51 * v47);
+    Some(())
+}
+
+/// The readout in mode B1.
+fn readout_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<15>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k1 = constants[6];
+    let b1 = constants[14];
+    let theta_k = state[1];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot);
+    Some(())
+}
+
+/// The readout's slopes in mode B1.
+fn slopes_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<15>()?;
+    let k1 = constants[6];
+    let b1 = constants[14];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = k1;
+    out[1] = b1;
+    Some(())
+}
+
+/// The outputs in mode B1.
+fn outputs_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<16>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let k1 = constants[6];
+    let k2 = constants[7];
+    let b1 = constants[14];
+    let c2 = constants[15];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let ([sin_theta_k, sin_theta_h], [cos_theta_k, cos_theta_h]) =
+        math::sin_cos_of_two([theta_k, theta_h]);
+    let v0 = L1 * sin_theta_k;
+    let v1 = L4 - v0;
+    let v2 = L1 * cos_theta_k;
+    let v3 = L3 - v2;
+    let v4 = sin_theta_k * sin_theta_h + cos_theta_k * cos_theta_h;
+    let v5 = 1.0 / -v4;
+    let v6 = (sin_theta_k * v1 + cos_theta_k * v3) * v5;
+    let v7 = (cos_theta_h * v1 - sin_theta_h * v3) * v5;
+    let v8 = v2 + sin_theta_k * v7;
+    let v9 = v0 - cos_theta_k * v7;
+    let v10 = theta_k_dot * (sin_theta_h * v9 - cos_theta_h * -v8);
+    let v11 = functions::larger(1.0 + c2 * (1.0 / v4 * (v10 - theta_h_dot * v6)), 0.0);
+    let sin_theta_k_theta_h = math::sin_cos(theta_k - theta_h).0;
+    let v12 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_theta_k_theta_h;
+    let out = out.first_chunk_mut::<17>()?;
+    out[0] = k2 * v7 * v11;
+    out[1] = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot);
+    out[2] = v12;
+    out[3] = v7;
+    out[4] = v6;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = theta_k;
+    out[8] = L3;
+    out[9] = L4;
+    out[10] = theta_h;
+    out[11] = v8;
+    out[12] = v9;
+    out[13] = theta_k;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    out[16] = s;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode B1.
+fn balance_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<25>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let M2 = constants[5];
+    let k1 = constants[6];
+    let k2 = constants[7];
+    let JK = constants[9];
+    let JH = constants[10];
+    let b1 = constants[14];
+    let c2 = constants[15];
+    let c17 = constants[17];
+    let c23 = constants[23];
+    let c24 = constants[24];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - theta_k;
+    let v1 = k1 * v0;
+    let ([sin_theta_h, sin_theta_k], [cos_theta_h, cos_theta_k]) =
+        math::sin_cos_of_two([theta_h, theta_k]);
+    let v2 = L1 * cos_theta_k;
+    let v3 = L3 - v2;
+    let v4 = L1 * sin_theta_k;
+    let v5 = L4 - v4;
+    let v6 = cos_theta_h * v5 - sin_theta_h * v3;
+    let v7 = sin_theta_h * sin_theta_k + cos_theta_k * cos_theta_h;
+    let v8 = 1.0 / -v7;
+    let v9 = v6 * v8;
+    let v10 = JH * (theta_h_dot * theta_h_dot) + JK * (theta_k_dot * theta_k_dot);
+    let v11 = c17 * sin_theta_k - M2 * -(c24 + c23 * sin_theta_h);
+    let v12 = s_rate - theta_k_dot;
+    let v13 = b1 * v12;
+    let v14 = theta_h_dot * (sin_theta_k * v5 + cos_theta_k * v3);
+    let v15 = sin_theta_h * (v4 - cos_theta_k * v9) - cos_theta_h * -(v2 + sin_theta_k * v9);
+    let v16 = 1.0 / v7 * (theta_k_dot * v15 - v14 * v8);
+    let v17 = v6 * (functions::larger(1.0 + c2 * v16, 0.0) - 1.0);
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v11 + 0.5 * (v0 * v1 + v10 + v9 * (k2 * v9));
+    out[1] = s_rate * (v1 + v13);
+    out[2] = v12 * v13 + v16 * (k2 * (v8 * v17));
+    Some(())
+}
+
+/// The guard and its rate: release in mode B1.
+fn guard_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<4>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let v0 = theta_k - theta_h;
+    let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
+    let v1 = L1 * sin_v0 + (L3 * sin_theta_h - L4 * cos_theta_h);
+    let v2 = theta_h_dot * (L4 * sin_theta_h + L3 * cos_theta_h);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v1;
+    out[1] = L1 * (theta_k_dot - theta_h_dot) * cos_v0 + v2;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: release in mode B1.
+fn bound_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<28>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let extra = given.extra.first_chunk::<7>()?;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let c25 = constants[25];
+    let c26 = constants[26];
+    let c27 = constants[27];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let extra_0 = extra[0];
+    let extra_1 = extra[1];
+    let extra_2 = extra[2];
+    let extra_4 = extra[4];
+    let extra_5 = extra[5];
+    let extra_6 = extra[6];
+    let v0 = theta_k - theta_h;
+    let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
+    let v1 = L4 * sin_theta_h + L3 * cos_theta_h - L1 * cos_v0;
+    let v2 = 0.5 * extra_0;
+    let v3 = functions::smaller(v2 + cos_theta_h.abs(), 1.0);
+    let v4 = functions::smaller(v2 + sin_theta_h.abs(), 1.0);
+    let v5 = extra_0 + extra_4;
+    let v6 = sin_v0.abs();
+    let v7 = 0.5 * v5;
+    let v8 = v5 * functions::smaller(v7 + v6, 1.0);
+    let v9 = c27 * v8 + (v1.abs() + extra_0 * (c25 * v3 + c26 * v4));
+    let v10 = cos_v0.abs();
+    let v11 = c27 * functions::smaller(v10 + v8, 1.0);
+    let v12 = L1 * sin_v0;
+    let v13 = (L4 * cos_theta_h - L3 * sin_theta_h - v12).abs();
+    let v14 = v5 * functions::smaller(v7 + v10, 1.0);
+    let v15 = c27 * v14;
+    let v16 = extra_1 * (extra_0 * (c25 * v4 + c26 * v3) + (v13 + v15));
+    let v17 = c27 * (extra_5 * functions::smaller(v6 + v14, 1.0));
+    let v18 = extra_2 * v9 + extra_5 * (extra_5 * (v12.abs() + v15));
+    let v19 = v18 + extra_6 * v11 + extra_1 * (v16 + 2.0 * v17);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_0 * v9 + extra_4 * v11;
+    out[1] = v19;
+    Some(())
+}
+
+/// The state after guard string in mode B1.
+fn reset_0_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<14>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let string_angle = constants[12];
+    let restitution = constants[13];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = string_angle;
+    out[1] = theta_k;
+    out[2] = -(theta_h_dot * restitution);
+    out[3] = theta_k_dot;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The speed of what strikes at guard string in mode B1.
+fn speed_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<2>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let L2 = constants[1];
+    let theta_h_dot = state[2];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = L2 * theta_h_dot.abs();
+    Some(())
+}
+
+/// The guard and its rate: string in mode B1.
+fn guard_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<13>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let string_angle = constants[12];
+    let theta_h = state[0];
+    let theta_h_dot = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = string_angle - theta_h;
+    out[1] = -theta_h_dot;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: string in mode B1.
+fn bound_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let extra = given.extra.first_chunk::<3>()?;
+    let extra_0 = extra[0];
+    let extra_2 = extra[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_0;
+    out[1] = extra_2;
+    Some(())
+}
+
+/// The derivative of the state in mode B2.
+fn derivative_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<29>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k1 = constants[6];
+    let b1 = constants[14];
+    let c17 = constants[17];
+    let c20 = constants[20];
+    let c28 = constants[28];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let ([_, _], [cos_theta_h, cos_theta_k]) = math::sin_cos_of_two([theta_h, theta_k]);
+    let v0 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = theta_h_dot;
+    out[1] = theta_k_dot;
+    out[2] = -(c28 * cos_theta_h);
+    out[3] = c20 * v0;
+    Some(())
+}
+
+/// The derivative of a part in mode B2.
+fn part_0_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<29>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let c28 = constants[28];
+    let theta_h = state[0];
+    let theta_h_dot = state[2];
+    let cos_theta_h = math::sin_cos(theta_h).1;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = theta_h_dot;
+    out[1] = 0.0;
+    out[2] = -(c28 * cos_theta_h);
+    out[3] = 0.0;
+    Some(())
+}
+
+/// The derivative of a part in mode B2.
+fn part_1_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<21>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k1 = constants[6];
+    let b1 = constants[14];
+    let c17 = constants[17];
+    let c20 = constants[20];
+    let theta_k = state[1];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let cos_theta_k = math::sin_cos(theta_k).1;
+    let v0 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = 0.0;
+    out[1] = theta_k_dot;
+    out[2] = 0.0;
+    out[3] = c20 * v0;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_16(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<15>()?;
+    let b1 = constants[14];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = b1 * b1;
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode B2.
+fn jacobian_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<30>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let k1 = constants[6];
+    let c17 = constants[17];
+    let c20 = constants[20];
+    let c28 = constants[28];
+    let c29 = constants[29];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let ([sin_theta_h, sin_theta_k], [_, _]) = math::sin_cos_of_two([theta_h, theta_k]);
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 1.0;
+    out[8] = c28 * sin_theta_h;
+    out[9] = 0.0;
+    out[10] = 0.0;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[13] = c20 * (c17 * sin_theta_k - k1);
+    out[14] = 0.0;
+    out[15] = c29;
+    Some(())
+}
+
+/// The outputs in mode B2.
+fn outputs_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<15>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let k1 = constants[6];
+    let b1 = constants[14];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let ([sin_theta_h, sin_theta_k_theta_h], [cos_theta_h, _]) =
+        math::sin_cos_of_two([theta_h, theta_k - theta_h]);
+    let v0 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_theta_k_theta_h;
+    let (sin_theta_k, cos_theta_k) = math::sin_cos(theta_k);
+    let v1 = L1 * cos_theta_k;
+    let v2 = L1 * sin_theta_k;
+    let v3 = cos_theta_h * (L4 - v2) - sin_theta_h * (L3 - v1);
+    let v4 = sin_theta_h * sin_theta_k + cos_theta_h * cos_theta_k;
+    let v5 = v3 * (1.0 / -v4);
+    let out = out.first_chunk_mut::<17>()?;
+    out[0] = 0.0;
+    out[1] = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot);
+    out[2] = v0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = theta_k;
+    out[8] = L3;
+    out[9] = L4;
+    out[10] = theta_h;
+    out[11] = v1 + sin_theta_k * v5;
+    out[12] = v2 - cos_theta_k * v5;
+    out[13] = theta_k;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    out[16] = s;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode B2.
+fn balance_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<25>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let M2 = constants[5];
+    let k1 = constants[6];
+    let JK = constants[9];
+    let JH = constants[10];
+    let b1 = constants[14];
+    let c17 = constants[17];
+    let c23 = constants[23];
+    let c24 = constants[24];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - theta_k;
+    let v1 = k1 * v0;
+    let ([sin_theta_k, sin_theta_h], [_, _]) = math::sin_cos_of_two([theta_k, theta_h]);
+    let v2 = JH * (theta_h_dot * theta_h_dot) + JK * (theta_k_dot * theta_k_dot);
+    let v3 = 0.5 * (v0 * v1 + v2) + c17 * sin_theta_k - M2 * -(c24 + c23 * sin_theta_h);
+    let v4 = s_rate - theta_k_dot;
+    let v5 = b1 * v4;
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v3;
+    out[1] = s_rate * (v1 + v5);
+    out[2] = v4 * v5;
+    Some(())
+}
+
+/// The guard and its rate: land in mode B2.
+fn guard_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<4>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let v0 = theta_k - theta_h;
+    let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
+    let v1 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_v0;
+    let v2 = theta_h_dot * -(L4 * sin_theta_h + L3 * cos_theta_h);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v1;
+    out[1] = v2 - L1 * (theta_k_dot - theta_h_dot) * cos_v0;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: land in mode B2.
+fn bound_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<28>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let extra = given.extra.first_chunk::<7>()?;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let c25 = constants[25];
+    let c26 = constants[26];
+    let c27 = constants[27];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let extra_0 = extra[0];
+    let extra_1 = extra[1];
+    let extra_2 = extra[2];
+    let extra_4 = extra[4];
+    let extra_5 = extra[5];
+    let extra_6 = extra[6];
+    let v0 = theta_k - theta_h;
+    let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
+    let v1 = L1 * cos_v0;
+    let v2 = extra_0 + extra_4;
+    let v3 = sin_v0.abs();
+    let v4 = 0.5 * v2;
+    let v5 = c27 * v2 * functions::smaller(v4 + v3, 1.0);
+    let v6 = 0.5 * extra_0;
+    let v7 = functions::smaller(v6 + cos_theta_h.abs(), 1.0);
+    let v8 = functions::smaller(v6 + sin_theta_h.abs(), 1.0);
+    let v9 = (L4 * sin_theta_h + L3 * cos_theta_h - v1).abs() + v5;
+    let v10 = extra_0 * (c25 * v7 + c26 * v8) + v9;
+    let v11 = v1.abs() + v5;
+    let v12 = L1 * sin_v0;
+    let v13 = (L4 * cos_theta_h - L3 * sin_theta_h - v12).abs();
+    let v14 = v2 * functions::smaller(v4 + cos_v0.abs(), 1.0);
+    let v15 = c27 * v14;
+    let v16 = extra_1 * (extra_0 * (c25 * v8 + c26 * v7) + (v13 + v15));
+    let v17 = extra_1 * (v16 + 2.0 * (extra_5 * (v12.abs() + v15)));
+    let v18 = c27 * extra_5 * (extra_5 * functions::smaller(v3 + v14, 1.0));
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_4 * v11 + extra_0 * v10;
+    out[1] = extra_6 * v11 + extra_2 * v10 + v17 + v18;
+    Some(())
+}
+
+/// The numbers of the drawing.
+fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<17>()?;
+    let L1 = constants[0];
+    let L2 = constants[1];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let string_angle = constants[12];
+    let r = constants[16];
+    let v0 = 0.2 * L1;
+    let v1 = 0.6 * L1;
+    let v2 = f64::from_bits(0x3fd3_3333_3333_3333) * L1 + (L3 + L2);
+    let sin_string_angle = math::sin_cos(string_angle).0;
+    let v3 = -r;
+    let v4 = -v0;
+    let v5 = 1.08 * L1;
+    let v6 = -(0.09 * L1);
+    let v7 = -(0.03 * L1);
+    let v8 = 0.016 * L1;
+    let v9 = 0.05 * L1;
+    let v10 = 0.015_454_813_220_625_094 * L1;
+    let v11 = 0.004_141_104_721_640_332 * L1;
+    let v12 = 0.013_856_406_460_551_019 * L1;
+    let v13 = 0.007_999_999_999_999_998 * L1;
+    let v14 = 0.011_313_708_498_984_762 * L1;
+    let v15 = 0.011_313_708_498_984_76 * L1;
+    let v16 = 0.008_000_000_000_000_002 * L1;
+    let v17 = 0.013_856_406_460_551_017 * L1;
+    let v18 = -(0.004_141_104_721_640_330_4 * L1);
+    let v19 = -v8;
+    let v20 = -v10;
+    let v21 = -(0.008_000_000_000_000_007 * L1);
+    let v22 = 0.013_856_406_460_551_014 * L1;
+    let v23 = 0.02 * L1;
+    let v24 = 0.08 * L1;
+    let v25 = -(f64::from_bits(0x3fe6_6666_6666_6666) * r);
+    let v26 = -v24;
+    let out = out.first_chunk_mut::<84>()?;
+    out[0] = -(r + v0);
+    out[1] = -v1;
+    out[2] = v2;
+    out[3] = L4 + v1 + L2 * sin_string_angle.abs();
+    out[4] = v3;
+    out[5] = v4;
+    out[6] = v5;
+    out[7] = v4;
+    out[8] = v5;
+    out[9] = v6;
+    out[10] = v3;
+    out[11] = v6;
+    out[12] = v7;
+    out[13] = v8;
+    out[14] = L2;
+    out[15] = v8;
+    out[16] = L2;
+    out[17] = v9;
+    out[18] = v7;
+    out[19] = v9;
+    out[20] = v8;
+    out[21] = 0.0;
+    out[22] = v10;
+    out[23] = v11;
+    out[24] = v12;
+    out[25] = v13;
+    out[26] = v14;
+    out[27] = v15;
+    out[28] = v16;
+    out[29] = v17;
+    out[30] = v11;
+    out[31] = v10;
+    out[32] = 9.797_174_393_178_825e-19 * L1;
+    out[33] = v8;
+    out[34] = v18;
+    out[35] = v10;
+    out[36] = -(0.007_999_999_999_999_997 * L1);
+    out[37] = v12;
+    out[38] = -v15;
+    out[39] = v14;
+    out[40] = -v12;
+    out[41] = v13;
+    out[42] = -(0.015_454_813_220_625_092 * L1);
+    out[43] = 0.004_141_104_721_640_336_5 * L1;
+    out[44] = v19;
+    out[45] = 1.959_434_878_635_765e-18 * L1;
+    out[46] = v20;
+    out[47] = -(0.004_141_104_721_640_333 * L1);
+    out[48] = -(0.013_856_406_460_551_02 * L1);
+    out[49] = -(0.007_999_999_999_999_995 * L1);
+    out[50] = -(0.011_313_708_498_984_767 * L1);
+    out[51] = -(0.011_313_708_498_984_755 * L1);
+    out[52] = v21;
+    out[53] = -v22;
+    out[54] = v18;
+    out[55] = v20;
+    out[56] = -(2.939_152_317_953_647_7e-18 * L1);
+    out[57] = v19;
+    out[58] = 0.004_141_104_721_640_325 * L1;
+    out[59] = -(0.015_454_813_220_625_096 * L1);
+    out[60] = v16;
+    out[61] = -v17;
+    out[62] = 0.011_313_708_498_984_758 * L1;
+    out[63] = -(0.011_313_708_498_984_764 * L1);
+    out[64] = v22;
+    out[65] = v21;
+    out[66] = 0.015_454_813_220_625_089 * L1;
+    out[67] = -(0.004_141_104_721_640_345 * L1);
+    out[68] = v3;
+    out[69] = v9;
+    out[70] = v23;
+    out[71] = v9;
+    out[72] = v23;
+    out[73] = v24;
+    out[74] = v3;
+    out[75] = v24;
+    out[76] = v25;
+    out[77] = v26;
+    out[78] = v25;
+    out[79] = v9;
+    out[80] = L1;
+    out[81] = v26;
+    out[82] = 0.0;
+    out[83] = 0.0;
+    Some(())
+}
+
+/// The preset paper.
+fn preset_paper(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<17>()?;
+    out[0] = 0.4;
+    out[1] = 1.0;
+    out[2] = 0.1;
+    out[3] = 0.05;
+    out[4] = 6.5;
+    out[5] = 0.01;
+    out[6] = 6.2;
+    out[7] = 15.0;
+    out[8] = 0.002;
+    out[9] = 0.01625;
+    out[10] = 0.01;
+    out[11] = 9.81;
+    out[12] = 0.398;
+    out[13] = 1.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    out[16] = 0.097_020_853_308_819_4;
+    Some(())
+}
+
+/// The preset literal.
+fn preset_literal(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<17>()?;
+    out[0] = 4.0;
+    out[1] = 10.0;
+    out[2] = 1.0;
+    out[3] = 0.5;
+    out[4] = 6.5;
+    out[5] = 0.01;
+    out[6] = 620.0;
+    out[7] = 15.0;
+    out[8] = 0.02;
+    out[9] = 1.625;
+    out[10] = 1.0;
+    out[11] = 9.81;
+    out[12] = 0.398;
+    out[13] = 1.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    out[16] = 0.097_020_853_308_819_4;
+    Some(())
+}
+
+/// The preset playable.
+fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let extra = given.extra.first_chunk::<1>()?;
+    let extra_0 = extra[0];
+    let v0 = 0.000_630_306_423_357_664 * extra_0 - 0.034_866_025_053_821_58;
+    let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra_0;
+    let out = out.first_chunk_mut::<17>()?;
+    out[0] = 0.1385;
+    out[1] = 0.13;
+    out[2] = 0.124_800_000_000_000_01;
+    out[3] = 0.0027;
+    out[4] = 0.13;
+    out[5] = 0.011_137_652 - 6.2348e-5 * extra_0;
+    out[6] = 300.0;
+    out[7] = 24000.0;
+    out[8] = v0;
+    out[9] = 0.002;
+    out[10] = v1;
+    out[11] = 9.81;
+    out[12] = 0.213_336_278_760_121_84;
+    out[13] = 0.1;
+    out[14] = 0.12;
+    out[15] = 6.0;
+    out[16] = 0.2595;
+    Some(())
+}
+
+/// Input per metre of key-front travel.
+fn input_per_metre(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<17>()?;
+    let r = constants[16];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = 1.0 / r;
+    Some(())
+}
+
+/// The state to start from.
+fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<4>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let s = input[0];
+    let (sin_s, cos_s) = math::sin_cos(s);
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = math::atan2(L1 * sin_s - L4, L1 * cos_s - L3);
+    out[1] = s;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// What follows from the parameters.
+fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<15>()?;
+    let L1 = constants[0];
+    let L2 = constants[1];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let M1 = constants[4];
+    let M2 = constants[5];
+    let k2 = constants[7];
+    let cK = constants[8];
+    let JK = constants[9];
+    let JH = constants[10];
+    let g = constants[11];
+    let b1 = constants[14];
+    let v0 = g * L2;
+    let v1 = M2 * v0;
+    let v2 = 1.0 / JH;
+    let v3 = 1.0 / JK;
+    let out = out.first_chunk_mut::<13>()?;
+    out[0] = cK * (g * M1);
+    out[1] = v1;
+    out[2] = v2;
+    out[3] = v3;
+    out[4] = k2 * v2;
+    out[5] = k2 * v3;
+    out[6] = v0;
+    out[7] = g * L4;
+    out[8] = L4.abs();
+    out[9] = L3.abs();
+    out[10] = L1.abs();
+    out[11] = v1 * v2;
+    out[12] = -(b1 * v3);
+    Some(())
+}

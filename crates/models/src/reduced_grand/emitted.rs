@@ -1,0 +1,4651 @@
+//! Emitted from `the description of reduced-grand` by `letoff model emit`; not to be changed by hand.
+#![allow(
+    non_snake_case,
+    unreachable_pub,
+    clippy::allow_attributes,
+    clippy::large_stack_frames,
+    clippy::suspicious_operation_groupings,
+    clippy::too_many_lines,
+    clippy::unnecessary_wraps,
+    reason = "names as in the description, straight lines of operations: what applies varies"
+)]
+
+use equations::functions;
+use equations::table::{
+    Arguments, DrawingTable, Freedom, FunctionId, Functions, GuardTable, ModeTable, ModelTable,
+    NamedQuantity, ParameterTable, PartTable, PresetTable, RestTable, WayTable,
+};
+use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
+
+/// All of the model but its arithmetic.
+pub static TABLE: ModelTable = ModelTable {
+    name: "reduced-grand",
+    summary: "a grand's key and hammer with let-off, check and repetition, reduced to two coordinates",
+    parameters: &[
+        ParameterTable {
+            name: "R",
+            title: "ratio",
+            unit: "1",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "hammer-head travel over key-front travel",
+        },
+        ParameterTable {
+            name: "mk",
+            title: "key mass",
+            unit: "kg",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "mass of the key, felt at its front",
+        },
+        ParameterTable {
+            name: "mh",
+            title: "hammer mass",
+            unit: "kg",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "mass of the hammer, felt at its head",
+        },
+        ParameterTable {
+            name: "g",
+            title: "gravity",
+            unit: "m/s²",
+            range: (0.0, 1000.0),
+            doc: "gravity",
+        },
+        ParameterTable {
+            name: "Wk",
+            title: "key weight",
+            unit: "N",
+            range: (-100.0, 100.0),
+            doc: "weight of the key at its front, without the hammer; negative with leads",
+        },
+        ParameterTable {
+            name: "ck",
+            title: "key damping",
+            unit: "N·s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "viscous damping of the key",
+        },
+        ParameterTable {
+            name: "Fc",
+            title: "friction",
+            unit: "N",
+            range: (0.0, 1_000_000_000.0),
+            doc: "dry friction of the key",
+        },
+        ParameterTable {
+            name: "vc",
+            title: "friction speed",
+            unit: "m/s",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "key speed at which dry friction is at 76 %",
+        },
+        ParameterTable {
+            name: "ch",
+            title: "hammer damping",
+            unit: "N·s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "viscous damping of the hammer",
+        },
+        ParameterTable {
+            name: "ybed",
+            title: "key bed",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "key travel at which the key bed begins",
+        },
+        ParameterTable {
+            name: "Kb",
+            title: "bed stiffness",
+            unit: "N/m²",
+            range: (0.0, 1_000_000_000_000.0),
+            doc: "stiffness of the key bed, a softened square law",
+        },
+        ParameterTable {
+            name: "ab",
+            title: "bed loss",
+            unit: "s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "loss of the key bed",
+        },
+        ParameterTable {
+            name: "wf",
+            title: "felt width",
+            unit: "m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "travel over which bed and rest rail set in",
+        },
+        ParameterTable {
+            name: "Kr",
+            title: "rail stiffness",
+            unit: "N/m²",
+            range: (0.0, 1_000_000_000_000.0),
+            doc: "stiffness of the rest rail, a softened square law",
+        },
+        ParameterTable {
+            name: "ar",
+            title: "rail loss",
+            unit: "s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "loss of the rest rail",
+        },
+        ParameterTable {
+            name: "yb",
+            title: "button",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "key travel at which the jack meets the let-off button",
+        },
+        ParameterTable {
+            name: "zt",
+            title: "trip height",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "head height at which the jack trips; more than R yb",
+        },
+        ParameterTable {
+            name: "rho",
+            title: "trip ratio",
+            unit: "1",
+            range: (0.0, 1.0),
+            doc: "hammer ratio at the trip over R",
+        },
+        ParameterTable {
+            name: "nu",
+            title: "button friction",
+            unit: "1",
+            range: (0.0, 1_000_000_000.0),
+            doc: "friction of the let-off, a ratio beside the hammer's",
+        },
+        ParameterTable {
+            name: "kj",
+            title: "jack spring",
+            unit: "N/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "spring of jack and button, at the key front",
+        },
+        ParameterTable {
+            name: "wj",
+            title: "jack width",
+            unit: "m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "travel over which that spring sets in",
+        },
+        ParameterTable {
+            name: "zs",
+            title: "string",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "head height at the string; more than zt",
+        },
+        ParameterTable {
+            name: "Ks",
+            title: "string stiffness",
+            unit: "N",
+            range: (1e-9, 1_000_000_000_000_000.0),
+            doc: "force of the hammer's felt at 1 m, were it to go on by its power law",
+        },
+        ParameterTable {
+            name: "ps",
+            title: "string exponent",
+            unit: "1",
+            range: (1.0, 10.0),
+            doc: "exponent of the hammer's felt",
+        },
+        ParameterTable {
+            name: "mus",
+            title: "string loss",
+            unit: "s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "loss of the hammer's felt",
+        },
+        ParameterTable {
+            name: "kr",
+            title: "lever spring",
+            unit: "N/m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "spring of the repetition lever, at the head",
+        },
+        ParameterTable {
+            name: "cr",
+            title: "lever loss",
+            unit: "s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "loss of that spring",
+        },
+        ParameterTable {
+            name: "o_r",
+            title: "lever offset",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "height of the lever above a head that lies on the jack",
+        },
+        ParameterTable {
+            name: "yd",
+            title: "drop screw",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "key travel at which the lever meets the drop screw",
+        },
+        ParameterTable {
+            name: "wd",
+            title: "drop width",
+            unit: "m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "travel over which the drop screw sets in",
+        },
+        ParameterTable {
+            name: "zc",
+            title: "check height",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "head height in check with the key at its bed",
+        },
+        ParameterTable {
+            name: "Rc",
+            title: "check ratio",
+            unit: "1",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "travel of a head in check over that of the key",
+        },
+        ParameterTable {
+            name: "yck",
+            title: "check from",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "key travel from which on the check catches",
+        },
+        ParameterTable {
+            name: "yco",
+            title: "check off",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "key travel below which the check lets go",
+        },
+        ParameterTable {
+            name: "yrs",
+            title: "jack reset",
+            unit: "m",
+            range: (-100.0, 100.0),
+            doc: "key travel below which the jack slips back under the knuckle",
+        },
+        ParameterTable {
+            name: "k1",
+            title: "coupling",
+            unit: "N/m",
+            range: (1e-9, 1_000_000_000.0),
+            doc: "spring between the finger's position and the key",
+        },
+        ParameterTable {
+            name: "b1",
+            title: "coupling damper",
+            unit: "N·s/m",
+            range: (0.0, 1_000_000_000.0),
+            doc: "damper beside it",
+        },
+    ],
+    presets: &[
+        PresetTable {
+            name: "default",
+            doc: "one key of a grand, plausible and not measured",
+            values: 77,
+        },
+        PresetTable {
+            name: "playable",
+            doc: "hammers graded over the compass, and a key that comes up by itself from everywhere",
+            values: 78,
+        },
+    ],
+    requirements: &[],
+    states: &[
+        NamedQuantity { name: "y", unit: "m" },
+        NamedQuantity { name: "z", unit: "m" },
+        NamedQuantity { name: "u", unit: "m/s" },
+        NamedQuantity { name: "w", unit: "m/s" },
+    ],
+    coordinates: 2,
+    constants: 161,
+    derive_constants: 80,
+    input: NamedQuantity { name: "s", unit: "m" },
+    input_per_metre: 79,
+    modes: &[
+        ModeTable {
+            name: "ACC",
+            derivative: 0,
+            parts: &[PartTable {
+                entries: 0x5,
+                derivative: 1,
+                kind: EquationKind::Smooth,
+                loss: None,
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::of(&[0, 2])],
+            slaved: Some(2),
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 6,
+            balance: 7,
+            jacobian: 3,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 0,
+                    name: "lift-off",
+                    priority: 0,
+                    scale: 40.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::StateAndInput,
+                    value: 9,
+                    bound: Some(10),
+                    ways: &[WayTable { when: None, to: 2, reset: Some(8), resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 1,
+                    name: "button",
+                    priority: 1,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 12,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 1, reset: Some(11), resting: None }],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(0),
+                    name: "lift-off",
+                    priority: 0,
+                    scale: 40.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::StateAndInput,
+                },
+                GuardSpec {
+                    id: GuardId(1),
+                    name: "button",
+                    priority: 1,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 1, p: 1 },
+        },
+        ModeTable {
+            name: "LO",
+            derivative: 14,
+            parts: &[PartTable {
+                entries: 0x5,
+                derivative: 15,
+                kind: EquationKind::Smooth,
+                loss: None,
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::of(&[0, 2])],
+            slaved: Some(16),
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 18,
+            balance: 19,
+            jacobian: 17,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 0,
+                    name: "lift-off",
+                    priority: 0,
+                    scale: 40.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::StateAndInput,
+                    value: 20,
+                    bound: Some(21),
+                    ways: &[WayTable { when: None, to: 3, reset: Some(11), resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 2,
+                    name: "button-off",
+                    priority: 2,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 22,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 0, reset: Some(8), resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 3,
+                    name: "trip",
+                    priority: 3,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 23,
+                    bound: Some(24),
+                    ways: &[WayTable { when: None, to: 4, reset: Some(11), resting: None }],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(0),
+                    name: "lift-off",
+                    priority: 0,
+                    scale: 40.0,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::StateAndInput,
+                },
+                GuardSpec {
+                    id: GuardId(2),
+                    name: "button-off",
+                    priority: 2,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(3),
+                    name: "trip",
+                    priority: 3,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 1, p: 1 },
+        },
+        ModeTable {
+            name: "FLA",
+            derivative: 25,
+            parts: &[
+                PartTable {
+                    entries: 0x5,
+                    derivative: 26,
+                    kind: EquationKind::Smooth,
+                    loss: None,
+                    reads: Reads::StateAndInput,
+                },
+                PartTable {
+                    entries: 0xa,
+                    derivative: 27,
+                    kind: EquationKind::Affine,
+                    loss: Some(28),
+                    reads: Reads::State,
+                },
+            ],
+            part_list: &[Part::of(&[0, 2]), Part::of(&[1, 3]).of_state()],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 30,
+            balance: 31,
+            jacobian: 29,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 4,
+                    name: "land",
+                    priority: 4,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 33,
+                    bound: Some(34),
+                    ways: &[WayTable { when: None, to: 0, reset: Some(32), resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 1,
+                    name: "button",
+                    priority: 1,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 12,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 3, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 5,
+                    name: "string-on",
+                    priority: 5,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 37,
+                    bound: Some(38),
+                    ways: &[WayTable { when: None, to: 5, reset: Some(35), resting: None }],
+                    sounds: Some(36),
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(4),
+                    name: "land",
+                    priority: 4,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(1),
+                    name: "button",
+                    priority: 1,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(5),
+                    name: "string-on",
+                    priority: 5,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "FLL",
+            derivative: 25,
+            parts: &[
+                PartTable {
+                    entries: 0x5,
+                    derivative: 26,
+                    kind: EquationKind::Smooth,
+                    loss: None,
+                    reads: Reads::StateAndInput,
+                },
+                PartTable {
+                    entries: 0xa,
+                    derivative: 27,
+                    kind: EquationKind::Affine,
+                    loss: Some(28),
+                    reads: Reads::State,
+                },
+            ],
+            part_list: &[Part::of(&[0, 2]), Part::of(&[1, 3]).of_state()],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 30,
+            balance: 31,
+            jacobian: 29,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 4,
+                    name: "land",
+                    priority: 4,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 40,
+                    bound: Some(41),
+                    ways: &[WayTable { when: None, to: 1, reset: Some(39), resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 2,
+                    name: "button-off",
+                    priority: 2,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 22,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 2, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 3,
+                    name: "trip",
+                    priority: 3,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 23,
+                    bound: Some(24),
+                    ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 5,
+                    name: "string-on",
+                    priority: 5,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 37,
+                    bound: Some(38),
+                    ways: &[WayTable { when: None, to: 5, reset: Some(35), resting: None }],
+                    sounds: Some(36),
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(4),
+                    name: "land",
+                    priority: 4,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(2),
+                    name: "button-off",
+                    priority: 2,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(3),
+                    name: "trip",
+                    priority: 3,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(5),
+                    name: "string-on",
+                    priority: 5,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "FLT",
+            derivative: 25,
+            parts: &[
+                PartTable {
+                    entries: 0x5,
+                    derivative: 26,
+                    kind: EquationKind::Smooth,
+                    loss: None,
+                    reads: Reads::StateAndInput,
+                },
+                PartTable {
+                    entries: 0xa,
+                    derivative: 27,
+                    kind: EquationKind::Affine,
+                    loss: Some(28),
+                    reads: Reads::State,
+                },
+            ],
+            part_list: &[Part::of(&[0, 2]), Part::of(&[1, 3]).of_state()],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 30,
+            balance: 31,
+            jacobian: 29,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 5,
+                    name: "string-on",
+                    priority: 5,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 37,
+                    bound: Some(38),
+                    ways: &[WayTable { when: None, to: 6, reset: Some(35), resting: None }],
+                    sounds: Some(36),
+                },
+                GuardTable {
+                    id: 6,
+                    name: "rep-on",
+                    priority: 7,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 43,
+                    bound: Some(44),
+                    ways: &[
+                        WayTable { when: Some(42), to: 7, reset: None, resting: None },
+                        WayTable { when: None, to: 8, reset: None, resting: None },
+                    ],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 7,
+                    name: "reset",
+                    priority: 13,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 46,
+                    bound: Some(13),
+                    ways: &[
+                        WayTable { when: Some(45), to: 2, reset: None, resting: None },
+                        WayTable { when: None, to: 9, reset: None, resting: None },
+                    ],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(5),
+                    name: "string-on",
+                    priority: 5,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(6),
+                    name: "rep-on",
+                    priority: 7,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(7),
+                    name: "reset",
+                    priority: 13,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "STU",
+            derivative: 47,
+            parts: &[
+                PartTable {
+                    entries: 0x5,
+                    derivative: 26,
+                    kind: EquationKind::Smooth,
+                    loss: None,
+                    reads: Reads::StateAndInput,
+                },
+                PartTable {
+                    entries: 0xa,
+                    derivative: 48,
+                    kind: EquationKind::Smooth,
+                    loss: Some(49),
+                    reads: Reads::State,
+                },
+            ],
+            part_list: &[Part::of(&[0, 2]), Part::of(&[1, 3]).of_state()],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 51,
+            balance: 52,
+            jacobian: 50,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 8,
+                    name: "string-off",
+                    priority: 6,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 54,
+                    bound: Some(38),
+                    ways: &[
+                        WayTable { when: Some(53), to: 2, reset: None, resting: None },
+                        WayTable { when: None, to: 3, reset: None, resting: None },
+                    ],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 3,
+                    name: "trip",
+                    priority: 3,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 23,
+                    bound: Some(24),
+                    ways: &[WayTable { when: None, to: 6, reset: None, resting: None }],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(8),
+                    name: "string-off",
+                    priority: 6,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(3),
+                    name: "trip",
+                    priority: 3,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "STT",
+            derivative: 47,
+            parts: &[
+                PartTable {
+                    entries: 0x5,
+                    derivative: 26,
+                    kind: EquationKind::Smooth,
+                    loss: None,
+                    reads: Reads::StateAndInput,
+                },
+                PartTable {
+                    entries: 0xa,
+                    derivative: 48,
+                    kind: EquationKind::Smooth,
+                    loss: Some(49),
+                    reads: Reads::State,
+                },
+            ],
+            part_list: &[Part::of(&[0, 2]), Part::of(&[1, 3]).of_state()],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 51,
+            balance: 52,
+            jacobian: 50,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 8,
+                    name: "string-off",
+                    priority: 6,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 54,
+                    bound: Some(38),
+                    ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 7,
+                    name: "reset",
+                    priority: 13,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 46,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 5, reset: None, resting: None }],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(8),
+                    name: "string-off",
+                    priority: 6,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(7),
+                    name: "reset",
+                    priority: 13,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "REPH",
+            derivative: 55,
+            parts: &[PartTable {
+                entries: 0xf,
+                derivative: 55,
+                kind: EquationKind::Smooth,
+                loss: None,
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::WHOLE],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 57,
+            balance: 58,
+            jacobian: 56,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 9,
+                    name: "rep-off",
+                    priority: 8,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 59,
+                    bound: Some(60),
+                    ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 10,
+                    name: "check",
+                    priority: 9,
+                    scale: 0.05,
+                    fires: Fires::OnCrossing,
+                    reads: Reads::State,
+                    value: 62,
+                    bound: Some(63),
+                    ways: &[WayTable { when: None, to: 10, reset: Some(61), resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 11,
+                    name: "check-far",
+                    priority: 10,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 64,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 8, reset: None, resting: None }],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(9),
+                    name: "rep-off",
+                    priority: 8,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(10),
+                    name: "check",
+                    priority: 9,
+                    scale: 0.05,
+                    fires: Fires::OnCrossing,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(11),
+                    name: "check-far",
+                    priority: 10,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "REPL",
+            derivative: 55,
+            parts: &[PartTable {
+                entries: 0xf,
+                derivative: 55,
+                kind: EquationKind::Smooth,
+                loss: None,
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::WHOLE],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 57,
+            balance: 58,
+            jacobian: 56,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 9,
+                    name: "rep-off",
+                    priority: 8,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 59,
+                    bound: Some(60),
+                    ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 12,
+                    name: "check-near",
+                    priority: 11,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 65,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 7, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 7,
+                    name: "reset",
+                    priority: 13,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 46,
+                    bound: Some(13),
+                    ways: &[
+                        WayTable { when: Some(45), to: 2, reset: None, resting: None },
+                        WayTable { when: None, to: 9, reset: None, resting: None },
+                    ],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(9),
+                    name: "rep-off",
+                    priority: 8,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(12),
+                    name: "check-near",
+                    priority: 11,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(7),
+                    name: "reset",
+                    priority: 13,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "REP0",
+            derivative: 55,
+            parts: &[PartTable {
+                entries: 0xf,
+                derivative: 55,
+                kind: EquationKind::Smooth,
+                loss: None,
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::WHOLE],
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 57,
+            balance: 58,
+            jacobian: 56,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[
+                GuardTable {
+                    id: 9,
+                    name: "rep-off",
+                    priority: 8,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 59,
+                    bound: Some(60),
+                    ways: &[WayTable { when: None, to: 2, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 13,
+                    name: "jack-in",
+                    priority: 14,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 66,
+                    bound: Some(34),
+                    ways: &[WayTable { when: None, to: 2, reset: None, resting: None }],
+                    sounds: None,
+                },
+                GuardTable {
+                    id: 14,
+                    name: "jack-out",
+                    priority: 15,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                    value: 67,
+                    bound: Some(13),
+                    ways: &[WayTable { when: None, to: 8, reset: None, resting: None }],
+                    sounds: None,
+                },
+            ],
+            guard_specs: &[
+                GuardSpec {
+                    id: GuardId(9),
+                    name: "rep-off",
+                    priority: 8,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(13),
+                    name: "jack-in",
+                    priority: 14,
+                    scale: 0.05,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+                GuardSpec {
+                    id: GuardId(14),
+                    name: "jack-out",
+                    priority: 15,
+                    scale: 0.01,
+                    fires: Fires::WhileNegative,
+                    reads: Reads::State,
+                },
+            ],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 0, p: 2 },
+        },
+        ModeTable {
+            name: "CHK",
+            derivative: 68,
+            parts: &[PartTable {
+                entries: 0x5,
+                derivative: 69,
+                kind: EquationKind::Smooth,
+                loss: None,
+                reads: Reads::StateAndInput,
+            }],
+            part_list: &[Part::of(&[0, 2])],
+            slaved: Some(70),
+            projection: None,
+            projected: 0,
+            longest_projection: f64::INFINITY,
+            readout: 4,
+            slopes: 5,
+            outputs: 72,
+            balance: 73,
+            jacobian: 71,
+            kind: EquationKind::Smooth,
+            loss: None,
+            is_stiffening: true,
+            guards: &[GuardTable {
+                id: 15,
+                name: "check-off",
+                priority: 12,
+                scale: 0.01,
+                fires: Fires::WhileNegative,
+                reads: Reads::State,
+                value: 75,
+                bound: Some(13),
+                ways: &[WayTable { when: None, to: 8, reset: Some(74), resting: None }],
+                sounds: None,
+            }],
+            guard_specs: &[GuardSpec {
+                id: GuardId(15),
+                name: "check-off",
+                priority: 12,
+                scale: 0.01,
+                fires: Fires::WhileNegative,
+                reads: Reads::State,
+            }],
+            contacts: &[],
+            freedom: Freedom { n: 2, m: 1, p: 1 },
+        },
+    ],
+    contacts: &[],
+    contact_specs: &[],
+    guard_specs: &[
+        GuardSpec {
+            id: GuardId(0),
+            name: "lift-off",
+            priority: 0,
+            scale: 40.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::StateAndInput,
+        },
+        GuardSpec {
+            id: GuardId(1),
+            name: "button",
+            priority: 1,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(2),
+            name: "button-off",
+            priority: 2,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(3),
+            name: "trip",
+            priority: 3,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(4),
+            name: "land",
+            priority: 4,
+            scale: 0.05,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(5),
+            name: "string-on",
+            priority: 5,
+            scale: 0.05,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(6),
+            name: "rep-on",
+            priority: 7,
+            scale: 0.05,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(7),
+            name: "reset",
+            priority: 13,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(8),
+            name: "string-off",
+            priority: 6,
+            scale: 0.05,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(9),
+            name: "rep-off",
+            priority: 8,
+            scale: 0.05,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(10),
+            name: "check",
+            priority: 9,
+            scale: 0.05,
+            fires: Fires::OnCrossing,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(11),
+            name: "check-far",
+            priority: 10,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(12),
+            name: "check-near",
+            priority: 11,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(13),
+            name: "jack-in",
+            priority: 14,
+            scale: 0.05,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(14),
+            name: "jack-out",
+            priority: 15,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+        GuardSpec {
+            id: GuardId(15),
+            name: "check-off",
+            priority: 12,
+            scale: 0.01,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+        },
+    ],
+    outputs: &[
+        NamedQuantity { name: "F_KU", unit: "N" },
+        NamedQuantity { name: "F_jack", unit: "N" },
+        NamedQuantity { name: "F_lever", unit: "N" },
+        NamedQuantity { name: "F_string", unit: "N" },
+    ],
+    rest: RestTable { mode: 0, state: 76, is_improved: true },
+    damper: None,
+    drawing: DrawingTable { numbers: 76, count: 0, bodies: &[], springs: &[] },
+};
+
+/// The model's arithmetic.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ReducedGrandFunctions;
+
+impl Functions for ReducedGrandFunctions {
+    fn call(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derivative_acc(given, out),
+            1 => part_0_acc(given, out),
+            2 => slaved_acc(given, out),
+            3 => jacobian_acc(given, out),
+            4 => readout_acc(given, out),
+            5 => slopes_acc(given, out),
+            6 => outputs_acc(given, out),
+            7 => balance_acc(given, out),
+            8 => reset_0_lift_off_acc(given, out),
+            9 => guard_lift_off_acc(given, out),
+            10 => bound_lift_off_acc(given, out),
+            11 => reset_0_button_acc(given, out),
+            12 => guard_button_acc(given, out),
+            13 => bound_button_acc(given, out),
+            14 => derivative_lo(given, out),
+            15 => part_0_lo(given, out),
+            16 => slaved_lo(given, out),
+            17 => jacobian_lo(given, out),
+            18 => outputs_lo(given, out),
+            19 => balance_lo(given, out),
+            20 => guard_lift_off_lo(given, out),
+            21 => bound_lift_off_lo(given, out),
+            22 => guard_button_off_lo(given, out),
+            23 => guard_trip_lo(given, out),
+            24 => bound_trip_lo(given, out),
+            25 => derivative_fla(given, out),
+            26 => part_0_fla(given, out),
+            27 => part_1_fla(given, out),
+            28 => function_28(given, out),
+            29 => jacobian_fla(given, out),
+            30 => outputs_fla(given, out),
+            31 => balance_fla(given, out),
+            32 => reset_0_land_fla(given, out),
+            33 => guard_land_fla(given, out),
+            34 => bound_land_fla(given, out),
+            35 => reset_0_string_on_fla(given, out),
+            36 => speed_string_on_fla(given, out),
+            37 => guard_string_on_fla(given, out),
+            38 => bound_string_on_fla(given, out),
+            39 => reset_0_land_fll(given, out),
+            40 => guard_land_fll(given, out),
+            41 => bound_land_fll(given, out),
+            42 => when_0_rep_on_flt(given, out),
+            43 => guard_rep_on_flt(given, out),
+            44 => bound_rep_on_flt(given, out),
+            45 => when_0_reset_flt(given, out),
+            46 => guard_reset_flt(given, out),
+            47 => derivative_stu(given, out),
+            48 => part_1_stu(given, out),
+            49 => function_49(given, out),
+            50 => jacobian_stu(given, out),
+            51 => outputs_stu(given, out),
+            52 => balance_stu(given, out),
+            53 => when_0_string_off_stu(given, out),
+            54 => guard_string_off_stu(given, out),
+            55 => derivative_reph(given, out),
+            56 => jacobian_reph(given, out),
+            57 => outputs_reph(given, out),
+            58 => balance_reph(given, out),
+            59 => guard_rep_off_reph(given, out),
+            60 => bound_rep_off_reph(given, out),
+            61 => reset_0_check_reph(given, out),
+            62 => guard_check_reph(given, out),
+            63 => bound_check_reph(given, out),
+            64 => guard_check_far_reph(given, out),
+            65 => guard_check_near_repl(given, out),
+            66 => guard_jack_in_rep0(given, out),
+            67 => guard_jack_out_rep0(given, out),
+            68 => derivative_chk(given, out),
+            69 => part_0_chk(given, out),
+            70 => slaved_chk(given, out),
+            71 => jacobian_chk(given, out),
+            72 => outputs_chk(given, out),
+            73 => balance_chk(given, out),
+            74 => reset_0_check_off_chk(given, out),
+            75 => guard_check_off_chk(given, out),
+            76 => rest(given, out),
+            77 => preset_default(given, out),
+            78 => preset_playable(given, out),
+            79 => input_per_metre(given, out),
+            80 => derived_constants(given, out),
+            _ => return,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+}
+
+/// The derivative of the state in mode ACC.
+fn derivative_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<47>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c44 = constants[44];
+    let c45 = constants[45];
+    let c46 = constants[46];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = functions::softplus(c37 * (y - ybed));
+    let v1 = c38 * (v0 * v0) * functions::larger(1.0 + u * ab, 0.0);
+    let v2 = functions::softplus(-(y * c37));
+    let v3 = c39 * (v2 * v2) * functions::larger(1.0 - u * ar, 0.0);
+    let v4 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck + R * (c44 + u * c43));
+    let v5 = v4 - Fc * math::tanh(u * c40) - c42 * functions::softplus(c41 * (y - yb));
+    let v6 = v3 + (v5 - v1);
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = u * R;
+    out[2] = c45 * v6;
+    out[3] = c46 * v6;
+    Some(())
+}
+
+/// The derivative of a part in mode ACC.
+fn part_0_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<46>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c44 = constants[44];
+    let c45 = constants[45];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = functions::softplus(c37 * (y - ybed));
+    let v1 = c38 * (v0 * v0) * functions::larger(1.0 + u * ab, 0.0);
+    let v2 = functions::softplus(-(y * c37));
+    let v3 = c39 * (v2 * v2) * functions::larger(1.0 - u * ar, 0.0);
+    let v4 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck + R * (c44 + u * c43));
+    let v5 = v4 - Fc * math::tanh(u * c40) - c42 * functions::softplus(c41 * (y - yb));
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = 0.0;
+    out[2] = c45 * (v3 + (v5 - v1));
+    out[3] = 0.0;
+    Some(())
+}
+
+/// The state with slaved entries in place in mode ACC.
+fn slaved_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<1>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let R = constants[0];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = y;
+    out[1] = y * R;
+    out[2] = u;
+    out[3] = R * u;
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode ACC.
+fn jacobian_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<52>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let k1 = constants[35];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c45 = constants[45];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c51 = constants[51];
+    let y = state[0];
+    let u = state[2];
+    let v0 = 1.0 + u * ab;
+    let v1 = c37 * (y - ybed);
+    let v2 = functions::softplus(v1);
+    let v3 = functions::logistic(v1) * (c47 * v2) * functions::larger(v0, 0.0);
+    let v4 = 1.0 - u * ar;
+    let v5 = -(y * c37);
+    let v6 = functions::softplus(v5);
+    let v7 = functions::logistic(v5) * (c48 * v6) * functions::larger(v4, 0.0);
+    let v8 = k1 + kj * functions::logistic(c41 * (y - yb)) + 2.0 * (v3 + v7);
+    let v9 = if v0 > 0.0 { ab } else { 0.0 };
+    let v10 = if v4 > 0.0 { c49 } else { 0.0 };
+    let v11 = math::tanh(u * c40);
+    let v12 = c51 + c39 * v10 * (v6 * v6) - (c38 * v9 * (v2 * v2) + c50 * (1.0 - v11 * v11));
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = c45 * -v8;
+    out[9] = 0.0;
+    out[10] = c45 * v12;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    Some(())
+}
+
+/// The readout in mode ACC.
+fn readout_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<37>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = k1 * (s - y) + b1 * (s_rate - u);
+    Some(())
+}
+
+/// The readout's slopes in mode ACC.
+fn slopes_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<37>()?;
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = k1;
+    out[1] = b1;
+    Some(())
+}
+
+/// The outputs in mode ACC.
+fn outputs_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<53>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c44 = constants[44];
+    let c52 = constants[52];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = k1 * (s - y) + b1 * (s_rate - u);
+    let v1 = functions::softplus(c37 * (y - ybed));
+    let v2 = c38 * (v1 * v1) * functions::larger(1.0 + u * ab, 0.0);
+    let v3 = functions::softplus(-(y * c37));
+    let v4 = c39 * (v3 * v3) * functions::larger(1.0 - u * ar, 0.0);
+    let v5 = c44 + u * c43;
+    let v6 = v0 - (Wk + u * ck) - R * v5 - Fc * math::tanh(u * c40);
+    let v7 = v6 - c42 * functions::softplus(c41 * (y - yb)) - v2;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = v0;
+    out[1] = v5 + c52 * (v4 + v7);
+    out[2] = 0.0;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode ACC.
+fn balance_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<59>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let mk = constants[1];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c53 = constants[53];
+    let c54 = constants[54];
+    let c55 = constants[55];
+    let c56 = constants[56];
+    let c57 = constants[57];
+    let c58 = constants[58];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - y;
+    let v1 = k1 * v0;
+    let v2 = c37 * (y - ybed);
+    let v3 = -(y * c37);
+    let v4 = 0.5 * (v0 * v1) + (y * (Wk + c57) + u * u * (0.5 * (mk + c56)));
+    let v5 = c53 * functions::softplus_area(c41 * (y - yb));
+    let v6 = v4 + c55 * functions::softplus_square_area(v3);
+    let v7 = v6 + (v5 + c54 * functions::softplus_square_area(v2));
+    let v8 = s_rate - u;
+    let v9 = b1 * v8;
+    let v10 = functions::softplus(v2);
+    let v11 = c38 * (functions::larger(1.0 + u * ab, 0.0) - 1.0);
+    let v12 = functions::softplus(v3);
+    let v13 = c39 * (functions::larger(1.0 - u * ar, 0.0) - 1.0);
+    let v14 = u * c58 + (u * ck + Fc * math::tanh(u * c40)) + v10 * v10 * v11;
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v7;
+    out[1] = s_rate * (v1 + v9);
+    out[2] = v8 * v9 + u * (v14 - v12 * v12 * v13);
+    Some(())
+}
+
+/// The state after guard lift_off in mode ACC.
+fn reset_0_lift_off_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<1>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let R = constants[0];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = y;
+    out[1] = y * R;
+    out[2] = u;
+    out[3] = R * u;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: lift_off in mode ACC.
+fn guard_lift_off_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<65>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c44 = constants[44];
+    let c45 = constants[45];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c59 = constants[59];
+    let c60 = constants[60];
+    let c61 = constants[61];
+    let c62 = constants[62];
+    let c63 = constants[63];
+    let c64 = constants[64];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let s_rate2 = input[2];
+    let v0 = s_rate - u;
+    let v1 = 1.0 + u * ab;
+    let v2 = c37 * (y - ybed);
+    let v3 = functions::softplus(v2);
+    let v4 = v3 * functions::larger(v1, 0.0);
+    let v5 = c38 * v3;
+    let v6 = 1.0 - u * ar;
+    let v7 = -(y * c37);
+    let v8 = functions::softplus(v7);
+    let v9 = v8 * functions::larger(v6, 0.0);
+    let v10 = c39 * v8;
+    let v11 = math::tanh(u * c40);
+    let v12 = c41 * (y - yb);
+    let v13 = Fc * v11 + c42 * functions::softplus(v12) + (v5 * v4 - v10 * v9);
+    let v14 = k1 * (s - y) + b1 * v0 - (Wk + u * ck) - v13;
+    let v15 = c44 + u * c43;
+    let v16 = v14 - R * v15;
+    let v17 = c47 * functions::logistic(v2) * v4 + c48 * functions::logistic(v7) * v9;
+    let v18 = if v1 > 0.0 { c60 * v16 } else { 0.0 };
+    let v19 = if v6 > 0.0 { -(c61 * v16) } else { 0.0 };
+    let v20 = k1 * v0 + u * -(kj * functions::logistic(v12) + 2.0 * v17);
+    let v21 = -(c63 + c62 * (1.0 - v11 * v11)) * v16 + v20 + b1 * (s_rate2 - c45 * v16);
+    let v22 = c59 * (v21 + (v10 * (v8 * v19) - v5 * (v3 * v18)));
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v15 + c59 * v14;
+    out[1] = c64 * v16 + v22;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: lift_off in mode ACC.
+fn bound_lift_off_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<89>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let extra = given.extra.first_chunk::<11>()?;
+    let input = given.input;
+    let ybed = constants[9];
+    let Kb = constants[10];
+    let ab = constants[11];
+    let Kr = constants[13];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let k1 = constants[35];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c43 = constants[43];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c59 = constants[59];
+    let c65 = constants[65];
+    let c66 = constants[66];
+    let c67 = constants[67];
+    let c68 = constants[68];
+    let c69 = constants[69];
+    let c70 = constants[70];
+    let c71 = constants[71];
+    let c72 = constants[72];
+    let c73 = constants[73];
+    let c74 = constants[74];
+    let c75 = constants[75];
+    let c76 = constants[76];
+    let c77 = constants[77];
+    let c78 = constants[78];
+    let c79 = constants[79];
+    let c80 = constants[80];
+    let c81 = constants[81];
+    let c82 = constants[82];
+    let c83 = constants[83];
+    let c84 = constants[84];
+    let c85 = constants[85];
+    let c86 = constants[86];
+    let c87 = constants[87];
+    let c88 = constants[88];
+    let y = state[0];
+    let u = state[2];
+    let s_rate = input[1];
+    let s_rate2 = input[2];
+    let s_rate3 = input[3];
+    let extra_0 = extra[0];
+    let extra_1 = extra[1];
+    let extra_2 = extra[2];
+    let extra_3 = extra[3];
+    let extra_8 = extra[8];
+    let extra_9 = extra[9];
+    let extra_10 = extra[10];
+    let v0 = 1.0 + u * ab;
+    let v1 = functions::larger(v0, 0.0);
+    let v2 = c37 * (y - ybed);
+    let v3 = functions::logistic(v2);
+    let v4 = functions::softplus(v2);
+    let v5 = c47 * v4;
+    let v6 = v3 * v5;
+    let v7 = u * ar;
+    let v8 = 1.0 - v7;
+    let v9 = functions::larger(v8, 0.0);
+    let v10 = y * c37;
+    let v11 = -v10;
+    let v12 = functions::logistic(v11);
+    let v13 = functions::softplus(v11);
+    let v14 = c48 * v13;
+    let v15 = v12 * v14;
+    let v16 = c41 * (y - yb);
+    let v17 = functions::logistic(v16);
+    let v18 = (k1 + kj * v17 + 2.0 * (v6 * v1 + v15 * v9)).abs();
+    let v19 = extra_0 * c68;
+    let v20 = functions::logistic(functions::larger(v2.abs() - v19, 0.0));
+    let v21 = v20 * (1.0 - v20);
+    let v22 = functions::logistic(functions::larger(v10.abs() - v19, 0.0));
+    let v23 = v22 * (1.0 - v22);
+    let v24 = 2.0 * ((v14 * v9).abs() * v23 + (v5 * v1).abs() * v21);
+    let v25 = extra_0 * c69;
+    let v26 = functions::logistic(functions::larger(v16.abs() - v25, 0.0));
+    let v27 = v26 * (1.0 - v26);
+    let v28 = v19 + v2;
+    let v29 = functions::logistic(v28);
+    let v30 = v0.abs();
+    let v31 = extra_8 * c66;
+    let v32 = v31 + v30;
+    let v33 = extra_0 * v29 * (0.5 * (v32 + v32.abs()));
+    let v34 = 0.5 * (v31 + v31.abs());
+    let v35 = v5.abs();
+    let v36 = v19 - v10;
+    let v37 = functions::logistic(v36);
+    let v38 = (v7 - 1.0).abs();
+    let v39 = extra_8 * c67;
+    let v40 = v39 + v38;
+    let v41 = extra_0 * v37 * (0.5 * (v40 + v40.abs()));
+    let v42 = 0.5 * (v39 + v39.abs());
+    let v43 = v14.abs();
+    let v44 = v29 * (v34 * v35 + c70 * v33) + v37 * (v42 * v43 + c71 * v41);
+    let v45 = v18 + 2.0 * v44 + extra_0 * (c72 * v27 + c68 * v24);
+    let v46 = v30 - v31;
+    let v47 = if v0 > 0.0 { c66 } else { 0.0 };
+    let v48 = if v46 > 0.0 { v47 } else { c66 };
+    let v49 = c81 * (v48 * (functions::softplus(v28) + v4.abs()));
+    let v50 = v38 - v39;
+    let v51 = if v8 > 0.0 { c67 } else { 0.0 };
+    let v52 = if v50 > 0.0 { v51 } else { c67 };
+    let v53 = c82 * (v52 * (functions::softplus(v36) + v13.abs()));
+    let v54 = if v0 > 0.0 { ab } else { 0.0 };
+    let v55 = if v46 > 0.0 { 0.0 } else { c66 + v54.abs() };
+    let v56 = v4 * (c38 * v4);
+    let v57 = if v8 > 0.0 { c49 } else { 0.0 };
+    let v58 = if v50 > 0.0 { 0.0 } else { c67 + v57.abs() };
+    let v59 = v13 * (c39 * v13);
+    let v60 = u * c40;
+    let v61 = math::tanh(v60);
+    let v62 = v61.abs();
+    let v63 = functions::larger(v60.abs() - extra_8 * c80, 0.0);
+    let v64 = math::tanh(v63);
+    let v65 = 1.0 - v64 * v64;
+    let v66 = extra_8 * v65;
+    let v67 = v62 + functions::smaller(v62 + c80 * v66, 1.0);
+    let v68 = v66 * v67;
+    let v69 = v58 * v59.abs() + v55 * v56.abs() + extra_0 * (v37 * v53 + v29 * v49);
+    let v70 = v61 * v61;
+    let v71 = 1.0 - v70;
+    let v72 = c59 * (c65 - c50 * v71 + (v57 * v59 - v54 * v56));
+    let v73 = (c43 + v72).abs() + c84 * (v69 + c83 * v68);
+    let v74 = extra_3 * (s_rate * c87 + s_rate2 * c88) + extra_0 * (c73 * v45);
+    let v75 = if v46 > 0.0 { 0.0 } else { f64::INFINITY };
+    let v76 = if v50 > 0.0 { 0.0 } else { f64::INFINITY };
+    let v77 = v3 * (1.0 - v3);
+    let v78 = v12 * (1.0 - v12);
+    let v79 = c74 * (v17 * (1.0 - v17)) + Kb * (v1 * (2.0 * (v3 * v3 + v4 * v77)));
+    let v80 = Kr * (-(2.0 * (v12 * v12 + v13 * v78)) * v9) + v79;
+    let v81 = Kb * v1;
+    let v82 = v29 + v3.abs();
+    let v83 = Kr * v9;
+    let v84 = v37 + v12.abs();
+    let v85 = 2.0 * (v84 * v83.abs() * v23 + v82 * v81.abs() * v21);
+    let v86 = v19 * v21;
+    let v87 = v86 + v82 * v86;
+    let v88 = (v34 * (Kb * v4).abs() + c76 * v33) * (v77.abs() + v87);
+    let v89 = v19 * v23;
+    let v90 = v89 + v84 * v89;
+    let v91 = (v42 * (Kr * v13).abs() + c78 * v41) * (v78.abs() + v90);
+    let v92 = 1.0 + (functions::logistic(v25 + v16) + v17.abs());
+    let v93 = v29 * v34 * (c75 * v29) + c77 * v37 * (v37 * v42);
+    let v94 = (v4 * v81).abs() * v87 + v91 + (v93 + (v13 * v83).abs() * v90 + v88);
+    let v95 = v80.abs() + c79 * (extra_0 * (c69 * (v92 * v27)));
+    let v96 = extra_1 * (extra_0 * (c68 * v85) + v95 + 2.0 * v94);
+    let v97 = v48 * (extra_0 * (v29 * (c70 * v29) + c68 * v35 * v21));
+    let v98 = v52 * (extra_0 * (v37 * (c71 * v37) + c68 * v43 * v23));
+    let v99 = 2.0 * (v97 + (v58 * v15.abs() + v55 * v6.abs() + v98));
+    let v100 = extra_9 * ((2.0 * (v57 * v15 + v54 * v6)).abs() + v99);
+    let v101 = c73 * (extra_2 * v45 + extra_1 * (2.0 * v100 + v96));
+    let v102 = extra_3 * extra_3 * (c87 * s_rate2 + c88 * s_rate3);
+    let v103 = c85 * v61;
+    let v104 = c80 * v103.abs() * v67 + c86 * ((v70 - 1.0).abs() + c80 * v68);
+    let v105 = (2.0 * (v103 * v71)).abs() + extra_8 * (v65 * (2.0 * v104));
+    let v106 = v76 + (v102 + v75) + v101 + extra_10 * v73 + extra_9 * (extra_9 * v105);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v74 + extra_8 * v73;
+    out[1] = v106;
+    Some(())
+}
+
+/// The state after guard button in mode ACC.
+fn reset_0_button_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<93>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yb = constants[15];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c92 = constants[92];
+    let y = state[0];
+    let u = state[2];
+    let v0 = y - yb;
+    let v1 = c90 * v0;
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = y;
+    out[1] = c92 + c91 * (v0 * (c89 - 0.5 * v1));
+    out[2] = u;
+    out[3] = c91 * u * (c89 - v1);
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: button in mode ACC.
+fn guard_button_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<16>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yb = constants[15];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = yb - y;
+    out[1] = -u;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: button in mode ACC.
+fn bound_button_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let extra = given.extra.first_chunk::<3>()?;
+    let extra_0 = extra[0];
+    let extra_2 = extra[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_0;
+    out[1] = extra_2;
+    Some(())
+}
+
+/// The derivative of the state in mode LO.
+fn derivative_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<97>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c93 = constants[93];
+    let c94 = constants[94];
+    let c95 = constants[95];
+    let c96 = constants[96];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = y - yb;
+    let v1 = c91 * (c89 - c90 * v0);
+    let v2 = functions::softplus(c37 * (y - ybed));
+    let v3 = c38 * (v2 * v2) * functions::larger(1.0 + u * ab, 0.0);
+    let v4 = functions::softplus(-(y * c37));
+    let v5 = c39 * (v4 * v4) * functions::larger(1.0 - u * ar, 0.0);
+    let v6 = math::tanh(u * c40);
+    let v7 = 1.0 - c93 * v0;
+    let v8 = 1.0 - c89 * v0;
+    let v9 = R * v7 + 16.0 * (c94 * (v0 * v0) * (v8 * v8) * v6);
+    let v10 = c95 * (u * u);
+    let v11 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck) - Fc * v6;
+    let v12 = v11 - c42 * functions::softplus(c41 * v0) - (mh * (g - v10) + u * c43 * v7) * v9;
+    let v13 = 1.0 / (mk + c96 * v7 * v9) * (v5 + (v12 - v3));
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = u * v1;
+    out[2] = v13;
+    out[3] = v1 * v13 - v10;
+    Some(())
+}
+
+/// The derivative of a part in mode LO.
+fn part_0_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<97>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c89 = constants[89];
+    let c93 = constants[93];
+    let c94 = constants[94];
+    let c95 = constants[95];
+    let c96 = constants[96];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = functions::softplus(c37 * (y - ybed));
+    let v1 = c38 * (v0 * v0) * functions::larger(1.0 + u * ab, 0.0);
+    let v2 = functions::softplus(-(y * c37));
+    let v3 = c39 * (v2 * v2) * functions::larger(1.0 - u * ar, 0.0);
+    let v4 = math::tanh(u * c40);
+    let v5 = y - yb;
+    let v6 = 1.0 - c93 * v5;
+    let v7 = 1.0 - c89 * v5;
+    let v8 = R * v6 + 16.0 * (c94 * (v5 * v5) * (v7 * v7) * v4);
+    let v9 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck) - Fc * v4;
+    let v10 = (mh * (g - c95 * (u * u)) + u * c43 * v6) * v8;
+    let v11 = v9 - c42 * functions::softplus(c41 * v5) - v10 - v1;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = 0.0;
+    out[2] = (v3 + v11) / (mk + c96 * v6 * v8);
+    out[3] = 0.0;
+    Some(())
+}
+
+/// The state with slaved entries in place in mode LO.
+fn slaved_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<93>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yb = constants[15];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c92 = constants[92];
+    let y = state[0];
+    let u = state[2];
+    let v0 = y - yb;
+    let v1 = c90 * v0;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = y;
+    out[1] = c92 + c91 * (v0 * (c89 - 0.5 * v1));
+    out[2] = u;
+    out[3] = c91 * u * (c89 - v1);
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode LO.
+fn jacobian_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<102>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c65 = constants[65];
+    let c89 = constants[89];
+    let c93 = constants[93];
+    let c94 = constants[94];
+    let c95 = constants[95];
+    let c96 = constants[96];
+    let c97 = constants[97];
+    let c98 = constants[98];
+    let c99 = constants[99];
+    let c100 = constants[100];
+    let c101 = constants[101];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = 1.0 + u * ab;
+    let v1 = functions::larger(v0, 0.0);
+    let v2 = c37 * (y - ybed);
+    let v3 = functions::softplus(v2);
+    let v4 = 1.0 - u * ar;
+    let v5 = functions::larger(v4, 0.0);
+    let v6 = -(y * c37);
+    let v7 = functions::softplus(v6);
+    let v8 = y - yb;
+    let v9 = c41 * v8;
+    let v10 = 1.0 - c93 * v8;
+    let v11 = c43 * v10;
+    let v12 = mh * (g - c95 * (u * u)) + u * v11;
+    let v13 = math::tanh(u * c40);
+    let v14 = 1.0 - c89 * v8;
+    let v15 = v8 * (v14 * (32.0 * (c94 * v14 - c97 * v8)) * v13);
+    let v16 = v15 - c95;
+    let v17 = v8 * v14;
+    let v18 = R * v10 + 16.0 * (c94 * v17 * (v17 * v13));
+    let v19 = functions::logistic(v2) * (c47 * v3) * v1;
+    let v20 = 2.0 * (v19 + functions::logistic(v6) * (c48 * v7) * v5);
+    let v21 = u * c98 * v18 - (k1 + kj * functions::logistic(v9) + v12 * v16);
+    let v22 = c96 * v10;
+    let v23 = v3 * (c38 * v3);
+    let v24 = v7 * (c39 * v7);
+    let v25 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck) - Fc * v13;
+    let v26 = v25 - c42 * functions::softplus(v9) - v12 * v18 - v23 * v1;
+    let v27 = 1.0 / (mk + v22 * v18);
+    let v28 = (v24 * v5 + v26) * v27;
+    let v29 = v27 * (v21 - v20 - (v22 * v16 - c99 * v18) * v28);
+    let v30 = 1.0 - v13 * v13;
+    let v31 = if v0 > 0.0 { ab } else { 0.0 };
+    let v32 = if v4 > 0.0 { c49 } else { 0.0 };
+    let v33 = c65 + -(c50 + 16.0 * (v17 * v17 * (c100 * v12))) * v30;
+    let v34 = v32 * v24 - v31 * v23 + (v33 - (v11 - 2.0 * (u * c99)) * v18);
+    let v35 = v34 - 16.0 * (c101 * v10 * (v17 * (v17 * v30) * v28));
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = v29;
+    out[9] = 0.0;
+    out[10] = v27 * v35;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    Some(())
+}
+
+/// The outputs in mode LO.
+fn outputs_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<97>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c89 = constants[89];
+    let c93 = constants[93];
+    let c94 = constants[94];
+    let c95 = constants[95];
+    let c96 = constants[96];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = k1 * (s - y) + b1 * (s_rate - u);
+    let v1 = functions::softplus(c37 * (y - ybed));
+    let v2 = c38 * (v1 * v1) * functions::larger(1.0 + u * ab, 0.0);
+    let v3 = functions::softplus(-(y * c37));
+    let v4 = c39 * (v3 * v3) * functions::larger(1.0 - u * ar, 0.0);
+    let v5 = math::tanh(u * c40);
+    let v6 = y - yb;
+    let v7 = 1.0 - c93 * v6;
+    let v8 = 1.0 - c89 * v6;
+    let v9 = R * v7 + 16.0 * (c94 * (v6 * v6) * (v8 * v8) * v5);
+    let v10 = mh * (g - c95 * (u * u)) + u * c43 * v7;
+    let v11 = v0 - (Wk + u * ck) - Fc * v5 - c42 * functions::softplus(c41 * v6);
+    let v12 = c96 * v7;
+    let v13 = v12 * (v4 + (v11 - v10 * v9 - v2)) / (mk + v12 * v9);
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = v0;
+    out[1] = v10 + v13;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode LO.
+fn balance_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<104>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c44 = constants[44];
+    let c53 = constants[53];
+    let c54 = constants[54];
+    let c55 = constants[55];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c92 = constants[92];
+    let c93 = constants[93];
+    let c94 = constants[94];
+    let c95 = constants[95];
+    let c96 = constants[96];
+    let c102 = constants[102];
+    let c103 = constants[103];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = y - yb;
+    let v1 = c90 * v0;
+    let v2 = c89 - v1;
+    let v3 = u * u;
+    let v4 = s - y;
+    let v5 = k1 * v4;
+    let v6 = c41 * v0;
+    let v7 = c37 * (y - ybed);
+    let v8 = -(y * c37);
+    let v9 = c89 * v0;
+    let v10 = y * Wk + 0.5 * (v4 * v5) + v3 * (0.5 * (mk + c102 * (v2 * v2)));
+    let v11 = c44 * (c92 + c91 * (v9 - 0.5 * (v0 * v1))) + v10;
+    let v12 = c53 * functions::softplus_area(v6) + c54 * functions::softplus_square_area(v7);
+    let v13 = c55 * functions::softplus_square_area(v8) + v11 + v12;
+    let v14 = s_rate - u;
+    let v15 = b1 * v14;
+    let v16 = v5 + v15;
+    let v17 = math::tanh(u * c40);
+    let v18 = u * ck + Fc * v17;
+    let v19 = functions::softplus(v7);
+    let v20 = v19 * (c38 * v19);
+    let v21 = v20 * functions::larger(1.0 + u * ab, 0.0);
+    let v22 = functions::softplus(v8);
+    let v23 = v22 * (c39 * v22);
+    let v24 = v23 * functions::larger(1.0 - u * ar, 0.0);
+    let v25 = 1.0 - c93 * v0;
+    let v26 = 1.0 - v9;
+    let v27 = c94 * v26 * (v0 * v26 * (v0 * v17));
+    let v28 = R * v25 + 16.0 * v27;
+    let v29 = mh * (g - c95 * v3) + u * c43 * v25;
+    let v30 = v16 - Wk - v18 - c42 * functions::softplus(v6) - v29 * v28;
+    let v31 = c96 * v25;
+    let v32 = v29 + v31 * (v30 + (v24 - v21)) / (mk + v31 * v28);
+    let v33 = v2 * (c103 * (u * v2)) + v18 + (v21 - v20) - (v24 - v23);
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v13;
+    out[1] = s_rate * v16;
+    out[2] = v14 * v15 + u * (v33 + 16.0 * (v27 * v32));
+    Some(())
+}
+
+/// The guard and its rate: lift_off in mode LO.
+fn guard_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<105>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c50 = constants[50];
+    let c59 = constants[59];
+    let c89 = constants[89];
+    let c93 = constants[93];
+    let c94 = constants[94];
+    let c95 = constants[95];
+    let c96 = constants[96];
+    let c98 = constants[98];
+    let c99 = constants[99];
+    let c104 = constants[104];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let s_rate2 = input[2];
+    let v0 = s_rate - u;
+    let v1 = 1.0 + u * ab;
+    let v2 = c37 * (y - ybed);
+    let v3 = functions::softplus(v2);
+    let v4 = v3 * functions::larger(v1, 0.0);
+    let v5 = c38 * v3;
+    let v6 = 1.0 - u * ar;
+    let v7 = -(y * c37);
+    let v8 = functions::softplus(v7);
+    let v9 = v8 * functions::larger(v6, 0.0);
+    let v10 = c39 * v8;
+    let v11 = math::tanh(u * c40);
+    let v12 = y - yb;
+    let v13 = c41 * v12;
+    let v14 = Fc * v11 + c42 * functions::softplus(v13) + (v5 * v4 - v10 * v9);
+    let v15 = k1 * (s - y) + b1 * v0 - (Wk + u * ck) - v14;
+    let v16 = 1.0 - c93 * v12;
+    let v17 = mh * (g - c95 * (u * u)) + u * (c43 * v16);
+    let v18 = 1.0 - c89 * v12;
+    let v19 = R * v16 + 16.0 * (c94 * (v12 * v12) * (v18 * v18) * v11);
+    let v20 = v15 - v17 * v19;
+    let v21 = 1.0 / (mk + c96 * v16 * v19);
+    let v22 = v21 * v20;
+    let v23 = c47 * functions::logistic(v2) * v4 + c48 * functions::logistic(v7) * v9;
+    let v24 = if v1 > 0.0 { ab * v22 } else { 0.0 };
+    let v25 = if v6 > 0.0 { -(ar * v22) } else { 0.0 };
+    let v26 = k1 * v0 + u * -(kj * functions::logistic(v13) + 2.0 * v23);
+    let v27 = -(ck + c50 * (1.0 - v11 * v11)) * v21 * v20 + v26;
+    let v28 = v10 * (v8 * v25) + (v27 + b1 * (s_rate2 - v22) - v5 * (v3 * v24));
+    let v29 = u * -(u * c98 + c104 * v15 + 2.0 * (c99 * v22)) + v16 * (c43 * v22 + c59 * v28);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v17 + c59 * v16 * v15;
+    out[1] = v29;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: lift_off in mode LO.
+fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<124>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let extra = given.extra.first_chunk::<11>()?;
+    let input = given.input;
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let Kb = constants[10];
+    let ab = constants[11];
+    let Kr = constants[13];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c59 = constants[59];
+    let c65 = constants[65];
+    let c66 = constants[66];
+    let c67 = constants[67];
+    let c68 = constants[68];
+    let c69 = constants[69];
+    let c70 = constants[70];
+    let c71 = constants[71];
+    let c72 = constants[72];
+    let c74 = constants[74];
+    let c75 = constants[75];
+    let c76 = constants[76];
+    let c77 = constants[77];
+    let c78 = constants[78];
+    let c79 = constants[79];
+    let c80 = constants[80];
+    let c81 = constants[81];
+    let c82 = constants[82];
+    let c83 = constants[83];
+    let c85 = constants[85];
+    let c87 = constants[87];
+    let c88 = constants[88];
+    let c93 = constants[93];
+    let c98 = constants[98];
+    let c99 = constants[99];
+    let c104 = constants[104];
+    let c105 = constants[105];
+    let c106 = constants[106];
+    let c107 = constants[107];
+    let c108 = constants[108];
+    let c109 = constants[109];
+    let c110 = constants[110];
+    let c111 = constants[111];
+    let c112 = constants[112];
+    let c113 = constants[113];
+    let c114 = constants[114];
+    let c115 = constants[115];
+    let c116 = constants[116];
+    let c117 = constants[117];
+    let c118 = constants[118];
+    let c119 = constants[119];
+    let c120 = constants[120];
+    let c121 = constants[121];
+    let c122 = constants[122];
+    let c123 = constants[123];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let s_rate2 = input[2];
+    let s_rate3 = input[3];
+    let extra_0 = extra[0];
+    let extra_1 = extra[1];
+    let extra_2 = extra[2];
+    let extra_3 = extra[3];
+    let extra_8 = extra[8];
+    let extra_9 = extra[9];
+    let extra_10 = extra[10];
+    let v0 = extra_0 * c112;
+    let v1 = y - yb;
+    let v2 = c93 * v1;
+    let v3 = v0 + (v2 - 1.0).abs();
+    let v4 = c37 * (y - ybed);
+    let v5 = extra_0 * c68;
+    let v6 = v5 + v4;
+    let v7 = functions::logistic(v6);
+    let v8 = 1.0 + u * ab;
+    let v9 = v8.abs();
+    let v10 = extra_8 * c66;
+    let v11 = v10 + v9;
+    let v12 = 0.5 * (v11 + v11.abs());
+    let v13 = functions::softplus(v4);
+    let v14 = c81 * (functions::softplus(v6) + v13.abs());
+    let v15 = y * c37;
+    let v16 = v5 - v15;
+    let v17 = functions::logistic(v16);
+    let v18 = u * ar;
+    let v19 = (v18 - 1.0).abs();
+    let v20 = extra_8 * c67;
+    let v21 = v20 + v19;
+    let v22 = 0.5 * (v21 + v21.abs());
+    let v23 = -v15;
+    let v24 = functions::softplus(v23);
+    let v25 = c82 * (functions::softplus(v16) + v24.abs());
+    let v26 = c41 * v1;
+    let v27 = extra_0 * c69;
+    let v28 = functions::logistic(v27 + v26);
+    let v29 = v17 * v25 * v22 + (c111 * v28 + v12 * (v7 * v14));
+    let v30 = u * c40;
+    let v31 = functions::larger(v30.abs() - extra_8 * c80, 0.0);
+    let v32 = math::tanh(v31);
+    let v33 = 1.0 - v32 * v32;
+    let v34 = 0.5 * (v10 + v10.abs());
+    let v35 = c38 * v13;
+    let v36 = v13 * v35;
+    let v37 = v36.abs();
+    let v38 = 0.5 * (v20 + v20.abs());
+    let v39 = c39 * v24;
+    let v40 = v24 * v39;
+    let v41 = v40.abs();
+    let v42 = c107 * (extra_0 + s) + c108 * (s_rate + extra_8) + v38 * v41;
+    let v43 = v34 * v37 + v42 + extra_0 * v29 + extra_8 * (c110 + c109 * v33);
+    let v44 = functions::logistic(v4);
+    let v45 = functions::larger(v8, 0.0);
+    let v46 = v13 * v45;
+    let v47 = c47 * v46;
+    let v48 = functions::logistic(v23);
+    let v49 = 1.0 - v18;
+    let v50 = functions::larger(v49, 0.0);
+    let v51 = v24 * v50;
+    let v52 = c48 * v51;
+    let v53 = functions::logistic(v26);
+    let v54 = k1 + 2.0 * (v44 * v47) + 2.0 * (0.5 * (kj * v53) + v48 * v52);
+    let v55 = extra_0 * v17;
+    let v56 = v55 * v22;
+    let v57 = c48 * v24;
+    let v58 = v57.abs();
+    let v59 = functions::logistic(functions::larger(v15.abs() - v5, 0.0));
+    let v60 = v59 * (1.0 - v59);
+    let v61 = v5 * v60;
+    let v62 = functions::logistic(functions::larger(v26.abs() - v27, 0.0));
+    let v63 = v62 * (1.0 - v62);
+    let v64 = extra_0 * v7;
+    let v65 = v64 * v12;
+    let v66 = c47 * v13;
+    let v67 = v66.abs();
+    let v68 = functions::logistic(functions::larger(v4.abs() - v5, 0.0));
+    let v69 = v68 * (1.0 - v68);
+    let v70 = v5 * v69;
+    let v71 = 2.0 * (v7 * (v34 * v67 + c70 * v65) + v47.abs() * v70);
+    let v72 = v17 * (v38 * v58 + c71 * v56) + v52.abs() * v61 + 0.5 * (extra_0 * c72 * v63 + v71);
+    let v73 = 2.0 * v72;
+    let v74 = extra_0 * c115;
+    let v75 = 1.0 - v2;
+    let v76 = c59 * v75;
+    let v77 = v76.abs();
+    let v78 = -v54;
+    let v79 = math::tanh(v30);
+    let v80 = u * -(b1 + ck) - (Wk + y * k1) - Fc * v79 - c42 * functions::softplus(v26);
+    let v81 = u * c98 + c104 * (v39 * v51 + (v80 - v35 * v46)) - v76 * v78;
+    let v82 = extra_8 * c113 + v81.abs() + c114 * v43 + v77 * v73;
+    let v83 = v74 * (v54.abs() + v73) + v82;
+    let v84 = v79 * v79;
+    let v85 = 1.0 - v84;
+    let v86 = if v8 > 0.0 { ab } else { 0.0 };
+    let v87 = if v49 > 0.0 { c49 } else { 0.0 };
+    let v88 = c50 * v85 + (v86 * v36 - v87 * v40);
+    let v89 = c65 - v88;
+    let v90 = (2.0 * (u * c99) + v75 * -(c43 + c59 * v89)).abs();
+    let v91 = v19 - v20;
+    let v92 = if v49 > 0.0 { c67 } else { 0.0 };
+    let v93 = if v91 > 0.0 { v92 } else { c67 };
+    let v94 = if v91 > 0.0 { 0.0 } else { c67 + v87.abs() };
+    let v95 = v79.abs();
+    let v96 = extra_8 * v33;
+    let v97 = c80 * v96;
+    let v98 = v95 + functions::smaller(v95 + v97, 1.0);
+    let v99 = v9 - v10;
+    let v100 = if v8 > 0.0 { c66 } else { 0.0 };
+    let v101 = if v99 > 0.0 { v100 } else { c66 };
+    let v102 = if v99 > 0.0 { 0.0 } else { c66 + v86.abs() };
+    let v103 = v55 * v93 * v25 + v94 * v41 + (v101 * v64 * v14 + v102 * v37 + c83 * v96 * v98);
+    let v104 = extra_0 * (c113 + c115 * ((c105 + v88).abs() + v103));
+    let v105 = 2.0 * (extra_8 * c117) + v90 + v77 * v103 + v104;
+    let v106 = c123 + extra_3 * ((s_rate * c87 + s_rate2 * c88) * v3);
+    let v107 = if v99 > 0.0 { 0.0 } else { f64::INFINITY };
+    let v108 = if v91 > 0.0 { 0.0 } else { f64::INFINITY };
+    let v109 = extra_3 * (2.0 * (s_rate * c121 + s_rate2 * c122));
+    let v110 = Kr * v50;
+    let v111 = v48 * (1.0 - v48);
+    let v112 = Kr * v51;
+    let v113 = Kb * v45;
+    let v114 = v44 * (1.0 - v44);
+    let v115 = Kb * v46;
+    let v116 = c74 * (v53 * (1.0 - v53)) + 2.0 * (v44 * v44 * v113 + v114 * v115);
+    let v117 = 2.0 * (v48 * v48 * v110 + v111 * v112 - 0.5 * v116);
+    let v118 = (v7 + v44.abs()) * v70;
+    let v119 = v70 + v118;
+    let v120 = (v34 * (Kb * v13).abs() + c76 * v65) * (v114.abs() + v119);
+    let v121 = (v17 + v48.abs()) * v61;
+    let v122 = v17 * v17 * (c77 * v38) + v110.abs() * v121 + (v115.abs() * v119 + v120);
+    let v123 = v61 + v121;
+    let v124 = (v38 * (Kr * v24).abs() + c78 * v56) * (v111.abs() + v123);
+    let v125 = extra_0 * (c69 * ((1.0 + (v28 + v53.abs())) * v63));
+    let v126 = 2.0 * (v7 * v7 * (c75 * v34) + v113.abs() * v118);
+    let v127 = v112.abs() * v123 + v124 + 0.5 * (c79 * v125 + v126);
+    let v128 = 2.0 * (v122 + v127);
+    let v129 = (2.0 * (c104 * v78) - v76 * v117).abs() + 2.0 * (c116 * v73);
+    let v130 = v74 * ((-v117).abs() + v128) + (v77 * v128 + v129);
+    let v131 = v44 * v66;
+    let v132 = v48 * v57;
+    let v133 = 2.0 * (v87 * v132 + v86 * v131);
+    let v134 = v101 * (extra_0 * (v7 * (c70 * v7) + c68 * v67 * v69));
+    let v135 = v93 * (extra_0 * (v17 * (c71 * v17) + c68 * v58 * v60));
+    let v136 = v94 * v132.abs() + v135 + (v102 * v131.abs() + v134);
+    let v137 = 2.0 * v136;
+    let v138 = (c104 * v89 + (c98 - v76 * -v133)).abs() + v77 * v137;
+    let v139 = extra_9 * (v74 * (v133.abs() + v137) + v138 + c116 * v103);
+    let v140 = extra_3 * extra_3 * ((c87 * s_rate2 + c88 * s_rate3) * v3);
+    let v141 = v97 * v98;
+    let v142 = c119 * (v0 * (c106 * v79).abs() + c118 * v3 * v96);
+    let v143 = v75 * (c85 * v79);
+    let v144 = v143.abs() * v141 + v142 * ((v84 - 1.0).abs() + v141);
+    let v145 = extra_9 * ((2.0 * (v85 * v143) - c120).abs() + 2.0 * v144);
+    let v146 = v108 + (c123 + v107) + v140 + extra_2 * v83 + extra_9 * v145;
+    let v147 = extra_1 * (v109 + extra_1 * v130 + 2.0 * v139) + extra_10 * v105;
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = v106 + extra_0 * v83 + extra_8 * v105;
+    out[1] = v146 + v147;
+    Some(())
+}
+
+/// The guard and its rate: button_off in mode LO.
+fn guard_button_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<16>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yb = constants[15];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = y - yb;
+    out[1] = u;
+    Some(())
+}
+
+/// The guard and its rate: trip in mode LO.
+fn guard_trip_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<125>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let c124 = constants[124];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = c124 - y;
+    out[1] = -u;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: trip in mode LO.
+fn bound_trip_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<124>()?;
+    let extra = given.extra.first_chunk::<3>()?;
+    let c123 = constants[123];
+    let extra_0 = extra[0];
+    let extra_2 = extra[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_0 + c123;
+    out[1] = c123 + extra_2;
+    Some(())
+}
+
+/// The derivative of the state in mode FLA.
+fn derivative_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<127>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let y = state[0];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = functions::softplus(c37 * (y - ybed));
+    let v1 = c38 * (v0 * v0) * functions::larger(1.0 + u * ab, 0.0);
+    let v2 = functions::softplus(-(y * c37));
+    let v3 = c39 * (v2 * v2) * functions::larger(1.0 - u * ar, 0.0);
+    let v4 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck) - Fc * math::tanh(u * c40);
+    let v5 = v4 - c42 * functions::softplus(c41 * (y - yb)) - v1;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * (v3 + v5);
+    out[3] = -(g + w * c126);
+    Some(())
+}
+
+/// The derivative of a part in mode FLA.
+fn part_0_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<126>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = functions::softplus(c37 * (y - ybed));
+    let v1 = c38 * (v0 * v0) * functions::larger(1.0 + u * ab, 0.0);
+    let v2 = functions::softplus(-(y * c37));
+    let v3 = c39 * (v2 * v2) * functions::larger(1.0 - u * ar, 0.0);
+    let v4 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck) - Fc * math::tanh(u * c40);
+    let v5 = v4 - c42 * functions::softplus(c41 * (y - yb)) - v1;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = 0.0;
+    out[2] = c125 * (v3 + v5);
+    out[3] = 0.0;
+    Some(())
+}
+
+/// The derivative of a part in mode FLA.
+fn part_1_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<127>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let g = constants[3];
+    let c126 = constants[126];
+    let w = state[3];
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = 0.0;
+    out[1] = w;
+    out[2] = 0.0;
+    out[3] = -(g + w * c126);
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_28(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<9>()?;
+    let ch = constants[8];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = ch * ch;
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode FLA.
+fn jacobian_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<128>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let k1 = constants[35];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c65 = constants[65];
+    let c125 = constants[125];
+    let c127 = constants[127];
+    let y = state[0];
+    let u = state[2];
+    let v0 = 1.0 + u * ab;
+    let v1 = c37 * (y - ybed);
+    let v2 = functions::softplus(v1);
+    let v3 = functions::logistic(v1) * (c47 * v2) * functions::larger(v0, 0.0);
+    let v4 = 1.0 - u * ar;
+    let v5 = -(y * c37);
+    let v6 = functions::softplus(v5);
+    let v7 = functions::logistic(v5) * (c48 * v6) * functions::larger(v4, 0.0);
+    let v8 = k1 + kj * functions::logistic(c41 * (y - yb)) + 2.0 * (v3 + v7);
+    let v9 = if v0 > 0.0 { ab } else { 0.0 };
+    let v10 = if v4 > 0.0 { c49 } else { 0.0 };
+    let v11 = math::tanh(u * c40);
+    let v12 = c65 + c39 * v10 * (v6 * v6) - (c38 * v9 * (v2 * v2) + c50 * (1.0 - v11 * v11));
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 1.0;
+    out[8] = c125 * -v8;
+    out[9] = 0.0;
+    out[10] = c125 * v12;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
+    out[15] = c127;
+    Some(())
+}
+
+/// The outputs in mode FLA.
+fn outputs_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<37>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = k1 * (s - y) + b1 * (s_rate - u);
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode FLA.
+fn balance_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<56>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let mk = constants[1];
+    let mh = constants[2];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ch = constants[8];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c44 = constants[44];
+    let c53 = constants[53];
+    let c54 = constants[54];
+    let c55 = constants[55];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - y;
+    let v1 = k1 * v0;
+    let v2 = c37 * (y - ybed);
+    let v3 = -(y * c37);
+    let v4 = y * Wk + z * c44 + 0.5 * (v0 * v1 + (mk * (u * u) + mh * (w * w)));
+    let v5 = c53 * functions::softplus_area(c41 * (y - yb));
+    let v6 = v4 + c55 * functions::softplus_square_area(v3);
+    let v7 = v6 + (v5 + c54 * functions::softplus_square_area(v2));
+    let v8 = s_rate - u;
+    let v9 = b1 * v8;
+    let v10 = functions::softplus(v2);
+    let v11 = c38 * (functions::larger(1.0 + u * ab, 0.0) - 1.0);
+    let v12 = functions::softplus(v3);
+    let v13 = c39 * (functions::larger(1.0 - u * ar, 0.0) - 1.0);
+    let v14 = u * ck + Fc * math::tanh(u * c40) + v10 * v10 * v11;
+    let v15 = w * (w * ch) + v8 * v9 + u * (v14 - v12 * v12 * v13);
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v7;
+    out[1] = s_rate * (v1 + v9);
+    out[2] = v15;
+    Some(())
+}
+
+/// The state after guard land in mode FLA.
+fn reset_0_land_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<97>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let mk = constants[1];
+    let c45 = constants[45];
+    let c46 = constants[46];
+    let c96 = constants[96];
+    let y = state[0];
+    let u = state[2];
+    let w = state[3];
+    let v0 = u * mk + w * c96;
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = y;
+    out[1] = y * R;
+    out[2] = c45 * v0;
+    out[3] = c46 * v0;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: land in mode FLA.
+fn guard_land_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<1>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = z - y * R;
+    out[1] = w - R * u;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: land in mode FLA.
+fn bound_land_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<129>()?;
+    let extra = given.extra.first_chunk::<7>()?;
+    let c128 = constants[128];
+    let extra_0 = extra[0];
+    let extra_2 = extra[2];
+    let extra_4 = extra[4];
+    let extra_6 = extra[6];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_4 + extra_0 * c128;
+    out[1] = extra_6 + c128 * extra_2;
+    Some(())
+}
+
+/// The state after guard string_on in mode FLA.
+fn reset_0_string_on_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<22>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let zs = constants[21];
+    let y = state[0];
+    let u = state[2];
+    let w = state[3];
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = y;
+    out[1] = zs;
+    out[2] = u;
+    out[3] = w;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The speed of what strikes at guard string_on in mode FLA.
+fn speed_string_on_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let state = given.state.first_chunk::<4>()?;
+    let w = state[3];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = w.abs();
+    Some(())
+}
+
+/// The guard and its rate: string_on in mode FLA.
+fn guard_string_on_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<22>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let zs = constants[21];
+    let z = state[1];
+    let w = state[3];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = zs - z;
+    out[1] = -w;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: string_on in mode FLA.
+fn bound_string_on_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let extra = given.extra.first_chunk::<7>()?;
+    let extra_4 = extra[4];
+    let extra_6 = extra[6];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_4;
+    out[1] = extra_6;
+    Some(())
+}
+
+/// The state after guard land in mode FLL.
+fn reset_0_land_fll(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<97>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let mk = constants[1];
+    let yb = constants[15];
+    let c56 = constants[56];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c92 = constants[92];
+    let c93 = constants[93];
+    let c96 = constants[96];
+    let y = state[0];
+    let u = state[2];
+    let w = state[3];
+    let v0 = y - yb;
+    let v1 = c90 * v0;
+    let v2 = 1.0 - c93 * v0;
+    let v3 = (u * mk + w * c96 * v2) * (1.0 / (mk + c56 * (v2 * v2)));
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = y;
+    out[1] = c92 + c91 * (v0 * (c89 - 0.5 * v1));
+    out[2] = v3;
+    out[3] = c91 * (c89 - v1) * v3;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: land in mode FLL.
+fn guard_land_fll(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<93>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let yb = constants[15];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c92 = constants[92];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = y - yb;
+    let v1 = c90 * v0;
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = z - c92 - c91 * (v0 * (c89 - 0.5 * v1));
+    out[1] = w - c91 * (u * (c89 - v1));
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: land in mode FLL.
+fn bound_land_fll(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<131>()?;
+    let state = given.state.first_chunk::<1>()?;
+    let extra = given.extra.first_chunk::<7>()?;
+    let yb = constants[15];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c123 = constants[123];
+    let c129 = constants[129];
+    let c130 = constants[130];
+    let y = state[0];
+    let extra_0 = extra[0];
+    let extra_1 = extra[1];
+    let extra_2 = extra[2];
+    let extra_4 = extra[4];
+    let extra_6 = extra[6];
+    let v0 = extra_0 * c129 + (c91 * (c89 - c90 * (y - yb))).abs();
+    let v1 = c123 + extra_6 + c130 * (extra_1 * extra_1) + extra_2 * v0;
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_4 + c123 + extra_0 * v0;
+    out[1] = v1;
+    Some(())
+}
+
+/// Is positive where a way is taken from guard rep_on in mode FLT.
+fn when_0_rep_on_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<33>()?;
+    let state = given.state.first_chunk::<1>()?;
+    let yck = constants[32];
+    let y = state[0];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = y - yck;
+    Some(())
+}
+
+/// The guard and its rate: rep_on in mode FLT.
+fn guard_rep_on_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<132>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let o_r = constants[27];
+    let yd = constants[28];
+    let wd = constants[29];
+    let c131 = constants[131];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = c131 * (y - yd);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = z - o_r - R * (y - wd * functions::softplus(v0));
+    out[1] = w - R * (u * (1.0 - functions::logistic(v0)));
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: rep_on in mode FLT.
+fn bound_rep_on_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<134>()?;
+    let state = given.state.first_chunk::<1>()?;
+    let extra = given.extra.first_chunk::<7>()?;
+    let R = constants[0];
+    let yd = constants[28];
+    let c131 = constants[131];
+    let c132 = constants[132];
+    let c133 = constants[133];
+    let y = state[0];
+    let extra_0 = extra[0];
+    let extra_1 = extra[1];
+    let extra_2 = extra[2];
+    let extra_4 = extra[4];
+    let extra_6 = extra[6];
+    let v0 = extra_0 * c132;
+    let v1 = c131 * (y - yd);
+    let v2 = functions::logistic(functions::larger(v1.abs() - v0, 0.0));
+    let v3 = v2 * (1.0 - v2);
+    let v4 = functions::logistic(v1);
+    let v5 = 1.0 - v4;
+    let v6 = (R * v5).abs() + extra_0 * c133 * v3;
+    let v7 = (1.0 + (functions::logistic(v0 + v1) + v4.abs())) * v3;
+    let v8 = c133 * (extra_1 * extra_1) * ((v4 * v5).abs() + extra_0 * (c132 * v7));
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_4 + extra_0 * v6;
+    out[1] = extra_6 + extra_2 * v6 + v8;
+    Some(())
+}
+
+/// Is positive where a way is taken from guard reset in mode FLT.
+fn when_0_reset_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<1>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let R = constants[0];
+    let y = state[0];
+    let z = state[1];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = z - y * R;
+    Some(())
+}
+
+/// The guard and its rate: reset in mode FLT.
+fn guard_reset_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<35>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yrs = constants[34];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = y - yrs;
+    out[1] = u;
+    Some(())
+}
+
+/// The derivative of the state in mode STU.
+fn derivative_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<135>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let zs = constants[21];
+    let ps = constants[23];
+    let mus = constants[24];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c134 = constants[134];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = functions::softplus(c37 * (y - ybed));
+    let v1 = c38 * (v0 * v0) * functions::larger(1.0 + u * ab, 0.0);
+    let v2 = functions::softplus(-(y * c37));
+    let v3 = c39 * (v2 * v2) * functions::larger(1.0 - u * ar, 0.0);
+    let v4 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck) - Fc * math::tanh(u * c40);
+    let v5 = v4 - c42 * functions::softplus(c41 * (y - yb)) - v1;
+    let v6 = math::powf(functions::larger(z - zs, 0.0), ps);
+    let v7 = c134 * functions::larger(1.0 + w * mus, 0.0) * v6;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * (v3 + v5);
+    out[3] = -(g + w * c126 + v7);
+    Some(())
+}
+
+/// The derivative of a part in mode STU.
+fn part_1_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<135>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let g = constants[3];
+    let zs = constants[21];
+    let ps = constants[23];
+    let mus = constants[24];
+    let c126 = constants[126];
+    let c134 = constants[134];
+    let z = state[1];
+    let w = state[3];
+    let v0 = math::powf(functions::larger(z - zs, 0.0), ps);
+    let v1 = c134 * functions::larger(1.0 + w * mus, 0.0) * v0;
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = 0.0;
+    out[1] = w;
+    out[2] = 0.0;
+    out[3] = -(g + w * c126 + v1);
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_49(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<25>()?;
+    let ch = constants[8];
+    let Ks = constants[22];
+    let mus = constants[24];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = ch * ch + Ks * Ks * (mus * mus);
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode STU.
+fn jacobian_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<137>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let zs = constants[21];
+    let ps = constants[23];
+    let mus = constants[24];
+    let k1 = constants[35];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c65 = constants[65];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c134 = constants[134];
+    let c135 = constants[135];
+    let c136 = constants[136];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u * ab;
+    let v1 = c37 * (y - ybed);
+    let v2 = functions::softplus(v1);
+    let v3 = functions::logistic(v1) * (c47 * v2) * functions::larger(v0, 0.0);
+    let v4 = 1.0 - u * ar;
+    let v5 = -(y * c37);
+    let v6 = functions::softplus(v5);
+    let v7 = functions::logistic(v5) * (c48 * v6) * functions::larger(v4, 0.0);
+    let v8 = k1 + kj * functions::logistic(c41 * (y - yb)) + 2.0 * (v3 + v7);
+    let v9 = if v0 > 0.0 { ab } else { 0.0 };
+    let v10 = if v4 > 0.0 { c49 } else { 0.0 };
+    let v11 = math::tanh(u * c40);
+    let v12 = c65 + c39 * v10 * (v6 * v6) - (c38 * v9 * (v2 * v2) + c50 * (1.0 - v11 * v11));
+    let v13 = 1.0 + w * mus;
+    let v14 = z - zs;
+    let v15 = if v14 > 0.0 { 1.0 } else { 0.0 };
+    let v16 = functions::larger(v14, 0.0);
+    let v17 = c136 * v15 * functions::larger(v13, 0.0) * math::powf(v16, c135);
+    let v18 = if v13 > 0.0 { mus } else { 0.0 };
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 1.0;
+    out[8] = c125 * -v8;
+    out[9] = 0.0;
+    out[10] = c125 * v12;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[13] = -v17;
+    out[14] = 0.0;
+    out[15] = -(c126 + c134 * v18 * math::powf(v16, ps));
+    Some(())
+}
+
+/// The outputs in mode STU.
+fn outputs_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<37>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let zs = constants[21];
+    let Ks = constants[22];
+    let ps = constants[23];
+    let mus = constants[24];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = math::powf(functions::larger(z - zs, 0.0), ps);
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = k1 * (s - y) + b1 * (s_rate - u);
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = Ks * functions::larger(1.0 + w * mus, 0.0) * v0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode STU.
+fn balance_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<138>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let mk = constants[1];
+    let mh = constants[2];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ch = constants[8];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let zs = constants[21];
+    let Ks = constants[22];
+    let ps = constants[23];
+    let mus = constants[24];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c44 = constants[44];
+    let c53 = constants[53];
+    let c54 = constants[54];
+    let c55 = constants[55];
+    let c137 = constants[137];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - y;
+    let v1 = k1 * v0;
+    let v2 = c37 * (y - ybed);
+    let v3 = -(y * c37);
+    let v4 = z - zs;
+    let v5 = math::powf(functions::larger(v4, 0.0), ps);
+    let v6 = y * Wk + z * c44 + 0.5 * (v0 * v1 + (mk * (u * u) + mh * (w * w)));
+    let v7 = c53 * functions::softplus_area(c41 * (y - yb));
+    let v8 = v6 + c55 * functions::softplus_square_area(v3);
+    let v9 = v8 + (v7 + c54 * functions::softplus_square_area(v2));
+    let v10 = s_rate - u;
+    let v11 = b1 * v10;
+    let v12 = functions::softplus(v2);
+    let v13 = c38 * (functions::larger(1.0 + u * ab, 0.0) - 1.0);
+    let v14 = functions::softplus(v3);
+    let v15 = c39 * (functions::larger(1.0 - u * ar, 0.0) - 1.0);
+    let v16 = u * ck + Fc * math::tanh(u * c40) + v12 * v12 * v13;
+    let v17 = (functions::larger(1.0 + w * mus, 0.0) - 1.0) * v5;
+    let v18 = v10 * v11 + u * (v16 - v14 * v14 * v15) + w * (w * ch + Ks * v17);
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v9 + c137 * v4 * v5;
+    out[1] = s_rate * (v1 + v11);
+    out[2] = v18;
+    Some(())
+}
+
+/// Is positive where a way is taken from guard string_off in mode STU.
+fn when_0_string_off_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<16>()?;
+    let state = given.state.first_chunk::<1>()?;
+    let yb = constants[15];
+    let y = state[0];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = yb - y;
+    Some(())
+}
+
+/// The guard and its rate: string_off in mode STU.
+fn guard_string_off_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<22>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let zs = constants[21];
+    let z = state[1];
+    let w = state[3];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = z - zs;
+    out[1] = w;
+    Some(())
+}
+
+/// The derivative of the state in mode REPH.
+fn derivative_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<140>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let R = constants[0];
+    let g = constants[3];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let cr = constants[26];
+    let o_r = constants[27];
+    let yd = constants[28];
+    let wd = constants[29];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c131 = constants[131];
+    let c138 = constants[138];
+    let c139 = constants[139];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = functions::softplus(c37 * (y - ybed));
+    let v1 = c38 * (v0 * v0) * functions::larger(1.0 + u * ab, 0.0);
+    let v2 = functions::softplus(-(y * c37));
+    let v3 = c39 * (v2 * v2) * functions::larger(1.0 - u * ar, 0.0);
+    let v4 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck) - Fc * math::tanh(u * c40);
+    let v5 = v4 - c42 * functions::softplus(c41 * (y - yb)) - v1;
+    let v6 = c131 * (y - yd);
+    let v7 = 1.0 - functions::logistic(v6);
+    let v8 = o_r - z + R * (y - wd * functions::softplus(v6));
+    let v9 = v8 * functions::softplus(cr * (u * R * v7 - w));
+    let v10 = c125 * (v3 + v5) - core::f64::consts::LOG2_E * (c138 * v7 * v9);
+    let v11 = core::f64::consts::LOG2_E * (c139 * v9) - (g + w * c126);
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = v10;
+    out[3] = v11;
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode REPH.
+fn jacobian_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<149>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let cr = constants[26];
+    let o_r = constants[27];
+    let yd = constants[28];
+    let wd = constants[29];
+    let k1 = constants[35];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c65 = constants[65];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c131 = constants[131];
+    let c138 = constants[138];
+    let c139 = constants[139];
+    let c140 = constants[140];
+    let c141 = constants[141];
+    let c142 = constants[142];
+    let c143 = constants[143];
+    let c144 = constants[144];
+    let c145 = constants[145];
+    let c146 = constants[146];
+    let c147 = constants[147];
+    let c148 = constants[148];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = c131 * (y - yd);
+    let v1 = functions::logistic(v0);
+    let v2 = 1.0 - v1;
+    let v3 = cr * (u * R * v2 - w);
+    let v4 = functions::softplus(v3);
+    let v5 = v2 * v4;
+    let v6 = o_r - z + R * (y - wd * functions::softplus(v0));
+    let v7 = v6 * functions::logistic(v3);
+    let v8 = v1 * v2;
+    let v9 = u * v8;
+    let v10 = core::f64::consts::LOG2_E * (c142 * v9 * v7 - c141 * v5);
+    let v11 = 1.0 + u * ab;
+    let v12 = c37 * (y - ybed);
+    let v13 = functions::softplus(v12);
+    let v14 = functions::logistic(v12) * (c47 * v13) * functions::larger(v11, 0.0);
+    let v15 = 1.0 - u * ar;
+    let v16 = -(y * c37);
+    let v17 = functions::softplus(v16);
+    let v18 = functions::logistic(v16) * (c48 * v17) * functions::larger(v15, 0.0);
+    let v19 = k1 + kj * functions::logistic(c41 * (y - yb)) + 2.0 * (v14 + v18);
+    let v20 = core::f64::consts::LOG2_E * (v8 * v6 * (c140 * v4));
+    let v21 = if v11 > 0.0 { ab } else { 0.0 };
+    let v22 = if v15 > 0.0 { c49 } else { 0.0 };
+    let v23 = math::tanh(u * c40);
+    let v24 = c38 * v21 * (v13 * v13) + c50 * (1.0 - v23 * v23);
+    let v25 = v2 * v7;
+    let v26 = core::f64::consts::LOG2_E * (c145 * v2 * v25);
+    let v27 = c125 * (c65 + c39 * v22 * (v17 * v17) - v24) - v26;
+    let v28 = core::f64::consts::LOG2_E * (c143 * v5 - c144 * v9 * v7);
+    let v29 = -(c126 + core::f64::consts::LOG2_E * (c148 * v7));
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 1.0;
+    out[8] = c125 * -v19 + v20 + v2 * v10;
+    out[9] = core::f64::consts::LOG2_E * (c138 * v5);
+    out[10] = v27;
+    out[11] = core::f64::consts::LOG2_E * (c147 * v25);
+    out[12] = v28;
+    out[13] = -(core::f64::consts::LOG2_E * (c139 * v4));
+    out[14] = core::f64::consts::LOG2_E * (c146 * v25);
+    out[15] = v29;
+    Some(())
+}
+
+/// The outputs in mode REPH.
+fn outputs_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<132>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let R = constants[0];
+    let kr = constants[25];
+    let cr = constants[26];
+    let o_r = constants[27];
+    let yd = constants[28];
+    let wd = constants[29];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c131 = constants[131];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = c131 * (y - yd);
+    let v1 = cr * (u * R * (1.0 - functions::logistic(v0)) - w);
+    let v2 = kr * (o_r - z + R * (y - wd * functions::softplus(v0)));
+    let v3 = core::f64::consts::LOG2_E * (v2 * functions::softplus(v1));
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = k1 * (s - y) + b1 * (s_rate - u);
+    out[1] = 0.0;
+    out[2] = v3;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode REPH.
+fn balance_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<132>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ch = constants[8];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kr = constants[25];
+    let cr = constants[26];
+    let o_r = constants[27];
+    let yd = constants[28];
+    let wd = constants[29];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c44 = constants[44];
+    let c53 = constants[53];
+    let c54 = constants[54];
+    let c55 = constants[55];
+    let c131 = constants[131];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - y;
+    let v1 = k1 * v0;
+    let v2 = c37 * (y - ybed);
+    let v3 = -(y * c37);
+    let v4 = c131 * (y - yd);
+    let v5 = o_r - z + R * (y - wd * functions::softplus(v4));
+    let v6 = v0 * v1 + (mk * (u * u) + mh * (w * w)) + v5 * (kr * v5);
+    let v7 = y * Wk + z * c44 + c55 * functions::softplus_square_area(v3);
+    let v8 = c53 * functions::softplus_area(c41 * (y - yb));
+    let v9 = v7 + (v8 + c54 * functions::softplus_square_area(v2));
+    let v10 = s_rate - u;
+    let v11 = b1 * v10;
+    let v12 = functions::softplus(v2);
+    let v13 = c38 * (functions::larger(1.0 + u * ab, 0.0) - 1.0);
+    let v14 = functions::softplus(v3);
+    let v15 = c39 * (functions::larger(1.0 - u * ar, 0.0) - 1.0);
+    let v16 = u * ck + Fc * math::tanh(u * c40) + v12 * v12 * v13;
+    let v17 = u * R * (1.0 - functions::logistic(v4)) - w;
+    let v18 = core::f64::consts::LOG2_E * functions::softplus(cr * v17);
+    let v19 = w * (w * ch) + v10 * v11 + u * (v16 - v14 * v14 * v15);
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v9 + 0.5 * v6;
+    out[1] = s_rate * (v1 + v11);
+    out[2] = v19 + v17 * (kr * (v5 * (v18 - 1.0)));
+    Some(())
+}
+
+/// The guard and its rate: rep_off in mode REPH.
+fn guard_rep_off_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<132>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let o_r = constants[27];
+    let yd = constants[28];
+    let wd = constants[29];
+    let c131 = constants[131];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = c131 * (y - yd);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = o_r - z + R * (y - wd * functions::softplus(v0));
+    out[1] = R * (u * (1.0 - functions::logistic(v0))) - w;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: rep_off in mode REPH.
+fn bound_rep_off_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<151>()?;
+    let state = given.state.first_chunk::<1>()?;
+    let extra = given.extra.first_chunk::<7>()?;
+    let yd = constants[28];
+    let c128 = constants[128];
+    let c131 = constants[131];
+    let c132 = constants[132];
+    let c149 = constants[149];
+    let c150 = constants[150];
+    let y = state[0];
+    let extra_0 = extra[0];
+    let extra_1 = extra[1];
+    let extra_2 = extra[2];
+    let extra_4 = extra[4];
+    let extra_6 = extra[6];
+    let v0 = extra_0 * c132;
+    let v1 = c131 * (y - yd);
+    let v2 = functions::logistic(functions::larger(v1.abs() - v0, 0.0));
+    let v3 = v0 * (v2 * (1.0 - v2));
+    let v4 = functions::logistic(v1);
+    let v5 = c128 * ((v4 - 1.0).abs() + v3);
+    let v6 = v3 + (functions::logistic(v0 + v1) + v4.abs()) * v3;
+    let v7 = extra_1 * extra_1 * ((c149 * (v4 * (1.0 - v4))).abs() + c150 * v6);
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_4 + extra_0 * v5;
+    out[1] = extra_6 + extra_2 * v5 + v7;
+    Some(())
+}
+
+/// The state after guard check in mode REPH.
+fn reset_0_check_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<154>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let mk = constants[1];
+    let ybed = constants[9];
+    let zc = constants[30];
+    let Rc = constants[31];
+    let c151 = constants[151];
+    let c152 = constants[152];
+    let c153 = constants[153];
+    let y = state[0];
+    let u = state[2];
+    let w = state[3];
+    let v0 = u * mk + w * c151;
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = y;
+    out[1] = zc + Rc * (y - ybed);
+    out[2] = c152 * v0;
+    out[3] = c153 * v0;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: check in mode REPH.
+fn guard_check_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let ybed = constants[9];
+    let zc = constants[30];
+    let Rc = constants[31];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = z - zc - Rc * (y - ybed);
+    out[1] = w - Rc * u;
+    Some(())
+}
+
+/// Bounds of the guard's move and bend: check in mode REPH.
+fn bound_check_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<155>()?;
+    let extra = given.extra.first_chunk::<7>()?;
+    let c154 = constants[154];
+    let extra_0 = extra[0];
+    let extra_2 = extra[2];
+    let extra_4 = extra[4];
+    let extra_6 = extra[6];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = extra_4 + extra_0 * c154;
+    out[1] = extra_6 + c154 * extra_2;
+    Some(())
+}
+
+/// The guard and its rate: check_far in mode REPH.
+fn guard_check_far_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<33>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yck = constants[32];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = y - yck;
+    out[1] = u;
+    Some(())
+}
+
+/// The guard and its rate: check_near in mode REPL.
+fn guard_check_near_repl(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<33>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yck = constants[32];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = yck - y;
+    out[1] = -u;
+    Some(())
+}
+
+/// The guard and its rate: jack_in in mode REP0.
+fn guard_jack_in_rep0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<1>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = y * R - z;
+    out[1] = R * u - w;
+    Some(())
+}
+
+/// The guard and its rate: jack_out in mode REP0.
+fn guard_jack_out_rep0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<35>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yrs = constants[34];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = yrs - y;
+    out[1] = -u;
+    Some(())
+}
+
+/// The derivative of the state in mode CHK.
+fn derivative_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<157>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kr = constants[25];
+    let yd = constants[28];
+    let wd = constants[29];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c44 = constants[44];
+    let c131 = constants[131];
+    let c152 = constants[152];
+    let c153 = constants[153];
+    let c155 = constants[155];
+    let c156 = constants[156];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = y - ybed;
+    let v1 = functions::softplus(c37 * v0);
+    let v2 = c38 * (v1 * v1) * functions::larger(1.0 + u * ab, 0.0);
+    let v3 = functions::softplus(-(y * c37));
+    let v4 = c39 * (v3 * v3) * functions::larger(1.0 - u * ar, 0.0);
+    let v5 = c131 * (y - yd);
+    let v6 = c155 - Rc * v0 + R * (y - wd * functions::softplus(v5));
+    let v7 = v6 * (kr * (Rc - R * (1.0 - functions::logistic(v5))));
+    let v8 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck + Rc * (c44 + u * c156));
+    let v9 = v8 - Fc * math::tanh(u * c40) - c42 * functions::softplus(c41 * (y - yb));
+    let v10 = v9 + v7 + (v4 - v2);
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = u * Rc;
+    out[2] = c152 * v10;
+    out[3] = c153 * v10;
+    Some(())
+}
+
+/// The derivative of a part in mode CHK.
+fn part_0_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<157>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kr = constants[25];
+    let yd = constants[28];
+    let wd = constants[29];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c44 = constants[44];
+    let c131 = constants[131];
+    let c152 = constants[152];
+    let c155 = constants[155];
+    let c156 = constants[156];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = y - ybed;
+    let v1 = functions::softplus(c37 * v0);
+    let v2 = c38 * (v1 * v1) * functions::larger(1.0 + u * ab, 0.0);
+    let v3 = functions::softplus(-(y * c37));
+    let v4 = c39 * (v3 * v3) * functions::larger(1.0 - u * ar, 0.0);
+    let v5 = c131 * (y - yd);
+    let v6 = c155 - Rc * v0 + R * (y - wd * functions::softplus(v5));
+    let v7 = v6 * (kr * (Rc - R * (1.0 - functions::logistic(v5))));
+    let v8 = k1 * (s - y) + b1 * (s_rate - u) - (Wk + u * ck + Rc * (c44 + u * c156));
+    let v9 = v8 - Fc * math::tanh(u * c40) - c42 * functions::softplus(c41 * (y - yb));
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = u;
+    out[1] = 0.0;
+    out[2] = c152 * (v9 + v7 + (v4 - v2));
+    out[3] = 0.0;
+    Some(())
+}
+
+/// The state with slaved entries in place in mode CHK.
+fn slaved_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let ybed = constants[9];
+    let zc = constants[30];
+    let Rc = constants[31];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = y;
+    out[1] = zc + Rc * (y - ybed);
+    out[2] = u;
+    out[3] = Rc * u;
+    Some(())
+}
+
+/// The derivative's derivative by the state in mode CHK.
+fn jacobian_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<159>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let R = constants[0];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kj = constants[19];
+    let kr = constants[25];
+    let yd = constants[28];
+    let wd = constants[29];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c47 = constants[47];
+    let c48 = constants[48];
+    let c49 = constants[49];
+    let c50 = constants[50];
+    let c131 = constants[131];
+    let c152 = constants[152];
+    let c155 = constants[155];
+    let c157 = constants[157];
+    let c158 = constants[158];
+    let y = state[0];
+    let u = state[2];
+    let v0 = 1.0 + u * ab;
+    let v1 = y - ybed;
+    let v2 = c37 * v1;
+    let v3 = functions::softplus(v2);
+    let v4 = functions::logistic(v2) * (c47 * v3) * functions::larger(v0, 0.0);
+    let v5 = 1.0 - u * ar;
+    let v6 = -(y * c37);
+    let v7 = functions::softplus(v6);
+    let v8 = functions::logistic(v6) * (c48 * v7) * functions::larger(v5, 0.0);
+    let v9 = c131 * (y - yd);
+    let v10 = functions::logistic(v9);
+    let v11 = 1.0 - v10;
+    let v12 = Rc - R * v11;
+    let v13 = c155 - Rc * v1 + R * (y - wd * functions::softplus(v9));
+    let v14 = -v12 * (kr * v12) - (k1 + kj * functions::logistic(c41 * (y - yb)));
+    let v15 = c152 * (c157 * (v10 * v11) * v13 + v14 - 2.0 * (v4 + v8));
+    let v16 = if v0 > 0.0 { ab } else { 0.0 };
+    let v17 = if v5 > 0.0 { c49 } else { 0.0 };
+    let v18 = math::tanh(u * c40);
+    let v19 = c158 + c39 * v17 * (v7 * v7) - (c38 * v16 * (v3 * v3) + c50 * (1.0 - v18 * v18));
+    let out = out.first_chunk_mut::<16>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 1.0;
+    out[3] = 0.0;
+    out[4] = 0.0;
+    out[5] = 0.0;
+    out[6] = 0.0;
+    out[7] = 0.0;
+    out[8] = v15;
+    out[9] = 0.0;
+    out[10] = c152 * v19;
+    out[11] = 0.0;
+    out[12] = 0.0;
+    out[13] = 0.0;
+    out[14] = 0.0;
+    out[15] = 0.0;
+    Some(())
+}
+
+/// The outputs in mode CHK.
+fn outputs_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<156>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ybed = constants[9];
+    let kr = constants[25];
+    let yd = constants[28];
+    let wd = constants[29];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c131 = constants[131];
+    let c155 = constants[155];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = R * (y - wd * functions::softplus(c131 * (y - yd)));
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = k1 * (s - y) + b1 * (s_rate - u);
+    out[1] = 0.0;
+    out[2] = kr * (c155 - Rc * (y - ybed) + v0);
+    out[3] = 0.0;
+    Some(())
+}
+
+/// Energy, supplied and dissipated power in mode CHK.
+fn balance_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<161>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mk = constants[1];
+    let Wk = constants[4];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ybed = constants[9];
+    let ab = constants[11];
+    let ar = constants[14];
+    let yb = constants[15];
+    let kr = constants[25];
+    let yd = constants[28];
+    let wd = constants[29];
+    let zc = constants[30];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c44 = constants[44];
+    let c53 = constants[53];
+    let c54 = constants[54];
+    let c55 = constants[55];
+    let c131 = constants[131];
+    let c155 = constants[155];
+    let c159 = constants[159];
+    let c160 = constants[160];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = s - y;
+    let v1 = k1 * v0;
+    let v2 = y - ybed;
+    let v3 = c37 * v2;
+    let v4 = -(y * c37);
+    let v5 = Rc * v2;
+    let v6 = R * (y - wd * functions::softplus(c131 * (y - yd)));
+    let v7 = c155 - v5 + v6;
+    let v8 = c44 * (zc + v5) + (y * Wk + u * u * (0.5 * (mk + c159)));
+    let v9 = c53 * functions::softplus_area(c41 * (y - yb));
+    let v10 = v8 + c55 * functions::softplus_square_area(v4);
+    let v11 = v10 + (v9 + c54 * functions::softplus_square_area(v3));
+    let v12 = s_rate - u;
+    let v13 = b1 * v12;
+    let v14 = functions::softplus(v3);
+    let v15 = c38 * (functions::larger(1.0 + u * ab, 0.0) - 1.0);
+    let v16 = functions::softplus(v4);
+    let v17 = c39 * (functions::larger(1.0 - u * ar, 0.0) - 1.0);
+    let v18 = u * c160 + (u * ck + Fc * math::tanh(u * c40)) + v14 * v14 * v15;
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v11 + 0.5 * (v0 * v1 + v7 * (kr * v7));
+    out[1] = s_rate * (v1 + v13);
+    out[2] = v12 * v13 + u * (v18 - v16 * v16 * v17);
+    Some(())
+}
+
+/// The state after guard check_off in mode CHK.
+fn reset_0_check_off_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let ybed = constants[9];
+    let zc = constants[30];
+    let Rc = constants[31];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<5>()?;
+    out[0] = y;
+    out[1] = zc + Rc * (y - ybed);
+    out[2] = u;
+    out[3] = Rc * u;
+    out[4] = 0.0;
+    Some(())
+}
+
+/// The guard and its rate: check_off in mode CHK.
+fn guard_check_off_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<34>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let yco = constants[33];
+    let y = state[0];
+    let u = state[2];
+    let out = out.first_chunk_mut::<2>()?;
+    out[0] = y - yco;
+    out[1] = u;
+    Some(())
+}
+
+/// The state to start from.
+fn rest(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<4>()?;
+    out[0] = 0.0;
+    out[1] = 0.0;
+    out[2] = 0.0;
+    out[3] = 0.0;
+    Some(())
+}
+
+/// The preset default.
+fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<37>()?;
+    out[0] = 5.0;
+    out[1] = 0.15;
+    out[2] = 0.0112;
+    out[3] = 9.81;
+    out[4] = -0.18;
+    out[5] = 0.4;
+    out[6] = 0.12;
+    out[7] = 0.004;
+    out[8] = 0.002;
+    out[9] = 0.01;
+    out[10] = 20_000_000.0;
+    out[11] = 1.0;
+    out[12] = 5e-5;
+    out[13] = 20_000_000.0;
+    out[14] = 1.0;
+    out[15] = 0.0082;
+    out[16] = 0.0435;
+    out[17] = 0.1;
+    out[18] = 5.0;
+    out[19] = 250.0;
+    out[20] = 5e-5;
+    out[21] = 0.045;
+    out[22] = 1_000_000_000.0;
+    out[23] = 2.5;
+    out[24] = 0.1;
+    out[25] = 45.0;
+    out[26] = 4.0;
+    out[27] = 0.003;
+    out[28] = 0.008;
+    out[29] = 0.0002;
+    out[30] = 0.032;
+    out[31] = 1.5;
+    out[32] = 0.0085;
+    out[33] = 0.0078;
+    out[34] = 0.007;
+    out[35] = 8000.0;
+    out[36] = 20.0;
+    Some(())
+}
+
+/// The preset playable.
+fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let extra = given.extra.first_chunk::<1>()?;
+    let extra_0 = extra[0];
+    let v0 = 0.003_058_169_4 * extra_0 - 0.164_301_830_600_000_03;
+    let out = out.first_chunk_mut::<37>()?;
+    out[0] = 5.0;
+    out[1] = 0.15;
+    out[2] = 0.011_137_652 - 6.2348e-5 * extra_0;
+    out[3] = 9.81;
+    out[4] = functions::larger(v0, -0.04);
+    out[5] = 0.4;
+    out[6] = 0.0;
+    out[7] = 0.004;
+    out[8] = 0.002;
+    out[9] = 0.01;
+    out[10] = 20_000_000.0;
+    out[11] = 1.0;
+    out[12] = 5e-5;
+    out[13] = 20_000_000.0;
+    out[14] = 1.0;
+    out[15] = 0.0082;
+    out[16] = 0.0435;
+    out[17] = 0.1;
+    out[18] = 5.0;
+    out[19] = 250.0;
+    out[20] = 5e-5;
+    out[21] = 0.045;
+    out[22] = 1_000_000_000.0;
+    out[23] = 2.5;
+    out[24] = 0.1;
+    out[25] = 45.0;
+    out[26] = 4.0;
+    out[27] = 0.003;
+    out[28] = 0.008;
+    out[29] = 0.0005;
+    out[30] = 0.032;
+    out[31] = 0.2;
+    out[32] = 0.0085;
+    out[33] = 0.0078;
+    out[34] = 0.007;
+    out[35] = 8000.0;
+    out[36] = 20.0;
+    Some(())
+}
+
+/// Input per metre of key-front travel.
+fn input_per_metre(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = 1.0;
+    Some(())
+}
+
+/// What follows from the parameters.
+fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<37>()?;
+    let R = constants[0];
+    let mk = constants[1];
+    let mh = constants[2];
+    let g = constants[3];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let vc = constants[7];
+    let ch = constants[8];
+    let Kb = constants[10];
+    let ab = constants[11];
+    let wf = constants[12];
+    let Kr = constants[13];
+    let ar = constants[14];
+    let yb = constants[15];
+    let zt = constants[16];
+    let rho = constants[17];
+    let nu = constants[18];
+    let kj = constants[19];
+    let wj = constants[20];
+    let Ks = constants[22];
+    let ps = constants[23];
+    let kr = constants[25];
+    let cr = constants[26];
+    let o_r = constants[27];
+    let wd = constants[29];
+    let zc = constants[30];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let v0 = 1.0 / wf;
+    let v1 = wf * Kb;
+    let v2 = wf * v1;
+    let v3 = wf * Kr;
+    let v4 = wf * v3;
+    let v5 = 1.0 / vc;
+    let v6 = 1.0 / wj;
+    let v7 = wj * kj;
+    let v8 = R * ch;
+    let v9 = R * mh;
+    let v10 = R * v9;
+    let v11 = 1.0 / (mk + v10);
+    let v12 = Fc * v5;
+    let v13 = R * v8;
+    let v14 = b1 + ck;
+    let v15 = 1.0 / mk;
+    let v16 = v9 * v15;
+    let v17 = v0.abs();
+    let v18 = v6.abs();
+    let v19 = v15.abs();
+    let v20 = R.abs();
+    let v21 = mh.abs();
+    let v22 = v20 * v21;
+    let v23 = v22 * v19;
+    let v24 = kj * v6;
+    let v25 = Kb.abs();
+    let v26 = Kr.abs();
+    let v27 = v5.abs();
+    let v28 = v5 * v12;
+    let v29 = v27 * v28.abs();
+    let v30 = k1.abs();
+    let v31 = b1.abs();
+    let v32 = R * yb;
+    let v33 = 2.0 * ((zt - v32) / (R * (1.0 + rho)));
+    let v34 = functions::larger(v33, 1e-6);
+    let v35 = 1.0 / v34;
+    let v36 = (1.0 - rho) * v35;
+    let v37 = R * v34;
+    let v38 = v35 * (nu * v35);
+    let v39 = v9 * v36;
+    let v40 = v5 * v38;
+    let v41 = v34 * v37;
+    let v42 = v16 * v36;
+    let v43 = v35.abs();
+    let v44 = (rho - 1.0).abs() * v43;
+    let v45 = v20 * v44;
+    let v46 = f64::INFINITY - v33.abs();
+    let v47 = if v46 > 0.0 { 0.0 } else { f64::INFINITY };
+    let v48 = 1.0 / mh;
+    let v49 = ch * v48;
+    let v50 = 1.0 / wd;
+    let v51 = v50.abs();
+    let v52 = Ks * v48;
+    let v53 = R * kr;
+    let v54 = v53 * v15;
+    let v55 = R * v54;
+    let v56 = cr * v55;
+    let v57 = cr * v48;
+    let v58 = v53 * v50;
+    let v59 = R * v50;
+    let v60 = mh * Rc;
+    let v61 = Rc * v60;
+    let v62 = 1.0 / (mk + v61);
+    let v63 = ch * Rc;
+    let v64 = Rc * v63;
+    let out = out.first_chunk_mut::<124>()?;
+    out[0] = v0;
+    out[1] = v2;
+    out[2] = v4;
+    out[3] = v5;
+    out[4] = v6;
+    out[5] = v7;
+    out[6] = v8;
+    out[7] = mh * g;
+    out[8] = v11;
+    out[9] = R * v11;
+    out[10] = v1;
+    out[11] = v3;
+    out[12] = -ar;
+    out[13] = v12;
+    out[14] = -(v14 + v13);
+    out[15] = v9 * v11;
+    out[16] = wj * v7;
+    out[17] = wf * v2;
+    out[18] = wf * v4;
+    out[19] = v10;
+    out[20] = g * v9;
+    out[21] = v13;
+    out[22] = v16;
+    out[23] = ab * v11;
+    out[24] = ar * v11;
+    out[25] = v12 * v11;
+    out[26] = ck * v11;
+    out[27] = v8 * v11;
+    out[28] = -v14;
+    out[29] = ab.abs();
+    out[30] = ar.abs();
+    out[31] = v17;
+    out[32] = v18;
+    out[33] = v1.abs() * v17;
+    out[34] = v3.abs() * v17;
+    out[35] = kj.abs() * v18;
+    out[36] = v23;
+    out[37] = v24;
+    out[38] = v25;
+    out[39] = v25 * v17;
+    out[40] = v26;
+    out[41] = v26 * v17;
+    out[42] = v24.abs();
+    out[43] = v27;
+    out[44] = v2.abs() * v17;
+    out[45] = v4.abs() * v17;
+    out[46] = v27 * v12.abs();
+    out[47] = v16.abs();
+    out[48] = v16 * v28;
+    out[49] = v23 * v29;
+    out[50] = v30 * v23;
+    out[51] = v31 * v23;
+    out[52] = v35;
+    out[53] = v35 * v36;
+    out[54] = v37;
+    out[55] = v32;
+    out[56] = v36;
+    out[57] = v38;
+    out[58] = R * v36;
+    out[59] = v9;
+    out[60] = v35 * v38;
+    out[61] = v8 * v36;
+    out[62] = v39;
+    out[63] = v40;
+    out[64] = v9 * v40;
+    out[65] = v9 * v41;
+    out[66] = v8 * v41;
+    out[67] = v42;
+    out[68] = v14;
+    out[69] = R * v28;
+    out[70] = v30;
+    out[71] = v31;
+    out[72] = Fc.abs() * v27;
+    out[73] = ck.abs();
+    out[74] = v7.abs() * v18;
+    out[75] = v44;
+    out[76] = ch.abs() * v45;
+    out[77] = v19 * v39.abs();
+    out[78] = v23 * v44;
+    out[79] = v42.abs();
+    out[80] = v22 * v44;
+    out[81] = v20 * v29;
+    out[82] = v21 * v19;
+    out[83] = 2.0 * v39;
+    out[84] = (k1 * v42).abs();
+    out[85] = (b1 * v42).abs();
+    out[86] = v47;
+    out[87] = yb + v34;
+    out[88] = v15;
+    out[89] = v49;
+    out[90] = -v49;
+    out[91] = v20;
+    out[92] = v44 * (v37.abs() * v43);
+    out[93] = v45;
+    out[94] = v50;
+    out[95] = v51;
+    out[96] = v20 * v51;
+    out[97] = v52;
+    out[98] = ps - 1.0;
+    out[99] = ps * v52;
+    out[100] = Ks / (1.0 + ps);
+    out[101] = v54;
+    out[102] = kr * v48;
+    out[103] = v50 * v54;
+    out[104] = v55;
+    out[105] = v50 * v56;
+    out[106] = v53 * v48;
+    out[107] = v57 * v58;
+    out[108] = v56;
+    out[109] = v53 * v57;
+    out[110] = cr * v54;
+    out[111] = kr * v57;
+    out[112] = v59;
+    out[113] = v59.abs();
+    out[114] = v60;
+    out[115] = v62;
+    out[116] = Rc * v62;
+    out[117] = Rc.abs();
+    out[118] = o_r - zc;
+    out[119] = v63;
+    out[120] = v58;
+    out[121] = -(v14 + v64);
+    out[122] = v61;
+    out[123] = v64;
+    Some(())
+}
