@@ -10,6 +10,7 @@
     reason = "names as in the description, straight lines of operations: what applies varies"
 )]
 
+use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
     Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
@@ -59,20 +60,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
     ],
     presets: &[
-        PresetTable { name: "default", doc: "1 kg dropped from 1 m, restitution 0.8", values: 25 },
+        PresetTable { name: "default", doc: "1 kg dropped from 1 m, restitution 0.8", values: 26 },
         PresetTable {
             name: "key",
             doc: "10 g lying on a paddle that rises 5 times the key's travel",
-            values: 26,
+            values: 27,
         },
     ],
     requirements: &[],
     states: &[NamedQuantity { name: "y", unit: "m" }, NamedQuantity { name: "v", unit: "m/s" }],
     coordinates: 1,
     constants: 9,
-    derive_constants: 29,
+    derive_constants: 31,
     input: NamedQuantity { name: "s", unit: "m" },
-    input_per_metre: 27,
+    input_per_metre: 28,
     modes: &[
         ModeTable {
             name: "flight",
@@ -88,7 +89,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 2,
             slopes: 3,
             outputs: 4,
@@ -100,6 +101,7 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 0,
                 name: "floor",
+                unit: "m",
                 priority: 0,
                 scale: 1.0,
                 fires: Fires::WhileNegative,
@@ -137,7 +139,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: Some(16),
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: Some(24),
             readout: 18,
             slopes: 3,
             outputs: 19,
@@ -149,6 +151,7 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 1,
                 name: "lift",
+                unit: "m/s²",
                 priority: 1,
                 scale: 10.0,
                 fires: Fires::WhileNegative,
@@ -200,10 +203,10 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "floor.y", unit: "m" },
         NamedQuantity { name: "floor.angle", unit: "rad" },
     ],
-    rest: RestTable { mode: 1, state: 28, is_improved: false },
+    rest: RestTable { mode: 1, instead: &[(29, 0)], state: 30, is_improved: false },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
-        numbers: 24,
+        numbers: 25,
         count: 60,
         bodies: &[
             BodyTable {
@@ -262,12 +265,14 @@ impl Functions for BouncingBallFunctions {
             21 => reset_0_lift_rest(given, out),
             22 => guard_lift_rest(given, out),
             23 => bound_lift_rest(given, out),
-            24 => drawing(given, out),
-            25 => preset_default(given, out),
-            26 => preset_key(given, out),
-            27 => input_per_metre(given, out),
-            28 => rest(given, out),
-            29 => derived_constants(given, out),
+            24 => function_24(given, out),
+            25 => drawing(given, out),
+            26 => preset_default(given, out),
+            27 => preset_key(given, out),
+            28 => input_per_metre(given, out),
+            29 => rest_when_0(given, out),
+            30 => rest(given, out),
+            31 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -593,6 +598,15 @@ fn bound_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     Some(())
 }
 
+/// Is not used by the table.
+fn function_24(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<5>()?;
+    let scale = constants[4];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = 0.002 * functions::larger(scale.abs(), 1.0);
+    Some(())
+}
+
 /// The numbers of the drawing.
 fn drawing(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<60>()?;
@@ -687,6 +701,15 @@ fn input_per_metre(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let scale = constants[4];
     let out = out.first_chunk_mut::<1>()?;
     out[0] = scale;
+    Some(())
+}
+
+/// Is positive where it rests in another mode.
+fn rest_when_0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<4>()?;
+    let y0 = constants[3];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = y0;
     Some(())
 }
 

@@ -105,15 +105,15 @@ pub static TABLE: ModelTable = ModelTable {
         PresetTable {
             name: "default",
             doc: "1 kg of cart, 0.3 kg of pendulum, walls at ±5 cm",
-            values: 31,
+            values: 32,
         },
         PresetTable {
             name: "key",
             doc: "60 g in all on a rubber band, pulled 5 times the key's travel",
-            values: 32,
+            values: 33,
         },
     ],
-    requirements: &[RequirementTable { text: "right > left", margin: 33 }],
+    requirements: &[RequirementTable { text: "right > left", margin: 34 }],
     states: &[
         NamedQuantity { name: "x", unit: "m" },
         NamedQuantity { name: "theta", unit: "rad" },
@@ -122,9 +122,9 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     coordinates: 2,
     constants: 40,
-    derive_constants: 36,
+    derive_constants: 37,
     input: NamedQuantity { name: "s", unit: "m" },
-    input_per_metre: 34,
+    input_per_metre: 35,
     modes: &[
         ModeTable {
             name: "free",
@@ -140,7 +140,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 3,
             slopes: 4,
             outputs: 5,
@@ -153,6 +153,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 0,
                     name: "left",
+                    unit: "m",
                     priority: 0,
                     scale: 1.0,
                     fires: Fires::WhileNegative,
@@ -170,6 +171,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 1,
                     name: "right",
+                    unit: "m",
                     priority: 1,
                     scale: 1.0,
                     fires: Fires::WhileNegative,
@@ -220,7 +222,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: Some(16),
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: Some(24),
             readout: 18,
             slopes: 4,
             outputs: 19,
@@ -232,6 +234,7 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 2,
                 name: "off",
+                unit: "N",
                 priority: 0,
                 scale: 1.0,
                 fires: Fires::WhileNegative,
@@ -263,14 +266,14 @@ pub static TABLE: ModelTable = ModelTable {
                 reads: Reads::State,
             }],
             part_list: &[Part::of(&[1, 3]).of_state()],
-            slaved: Some(24),
+            slaved: Some(25),
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
-            readout: 25,
+            longest_projection: Some(24),
+            readout: 26,
             slopes: 4,
-            outputs: 26,
-            balance: 27,
+            outputs: 27,
+            balance: 28,
             jacobian: 17,
             kind: EquationKind::Smooth,
             loss: Some(1),
@@ -278,13 +281,14 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 2,
                 name: "off",
+                unit: "N",
                 priority: 0,
                 scale: 1.0,
                 fires: Fires::WhileNegative,
                 reads: Reads::StateAndInput,
-                value: 29,
+                value: 30,
                 bound: Some(23),
-                ways: &[WayTable { when: None, to: 0, reset: Some(28), resting: None }],
+                ways: &[WayTable { when: None, to: 0, reset: Some(29), resting: None }],
                 sounds: None,
             }],
             guard_specs: &[GuardSpec {
@@ -328,9 +332,9 @@ pub static TABLE: ModelTable = ModelTable {
         },
     ],
     outputs: &[NamedQuantity { name: "F", unit: "N" }, NamedQuantity { name: "N", unit: "N" }],
-    rest: RestTable { mode: 0, state: 35, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 36, is_improved: true },
     damper: None,
-    drawing: DrawingTable { numbers: 30, count: 0, bodies: &[], springs: &[] },
+    drawing: DrawingTable { numbers: 31, count: 0, bodies: &[], springs: &[] },
 };
 
 /// The model's arithmetic.
@@ -364,19 +368,20 @@ impl Functions for CartPendulumFunctions {
             21 => reset_0_off_left(given, out),
             22 => guard_off_left(given, out),
             23 => bound_off_left(given, out),
-            24 => slaved_right(given, out),
-            25 => readout_right(given, out),
-            26 => outputs_right(given, out),
-            27 => balance_right(given, out),
-            28 => reset_0_off_right(given, out),
-            29 => guard_off_right(given, out),
-            30 => function_30(given, out),
-            31 => preset_default(given, out),
-            32 => preset_key(given, out),
-            33 => requirement_0(given, out),
-            34 => input_per_metre(given, out),
-            35 => rest(given, out),
-            36 => derived_constants(given, out),
+            24 => function_24(given, out),
+            25 => slaved_right(given, out),
+            26 => readout_right(given, out),
+            27 => outputs_right(given, out),
+            28 => balance_right(given, out),
+            29 => reset_0_off_right(given, out),
+            30 => guard_off_right(given, out),
+            31 => function_31(given, out),
+            32 => preset_default(given, out),
+            33 => preset_key(given, out),
+            34 => requirement_0(given, out),
+            35 => input_per_metre(given, out),
+            36 => rest(given, out),
+            37 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -898,16 +903,23 @@ fn bound_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v20 = v0.abs();
     let v21 = (2.0 * (v0 * sin_theta)).abs() + 2.0 * (v20 * v12 + v19);
     let v22 = extra_3 * (s_rate * c38 + s_rate2 * c39) + extra_12 * v21;
-    let v23 = extra_4 * ((c34 * sin_theta).abs() * v6 + v11 * (c35 * v10));
-    let v24 = (sin_theta * (v1 + 4.0 * v2)).abs() + v7 * v12 + v15 * v19;
-    let v25 = (2.0 * (v0 * cos_theta)).abs() + 2.0 * (v20 * v9 + v17);
-    let v26 = 2.0 * (extra_13 * v25) + extra_5 * (v24 + 4.0 * (c36 * v23));
-    let v27 = extra_3 * extra_3 * (c38 * s_rate2 + c39 * s_rate3);
+    let v23 = extra_3 * extra_3 * (c38 * s_rate2 + c39 * s_rate3);
+    let v24 = extra_4 * ((c34 * sin_theta).abs() * v6 + v11 * (c35 * v10));
+    let v25 = (sin_theta * (v1 + 4.0 * v2)).abs() + v7 * v12 + v15 * v19;
+    let v26 = (2.0 * (v0 * cos_theta)).abs() + 2.0 * (v20 * v9 + v17);
+    let v27 = 2.0 * (extra_13 * v26) + extra_5 * (v25 + 4.0 * (c36 * v24));
     let v28 = (2.0 * (c11 * sin_theta)).abs() + 2.0 * (c37 * v12);
-    let v29 = v27 + extra_13 * (extra_13 * v28) + extra_14 * v21;
+    let v29 = v23 + extra_13 * (extra_13 * v28) + extra_14 * v21;
     let out = out.first_chunk_mut::<2>()?;
     out[0] = v22 + extra_4 * v18;
-    out[1] = v29 + extra_6 * v18 + extra_5 * v26;
+    out[1] = v29 + extra_6 * v18 + extra_5 * v27;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_24(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = 0.0001;
     Some(())
 }
 
@@ -1030,7 +1042,7 @@ fn guard_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Is not used by the table.
-fn function_30(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+fn function_31(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
     out[0] = 0.0;
     out[1] = 0.0;

@@ -147,14 +147,14 @@ pub static TABLE: ModelTable = ModelTable {
         PresetTable {
             name: "paper",
             doc: "Table 2 of the paper, lengths read as decimetres",
-            values: 24,
+            values: 25,
         },
-        PresetTable { name: "literal", doc: "Table 2 of the paper as printed, in SI", values: 25 },
+        PresetTable { name: "literal", doc: "Table 2 of the paper as printed, in SI", values: 26 },
         PresetTable {
             name: "playable",
             doc: "a real key's size, graded over the compass; the key bottom leaves the hammer 2–3 \
                 mm short",
-            values: 26,
+            values: 27,
         },
     ],
     requirements: &[],
@@ -163,10 +163,10 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "theta_h_dot", unit: "rad/s" },
     ],
     coordinates: 1,
-    constants: 105,
-    derive_constants: 29,
+    constants: 32,
+    derive_constants: 30,
     input: NamedQuantity { name: "s", unit: "rad" },
-    input_per_metre: 27,
+    input_per_metre: 28,
     modes: &[
         ModeTable {
             name: "A1",
@@ -176,7 +176,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: Some(1),
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: Some(10),
             readout: 3,
             slopes: 4,
             outputs: 5,
@@ -188,6 +188,7 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 0,
                 name: "release",
+                unit: "N",
                 priority: 0,
                 scale: 1.0,
                 fires: Fires::WhileNegative,
@@ -210,10 +211,10 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "A2",
-            derivative: 10,
+            derivative: 11,
             parts: &[PartTable {
                 entries: 0x3,
-                derivative: 10,
+                derivative: 11,
                 kind: EquationKind::Conservative,
                 loss: None,
                 reads: Reads::State,
@@ -222,12 +223,12 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
-            readout: 12,
-            slopes: 13,
-            outputs: 14,
-            balance: 15,
-            jacobian: 11,
+            longest_projection: None,
+            readout: 13,
+            slopes: 14,
+            outputs: 15,
+            balance: 16,
+            jacobian: 12,
             kind: EquationKind::Conservative,
             loss: None,
             is_stiffening: false,
@@ -235,26 +236,28 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 1,
                     name: "land",
+                    unit: "m",
                     priority: 0,
                     scale: 1.0,
                     fires: Fires::WhileNegative,
                     reads: Reads::StateAndInput,
-                    value: 17,
-                    bound: Some(18),
-                    ways: &[WayTable { when: None, to: 0, reset: Some(16), resting: None }],
+                    value: 18,
+                    bound: Some(19),
+                    ways: &[WayTable { when: None, to: 0, reset: Some(17), resting: None }],
                     sounds: None,
                 },
                 GuardTable {
                     id: 2,
                     name: "string",
+                    unit: "1",
                     priority: 1,
                     scale: 1.0,
                     fires: Fires::OnCrossing,
                     reads: Reads::State,
-                    value: 21,
-                    bound: Some(22),
-                    ways: &[WayTable { when: None, to: 1, reset: Some(19), resting: None }],
-                    sounds: Some(20),
+                    value: 22,
+                    bound: Some(23),
+                    ways: &[WayTable { when: None, to: 1, reset: Some(20), resting: None }],
+                    sounds: Some(21),
                 },
             ],
             guard_specs: &[
@@ -318,10 +321,10 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "hammer.y", unit: "m" },
         NamedQuantity { name: "hammer.angle", unit: "rad" },
     ],
-    rest: RestTable { mode: 0, state: 28, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 29, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
-        numbers: 23,
+        numbers: 24,
         count: 68,
         bodies: &[
             BodyTable {
@@ -374,26 +377,27 @@ impl Functions for KeyHammerRigidFunctions {
             7 => reset_0_release_a1(given, out),
             8 => guard_release_a1(given, out),
             9 => bound_release_a1(given, out),
-            10 => derivative_a2(given, out),
-            11 => jacobian_a2(given, out),
-            12 => readout_a2(given, out),
-            13 => slopes_a2(given, out),
-            14 => outputs_a2(given, out),
-            15 => balance_a2(given, out),
-            16 => reset_0_land_a2(given, out),
-            17 => guard_land_a2(given, out),
-            18 => bound_land_a2(given, out),
-            19 => reset_0_string_a2(given, out),
-            20 => speed_string_a2(given, out),
-            21 => guard_string_a2(given, out),
-            22 => bound_string_a2(given, out),
-            23 => drawing(given, out),
-            24 => preset_paper(given, out),
-            25 => preset_literal(given, out),
-            26 => preset_playable(given, out),
-            27 => input_per_metre(given, out),
-            28 => rest(given, out),
-            29 => derived_constants(given, out),
+            10 => function_10(given, out),
+            11 => derivative_a2(given, out),
+            12 => jacobian_a2(given, out),
+            13 => readout_a2(given, out),
+            14 => slopes_a2(given, out),
+            15 => outputs_a2(given, out),
+            16 => balance_a2(given, out),
+            17 => reset_0_land_a2(given, out),
+            18 => guard_land_a2(given, out),
+            19 => bound_land_a2(given, out),
+            20 => reset_0_string_a2(given, out),
+            21 => speed_string_a2(given, out),
+            22 => guard_string_a2(given, out),
+            23 => bound_string_a2(given, out),
+            24 => drawing(given, out),
+            25 => preset_paper(given, out),
+            26 => preset_literal(given, out),
+            27 => preset_playable(given, out),
+            28 => input_per_metre(given, out),
+            29 => rest(given, out),
+            30 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -686,9 +690,14 @@ fn guard_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Bounds of the guard's move and bend: release in mode A1.
 fn bound_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<104>()?;
-    let extra = given.extra.first_chunk::<4>()?;
+    let constants = given.constants.first_chunk::<31>()?;
+    let extra = given.extra.first_chunk::<8>()?;
     let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let JH = constants[10];
+    let c18 = constants[18];
     let c23 = constants[23];
     let c24 = constants[24];
     let c25 = constants[25];
@@ -697,246 +706,278 @@ fn bound_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c28 = constants[28];
     let c29 = constants[29];
     let c30 = constants[30];
-    let c31 = constants[31];
-    let c32 = constants[32];
-    let c33 = constants[33];
-    let c34 = constants[34];
-    let c35 = constants[35];
-    let c36 = constants[36];
-    let c37 = constants[37];
-    let c38 = constants[38];
-    let c39 = constants[39];
-    let c40 = constants[40];
-    let c41 = constants[41];
-    let c42 = constants[42];
-    let c43 = constants[43];
-    let c44 = constants[44];
-    let c45 = constants[45];
-    let c46 = constants[46];
-    let c47 = constants[47];
-    let c48 = constants[48];
-    let c49 = constants[49];
-    let c50 = constants[50];
-    let c51 = constants[51];
-    let c52 = constants[52];
-    let c53 = constants[53];
-    let c54 = constants[54];
-    let c55 = constants[55];
-    let c56 = constants[56];
-    let c57 = constants[57];
-    let c58 = constants[58];
-    let c59 = constants[59];
-    let c60 = constants[60];
-    let c61 = constants[61];
-    let c62 = constants[62];
-    let c63 = constants[63];
-    let c64 = constants[64];
-    let c65 = constants[65];
-    let c66 = constants[66];
-    let c67 = constants[67];
-    let c68 = constants[68];
-    let c69 = constants[69];
-    let c70 = constants[70];
-    let c71 = constants[71];
-    let c72 = constants[72];
-    let c73 = constants[73];
-    let c74 = constants[74];
-    let c75 = constants[75];
-    let c76 = constants[76];
-    let c77 = constants[77];
-    let c78 = constants[78];
-    let c79 = constants[79];
-    let c80 = constants[80];
-    let c81 = constants[81];
-    let c82 = constants[82];
-    let c83 = constants[83];
-    let c84 = constants[84];
-    let c85 = constants[85];
-    let c86 = constants[86];
-    let c87 = constants[87];
-    let c88 = constants[88];
-    let c89 = constants[89];
-    let c90 = constants[90];
-    let c91 = constants[91];
-    let c92 = constants[92];
-    let c93 = constants[93];
-    let c94 = constants[94];
-    let c95 = constants[95];
-    let c96 = constants[96];
-    let c97 = constants[97];
-    let c98 = constants[98];
-    let c99 = constants[99];
-    let c100 = constants[100];
-    let c101 = constants[101];
-    let c102 = constants[102];
-    let c103 = constants[103];
-    let s = input[0];
     let s_rate = input[1];
     let s_rate2 = input[2];
     let s_rate3 = input[3];
     let extra_3 = extra[3];
-    let v0 = 0.5 * s;
-    let v1 = functions::smaller(v0, 1.0);
-    let v2 = s * c23;
-    let v3 = v2 * v1;
-    let v4 = functions::smaller(1.0 + v0, 1.0);
-    let v5 = v2 * v4;
-    let v6 = functions::larger(c26 - v3, c24 - v5);
-    let v7 = if v6 > 0.0 { 0.0 } else { f64::INFINITY };
-    let v8 = s * v4;
-    let v9 = c30 * (s * v1);
-    let v10 = c31 * v8 + v9 * functions::smaller(v8, 1.0);
-    let v11 = s_rate * v10;
-    let v12 = c24 + v5;
-    let v13 = c30 * v8 + v3 * v12;
-    let v14 = s_rate * v13;
-    let v15 = s_rate * c37;
-    let v16 = v15 + v14 + v11;
-    let v17 = 2.0 * v16;
-    let v18 = v3 * (c33 + v3) + v5 * (c32 + v5);
-    let v19 = 1.0 / functions::larger(c34 - v18, 0.0);
-    let v20 = v18 * v19;
-    let v21 = c35 * v20;
-    let v22 = v5 * v12;
-    let v23 = v9 + v3 * (c25 + v3);
-    let v24 = v22 + v23;
-    let v25 = c31 + v24;
-    let v26 = c36 + v19;
-    let v27 = v26 * v21;
-    let v28 = c45 * v24 + v25 * v27;
-    let v29 = v21 + (c61 + (c36 + v28));
-    let v30 = v13 + v10;
-    let v31 = 2.0 * v30;
-    let v32 = c43 + v31;
-    let v33 = s_rate * v22 + (s_rate * c31 + s_rate * v23);
-    let v34 = v19 * (v33 * v19);
-    let v35 = v32 * v34 + v17 * v29;
-    let v36 = v25 * v19;
-    let v37 = math::hypot(v5, v3);
-    let v38 = v37 / functions::larger(c27 - v37, 0.0);
-    let v39 = if v6 > 0.0 { v38 } else { f64::INFINITY };
-    let v40 = s + v39;
-    let v41 = 0.5 * v40;
-    let v42 = c23 * v40;
-    let v43 = v42 * functions::smaller(c28 + v41, 1.0);
-    let v44 = 0.5 * v39;
-    let v45 = functions::smaller(c29 + v44, 1.0);
-    let v46 = v39 * v45;
-    let v47 = functions::smaller(c28 + v44, 1.0);
-    let v48 = v39 * v47;
-    let v49 = v43 + (c24 * v46 + c40 * v48);
-    let v50 = 1.0 / functions::larger(c55 - v49, 0.0);
-    let v51 = c36 * v24 + v25 * v21;
-    let v52 = c44 + v51;
-    let v53 = v42 * functions::smaller(c29 + v41, 1.0);
-    let v54 = v19 * (c48 * v18 + c24 * v48);
-    let v55 = v19 * (c50 * v18 + c40 * v46);
-    let v56 = c52 * v51 + v52 * v53 + (c49 * v24 + v25 * v54 + (c51 * v24 + v25 * v55));
-    let v57 = c53 + v56;
-    let v58 = c56 + v50;
-    let v59 = v17 * v34;
-    let v60 = s_rate2 * c31 + s_rate * v14 + (s_rate2 * v23 + s_rate * v11);
-    let v61 = s_rate * v15 + s_rate2 * v22 + v60;
-    let v62 = c38 * (v59 + v61 * (c36 + v21)) + c39 * v48;
-    let v63 = v49 * v50;
-    let v64 = c57 * v63;
-    let v65 = (c41 + v62) * v64;
-    let v66 = c58 * v62 + v58 * v65;
-    let v67 = s_rate * c42 + v33;
-    let v68 = 2.0 * v67;
-    let v69 = v32 * v19;
-    let v70 = s_rate * s_rate * (v23 + (c31 + c42 + v22)) + s_rate2 * (c37 + v13 + v10);
-    let v71 = c35 * v18;
-    let v72 = v71 * v70 + v33 * (v19 * (v68 + 2.0 * (v17 * v69)));
-    let v73 = c45 + v27;
-    let v74 = v61 * v73;
-    let v75 = v17 * v73;
-    let v76 = v19 * v72 + (v16 * v75 + (c36 * v70 + v32 * v74));
-    let v77 = v19 * (c46 * v18 + c39 * v46);
-    let v78 = c47 * v24 + (c38 * v76 + v25 * v77);
-    let v79 = c54 + v78;
-    let v80 = c59 * v56 + (c60 + c56 * v78) + v79 * v64 + v57 * v66;
-    let v81 = c38 * ((s_rate3 * v36 + s_rate2 * v35) * v50) + s_rate * v80;
-    let v82 = v57 * v57 * (c83 * v62 + v65 * (v50 * (c56 + 2.0 * v50)));
-    let v83 = v57 * v58;
-    let v84 = v19 * v39;
-    let v85 = v84 * v45;
-    let v86 = v18 * v26;
-    let v87 = v25 * v25;
-    let v88 = v24 * (c67 + v24);
-    let v89 = c72 * v88 + v87 * (v19 * (c71 * v86 + c24 * v85));
-    let v90 = v84 * v47;
-    let v91 = c73 * v24 + v25 * (v19 * (c48 * v86 + c24 * v90));
-    let v92 = c37 + v30;
-    let v93 = c76 * v88 + v87 * (v19 * (c75 * v86 + c40 * v90));
-    let v94 = c49 * v30 + v92 * v54 + v93 + (v89 + (c74 * v31 + v32 * v91));
-    let v95 = c77 * v24 + v25 * (v19 * (c50 * v86 + c40 * v85));
-    let v96 = c61 * v31 + v32 * v28;
-    let v97 = c36 * v30 + v92 * v21 + v96;
-    let v98 = (c79 + v51) * (c80 * v51) + v52 * v52 * v43 + (c52 * v97 + (c63 + v97) * v53);
-    let v99 = v98 + (c51 * v30 + v92 * v55 + (c78 * v31 + v32 * v95));
-    let v100 = v94 + v99;
-    let v101 = c62 + 2.0 * v24;
-    let v102 = 4.0 * (v68 * v32) + v17 * (2.0 * v101 + 6.0 * (v32 * v69));
-    let v103 = s_rate2 * c42 + v61;
-    let v104 = v21 * (v19 * (c36 + 2.0 * v19));
-    let v105 = c64 + v104;
-    let v106 = 2.0 * (v32 * (v61 * v105)) + 4.0 * (v16 * (v17 * v105));
-    let v107 = v16 * v73;
-    let v108 = c36 * v103 + v59 + v101 * v74 + v70 * (2.0 * (c65 + (c45 * v31 + v32 * v27)));
-    let v109 = v19 * (v71 * v103 + v33 * (v19 * v19 * v102)) + v32 * v106;
-    let v110 = c38 * (v67 * v75 + 2.0 * (v68 * v107) + v108 + v109);
-    let v111 = c47 * v30 + (v110 + v87 * (v19 * (c66 * v86 + c39 * v90)));
-    let v112 = c69 * v24 + v25 * (v19 * (c46 * v86 + c39 * v85));
-    let v113 = v111 + (c70 * v31 + v92 * v77 + (c68 * v88 + v32 * v112));
-    let v114 = c86 * v78 + (c84 + v56) * (c85 * v56) + v79 * (c58 * v56 + v64 * v83);
-    let v115 = c59 * v100 + (c87 + c56 * v113) + (c82 + v113) * v64;
-    let v116 = s_rate * (v115 + (c81 + v100) * v66 + 2.0 * (v82 + v114));
-    let v117 = c89 * v63;
-    let v118 = v69 * v34 + v17 * (c88 + (c64 * v24 + v25 * v104));
-    let v119 = v101 * v34 + v92 * v75 + v68 * v29 + v32 * (v75 + v107 + 2.0 * v118);
-    let v120 = v119 * (c92 + v117) + v35 * (c91 + (c90 * v56 + v83 * v117));
-    let v121 = (c96 * v24 + c94 * v25 * (v20 * v26) + c97 * v49) * v50;
-    let v122 = c94 * v20;
-    let v123 = (c95 * v24 + v25 * v122) * v50 + v49 * (c101 * v58);
-    let v124 = c98 * v31 + (c103 + c100 * v30) + c102 * v56 + v32 * v121;
-    let v125 = v92 * ((v122 + c99 * v49) * v50) + v124 + v57 * (v50 * v123);
-    let v126 = s_rate * (v116 + 2.0 * (s_rate2 * v120 + s_rate3 * v125));
-    let v127 = c38 * v50;
-    let v128 = s_rate2 * ((c93 + c36 * v31 + v32 * v21 + 2.0 * v96) * v127);
-    let v129 = s_rate3 * (v35 * v127) + s_rate2 * (v128 + v80) + v126;
-    let v130 = v7 + f64::INFINITY * (v36 * v127) + extra_3 * extra_3 * v129;
+    let extra_7 = extra[7];
+    let (sin_extra_7, cos_extra_7) = math::sin_cos(extra_7);
+    let v0 = L1 * sin_extra_7;
+    let v1 = L4 - v0;
+    let v2 = -v1;
+    let v3 = L1 * cos_extra_7;
+    let v4 = L3 - v3;
+    let v5 = -v4;
+    let v6 = math::atan2(v2, v5);
+    let v7 = extra_7 - v6;
+    let v8 = s_rate * extra_3;
+    let v9 = sin_extra_7.abs();
+    let v10 = 0.5 * v8;
+    let v11 = functions::smaller(v10 + v9, 1.0);
+    let v12 = c23 * v8;
+    let v13 = v12 * v11;
+    let v14 = v1.abs();
+    let v15 = functions::smaller(v10 + cos_extra_7.abs(), 1.0);
+    let v16 = v12 * v15;
+    let v17 = functions::larger(-(v4 + v13), v14 - v16);
+    let v18 = if v17 > 0.0 { 0.0 } else { f64::INFINITY };
+    let v19 = v3 * v2;
+    let v20 = v19.abs();
+    let v21 = s_rate * v20;
+    let v22 = v0 * v5;
+    let v23 = v22.abs();
+    let v24 = s_rate * v23;
+    let v25 = v14 + v16;
+    let v26 = v3.abs();
+    let v27 = v26 * v16 + v13 * v25;
+    let v28 = s_rate * v27;
+    let v29 = v8 * v15;
+    let v30 = c24 * v8 * v11 * functions::smaller(v9 + v29, 1.0);
+    let v31 = (L1 * v5).abs() * v29 + v30;
+    let v32 = s_rate * v31;
+    let v33 = v21 + v24 + (v28 + v32);
+    let v34 = 2.0 * v33;
+    let v35 = v2 * v2 + v5 * v5;
+    let v36 = v35.abs();
+    let v37 = v4.abs();
+    let v38 = v16 * (2.0 * v14 + v16) + v13 * (2.0 * v37 + v13);
+    let v39 = 1.0 / functions::larger(v36 - v38, 0.0);
+    let v40 = 1.0 / v36 * v38;
+    let v41 = v40 * v39;
+    let v42 = v3 * v5;
+    let v43 = v0 * v2;
+    let v44 = v42 + v43;
+    let v45 = v44.abs();
+    let v46 = v26 * v13 + v13 * (v37 + v13);
+    let v47 = v0.abs() * v16 + v16 * v25;
+    let v48 = v46 + v47;
+    let v49 = v45 + v48;
+    let v50 = 1.0 / v35;
+    let v51 = v50.abs();
+    let v52 = v51 + v39;
+    let v53 = v41 * v52;
+    let v54 = v50 * v50;
+    let v55 = v54.abs();
+    let v56 = v55 * v48 + v49 * v53;
+    let v57 = v44 * v50;
+    let v58 = v50 * v57;
+    let v59 = v58.abs();
+    let v60 = v41 + (v51 + v59 + v56);
+    let v61 = v22 - v19;
+    let v62 = 2.0 * v61;
+    let v63 = v27 + v31;
+    let v64 = 2.0 * v63;
+    let v65 = v62.abs() + v64;
+    let v66 = v42.abs();
+    let v67 = v43.abs();
+    let v68 = s_rate * v66 + s_rate * v67 + (s_rate * v46 + s_rate * v47);
+    let v69 = v39 * (v68 * v39);
+    let v70 = v65 * v69 + v34 * v60;
+    let v71 = v49 * v39;
+    let ([sin_v7, sin_v6], [cos_v7, cos_v6]) = math::sin_cos_of_two([v7, v6]);
+    let v72 = L1 * cos_v7;
+    let v73 = L4 * sin_v6;
+    let v74 = L3 * cos_v6;
+    let v75 = v72 - (v73 + v74);
+    let v76 = (-v75).abs();
+    let v77 = math::hypot(v16, v13);
+    let v78 = functions::larger(math::hypot(v2, v5) - v77, 0.0);
+    let v79 = if v17 > 0.0 { v77 / v78 } else { f64::INFINITY };
+    let v80 = v8 + v79;
+    let v81 = 0.5 * v80;
+    let v82 = c23 * v80;
+    let v83 = v82 * functions::smaller(sin_v7.abs() + v81, 1.0);
+    let v84 = 0.5 * v79;
+    let v85 = functions::smaller(cos_v6.abs() + v84, 1.0);
+    let v86 = v79 * v85;
+    let v87 = functions::smaller(sin_v6.abs() + v84, 1.0);
+    let v88 = v79 * v87;
+    let v89 = v83 + (c27 * v86 + c28 * v88);
+    let v90 = 1.0 / functions::larger(v76 - v89, 0.0);
+    let v91 = 1.0 - v57;
+    let v92 = L1 * sin_v7;
+    let v93 = L4 * cos_v6;
+    let v94 = L3 * sin_v6;
+    let v95 = v91 * v92 + (v57 * v93 - v57 * v94);
+    let v96 = v95.abs();
+    let v97 = (v57 - 1.0).abs();
+    let v98 = v51 * v48 + v49 * v41;
+    let v99 = v97 + v98;
+    let v100 = v82 * functions::smaller(cos_v7.abs() + v81, 1.0);
+    let v101 = v92.abs();
+    let v102 = v93.abs();
+    let v103 = v39 * (v40 * v102 + c27 * v88);
+    let v104 = v50 * v93;
+    let v105 = v104.abs();
+    let v106 = v94.abs();
+    let v107 = v39 * (v40 * v106 + c28 * v86);
+    let v108 = v50 * v94;
+    let v109 = v108.abs();
+    let v110 = v48 * v105 + v49 * v103 + (v48 * v109 + v49 * v107);
+    let v111 = v101 * v98 + v99 * v100 + v110;
+    let v112 = v96 + v111;
+    let v113 = c18 * cos_v6;
+    let v114 = v113.abs();
+    let v115 = v34 * v69;
+    let v116 = s_rate2 * v66 + s_rate * v24 + (s_rate2 * v67 + s_rate * v21);
+    let v117 = s_rate2 * v47 + s_rate * v28 + (s_rate2 * v46 + s_rate * v32);
+    let v118 = v116 + v117;
+    let v119 = c25 * (v115 + v118 * (v51 + v41)) + c26 * v88;
+    let v120 = v114 + v119;
+    let v121 = 1.0 / v75;
+    let v122 = v121.abs();
+    let v123 = v122 + v90;
+    let v124 = 1.0 / v76 * v89;
+    let v125 = v124 * v90;
+    let v126 = v123 * v125;
+    let v127 = v121 * v121;
+    let v128 = v127.abs();
+    let v129 = v128 * v119 + v120 * v126;
+    let v130 = v121 * (v113 * v121);
+    let v131 = v130.abs();
+    let v132 = c18 * sin_v6;
+    let v133 = v50 * v132;
+    let v134 = v133.abs();
+    let v135 = s_rate * c29 + v68;
+    let v136 = 2.0 * v135;
+    let v137 = v65 * v39;
+    let v138 = s_rate * s_rate * (v47 + (v67 + (c29 + v66) + v46));
+    let v139 = v138 + s_rate2 * (v20 + v23 + v27 + v31);
+    let v140 = v40 * v139 + v68 * (v39 * (v136 + 2.0 * (v34 * v137)));
+    let v141 = v55 + v53;
+    let v142 = v118 * v141;
+    let v143 = v34 * v141;
+    let v144 = v33 * v143 + (v51 * v139 + v65 * v142) + v39 * v140;
+    let v145 = v132.abs();
+    let v146 = v39 * (v40 * v145 + c26 * v86);
+    let v147 = v48 * v134 + (c25 * v144 + v49 * v146);
+    let v148 = (v57 * v132).abs() + v147;
+    let v149 = -v95;
+    let v150 = v149 * v121;
+    let v151 = v57 * sin_v6;
+    let v152 = (c18 * (v121 * (v151 + cos_v6 * v150))).abs() + v122 * v147;
+    let v153 = v131 * v111 + v152 + v148 * v125 + v112 * v129;
+    let v154 = c25 * ((s_rate3 * v71 + s_rate2 * v70) * v90) + s_rate * v153;
+    let v155 = (v127 * v121).abs() * v119 + v120 * v125 * (v90 * (v122 + 2.0 * v90));
+    let v156 = (2.0 * v96 + v111) * ((v121 * v130).abs() * v111);
+    let v157 = -v62;
+    let v158 = L4 * (v44 * sin_v6 + v157 * cos_v6) + L3 * (v44 * cos_v6 - v157 * sin_v6);
+    let v159 = -v61;
+    let v160 = v157 * v58;
+    let v161 = v159 * v50;
+    let v162 = v160 - v161;
+    let v163 = v50 * (v159 * (v94 - v93) + v50 * (v44 * v158));
+    let v164 = L1 * -(v91 * v91 * cos_v7 + v162 * sin_v7) + v163;
+    let v165 = v39 * v79;
+    let v166 = v165 * v85;
+    let v167 = v40 * v52;
+    let v168 = v49 * v49;
+    let v169 = v48 * (2.0 * v45 + v48);
+    let v170 = v169 * (v54 * v73).abs() + v168 * (v39 * (v73.abs() * v167 + c27 * v166));
+    let v171 = v165 * v87;
+    let v172 = v48 * (v50 * v104).abs() + v49 * (v39 * (v102 * v167 + c27 * v171));
+    let v173 = v61.abs() + v63;
+    let v174 = v169 * (v54 * v74).abs() + v168 * (v39 * (v74.abs() * v167 + c28 * v171));
+    let v175 = v105 * v63 + v173 * v103 + v174 + (v170 + ((v58 * v93).abs() * v64 + v65 * v172));
+    let v176 = v48 * (v50 * v108).abs() + v49 * (v39 * (v106 * v167 + c28 * v166));
+    let v177 = v109 * v63 + v173 * v107 + ((v58 * v94).abs() * v64 + v65 * v176);
+    let v178 = (2.0 * v97 + v98) * (v72.abs() * v98) + v99 * v99 * v83;
+    let v179 = v59 * v64 + v65 * v56;
+    let v180 = v51 * v63 + v173 * v41 + v179;
+    let v181 = v178 + (v101 * v180 + (v162.abs() + v180) * v100);
+    let v182 = v175 + (v181 + v177);
+    let v183 = v161 * v132 + (v57 * v57 * v113 - v160 * v132);
+    let v184 = (2.0 * v44 - c30).abs() + 2.0 * v48;
+    let v185 = 4.0 * (v136 * v65) + v34 * (2.0 * v184 + 6.0 * (v65 * v137));
+    let v186 = s_rate2 * c29 + v118;
+    let v187 = (v54 * v50).abs();
+    let v188 = v41 * (v39 * (v51 + 2.0 * v39));
+    let v189 = v187 + v188;
+    let v190 = 2.0 * (v65 * (v118 * v189)) + 4.0 * (v33 * (v34 * v189));
+    let v191 = v157 * v50;
+    let v192 = 2.0 * ((v50 * v191).abs() + (v55 * v64 + v65 * v53));
+    let v193 = v33 * v141;
+    let v194 = v135 * v143 + 2.0 * (v136 * v193) + (v51 * v186 + v115 + v184 * v142 + v139 * v192);
+    let v195 = v194 + v39 * (v40 * v186 + v68 * (v39 * v39 * v185));
+    let v196 = c25 * (v65 * v190 + v195) + v168 * (v39 * (v114 * v167 + c26 * v171));
+    let v197 = v48 * (v50 * v133).abs() + v49 * (v39 * (v145 * v167 + c26 * v166));
+    let v198 = (v58 * v132).abs() * v64 + v173 * v146 + (v169 * (v54 * v113).abs() + v65 * v197);
+    let v199 = v134 * v63 + v196 + v198;
+    let v200 = 2.0 * (v151 * v149) + cos_v6 * (2.0 * (v149 * v150) - v164);
+    let v201 = (v121 * v150).abs() * v147 + v156 + v148 * (v128 * v111 + v112 * v126);
+    let v202 = (v121 * (-v183 + c18 * (v121 * v200))).abs() + v122 * v199;
+    let v203 = v131 * v182 + v202 + (v183.abs() + v199) * v125 + (v164.abs() + v182) * v129;
+    let v204 = s_rate * (v203 + 2.0 * (v112 * v112 * v155 + v201));
+    let v205 = JH * v121;
+    let v206 = c25 * v90;
+    let v207 = v124 * v206;
+    let v208 = (v121 * v205).abs() * v111 + v207 * (v112 * v123);
+    let v209 = v34 * ((v50 * v58).abs() + (v187 * v48 + v49 * v188));
+    let v210 = v65 * (v143 + v193 + 2.0 * (v137 * v69 + v209));
+    let v211 = (v184 * v69 + v173 * v143 + v136 * v60 + v210) * (v205.abs() + v207);
+    let v212 = s_rate2 * (v211 + v70 * ((v150 * v205).abs() + v208));
+    let v213 = JH * (v50 * (v121 * (v44 * (v191 + v150) - v159)));
+    let v214 = c25 * v49;
+    let v215 = JH * v50;
+    let v216 = (v50 * v215).abs() * v48 + v214 * v53 + (JH * v58).abs() * v124;
+    let v217 = v215.abs();
+    let v218 = (v217 * v48 + v214 * v41) * v90 + (JH * v57).abs() * v124 * v123;
+    let v219 = (v50 * v205).abs() * v63 + (v58 * v205).abs() * v64;
+    let v220 = v219 + v213.abs() + (v205 * (v57 * v121)).abs() * v111;
+    let v221 = v173 * ((c25 * v41 + v217 * v124) * v90) + (v220 + v65 * (v216 * v90));
+    let v222 = 2.0 * (s_rate3 * (v221 + v112 * (v90 * v218)) + v212);
+    let v223 = (2.0 * v160 - v191).abs() + v51 * v64 + v65 * v41;
+    let v224 = s_rate2 * (s_rate2 * ((v223 + 2.0 * v179) * v206) + v153);
+    let v225 = s_rate3 * (v70 * v206) + v224 + s_rate * (v204 + v222);
+    let v226 = v18 + f64::INFINITY * (v71 * v206) + extra_3 * extra_3 * v225;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v7 + extra_3 * v81;
-    out[1] = v130;
+    out[0] = v18 + extra_3 * v154;
+    out[1] = v226;
+    Some(())
+}
+
+/// Is not used by the table.
+fn function_10(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = 4.0;
     Some(())
 }
 
 /// The derivative of the state in mode A2.
 fn derivative_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<105>()?;
+    let constants = given.constants.first_chunk::<32>()?;
     let state = given.state.first_chunk::<2>()?;
-    let c104 = constants[104];
+    let c31 = constants[31];
     let theta_h = state[0];
     let theta_h_dot = state[1];
     let cos_theta_h = math::sin_cos(theta_h).1;
     let out = out.first_chunk_mut::<2>()?;
     out[0] = theta_h_dot;
-    out[1] = -(c104 * cos_theta_h);
+    out[1] = -(c31 * cos_theta_h);
     Some(())
 }
 
 /// The derivative's derivative by the state in mode A2.
 fn jacobian_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<105>()?;
+    let constants = given.constants.first_chunk::<32>()?;
     let state = given.state.first_chunk::<1>()?;
-    let c104 = constants[104];
+    let c31 = constants[31];
     let theta_h = state[0];
     let sin_theta_h = math::sin_cos(theta_h).0;
     let out = out.first_chunk_mut::<4>()?;
     out[0] = 0.0;
     out[1] = 1.0;
-    out[2] = c104 * sin_theta_h;
+    out[2] = c31 * sin_theta_h;
     out[3] = 0.0;
     Some(())
 }
@@ -1076,49 +1117,49 @@ fn guard_land_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Bounds of the guard's move and bend: land in mode A2.
 fn bound_land_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<41>()?;
+    let constants = given.constants.first_chunk::<29>()?;
     let state = given.state.first_chunk::<1>()?;
-    let extra = given.extra.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<8>()?;
     let input = given.input;
     let L1 = constants[0];
     let L3 = constants[2];
     let L4 = constants[3];
     let c23 = constants[23];
-    let c24 = constants[24];
-    let c40 = constants[40];
+    let c27 = constants[27];
+    let c28 = constants[28];
     let theta_h = state[0];
-    let s = input[0];
     let s_rate = input[1];
     let s_rate2 = input[2];
     let extra_0 = extra[0];
     let extra_1 = extra[1];
     let extra_2 = extra[2];
     let extra_3 = extra[3];
-    let (sin_theta_h, cos_theta_h) = math::sin_cos(theta_h);
-    let v0 = L1 * cos_theta_h;
-    let v1 = sin_theta_h.abs();
-    let v2 = extra_0 + s;
-    let v3 = 0.5 * v2;
-    let v4 = c23 * v2;
-    let v5 = v4 * functions::smaller(v3 + v1, 1.0);
-    let v6 = cos_theta_h.abs();
-    let v7 = 0.5 * extra_0;
-    let v8 = functions::smaller(v7 + v6, 1.0);
-    let v9 = functions::smaller(v7 + v1, 1.0);
-    let v10 = (L4 * sin_theta_h + L3 * cos_theta_h - v0).abs() + v5;
-    let v11 = v10 + extra_0 * (c24 * v8 + c40 * v9);
-    let v12 = v0.abs() + v5;
-    let v13 = s_rate * extra_3;
-    let v14 = functions::smaller(v3 + v6, 1.0);
-    let v15 = c23 * extra_1 * functions::smaller(v1 + v2 * v14, 1.0);
-    let v16 = L1 * sin_theta_h;
-    let v17 = v4 * v14;
-    let v18 = extra_3 * s_rate2 * v12 + s_rate * (v13 * (v16.abs() + v17) + 2.0 * v15);
-    let v19 = (v16 + L4 * cos_theta_h - L3 * sin_theta_h).abs();
-    let v20 = extra_1 * (v19 + v17 + extra_0 * (c24 * v9 + c40 * v8));
+    let extra_7 = extra[7];
+    let v0 = theta_h - extra_7;
+    let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
+    let v1 = L1 * cos_v0;
+    let v2 = sin_v0.abs();
+    let v3 = s_rate * extra_3;
+    let v4 = extra_0 + v3;
+    let v5 = 0.5 * v4;
+    let v6 = c23 * v4;
+    let v7 = v6 * functions::smaller(v5 + v2, 1.0);
+    let v8 = 0.5 * extra_0;
+    let v9 = functions::smaller(v8 + cos_theta_h.abs(), 1.0);
+    let v10 = functions::smaller(v8 + sin_theta_h.abs(), 1.0);
+    let v11 = (L4 * sin_theta_h + L3 * cos_theta_h - v1).abs() + v7;
+    let v12 = extra_0 * (c27 * v9 + c28 * v10) + v11;
+    let v13 = v1.abs() + v7;
+    let v14 = functions::smaller(v5 + cos_v0.abs(), 1.0);
+    let v15 = c23 * extra_1 * functions::smaller(v2 + v4 * v14, 1.0);
+    let v16 = L1 * sin_v0;
+    let v17 = v6 * v14;
+    let v18 = extra_3 * s_rate2 * v13 + s_rate * (v3 * (v16.abs() + v17) + 2.0 * v15);
+    let v19 = (v16 + (L4 * cos_theta_h - L3 * sin_theta_h)).abs();
+    let v20 = extra_1 * (extra_0 * (c27 * v10 + c28 * v9) + (v19 + v17));
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v13 * v12 + extra_0 * v11;
-    out[1] = extra_2 * v11 + extra_1 * v20 + extra_3 * v18;
+    out[0] = v3 * v13 + extra_0 * v12;
+    out[1] = extra_2 * v12 + extra_1 * v20 + extra_3 * v18;
     Some(())
 }
 
@@ -1378,158 +1419,25 @@ fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let cK = constants[8];
     let JH = constants[10];
     let g = constants[11];
-    let v0 = -L4;
-    let v1 = L3 - L1;
-    let v2 = -v1;
-    let v3 = math::atan2(v0, v2);
-    let v4 = g * L2;
-    let v5 = M2 * v4;
-    let v6 = L1 * L1;
-    let v7 = L1.abs();
-    let v8 = L4.abs();
-    let v9 = v1.abs();
-    let (sin_v3, cos_v3) = math::sin_cos(v3);
-    let v10 = L1 * v2;
-    let v11 = v10.abs();
-    let v12 = L4 * L4 + v2 * v2;
-    let v13 = v12.abs();
-    let v14 = 1.0 / v13;
-    let v15 = 1.0 / v12;
-    let v16 = L4 * L1;
-    let v17 = JH.abs();
-    let v18 = v5 * cos_v3;
-    let v19 = v18.abs();
-    let v20 = L1 * v15;
-    let v21 = v2 * v20;
-    let v22 = (v21 - 1.0).abs();
-    let v23 = v15 * v15;
-    let v24 = v5 * sin_v3;
-    let v25 = v15 * v24;
-    let v26 = L4 * cos_v3;
-    let v27 = v15 * v26;
-    let v28 = L3 * sin_v3;
-    let v29 = v15 * v28;
-    let v30 = L1 * sin_v3;
-    let v31 = 1.0 - v21;
-    let v32 = v21 * sin_v3;
-    let v33 = L3 * v32;
-    let v34 = v31 * v30 - (v21 * v26 - v33);
-    let v35 = (-v34).abs();
-    let v36 = v5 * v32;
-    let v37 = L1 * cos_v3;
-    let v38 = L4 * sin_v3;
-    let v39 = L3 * cos_v3;
-    let v40 = v37 - (v38 + v39);
-    let v41 = (-v40).abs();
-    let v42 = 1.0 / v40;
-    let v43 = 1.0 / v41;
-    let v44 = v42 * v42;
-    let v45 = v42 * (v18 * v42);
-    let v46 = v34 * v42;
-    let v47 = (g * (M2 * (L2 * (v42 * (v32 + cos_v3 * v46))))).abs();
-    let v48 = v15 * v21;
-    let v49 = L4 * v20;
-    let v50 = v21 * v49 - 0.5 * v49;
-    let v51 = 2.0 * v50;
-    let v52 = v2 * (v15 * ((2.0 * L3 + v2) * sin_v3 - 2.0 * v26));
-    let v53 = v15 * (v2 * (v21 * v39) + L4 * (v26 - v28 + L1 * v52));
-    let v54 = L1 * (-v51 * sin_v3 - v31 * v31 * cos_v3 + v53);
-    let v55 = v49 * v24 - (v21 * v21 * v18 + 2.0 * (v49 * v36));
-    let v56 = 2.0 * (v32 * v34) + cos_v3 * (2.0 * (v34 * v46) - v54);
-    let v57 = (v42 * (v55 + g * (M2 * (L2 * (v42 * v56))))).abs();
-    let v58 = JH * v42;
-    let v59 = v42 * v58;
-    let v60 = JH * v15;
-    let v61 = v60.abs();
-    let v62 = v15 * (v42 * (L4 * (2.0 * v21 - 1.0) - v2 * v46));
-    let out = out.first_chunk_mut::<88>()?;
+    let v0 = g * L2;
+    let v1 = M2 * v0;
+    let v2 = L1 * L1;
+    let v3 = L1.abs();
+    let out = out.first_chunk_mut::<15>()?;
     out[0] = cK * (g * M1);
-    out[1] = v5;
-    out[2] = v6;
+    out[1] = v1;
+    out[2] = v2;
     out[3] = L1 * JH;
-    out[4] = v4;
-    out[5] = L4 * g;
-    out[6] = v7;
-    out[7] = v8;
-    out[8] = v9;
-    out[9] = v2;
-    out[10] = math::hypot(v0, v2);
-    out[11] = sin_v3.abs();
-    out[12] = cos_v3.abs();
-    out[13] = v7 * v7;
-    out[14] = v11;
-    out[15] = 2.0 * v8;
-    out[16] = 2.0 * v9;
-    out[17] = v13;
-    out[18] = v14;
-    out[19] = v15.abs();
-    out[20] = v16.abs();
-    out[21] = v17;
-    out[22] = v5.abs();
-    out[23] = L3.abs();
-    out[24] = v19;
-    out[25] = v6.abs();
-    out[26] = (2.0 * v16).abs();
-    out[27] = v22;
-    out[28] = v23.abs();
-    out[29] = v14 * v24.abs();
-    out[30] = v25.abs();
-    out[31] = v14 * v26.abs();
-    out[32] = v27.abs();
-    out[33] = v14 * v28.abs();
-    out[34] = v29.abs();
-    out[35] = v30.abs();
-    out[36] = v35;
-    out[37] = v36.abs();
-    out[38] = v41;
-    out[39] = v42.abs();
-    out[40] = v43;
-    out[41] = v44.abs();
-    out[42] = v45.abs();
-    out[43] = v47;
-    out[44] = v48.abs();
-    out[45] = (2.0 * (v6 - v10)).abs();
-    out[46] = v51.abs();
-    out[47] = (v23 * v15).abs();
-    out[48] = (2.0 * (v15 * v49)).abs();
-    out[49] = v14 * v19;
-    out[50] = 2.0 * v11;
-    out[51] = (v23 * v18).abs();
-    out[52] = (v15 * v25).abs();
-    out[53] = (v15 * v36).abs();
-    out[54] = v14 * v38.abs();
-    out[55] = (v23 * v38).abs();
-    out[56] = (v15 * v27).abs();
-    out[57] = (v48 * v26).abs();
-    out[58] = v14 * v39.abs();
-    out[59] = (v23 * v39).abs();
-    out[60] = (v15 * v29).abs();
-    out[61] = (v15 * v33).abs();
-    out[62] = 2.0 * v22;
-    out[63] = v37.abs();
-    out[64] = v54.abs();
-    out[65] = (-v55).abs();
-    out[66] = (v44 * v42).abs();
-    out[67] = 2.0 * v35;
-    out[68] = (v42 * v45).abs();
-    out[69] = (v42 * v46).abs();
-    out[70] = v57;
-    out[71] = (v15 * v48).abs();
-    out[72] = v17 * v43;
-    out[73] = v59.abs();
-    out[74] = (v46 * v58).abs();
-    out[75] = v58.abs();
-    out[76] = (4.0 * v50).abs();
-    out[77] = v17 * v14;
-    out[78] = v61;
-    out[79] = (v15 * v60).abs();
-    out[80] = (JH * v48).abs() * v43;
-    out[81] = (v48 * v58).abs();
-    out[82] = v61 * v43;
-    out[83] = (v15 * v58).abs();
-    out[84] = (JH * v21).abs() * v43;
-    out[85] = (v21 * v59).abs();
-    out[86] = (L1 * (JH * v62)).abs();
-    out[87] = v5 / JH;
+    out[4] = v0;
+    out[5] = g * L4;
+    out[6] = v3;
+    out[7] = v3 * v3;
+    out[8] = JH.abs();
+    out[9] = v1.abs();
+    out[10] = L4.abs();
+    out[11] = L3.abs();
+    out[12] = v2.abs();
+    out[13] = 2.0 * v2;
+    out[14] = v1 / JH;
     Some(())
 }

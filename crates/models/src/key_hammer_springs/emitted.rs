@@ -184,7 +184,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 3,
             slopes: 4,
             outputs: 5,
@@ -197,6 +197,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 0,
                     name: "release",
+                    unit: "m",
                     priority: 0,
                     scale: 1.0,
                     fires: Fires::WhileNegative,
@@ -209,6 +210,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 1,
                     name: "string",
+                    unit: "1",
                     priority: 2,
                     scale: 1.0,
                     fires: Fires::OnCrossing,
@@ -263,7 +265,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 3,
             slopes: 4,
             outputs: 18,
@@ -276,6 +278,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 2,
                     name: "land",
+                    unit: "m",
                     priority: 1,
                     scale: 1.0,
                     fires: Fires::WhileNegative,
@@ -288,6 +291,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 1,
                     name: "string",
+                    unit: "1",
                     priority: 2,
                     scale: 1.0,
                     fires: Fires::OnCrossing,
@@ -367,7 +371,7 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "manipulandum.y", unit: "m" },
         NamedQuantity { name: "manipulandum.angle", unit: "rad" },
     ],
-    rest: RestTable { mode: 0, state: 27, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 27, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
         numbers: 22,

@@ -321,7 +321,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: Some(2),
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 6,
@@ -334,6 +334,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 0,
                     name: "lift-off",
+                    unit: "N",
                     priority: 0,
                     scale: 40.0,
                     fires: Fires::WhileNegative,
@@ -346,6 +347,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 1,
                     name: "button",
+                    unit: "m",
                     priority: 1,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -391,7 +393,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: Some(16),
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 18,
@@ -404,6 +406,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 0,
                     name: "lift-off",
+                    unit: "N",
                     priority: 0,
                     scale: 40.0,
                     fires: Fires::WhileNegative,
@@ -416,6 +419,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 2,
                     name: "button-off",
+                    unit: "m",
                     priority: 2,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -428,6 +432,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 3,
                     name: "trip",
+                    unit: "m",
                     priority: 3,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -490,7 +495,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 30,
@@ -503,6 +508,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 4,
                     name: "land",
+                    unit: "m",
                     priority: 4,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -515,6 +521,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 1,
                     name: "button",
+                    unit: "m",
                     priority: 1,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -527,6 +534,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 5,
                     name: "string-on",
+                    unit: "m",
                     priority: 5,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -589,7 +597,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 30,
@@ -602,6 +610,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 4,
                     name: "land",
+                    unit: "m",
                     priority: 4,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -614,6 +623,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 2,
                     name: "button-off",
+                    unit: "m",
                     priority: 2,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -626,6 +636,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 3,
                     name: "trip",
+                    unit: "m",
                     priority: 3,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -638,6 +649,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 5,
                     name: "string-on",
+                    unit: "m",
                     priority: 5,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -708,7 +720,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 30,
@@ -721,6 +733,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 5,
                     name: "string-on",
+                    unit: "m",
                     priority: 5,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -733,6 +746,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 6,
                     name: "rep-on",
+                    unit: "m",
                     priority: 7,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -748,6 +762,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 7,
                     name: "reset",
+                    unit: "m",
                     priority: 13,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -813,7 +828,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 51,
@@ -826,6 +841,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 8,
                     name: "string-off",
+                    unit: "m",
                     priority: 6,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -841,6 +857,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 3,
                     name: "trip",
+                    unit: "m",
                     priority: 3,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -895,7 +912,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 51,
@@ -908,6 +925,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 8,
                     name: "string-off",
+                    unit: "m",
                     priority: 6,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -920,6 +938,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 7,
                     name: "reset",
+                    unit: "m",
                     priority: 13,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -965,7 +984,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 57,
@@ -978,6 +997,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 9,
                     name: "rep-off",
+                    unit: "m",
                     priority: 8,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -990,6 +1010,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 10,
                     name: "check",
+                    unit: "m",
                     priority: 9,
                     scale: 0.05,
                     fires: Fires::OnCrossing,
@@ -1002,6 +1023,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 11,
                     name: "check-far",
+                    unit: "m",
                     priority: 10,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -1055,7 +1077,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 57,
@@ -1068,6 +1090,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 9,
                     name: "rep-off",
+                    unit: "m",
                     priority: 8,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -1080,6 +1103,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 12,
                     name: "check-near",
+                    unit: "m",
                     priority: 11,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -1092,6 +1116,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 7,
                     name: "reset",
+                    unit: "m",
                     priority: 13,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -1148,7 +1173,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 57,
@@ -1161,6 +1186,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 9,
                     name: "rep-off",
+                    unit: "m",
                     priority: 8,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -1173,6 +1199,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 13,
                     name: "jack-in",
+                    unit: "m",
                     priority: 14,
                     scale: 0.05,
                     fires: Fires::WhileNegative,
@@ -1185,6 +1212,7 @@ pub static TABLE: ModelTable = ModelTable {
                 GuardTable {
                     id: 14,
                     name: "jack-out",
+                    unit: "m",
                     priority: 15,
                     scale: 0.01,
                     fires: Fires::WhileNegative,
@@ -1238,7 +1266,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: Some(70),
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 4,
             slopes: 5,
             outputs: 72,
@@ -1250,6 +1278,7 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 15,
                 name: "check-off",
+                unit: "m",
                 priority: 12,
                 scale: 0.01,
                 fires: Fires::WhileNegative,
@@ -1409,7 +1438,7 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "F_lever", unit: "N" },
         NamedQuantity { name: "F_string", unit: "N" },
     ],
-    rest: RestTable { mode: 0, state: 76, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 76, is_improved: true },
     damper: None,
     drawing: DrawingTable { numbers: 76, count: 0, bodies: &[], springs: &[] },
 };
@@ -2622,7 +2651,6 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c123 = constants[123];
     let y = state[0];
     let u = state[2];
-    let s = input[0];
     let s_rate = input[1];
     let s_rate2 = input[2];
     let s_rate3 = input[3];
@@ -2630,6 +2658,7 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra_1 = extra[1];
     let extra_2 = extra[2];
     let extra_3 = extra[3];
+    let extra_7 = extra[7];
     let extra_8 = extra[8];
     let extra_9 = extra[9];
     let extra_10 = extra[10];
@@ -2675,8 +2704,8 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v39 = c39 * v24;
     let v40 = v24 * v39;
     let v41 = v40.abs();
-    let v42 = c107 * (extra_0 + s) + c108 * (s_rate + extra_8) + v38 * v41;
-    let v43 = v34 * v37 + v42 + extra_0 * v29 + extra_8 * (c110 + c109 * v33);
+    let v42 = c108 * (s_rate + extra_8) + c107 * (extra_0 + extra_3 * s_rate);
+    let v43 = v34 * v37 + (v42 + v38 * v41) + extra_0 * v29 + extra_8 * (c110 + c109 * v33);
     let v44 = functions::logistic(v4);
     let v45 = functions::larger(v8, 0.0);
     let v46 = v13 * v45;
@@ -2713,10 +2742,10 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v77 = v76.abs();
     let v78 = -v54;
     let v79 = math::tanh(v30);
-    let v80 = u * -(b1 + ck) - (Wk + y * k1) - Fc * v79 - c42 * functions::softplus(v26);
-    let v81 = u * c98 + c104 * (v39 * v51 + (v80 - v35 * v46)) - v76 * v78;
-    let v82 = extra_8 * c113 + v81.abs() + c114 * v43 + v77 * v73;
-    let v83 = v74 * (v54.abs() + v73) + v82;
+    let v80 = u * -(b1 + ck) + (k1 * (extra_7 - y) - Wk) - Fc * v79;
+    let v81 = v39 * v51 + (v80 - c42 * functions::softplus(v26) - v35 * v46);
+    let v82 = extra_8 * c113 + (u * c98 + c104 * v81 - v76 * v78).abs();
+    let v83 = v74 * (v54.abs() + v73) + (v82 + c114 * v43 + v77 * v73);
     let v84 = v79 * v79;
     let v85 = 1.0 - v84;
     let v86 = if v8 > 0.0 { ab } else { 0.0 };
@@ -2742,48 +2771,49 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v106 = c123 + extra_3 * ((s_rate * c87 + s_rate2 * c88) * v3);
     let v107 = if v99 > 0.0 { 0.0 } else { f64::INFINITY };
     let v108 = if v91 > 0.0 { 0.0 } else { f64::INFINITY };
-    let v109 = extra_3 * (2.0 * (s_rate * c121 + s_rate2 * c122));
-    let v110 = Kr * v50;
-    let v111 = v48 * (1.0 - v48);
-    let v112 = Kr * v51;
-    let v113 = Kb * v45;
-    let v114 = v44 * (1.0 - v44);
-    let v115 = Kb * v46;
-    let v116 = c74 * (v53 * (1.0 - v53)) + 2.0 * (v44 * v44 * v113 + v114 * v115);
-    let v117 = 2.0 * (v48 * v48 * v110 + v111 * v112 - 0.5 * v116);
-    let v118 = (v7 + v44.abs()) * v70;
-    let v119 = v70 + v118;
-    let v120 = (v34 * (Kb * v13).abs() + c76 * v65) * (v114.abs() + v119);
-    let v121 = (v17 + v48.abs()) * v61;
-    let v122 = v17 * v17 * (c77 * v38) + v110.abs() * v121 + (v115.abs() * v119 + v120);
-    let v123 = v61 + v121;
-    let v124 = (v38 * (Kr * v24).abs() + c78 * v56) * (v111.abs() + v123);
-    let v125 = extra_0 * (c69 * ((1.0 + (v28 + v53.abs())) * v63));
-    let v126 = 2.0 * (v7 * v7 * (c75 * v34) + v113.abs() * v118);
-    let v127 = v112.abs() * v123 + v124 + 0.5 * (c79 * v125 + v126);
-    let v128 = 2.0 * (v122 + v127);
-    let v129 = (2.0 * (c104 * v78) - v76 * v117).abs() + 2.0 * (c116 * v73);
-    let v130 = v74 * ((-v117).abs() + v128) + (v77 * v128 + v129);
-    let v131 = v44 * v66;
-    let v132 = v48 * v57;
-    let v133 = 2.0 * (v87 * v132 + v86 * v131);
-    let v134 = v101 * (extra_0 * (v7 * (c70 * v7) + c68 * v67 * v69));
-    let v135 = v93 * (extra_0 * (v17 * (c71 * v17) + c68 * v58 * v60));
-    let v136 = v94 * v132.abs() + v135 + (v102 * v131.abs() + v134);
-    let v137 = 2.0 * v136;
-    let v138 = (c104 * v89 + (c98 - v76 * -v133)).abs() + v77 * v137;
-    let v139 = extra_9 * (v74 * (v133.abs() + v137) + v138 + c116 * v103);
-    let v140 = extra_3 * extra_3 * ((c87 * s_rate2 + c88 * s_rate3) * v3);
-    let v141 = v97 * v98;
-    let v142 = c119 * (v0 * (c106 * v79).abs() + c118 * v3 * v96);
-    let v143 = v75 * (c85 * v79);
-    let v144 = v143.abs() * v141 + v142 * ((v84 - 1.0).abs() + v141);
-    let v145 = extra_9 * ((2.0 * (v85 * v143) - c120).abs() + 2.0 * v144);
-    let v146 = v108 + (c123 + v107) + v140 + extra_2 * v83 + extra_9 * v145;
-    let v147 = extra_1 * (v109 + extra_1 * v130 + 2.0 * v139) + extra_10 * v105;
+    let v109 = extra_3 * v3;
+    let v110 = 2.0 * (s_rate * (extra_1 * c121)) + s_rate3 * (c88 * v109);
+    let v111 = s_rate2 * (2.0 * (extra_1 * c122) + c87 * v109) + v110;
+    let v112 = Kr * v50;
+    let v113 = v48 * (1.0 - v48);
+    let v114 = Kr * v51;
+    let v115 = Kb * v45;
+    let v116 = v44 * (1.0 - v44);
+    let v117 = Kb * v46;
+    let v118 = c74 * (v53 * (1.0 - v53)) + 2.0 * (v44 * v44 * v115 + v116 * v117);
+    let v119 = 2.0 * (v48 * v48 * v112 + v113 * v114 - 0.5 * v118);
+    let v120 = (v7 + v44.abs()) * v70;
+    let v121 = v70 + v120;
+    let v122 = (v34 * (Kb * v13).abs() + c76 * v65) * (v116.abs() + v121);
+    let v123 = (v17 + v48.abs()) * v61;
+    let v124 = v17 * v17 * (c77 * v38) + v112.abs() * v123 + (v117.abs() * v121 + v122);
+    let v125 = v61 + v123;
+    let v126 = (v38 * (Kr * v24).abs() + c78 * v56) * (v113.abs() + v125);
+    let v127 = extra_0 * (c69 * ((1.0 + (v28 + v53.abs())) * v63));
+    let v128 = 2.0 * (v7 * v7 * (c75 * v34) + v115.abs() * v120);
+    let v129 = v114.abs() * v125 + v126 + 0.5 * (c79 * v127 + v128);
+    let v130 = 2.0 * (v124 + v129);
+    let v131 = (2.0 * (c104 * v78) - v76 * v119).abs() + 2.0 * (c116 * v73);
+    let v132 = v74 * ((-v119).abs() + v130) + (v77 * v130 + v131);
+    let v133 = v44 * v66;
+    let v134 = v48 * v57;
+    let v135 = 2.0 * (v87 * v134 + v86 * v133);
+    let v136 = v101 * (extra_0 * (v7 * (c70 * v7) + c68 * v67 * v69));
+    let v137 = v93 * (extra_0 * (v17 * (c71 * v17) + c68 * v58 * v60));
+    let v138 = v94 * v134.abs() + v137 + (v102 * v133.abs() + v136);
+    let v139 = 2.0 * v138;
+    let v140 = (c104 * v89 + (c98 - v76 * -v135)).abs() + v77 * v139;
+    let v141 = extra_9 * (v74 * (v135.abs() + v139) + v140 + c116 * v103);
+    let v142 = v97 * v98;
+    let v143 = c119 * (v0 * (c106 * v79).abs() + c118 * v3 * v96);
+    let v144 = v75 * (c85 * v79);
+    let v145 = v144.abs() * v142 + v143 * ((v84 - 1.0).abs() + v142);
+    let v146 = extra_9 * ((2.0 * (v85 * v144) - c120).abs() + 2.0 * v145);
+    let v147 = v108 + (c123 + v107) + extra_3 * v111 + extra_2 * v83;
+    let v148 = extra_1 * (extra_1 * v132 + 2.0 * v141) + extra_10 * v105;
     let out = out.first_chunk_mut::<2>()?;
     out[0] = v106 + extra_0 * v83 + extra_8 * v105;
-    out[1] = v146 + v147;
+    out[1] = v147 + extra_9 * v146 + v148;
     Some(())
 }
 

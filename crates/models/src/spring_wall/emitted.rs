@@ -65,7 +65,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 1,
             slopes: 2,
             outputs: 3,
@@ -77,6 +77,7 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 0,
                 name: "touch",
+                unit: "m",
                 priority: 0,
                 scale: 1.0,
                 fires: Fires::WhileNegative,
@@ -105,7 +106,7 @@ pub static TABLE: ModelTable = ModelTable {
             slaved: None,
             projection: None,
             projected: 0,
-            longest_projection: f64::INFINITY,
+            longest_projection: None,
             readout: 7,
             slopes: 8,
             outputs: 9,
@@ -117,6 +118,7 @@ pub static TABLE: ModelTable = ModelTable {
             guards: &[GuardTable {
                 id: 1,
                 name: "leave",
+                unit: "m",
                 priority: 0,
                 scale: 1.0,
                 fires: Fires::WhileNegative,
@@ -159,7 +161,7 @@ pub static TABLE: ModelTable = ModelTable {
         },
     ],
     outputs: &[NamedQuantity { name: "F", unit: "N" }, NamedQuantity { name: "depth", unit: "m" }],
-    rest: RestTable { mode: 0, state: 0, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 0, is_improved: true },
     damper: None,
     drawing: DrawingTable { numbers: 12, count: 0, bodies: &[], springs: &[] },
 };
