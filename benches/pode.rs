@@ -9,7 +9,8 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::Criterion;
-use models::{Described as _, KeyHammerSprings, Playable as _, key_hammer_springs};
+use hand_written::{KeyHammerSprings, key_hammer_springs};
+use models::{Described as _, Playable as _};
 use pode::input::Cubic;
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,

@@ -19,8 +19,9 @@ mod setting;
 use std::sync::Arc;
 
 use criterion::Criterion;
+use hand_written::{KeyHammerSprings, key_hammer_springs};
 use haptics::{Kalman, RigParameters};
-use models::{Described as _, KeyHammerSprings, Playable as _, key_hammer_springs};
+use models::{Described as _, Playable as _};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};

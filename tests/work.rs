@@ -5,8 +5,10 @@ use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
-use models::catalogue::{ENTRIES, Visitor, visit_built_in};
-use models::{Described as _, KeyHammerRigid, KeyHammerSprings, Playable};
+use models::built_in::small;
+use models::catalogue::{Visitor, built_ins, visit};
+use models::registry::SmallModel;
+use models::{Described as _, ModeCode, Playable};
 use pode::input::Cubic;
 use pode::stepper::{ByNeed, Rk4, Stepper};
 use pode::{Auditor, Limits, Motion, Silent, Simulator, Watch, Work};
@@ -198,9 +200,8 @@ impl Visitor for Counts {
 
 #[test]
 fn every_model_computes_what_is_committed_at_rest_and_moving() {
-    let found: Vec<_> = ENTRIES
-        .iter()
-        .map(|it| (it.name, visit_built_in(it, Counts).expect("a model")))
+    let found: Vec<_> = built_ins()
+        .map(|it| (it.name, visit(it, Counts).expect("a model")))
         .map(|(name, [rest, moving])| (name, rest, moving))
         .collect();
     assert_eq!(found, COUNTS);
@@ -208,7 +209,7 @@ fn every_model_computes_what_is_committed_at_rest_and_moving() {
 
 #[test]
 fn what_nobody_asked_for_is_not_evaluated() {
-    for entry in ENTRIES {
+    for entry in built_ins() {
         struct Unread;
         impl Visitor for Unread {
             type Output = (Work, Work);
@@ -217,7 +218,7 @@ fn what_nobody_asked_for_is_not_evaluated() {
                 (unread, counted(at_rest(&model), 3e-3, &mut Silent))
             }
         }
-        let (unread, read) = visit_built_in(entry, Unread).expect("a model");
+        let (unread, read) = visit(entry, Unread).expect("a model");
         assert_eq!(unread.readouts, 0, "{}", entry.name);
         assert!(COUNTED <= read.readouts, "{}", entry.name);
         assert_eq!(unread, Work { readouts: 0, ..read }, "{}: nothing else", entry.name);
@@ -226,8 +227,9 @@ fn what_nobody_asked_for_is_not_evaluated() {
 
 #[test]
 fn an_energy_audit_counts_what_it_evaluates() {
-    let mut audit = Auditor::<KeyHammerSprings>::default();
-    let work = counted(at_rest(&KeyHammerSprings::default()), 3e-3, &mut audit);
+    let mut audit = Auditor::<SmallModel>::default();
+    let springs = small("key-hammer-springs").expect("model B");
+    let work = counted(at_rest(&springs), 3e-3, &mut audit);
     // Five a piece, two an event, and one where an event has left the state unknown.
     let least = u64::from(5 * work.pieces + 2 * work.events);
     let most = least + 1 + u64::from(work.events);
@@ -250,17 +252,18 @@ fn quiet<M: Playable>(model: M, method: impl Stepper, (mode, state): (M::Mode, M
 #[test]
 fn modes_compute_their_own_degrees_of_freedom_and_no_others() {
     // `[GC93]` table 1: A1 has none, A2 and each half of B2 have one, B1 has two.
-    let rigid = first(&KeyHammerRigid::default());
+    let rigid = first(&small("key-hammer-rigid").expect("model A"));
     let (mode, on_key) = rigid.at_rest(&Motion::default());
     let none = quiet(rigid, Rk4, (mode, on_key));
     assert_eq!((none.derivatives, none.rates, none.jacobians), (0, 0, 0), "A1");
-    let springs = first(&KeyHammerSprings::default());
+    let springs = first(&small("key-hammer-springs").expect("model B"));
     let (b1, rest) = springs.at_rest(&Motion::default());
     let together = quiet(springs, Rk4, (b1, rest));
     assert_eq!((together.derivatives, together.rates), (400, 1600), "B1");
     // The hammer in the air, rising. A state of four entries is stepped as one by one method; where
     // each half has its own, the hammer takes one step for three of the key's.
-    let above = (models::key_hammer_springs::Mode::B2, [rest[0] + 0.15, rest[1], 0.5, 0.0]);
+    let b2 = springs.mode(ModeCode::structural(1)).expect("B2");
+    let above = (b2, [rest[0] + 0.15, rest[1], 0.5, 0.0]);
     assert_eq!(quiet(springs, Rk4, above).rates, 1600, "B2, as one");
     let apart = quiet(springs, ByNeed::default(), above);
     assert!(apart.rates < 1000, "B2, apart: {apart:?}");

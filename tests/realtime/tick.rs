@@ -110,7 +110,7 @@ fn a_tick_of_every_model_leaves_the_heap_alone() {
     let scene = scene("mixed", &[]);
     for n_lanes in 1..=2 {
         let events = check(&scene, n_lanes).events;
-        for entry in catalogue::ENTRIES {
+        for entry in catalogue::built_ins() {
             let keys = || {
                 let described = scene.keys.iter().enumerate();
                 described

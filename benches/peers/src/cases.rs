@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use models::{BouncingBall, Described, KeyHammerSprings, key_hammer_springs};
+use hand_written::{BouncingBall, KeyHammerSprings, key_hammer_springs};
+use models::Described;
 use pode::series::{INPUT_TERMS, add_bell};
 use pode::{Motion, Resets};
 use serde_json::Value;
@@ -180,7 +181,7 @@ fn model(file: &str) -> Result<KeyHammerSprings, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use models::key_hammer_springs::Mode;
+    use hand_written::key_hammer_springs::Mode;
     use pode::{GuardId, Guarded as _, Model as _};
 
     /// A small generator: the same states every time.

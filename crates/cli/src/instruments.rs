@@ -182,7 +182,7 @@ fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result
 
 fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
     let Some(name) = model else {
-        return Ok(catalogue::ENTRIES.iter().copied().map(ModelInfo::from).collect());
+        return Ok(catalogue::built_ins().map(ModelInfo::from).collect());
     };
     let entry = find_model(name, Path::new(""));
     let entry = entry.map_err(|missing| Failure::Usage(missing.rendered()))?;

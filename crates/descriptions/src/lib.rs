@@ -18,7 +18,6 @@
 //! # What is not here
 //! The language of descriptions, mechanics, and code: crates `kane` and `native`.
 
-mod entry;
 mod files;
 mod load;
 mod reader;

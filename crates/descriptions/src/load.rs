@@ -87,7 +87,7 @@ pub fn find_model(wanted: &str, folder: &Path) -> Result<&'static ModelEntry, Mi
 
 /// Returns that there is no model called `wanted`, and which there are.
 pub fn unknown_model(wanted: &str) -> MissingModel {
-    let names = catalogue::ENTRIES.iter().map(|entry| entry.name);
+    let names = catalogue::built_ins().map(|entry| entry.name);
     MissingModel::Unknown {
         message: format!("there is no model {}", quoted(wanted)),
         help: format!("{}, or a path to a description of yours", choice(wanted, names)),

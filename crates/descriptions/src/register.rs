@@ -4,10 +4,9 @@ use std::path::Path;
 
 use equations::table::{Functions, ModelTable};
 use models::catalogue::ModelEntry;
+use models::entry_of_table::{entry, leak};
 use models::registry::{self, DoesNotLoad, LoadedModel, Registration};
 use models::{LoadedFunctions, registry::MAX_CODED_CONTACTS};
-
-use crate::entry::{entry, leak};
 
 /// Why a model has no place in the catalogue.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -2,8 +2,9 @@
 #![expect(clippy::unwrap_used, reason = "visitors of tests, outside #[test], fail aloud")]
 
 use descriptions::register_model;
+use hand_written::BouncingBall;
 use models::catalogue::{self, ModelEntry, Visitor};
-use models::{BouncingBall, Described as _, ModeName, Playable};
+use models::{Described as _, ModeName, Playable};
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Simulator};
 

@@ -6,7 +6,8 @@
 )]
 
 use equations::ModeNumber;
-use models::{Described as _, KeyHammerSprings};
+use hand_written::KeyHammerSprings;
+use models::Described as _;
 use pode::stepper::Rk4;
 use pode::{Limits, Model as _, Motion, Resets, RunRecorder, Simulator, Sloped as _, Work};
 

@@ -20,7 +20,8 @@ use pode::{
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-use models::{Described as _, KeyHammerSprings, ReducedGrand};
+use hand_written::{KeyHammerSprings, ReducedGrand};
+use models::Described as _;
 
 use crate::by_hand::{Described, Draft, guard, key_hammer, lift_off, model};
 
@@ -355,7 +356,7 @@ fn the_bounds_of_model_b_are_as_tight_as_the_hand_written_ones() {
 fn check_tight(
     label: &str,
     (described, number): (&Described<4>, ModeNumber),
-    (written, mode): (&KeyHammerSprings, models::key_hammer_springs::Mode),
+    (written, mode): (&KeyHammerSprings, hand_written::key_hammer_springs::Mode),
     spec: &GuardSpec,
     seed: &mut u64,
 ) {

@@ -6,10 +6,10 @@
     reason = "what was compared is shown, and counts of ticks are small"
 )]
 
-use models::{
-    BouncingBall, CartPendulum, Described, KeyHammerRigid, KeyHammerSprings, ReducedGrand,
-    SpringWall,
+use hand_written::{
+    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, ReducedGrand, SpringWall,
 };
+use models::Described;
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Advance, Limits, Motion, Resets, Silent, Simulator, Work};

@@ -2,8 +2,9 @@
 #![expect(clippy::unwrap_used, reason = "a test fails aloud")]
 
 use equations::{EquationModel, ModeNumber};
+use hand_written::{BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings};
 use kane::assemble::TapeFunctions;
-use models::{BouncingBall, CartPendulum, Described, KeyHammerRigid, KeyHammerSprings};
+use models::Described;
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Resets, RunRecorder, Silent, Simulator, Work};
@@ -173,10 +174,10 @@ fn a_ball_comes_to_rest_on_the_floor_when_the_one_by_hand_does() {
     let still = |_| Motion::default();
     let start = [1.0, 0.0];
     let (one, _, _) = run(assembled, (ModeNumber(0), start), (1e-3, 6.0), still);
-    let flight = models::bouncing_ball::Mode::Flight;
+    let flight = hand_written::bouncing_ball::Mode::Flight;
     let (other, _, _) = run(written, (flight, start), (1e-3, 6.0), still);
     let (rest, expected) = (one.events().last().unwrap(), other.events().last().unwrap());
-    assert_eq!((rest.to, expected.to), (ModeNumber(1), models::bouncing_ball::Mode::Rest));
+    assert_eq!((rest.to, expected.to), (ModeNumber(1), hand_written::bouncing_ball::Mode::Rest));
     assert!((rest.t - expected.t).abs() < 1e-9, "{} is not {}", rest.t, expected.t);
     assert!((one.impulse() - other.impulse()).abs() < 1e-9, "the impulse until then");
 }

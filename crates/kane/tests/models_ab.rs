@@ -1,8 +1,9 @@
 //! The paper's models A and B, derived from their bodies, beside those written by hand.
 
+use hand_written::key_hammer::{PARAMETERS, PRESETS};
+use hand_written::{KeyHammerRigid, KeyHammerSprings};
 use kane::mechanism::Target;
-use models::key_hammer::{PARAMETERS, PRESETS};
-use models::{Described as _, KeyHammerRigid, KeyHammerSprings};
+use models::Described as _;
 
 use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers};

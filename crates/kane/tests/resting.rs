@@ -3,10 +3,11 @@
 
 use contacts::WithContacts;
 use equations::{EquationModel, ModeNumber, RestPose};
+use hand_written::{CartPendulum, ReducedGrand, SpringWall};
 use kane::assemble::TapeFunctions;
 use kane::description::NoBases;
 use kane::{DerivedModel, derive_model};
-use models::{CartPendulum, Described, ReducedGrand, SpringWall};
+use models::Described;
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Silent, Simulator};
 

@@ -1,7 +1,8 @@
 //! Ball and cart, derived from their bodies, beside those written by hand.
 
+use hand_written::{BouncingBall, CartPendulum};
 use kane::mechanism::Impact;
-use models::{BouncingBall, CartPendulum, Described};
+use models::Described;
 
 use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers};

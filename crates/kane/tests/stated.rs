@@ -3,7 +3,8 @@
 
 use contacts::{ContactMode, ContactSet, ContactState, WithContacts};
 use equations::ModeNumber;
-use models::{BouncingBall, CartPendulum, Described as _, KeyHammerRigid};
+use hand_written::{BouncingBall, CartPendulum, KeyHammerRigid};
+use models::Described as _;
 use pode::stepper::{Rk4, VelocityVerlet};
 use pode::{
     Limits, Model as _, Motion, Silent, Simulator, Sloped as _, Stepper, differenced_slopes,

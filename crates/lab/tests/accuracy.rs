@@ -6,12 +6,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, UNIX_EPOCH};
 
+use hand_written::BouncingBall;
+use hand_written::bouncing_ball::Mode;
 use lab::accuracy::{
     Effort, METHODS, MeasuredScenario, SequenceVerdict, StudyChoice, StudyRow, measure,
 };
 use lab::report::{self, Machine, StudyReport, read_peers};
-use models::BouncingBall;
-use models::bouncing_ball::Mode;
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Silent, Simulator, Work};
 

@@ -17,57 +17,6 @@ pub struct Parameter {
     pub doc: &'static str,
 }
 
-impl Parameter {
-    /// A value between `low` and `high`.
-    pub(crate) const fn within(
-        name: &'static str,
-        unit: &'static str,
-        low: f64,
-        high: f64,
-        doc: &'static str,
-    ) -> Self {
-        Self { name, title: name, unit, range: (low, high), doc }
-    }
-
-    /// A value that something is divided by.
-    pub(crate) const fn positive(
-        name: &'static str,
-        unit: &'static str,
-        doc: &'static str,
-    ) -> Self {
-        Self::within(name, unit, 1e-9, 1e9, doc)
-    }
-
-    /// A value that may be zero.
-    pub(crate) const fn not_negative(
-        name: &'static str,
-        unit: &'static str,
-        doc: &'static str,
-    ) -> Self {
-        Self::within(name, unit, 0.0, 1e9, doc)
-    }
-
-    /// A place or a length with a sign (m).
-    pub(crate) const fn length(name: &'static str, doc: &'static str) -> Self {
-        Self::within(name, "m", -100.0, 100.0, doc)
-    }
-
-    /// Gravity (m/s²).
-    pub(crate) const fn gravity() -> Self {
-        Self::within("g", "m/s²", 0.0, 1000.0, "gravity")
-    }
-
-    /// Restitution of an impact on `doc`.
-    pub(crate) const fn restitution(doc: &'static str) -> Self {
-        Self::within("restitution", "1", 0.0, 1.0, doc)
-    }
-
-    /// Input per metre of key-front travel, for models whose input is a length.
-    pub(crate) const fn scale(doc: &'static str) -> Self {
-        Self::within("scale", "m/m", -1000.0, 1000.0, doc)
-    }
-}
-
 /// A named set of parameter values, graded over the compass.
 #[derive(Clone, Copy)]
 pub struct Preset {
@@ -150,17 +99,6 @@ pub struct ModeEntry {
     pub guards: &'static [GuardEntry],
 }
 
-impl ModeEntry {
-    /// A mode with `n` coordinates and `m` constraints among them.
-    pub(crate) const fn new(
-        name: &'static str,
-        (n, m): (u8, u8),
-        guards: &'static [GuardEntry],
-    ) -> Self {
-        Self { name, n, m, p: n - m, guards }
-    }
-}
-
 /// A guard of a mode, and where it leads.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct GuardEntry {
@@ -169,15 +107,4 @@ pub struct GuardEntry {
     pub unit: &'static str,
     /// The modes that may come next.
     pub to: &'static [&'static str],
-}
-
-impl GuardEntry {
-    /// A guard that leads to one of the modes `to`.
-    pub(crate) const fn new(
-        name: &'static str,
-        unit: &'static str,
-        to: &'static [&'static str],
-    ) -> Self {
-        Self { name, unit, to }
-    }
 }

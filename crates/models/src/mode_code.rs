@@ -33,7 +33,7 @@ impl ModeCode {
     }
 
     /// The mode with this number among those of a model without contacts.
-    pub(crate) fn of<T: Copy>(self, modes: &[T]) -> Option<T> {
+    pub fn of<T: Copy>(self, modes: &[T]) -> Option<T> {
         if self.contacts() == 0 { modes.get(usize::from(self.structure())).copied() } else { None }
     }
 }

@@ -6,13 +6,14 @@
 //! takes what its table and its machine code take, some 10 to 500 KiB, and a description that is
 //! saved a hundred times while somebody works on it takes a hundred of them: tens of megabytes at
 //! most, until the program ends.
-//!
-//! Without `std` nothing is read from files, and the list is empty.
+
+use std::sync::OnceLock;
 
 use contacts::{TooManyGuards, WithContacts};
 use equations::table::ModelTable;
 use equations::{DoesNotFit, EquationModel};
 
+use crate::built_in;
 use crate::describe::Described as _;
 use crate::entry::ModelEntry;
 use crate::equation_model::LoadedFunctions;
@@ -60,6 +61,9 @@ impl From<TooManyGuards> for DoesNotLoad {
     }
 }
 
+/// A model of up to 4 states without contacts, as most of those that are part of the program.
+pub type SmallModel = Loaded<4, 192>;
+
 /// A model with contacts, or one that is large.
 type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 
@@ -73,8 +77,8 @@ type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 #[non_exhaustive]
 #[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
 pub enum LoadedModel {
-    /// Up to 4 states and 96 constants, without contacts.
-    Small(Loaded<4, 96>),
+    /// Up to 4 states and 192 constants, without contacts.
+    Small(SmallModel),
     /// Up to 12 states and 256 constants, without contacts.
     Medium(Loaded<12, 256>),
     /// Up to 12 states and 256 constants, with contacts.
@@ -98,7 +102,7 @@ impl LoadedModel {
         let fits = |room: (usize, usize)| states <= room.0 && constants <= room.1;
         Ok(if contacts > MAX_CODED_CONTACTS {
             return Err(DoesNotLoad::Contacts(contacts));
-        } else if contacts == 0 && fits((4, 96)) {
+        } else if contacts == 0 && fits((4, 192)) {
             Self::Small(Loaded::new(table, functions, &[])?)
         } else if contacts == 0 && fits((12, 256)) {
             Self::Medium(Loaded::new(table, functions, &[])?)
@@ -120,83 +124,54 @@ impl LoadedModel {
     }
 
     #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
-    fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+    pub(crate) fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         match self {
-            Self::Small(model) => visitor.visit_loaded(*model),
-            Self::Medium(model) => visitor.visit_loaded(*model),
-            Self::MediumWithContacts(model) => visitor.visit_loaded(*model),
-            Self::Large(model) => visitor.visit_loaded(*model),
+            Self::Small(model) => visitor.visit(*model),
+            Self::Medium(model) => visitor.visit(*model),
+            Self::MediumWithContacts(model) => visitor.visit(*model),
+            Self::Large(model) => visitor.visit(*model),
         }
     }
 }
 
-#[cfg(feature = "std")]
-use list::all;
-#[cfg(feature = "std")]
-pub use list::{Registration, register};
+/// A version of a model in the list of those that were read from files.
+#[derive(Debug)]
+pub struct Registration {
+    model: LoadedModel,
+    /// The one that was registered next.
+    next: OnceLock<&'static Self>,
+}
 
-/// The list where there is a way to publish a reference once.
-#[cfg(feature = "std")]
-mod list {
-    use std::sync::OnceLock;
-
-    use super::LoadedModel;
-
-    /// A version of a model in the list of those that were read from files.
-    #[derive(Debug)]
-    pub struct Registration {
-        pub(super) model: LoadedModel,
-        /// The one that was registered next.
-        next: OnceLock<&'static Self>,
-    }
-
-    impl Registration {
-        /// A version that is not in the list yet.
-        #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
-        pub const fn new(model: LoadedModel) -> Self {
-            Self { model, next: OnceLock::new() }
-        }
-    }
-
-    /// The oldest registration.
-    static FIRST: OnceLock<&'static Registration> = OnceLock::new();
-
-    /// Appends a version of a model, from which on it is the one that its name finds.
-    ///
-    /// One that is in the list already stays where it is.
-    pub fn register(registration: &'static Registration) {
-        let mut place = &FIRST;
-        // Each turn is one registration further, or ends.
-        while place.set(registration).is_err() {
-            let Some(taken) = place.get() else { return };
-            if core::ptr::eq(*taken, registration) {
-                return;
-            }
-            place = &taken.next;
-        }
-    }
-
-    /// Every registration, the oldest first.
-    pub(super) fn all() -> impl Iterator<Item = &'static Registration> {
-        core::iter::successors(FIRST.get().copied(), |it| it.next.get().copied())
+impl Registration {
+    /// A version that is not in the list yet.
+    #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+    pub const fn new(model: LoadedModel) -> Self {
+        Self { model, next: OnceLock::new() }
     }
 }
 
-/// Without `std` there is nothing in the list.
-#[cfg(not(feature = "std"))]
-mod list {
-    /// A version of a model, of which there is none.
-    #[derive(Debug)]
-    pub(super) struct Registration {
-        pub(super) model: super::LoadedModel,
-    }
+/// The oldest registration.
+static FIRST: OnceLock<&'static Registration> = OnceLock::new();
 
-    pub(super) fn all() -> impl Iterator<Item = &'static Registration> {
-        core::iter::empty()
+/// Appends a version of a model, from which on it is the one that its name finds.
+///
+/// One that is in the list already stays where it is.
+pub fn register(registration: &'static Registration) {
+    let mut place = &FIRST;
+    // Each turn is one registration further, or ends.
+    while place.set(registration).is_err() {
+        let Some(taken) = place.get() else { return };
+        if core::ptr::eq(*taken, registration) {
+            return;
+        }
+        place = &taken.next;
     }
 }
-#[cfg(not(feature = "std"))]
-use list::all;
+
+/// Every registration, the oldest first.
+fn all() -> impl Iterator<Item = &'static Registration> {
+    core::iter::successors(FIRST.get().copied(), |it| it.next.get().copied())
+}
 
 /// The newest version of each model, in the order in which their first versions were registered.
 pub(crate) fn newest() -> impl Iterator<Item = &'static ModelEntry> {
@@ -212,8 +187,10 @@ pub(crate) fn find(name: &str) -> Option<&'static ModelEntry> {
     all().map(|it| it.model.entry()).filter(|it| it.name == name).last()
 }
 
-/// Does something with the model of `entry`, if it is in the list.
-pub(crate) fn visit<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
-    let found = all().find(|it| it.model.entry().is(entry))?;
-    Some(found.model.visit(visitor))
+/// The model of `entry`, if it is part of the program or in the list.
+pub(crate) fn model(entry: &ModelEntry) -> Option<&'static LoadedModel> {
+    built_in::model(entry).or_else(|| {
+        let found = all().find(|it| it.model.entry().is(entry))?;
+        Some(&found.model)
+    })
 }

@@ -6,8 +6,9 @@
     reason = "helpers of tests, outside #[test]: on the heap, and fail aloud"
 )]
 
+use hand_written::{ReducedGrand, SpringWall};
 use models::catalogue::{self, Visitor};
-use models::{Described as _, ModeEntry, ModelEntry, Playable, Preset, ReducedGrand, SpringWall};
+use models::{Described as _, ModeEntry, ModelEntry, Playable, Preset};
 
 use crate::sketch::play::{Moment, film};
 use crate::sketch::svg::picture;
@@ -30,15 +31,15 @@ macro_rules! with_all {
                 }
             }
         }
-        for entry in catalogue::ENTRIES {
-            catalogue::visit_built_in(entry, Check).expect("what is listed can be visited");
+        for entry in catalogue::built_ins() {
+            catalogue::visit(entry, Check).expect("what is listed can be visited");
         }
     }};
 }
 
 #[test]
 fn every_signal_has_a_unit() {
-    for entry in catalogue::ENTRIES {
+    for entry in catalogue::built_ins() {
         assert_eq!(entry.states.len(), entry.state_units.len(), "{}: states", entry.name);
         assert_eq!(entry.outputs.len(), entry.output_units.len(), "{}: outputs", entry.name);
         let guards = entry.modes.iter().flat_map(|mode| mode.guards);

@@ -1,11 +1,11 @@
 //! What the models draw is to scale, and in contact where they say so.
 
-use models::draw::Material;
-use models::reduced_grand::Mode;
-use models::{
-    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, Playable, ReducedGrand,
-    SpringWall,
+use hand_written::reduced_grand::Mode;
+use hand_written::{
+    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, ReducedGrand, SpringWall,
 };
+use models::Playable;
+use models::draw::Material;
 
 use crate::sketch::play::{Moment, film};
 use crate::sketch::{Drawing, Part, Point, distance};

@@ -150,24 +150,9 @@ struct Builder<'a> {
 impl Visitor for Builder<'_> {
     type Output = Result<AnyVoice, BuildError>;
 
+    /// One voice type for all models of a size, whatever their method: another model compiles
+    /// nothing.
     fn visit<M: Playable>(self, model: M) -> Self::Output {
-        let model = model.with_values(self.values);
-        let stepper = self.render.stepper;
-        let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
-        let fittings = self.fittings(model.input_per_metre())?;
-        // The usual ones are compiled into the voice; the others cost it a choice per step.
-        Ok(if let Any::Rk4(rk4) = stepper {
-            Box::new(RenderedKey::new(model, rk4, fittings))
-        } else if let Any::ByNeed(_) = stepper {
-            Box::new(RenderedKey::new(model, by_need, fittings))
-        } else {
-            Box::new(RenderedKey::new(model, stepper, fittings))
-        })
-    }
-
-    /// One voice type for all models of a size, whatever their method: a model that is read from a
-    /// file compiles nothing.
-    fn visit_loaded<M: Playable>(self, model: M) -> Self::Output {
         let model = model.with_values(self.values);
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let asked = self.render.stepper;

@@ -353,8 +353,8 @@ const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
 
 #[cfg(test)]
 mod tests {
+    use hand_written::BouncingBall;
     use haptics::Kalman;
-    use models::BouncingBall;
 
     use super::super::input::AnyEstimator;
     use super::*;

@@ -3,8 +3,9 @@
 use expressions::graph::{Graph, Node, Place, UnaryFunction};
 use expressions::tape::{Argument, ArgumentLayout, Tape};
 use expressions::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
-use models::key_hammer_springs::Mode;
-use models::{Described as _, KeyHammerSprings};
+use hand_written::KeyHammerSprings;
+use hand_written::key_hammer_springs::Mode;
+use models::Described as _;
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{GuardId, Guarded as _, Model as _, Motion};
 
@@ -133,7 +134,7 @@ fn file() -> String {
 
 #[test]
 fn the_series_of_the_crate_models_is_what_is_emitted() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/src/key_hammer_springs/series.rs");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../hand-written/src/key_hammer_springs/series.rs");
     if std::env::var_os("UPDATE").is_some() {
         std::fs::write(path, file()).expect("a folder");
     }

@@ -13,7 +13,7 @@ use scene::{self, LinksConfig, Scene};
 /// Returns the catalogue of a host that runs `scene` and plays the models of `described`, which
 /// are no part of the program; when it began is not known yet.
 pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue {
-    let models = catalogue::ENTRIES.iter().chain(described);
+    let models = catalogue::built_ins().chain(described.iter().copied());
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: scene.name.clone(),

@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn every_model_gives_as_many_signals_as_it_names() {
-        for entry in catalogue::ENTRIES {
+        for entry in catalogue::built_ins() {
             let probe = probe(entry, &[]).expect("a probe");
             let mut signals = Vec::new();
             for mode in 0..modes(entry).len() {

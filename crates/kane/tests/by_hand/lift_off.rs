@@ -1,8 +1,8 @@
 //! The guard of the reduced grand's hammer on its jack, apart from a constant.
 
+use hand_written::reduced_grand;
 use kane::assemble::Program;
 use kane::graph::{BinaryFunction, Graph, Node, UnaryFunction};
-use models::reduced_grand;
 
 use super::{Draft, guard};
 

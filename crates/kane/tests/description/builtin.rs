@@ -1,8 +1,9 @@
 //! The built-in models' descriptions have the values that were written by hand.
 
+use hand_written::{bouncing_ball, key_hammer_springs};
 use kane::graph::Place;
 use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
-use models::{ModelEntry, bouncing_ball, key_hammer_springs};
+use models::ModelEntry;
 
 use super::good;
 

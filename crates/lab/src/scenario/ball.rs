@@ -2,10 +2,12 @@
 //!
 //! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), all over at t1 (1 + e)/(1 − e).
 
-use models::bouncing_ball::{BouncingBall, Mode};
+use models::built_in;
+use models::registry::SmallModel;
+use models::{Described as _, ModeCode};
 use pode::Motion;
 
-use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
+use super::{BadFile, ExpectedEvent, ForceKind, MS, ModeOf, Plan, Reference, Scenario};
 
 const G: f64 = 9.81;
 const HEIGHT: f64 = 1.0;
@@ -22,22 +24,24 @@ struct BallDrop {
 #[derive(Debug)]
 pub(super) struct BallScenario {
     drop: BallDrop,
-    reference: Reference<BouncingBall>,
+    model: SmallModel,
+    flight: ModeOf<Self>,
+    reference: Reference<SmallModel>,
 }
 
 /// As long as the other codes are measured on it: ten impacts.
-pub(super) fn ten_impacts() -> BallScenario {
+pub(super) fn ten_impacts() -> Result<BallScenario, BadFile> {
     BallDrop { e: 0.8, until: 3.6 }.answered(10, None)
 }
 
 /// Rests from 4.06 s on; the first ten impacts are judged, and when it rests.
-pub(super) fn rest_08() -> BallScenario {
+pub(super) fn rest_08() -> Result<BallScenario, BadFile> {
     let drop = BallDrop { e: 0.8, until: 5.0 };
     drop.answered(10, Some(drop.rests()))
 }
 
 /// Rests from 1.35 s on; after the eighth impact more than six are in one tick of 5 ms.
-pub(super) fn rest_05() -> BallScenario {
+pub(super) fn rest_05() -> Result<BallScenario, BadFile> {
     let drop = BallDrop { e: 0.5, until: 2.0 };
     drop.answered(8, Some(drop.rests()))
 }
@@ -73,17 +77,26 @@ impl BallDrop {
 
     /// The scenario, judged on its first impacts, as many as `judged`, and on the time `rests`
     /// (s), if it comes so far; otherwise there are no other impacts.
-    fn answered(self, judged: i32, rests: Option<f64>) -> BallScenario {
-        let event = |t| ExpectedEvent { t, guard: "floor".to_owned(), to: Mode::Flight };
+    fn answered(self, judged: i32, rests: Option<f64>) -> Result<BallScenario, BadFile> {
+        const NAME: &str = "bouncing-ball";
+        let missing = |what| BadFile::missing(NAME, what);
+        let model = built_in::small(NAME).ok_or_else(|| missing("the model"))?;
+        let model = model.with_values(&[G, self.e, MASS, HEIGHT, 1.0]);
+        let mode = |code| model.mode(ModeCode::structural(code));
+        let (flight, lies) = mode(0).zip(mode(1)).ok_or_else(|| missing("a mode"))?;
+        let event = |t| ExpectedEvent { t, guard: "floor".to_owned(), to: flight };
         let events = (1..=judged).map(|n| event(self.impact(n))).collect();
         let mut times: Vec<f64> = (1..MOST).map(|n| self.impact(n)).collect();
         times.push(self.rests());
         let span = (10.0 * MS, self.until);
-        let samples =
-            Reference::<BouncingBall>::samples(span, 5.0 * MS, &times, |t| Some(self.state(t)));
-        let rest = rests.map(|t| (t, Mode::Rest));
-        let reference = Reference { events, is_whole: rest.is_none(), rest, samples };
-        BallScenario { drop: self, reference }
+        let samples = Reference::<SmallModel>::samples(span, 5.0 * MS, &times, |t| {
+            let ([y, v], impulse) = self.state(t);
+            Some(([y, v, 0.0, 0.0], impulse))
+        });
+        let rest = rests.map(|t| (t, lies));
+        let names = model.modes().collect();
+        let reference = Reference { events, is_whole: rest.is_none(), rest, names, samples };
+        Ok(BallScenario { drop: self, model, flight, reference })
     }
 }
 
@@ -91,24 +104,22 @@ impl BallDrop {
 const MOST: i32 = 100;
 
 impl Scenario for BallScenario {
-    type Model = BouncingBall;
+    type Model = SmallModel;
 
     fn plan(&self) -> Plan {
         let (ticks, offline_tick) = (super::TICKS, 100.0 * MS);
         Plan { until: self.drop.until, ticks, offline_tick, felt: ForceKind::Impulse }
     }
 
-    fn start(&self) -> (BouncingBall, Mode, [f64; 2]) {
-        let e = self.drop.e;
-        let ball = BouncingBall { g: G, restitution: e, mass: MASS, y0: HEIGHT, scale: 1.0 };
-        (ball, Mode::Flight, [HEIGHT, 0.0])
+    fn start(&self) -> (SmallModel, ModeOf<Self>, [f64; 4]) {
+        (self.model, self.flight, [HEIGHT, 0.0, 0.0, 0.0])
     }
 
     fn input(&self, _t: f64) -> Motion {
         Motion::default()
     }
 
-    fn reference(&self) -> &Reference<BouncingBall> {
+    fn reference(&self) -> &Reference<SmallModel> {
         &self.reference
     }
 }

@@ -166,7 +166,8 @@ impl FeltScenario {
         let after = |t: f64| (t > exit).then_some(flight(t));
         // In contact there is no closed form of time.
         let samples = Reference::<FeltPenetration>::samples((row, until), 0.1 * MS, &[exit], after);
-        let reference = Reference { events, is_whole: true, rest: None, samples };
+        let reference =
+            Reference { events, is_whole: true, rest: None, names: Vec::new(), samples };
         Self { known, reference }
     }
 }

@@ -37,6 +37,13 @@ pub struct BadFile {
     what: String,
 }
 
+impl BadFile {
+    /// What a scenario is made of is not there.
+    pub(super) fn missing(name: &'static str, what: &str) -> Self {
+        Self { name, what: format!("{what} is missing") }
+    }
+}
+
 impl ReferenceFile {
     pub(super) fn wrong(&self, what: impl std::fmt::Display) -> BadFile {
         BadFile { name: self.name, what: what.to_string() }
@@ -75,9 +82,8 @@ impl ReferenceCase {
         serde_json::from_str(file.json).map_err(|error| file.wrong(error))
     }
 
-    /// The model with the case's parameters, and its first preset's for the others.
-    pub(super) fn model<M: Described + Default>(&self) -> M {
-        let model = M::default();
+    /// `model` with the case's parameters, and its first preset's for the others.
+    pub(super) fn model<M: Described>(&self, model: &M) -> M {
         let entry = model.entry();
         let value = |index: usize, name: &str| {
             let given = self.parameters.get(name).and_then(number);
@@ -101,47 +107,49 @@ impl ReferenceCase {
         number(&self.t_end).ok_or_else(|| file.wrong("t_end is no number"))
     }
 
-    pub(super) fn events<M: Described + Default>(
+    pub(super) fn events<M: Described>(
         &self,
+        model: &M,
         file: &ReferenceFile,
     ) -> Result<Vec<ExpectedEvent<M>>, BadFile> {
         let event = |event: &ReferenceEvent| {
             let t = number(&event.t).ok_or_else(|| file.wrong("an event without a time"))?;
-            Ok(ExpectedEvent { t, guard: event.guard.clone(), to: mode::<M>(file, &event.to)? })
+            Ok(ExpectedEvent { t, guard: event.guard.clone(), to: mode(model, file, &event.to)? })
         };
         self.events.iter().map(event).collect()
     }
 
     /// The rows of the trajectory that are away from the events.
-    pub(super) fn samples<M: Described + Default>(
+    pub(super) fn samples<M: Described>(
         &self,
+        model: &M,
         file: &ReferenceFile,
         readout: &str,
     ) -> Result<Vec<ReferenceSample<M::State>>, BadFile> {
         let events: Vec<f64> = self.events.iter().filter_map(|event| number(&event.t)).collect();
-        let rows = TrajectoryRows::<M>::read(file, readout)?;
+        let rows = TrajectoryRows::read(model, file, readout)?;
         let is_away = |t: f64| t > 0.0 && events.iter().all(|event| (event - t).abs() > AWAY);
         Ok(rows.0.into_iter().filter(|sample| is_away(sample.t)).collect())
     }
 }
 
-fn mode<M: Described + Default>(file: &ReferenceFile, name: &str) -> Result<M::Mode, BadFile> {
-    let known = M::default().modes().find(|(_, known)| *known == name);
+fn mode<M: Described>(model: &M, file: &ReferenceFile, name: &str) -> Result<M::Mode, BadFile> {
+    let known = model.modes().find(|(_, known)| *known == name);
     known.map(|(mode, _)| mode).ok_or_else(|| file.wrong(format_args!("no mode {name}")))
 }
 
 /// Rows of the trajectory file.
 struct TrajectoryRows<M: Described>(Vec<ReferenceSample<M::State>>);
 
-impl<M: Described + Default> TrajectoryRows<M> {
-    fn read(file: &ReferenceFile, readout: &str) -> Result<Self, BadFile> {
+impl<M: Described> TrajectoryRows<M> {
+    fn read(model: &M, file: &ReferenceFile, readout: &str) -> Result<Self, BadFile> {
         let mut lines = file.csv.lines();
         let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
         let column = |name: &str| {
             let index = header.iter().position(|known| *known == name);
             index.ok_or_else(|| file.wrong(format_args!("no column {name}")))
         };
-        let names = M::default().entry().states;
+        let names = model.entry().states;
         let states = names.iter().map(|name| column(name)).collect::<Result<Vec<_>, _>>()?;
         let (t, force) = (column("t")?, column(readout)?);
         let row = |line: &str| {

@@ -184,7 +184,7 @@ pub(super) fn build<const EXPONENT: i32>() -> HeadScenario {
     let times: Vec<f64> = events.iter().map(|event| event.t).collect();
     let span = (5.0 * MS, UNTIL);
     let samples = Reference::<FallingHead>::samples(span, MS, &times, |t| Some(head.state(t)));
-    let reference = Reference { events, is_whole: true, rest: None, samples };
+    let reference = Reference { events, is_whole: true, rest: None, names: Vec::new(), samples };
     HeadScenario { head, reference }
 }
 

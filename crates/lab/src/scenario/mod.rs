@@ -103,7 +103,7 @@ pub struct ScenarioEntry {
 /// the program.
 #[derive(Clone, Copy, Debug)]
 enum Build {
-    Ball(fn() -> BallScenario),
+    Ball(fn() -> Result<BallScenario, BadFile>),
     Pendulum(fn() -> PendulumScenario),
     Head(fn() -> HeadScenario),
     Felt(fn() -> FeltScenario),
@@ -127,7 +127,7 @@ impl ScenarioEntry {
     /// When its reference cannot be read.
     pub(crate) fn visit<V: ScenarioVisitor>(&self, visitor: V) -> Result<V::Output, BadFile> {
         Ok(match self.build {
-            Build::Ball(build) => visitor.visit(build()),
+            Build::Ball(build) => visitor.visit(build()?),
             Build::Pendulum(build) => visitor.visit(build()),
             Build::Head(build) => visitor.visit(build()),
             Build::Felt(build) => visitor.visit(build()),

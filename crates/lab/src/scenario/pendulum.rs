@@ -94,7 +94,7 @@ pub(super) fn build() -> PendulumScenario {
         Some(state(&impacts, t))
     });
     let events = impacts.iter().map(event).collect();
-    let reference = Reference { events, is_whole: true, rest: None, samples };
+    let reference = Reference { events, is_whole: true, rest: None, names: Vec::new(), samples };
     PendulumScenario { reference }
 }
 

@@ -30,11 +30,19 @@ pub struct Reference<M: Model> {
     pub is_whole: bool,
     /// The last mode and when it is entered (s), where events without number lead to it.
     pub rest: Option<(f64, M::Mode)>,
+    /// Names of modes; others are called as `Debug` has them.
+    pub names: Vec<(M::Mode, &'static str)>,
     /// States away from the events.
     pub samples: Vec<ReferenceSample<M::State>>,
 }
 
 impl<M: Model> Reference<M> {
+    /// What people call `mode`.
+    pub(crate) fn mode_name(&self, mode: M::Mode) -> String {
+        let name = self.names.iter().find(|(known, _)| *known == mode);
+        name.map_or_else(|| format!("{mode:?}"), |(_, name)| (*name).to_owned())
+    }
+
     /// Samples every `row` (s) until `until` (s), `away` (s) or more from every time in
     /// `events` and not at the start; `at` gives state and force, where it knows them.
     pub(super) fn samples(

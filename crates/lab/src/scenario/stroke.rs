@@ -1,23 +1,22 @@
 //! Instruments under a stroke, against trajectories of independent programs.
 
-use models::Described;
-use models::key_hammer_rigid::KeyHammerRigid;
-use models::key_hammer_springs::KeyHammerSprings;
-use models::reduced_grand::ReducedGrand;
+use models::Described as _;
+use models::built_in;
+use models::registry::SmallModel;
 use pode::Motion;
 
 use super::file::{BadFile, ReferenceCase, ReferenceFile, file};
 use super::input::{Bells, Presses, TermInput};
-use super::{ForceKind, MS, ModeOf, Plan, Reference, Scenario, StateOf, Studied};
+use super::{ForceKind, MS, ModeOf, Plan, Reference, Scenario, StateOf};
 
 /// A model under a stroke.
 #[derive(Debug)]
-pub(super) struct StrokeScenario<M: Described, I> {
-    model: M,
+pub(super) struct StrokeScenario<I> {
+    model: SmallModel,
     input: I,
     until: f64,
     pace: StrokeTicks,
-    reference: Reference<M>,
+    reference: Reference<SmallModel>,
 }
 
 /// Over which ticks a stroke is studied.
@@ -32,19 +31,26 @@ impl StrokeTicks {
     const USUAL: Self = Self { ticks: super::TICKS, offline_tick: 100.0 * MS };
 }
 
-impl<M: Described + Default + Studied, I: TermInput> StrokeScenario<M, I> {
-    /// Reads the case in `file`, whose trajectory has the readout in `column`.
-    fn read(file: &ReferenceFile, column: &str, pace: StrokeTicks) -> Result<Self, BadFile> {
+impl<I: TermInput> StrokeScenario<I> {
+    /// Reads the case of the model `name` in `file`, whose trajectory has the readout in `column`.
+    fn read(
+        (name, column): (&str, &str),
+        file: &ReferenceFile,
+        pace: StrokeTicks,
+    ) -> Result<Self, BadFile> {
         let case = ReferenceCase::read(file)?;
+        let known = built_in::small(name);
+        let model = case.model(&known.ok_or_else(|| file.wrong(format_args!("no model {name}")))?);
         let input = I::of(&case.input_terms(file)?);
         let reference = Reference {
-            events: case.events::<M>(file)?,
+            events: case.events(&model, file)?,
             is_whole: true,
             rest: None,
-            samples: case.samples::<M>(file, column)?,
+            names: model.modes().collect(),
+            samples: case.samples(&model, file, column)?,
         };
         Ok(Self {
-            model: case.model(),
+            model,
             input: input.ok_or_else(|| file.wrong("another number of terms"))?,
             until: case.until(file)?,
             pace,
@@ -53,8 +59,8 @@ impl<M: Described + Default + Studied, I: TermInput> StrokeScenario<M, I> {
     }
 }
 
-impl<M: Described + Default + Studied, I: TermInput> Scenario for StrokeScenario<M, I> {
-    type Model = M;
+impl<I: TermInput> Scenario for StrokeScenario<I> {
+    type Model = SmallModel;
 
     fn plan(&self) -> Plan {
         let Self { until, pace: StrokeTicks { ticks, offline_tick }, .. } = *self;
@@ -62,7 +68,7 @@ impl<M: Described + Default + Studied, I: TermInput> Scenario for StrokeScenario
     }
 
     /// At rest under s = 0; what a mode slaves to the input, the first tick puts in place.
-    fn start(&self) -> (M, ModeOf<Self>, StateOf<Self>) {
+    fn start(&self) -> (SmallModel, ModeOf<Self>, StateOf<Self>) {
         let (mode, state) = self.model.at_rest(&Motion::default());
         (self.model, mode, state)
     }
@@ -72,17 +78,17 @@ impl<M: Described + Default + Studied, I: TermInput> Scenario for StrokeScenario
         self.input.at(t)
     }
 
-    fn reference(&self) -> &Reference<M> {
+    fn reference(&self) -> &Reference<SmallModel> {
         &self.reference
     }
 }
 
 /// Model A under two throws.
-pub(super) type RigidStroke = StrokeScenario<KeyHammerRigid, Bells<2>>;
+pub(super) type RigidStroke = StrokeScenario<Bells<2>>;
 /// Model B under the paper's three throws.
-pub(super) type SpringsStroke = StrokeScenario<KeyHammerSprings, Bells<3>>;
+pub(super) type SpringsStroke = StrokeScenario<Bells<3>>;
 /// Model C under a press and its release.
-pub(super) type GrandStroke = StrokeScenario<ReducedGrand, Presses<2>>;
+pub(super) type GrandStroke = StrokeScenario<Presses<2>>;
 
 /// The trajectories' column of the readout of models A and B.
 const TORQUE: &str = "T_KU";
@@ -90,7 +96,7 @@ const TORQUE: &str = "T_KU";
 /// Returns model A under two throws.
 pub(super) fn two_throws() -> Result<RigidStroke, BadFile> {
     let file = file!("../../../models/tests/reference/", "model-a-two-throws");
-    StrokeScenario::read(&file, TORQUE, StrokeTicks::USUAL)
+    StrokeScenario::read(("key-hammer-rigid", TORQUE), &file, StrokeTicks::USUAL)
 }
 
 /// Model B, as the paper has it.
@@ -122,9 +128,9 @@ pub(super) fn forte() -> Result<GrandStroke, BadFile> {
         &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS];
     let file = file!("../../../models/tests/reference/", "model-c-forte");
     let pace = StrokeTicks { ticks: TICKS, offline_tick: 50.0 * MS };
-    StrokeScenario::read(&file, "F_KU", pace)
+    StrokeScenario::read(("reduced-grand", "F_KU"), &file, pace)
 }
 
 fn springs(file: &ReferenceFile, pace: StrokeTicks) -> Result<SpringsStroke, BadFile> {
-    StrokeScenario::read(file, TORQUE, pace)
+    StrokeScenario::read(("key-hammer-springs", TORQUE), file, pace)
 }

@@ -144,7 +144,7 @@ impl SimulateMistake {
         match missing {
             MissingModel::Wrong(diagnostics) => Self::Description(diagnostics),
             MissingModel::Unknown { .. } => {
-                let known = catalogue::ENTRIES.iter().map(|entry| entry.name).collect();
+                let known = catalogue::built_ins().map(|entry| entry.name).collect();
                 Self::Unknown { what: "model", name: name.to_owned(), known }
             }
         }

@@ -8,7 +8,7 @@ use contacts::{
 use equations::{EquationModel, ModeNumber};
 use pode::{GuardId, Motion};
 
-use super::CataloguedFunctions;
+use super::LoadedFunctions;
 use crate::describe::{Damper, Described, Playable, Sounding};
 use crate::draw::Sketch;
 use crate::entry::ModelEntry;
@@ -58,8 +58,8 @@ const fn word(state: ContactState) -> &'static str {
     }
 }
 
-impl<F: CataloguedFunctions, const N: usize, const C: usize> Described
-    for WithContacts<EquationModel<F, N, C>>
+impl<const N: usize, const C: usize> Described
+    for WithContacts<EquationModel<LoadedFunctions, N, C>>
 {
     fn entry(&self) -> &'static ModelEntry {
         self.system().entry()
@@ -124,8 +124,8 @@ impl<F: CataloguedFunctions, const N: usize, const C: usize> Described
     }
 }
 
-impl<F: CataloguedFunctions, const N: usize, const C: usize> Playable
-    for WithContacts<EquationModel<F, N, C>>
+impl<const N: usize, const C: usize> Playable
+    for WithContacts<EquationModel<LoadedFunctions, N, C>>
 {
     fn damper(&self) -> Damper {
         self.system().damper()

@@ -1,7 +1,7 @@
 //! Models made of a table and of functions by number, as models of the catalogue.
 //!
-//! A description that is read while the program runs becomes one of these, and so does Rust that
-//! was emitted from one. One with contacts is a `WithContacts` of the same (`contacts.rs`).
+//! A built-in model is one, of emitted Rust, and so is a description that is read while the program
+//! runs. One with contacts is a `WithContacts` of the same (`contacts.rs`).
 
 mod contacts;
 mod drawing;
@@ -19,13 +19,7 @@ use crate::mode_code::ModeCode;
 
 pub use contacts::MAX_CODED_CONTACTS;
 
-/// The functions of a model that has an entry in the catalogue.
-pub trait CataloguedFunctions: Functions + Copy + Send + 'static {
-    /// Returns what is known of the model without building one.
-    fn entry(&self) -> &'static ModelEntry;
-}
-
-/// The functions of a model that was read from a file.
+/// The functions of a model of the catalogue, and its entry there.
 #[derive(Clone, Copy)]
 pub struct LoadedFunctions {
     functions: &'static dyn Functions,
@@ -52,12 +46,6 @@ impl Functions for LoadedFunctions {
     }
 }
 
-impl CataloguedFunctions for LoadedFunctions {
-    fn entry(&self) -> &'static ModelEntry {
-        self.entry
-    }
-}
-
 /// The damper of a table, and the speed below which nothing sounds (m/s); a grand's without one.
 fn damper(table: &ModelTable) -> (Damper, f64) {
     table.damper.map_or((Damper::GRAND, Damper::SOFTEST_TONE_OF_A_GRAND), |it| {
@@ -65,9 +53,9 @@ fn damper(table: &ModelTable) -> (Damper, f64) {
     })
 }
 
-impl<F: CataloguedFunctions, const N: usize, const C: usize> Described for EquationModel<F, N, C> {
+impl<const N: usize, const C: usize> Described for EquationModel<LoadedFunctions, N, C> {
     fn entry(&self) -> &'static ModelEntry {
-        self.functions().entry()
+        self.functions().entry
     }
 
     /// What fitted once fits again.
@@ -97,7 +85,7 @@ impl<F: CataloguedFunctions, const N: usize, const C: usize> Described for Equat
     }
 }
 
-impl<F: CataloguedFunctions, const N: usize, const C: usize> Playable for EquationModel<F, N, C> {
+impl<const N: usize, const C: usize> Playable for EquationModel<LoadedFunctions, N, C> {
     fn damper(&self) -> Damper {
         damper(self.table()).0
     }

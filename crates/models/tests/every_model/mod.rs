@@ -10,8 +10,8 @@ macro_rules! with_all {
                 $check(model);
             }
         }
-        for entry in models::catalogue::ENTRIES {
-            let visited = models::catalogue::visit_built_in(entry, Check);
+        for entry in models::catalogue::built_ins() {
+            let visited = models::catalogue::visit(entry, Check);
             assert!(visited.is_some(), "what is listed can be visited: {}", entry.name);
         }
     }};

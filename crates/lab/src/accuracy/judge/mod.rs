@@ -76,7 +76,7 @@ fn sequence<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> Se
         (Some((_, rest)), entered) if entered.map(|(_, mode)| mode) != Some(rest) => {
             SequenceVerdict::Wrong(EventMismatch {
                 index: observed.events.len(),
-                expected: format!("rest in {rest:?}"),
+                expected: format!("rest in {}", reference.mode_name(rest)),
                 found: "no rest".to_owned(),
             })
         }
@@ -94,9 +94,11 @@ fn difference<M: Model>(reference: &Reference<M>, seen: &[SeenEvent<M>]) -> Opti
         return None;
     }
     let nothing = || "nothing".to_owned();
-    let name = |guard: &str, to: &M::Mode, t: f64| format!("{guard} to {to:?} at {t:.4} s");
-    let expected = expected.get(index).map_or_else(nothing, |e| name(&e.guard, &e.to, e.t));
-    let found = seen.get(index).map_or_else(nothing, |s| name(s.guard, &s.to, s.t));
+    let name = |guard: &str, to: M::Mode, t: f64| {
+        format!("{guard} to {} at {t:.4} s", reference.mode_name(to))
+    };
+    let expected = expected.get(index).map_or_else(nothing, |e| name(&e.guard, e.to, e.t));
+    let found = seen.get(index).map_or_else(nothing, |s| name(s.guard, s.to, s.t));
     Some(EventMismatch { index, expected, found })
 }
 

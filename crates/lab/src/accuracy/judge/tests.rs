@@ -1,6 +1,6 @@
 //! Hand-made runs: missing and extra events, states that differ, runs cut short.
 
-use models::bouncing_ball::{BouncingBall, Mode};
+use hand_written::bouncing_ball::{BouncingBall, Mode};
 
 use super::*;
 
@@ -18,6 +18,7 @@ fn reference() -> Reference<BouncingBall> {
         ],
         is_whole: true,
         rest: None,
+        names: Vec::new(),
         samples: vec![
             ReferenceSample { t: 0.15, state: [2.0, -4.0], force: 10.0 },
             ReferenceSample { t: 0.25, state: [1.0, 1.0], force: 0.0 },

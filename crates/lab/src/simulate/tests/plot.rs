@@ -85,7 +85,7 @@ fn figure_6_shows_every_event_mode_curve_and_unit() {
 
 #[test]
 fn every_model_has_a_plot_with_its_modes_and_both_axes_if_needed() {
-    for entry in models::catalogue::ENTRIES {
+    for entry in models::catalogue::built_ins() {
         let words = [entry.name, "--until", "0.5", "--step", "1e-3", "--input", "s=0.1*sin(20*t)"];
         let texts = plot(entry.name, &words).texts().join("\n");
         for wanted in ["mode ", "force [N]", "time t [s]", "guard / its peak [1]"] {
