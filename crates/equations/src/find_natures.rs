@@ -1,6 +1,6 @@
 //! How natures are found: from Jacobians where the model rests.
 
-use pode::{EquationKind, Model as _, Motion, Nature, Part};
+use pode::{EquationKind, Guarded as _, Model as _, Motion, Nature, Part};
 
 use crate::jacobian_bound::{RADIANS, fastest_once};
 use crate::mode_number::ModeNumber;
@@ -10,6 +10,13 @@ use crate::table::{FunctionId, Functions, ModeTable, PartTable};
 
 /// Travel of a key (m): at rest there and at rest above, rates are taken.
 const TRAVEL: f64 = 0.01;
+
+/// Poses on the way from the one to the other, both included: where a mode holds at some of them,
+/// its rates are taken there.
+const ON_THE_WAY: u8 = 17;
+
+/// A state at an input.
+type Pose<const N: usize> = ([f64; N], Motion);
 
 impl ModeNatures {
     /// Finds the natures of all modes of `model`, whose constants are known.
@@ -61,16 +68,35 @@ struct Rates {
 }
 
 impl Rates {
-    /// The largest over the poses.
+    /// The largest over the poses on the way between two at which the mode holds, with its guards
+    /// positive; over these two where it holds at none.
+    ///
+    /// What a mode is far from where it holds says nothing: rubbing under a force that never comes
+    /// up there would be the fastest of all.
     fn of<F: Functions + Copy, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,
         mode: ModeNumber,
-        poses: &[([f64; N], Motion)],
+        [first, last]: &[Pose<N>; 2],
     ) -> Self {
         let table = model.mode(mode);
         let mut rates = Self { whole: 0.0, parts: [0.0; pode::MAX_PARTS] };
-        for (x, input) in poses {
-            let x = model.constrain(mode, x, input);
+        let on_the_way = |index: u8| {
+            let fraction = f64::from(index) / f64::from(ON_THE_WAY - 1);
+            let (x, input) = between(first, last, fraction);
+            (model.constrain(mode, &x, &input), input)
+        };
+        let holds = |(x, input): &Pose<N>| {
+            let guards = model.guards(mode).iter();
+            guards.map(|it| model.guard(mode, it.id, x, input).value).all(|value| value >= 0.0)
+        };
+        let is_met = (0..ON_THE_WAY).any(|index| holds(&on_the_way(index)));
+        let ends = |index: &u8| *index == 0 || *index == ON_THE_WAY - 1;
+        for index in (0..ON_THE_WAY).filter(|index| is_met || ends(index)) {
+            let (x, input) = on_the_way(index);
+            if is_met && !holds(&(x, input)) {
+                continue;
+            }
+            let input = &input;
             let rows = model.jacobian_rows(table.jacobian, &x, input);
             let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
             rates.whole = rates.whole.max(fastest_once(&rows, moving));
@@ -84,6 +110,14 @@ impl Rates {
     fn of_part(&self, index: usize) -> f64 {
         self.parts.get(index).copied().unwrap_or(self.whole)
     }
+}
+
+/// The pose at a fraction of the way from one to another.
+fn between<const N: usize>(first: &Pose<N>, last: &Pose<N>, fraction: f64) -> Pose<N> {
+    let at = |from: f64, to: f64| from + fraction * (to - from);
+    let x = core::array::from_fn(|i| at(first.0[i], last.0[i]));
+    let position = at(first.1.position, last.1.position);
+    (x, Motion { position, ..Motion::default() })
 }
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {

@@ -50,7 +50,8 @@ fn names_are_valid<M: Playable>(model: M) {
     check_names(name, &['-'], &presets.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &[], &model.entry().modes.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &['_'], states);
-    check_names(name, &['_'], outputs);
+    // What the drawing follows is called after its frame: `key.x`.
+    check_names(name, &['_', '.'], outputs);
     assert!(states.len() <= M::State::ZERO.entries().len(), "{name}: states");
     assert_eq!(model.entry().coordinates, model.coordinates(), "{name}: coordinates");
     assert!(model.coordinates() <= states.len(), "{name}: coordinates");
@@ -251,7 +252,7 @@ fn every_output_is_written() {
 fn outputs_are_written<M: Playable>(model: M) {
     let n = model.entry().outputs.len();
     for Place { label, model, mode, x, input } in places(model, 1, 1) {
-        let mut out = [f64::NAN; 16];
+        let mut out = [f64::NAN; 64];
         model.outputs(mode, &x, &input, &mut out);
         let (written, rest) = out.split_at(n);
         assert!(written.iter().all(|it| it.is_finite()), "{label}: {out:?}");

@@ -6,9 +6,8 @@
     reason = "helpers of tests, outside #[test]: on the heap, and fail aloud"
 )]
 
-use hand_written::{ReducedGrand, SpringWall};
 use models::catalogue::{self, Visitor};
-use models::{Described as _, ModeEntry, ModelEntry, Playable, Preset};
+use models::{ModeEntry, ModelEntry, Playable, Preset};
 
 use crate::sketch::play::{Moment, film};
 use crate::sketch::svg::picture;
@@ -200,12 +199,6 @@ fn front(key: &Part, moment: &Moment) -> f64 {
     let own = key.outlines.iter().flat_map(|it| &it.points).copied();
     let before = |a: Point, b: Point| if (b[0], -b[1]) < (a[0], -a[1]) { b } else { a };
     key.place(moment, own.reduce(before).expect("points"))[1]
-}
-
-#[test]
-fn modes_are_numbered_as_they_are_listed() {
-    assert!(ReducedGrand::default().modes().map(|it| it.0 as usize).eq(0..11));
-    assert!(SpringWall::default().modes().map(|it| it.0 as usize).eq(0..2));
 }
 
 #[test]

@@ -1,15 +1,40 @@
 //! What the models draw is to scale, and in contact where they say so.
 
-use hand_written::reduced_grand::Mode;
-use hand_written::{
-    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, ReducedGrand, SpringWall,
-};
-use models::Playable;
 use models::draw::Material;
+use models::registry::SmallModel;
+use models::{Described as _, Playable, built_in};
 
 use crate::sketch::play::{Moment, film};
 use crate::sketch::{Drawing, Part, Point, distance};
-use crate::stroke::preset;
+use crate::stroke::tuned;
+
+const RIGID: &str = "key-hammer-rigid";
+const SPRINGS: &str = "key-hammer-springs";
+const GRAND: &str = "reduced-grand";
+const BALL: &str = "bouncing-ball";
+const CART: &str = "cart-pendulum";
+const WALL: &str = "spring-wall";
+
+/// A model of the program with a preset of `key`, and some values replaced by name.
+#[track_caller]
+fn preset(model: &str, preset: &str, key: u8, changes: &[(&str, f64)]) -> SmallModel {
+    tuned(&built_in::small(model).expect("a small model"), preset, key, changes)
+}
+
+/// The value of a parameter.
+#[track_caller]
+fn value(model: &SmallModel, name: &str) -> f64 {
+    let index = model.entry().parameters.iter().position(|it| it.name == name);
+    model.parameters()[index.expect("a parameter")]
+}
+
+/// The place of a mode of model C in its list.
+#[track_caller]
+fn grand_mode(name: &str) -> usize {
+    let model = built_in::small(GRAND).expect("a small model");
+    let found = model.entry().modes.iter().position(|it| it.name == name);
+    found.expect("a mode")
+}
 
 #[test]
 fn the_stroke_visits_the_modes_of_the_actions() {
@@ -19,10 +44,10 @@ fn the_stroke_visits_the_modes_of_the_actions() {
         modes.dedup();
         modes
     };
-    assert_eq!(modes(&film(preset::<KeyHammerRigid>("playable", 39, &[]))), [0, 1]);
-    assert_eq!(modes(&film(preset::<KeyHammerSprings>("playable", 39, &[]))), [0, 1]);
-    let grand = modes(&film(preset::<ReducedGrand>("default", 0, &[])));
-    assert!(grand.contains(&(Mode::Chk as usize)) && grand.len() > 7, "{grand:?}");
+    assert_eq!(modes(&film(preset(RIGID, "playable", 39, &[]))), [0, 1]);
+    assert_eq!(modes(&film(preset(SPRINGS, "playable", 39, &[]))), [0, 1]);
+    let grand = modes(&film(preset(GRAND, "default", 0, &[])));
+    assert!(grand.contains(&(grand_mode("CHK"))) && grand.len() > 7, "{grand:?}");
 }
 
 /// The lowest or highest of heights.
@@ -57,12 +82,12 @@ fn check_string<M: Playable>(model: M, guard: &str) {
 #[test]
 fn the_head_touches_the_string_where_the_guard_is_zero() {
     for key in [0, 39, 87] {
-        check_string(preset::<KeyHammerRigid>("playable", key, &[]), "string");
-        check_string(preset::<KeyHammerSprings>("playable", key, &[]), "string");
-        check_string(preset::<ReducedGrand>("playable", key, &[]), "string-on");
-        check_string(preset::<ReducedGrand>("default", key, &[("zs", 0.047)]), "string-on");
+        check_string(preset(RIGID, "playable", key, &[]), "string");
+        check_string(preset(SPRINGS, "playable", key, &[]), "string");
+        check_string(preset(GRAND, "playable", key, &[]), "string-on");
+        check_string(preset(GRAND, "default", key, &[("zs", 0.047)]), "string-on");
     }
-    check_string(preset::<KeyHammerRigid>("playable", 39, &[("string_angle", 0.19)]), "string");
+    check_string(preset(RIGID, "playable", 39, &[("string_angle", 0.19)]), "string");
 }
 
 /// The hammer's shank, along which the slider goes.
@@ -78,16 +103,16 @@ fn slider(part: &Part, moment: &Moment) -> Vec<Point> {
 #[test]
 fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
     for name in ["paper", "literal", "playable"] {
-        let model: KeyHammerRigid = preset(name, 39, &[]);
+        let model = preset(RIGID, name, 39, &[]);
         let drawing = Drawing::of(&model);
         for down in [0.0, 0.003, 0.006, 0.010] {
             let moment = Moment::at_rest(&model, down);
             let slider = slider(drawing.part("key", &moment), &moment);
             let gap = distance(&slider, &underside(&drawing, &moment));
             // A rim of 24 corners is within 0.9 % of its circle; one lies right at rest.
-            let rim = if down > 0.0 { 2e-4 * model.values.l1 } else { 0.0 };
+            let rim = if down > 0.0 { 2e-4 * value(&model, "L1") } else { 0.0 };
             assert!(
-                gap < 1e-4_f64.min(1e-4 * model.values.l1) + rim,
+                gap < 1e-4_f64.min(1e-4 * value(&model, "L1")) + rim,
                 "{name}: {gap} m at {down} m"
             );
         }
@@ -96,7 +121,7 @@ fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
 
 #[test]
 fn in_flight_the_hammer_of_model_a_is_off_by_the_gap() {
-    let model: KeyHammerRigid = preset("playable", 39, &[]);
+    let model = preset(RIGID, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
     let film = film(model);
     let flights = film.iter().filter(|it| it.1.mode == 1 && it.1.signal("gap") > 1e-3);
@@ -114,13 +139,13 @@ fn in_flight_the_hammer_of_model_a_is_off_by_the_gap() {
 #[test]
 fn at_rest_the_hammer_of_model_b_lies_on_the_slider() {
     for name in ["paper", "literal", "playable"] {
-        let model: KeyHammerSprings = preset(name, 39, &[]);
+        let model = preset(SPRINGS, name, 39, &[]);
         let drawing = Drawing::of(&model);
         for down in [0.0, 0.005, 0.010] {
             let moment = Moment::at_rest(&model, down);
             let slider = slider(drawing.part("slider", &moment), &moment);
             let gap = distance(&slider, &underside(&drawing, &moment));
-            let scale = (model.values().l1 / 0.1385).max(1.0);
+            let scale = (value(&model, "L1") / 0.1385).max(1.0);
             assert!(gap < 1e-4 * scale, "{name}: {gap} m at {down} m");
         }
     }
@@ -128,7 +153,7 @@ fn at_rest_the_hammer_of_model_b_lies_on_the_slider() {
 
 #[test]
 fn along_a_stroke_the_hammer_of_model_b_is_off_by_the_gap() {
-    let model: KeyHammerSprings = preset("playable", 39, &[]);
+    let model = preset(SPRINGS, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
     for (_, moment) in film(model) {
         let slider = slider(drawing.part("slider", &moment), &moment);
@@ -140,7 +165,7 @@ fn along_a_stroke_the_hammer_of_model_b_is_off_by_the_gap() {
 
 #[test]
 fn k2_is_as_much_shorter_as_it_is_pressed() {
-    let model: KeyHammerSprings = preset("paper", 0, &[]);
+    let model = preset(SPRINGS, "paper", 0, &[]);
     let drawing = Drawing::of(&model);
     let length = |moment: &Moment| {
         let coils = drawing.coils(moment);
@@ -168,7 +193,7 @@ fn knuckle_to_jack(drawing: &Drawing, moment: &Moment) -> f64 {
 #[test]
 fn at_rest_the_grand_s_knuckle_lies_on_the_jack_and_the_whippen_on_the_capstan() {
     for (name, key) in [("default", 0), ("playable", 0), ("playable", 87)] {
-        let model: ReducedGrand = preset(name, key, &[]);
+        let model = preset(GRAND, name, key, &[]);
         let drawing = Drawing::of(&model);
         let moment = Moment::at_rest(&model, 0.0);
         let gap = knuckle_to_jack(&drawing, &moment);
@@ -184,12 +209,12 @@ fn at_rest_the_grand_s_knuckle_lies_on_the_jack_and_the_whippen_on_the_capstan()
 
 #[test]
 fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
-    let model: ReducedGrand = preset("default", 0, &[]);
+    let model = preset(GRAND, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let mut worst: f64 = 0.0;
     for down in (0_u8..=86).map(|it| 1e-4 * f64::from(it)) {
         let moment = Moment::at_rest(&model, down);
-        let mode = [Mode::Acc, Mode::Lo].map(|it| it as usize);
+        let mode = ["ACC", "LO"].map(grand_mode);
         assert!(mode.contains(&moment.mode), "at {down} m");
         worst = worst.max(knuckle_to_jack(&drawing, &moment));
     }
@@ -198,10 +223,10 @@ fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
 
 #[test]
 fn the_grand_s_tail_is_held_by_the_check() {
-    let model: ReducedGrand = preset("default", 0, &[]);
+    let model = preset(GRAND, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let film = film(model);
-    let caught: Vec<_> = film.iter().filter(|it| it.1.mode == Mode::Chk as usize).collect();
+    let caught: Vec<_> = film.iter().filter(|it| it.1.mode == grand_mode("CHK")).collect();
     assert!(caught.len() > 100, "{} moments in check", caught.len());
     for (_, moment) in caught {
         let key = drawing.part("key", moment);
@@ -215,10 +240,10 @@ fn the_grand_s_tail_is_held_by_the_check() {
 
 #[test]
 fn the_grand_s_tender_meets_the_button_from_there_to_the_trip() {
-    let model: ReducedGrand = preset("default", 0, &[]);
+    let model = preset(GRAND, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let mut moment = Moment::at_rest(&model, 0.0);
-    moment.mode = Mode::Lo as usize;
+    moment.mode = grand_mode("LO");
     for y in [0.0082, 0.0085, 0.0088, 0.0091] {
         moment.signals.iter_mut().filter(|it| it.0 == "y").for_each(|it| it.1 = y);
         let button = drawing.part("let-off button", &moment);
@@ -244,20 +269,20 @@ fn lengths_are_the_parameters() {
         assert!((drawn - given).abs() < 1e-12, "{what}: {drawn} m is drawn for {given} m");
     };
     for name in ["paper", "literal", "playable"] {
-        let model: KeyHammerSprings = preset(name, 0, &[]);
-        let (p, drawing) = (model.values(), Drawing::of(&model));
+        let model = preset(SPRINGS, name, 0, &[]);
+        let (p, drawing) = (|name| value(&model, name), Drawing::of(&model));
         let moment = Moment::at_rest(&model, 0.0);
         near("P1", between(origin(&drawing, "key", &moment), [0.0, 0.0]), 0.0);
-        near("P2", between(origin(&drawing, "hammer", &moment), [p.l3, p.l4]), 0.0);
+        near("P2", between(origin(&drawing, "hammer", &moment), [p("L3"), p("L4")]), 0.0);
         let hammer = drawing.part("hammer", &moment);
         let centre = &hammer.outlines.last().expect("a mass centre").points;
-        near("L2", 0.5 * (centre[0][0] + centre[12][0]), p.l2);
+        near("L2", 0.5 * (centre[0][0] + centre[12][0]), p("L2"));
         let rim = &drawing.part("slider", &moment).outlines[0].points;
-        near("L1", 0.5 * (rim[0][0] + rim[12][0]), p.l1);
+        near("L1", 0.5 * (rim[0][0] + rim[12][0]), p("L1"));
         let stick = &drawing.part("key", &moment).outlines[0].points;
-        near("r", -stick[0][0], p.r);
+        near("r", -stick[0][0], p("r"));
     }
-    let model: ReducedGrand = preset("default", 0, &[]);
+    let model = preset(GRAND, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let mut moment = Moment::at_rest(&model, 0.0);
     let mut head = |z: f64| {
@@ -272,7 +297,7 @@ fn lengths_are_the_parameters() {
 #[test]
 fn the_grand_s_blow_is_drawn_in_full() {
     // The point of the head that strikes goes on a circle: it is the shank's end that rises.
-    let model: ReducedGrand = preset("default", 0, &[]);
+    let model = preset(GRAND, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let moment = Moment::at_rest(&model, 0.0);
     let hammer = drawing.part("hammer", &moment);
@@ -288,7 +313,7 @@ fn the_grand_s_blow_is_drawn_in_full() {
 
 #[test]
 fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
-    let ball: BouncingBall = preset("key", 0, &[]);
+    let ball = preset(BALL, "key", 0, &[]);
     let drawing = Drawing::of(&ball);
     for down in [0.0, 0.005, 0.01] {
         let moment = Moment::at_rest(&ball, down);
@@ -297,7 +322,7 @@ fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
         assert!((lowest - floor).abs() < 1e-12, "{lowest} m on {floor} m");
         assert!((floor - 5.0 * down).abs() < 1e-12, "{floor} m for {down} m");
     }
-    let cart: CartPendulum = preset("key", 0, &[]);
+    let cart = preset(CART, "key", 0, &[]);
     let drawing = Drawing::of(&cart);
     let moment = Moment::at_rest(&cart, 0.01);
     assert_eq!(moment.mode, 2, "at the right wall");
@@ -310,7 +335,7 @@ fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
 
 #[test]
 fn the_wall_stands_where_it_is_until_the_key_takes_it_along() {
-    let model: SpringWall = preset("default", 0, &[]);
+    let model = preset(WALL, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     for (down, top) in [(0.0, -0.005), (0.004, -0.005), (0.005, -0.005), (0.008, -0.008)] {
         let moment = Moment::at_rest(&model, down);

@@ -134,7 +134,8 @@ fn file() -> String {
 
 #[test]
 fn the_series_of_the_crate_models_is_what_is_emitted() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../hand-written/src/key_hammer_springs/series.rs");
+    let path =
+        concat!(env!("CARGO_MANIFEST_DIR"), "/../hand-written/src/key_hammer_springs/series.rs");
     if std::env::var_os("UPDATE").is_some() {
         std::fs::write(path, file()).expect("a folder");
     }
