@@ -1,5 +1,5 @@
-//! Model B, a grand's size, one tick of 1 ms: every method, with and without an event; and
-//! the root finder alone.
+//! Model B, a grand's size, one tick of 1 ms: every method, with and without an event; the same
+//! tick by hand and as its description gives it; and the root finder alone.
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
 
 #[path = "setting/mod.rs"]
@@ -9,11 +9,14 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::Criterion;
-use hand_written::{KeyHammerSprings, key_hammer_springs};
-use models::{Described as _, Playable as _};
+use equations::EquationModel;
+use hand_written::KeyHammerSprings;
+use models::emitted::key_hammer_springs::{KeyHammerSpringsFunctions, TABLE};
+use models::registry::SmallModel;
+use models::{Described, Playable, built_in, descriptions};
 use pode::input::Cubic;
 use pode::stepper::{
-    AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,
+    AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,
     LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler, Tsitouras5,
     VelocityVerlet,
 };
@@ -42,28 +45,75 @@ fn main() {
     quiet(&mut criterion, Rodas4);
     quiet(&mut criterion, ExponentialRosenbrock);
     quiet(&mut criterion, Exprb32);
+    forms(&mut criterion);
     eventful(&mut criterion);
     roots(&mut criterion);
     criterion.final_summary();
 }
 
-/// Model B of the middle key.
-fn model() -> KeyHammerSprings {
-    let entry = &key_hammer_springs::ENTRY;
+/// Model B as the program has it.
+const NAME: &str = "key-hammer-springs";
+
+/// The parameters of the middle key.
+fn values() -> Vec<f64> {
+    let entry = built_in::small(NAME).expect("model B").entry();
     let preset = entry.presets.iter().find(|preset| preset.name == "playable");
     let value = preset.expect("the preset").value;
-    let values: Vec<_> = (0..entry.parameters.len()).map(|it| value(it, 39)).collect();
-    KeyHammerSprings::default().with_values(&values)
+    (0..entry.parameters.len()).map(|it| value(it, 39)).collect()
 }
 
-fn simulator<T: Stepper>(stepper: T) -> Simulator<KeyHammerSprings, T> {
-    let (mode, state) = model().at_rest(&Motion::default());
+/// Model B of the middle key.
+fn model() -> SmallModel {
+    built_in::small(NAME).expect("model B").with_values(&values())
+}
+
+/// A model at rest.
+fn at_rest<M: Described, T: Stepper>(model: M, stepper: T) -> Simulator<M, T> {
+    let (mode, state) = model.at_rest(&Motion::default());
+    simulator(model, stepper, (mode, state))
+}
+
+fn simulator<M: Model, T: Stepper>(
+    model: M,
+    stepper: T,
+    (mode, state): (M::Mode, M::State),
+) -> Simulator<M, T>
+where
+    M: pode::Resets,
+{
     let limits = Limits { event_tolerance: NANOSECOND, ..Limits::default() };
-    Simulator::new(model(), stepper, limits, mode, state)
+    Simulator::new(model, stepper, limits, mode, state)
 }
 
-/// A tick with guards and without an event, the key swinging slowly.
+/// A tick with guards and without an event, the key swinging slowly, by each method.
 fn quiet<T: Stepper>(criterion: &mut Criterion, stepper: T) {
+    tick(criterion, T::NAME, at_rest(model(), stepper));
+}
+
+/// The same tick by one method, of one model in all its forms: by hand; as emitted Rust whose calls
+/// the compiler knows; as the program runs it, where calls go through a table, the method known or
+/// one of several; and as machine code that is made while the program runs.
+fn forms(criterion: &mut Criterion) {
+    let values = values();
+    let hand = KeyHammerSprings::default().with_values(&values);
+    tick(criterion, "rk4/by hand", at_rest(hand, Rk4));
+    type Emitted = EquationModel<KeyHammerSpringsFunctions, 4, 192>;
+    let emitted = Emitted::new(&TABLE, KeyHammerSpringsFunctions, &values).expect("model B");
+    tick(criterion, "rk4/emitted", simulator(emitted, Rk4, emitted.at_rest(&Motion::default())));
+    tick(criterion, "rk4/as played", at_rest(model(), Any::Rk4(Rk4)));
+    let text = descriptions::description(NAME).expect("a description");
+    let derived = kane::derive_model(NAME, text, &kane::description::NoBases).expect("model B");
+    let functions = native::compile(derived.program.tapes()).expect("machine code");
+    type Native<'a> = EquationModel<&'a native::NativeFunctions, 4, 192>;
+    let native = Native::new(derived.program.table, &functions, &values).expect("model B");
+    tick(criterion, "rk4/native", simulator(native, Rk4, native.at_rest(&Motion::default())));
+}
+
+fn tick<M, T>(criterion: &mut Criterion, name: &str, mut simulator: Simulator<M, T>)
+where
+    M: Model<Input = Motion> + pode::Resets,
+    T: Stepper,
+{
     let scale = model().input_per_metre();
     let w = TAU / (TICKS as f64 * H);
     let signal = |tick: usize| {
@@ -72,7 +122,7 @@ fn quiet<T: Stepper>(criterion: &mut Criterion, stepper: T) {
         Cubic::ballistic(s, v, a, H)
     };
     let signals: Vec<Cubic> = (0..TICKS).map(signal).collect();
-    let (mut simulator, mut tick) = (simulator(stepper), 0);
+    let mut tick = 0;
     let mut next = || {
         let done = simulator.advance(H, &signals[tick % TICKS], &mut pode::Silent);
         tick += 1;
@@ -83,7 +133,7 @@ fn quiet<T: Stepper>(criterion: &mut Criterion, stepper: T) {
         let (_, events, pieces) = next();
         assert_eq!((events, pieces), (0, 1), "a tick in one step, without an event");
     }
-    let name = format!("pode/model_b_tick/{}", T::NAME);
+    let name = format!("pode/model_b_tick/{name}");
     criterion.bench_function(&name, |bencher| bencher.iter(&mut next));
 }
 
@@ -114,8 +164,8 @@ impl<M: Model> Watch<M> for Fired {
 
 /// The first tick of a stroke whose only event is `guard`: what was before, and its input.
 #[expect(clippy::large_stack_frames, reason = "simulators are copied, once for each bench")]
-fn just_before(guard: &str) -> (Simulator<KeyHammerSprings, Rk4>, Cubic) {
-    let mut simulator = simulator(Rk4);
+fn just_before(guard: &str) -> (Simulator<SmallModel, Rk4>, Cubic) {
+    let mut simulator = at_rest(model(), Rk4);
     for tick in 0..1000 {
         let signal = pressed(f64::from(tick) * H);
         let (before, mut fired) = (simulator, Fired::default());

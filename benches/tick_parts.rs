@@ -19,9 +19,9 @@ mod setting;
 use std::sync::Arc;
 
 use criterion::Criterion;
-use hand_written::{KeyHammerSprings, key_hammer_springs};
 use haptics::{Kalman, RigParameters};
-use models::{Described as _, Playable as _};
+use models::registry::SmallModel;
+use models::{Described as _, Playable as _, built_in};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};
@@ -54,9 +54,9 @@ fn main() {
 /// What a voice is made of, and the positions that its key goes through.
 struct Key {
     input: InputPath,
-    simulator: Simulator<KeyHammerSprings, Rk4>,
-    unread: Simulator<KeyHammerSprings, Rk4>,
-    auditor: Auditor<KeyHammerSprings>,
+    simulator: Simulator<SmallModel, Rk4>,
+    unread: Simulator<SmallModel, Rk4>,
+    auditor: Auditor<SmallModel>,
     positions: [f64; TICKS],
     felt: f64,
 }
@@ -64,12 +64,12 @@ struct Key {
 impl Key {
     #[expect(clippy::large_stack_frames, reason = "once, at set-up")]
     fn new(number: u8) -> Self {
-        let entry = &key_hammer_springs::ENTRY;
+        let known = built_in::small("key-hammer-springs").expect("model B");
+        let entry = known.entry();
         let preset = entry.presets.iter().find(|preset| preset.name == "playable");
         let value = preset.expect("the preset").value;
         let indices = 0..entry.parameters.len();
-        let model = KeyHammerSprings::default()
-            .with_values(&indices.map(|index| value(index, number)).collect::<Vec<_>>());
+        let model = known.with_values(&indices.map(|index| value(index, number)).collect::<Vec<_>>());
         let positions = swing_of(number.into());
         let kalman = Kalman::new(H, RigParameters::default().quantum, Kalman::KEY_JERK_DENSITY);
         let scale = model.input_per_metre();
