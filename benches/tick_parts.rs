@@ -69,7 +69,8 @@ impl Key {
         let preset = entry.presets.iter().find(|preset| preset.name == "playable");
         let value = preset.expect("the preset").value;
         let indices = 0..entry.parameters.len();
-        let model = known.with_values(&indices.map(|index| value(index, number)).collect::<Vec<_>>());
+        let model =
+            known.with_values(&indices.map(|index| value(index, number)).collect::<Vec<_>>());
         let positions = swing_of(number.into());
         let kalman = Kalman::new(H, RigParameters::default().quantum, Kalman::KEY_JERK_DENSITY);
         let scale = model.input_per_metre();

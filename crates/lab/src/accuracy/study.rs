@@ -1,14 +1,11 @@
 //! A scenario whose model's type is known by name only, and the runs it can do.
 
-use pode::Stepper;
-use pode::stepper::StepperVisitor;
-
 use super::Effort;
 use super::job::RunJob;
 use super::judge::judge;
 use super::method::{NamedMethod, Setting};
 use super::observe::observe;
-use super::row::{EvaluationCounts, StudyRow, Times};
+use super::row::{EvaluationCounts, StudyRow};
 use super::time::time;
 use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
 
@@ -51,8 +48,8 @@ impl<S: Scenario> Study for S {
         Scenario::plan(self)
     }
 
-    /// What happens is observed through the method of any type, which is compiled once for each
-    /// model; what is timed is the method itself, whose steps are the same to the last bit.
+    /// Observed and timed as the host runs it, by a method that is one of several: compiled once
+    /// for each type of scenario.
     fn run(
         &self,
         scenario: &'static str,
@@ -68,7 +65,7 @@ impl<S: Scenario> Study for S {
             tick: setting.tick,
         };
         let observed = observe(&job);
-        let times = job.stepper.visit(TimedRun { job: &job, work: &observed.work, effort });
+        let times = time(&job, &observed.work, effort);
         StudyRow {
             scenario,
             method,
@@ -78,21 +75,5 @@ impl<S: Scenario> Study for S {
             times,
             energy_residual: observed.residual,
         }
-    }
-}
-
-/// A run that is timed under the type of its method.
-struct TimedRun<'a, S, T> {
-    job: &'a RunJob<'a, S, T>,
-    work: &'a [pode::Work],
-    effort: Effort,
-}
-
-impl<S: Scenario, T> StepperVisitor for TimedRun<'_, S, T> {
-    type Output = Times;
-
-    fn visit<U: Stepper>(self, stepper: U) -> Times {
-        let RunJob { scenario, limits, stepping, tick, .. } = *self.job;
-        time(&RunJob { scenario, stepper, limits, stepping, tick }, self.work, self.effort)
     }
 }

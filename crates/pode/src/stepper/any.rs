@@ -153,14 +153,6 @@ impl<S: State> Field<S> for Erased<'_, S> {
     }
 }
 
-/// Something to be done with a method of its own type.
-pub trait StepperVisitor {
-    type Output;
-
-    /// Does it with `stepper`.
-    fn visit<T: Stepper>(self, stepper: T) -> Self::Output;
-}
-
 macro_rules! any {
     (
         named { $($(#[$doc:meta])* $name:ident($stepper:ty)),+ $(,)? }
@@ -243,14 +235,6 @@ macro_rules! any {
             pub const fn order(&self) -> u32 {
                 match self {
                     $(Self::$name(_) => <$stepper>::ORDER),+
-                }
-            }
-
-            /// Hands the method to `visitor` under its own type: for what must not pay for the
-            /// choice at every step.
-            pub fn visit<V: StepperVisitor>(self, visitor: V) -> V::Output {
-                match self {
-                    $(Self::$name(stepper) => visitor.visit(stepper)),+
                 }
             }
         }

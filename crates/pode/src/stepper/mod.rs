@@ -32,7 +32,7 @@ mod velocity_verlet;
 
 pub use adams_bashforth2::AdamsBashforth2;
 pub use adams_bashforth3::AdamsBashforth3;
-pub use any::{Any, AnyDense, AnyMemory, Fits, StepperVisitor};
+pub use any::{Any, AnyDense, AnyMemory, Fits};
 pub use bogacki_shampine::BogackiShampine;
 pub use by_need::{ByNeed, Choice, MENU, NeededMethod, Offer};
 pub use controlled::{Control, Controlled, Tolerance};
