@@ -150,6 +150,7 @@ pub(crate) fn catalogue() -> Update {
         modes: vec!["swinging".to_owned()],
         signals: vec![signal],
         parameters: parameters.into(),
+        version: 0,
     };
     Update::Catalogue(Catalogue {
         run: "synthetic".to_owned(),
