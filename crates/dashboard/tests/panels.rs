@@ -275,13 +275,17 @@ fn a_description_shows_its_mistakes_and_is_read_again_or_opened() {
         watched: true,
         mistakes: mistakes.into(),
     };
-    let catalogue =
-        Catalogue { descriptions: vec![description], tick_hz: 1000, ..Catalogue::default() };
+    let before = Description { version: 1, mistakes: String::new(), ..description.clone() };
+    let descriptions = vec![before, description];
+    let catalogue = Catalogue { descriptions, tick_hz: 1000, ..Catalogue::default() };
     window.harness.state_mut().take(0, Update::Catalogue(catalogue));
+    window.settle();
+    assert!(window.says("Only models of the program play"));
     let voice = Voice { key: 39, model: "feel".into(), version: 2, ..Voice::default() };
     window.harness.state_mut().take(0, Update::Voice(voice));
     window.settle();
     assert!(window.says("version 2 plays on 1 key since 3.0 s; its files are watched"));
+    assert!(!window.says("version 1"), "no key plays it");
     assert!(window.says("this version plays on:") && window.says("there is no \"kk\""));
     window.click("Reload");
     let load = |description: &str, keys: Option<&str>| Request::Load {

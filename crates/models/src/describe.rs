@@ -64,6 +64,17 @@ pub trait Described:
     /// At rest under a constant input, or where the parameters say that it starts: a
     /// `y0` above 0 is a drop.
     fn at_rest(&self, input: &Motion) -> (Self::Mode, Self::State);
+
+    /// Returns where the model begins at `x` in the structural mode of `mode`: constraints hold,
+    /// and what overlaps is closed.
+    fn begin(
+        &self,
+        mode: Self::Mode,
+        x: &Self::State,
+        input: &Motion,
+    ) -> (Self::Mode, Self::State) {
+        (mode, self.constrain(mode, x, input))
+    }
 }
 
 /// A model that can be rendered on a key.

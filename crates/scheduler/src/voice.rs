@@ -43,7 +43,7 @@ pub trait Voice {
     }
 
     /// Goes on where `before` is, the voice whose place it takes; says whether it could, which one
-    /// that knows nothing of the other cannot.
+    /// that knows nothing of the other, or has no mode like its, cannot: it is reset then.
     ///
     /// # Real-time
     /// Copies what both have by the same names; no heap, lock or clock.

@@ -18,40 +18,32 @@ pub struct KeyMemory {
     pub damper: DamperTracker,
 }
 
-/// Returns the mode and the state from which `model` goes on where one of `entry` is as `seen`:
-/// entries of the state are taken over by name and unit, and what the other one does not have is
-/// as in `rest`. Where the other's mode is not known by its name, all is as in `rest`.
+/// Takes over into `state`, of the model of `own`, what the model of `entry` as it was `seen` has by
+/// the same names and units; the rest stays as it is.
 ///
 /// # Real-time
-/// At most 32 × 32 names, and the names of modes, are compared.
-pub(crate) fn carried<M: Playable>(
-    model: &M,
-    rest: (M::Mode, M::State),
+/// At most 32 × 32 names are compared.
+pub(crate) fn carry(
+    state: &mut [f64],
+    own: &ModelEntry,
     (entry, seen): (&ModelEntry, &ModelSnapshot),
-) -> (M::Mode, M::State) {
-    let Some(mode) = same_mode(model, entry, ModeCode(seen.mode)) else { return rest };
-    let ModelEntry { states, state_units, .. } = *model.entry();
-    let mut state = rest.1;
-    for (index, place) in state.as_mut().iter_mut().enumerate() {
-        let wanted = (states.get(index), state_units.get(index));
-        let others = entry.states.iter().zip(entry.state_units);
-        let same =
-            others.zip(seen.state).find(|((name, unit), _)| (Some(*name), Some(*unit)) == wanted);
+) {
+    let names = own.states.iter().zip(own.state_units);
+    for (place, wanted) in state.iter_mut().zip(names) {
+        let mut others = entry.states.iter().zip(entry.state_units).zip(seen.state);
+        let same = others.find(|(name_and_unit, _)| *name_and_unit == wanted);
         if let Some((_, value)) = same.filter(|(_, value)| value.is_finite()) {
             *place = value;
         }
     }
-    (mode, state)
 }
 
-/// Returns the mode of `model` that is called as the mode `code` of `entry`; with the same contacts
-/// closed, if both models have the same.
-fn same_mode<M: Playable>(model: &M, entry: &ModelEntry, code: ModeCode) -> Option<M::Mode> {
-    let modes = model.entry().modes;
-    let same = if modes == entry.modes { model.mode(code) } else { None };
-    same.or_else(|| {
-        let name = entry.modes.get(usize::from(code.structure()))?.name;
-        let index = modes.iter().position(|mode| mode.name == name)?;
-        model.mode(ModeCode::structural(u8::try_from(index).ok()?))
-    })
+/// Returns the mode of `model` that is called as the structural mode `number` of `entry`.
+///
+/// # Real-time
+/// The names of modes are compared.
+pub(crate) fn same_mode<M: Playable>(model: &M, entry: &ModelEntry, number: u8) -> Option<M::Mode> {
+    let name = entry.modes.get(usize::from(number))?.name;
+    let index = model.entry().modes.iter().position(|mode| mode.name == name)?;
+    model.mode(ModeCode::structural(u8::try_from(index).ok()?))
 }

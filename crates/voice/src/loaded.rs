@@ -6,8 +6,10 @@ mod ball;
 
 use std::fs;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 
-use descriptions::install;
+use descriptions::{install, register_model};
+use equations::table::{Arguments, FunctionId, Functions, ModelTable, NamedQuantity};
 use models::catalogue;
 use scene::{FileKind, KeyVoice, Scene, check_file, written};
 use scheduler::motion::KeySample;
@@ -16,7 +18,7 @@ use scheduler::values::ModelValues;
 use scheduler::voice::VoiceOutput;
 
 use crate::builder::VoiceBuilder;
-use ball::BallReader;
+use ball::{Ball, BallReader, START, TABLE, quantity};
 
 /// A scene beside the description of its model.
 fn scene(folder: &std::path::Path) -> Scene {
@@ -138,5 +140,56 @@ fn a_voice_of_another_version_goes_on_where_the_old_one_is() {
     }
     let other = KeyVoice { model: catalogue::built_in("spring-wall").unwrap(), values: vec![] };
     let mut other = builder.voice(&other, Arc::default()).unwrap();
-    assert!(other.take_over(voices[0].as_ref()), "another model begins at rest where the key is");
+    assert!(!other.take_over(voices[0].as_ref()), "another model has no such mode: it is reset");
+}
+
+/// A ball that can turn, and that counts how often its rest is worked out.
+#[derive(Debug)]
+struct TurningBall {
+    rests: AtomicU32,
+}
+
+/// How far it has turned at rest (rad).
+const TURNED: f64 = 0.5;
+
+impl Functions for TurningBall {
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        Ball.call(function, arguments, out);
+        if let (START, [_height, turned, ..]) = (function, out) {
+            self.rests.fetch_add(1, Ordering::Relaxed);
+            *turned = TURNED;
+        }
+    }
+}
+
+#[test]
+fn a_voice_that_takes_over_works_out_no_rest_and_keeps_that_of_entries_that_are_new() {
+    static FUNCTIONS: TurningBall = TurningBall { rests: AtomicU32::new(0) };
+    const STATES: &[NamedQuantity] =
+        &[quantity("y", "m"), quantity("turned", "rad"), quantity("v", "m/s")];
+    let folder = tempfile::tempdir().unwrap();
+    let scene = scene(folder.path());
+    let builder = VoiceBuilder::new(&scene).unwrap();
+    let ball = scene.keys[0].as_ref().unwrap();
+    let table = Box::leak(Box::new(ModelTable { states: STATES, ..TABLE }));
+    let model = register_model(table, &FUNCTIONS, None).unwrap();
+    let turning = KeyVoice { model, values: ball.values.clone() };
+    let mut voice = builder.voice(ball, Arc::default()).unwrap();
+    voice.reset(&KeySample::fresh(0.0));
+    for tick in 0..100 {
+        voice.tick(tick, &KeySample::fresh(0.0), &mut VoiceOutput::default());
+    }
+    let mut next = builder.voice(&turning, Arc::default()).unwrap();
+    let rests = FUNCTIONS.rests.load(Ordering::Relaxed);
+    assert!(0 < rests, "it was built at rest");
+    assert!(next.take_over(voice.as_ref()));
+    assert_eq!(FUNCTIONS.rests.load(Ordering::Relaxed), rests, "in the tick");
+    let [before, after] = [voice.as_ref(), next.as_ref()].map(|voice| {
+        let mut seen = VoiceObservation::default();
+        voice.observe(&mut seen);
+        seen.snapshot.state
+    });
+    let [y, v, ..] = before;
+    assert!(y < 0.96 && v < -0.9, "{before:?}");
+    assert_eq!(after[..3], [y, TURNED, v]);
 }

@@ -16,7 +16,7 @@ use scheduler::values::ModelValues;
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
 use crate::audit::AuditCell;
-use crate::carried::{KeyMemory, carried};
+use crate::carried::{KeyMemory, carry, same_mode};
 use crate::damper::DamperTracker;
 use crate::input::{Followed, InputPath};
 
@@ -233,10 +233,12 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         before.observe(&mut seen);
         let model = self.simulator.model();
         let input = input.with_scale(model.input_per_metre());
-        let newest = input.newest();
-        let rest = model.at_rest(&Motion { position: newest.position, ..Motion::default() });
-        let (mode, state) = carried(model, rest, (entry, &seen.snapshot));
-        let state = model.constrain(mode, &state, &newest);
+        // It has not begun: it is at rest, as it was built.
+        let structure = seen.snapshot.structure();
+        let Some(mode) = same_mode(model, entry, structure) else { return false };
+        let mut state = *self.simulator.state();
+        carry(state.as_mut(), model.entry(), (entry, &seen.snapshot));
+        let (mode, state) = model.begin(mode, &state, &input.newest());
         self.memory.damper = damper.with_damper(model.damper());
         self.memory.input = input;
         self.simulator.place(mode, state);

@@ -1,6 +1,6 @@
 //! Descriptions that play: their versions, what is wrong with their files, and another one to open.
 
-use eframe::egui::{Button, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{Button, Label, RichText, ScrollArea, TextEdit, Ui};
 use serde::{Deserialize, Serialize};
 use telemetry::{Catalogue, Description, Request};
 
@@ -29,12 +29,12 @@ impl super::View for View {
         let opened = self.open_ui(ui);
         ui.separator();
         let area = ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            if catalogue.descriptions.is_empty() {
-                ui.weak("Only models of the program play, and none that a file describes.");
-            }
             let store = &state.store;
             let plays = |it: &&Description| 0 < keys_of(it, store);
-            let newest_first = catalogue.descriptions.iter().rev().filter(plays);
+            let mut newest_first = catalogue.descriptions.iter().rev().filter(plays).peekable();
+            if newest_first.peek().is_none() {
+                ui.weak("Only models of the program play, and none that a file describes.");
+            }
             let asked = newest_first.filter_map(|it| description_ui(ui, it, store, catalogue));
             asked.last()
         });
@@ -87,13 +87,35 @@ fn description_ui(
         let text = "What stands in the file now is wrong, and this version plays on:";
         ui.colored_label(theme::fault(ui), text);
         let id = ("mistakes", it.version);
-        ScrollArea::horizontal().id_salt(id).show(ui, |ui| {
-            ui.label(RichText::new(&it.mistakes).monospace());
-        });
+        ScrollArea::horizontal().id_salt(id).show(ui, |ui| mistakes_ui(ui, &it.mistakes));
     }
     ui.add_space(6.0);
     let description = path.to_owned();
     clicked.inner.then_some(Request::Load { description, keys: None })
+}
+
+/// Draws mistakes; lines of the file, which are indented, are not wrapped, so that each caret
+/// stands under its place.
+fn mistakes_ui(ui: &mut Ui, mistakes: &str) {
+    let width = ui.available_width();
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let lines: Vec<_> = mistakes.lines().collect();
+    for paragraph in lines.chunk_by(|a, b| is_of_file(a) == is_of_file(b)) {
+        let text = RichText::new(paragraph.join("\n")).monospace();
+        if paragraph.first().is_some_and(|line| is_of_file(line)) {
+            ui.add(Label::new(text).extend());
+        } else {
+            ui.scope(|ui| {
+                ui.set_max_width(width);
+                ui.add(Label::new(text).wrap());
+            });
+        }
+    }
+}
+
+/// Whether a line of mistakes is one of the file, or the caret below it.
+fn is_of_file(line: &str) -> bool {
+    line.starts_with("  ")
 }
 
 /// Returns on how many keys a version plays.

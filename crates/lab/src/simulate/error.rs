@@ -6,8 +6,7 @@ use std::path::PathBuf;
 
 use super::input::InputMistake;
 use descriptions::MissingModel;
-use diagnostics::{Diagnostics, nearest};
-use models::catalogue;
+use diagnostics::nearest;
 
 /// Why a simulation did not come to its end.
 #[derive(Debug, thiserror::Error)]
@@ -63,9 +62,9 @@ impl SimulateError {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulateMistake {
-    /// A description with mistakes.
-    #[error("{}", descriptions::rendered(.0))]
-    Description(Diagnostics),
+    /// There is no such model, or its description has mistakes.
+    #[error("{}", .0.rendered())]
+    Model(MissingModel),
     /// Values of parameters that do not go together.
     #[error("{model} needs {condition}, which does not hold: choose other parameters")]
     Unmet {
@@ -76,7 +75,7 @@ pub enum SimulateMistake {
     /// A name that is not among those that there are.
     #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
     Unknown {
-        /// What the name should be of: `model`, `mode`, `parameter`, …
+        /// What the name should be of: `mode`, `parameter`, …
         what: &'static str,
         name: String,
         known: Vec<&'static str>,
@@ -138,16 +137,6 @@ pub enum SimulateMistake {
 impl SimulateMistake {
     pub(super) fn unknown(what: &'static str, name: &str, known: &[&'static str]) -> Self {
         Self::Unknown { what, name: name.to_owned(), known: known.to_vec() }
-    }
-
-    pub(super) fn model(name: &str, missing: MissingModel) -> Self {
-        match missing {
-            MissingModel::Wrong(diagnostics) => Self::Description(diagnostics),
-            MissingModel::Unknown { .. } => {
-                let known = catalogue::built_ins().map(|entry| entry.name).collect();
-                Self::Unknown { what: "model", name: name.to_owned(), known }
-            }
-        }
     }
 }
 

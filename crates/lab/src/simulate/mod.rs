@@ -46,7 +46,7 @@ pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError
     let model = match find_model(&args.model, Path::new("")) {
         Ok(model) => model,
         Err(missing) => {
-            mistakes.insert(0, SimulateMistake::model(&args.model, missing));
+            mistakes.insert(0, SimulateMistake::Model(missing));
             return Err(SimulateError::Usage(mistakes));
         }
     };

@@ -122,6 +122,15 @@ impl<const N: usize, const C: usize> Described
         }
         (ContactMode { structure, contacts }, x)
     }
+
+    fn begin(
+        &self,
+        mode: ContactMode<ModeNumber>,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> (ContactMode<ModeNumber>, [f64; N]) {
+        self.start(mode.structure, x, input)
+    }
 }
 
 impl<const N: usize, const C: usize> Playable

@@ -91,7 +91,7 @@ impl Synthetic {
     }
 
     /// Clients that have gone so far.
-    #[cfg_attr(not(test), expect(dead_code, reason = "tests ask"))]
+    #[allow(dead_code, reason = "tests ask")]
     pub(crate) fn gone(&self) -> Vec<u64> {
         locked(&self.gone).clone()
     }
@@ -150,6 +150,7 @@ pub(crate) fn catalogue() -> Update {
         modes: vec!["swinging".to_owned()],
         signals: vec![signal],
         parameters: parameters.into(),
+        version: 0,
     };
     Update::Catalogue(Catalogue {
         run: "synthetic".to_owned(),

@@ -22,7 +22,7 @@ const MODELS: &str = "key-hammer-springs, key-hammer-rigid";
 fn an_unknown_model_is_refused_with_the_nearest_name() {
     let error = simulate(&[&["key-hammer-spring"], &RUN[..]].concat()).expect_err("a mistake");
     let start = format!(
-        "there is no model `key-hammer-spring` (did you mean `key-hammer-springs`?); there are {MODELS}"
+        "there is no model \"key-hammer-spring\"; use \"key-hammer-springs\", the nearest of {MODELS}"
     );
     assert!(error.to_string().starts_with(&start), "{error}");
     let error = simulate(&[&["my/action.toml"], &RUN[..]].concat()).expect_err("a mistake");
