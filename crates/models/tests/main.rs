@@ -6,6 +6,7 @@ mod conformance;
 mod described;
 mod drawing;
 mod drawing_to_scale;
+mod drawn;
 mod every_model;
 mod grand;
 mod guard_bounds;

@@ -1,0 +1,101 @@
+//! The drawings as the descriptions give them, beside those by hand: the same bodies, at the same
+//! places, all along a stroke.
+#![expect(
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::disallowed_macros,
+    reason = "a test has the heap, and fails aloud"
+)]
+
+mod comparison;
+mod shapes;
+
+use equations::EquationModel;
+use equations::table::{Functions, ModelTable};
+use models::{
+    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, LoadedFunctions, ModelEntry,
+    Playable, ReducedGrand, SpringWall, bouncing_ball, cart_pendulum, key_hammer_rigid,
+    key_hammer_springs, reduced_grand, spring_wall,
+};
+
+use self::comparison::{Apart, DrawnPair};
+use crate::stroke::tuned;
+
+/// A described model as one of the catalogue.
+pub(crate) type DrawnModel = EquationModel<LoadedFunctions, 4, 256>;
+
+/// The model of a table, with the entry of the one by hand but for its outputs.
+pub(crate) fn described<W: Playable + Default>(
+    table: &'static ModelTable,
+    functions: impl Functions + 'static,
+) -> DrawnModel {
+    let written = W::default().entry();
+    let entry = ModelEntry {
+        outputs: table.outputs.iter().map(|it| it.name).collect::<Vec<_>>().leak(),
+        output_units: table.outputs.iter().map(|it| it.unit).collect::<Vec<_>>().leak(),
+        ..*written
+    };
+    let functions = LoadedFunctions::new(Box::leak(Box::new(functions)), Box::leak(entry.into()));
+    let default: Vec<f64> = (0..entry.parameters.len()).map(|i| entry.default_value(i)).collect();
+    EquationModel::new(table, functions, &default).expect("there is room for it")
+}
+
+macro_rules! described {
+    ($($name:ident: $module:ident::$model:ident, $functions:ident;)+) => {$(
+        pub(crate) fn $name() -> DrawnModel {
+            described::<$model>(&$module::emitted::TABLE, $module::emitted::$functions)
+        }
+    )+};
+}
+
+described! {
+    ball: bouncing_ball::BouncingBall, BouncingBallFunctions;
+    cart: cart_pendulum::CartPendulum, CartPendulumFunctions;
+    wall: spring_wall::SpringWall, SpringWallFunctions;
+    model_a: key_hammer_rigid::KeyHammerRigid, KeyHammerRigidFunctions;
+    model_b: key_hammer_springs::KeyHammerSprings, KeyHammerSpringsFunctions;
+    model_c: reduced_grand::ReducedGrand, ReducedGrandFunctions;
+}
+
+/// Compares all presets over a stroke; `apart` has what differs on purpose.
+#[track_caller]
+fn compare<W: Playable + Default>(described: &DrawnModel, apart: &[Apart]) {
+    for preset in W::default().entry().presets {
+        for key in [0, 44, 87] {
+            let label = format!("{} {} {key}", W::default().entry().name, preset.name);
+            let written = tuned(&W::default(), preset.name, key, &[]);
+            let described = tuned(described, preset.name, key, &[]);
+            DrawnPair::new(label, written, described).compare(apart);
+        }
+    }
+}
+
+#[test]
+fn the_described_ball_looks_like_the_one_by_hand() {
+    compare::<BouncingBall>(&ball(), &[]);
+}
+
+#[test]
+fn the_described_cart_looks_like_the_one_by_hand() {
+    compare::<CartPendulum>(&cart(), &[]);
+}
+
+#[test]
+fn the_described_wall_looks_like_the_one_by_hand() {
+    compare::<SpringWall>(&wall(), &[]);
+}
+
+#[test]
+fn the_described_model_a_looks_like_the_one_by_hand() {
+    compare::<KeyHammerRigid>(&model_a(), &[]);
+}
+
+#[test]
+fn the_described_model_b_looks_like_the_one_by_hand() {
+    compare::<KeyHammerSprings>(&model_b(), &[]);
+}
+
+#[test]
+fn the_described_model_c_looks_like_the_one_by_hand() {
+    compare::<ReducedGrand>(&model_c(), &[]);
+}
