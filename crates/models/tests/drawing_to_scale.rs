@@ -7,9 +7,18 @@ use models::{
     SpringWall,
 };
 
+use crate::drawn::{ball, cart, model_a, model_b, model_c, wall};
 use crate::sketch::play::{Moment, film};
 use crate::sketch::{Drawing, Part, Point, distance};
-use crate::stroke::preset;
+use crate::stroke::{parameter, tuned};
+
+/// Does a check with the model by hand and with the described one.
+macro_rules! both {
+    ($check:ident: $written:ident, $described:ident) => {
+        $check(&$written::default());
+        $check(&$described());
+    };
+}
 
 #[test]
 fn the_stroke_visits_the_modes_of_the_actions() {
@@ -19,9 +28,12 @@ fn the_stroke_visits_the_modes_of_the_actions() {
         modes.dedup();
         modes
     };
-    assert_eq!(modes(&film(preset::<KeyHammerRigid>("playable", 39, &[]))), [0, 1]);
-    assert_eq!(modes(&film(preset::<KeyHammerSprings>("playable", 39, &[]))), [0, 1]);
-    let grand = modes(&film(preset::<ReducedGrand>("default", 0, &[])));
+    assert_eq!(modes(&film(tuned(&KeyHammerRigid::default(), "playable", 39, &[]))), [0, 1]);
+    assert_eq!(modes(&film(tuned(&model_a(), "playable", 39, &[]))), [0, 1]);
+    assert_eq!(modes(&film(tuned(&KeyHammerSprings::default(), "playable", 39, &[]))), [0, 1]);
+    assert_eq!(modes(&film(tuned(&model_b(), "playable", 39, &[]))), [0, 1]);
+    let grand = modes(&film(tuned(&ReducedGrand::default(), "default", 0, &[])));
+    assert_eq!(grand, modes(&film(tuned(&model_c(), "default", 0, &[]))));
     assert!(grand.contains(&(Mode::Chk as usize)) && grand.len() > 7, "{grand:?}");
 }
 
@@ -54,15 +66,29 @@ fn check_string<M: Playable>(model: M, guard: &str) {
     }
 }
 
+fn hammer_strikes<M: Playable>(model: &M) {
+    for key in [0, 39, 87] {
+        check_string(tuned(model, "playable", key, &[]), "string");
+    }
+}
+
+fn low_string<M: Playable>(model: &M) {
+    check_string(tuned(model, "playable", 39, &[("string_angle", 0.19)]), "string");
+}
+
+fn head_strikes<M: Playable>(model: &M) {
+    for key in [0, 39, 87] {
+        check_string(tuned(model, "playable", key, &[]), "string-on");
+        check_string(tuned(model, "default", key, &[("zs", 0.047)]), "string-on");
+    }
+}
+
 #[test]
 fn the_head_touches_the_string_where_the_guard_is_zero() {
-    for key in [0, 39, 87] {
-        check_string(preset::<KeyHammerRigid>("playable", key, &[]), "string");
-        check_string(preset::<KeyHammerSprings>("playable", key, &[]), "string");
-        check_string(preset::<ReducedGrand>("playable", key, &[]), "string-on");
-        check_string(preset::<ReducedGrand>("default", key, &[("zs", 0.047)]), "string-on");
-    }
-    check_string(preset::<KeyHammerRigid>("playable", 39, &[("string_angle", 0.19)]), "string");
+    both!(hammer_strikes: KeyHammerRigid, model_a);
+    both!(low_string: KeyHammerRigid, model_a);
+    both!(hammer_strikes: KeyHammerSprings, model_b);
+    both!(head_strikes: ReducedGrand, model_c);
 }
 
 /// The hammer's shank, along which the slider goes.
@@ -75,28 +101,29 @@ fn slider(part: &Part, moment: &Moment) -> Vec<Point> {
     part.placed(moment, part.outlines.len() - 1)
 }
 
-#[test]
-fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
+fn lies_on_capstan<M: Playable>(known: &M) {
     for name in ["paper", "literal", "playable"] {
-        let model: KeyHammerRigid = preset(name, 39, &[]);
+        let model = tuned(known, name, 39, &[]);
+        let l1 = parameter(known, (name, 39), "L1");
         let drawing = Drawing::of(&model);
         for down in [0.0, 0.003, 0.006, 0.010] {
             let moment = Moment::at_rest(&model, down);
             let slider = slider(drawing.part("key", &moment), &moment);
             let gap = distance(&slider, &underside(&drawing, &moment));
             // A rim of 24 corners is within 0.9 % of its circle; one lies right at rest.
-            let rim = if down > 0.0 { 2e-4 * model.values.l1 } else { 0.0 };
-            assert!(
-                gap < 1e-4_f64.min(1e-4 * model.values.l1) + rim,
-                "{name}: {gap} m at {down} m"
-            );
+            let rim = if down > 0.0 { 2e-4 * l1 } else { 0.0 };
+            assert!(gap < 1e-4_f64.min(1e-4 * l1) + rim, "{name}: {gap} m at {down} m");
         }
     }
 }
 
 #[test]
-fn in_flight_the_hammer_of_model_a_is_off_by_the_gap() {
-    let model: KeyHammerRigid = preset("playable", 39, &[]);
+fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
+    both!(lies_on_capstan: KeyHammerRigid, model_a);
+}
+
+fn is_off_in_flight<M: Playable>(known: &M) {
+    let model = tuned(known, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
     let film = film(model);
     let flights = film.iter().filter(|it| it.1.mode == 1 && it.1.signal("gap") > 1e-3);
@@ -112,23 +139,31 @@ fn in_flight_the_hammer_of_model_a_is_off_by_the_gap() {
 }
 
 #[test]
-fn at_rest_the_hammer_of_model_b_lies_on_the_slider() {
+fn in_flight_the_hammer_of_model_a_is_off_by_the_gap() {
+    both!(is_off_in_flight: KeyHammerRigid, model_a);
+}
+
+fn lies_on_slider<M: Playable>(known: &M) {
     for name in ["paper", "literal", "playable"] {
-        let model: KeyHammerSprings = preset(name, 39, &[]);
+        let model = tuned(known, name, 39, &[]);
         let drawing = Drawing::of(&model);
         for down in [0.0, 0.005, 0.010] {
             let moment = Moment::at_rest(&model, down);
             let slider = slider(drawing.part("slider", &moment), &moment);
             let gap = distance(&slider, &underside(&drawing, &moment));
-            let scale = (model.values().l1 / 0.1385).max(1.0);
+            let scale = (parameter(known, (name, 39), "L1") / 0.1385).max(1.0);
             assert!(gap < 1e-4 * scale, "{name}: {gap} m at {down} m");
         }
     }
 }
 
 #[test]
-fn along_a_stroke_the_hammer_of_model_b_is_off_by_the_gap() {
-    let model: KeyHammerSprings = preset("playable", 39, &[]);
+fn at_rest_the_hammer_of_model_b_lies_on_the_slider() {
+    both!(lies_on_slider: KeyHammerSprings, model_b);
+}
+
+fn is_off_by_gap<M: Playable>(known: &M) {
+    let model = tuned(known, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
     for (_, moment) in film(model) {
         let slider = slider(drawing.part("slider", &moment), &moment);
@@ -139,8 +174,12 @@ fn along_a_stroke_the_hammer_of_model_b_is_off_by_the_gap() {
 }
 
 #[test]
-fn k2_is_as_much_shorter_as_it_is_pressed() {
-    let model: KeyHammerSprings = preset("paper", 0, &[]);
+fn along_a_stroke_the_hammer_of_model_b_is_off_by_the_gap() {
+    both!(is_off_by_gap: KeyHammerSprings, model_b);
+}
+
+fn presses_k2<M: Playable>(known: &M) {
+    let model = tuned(known, "paper", 0, &[]);
     let drawing = Drawing::of(&model);
     let length = |moment: &Moment| {
         let coils = drawing.coils(moment);
@@ -148,11 +187,20 @@ fn k2_is_as_much_shorter_as_it_is_pressed() {
         (a[0] - b[0]).hypot(a[1] - b[1])
     };
     let moment = Moment::at_rest(&model, 0.0);
-    let mut slack = moment.clone();
-    slack.signals.iter_mut().filter(|it| it.0 == "q4").for_each(|it| it.1 = 0.0);
+    // The hammer where it touches a slider that k2 does not bear.
+    let [l1, l3, l4] = ["L1", "L3", "L4"].map(|name| parameter(known, ("paper", 0), name));
+    let (sin, cos) = moment.signal("theta_k").sin_cos();
+    let touching = (l1 * sin - l4).atan2(l1 * cos - l3);
+    let entries = [("theta_k", moment.signal("theta_k")), ("theta_h", touching)];
+    let slack = Moment::posed(&model, 0, 0.0, &entries);
     let pressed = length(&slack) - length(&moment);
     let q4 = moment.signal("q4");
     assert!(q4 > 0.01 && (pressed / q4 - 1.0).abs() < 0.01, "{pressed} m for {q4} m");
+}
+
+#[test]
+fn k2_is_as_much_shorter_as_it_is_pressed() {
+    both!(presses_k2: KeyHammerSprings, model_b);
 }
 
 /// A part's line by its place, where it is at a moment.
@@ -165,10 +213,9 @@ fn knuckle_to_jack(drawing: &Drawing, moment: &Moment) -> f64 {
     distance(&line(drawing, ("hammer", 2), moment), &line(drawing, ("jack", 0), moment))
 }
 
-#[test]
-fn at_rest_the_grand_s_knuckle_lies_on_the_jack_and_the_whippen_on_the_capstan() {
+fn grand_rests<M: Playable>(known: &M) {
     for (name, key) in [("default", 0), ("playable", 0), ("playable", 87)] {
-        let model: ReducedGrand = preset(name, key, &[]);
+        let model = tuned(known, name, key, &[]);
         let drawing = Drawing::of(&model);
         let moment = Moment::at_rest(&model, 0.0);
         let gap = knuckle_to_jack(&drawing, &moment);
@@ -183,8 +230,12 @@ fn at_rest_the_grand_s_knuckle_lies_on_the_jack_and_the_whippen_on_the_capstan()
 }
 
 #[test]
-fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
-    let model: ReducedGrand = preset("default", 0, &[]);
+fn at_rest_the_grand_s_knuckle_lies_on_the_jack_and_the_whippen_on_the_capstan() {
+    both!(grand_rests: ReducedGrand, model_c);
+}
+
+fn knuckle_stays<M: Playable>(known: &M) {
+    let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let mut worst: f64 = 0.0;
     for down in (0_u8..=86).map(|it| 1e-4 * f64::from(it)) {
@@ -197,8 +248,12 @@ fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
 }
 
 #[test]
-fn the_grand_s_tail_is_held_by_the_check() {
-    let model: ReducedGrand = preset("default", 0, &[]);
+fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
+    both!(knuckle_stays: ReducedGrand, model_c);
+}
+
+fn check_holds<M: Playable>(known: &M) {
+    let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let film = film(model);
     let caught: Vec<_> = film.iter().filter(|it| it.1.mode == Mode::Chk as usize).collect();
@@ -214,18 +269,25 @@ fn the_grand_s_tail_is_held_by_the_check() {
 }
 
 #[test]
-fn the_grand_s_tender_meets_the_button_from_there_to_the_trip() {
-    let model: ReducedGrand = preset("default", 0, &[]);
+fn the_grand_s_tail_is_held_by_the_check() {
+    both!(check_holds: ReducedGrand, model_c);
+}
+
+fn tender_meets<M: Playable>(known: &M) {
+    let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
-    let mut moment = Moment::at_rest(&model, 0.0);
-    moment.mode = Mode::Lo as usize;
     for y in [0.0082, 0.0085, 0.0088, 0.0091] {
-        moment.signals.iter_mut().filter(|it| it.0 == "y").for_each(|it| it.1 = y);
+        let moment = Moment::posed(&model, Mode::Lo as usize, 0.0, &[("y", y)]);
         let button = drawing.part("let-off button", &moment);
         let felt = button.placed(&moment, *button.of(Material::Felt).last().expect("a felt"));
         let gap = distance(&felt, &line(&drawing, ("jack", 0), &moment));
         assert!(gap < 1e-4, "{gap} m between tender and button at {y} m");
     }
+}
+
+#[test]
+fn the_grand_s_tender_meets_the_button_from_there_to_the_trip() {
+    both!(tender_meets: ReducedGrand, model_c);
 }
 
 /// The distance between two points of a drawing (m).
@@ -238,30 +300,34 @@ fn origin(drawing: &Drawing, name: &str, moment: &Moment) -> Point {
     drawing.part(name, moment).place(moment, [0.0, 0.0])
 }
 
-#[test]
-fn lengths_are_the_parameters() {
-    let near = |what: &str, drawn: f64, given: f64| {
-        assert!((drawn - given).abs() < 1e-12, "{what}: {drawn} m is drawn for {given} m");
-    };
+/// What is drawn is `given` long (m).
+#[track_caller]
+fn near(what: &str, drawn: f64, given: f64) {
+    assert!((drawn - given).abs() < 1e-12, "{what}: {drawn} m is drawn for {given} m");
+}
+
+fn lengths_of_levers<M: Playable>(known: &M) {
     for name in ["paper", "literal", "playable"] {
-        let model: KeyHammerSprings = preset(name, 0, &[]);
-        let (p, drawing) = (model.values(), Drawing::of(&model));
-        let moment = Moment::at_rest(&model, 0.0);
+        let model = tuned(known, name, 0, &[]);
+        let given = |length: &str| parameter(known, (name, 0), length);
+        let (drawing, moment) = (Drawing::of(&model), Moment::at_rest(&model, 0.0));
         near("P1", between(origin(&drawing, "key", &moment), [0.0, 0.0]), 0.0);
-        near("P2", between(origin(&drawing, "hammer", &moment), [p.l3, p.l4]), 0.0);
+        near("P2", between(origin(&drawing, "hammer", &moment), ["L3", "L4"].map(given)), 0.0);
         let hammer = drawing.part("hammer", &moment);
         let centre = &hammer.outlines.last().expect("a mass centre").points;
-        near("L2", 0.5 * (centre[0][0] + centre[12][0]), p.l2);
+        near("L2", 0.5 * (centre[0][0] + centre[12][0]), given("L2"));
         let rim = &drawing.part("slider", &moment).outlines[0].points;
-        near("L1", 0.5 * (rim[0][0] + rim[12][0]), p.l1);
+        near("L1", 0.5 * (rim[0][0] + rim[12][0]), given("L1"));
         let stick = &drawing.part("key", &moment).outlines[0].points;
-        near("r", -stick[0][0], p.r);
+        near("r", -stick[0][0], given("r"));
     }
-    let model: ReducedGrand = preset("default", 0, &[]);
+}
+
+fn heights_of_head<M: Playable>(known: &M) {
+    let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
-    let mut moment = Moment::at_rest(&model, 0.0);
-    let mut head = |z: f64| {
-        moment.signals.iter_mut().filter(|it| it.0 == "z").for_each(|it| it.1 = z);
+    let head = |z: f64| {
+        let moment = Moment::posed(&model, Mode::Fla as usize, 0.0, &[("z", z)]);
         below_string(&drawing, &moment)
     };
     near("zs", head(0.045), 0.0);
@@ -270,15 +336,19 @@ fn lengths_are_the_parameters() {
 }
 
 #[test]
-fn the_grand_s_blow_is_drawn_in_full() {
+fn lengths_are_the_parameters() {
+    both!(lengths_of_levers: KeyHammerSprings, model_b);
+    both!(heights_of_head: ReducedGrand, model_c);
+}
+
+fn blow_is_full<M: Playable>(known: &M) {
     // The point of the head that strikes goes on a circle: it is the shank's end that rises.
-    let model: ReducedGrand = preset("default", 0, &[]);
+    let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let moment = Moment::at_rest(&model, 0.0);
     let hammer = drawing.part("hammer", &moment);
     let at = |z: f64| {
-        let mut moment = moment.clone();
-        moment.signals.iter_mut().filter(|it| it.0 == "z").for_each(|it| it.1 = z);
+        let moment = Moment::posed(&model, Mode::Fla as usize, 0.0, &[("z", z)]);
         hammer.place(&moment, [0.13, 0.0])[1]
     };
     let (low, middle, high) = (at(0.0), at(0.0225), at(0.045));
@@ -287,8 +357,12 @@ fn the_grand_s_blow_is_drawn_in_full() {
 }
 
 #[test]
-fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
-    let ball: BouncingBall = preset("key", 0, &[]);
+fn the_grand_s_blow_is_drawn_in_full() {
+    both!(blow_is_full: ReducedGrand, model_c);
+}
+
+fn ball_lies<M: Playable>(known: &M) {
+    let ball = tuned(known, "key", 0, &[]);
     let drawing = Drawing::of(&ball);
     for down in [0.0, 0.005, 0.01] {
         let moment = Moment::at_rest(&ball, down);
@@ -297,7 +371,10 @@ fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
         assert!((lowest - floor).abs() < 1e-12, "{lowest} m on {floor} m");
         assert!((floor - 5.0 * down).abs() < 1e-12, "{floor} m for {down} m");
     }
-    let cart: CartPendulum = preset("key", 0, &[]);
+}
+
+fn cart_is_stopped<M: Playable>(known: &M) {
+    let cart = tuned(known, "key", 0, &[]);
     let drawing = Drawing::of(&cart);
     let moment = Moment::at_rest(&cart, 0.01);
     assert_eq!(moment.mode, 2, "at the right wall");
@@ -309,8 +386,13 @@ fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
 }
 
 #[test]
-fn the_wall_stands_where_it_is_until_the_key_takes_it_along() {
-    let model: SpringWall = preset("default", 0, &[]);
+fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
+    both!(ball_lies: BouncingBall, ball);
+    both!(cart_is_stopped: CartPendulum, cart);
+}
+
+fn pad_waits<M: Playable>(known: &M) {
+    let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     for (down, top) in [(0.0, -0.005), (0.004, -0.005), (0.005, -0.005), (0.008, -0.008)] {
         let moment = Moment::at_rest(&model, down);
@@ -319,4 +401,9 @@ fn the_wall_stands_where_it_is_until_the_key_takes_it_along() {
         let key = extreme(&drawing.part("key", &moment).points(&moment), -1.0);
         assert!((key + down).abs() < 1e-12, "the key is at {key} m");
     }
+}
+
+#[test]
+fn the_wall_stands_where_it_is_until_the_key_takes_it_along() {
+    both!(pad_waits: SpringWall, wall);
 }
