@@ -331,15 +331,33 @@ pub struct StringDamper {
 pub struct Drawing {
     /// Left, bottom, right, top (m); over the parameters.
     pub view: Option<[Node; 4]>,
-    pub outlines: Vec<Outline>,
+    /// What is drawn moves with these.
+    pub frames: Vec<DrawnFrame>,
+    /// From the back to the front.
+    pub bodies: Vec<DrawnBody>,
     pub springs: Vec<DrawnSpring>,
 }
 
-/// A line on a frame.
+/// A frame that is drawn, which can be another one in each mode.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct DrawnFrame {
+    pub name: String,
+    /// The mechanism's frame in each mode.
+    pub frames: Vec<usize>,
+}
+
+/// What moves as one, with its lines.
+#[derive(Clone, PartialEq, Debug)]
+pub struct DrawnBody {
+    pub name: String,
+    /// Number of its drawn frame; none stands on the ground.
+    pub frame: Option<usize>,
+    pub outlines: Vec<Outline>,
+}
+
+/// A line of a body.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Outline {
-    pub name: String,
-    pub frame: usize,
     pub material: Material,
     pub is_closed: bool,
     /// Points in the frame's axes (m), over the parameters.
@@ -348,7 +366,7 @@ pub struct Outline {
     pub modes: Vec<usize>,
 }
 
-/// A spring between points of two frames.
+/// A spring between points of two bodies, by the bodies' numbers.
 #[derive(Clone, PartialEq, Debug)]
 pub struct DrawnSpring {
     pub name: String,

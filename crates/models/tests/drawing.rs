@@ -83,8 +83,9 @@ fn names_are_known<M: Playable>(label: &str, model: M) {
     let modes = drawing.parts.iter().map(|it| &it.modes);
     let mut modes = modes.chain(drawing.springs.iter().map(|it| &it.modes)).flatten();
     assert!(modes.all(|mode| usize::from(*mode) < listed.len()), "{label}: modes");
-    let mut moves = drawing.parts.iter().flat_map(|it| it.pose).filter_map(|it| it.signal);
-    assert!(moves.any(|name| name == "position"), "{label}: no finger");
+    let [up, down] = [0.0, 0.005].map(|down| pressed(&model, down));
+    let mut parts = drawing.parts.iter().filter(|it| it.is_shown(&up));
+    assert!(parts.any(|it| it.points(&up) != it.points(&down)), "{label}: no finger");
 }
 
 #[test]
@@ -181,17 +182,12 @@ fn front_follows<M: Playable>(label: &str, model: M) {
     }
 }
 
-/// With the key's own signals at `down` (m) and all others at rest, so that no spring counts.
+/// With the key at `down` (m) and all else at rest, so that no spring counts.
 fn pressed<M: Playable>(model: &M, down: f64) -> Moment {
-    let mut moment = Moment::at_rest(model, 0.0);
-    for (name, value) in &mut moment.signals {
-        match *name {
-            "position" | "y" => *value = down,
-            "theta_k" => *value = down * model.input_per_metre(),
-            _ => {}
-        }
-    }
-    moment
+    let keys = [("y", down), ("theta_k", down * model.input_per_metre())];
+    let is_one = |it: &(&str, f64)| model.entry().states.contains(&it.0);
+    let keys: Vec<_> = keys.into_iter().filter(is_one).collect();
+    Moment::posed(model, 0, down, &keys)
 }
 
 /// Height of the upper corner of a key's front.

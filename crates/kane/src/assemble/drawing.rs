@@ -5,7 +5,6 @@ use equations::table::{BodyTable, DrawingTable, OutlineTable, SpringTable};
 use super::functions::FunctionList;
 use super::{AssemblyError, leak};
 use crate::graph::{Graph, Node};
-use crate::mechanics::drawn_frames;
 use crate::mechanism::{self, Mechanism};
 
 /// The drawing of a mechanism; the poses are the outputs from `first_pose` on.
@@ -18,22 +17,19 @@ pub(super) fn table(
     let drawing = &mechanism.drawing;
     let zero = graph.constant(0.0);
     let mut numbers: Vec<Node> = drawing.view.map_or(vec![zero; 4], |view| view.to_vec());
-    let frames = drawn_frames(mechanism);
     let mut bodies = Vec::new();
-    for frame in &frames {
-        let moving = frames.iter().filter(|it| **it != 0 && *it < frame).count();
-        let outlines = drawing.outlines.iter().filter(|outline| outline.frame == *frame);
-        let outlines = outlines.map(|outline| self::outline(&mut numbers, outline)).collect();
+    for body in &drawing.bodies {
+        let outlines = body.outlines.iter().map(|it| outline(&mut numbers, it)).collect();
         bodies.push(BodyTable {
-            name: leak::text(&mechanism.frames[*frame].name),
-            output: (*frame != 0).then_some(first_pose + 3 * moving),
+            name: leak::text(&body.name),
+            output: body.frame.map(|frame| first_pose + 3 * frame),
             outlines: leak::list(outlines),
         });
     }
     let springs = drawing.springs.iter().map(|spring| {
-        let mut end = |(frame, point): (usize, [Node; 2])| {
+        let mut end = |(body, point): (usize, [Node; 2])| {
             numbers.extend(point);
-            (frames.iter().position(|it| *it == frame).unwrap_or(0), numbers.len() - 2)
+            (body, numbers.len() - 2)
         };
         SpringTable {
             name: leak::text(&spring.name),

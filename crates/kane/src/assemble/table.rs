@@ -12,7 +12,6 @@ use super::guard_numbers::GuardNumbers;
 use super::modes::mode;
 use super::{AssemblyError, Program, contacts, drawing, leak};
 use crate::graph::{Graph, Place};
-use crate::mechanics::drawn_frames;
 use crate::mechanism::Mechanism;
 use crate::system::EquationSystem;
 
@@ -43,8 +42,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
     }
     let (contact_tables, contact_specs) = contacts::specs(&mechanism);
     let outputs = named(mechanism.outputs.iter().map(|it| (&it.name, &it.unit)));
-    let poses = drawn_frames(&mechanism).iter().filter(|frame| **frame != 0).count();
-    let first_pose = outputs.len().saturating_sub(3 * poses);
+    let first_pose = outputs.len().saturating_sub(3 * mechanism.drawing.frames.len());
     let drawing = drawing::table(graph, &mut functions, &mechanism, first_pose)?;
     let values = Values::of(graph, &mut functions, &mechanism, &state)?;
     let (derive_constants, constants) = constants(graph, &mut functions, parameters)?;

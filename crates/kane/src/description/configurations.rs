@@ -189,10 +189,21 @@ impl<'a> Configurations<'a> {
             "outputs" => each(&mut entry.node, &mut |output| {
                 key_of(output, "in", &mut |modes| self.name_entries(modes));
             }),
-            "drawing" => each(&mut entry.node, &mut |lines| {
-                each(lines, &mut |line| key_of(line, "modes", &mut |it| self.name_items(it)));
+            "drawing" => each(&mut entry.node, &mut |table| {
+                each(table, &mut |item| {
+                    key_of(item, "in", &mut |modes| self.name_entries(modes));
+                    self.name_shown(item);
+                });
             }),
             _ => {}
+        }
+    }
+
+    /// The modes of an outline or spring, or of those in a list.
+    fn name_shown(&self, item: &mut TomlNode) {
+        key_of(item, "modes", &mut |modes| self.name_items(modes));
+        if let TomlKind::List(items) = &mut item.kind {
+            items.iter_mut().for_each(|it| self.name_shown(it));
         }
     }
 

@@ -1,28 +1,14 @@
-//! How a mechanism looks from the side.
+//! How a mechanism looks from the side: what is drawn on which frame, and springs.
 
-use diagnostics::{choice, quoted};
+use diagnostics::quoted;
 
-use super::key_reader::{KeyReader, list};
+use super::key_reader::{KeyReader, list, text};
 use super::reader::{CONSTANT, MechanismReader};
-use super::toml_tree::{TomlEntry, TomlNode};
+use super::source::SourcePlace;
+use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::graph::Node;
-use crate::mechanism::{DrawnSpring, Material, Outline};
+use crate::mechanism::{DrawnBody, DrawnFrame, DrawnSpring};
 use crate::text::Dimension;
-
-/// Most points of all outlines.
-const MOST_POINTS: usize = 2_000;
-
-/// Corners of a disc.
-const CORNERS: u8 = 24;
-
-const MATERIALS: [(&str, Material); 6] = [
-    ("wood", Material::Wood),
-    ("felt", Material::Felt),
-    ("metal", Material::Metal),
-    ("string", Material::String),
-    ("ground", Material::Ground),
-    ("finger", Material::Finger),
-];
 
 impl MechanismReader {
     pub(super) fn drawing(&mut self, root: &mut KeyReader<'_>) {
@@ -31,8 +17,11 @@ impl MechanismReader {
         if let Some(entry) = keys.take("view") {
             self.mechanism.drawing.view = self.view(entry);
         }
-        for node in keys.list(&mut self.report, "outlines") {
-            self.outline(node);
+        for entry in keys.table(&mut self.report, "frames") {
+            self.frame_by_mode(entry);
+        }
+        if let Some(outlines) = keys.take("outlines") {
+            self.outlines(outlines);
         }
         for node in keys.list(&mut self.report, "springs") {
             self.drawn_spring(node);
@@ -41,7 +30,7 @@ impl MechanismReader {
     }
 
     fn view(&mut self, entry: &TomlEntry) -> Option<[Node; 4]> {
-        let lengths = self.drawn_lengths("view", &entry.node)?;
+        let lengths = self.drawn_numbers("view", &entry.node, Dimension::LENGTH)?;
         let four = <[Node; 4]>::try_from(lengths).ok();
         if four.is_none() {
             let help = "give left, bottom, right and top";
@@ -50,97 +39,94 @@ impl MechanismReader {
         four
     }
 
-    fn drawn_lengths(&mut self, name: &str, node: &TomlNode) -> Option<Vec<Node>> {
+    pub(super) fn drawn_numbers(
+        &mut self,
+        name: &str,
+        node: &TomlNode,
+        dimension: Dimension,
+    ) -> Option<Vec<Node>> {
         let mut all = Vec::new();
         for item in list(&mut self.report, name, node) {
             let file = self.written(name, item)?;
-            all.push(self.node(name, &file, CONSTANT, Dimension::LENGTH)?);
+            all.push(self.node(name, &file, CONSTANT, dimension)?);
         }
         Some(all)
     }
 
-    fn outline(&mut self, node: &TomlNode) {
-        let Some(mut keys) = KeyReader::of(&mut self.report, "outlines", node) else { return };
-        let frame = keys.text(&mut self.report, "frame").map_or(Some(0), |(name, place)| {
-            let found = self.names.frames.index(name);
-            if found.is_none() {
-                let help = self.names.frames.choice(name);
-                self.report.say(place, format!("there is no frame {}", quoted(name)), help);
-            }
-            found
-        });
-        let name = keys.text(&mut self.report, "name").map(|(name, _)| name.to_owned());
-        let material = self.material(&mut keys);
-        let is_closed = keys.is_set(&mut self.report, "closed");
-        let points = keys.take("points").and_then(|it| self.outline_points(it));
-        let disc = keys.take("disc").and_then(|it| self.disc(it));
-        let modes = self.drawn_modes(&mut keys);
-        let is_empty = keys.take("points").is_none() && keys.take("disc").is_none();
-        if is_empty {
-            let help =
-                "write points = [[\"0 m\", \"0 m\"], …] or disc = [\"x\", \"y\", \"radius\"]";
-            self.report.miss(node.place, "the outline has no points", help);
+    /// A frame of the drawing that is another one in some modes.
+    fn frame_by_mode(&mut self, entry: &TomlEntry) {
+        let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return };
+        let usual = keys.text(&mut self.report, "frame").map_or(Some(0), |it| self.frame(it));
+        let mut others = Vec::new();
+        for entry in keys.table(&mut self.report, "in") {
+            let mode = self.mode_number(&entry.name, entry.place);
+            let frame = text(&mut self.report, &entry.name, &entry.node);
+            others.push(mode.zip(frame.and_then(|it| self.frame(it))));
         }
         keys.finish(&mut self.report);
-        let is_closed = is_closed || disc.is_some();
-        let (Some(frame), Some(points)) = (frame, points.or(disc)) else { return };
-        let drawn: usize = self.mechanism.drawing.outlines.iter().map(|it| it.points.len()).sum();
-        if drawn + points.len() > MOST_POINTS {
-            let help = format!("there are {MOST_POINTS} at most");
-            self.report.say(node.place, "too many points are drawn", help);
+        let others: Option<Vec<_>> = others.into_iter().collect();
+        let (Some(usual), Some(others)) = (usual, others) else { return };
+        let is_known = self.names.frames.index(&entry.name).is_some();
+        if is_known || self.drawn_frames.iter().any(|it| it.name == entry.name) {
+            let message = format!("{} is a frame already", quoted(&entry.name));
+            self.report.say(entry.place, message, "give one of the two another name");
             return;
         }
-        let named = self.mechanism.frames.get(frame).map(|it| it.name.clone());
-        let name = name.or(named).unwrap_or_default();
-        let outline = Outline { name, frame, material, is_closed, points, modes };
-        self.mechanism.drawing.outlines.push(outline);
+        let other = |mode| others.iter().find(|(at, _)| *at == mode).map(|(_, frame)| *frame);
+        let frames = (0..self.modes.len()).map(|mode| other(mode).unwrap_or(usual)).collect();
+        self.drawn_frames.push(DrawnFrame { name: entry.name.clone(), frames });
     }
 
-    fn material(&mut self, keys: &mut KeyReader<'_>) -> Material {
-        let Some((name, place)) = keys.text(&mut self.report, "material") else {
-            return Material::Wood;
-        };
-        let found = MATERIALS.iter().find(|(known, _)| *known == name);
-        found.map_or_else(
-            || {
-                let help = choice(name, MATERIALS.iter().map(|(known, _)| *known));
-                self.report.say(place, format!("there is no material {}", quoted(name)), help);
-                Material::Wood
-            },
-            |(_, material)| *material,
-        )
-    }
-
-    fn outline_points(&mut self, entry: &TomlEntry) -> Option<Vec<[Node; 2]>> {
-        let mut points = Vec::new();
-        for item in list(&mut self.report, "points", &entry.node) {
-            let pair = self.drawn_lengths("points", item)?;
-            let Ok(pair) = <[Node; 2]>::try_from(pair) else {
-                self.report.say(item.place, "this is no point", "give x and y");
-                return None;
-            };
-            points.push(pair);
+    /// The number of a frame of the mechanism.
+    fn frame(&mut self, (name, place): (&str, SourcePlace)) -> Option<usize> {
+        let found = self.names.frames.index(name);
+        if found.is_none() {
+            let help = self.names.frames.choice(name);
+            self.report.say(place, format!("there is no frame {}", quoted(name)), help);
         }
-        Some(points)
+        found
     }
 
-    /// A polygon that looks round.
-    fn disc(&mut self, entry: &TomlEntry) -> Option<Vec<[Node; 2]>> {
-        let numbers = self.drawn_lengths("disc", &entry.node)?;
-        let [x, y, radius] = numbers.as_slice() else {
-            self.report.say(entry.place, "the disc has not three numbers", "give x, y and radius");
-            return None;
+    /// The frame that `keys` name; without one that of the name of `body`, or the ground.
+    pub(super) fn drawn_frame(
+        &mut self,
+        keys: &mut KeyReader<'_>,
+        body: Option<&str>,
+    ) -> Option<DrawnFrame> {
+        let has = |name: &&str| {
+            self.names.frames.index(name).is_some()
+                || self.drawn_frames.iter().any(|it| it.name == *name)
         };
-        let corners = (0..CORNERS).map(|corner| {
-            let angle = std::f64::consts::TAU * f64::from(corner) / f64::from(CORNERS);
-            let (sine, cosine) = angle.sin_cos();
-            let graph = &mut self.graph;
-            [graph.sum(&[(*x, 1.0), (*radius, cosine)]), graph.sum(&[(*y, 1.0), (*radius, sine)])]
-        });
-        Some(corners.collect())
+        let usual = body.filter(has).unwrap_or("ground");
+        let named = keys.text(&mut self.report, "frame").unwrap_or((usual, keys.place));
+        if let Some(known) = self.drawn_frames.iter().find(|it| it.name == named.0) {
+            return Some(known.clone());
+        }
+        let frame = self.frame(named)?;
+        let frames = vec![frame; self.modes.len()];
+        Some(DrawnFrame { name: named.0.to_owned(), frames })
     }
 
-    fn drawn_modes(&mut self, keys: &mut KeyReader<'_>) -> Vec<usize> {
+    /// The number of the body called `name` on a frame; of any without a name.
+    pub(super) fn drawn_body(&mut self, frame: DrawnFrame, name: Option<&str>) -> usize {
+        let drawing = &mut self.mechanism.drawing;
+        let named = name.unwrap_or(&frame.name).to_owned();
+        let is_still = frame.frames.iter().all(|it| *it == 0);
+        let known = drawing.frames.iter().position(|it| it.frames == frame.frames);
+        let number = (!is_still).then(|| {
+            known.unwrap_or_else(|| {
+                drawing.frames.push(frame);
+                drawing.frames.len() - 1
+            })
+        });
+        let is_one = |it: &DrawnBody| it.frame == number && (name.is_none() || it.name == named);
+        drawing.bodies.iter().position(is_one).unwrap_or_else(|| {
+            drawing.bodies.push(DrawnBody { name: named, frame: number, outlines: Vec::new() });
+            drawing.bodies.len() - 1
+        })
+    }
+
+    pub(super) fn drawn_modes(&mut self, keys: &mut KeyReader<'_>) -> Vec<usize> {
         let names = self.name_list(keys, "modes").unwrap_or_default();
         names.iter().filter_map(|(name, place)| self.mode_number(name, *place)).collect()
     }
@@ -162,17 +148,32 @@ impl MechanismReader {
         keys: &mut KeyReader<'_>,
         end: &'static str,
     ) -> Option<(usize, [Node; 2])> {
-        let Some((name, place)) = keys.text(&mut self.report, end) else {
+        let Some(entry) = keys.take(end) else {
             let message = format!("the spring has no {}", quoted(end));
             self.report.miss(keys.place, message, format!("write {end} = \"P\", a point"));
             return None;
         };
+        if matches!(entry.node.kind, TomlKind::Table(_)) {
+            return self.end_on_frame(entry);
+        }
+        let (name, place) = keys.text(&mut self.report, end)?;
         let Some(index) = self.names.points.index(name) else {
             let help = self.names.points.choice(name);
             self.report.say(place, format!("there is no point {}", quoted(name)), help);
             return None;
         };
         let (frame, [x, y, _]) = (*self.point_places.get(index)?)?;
-        Some((frame, [x, y]))
+        let name = self.mechanism.frames.get(frame).map(|it| it.name.clone()).unwrap_or_default();
+        let frame = DrawnFrame { name, frames: vec![frame; self.modes.len()] };
+        Some((self.drawn_body(frame, None), [x, y]))
+    }
+
+    /// A place on a frame, where a point would be for the drawing alone.
+    fn end_on_frame(&mut self, entry: &TomlEntry) -> Option<(usize, [Node; 2])> {
+        let mut keys = KeyReader::new(&mut self.report, entry)?;
+        let frame = self.drawn_frame(&mut keys, None);
+        let at = self.drawn_place(&mut keys, "at");
+        keys.finish(&mut self.report);
+        Some((self.drawn_body(frame?, None), at?))
     }
 }

@@ -7,8 +7,8 @@ use super::items::{DescribedItem, FileExpression, ItemLink, LinkKind};
 use super::key_reader::{KeyReader, list};
 use super::reader::{CONSTANT, MechanismReader, POSE};
 use super::toml_tree::{TomlEntry, TomlKind};
-use super::world_frame::WorldFrame;
-use crate::graph::Node;
+use super::world_frame::{WorldFrame, WorldPoint};
+use crate::graph::{Node, Place};
 use crate::mechanism::{ReferenceFrame, RigidBody};
 use crate::text::Dimension;
 
@@ -75,7 +75,10 @@ impl MechanismReader {
         let at = self.filled(at);
         let world = frame.point(&mut self.graph, at);
         self.weigh(item.place);
-        self.names.points.set(index, world);
+        let is_moving = |place| matches!(place, Place::Coordinate(_) | Place::Input(_));
+        let moves = world.iter().any(|node| self.graph.depends(*node, is_moving));
+        let reach = if moves { POSE } else { CONSTANT };
+        self.names.points.set(index, WorldPoint { at: world, reach });
         if let Some(place) = self.point_places.get_mut(index) {
             *place = Some((frame.index, at));
         }

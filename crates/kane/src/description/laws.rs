@@ -53,7 +53,7 @@ impl MechanismReader {
             Some(file) => self.node("length", file, CONSTANT, Dimension::LENGTH)?,
             None => self.graph.constant(0.0),
         };
-        let apart = distance(&mut self.graph, from, to);
+        let apart = distance(&mut self.graph, from.at, to.at);
         let node = self.graph.subtract(apart, length);
         let stretch = Measured { node, dimension: Dimension::LENGTH, reach: POSE };
         let rate = self.names.total_rate(&mut self.graph, stretch).ok()?;

@@ -24,6 +24,7 @@ mod modes;
 mod names;
 mod names_in_use;
 mod order;
+mod outlines;
 mod outputs;
 mod parameters;
 mod presets;

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use diagnostics::{choice, quoted};
 
 use super::source::SourcePlace;
+use super::world_frame::WorldPoint;
 use crate::graph::{Graph, Node, Place, Tangent};
 use crate::text::{Dependence, Dimension, Measured, NameError};
 
@@ -87,7 +88,7 @@ pub(super) struct NameTable {
     pub(super) speeds: Vec<Dimension>,
     pub(super) input: Dimension,
     pub(super) definitions: Vec<Option<Measured>>,
-    pub(super) points: NameCatalogue<[Node; 3]>,
+    pub(super) points: NameCatalogue<WorldPoint>,
     pub(super) frames: NameCatalogue<super::world_frame::WorldFrame>,
     pub(super) laws: NameCatalogue<(LawPlace, Dimension)>,
     pub(super) constraints: NameCatalogue<Dimension>,
@@ -194,15 +195,16 @@ impl NameTable {
         match (function, names) {
             ("distance", [from, to]) => {
                 let (from, to) = (self.point(from, 0)?, self.point(to, 1)?);
-                Ok(placed(distance(graph, from, to)))
+                Ok(length(distance(graph, from.at, to.at), from.reach.and(to.reach)))
             }
             ("x" | "y" | "z", [point]) => {
-                let [x, y, z] = self.point(point, 0)?;
-                Ok(placed(match function {
+                let WorldPoint { at: [x, y, z], reach } = self.point(point, 0)?;
+                let at = match function {
                     "x" => x,
                     "y" => y,
                     _ => z,
-                }))
+                };
+                Ok(length(at, reach))
             }
             ("force", [name]) => self.force(graph, name),
             ("reaction", [name]) => {
@@ -231,7 +233,7 @@ impl NameTable {
         Ok(Measured { node: graph.symbol(place), dimension, reach })
     }
 
-    fn point(&self, name: &str, at: usize) -> Result<[Node; 3], (usize, Option<NameError>)> {
+    fn point(&self, name: &str, at: usize) -> Result<WorldPoint, (usize, Option<NameError>)> {
         let Some(index) = self.points.index(name) else {
             return Err((at, Some(missing("point", name, self.points.choice(name)))));
         };
@@ -239,9 +241,7 @@ impl NameTable {
     }
 }
 
-/// A length that depends on where things are.
-fn placed(node: Node) -> Measured {
-    let reach = Dependence::COORDINATES.and(Dependence::PARAMETERS).and(Dependence::INPUT);
+const fn length(node: Node, reach: Dependence) -> Measured {
     Measured { node, dimension: Dimension::LENGTH, reach }
 }
 

@@ -16,7 +16,7 @@ use super::source::{DescriptionSource, SourcePlace};
 use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use super::{Description, MOST_COORDINATES, MOST_OF_A_KIND};
 use crate::graph::{Graph, Node, Substitution};
-use crate::mechanism::{Constraint, Force, Mechanism, MechanismContact};
+use crate::mechanism::{Constraint, DrawnFrame, Force, Mechanism, MechanismContact};
 use crate::text::{Dependence, Measured};
 
 /// Most operands that all expressions of a description may have.
@@ -71,6 +71,8 @@ pub(super) struct MechanismReader {
     pub(super) requirement_places: Vec<SourcePlace>,
     /// Frame and place in it of each point.
     pub(super) point_places: Vec<Option<(usize, [Node; 3])>>,
+    /// Frames of the drawing that are others in some modes.
+    pub(super) drawn_frames: Vec<DrawnFrame>,
     pub(super) contact_scales: Vec<(usize, f64)>,
     pub(super) frictions: Vec<FrictionText>,
     /// What was built, with its number in the order of the file.

@@ -1,6 +1,7 @@
 //! Frames in the ground's axes.
 
 use crate::graph::{Graph, Node, UnaryFunction};
+use crate::text::Dependence;
 
 /// A frame in the ground's axes.
 #[derive(Clone, Copy, Debug)]
@@ -8,6 +9,14 @@ pub(super) struct WorldFrame {
     pub(super) index: usize,
     origin: [Node; 3],
     turn: WorldTurn,
+}
+
+/// A point in the ground's axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WorldPoint {
+    pub(super) at: [Node; 3],
+    /// The parameters alone where it does not move.
+    pub(super) reach: Dependence,
 }
 
 #[derive(Clone, Copy, Debug)]

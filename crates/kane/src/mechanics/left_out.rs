@@ -40,7 +40,11 @@ pub(super) fn leave_out(mechanism: &mut Mechanism, gone: &[usize]) {
         keep(&mut output.values, gone);
     }
     let drawing = &mut mechanism.drawing;
-    let shown = drawing.outlines.iter_mut().map(|it| &mut it.modes);
+    for frame in &mut drawing.frames {
+        keep(&mut frame.frames, gone);
+    }
+    let outlines = drawing.bodies.iter_mut().flat_map(|body| &mut body.outlines);
+    let shown = outlines.map(|it| &mut it.modes);
     for modes in shown.chain(drawing.springs.iter_mut().map(|it| &mut it.modes)) {
         *modes = modes.iter().filter_map(|mode| now(*mode)).collect();
     }

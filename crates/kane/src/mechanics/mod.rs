@@ -27,7 +27,6 @@ mod speeds;
 mod vector;
 
 pub use error::{DerivationError, DerivationObstacle};
-pub use poses::drawn_frames;
 
 use crate::graph::{Graph, Place};
 use crate::mechanism::Mechanism;

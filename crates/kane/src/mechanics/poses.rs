@@ -3,29 +3,18 @@
 use crate::graph::{Graph, Node, UnaryFunction};
 use crate::mechanism::{Mechanism, MechanismOutput};
 
-/// Returns the frames that are drawn, the ground included where it is, by their numbers in order.
-pub fn drawn_frames(mechanism: &Mechanism) -> Vec<usize> {
-    let drawing = &mechanism.drawing;
-    let lines = drawing.outlines.iter().map(|outline| outline.frame);
-    let ends = drawing.springs.iter().flat_map(|spring| [spring.from.0, spring.to.0]);
-    let mut frames: Vec<_> = lines.chain(ends).collect();
-    frames.sort_unstable();
-    frames.dedup();
-    frames.retain(|frame| *frame < mechanism.frames.len());
-    frames
-}
-
 /// Adds the poses of the drawn frames to the outputs: x, y (m) and angle (rad) of each.
 pub(super) fn add(graph: &mut Graph, mechanism: &mut Mechanism) {
-    for frame in drawn_frames(mechanism).into_iter().filter(|frame| *frame != 0) {
-        let name = mechanism.frames[frame].name.clone();
-        let pose = pose(graph, mechanism, frame);
-        for (node, (what, unit)) in pose.into_iter().zip([("x", "m"), ("y", "m"), ("angle", "rad")])
-        {
+    for drawn in mechanism.drawing.frames.clone() {
+        let mut poses = Vec::new();
+        for frame in &drawn.frames {
+            poses.push(pose(graph, mechanism, *frame));
+        }
+        for (which, (what, unit)) in [("x", "m"), ("y", "m"), ("angle", "rad")].iter().enumerate() {
             mechanism.outputs.push(MechanismOutput {
-                name: format!("{name}.{what}"),
-                unit: unit.to_owned(),
-                values: vec![node; mechanism.modes.len()],
+                name: format!("{}.{what}", drawn.name),
+                unit: (*unit).to_owned(),
+                values: poses.iter().map(|pose| pose[which]).collect(),
             });
         }
     }

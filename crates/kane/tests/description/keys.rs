@@ -100,6 +100,8 @@ softest_tone = "1 m/s"
 
 [drawing]
 @drawing = 1
+[drawing.frames]
+other = { frame = "ground", @drawing.frames = 1 }
 [[drawing.outlines]]
 @drawing.outlines = 1
 [[drawing.springs]]

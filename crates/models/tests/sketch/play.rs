@@ -36,6 +36,20 @@ impl Moment {
         Self::of(model, model.at_rest(&input), &input)
     }
 
+    /// With the key's front `down` (m) as at rest, but in a mode and with entries of the state that
+    /// are given.
+    #[track_caller]
+    pub fn posed<M: Playable>(model: &M, mode: usize, down: f64, entries: &[(&str, f64)]) -> Self {
+        let input = still(down * model.input_per_metre());
+        let (_, mut state) = model.at_rest(&input);
+        for (name, value) in entries {
+            let index = model.entry().states.iter().position(|it| it == name);
+            state.as_mut()[index.expect("an entry of the state")] = *value;
+        }
+        let mode = model.modes().nth(mode).expect("a listed mode").0;
+        Self::of(model, (mode, state), &input)
+    }
+
     #[track_caller]
     pub fn signal(&self, name: &str) -> f64 {
         self.signals.iter().find(|it| it.0 == name).expect("a signal").1

@@ -185,6 +185,15 @@ pub fn tuned<M: Described>(model: &M, preset: &str, key: u8, changes: &[(&str, f
     model.with_values(&values)
 }
 
+/// The value of a parameter in preset `preset` of `key`.
+#[track_caller]
+pub fn parameter<M: Described>(model: &M, (preset, key): (&str, u8), name: &str) -> f64 {
+    let entry = model.entry();
+    let found = entry.presets.iter().find(|it| it.name == preset).expect("a preset");
+    let index = entry.parameters.iter().position(|it| it.name == name).expect("a parameter");
+    (found.value)(index, key)
+}
+
 /// One value per parameter of `preset` for `key`.
 pub fn values(preset: &Preset, parameters: usize, key: u8) -> Vec<f64> {
     (0..parameters).map(|index| (preset.value)(index, key)).collect()
