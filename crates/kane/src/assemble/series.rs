@@ -9,14 +9,14 @@ use super::functions::FunctionList;
 use crate::graph::{Graph, Node};
 use crate::taylor::Recursion;
 
-/// The series of a mode; none of one that has contacts, whose forces are no part of its equations,
-/// and none of one that is too large for a step's arrays.
+/// The series of a mode; none where nothing moves by equations, or contacts act, whose forces are no
+/// part of the equations, and none of a mode that is too large for a step's arrays.
 pub(super) fn series(
     graph: &mut Graph,
     functions: &mut FunctionList,
     builder: &ModeBuilder<'_>,
 ) -> Result<Option<SeriesTable>, AssemblyError> {
-    if !builder.equations.contacts.is_empty() {
+    if builder.state.free().next().is_none() || !builder.equations.contacts.is_empty() {
         return Ok(None);
     }
     let state = &builder.state;

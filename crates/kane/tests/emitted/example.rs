@@ -475,9 +475,8 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let state = given.state.first_chunk::<1>()?;
     let extra = given.extra.first_chunk::<1>()?;
     let theta_k = state[0];
-    let extra_0 = extra[0];
     let out = out.first_chunk_mut::<6>()?;
-    out[0] = 0.333_333_333_333_333_3 * extra_0;
+    out[0] = 0.333_333_333_333_333_3 * extra[0];
     out[1] = 123_456_789.0;
     out[2] = 0.333_333_333_333_333_3;
     out[3] = core::f64::consts::PI;

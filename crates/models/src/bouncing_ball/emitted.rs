@@ -14,7 +14,7 @@ use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
     Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
-    PresetTable, RestTable, RestingTable, WayTable,
+    PresetTable, RestTable, RestingTable, SeriesTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -60,20 +60,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
     ],
     presets: &[
-        PresetTable { name: "default", doc: "1 kg dropped from 1 m, restitution 0.8", values: 26 },
+        PresetTable { name: "default", doc: "1 kg dropped from 1 m, restitution 0.8", values: 28 },
         PresetTable {
             name: "key",
             doc: "10 g lying on a paddle that rises 5 times the key's travel",
-            values: 27,
+            values: 29,
         },
     ],
     requirements: &[],
     states: &[NamedQuantity { name: "y", unit: "m" }, NamedQuantity { name: "v", unit: "m/s" }],
     coordinates: 1,
     constants: 9,
-    derive_constants: 31,
+    derive_constants: 33,
     input: NamedQuantity { name: "s", unit: "m" },
-    input_per_metre: 28,
+    input_per_metre: 30,
     modes: &[
         ModeTable {
             name: "flight",
@@ -95,7 +95,15 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 4,
             balance: 5,
             jacobian: 1,
-            series: None,
+            series: Some(SeriesTable {
+                start: 15,
+                step: 16,
+                entries: 0x3,
+                guards: 1,
+                conditions: 0,
+                lanes: 0,
+                carried: 0,
+            }),
             kind: EquationKind::Affine,
             loss: None,
             is_stiffening: false,
@@ -134,18 +142,18 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "rest",
-            derivative: 15,
+            derivative: 17,
             parts: &[],
             part_list: &[],
-            slaved: Some(16),
+            slaved: Some(18),
             projection: None,
             projected: 0,
-            longest_projection: Some(24),
-            readout: 18,
+            longest_projection: Some(26),
+            readout: 20,
             slopes: 3,
-            outputs: 19,
-            balance: 20,
-            jacobian: 17,
+            outputs: 21,
+            balance: 22,
+            jacobian: 19,
             series: None,
             kind: EquationKind::Affine,
             loss: None,
@@ -158,9 +166,9 @@ pub static TABLE: ModelTable = ModelTable {
                 scale: 10.0,
                 fires: Fires::WhileNegative,
                 reads: Reads::StateAndInput,
-                value: 22,
-                bound: Some(23),
-                ways: &[WayTable { when: None, to: 0, reset: Some(21), resting: None }],
+                value: 24,
+                bound: Some(25),
+                ways: &[WayTable { when: None, to: 0, reset: Some(23), resting: None }],
                 sounds: None,
             }],
             guard_specs: &[GuardSpec {
@@ -205,10 +213,10 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "floor.y", unit: "m" },
         NamedQuantity { name: "floor.angle", unit: "rad" },
     ],
-    rest: RestTable { mode: 1, instead: &[(29, 0)], state: 30, is_improved: false },
+    rest: RestTable { mode: 1, instead: &[(31, 0)], state: 32, is_improved: false },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
-        numbers: 25,
+        numbers: 27,
         count: 60,
         bodies: &[
             BodyTable {
@@ -258,23 +266,25 @@ impl Functions for BouncingBallFunctions {
             12 => function_12(given, out),
             13 => guard_floor_flight(given, out),
             14 => bound_floor_flight(given, out),
-            15 => derivative_rest(given, out),
-            16 => slaved_rest(given, out),
-            17 => jacobian_rest(given, out),
-            18 => readout_rest(given, out),
-            19 => outputs_rest(given, out),
-            20 => balance_rest(given, out),
-            21 => reset_0_lift_rest(given, out),
-            22 => guard_lift_rest(given, out),
-            23 => bound_lift_rest(given, out),
-            24 => function_24(given, out),
-            25 => drawing(given, out),
-            26 => preset_default(given, out),
-            27 => preset_key(given, out),
-            28 => input_per_metre(given, out),
-            29 => rest_when_0(given, out),
-            30 => rest(given, out),
-            31 => derived_constants(given, out),
+            15 => series_start_flight(given, out),
+            16 => series_step_flight(given, out),
+            17 => derivative_rest(given, out),
+            18 => slaved_rest(given, out),
+            19 => jacobian_rest(given, out),
+            20 => readout_rest(given, out),
+            21 => outputs_rest(given, out),
+            22 => balance_rest(given, out),
+            23 => reset_0_lift_rest(given, out),
+            24 => guard_lift_rest(given, out),
+            25 => bound_lift_rest(given, out),
+            26 => function_26(given, out),
+            27 => drawing(given, out),
+            28 => preset_default(given, out),
+            29 => preset_key(given, out),
+            30 => input_per_metre(given, out),
+            31 => rest_when_0(given, out),
+            32 => rest(given, out),
+            33 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -474,12 +484,39 @@ fn bound_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let input = given.input;
     let s_rate = input[1];
     let s_rate2 = input[2];
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
-    let extra_3 = extra[3];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_0 + s_rate * extra_3;
-    out[1] = extra_2 + s_rate2 * (extra_3 * extra_3);
+    out[0] = extra[0] + s_rate * extra[3];
+    out[1] = extra[2] + s_rate2 * (extra[3] * extra[3]);
+    Some(())
+}
+
+/// Where the Taylor series begins in mode flight.
+fn series_start_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<6>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let input = given.input;
+    let c5 = constants[5];
+    let y = state[0];
+    let v = state[1];
+    let s = input[0];
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v;
+    out[1] = c5;
+    out[2] = y - s;
+    Some(())
+}
+
+/// One order of the Taylor series in mode flight.
+fn series_step_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let state = given.state.first_chunk::<2>()?;
+    let input = given.input;
+    let y = state[0];
+    let v = state[1];
+    let s = input[0];
+    let out = out.first_chunk_mut::<3>()?;
+    out[0] = v;
+    out[1] = 0.0;
+    out[2] = y - s;
     Some(())
 }
 
@@ -593,15 +630,14 @@ fn bound_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<4>()?;
     let input = given.input;
     let s_rate3 = input[3];
-    let extra_3 = extra[3];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s_rate3 * extra_3;
+    out[0] = s_rate3 * extra[3];
     out[1] = f64::INFINITY;
     Some(())
 }
 
 /// Is not used by the table.
-fn function_24(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+fn function_26(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<5>()?;
     let scale = constants[4];
     let out = out.first_chunk_mut::<1>()?;

@@ -14,7 +14,7 @@ use equations::functions;
 use equations::table::{
     Arguments, DrawingTable, Freedom, FunctionId, Functions, GuardTable, ModeTable, ModelTable,
     NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable, RestTable,
-    RestingTable, WayTable,
+    RestingTable, SeriesTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -105,15 +105,15 @@ pub static TABLE: ModelTable = ModelTable {
         PresetTable {
             name: "default",
             doc: "1 kg of cart, 0.3 kg of pendulum, walls at ±5 cm",
-            values: 32,
+            values: 38,
         },
         PresetTable {
             name: "key",
             doc: "60 g in all on a rubber band, pulled 5 times the key's travel",
-            values: 33,
+            values: 39,
         },
     ],
-    requirements: &[RequirementTable { text: "right > left", margin: 34 }],
+    requirements: &[RequirementTable { text: "right > left", margin: 40 }],
     states: &[
         NamedQuantity { name: "x", unit: "m" },
         NamedQuantity { name: "theta", unit: "rad" },
@@ -122,9 +122,9 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     coordinates: 2,
     constants: 40,
-    derive_constants: 37,
+    derive_constants: 43,
     input: NamedQuantity { name: "s", unit: "m" },
-    input_per_metre: 35,
+    input_per_metre: 41,
     modes: &[
         ModeTable {
             name: "free",
@@ -146,7 +146,15 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 5,
             balance: 6,
             jacobian: 2,
-            series: None,
+            series: Some(SeriesTable {
+                start: 15,
+                step: 16,
+                entries: 0xf,
+                guards: 2,
+                conditions: 0,
+                lanes: 9,
+                carried: 11,
+            }),
             kind: EquationKind::Smooth,
             loss: Some(1),
             is_stiffening: false,
@@ -211,25 +219,33 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "left",
-            derivative: 15,
+            derivative: 17,
             parts: &[PartTable {
                 entries: 0xa,
-                derivative: 15,
+                derivative: 17,
                 kind: EquationKind::Conservative,
                 loss: None,
                 reads: Reads::State,
             }],
             part_list: &[Part::of(&[1, 3]).of_state()],
-            slaved: Some(16),
+            slaved: Some(18),
             projection: None,
             projected: 0,
-            longest_projection: Some(24),
-            readout: 18,
+            longest_projection: Some(28),
+            readout: 20,
             slopes: 4,
-            outputs: 19,
-            balance: 20,
-            jacobian: 17,
-            series: None,
+            outputs: 21,
+            balance: 22,
+            jacobian: 19,
+            series: Some(SeriesTable {
+                start: 26,
+                step: 27,
+                entries: 0xa,
+                guards: 1,
+                conditions: 0,
+                lanes: 4,
+                carried: 5,
+            }),
             kind: EquationKind::Smooth,
             loss: Some(1),
             is_stiffening: false,
@@ -241,9 +257,9 @@ pub static TABLE: ModelTable = ModelTable {
                 scale: 1.0,
                 fires: Fires::WhileNegative,
                 reads: Reads::StateAndInput,
-                value: 22,
-                bound: Some(23),
-                ways: &[WayTable { when: None, to: 0, reset: Some(21), resting: None }],
+                value: 24,
+                bound: Some(25),
+                ways: &[WayTable { when: None, to: 0, reset: Some(23), resting: None }],
                 sounds: None,
             }],
             guard_specs: &[GuardSpec {
@@ -259,25 +275,33 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "right",
-            derivative: 15,
+            derivative: 17,
             parts: &[PartTable {
                 entries: 0xa,
-                derivative: 15,
+                derivative: 17,
                 kind: EquationKind::Conservative,
                 loss: None,
                 reads: Reads::State,
             }],
             part_list: &[Part::of(&[1, 3]).of_state()],
-            slaved: Some(25),
+            slaved: Some(29),
             projection: None,
             projected: 0,
-            longest_projection: Some(24),
-            readout: 26,
+            longest_projection: Some(28),
+            readout: 30,
             slopes: 4,
-            outputs: 27,
-            balance: 28,
-            jacobian: 17,
-            series: None,
+            outputs: 31,
+            balance: 32,
+            jacobian: 19,
+            series: Some(SeriesTable {
+                start: 35,
+                step: 36,
+                entries: 0xa,
+                guards: 1,
+                conditions: 0,
+                lanes: 4,
+                carried: 5,
+            }),
             kind: EquationKind::Smooth,
             loss: Some(1),
             is_stiffening: false,
@@ -289,9 +313,9 @@ pub static TABLE: ModelTable = ModelTable {
                 scale: 1.0,
                 fires: Fires::WhileNegative,
                 reads: Reads::StateAndInput,
-                value: 30,
-                bound: Some(23),
-                ways: &[WayTable { when: None, to: 0, reset: Some(29), resting: None }],
+                value: 34,
+                bound: Some(25),
+                ways: &[WayTable { when: None, to: 0, reset: Some(33), resting: None }],
                 sounds: None,
             }],
             guard_specs: &[GuardSpec {
@@ -335,9 +359,9 @@ pub static TABLE: ModelTable = ModelTable {
         },
     ],
     outputs: &[NamedQuantity { name: "F", unit: "N" }, NamedQuantity { name: "N", unit: "N" }],
-    rest: RestTable { mode: 0, instead: &[], state: 36, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 42, is_improved: true },
     damper: None,
-    drawing: DrawingTable { numbers: 31, count: 0, bodies: &[], springs: &[] },
+    drawing: DrawingTable { numbers: 37, count: 0, bodies: &[], springs: &[] },
 };
 
 /// The model's arithmetic.
@@ -362,29 +386,35 @@ impl Functions for CartPendulumFunctions {
             12 => bound_left_free(given, out),
             13 => function_13(given, out),
             14 => guard_right_free(given, out),
-            15 => derivative_left(given, out),
-            16 => slaved_left(given, out),
-            17 => jacobian_left(given, out),
-            18 => readout_left(given, out),
-            19 => outputs_left(given, out),
-            20 => balance_left(given, out),
-            21 => reset_0_off_left(given, out),
-            22 => guard_off_left(given, out),
-            23 => bound_off_left(given, out),
-            24 => function_24(given, out),
-            25 => slaved_right(given, out),
-            26 => readout_right(given, out),
-            27 => outputs_right(given, out),
-            28 => balance_right(given, out),
-            29 => reset_0_off_right(given, out),
-            30 => guard_off_right(given, out),
-            31 => function_31(given, out),
-            32 => preset_default(given, out),
-            33 => preset_key(given, out),
-            34 => requirement_0(given, out),
-            35 => input_per_metre(given, out),
-            36 => rest(given, out),
-            37 => derived_constants(given, out),
+            15 => series_start_free(given, out),
+            16 => series_step_free(given, out),
+            17 => derivative_left(given, out),
+            18 => slaved_left(given, out),
+            19 => jacobian_left(given, out),
+            20 => readout_left(given, out),
+            21 => outputs_left(given, out),
+            22 => balance_left(given, out),
+            23 => reset_0_off_left(given, out),
+            24 => guard_off_left(given, out),
+            25 => bound_off_left(given, out),
+            26 => series_start_left(given, out),
+            27 => series_step_left(given, out),
+            28 => function_28(given, out),
+            29 => slaved_right(given, out),
+            30 => readout_right(given, out),
+            31 => outputs_right(given, out),
+            32 => balance_right(given, out),
+            33 => reset_0_off_right(given, out),
+            34 => guard_off_right(given, out),
+            35 => series_start_right(given, out),
+            36 => series_step_right(given, out),
+            37 => function_37(given, out),
+            38 => preset_default(given, out),
+            39 => preset_key(given, out),
+            40 => requirement_0(given, out),
+            41 => input_per_metre(given, out),
+            42 => rest(given, out),
+            43 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -660,11 +690,9 @@ fn guard_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// Bounds of the guard's move and bend: left in mode free.
 fn bound_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_0;
-    out[1] = extra_2;
+    out[0] = extra[0];
+    out[1] = extra[2];
     Some(())
 }
 
@@ -690,6 +718,107 @@ fn guard_right_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
     out[0] = right - x;
     out[1] = -x_dot;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode free.
+fn series_start_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<16>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let left = constants[7];
+    let right = constants[8];
+    let c11 = constants[11];
+    let c14 = constants[14];
+    let c15 = constants[15];
+    let x = state[0];
+    let theta = state[1];
+    let x_dot = state[2];
+    let theta_dot = state[3];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = c11 * (theta_dot * theta_dot);
+    let v1 = theta + theta;
+    let v2 = v1 + v0 * sin_theta;
+    let v3 = c15 * cos_theta;
+    let v4 = -v1;
+    let v5 = 1.0 / (c14 - theta * theta);
+    let v6 = v4 * v5;
+    let out = out.first_chunk_mut::<17>()?;
+    out[0] = x_dot;
+    out[1] = theta_dot;
+    out[2] = theta * v2 - v3 * v6;
+    out[3] = v6;
+    out[4] = x - left;
+    out[5] = right - x;
+    out[6] = cos_theta;
+    out[7] = sin_theta;
+    out[8] = theta_dot + theta_dot;
+    out[9] = v0;
+    out[10] = v3;
+    out[11] = v2;
+    out[12] = cos_theta + cos_theta;
+    out[13] = v5;
+    out[14] = v5;
+    out[15] = v4;
+    out[16] = v6;
+    Some(())
+}
+
+/// One order of the Taylor series in mode free.
+fn series_step_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<17>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<22>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let c11 = constants[11];
+    let c12 = constants[12];
+    let c13 = constants[13];
+    let c15 = constants[15];
+    let c16 = constants[16];
+    let x = state[0];
+    let theta = state[1];
+    let x_dot = state[2];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = extra[2] * extra[1] + theta * extra[11];
+    let v1 = -(extra[3] * extra[1] + theta * extra[12]);
+    let v2 = c11 * (extra[4] + extra[13] * theta_dot);
+    let v3 = k * (s - x) + b * (s_rate - x_dot) + (extra[5] + extra[14] * v0 + v2 * extra[12]);
+    let v4 = c15 * v1;
+    let v5 = c12 * v0 + (extra[6] + extra[15] * v3 + v4 * extra[16]);
+    let v6 = -v5;
+    let v7 = -(c13 * (extra[7] + extra[17] * v1));
+    let v8 = (-extra[8] - extra[18] * v7) * extra[19];
+    let v9 = extra[9] + extra[20] * v8 + v6 * extra[18];
+    let v10 = c16 * v3 - (extra[10] + extra[15] * v9 + v4 * extra[21]);
+    let v11 = extra[0] * theta;
+    let out = out.first_chunk_mut::<24>()?;
+    out[0] = x_dot;
+    out[1] = theta_dot;
+    out[2] = v10;
+    out[3] = v9;
+    out[4] = x;
+    out[5] = -x;
+    out[6] = v11;
+    out[7] = v11;
+    out[8] = theta_dot;
+    out[9] = v2;
+    out[10] = v4;
+    out[11] = v1;
+    out[12] = v7;
+    out[13] = v6;
+    out[14] = v4;
+    out[15] = v1;
+    out[16] = v0;
+    out[17] = theta_dot;
+    out[18] = v0;
+    out[19] = v3;
+    out[20] = v1;
+    out[21] = v8;
+    out[22] = v8;
+    out[23] = v9;
     Some(())
 }
 
@@ -875,52 +1004,109 @@ fn bound_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate = input[1];
     let s_rate2 = input[2];
     let s_rate3 = input[3];
-    let extra_3 = extra[3];
-    let extra_4 = extra[4];
-    let extra_5 = extra[5];
-    let extra_6 = extra[6];
-    let extra_12 = extra[12];
-    let extra_13 = extra[13];
-    let extra_14 = extra[14];
     let (sin_theta, cos_theta) = math::sin_cos(theta);
     let v0 = theta_dot * c11;
     let v1 = theta_dot * v0;
     let v2 = c31 * cos_theta;
     let v3 = cos_theta * (v1 + v2) - sin_theta * (c31 * sin_theta);
     let v4 = sin_theta.abs();
-    let v5 = 0.5 * extra_4;
+    let v5 = 0.5 * extra[4];
     let v6 = functions::smaller(v5 + v4, 1.0);
     let v7 = v1.abs();
     let v8 = cos_theta.abs();
-    let v9 = extra_4 * v6;
+    let v9 = extra[4] * v6;
     let v10 = functions::smaller(v8 + v9, 1.0);
     let v11 = functions::smaller(v5 + v8, 1.0);
-    let v12 = extra_4 * v11;
+    let v12 = extra[4] * v11;
     let v13 = functions::smaller(v4 + v12, 1.0);
     let v14 = v11 * (c33 * (v4 + v13)) + v6 * (v7 + c33 * (v8 + v10));
-    let v15 = extra_12 + 2.0 * theta_dot.abs();
-    let v16 = extra_12 * c32;
+    let v15 = extra[12] + 2.0 * theta_dot.abs();
+    let v16 = extra[12] * c32;
     let v17 = v16 * v10;
-    let v18 = v3.abs() + v15 * v17 + extra_4 * v14;
+    let v18 = v3.abs() + v15 * v17 + extra[4] * v14;
     let v19 = v16 * v13;
     let v20 = v0.abs();
     let v21 = (2.0 * (v0 * sin_theta)).abs() + 2.0 * (v20 * v12 + v19);
-    let v22 = extra_3 * (s_rate * c38 + s_rate2 * c39) + extra_12 * v21;
-    let v23 = extra_3 * extra_3 * (c38 * s_rate2 + c39 * s_rate3);
-    let v24 = extra_4 * ((c34 * sin_theta).abs() * v6 + v11 * (c35 * v10));
+    let v22 = extra[3] * (s_rate * c38 + s_rate2 * c39) + extra[12] * v21;
+    let v23 = extra[3] * extra[3] * (c38 * s_rate2 + c39 * s_rate3);
+    let v24 = extra[4] * ((c34 * sin_theta).abs() * v6 + v11 * (c35 * v10));
     let v25 = (sin_theta * (v1 + 4.0 * v2)).abs() + v7 * v12 + v15 * v19;
     let v26 = (2.0 * (v0 * cos_theta)).abs() + 2.0 * (v20 * v9 + v17);
-    let v27 = 2.0 * (extra_13 * v26) + extra_5 * (v25 + 4.0 * (c36 * v24));
+    let v27 = 2.0 * (extra[13] * v26) + extra[5] * (v25 + 4.0 * (c36 * v24));
     let v28 = (2.0 * (c11 * sin_theta)).abs() + 2.0 * (c37 * v12);
-    let v29 = v23 + extra_13 * (extra_13 * v28) + extra_14 * v21;
+    let v29 = v23 + extra[13] * (extra[13] * v28) + extra[14] * v21;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v22 + extra_4 * v18;
-    out[1] = v29 + extra_6 * v18 + extra_5 * v27;
+    out[0] = v22 + extra[4] * v18;
+    out[1] = v29 + extra[6] * v18 + extra[5] * v27;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode left.
+fn series_start_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<12>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let left = constants[7];
+    let c11 = constants[11];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = theta + theta;
+    let v1 = -v0;
+    let out = out.first_chunk_mut::<10>()?;
+    out[0] = theta_dot;
+    out[1] = -(theta * sin_theta);
+    out[2] = left;
+    out[3] = 0.0;
+    out[4] = sin_theta * v1 - v0;
+    out[5] = cos_theta;
+    out[6] = sin_theta;
+    out[7] = theta_dot;
+    out[8] = theta_dot * c11;
+    out[9] = v1;
+    Some(())
+}
+
+/// One order of the Taylor series in mode left.
+fn series_step_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<11>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let c11 = constants[11];
+    let c30 = constants[30];
+    let c31 = constants[31];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = extra[2] * extra[1] + theta * extra[6];
+    let v1 = -(extra[3] * extra[1] + theta * extra[7]);
+    let v2 = c11 * theta_dot;
+    let v3 = extra[4] + extra[8] * v2 + theta_dot * extra[9] + c31 * v1;
+    let v4 = -v3;
+    let v5 = extra[5] + extra[7] * v4 + v0 * extra[10] - (b * s_rate + k * s);
+    let v6 = extra[0] * theta;
+    let out = out.first_chunk_mut::<13>()?;
+    out[0] = theta_dot;
+    out[1] = -(c30 * v0);
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = v5;
+    out[5] = v6;
+    out[6] = v6;
+    out[7] = theta_dot;
+    out[8] = v0;
+    out[9] = v1;
+    out[10] = v0;
+    out[11] = v2;
+    out[12] = v4;
     Some(())
 }
 
 /// Is not used by the table.
-fn function_24(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+fn function_28(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<1>()?;
     out[0] = 0.0001;
     Some(())
@@ -1044,8 +1230,71 @@ fn guard_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     Some(())
 }
 
+/// Where the Taylor series begins in mode right.
+fn series_start_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<12>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let right = constants[8];
+    let c11 = constants[11];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let (sin_theta, cos_theta) = math::sin_cos(theta);
+    let v0 = theta_dot * c11;
+    let v1 = theta_dot * v0 + theta * cos_theta;
+    let out = out.first_chunk_mut::<10>()?;
+    out[0] = theta_dot;
+    out[1] = -(theta * sin_theta);
+    out[2] = right;
+    out[3] = 0.0;
+    out[4] = theta + theta + sin_theta * v1;
+    out[5] = cos_theta;
+    out[6] = sin_theta;
+    out[7] = theta_dot;
+    out[8] = v0;
+    out[9] = v1;
+    Some(())
+}
+
+/// One order of the Taylor series in mode right.
+fn series_step_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<11>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
+    let c11 = constants[11];
+    let c30 = constants[30];
+    let c31 = constants[31];
+    let theta = state[1];
+    let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = extra[2] * extra[1] + theta * extra[6];
+    let v1 = -(extra[3] * extra[1] + theta * extra[7]);
+    let v2 = c11 * theta_dot;
+    let v3 = extra[4] + extra[8] * v2 + theta_dot * extra[9] + c31 * v1;
+    let v4 = b * s_rate + k * s + (extra[5] + extra[7] * v3 + v0 * extra[10]);
+    let v5 = extra[0] * theta;
+    let out = out.first_chunk_mut::<13>()?;
+    out[0] = theta_dot;
+    out[1] = -(c30 * v0);
+    out[2] = 0.0;
+    out[3] = 0.0;
+    out[4] = v4;
+    out[5] = v5;
+    out[6] = v5;
+    out[7] = theta_dot;
+    out[8] = v0;
+    out[9] = v1;
+    out[10] = v0;
+    out[11] = v2;
+    out[12] = v3;
+    Some(())
+}
+
 /// Is not used by the table.
-fn function_31(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+fn function_37(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
     out[0] = 0.0;
     out[1] = 0.0;

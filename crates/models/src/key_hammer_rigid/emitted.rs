@@ -14,7 +14,7 @@ use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
     Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
-    PresetTable, RestTable, WayTable,
+    PresetTable, RestTable, SeriesTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -147,14 +147,14 @@ pub static TABLE: ModelTable = ModelTable {
         PresetTable {
             name: "paper",
             doc: "Table 2 of the paper, lengths read as decimetres",
-            values: 25,
+            values: 27,
         },
-        PresetTable { name: "literal", doc: "Table 2 of the paper as printed, in SI", values: 26 },
+        PresetTable { name: "literal", doc: "Table 2 of the paper as printed, in SI", values: 28 },
         PresetTable {
             name: "playable",
             doc: "a real key's size, graded over the compass; the key bottom leaves the hammer 2–3 \
                 mm short",
-            values: 27,
+            values: 29,
         },
     ],
     requirements: &[],
@@ -164,9 +164,9 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     coordinates: 1,
     constants: 32,
-    derive_constants: 30,
+    derive_constants: 32,
     input: NamedQuantity { name: "s", unit: "rad" },
-    input_per_metre: 28,
+    input_per_metre: 30,
     modes: &[
         ModeTable {
             name: "A1",
@@ -230,7 +230,15 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 15,
             balance: 16,
             jacobian: 12,
-            series: None,
+            series: Some(SeriesTable {
+                start: 24,
+                step: 25,
+                entries: 0x3,
+                guards: 2,
+                conditions: 0,
+                lanes: 4,
+                carried: 4,
+            }),
             kind: EquationKind::Conservative,
             loss: None,
             is_stiffening: false,
@@ -323,10 +331,10 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "hammer.y", unit: "m" },
         NamedQuantity { name: "hammer.angle", unit: "rad" },
     ],
-    rest: RestTable { mode: 0, instead: &[], state: 29, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 31, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
-        numbers: 24,
+        numbers: 26,
         count: 68,
         bodies: &[
             BodyTable {
@@ -393,13 +401,15 @@ impl Functions for KeyHammerRigidFunctions {
             21 => speed_string_a2(given, out),
             22 => guard_string_a2(given, out),
             23 => bound_string_a2(given, out),
-            24 => drawing(given, out),
-            25 => preset_paper(given, out),
-            26 => preset_literal(given, out),
-            27 => preset_playable(given, out),
-            28 => input_per_metre(given, out),
-            29 => rest(given, out),
-            30 => derived_constants(given, out),
+            24 => series_start_a2(given, out),
+            25 => series_step_a2(given, out),
+            26 => drawing(given, out),
+            27 => preset_paper(given, out),
+            28 => preset_literal(given, out),
+            29 => preset_playable(given, out),
+            30 => input_per_metre(given, out),
+            31 => rest(given, out),
+            32 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -711,9 +721,7 @@ fn bound_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate = input[1];
     let s_rate2 = input[2];
     let s_rate3 = input[3];
-    let extra_3 = extra[3];
-    let extra_7 = extra[7];
-    let (sin_extra_7, cos_extra_7) = math::sin_cos(extra_7);
+    let (sin_extra_7, cos_extra_7) = math::sin_cos(extra[7]);
     let v0 = L1 * sin_extra_7;
     let v1 = L4 - v0;
     let v2 = -v1;
@@ -721,8 +729,8 @@ fn bound_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v4 = L3 - v3;
     let v5 = -v4;
     let v6 = math::atan2(v2, v5);
-    let v7 = extra_7 - v6;
-    let v8 = s_rate * extra_3;
+    let v7 = extra[7] - v6;
+    let v8 = s_rate * extra[3];
     let v9 = sin_extra_7.abs();
     let v10 = 0.5 * v8;
     let v11 = functions::smaller(v10 + v9, 1.0);
@@ -941,9 +949,9 @@ fn bound_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v223 = (2.0 * v160 - v191).abs() + v51 * v64 + v65 * v41;
     let v224 = s_rate2 * (s_rate2 * ((v223 + 2.0 * v179) * v206) + v153);
     let v225 = s_rate3 * (v70 * v206) + v224 + s_rate * (v204 + v222);
-    let v226 = v18 + f64::INFINITY * (v71 * v206) + extra_3 * extra_3 * v225;
+    let v226 = v18 + f64::INFINITY * (v71 * v206) + extra[3] * extra[3] * v225;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v18 + extra_3 * v154;
+    out[0] = v18 + extra[3] * v154;
     out[1] = v226;
     Some(())
 }
@@ -1132,36 +1140,31 @@ fn bound_land_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_h = state[0];
     let s_rate = input[1];
     let s_rate2 = input[2];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_3 = extra[3];
-    let extra_7 = extra[7];
-    let v0 = theta_h - extra_7;
+    let v0 = theta_h - extra[7];
     let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
     let v1 = L1 * cos_v0;
     let v2 = sin_v0.abs();
-    let v3 = s_rate * extra_3;
-    let v4 = extra_0 + v3;
+    let v3 = s_rate * extra[3];
+    let v4 = extra[0] + v3;
     let v5 = 0.5 * v4;
     let v6 = c23 * v4;
     let v7 = v6 * functions::smaller(v5 + v2, 1.0);
-    let v8 = 0.5 * extra_0;
+    let v8 = 0.5 * extra[0];
     let v9 = functions::smaller(v8 + cos_theta_h.abs(), 1.0);
     let v10 = functions::smaller(v8 + sin_theta_h.abs(), 1.0);
     let v11 = (L4 * sin_theta_h + L3 * cos_theta_h - v1).abs() + v7;
-    let v12 = extra_0 * (c27 * v9 + c28 * v10) + v11;
+    let v12 = extra[0] * (c27 * v9 + c28 * v10) + v11;
     let v13 = v1.abs() + v7;
     let v14 = functions::smaller(v5 + cos_v0.abs(), 1.0);
-    let v15 = c23 * extra_1 * functions::smaller(v2 + v4 * v14, 1.0);
+    let v15 = c23 * extra[1] * functions::smaller(v2 + v4 * v14, 1.0);
     let v16 = L1 * sin_v0;
     let v17 = v6 * v14;
-    let v18 = extra_3 * s_rate2 * v13 + s_rate * (v3 * (v16.abs() + v17) + 2.0 * v15);
+    let v18 = extra[3] * s_rate2 * v13 + s_rate * (v3 * (v16.abs() + v17) + 2.0 * v15);
     let v19 = (v16 + (L4 * cos_theta_h - L3 * sin_theta_h)).abs();
-    let v20 = extra_1 * (extra_0 * (c27 * v10 + c28 * v9) + (v19 + v17));
+    let v20 = extra[1] * (extra[0] * (c27 * v10 + c28 * v9) + (v19 + v17));
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v3 * v13 + extra_0 * v12;
-    out[1] = extra_2 * v12 + extra_1 * v20 + extra_3 * v18;
+    out[0] = v3 * v13 + extra[0] * v12;
+    out[1] = extra[2] * v12 + extra[1] * v20 + extra[3] * v18;
     Some(())
 }
 
@@ -1206,11 +1209,65 @@ fn guard_string_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// Bounds of the guard's move and bend: string in mode A2.
 fn bound_string_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_0;
-    out[1] = extra_2;
+    out[0] = extra[0];
+    out[1] = extra[2];
+    Some(())
+}
+
+/// Where the Taylor series begins in mode A2.
+fn series_start_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<13>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let string_angle = constants[12];
+    let theta_h = state[0];
+    let theta_h_dot = state[1];
+    let v0 = theta_h - theta_h;
+    let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
+    let out = out.first_chunk_mut::<8>()?;
+    out[0] = theta_h_dot;
+    out[1] = -(theta_h * cos_theta_h);
+    out[2] = theta_h * sin_v0 + v0;
+    out[3] = string_angle - theta_h;
+    out[4] = cos_theta_h;
+    out[5] = sin_theta_h;
+    out[6] = cos_v0;
+    out[7] = sin_v0;
+    Some(())
+}
+
+/// One order of the Taylor series in mode A2.
+fn series_step_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<32>()?;
+    let state = given.state.first_chunk::<2>()?;
+    let extra = given.extra.first_chunk::<10>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let c31 = constants[31];
+    let theta_h = state[0];
+    let theta_h_dot = state[1];
+    let s = input[0];
+    let v0 = theta_h - s;
+    let v1 = extra[2] * extra[1] + theta_h * extra[6];
+    let v2 = -(extra[3] * extra[1] + theta_h * extra[7]);
+    let v3 = extra[4] * extra[1] + v0 * extra[8];
+    let v4 = extra[0] * theta_h;
+    let v5 = extra[0] * v0;
+    let out = out.first_chunk_mut::<12>()?;
+    out[0] = theta_h_dot;
+    out[1] = -(c31 * v2);
+    out[2] = L1 * v3 + (L4 * v2 - L3 * v1);
+    out[3] = -theta_h;
+    out[4] = v4;
+    out[5] = v4;
+    out[6] = v5;
+    out[7] = v5;
+    out[8] = v2;
+    out[9] = v1;
+    out[10] = -(extra[5] * extra[1] + v0 * extra[9]);
+    out[11] = v3;
     Some(())
 }
 
@@ -1368,16 +1425,15 @@ fn preset_literal(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset playable.
 fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<1>()?;
-    let extra_0 = extra[0];
-    let v0 = 0.000_630_306_423_357_664 * extra_0 - 0.034_866_025_053_821_58;
-    let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra_0;
+    let v0 = 0.000_630_306_423_357_664 * extra[0] - 0.034_866_025_053_821_58;
+    let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra[0];
     let out = out.first_chunk_mut::<17>()?;
     out[0] = 0.1385;
     out[1] = 0.13;
     out[2] = 0.124_800_000_000_000_01;
     out[3] = 0.0027;
     out[4] = 0.13;
-    out[5] = 0.011_137_652 - 6.2348e-5 * extra_0;
+    out[5] = 0.011_137_652 - 6.2348e-5 * extra[0];
     out[6] = 300.0;
     out[7] = 24000.0;
     out[8] = v0;

@@ -14,7 +14,7 @@ use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
     Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
-    PresetTable, RestTable, SpringTable, WayTable,
+    PresetTable, RestTable, SeriesTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -147,14 +147,14 @@ pub static TABLE: ModelTable = ModelTable {
         PresetTable {
             name: "paper",
             doc: "Table 2 of the paper, lengths read as decimetres",
-            values: 23,
+            values: 27,
         },
-        PresetTable { name: "literal", doc: "Table 2 of the paper as printed, in SI", values: 24 },
+        PresetTable { name: "literal", doc: "Table 2 of the paper as printed, in SI", values: 28 },
         PresetTable {
             name: "playable",
             doc: "a real key's size, graded over the compass; the key bottom leaves the hammer 2–3 \
                 mm short",
-            values: 25,
+            values: 29,
         },
     ],
     requirements: &[],
@@ -166,9 +166,9 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     coordinates: 2,
     constants: 30,
-    derive_constants: 28,
+    derive_constants: 32,
     input: NamedQuantity { name: "s", unit: "rad" },
-    input_per_metre: 26,
+    input_per_metre: 30,
     modes: &[
         ModeTable {
             name: "B1",
@@ -190,7 +190,15 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 5,
             balance: 6,
             jacobian: 2,
-            series: None,
+            series: Some(SeriesTable {
+                start: 13,
+                step: 14,
+                entries: 0xf,
+                guards: 2,
+                conditions: 1,
+                lanes: 27,
+                carried: 26,
+            }),
             kind: EquationKind::Smooth,
             loss: Some(1),
             is_stiffening: false,
@@ -245,20 +253,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "B2",
-            derivative: 13,
+            derivative: 15,
             parts: &[
                 PartTable {
                     entries: 0x5,
-                    derivative: 14,
+                    derivative: 16,
                     kind: EquationKind::Conservative,
                     loss: None,
                     reads: Reads::State,
                 },
                 PartTable {
                     entries: 0xa,
-                    derivative: 15,
+                    derivative: 17,
                     kind: EquationKind::Smooth,
-                    loss: Some(16),
+                    loss: Some(18),
                     reads: Reads::StateAndInput,
                 },
             ],
@@ -269,12 +277,20 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 3,
             slopes: 4,
-            outputs: 18,
-            balance: 19,
-            jacobian: 17,
-            series: None,
+            outputs: 20,
+            balance: 21,
+            jacobian: 19,
+            series: Some(SeriesTable {
+                start: 24,
+                step: 25,
+                entries: 0xf,
+                guards: 2,
+                conditions: 0,
+                lanes: 6,
+                carried: 6,
+            }),
             kind: EquationKind::Smooth,
-            loss: Some(16),
+            loss: Some(18),
             is_stiffening: false,
             guards: &[
                 GuardTable {
@@ -285,8 +301,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 1.0,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 20,
-                    bound: Some(21),
+                    value: 22,
+                    bound: Some(23),
                     ways: &[WayTable { when: None, to: 0, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -373,10 +389,10 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "manipulandum.y", unit: "m" },
         NamedQuantity { name: "manipulandum.angle", unit: "rad" },
     ],
-    rest: RestTable { mode: 0, instead: &[], state: 27, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 31, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
-        numbers: 22,
+        numbers: 26,
         count: 84,
         bodies: &[
             BodyTable {
@@ -447,22 +463,26 @@ impl Functions for KeyHammerSpringsFunctions {
             10 => speed_string_b1(given, out),
             11 => guard_string_b1(given, out),
             12 => bound_string_b1(given, out),
-            13 => derivative_b2(given, out),
-            14 => part_0_b2(given, out),
-            15 => part_1_b2(given, out),
-            16 => function_16(given, out),
-            17 => jacobian_b2(given, out),
-            18 => outputs_b2(given, out),
-            19 => balance_b2(given, out),
-            20 => guard_land_b2(given, out),
-            21 => bound_land_b2(given, out),
-            22 => drawing(given, out),
-            23 => preset_paper(given, out),
-            24 => preset_literal(given, out),
-            25 => preset_playable(given, out),
-            26 => input_per_metre(given, out),
-            27 => rest(given, out),
-            28 => derived_constants(given, out),
+            13 => series_start_b1(given, out),
+            14 => series_step_b1(given, out),
+            15 => derivative_b2(given, out),
+            16 => part_0_b2(given, out),
+            17 => part_1_b2(given, out),
+            18 => function_18(given, out),
+            19 => jacobian_b2(given, out),
+            20 => outputs_b2(given, out),
+            21 => balance_b2(given, out),
+            22 => guard_land_b2(given, out),
+            23 => bound_land_b2(given, out),
+            24 => series_start_b2(given, out),
+            25 => series_step_b2(given, out),
+            26 => drawing(given, out),
+            27 => preset_paper(given, out),
+            28 => preset_literal(given, out),
+            29 => preset_playable(given, out),
+            30 => input_per_metre(given, out),
+            31 => rest(given, out),
+            32 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -789,35 +809,29 @@ fn bound_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c27 = constants[27];
     let theta_h = state[0];
     let theta_k = state[1];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_4 = extra[4];
-    let extra_5 = extra[5];
-    let extra_6 = extra[6];
     let v0 = theta_k - theta_h;
     let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
     let v1 = L4 * sin_theta_h + L3 * cos_theta_h - L1 * cos_v0;
-    let v2 = 0.5 * extra_0;
+    let v2 = 0.5 * extra[0];
     let v3 = functions::smaller(v2 + cos_theta_h.abs(), 1.0);
     let v4 = functions::smaller(v2 + sin_theta_h.abs(), 1.0);
-    let v5 = extra_0 + extra_4;
+    let v5 = extra[0] + extra[4];
     let v6 = sin_v0.abs();
     let v7 = 0.5 * v5;
     let v8 = v5 * functions::smaller(v7 + v6, 1.0);
-    let v9 = c27 * v8 + (v1.abs() + extra_0 * (c25 * v3 + c26 * v4));
+    let v9 = c27 * v8 + (v1.abs() + extra[0] * (c25 * v3 + c26 * v4));
     let v10 = cos_v0.abs();
     let v11 = c27 * functions::smaller(v10 + v8, 1.0);
     let v12 = L1 * sin_v0;
     let v13 = (L4 * cos_theta_h - L3 * sin_theta_h - v12).abs();
     let v14 = v5 * functions::smaller(v7 + v10, 1.0);
     let v15 = c27 * v14;
-    let v16 = extra_1 * (extra_0 * (c25 * v4 + c26 * v3) + (v13 + v15));
-    let v17 = c27 * (extra_5 * functions::smaller(v6 + v14, 1.0));
-    let v18 = extra_2 * v9 + extra_5 * (extra_5 * (v12.abs() + v15));
-    let v19 = v18 + extra_6 * v11 + extra_1 * (v16 + 2.0 * v17);
+    let v16 = extra[1] * (extra[0] * (c25 * v4 + c26 * v3) + (v13 + v15));
+    let v17 = c27 * (extra[5] * functions::smaller(v6 + v14, 1.0));
+    let v18 = extra[2] * v9 + extra[5] * (extra[5] * (v12.abs() + v15));
+    let v19 = v18 + extra[6] * v11 + extra[1] * (v16 + 2.0 * v17);
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_0 * v9 + extra_4 * v11;
+    out[0] = extra[0] * v9 + extra[4] * v11;
     out[1] = v19;
     Some(())
 }
@@ -867,11 +881,212 @@ fn guard_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// Bounds of the guard's move and bend: string in mode B1.
 fn bound_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_0;
-    out[1] = extra_2;
+    out[0] = extra[0];
+    out[1] = extra[2];
+    Some(())
+}
+
+/// Where the Taylor series begins in mode B1.
+fn series_start_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<21>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let k2 = constants[7];
+    let string_angle = constants[12];
+    let c19 = constants[19];
+    let c20 = constants[20];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let v0 = theta_k - theta_h;
+    let ([sin_theta_k, sin_theta_h], [cos_theta_k, cos_theta_h]) =
+        math::sin_cos_of_two([theta_k, theta_h]);
+    let v1 = theta_k * sin_theta_k;
+    let v2 = L4 - v1;
+    let v3 = theta_k * cos_theta_k;
+    let v4 = L3 - v3;
+    let v5 = sin_theta_k * v2 + cos_theta_k * v4;
+    let v6 = sin_theta_k * sin_theta_h + cos_theta_k * cos_theta_h;
+    let v7 = 1.0 / -v6;
+    let v8 = v5 * v7;
+    let v9 = cos_theta_h * v2 - sin_theta_h * v4;
+    let v10 = v9 * v7;
+    let v11 = -(v3 + theta_k);
+    let v12 = v1 - cos_theta_k * v10;
+    let v13 = sin_theta_h * v12 - cos_theta_h * v11;
+    let v14 = 1.0 / v6;
+    let v15 = 1.0 + theta_k;
+    let v16 = v15 - 0.0;
+    let v17 = if v16 > 0.0 { v15 } else { 0.0 };
+    let v18 = k2 * v17;
+    let v19 = v14 * v10;
+    let v20 = theta_k - theta_k;
+    let (sin_v0, cos_v0) = math::sin_cos(v0);
+    let out = out.first_chunk_mut::<33>()?;
+    out[0] = theta_h_dot;
+    out[1] = theta_k_dot;
+    out[2] = c19 * v20;
+    out[3] = c20 * v20;
+    out[4] = theta_k * sin_v0 + v20;
+    out[5] = string_angle - theta_h;
+    out[6] = v16;
+    out[7] = cos_theta_k;
+    out[8] = sin_theta_k;
+    out[9] = v2;
+    out[10] = v4;
+    out[11] = cos_theta_h;
+    out[12] = sin_theta_h;
+    out[13] = v7;
+    out[14] = v7;
+    out[15] = v5;
+    out[16] = theta_h_dot;
+    out[17] = v8;
+    out[18] = v9;
+    out[19] = v10;
+    out[20] = v11;
+    out[21] = v12;
+    out[22] = theta_k_dot;
+    out[23] = v13;
+    out[24] = v14;
+    out[25] = v14;
+    out[26] = theta_k_dot * v13 - theta_h_dot * v8;
+    out[27] = v16;
+    out[28] = v19;
+    out[29] = v18;
+    out[30] = v19 * v18;
+    out[31] = cos_v0;
+    out[32] = sin_v0;
+    Some(())
+}
+
+/// One order of the Taylor series in mode B1.
+fn series_step_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<21>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<55>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let k1 = constants[6];
+    let k2 = constants[7];
+    let b1 = constants[14];
+    let c2 = constants[15];
+    let c17 = constants[17];
+    let c18 = constants[18];
+    let c19 = constants[19];
+    let c20 = constants[20];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = theta_k - theta_h;
+    let v1 = extra[2] * extra[1] + theta_k * extra[29];
+    let v2 = -(extra[3] * extra[1] + theta_k * extra[30]);
+    let v3 = L1 * v1;
+    let v4 = -v3;
+    let v5 = L1 * v2;
+    let v6 = -v5;
+    let v7 = extra[4] + extra[30] * v4 + v1 * extra[31];
+    let v8 = v7 + (extra[5] + extra[29] * v6 + v2 * extra[32]);
+    let v9 = extra[6] * extra[1] + theta_h * extra[33];
+    let v10 = -(extra[7] * extra[1] + theta_h * extra[34]);
+    let v11 = extra[9] + extra[29] * v10 + v2 * extra[33];
+    let v12 = extra[8] + extra[30] * v9 + v1 * extra[34] + v11;
+    let v13 = -v12;
+    let v14 = (-extra[10] - extra[35] * v13) * extra[36];
+    let v15 = extra[11] + extra[37] * v14 + v8 * extra[35];
+    let v16 = extra[12] + extra[38] * v15 + theta_h_dot * extra[39];
+    let v17 = extra[14] + extra[33] * v4 + v10 * extra[31];
+    let v18 = v17 - (extra[13] + extra[34] * v6 + v9 * extra[32]);
+    let v19 = extra[15] + extra[40] * v14 + v18 * extra[35];
+    let v20 = v5 + (extra[16] + extra[30] * v19 + v1 * extra[41]);
+    let v21 = -v20;
+    let v22 = v3 - (extra[18] + extra[29] * v19 + v2 * extra[41]);
+    let v23 = extra[17] + extra[33] * v21 + v10 * extra[42];
+    let v24 = extra[19] + extra[34] * v22 + v9 * extra[43] - v23;
+    let v25 = extra[20] + extra[44] * v24 + theta_k_dot * extra[45];
+    let v26 = v25 - v16;
+    let v27 = (-extra[21] - extra[46] * v12) * extra[47];
+    let v28 = c2 * (extra[22] + extra[46] * v26 + v27 * extra[48]);
+    let v29 = if extra[49] > 0.0 { v28 } else { 0.0 };
+    let v30 = k2 * v29;
+    let v31 = extra[23] + extra[46] * v19 + v27 * extra[41];
+    let v32 = extra[24] + extra[50] * v30 + v31 * extra[51];
+    let v33 = extra[25] + extra[39] * v32 + v15 * extra[52] - c18 * v10;
+    let v34 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * v2;
+    let v35 = v34 - (extra[26] + extra[45] * v32 + v24 * extra[52]);
+    let v36 = extra[27] * extra[1] + v0 * extra[53];
+    let v37 = extra[0] * theta_k;
+    let v38 = extra[0] * theta_h;
+    let v39 = extra[0] * v0;
+    let out = out.first_chunk_mut::<61>()?;
+    out[0] = theta_h_dot;
+    out[1] = theta_k_dot;
+    out[2] = c19 * v33;
+    out[3] = c20 * v35;
+    out[4] = L1 * v36 + (L3 * v9 - L4 * v10);
+    out[5] = -theta_h;
+    out[6] = v28;
+    out[7] = v37;
+    out[8] = v37;
+    out[9] = v1;
+    out[10] = v2;
+    out[11] = v38;
+    out[12] = v38;
+    out[13] = v1;
+    out[14] = v2;
+    out[15] = v13;
+    out[16] = v8;
+    out[17] = theta_h_dot;
+    out[18] = v9;
+    out[19] = v10;
+    out[20] = v18;
+    out[21] = v1;
+    out[22] = v10;
+    out[23] = v2;
+    out[24] = v9;
+    out[25] = theta_k_dot;
+    out[26] = v12;
+    out[27] = v27;
+    out[28] = v27;
+    out[29] = v31;
+    out[30] = v15;
+    out[31] = v24;
+    out[32] = v39;
+    out[33] = v39;
+    out[34] = v2;
+    out[35] = v1;
+    out[36] = v4;
+    out[37] = v6;
+    out[38] = v10;
+    out[39] = v9;
+    out[40] = v9;
+    out[41] = v10;
+    out[42] = v14;
+    out[43] = v14;
+    out[44] = v15;
+    out[45] = v6;
+    out[46] = v4;
+    out[47] = v14;
+    out[48] = v19;
+    out[49] = v21;
+    out[50] = v19;
+    out[51] = v22;
+    out[52] = v24;
+    out[53] = v27;
+    out[54] = v26;
+    out[55] = v19;
+    out[56] = v30;
+    out[57] = v32;
+    out[58] = v32;
+    out[59] = -(extra[28] * extra[1] + v0 * extra[54]);
+    out[60] = v36;
     Some(())
 }
 
@@ -941,7 +1156,7 @@ fn part_1_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Is not used by the table.
-fn function_16(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+fn function_18(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<15>()?;
     let b1 = constants[14];
     let out = out.first_chunk_mut::<1>()?;
@@ -1093,35 +1308,111 @@ fn bound_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c27 = constants[27];
     let theta_h = state[0];
     let theta_k = state[1];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_4 = extra[4];
-    let extra_5 = extra[5];
-    let extra_6 = extra[6];
     let v0 = theta_k - theta_h;
     let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
     let v1 = L1 * cos_v0;
-    let v2 = extra_0 + extra_4;
+    let v2 = extra[0] + extra[4];
     let v3 = sin_v0.abs();
     let v4 = 0.5 * v2;
     let v5 = c27 * v2 * functions::smaller(v4 + v3, 1.0);
-    let v6 = 0.5 * extra_0;
+    let v6 = 0.5 * extra[0];
     let v7 = functions::smaller(v6 + cos_theta_h.abs(), 1.0);
     let v8 = functions::smaller(v6 + sin_theta_h.abs(), 1.0);
     let v9 = (L4 * sin_theta_h + L3 * cos_theta_h - v1).abs() + v5;
-    let v10 = extra_0 * (c25 * v7 + c26 * v8) + v9;
+    let v10 = extra[0] * (c25 * v7 + c26 * v8) + v9;
     let v11 = v1.abs() + v5;
     let v12 = L1 * sin_v0;
     let v13 = (L4 * cos_theta_h - L3 * sin_theta_h - v12).abs();
     let v14 = v2 * functions::smaller(v4 + cos_v0.abs(), 1.0);
     let v15 = c27 * v14;
-    let v16 = extra_1 * (extra_0 * (c25 * v8 + c26 * v7) + (v13 + v15));
-    let v17 = extra_1 * (v16 + 2.0 * (extra_5 * (v12.abs() + v15)));
-    let v18 = c27 * extra_5 * (extra_5 * functions::smaller(v3 + v14, 1.0));
+    let v16 = extra[1] * (extra[0] * (c25 * v8 + c26 * v7) + (v13 + v15));
+    let v17 = extra[1] * (v16 + 2.0 * (extra[5] * (v12.abs() + v15)));
+    let v18 = c27 * extra[5] * (extra[5] * functions::smaller(v3 + v14, 1.0));
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_4 * v11 + extra_0 * v10;
-    out[1] = extra_6 * v11 + extra_2 * v10 + v17 + v18;
+    out[0] = extra[4] * v11 + extra[0] * v10;
+    out[1] = extra[6] * v11 + extra[2] * v10 + v17 + v18;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode B2.
+fn series_start_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<21>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let string_angle = constants[12];
+    let c20 = constants[20];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let v0 = theta_k - theta_h;
+    let ([sin_theta_h, sin_theta_k], [cos_theta_h, cos_theta_k]) =
+        math::sin_cos_of_two([theta_h, theta_k]);
+    let v1 = theta_k - theta_k;
+    let (sin_v0, cos_v0) = math::sin_cos(v0);
+    let out = out.first_chunk_mut::<12>()?;
+    out[0] = theta_h_dot;
+    out[1] = theta_k_dot;
+    out[2] = -(theta_k * cos_theta_h);
+    out[3] = c20 * v1;
+    out[4] = v1 - theta_k * sin_v0;
+    out[5] = string_angle - theta_h;
+    out[6] = cos_theta_h;
+    out[7] = sin_theta_h;
+    out[8] = cos_theta_k;
+    out[9] = sin_theta_k;
+    out[10] = cos_v0;
+    out[11] = sin_v0;
+    Some(())
+}
+
+/// One order of the Taylor series in mode B2.
+fn series_step_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<29>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<14>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
+    let k1 = constants[6];
+    let b1 = constants[14];
+    let c17 = constants[17];
+    let c20 = constants[20];
+    let c28 = constants[28];
+    let theta_h = state[0];
+    let theta_k = state[1];
+    let theta_h_dot = state[2];
+    let theta_k_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = theta_k - theta_h;
+    let v1 = extra[2] * extra[1] + theta_h * extra[8];
+    let v2 = -(extra[3] * extra[1] + theta_h * extra[9]);
+    let v3 = -(extra[5] * extra[1] + theta_k * extra[11]);
+    let v4 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * v3;
+    let v5 = extra[6] * extra[1] + v0 * extra[12];
+    let v6 = extra[0] * theta_h;
+    let v7 = extra[0] * theta_k;
+    let v8 = extra[0] * v0;
+    let out = out.first_chunk_mut::<18>()?;
+    out[0] = theta_h_dot;
+    out[1] = theta_k_dot;
+    out[2] = -(c28 * v2);
+    out[3] = c20 * v4;
+    out[4] = L4 * v2 - L3 * v1 - L1 * v5;
+    out[5] = -theta_h;
+    out[6] = v6;
+    out[7] = v6;
+    out[8] = v7;
+    out[9] = v7;
+    out[10] = v8;
+    out[11] = v8;
+    out[12] = v2;
+    out[13] = v1;
+    out[14] = v3;
+    out[15] = extra[4] * extra[1] + theta_k * extra[10];
+    out[16] = -(extra[7] * extra[1] + v0 * extra[13]);
+    out[17] = v5;
     Some(())
 }
 
@@ -1299,16 +1590,15 @@ fn preset_literal(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset playable.
 fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<1>()?;
-    let extra_0 = extra[0];
-    let v0 = 0.000_630_306_423_357_664 * extra_0 - 0.034_866_025_053_821_58;
-    let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra_0;
+    let v0 = 0.000_630_306_423_357_664 * extra[0] - 0.034_866_025_053_821_58;
+    let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra[0];
     let out = out.first_chunk_mut::<17>()?;
     out[0] = 0.1385;
     out[1] = 0.13;
     out[2] = 0.124_800_000_000_000_01;
     out[3] = 0.0027;
     out[4] = 0.13;
-    out[5] = 0.011_137_652 - 6.2348e-5 * extra_0;
+    out[5] = 0.011_137_652 - 6.2348e-5 * extra[0];
     out[6] = 300.0;
     out[7] = 24000.0;
     out[8] = v0;

@@ -13,7 +13,7 @@
 use equations::functions;
 use equations::table::{
     Arguments, DrawingTable, Freedom, FunctionId, Functions, GuardTable, ModeTable, ModelTable,
-    NamedQuantity, ParameterTable, PartTable, PresetTable, RestTable, WayTable,
+    NamedQuantity, ParameterTable, PartTable, PresetTable, RestTable, SeriesTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -286,12 +286,12 @@ pub static TABLE: ModelTable = ModelTable {
         PresetTable {
             name: "default",
             doc: "one key of a grand, plausible and not measured",
-            values: 77,
+            values: 99,
         },
         PresetTable {
             name: "playable",
             doc: "hammers graded over the compass, and a key that comes up by itself from everywhere",
-            values: 78,
+            values: 100,
         },
     ],
     requirements: &[],
@@ -303,9 +303,9 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     coordinates: 2,
     constants: 161,
-    derive_constants: 80,
+    derive_constants: 102,
     input: NamedQuantity { name: "s", unit: "m" },
-    input_per_metre: 79,
+    input_per_metre: 101,
     modes: &[
         ModeTable {
             name: "ACC",
@@ -327,7 +327,15 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 6,
             balance: 7,
             jacobian: 3,
-            series: None,
+            series: Some(SeriesTable {
+                start: 14,
+                step: 15,
+                entries: 0x5,
+                guards: 2,
+                conditions: 2,
+                lanes: 15,
+                carried: 19,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -382,25 +390,33 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "LO",
-            derivative: 14,
+            derivative: 16,
             parts: &[PartTable {
                 entries: 0x5,
-                derivative: 15,
+                derivative: 17,
                 kind: EquationKind::Smooth,
                 loss: None,
                 reads: Reads::StateAndInput,
             }],
             part_list: &[Part::of(&[0, 2])],
-            slaved: Some(16),
+            slaved: Some(18),
             projection: None,
             projected: 0,
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 18,
-            balance: 19,
-            jacobian: 17,
-            series: None,
+            outputs: 20,
+            balance: 21,
+            jacobian: 19,
+            series: Some(SeriesTable {
+                start: 27,
+                step: 28,
+                entries: 0x5,
+                guards: 3,
+                conditions: 2,
+                lanes: 27,
+                carried: 39,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -413,8 +429,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 40.0,
                     fires: Fires::WhileNegative,
                     reads: Reads::StateAndInput,
-                    value: 20,
-                    bound: Some(21),
+                    value: 22,
+                    bound: Some(23),
                     ways: &[WayTable { when: None, to: 3, reset: Some(11), resting: None }],
                     sounds: None,
                 },
@@ -426,7 +442,7 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 22,
+                    value: 24,
                     bound: Some(13),
                     ways: &[WayTable { when: None, to: 0, reset: Some(8), resting: None }],
                     sounds: None,
@@ -439,8 +455,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 23,
-                    bound: Some(24),
+                    value: 25,
+                    bound: Some(26),
                     ways: &[WayTable { when: None, to: 4, reset: Some(11), resting: None }],
                     sounds: None,
                 },
@@ -476,20 +492,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "FLA",
-            derivative: 25,
+            derivative: 29,
             parts: &[
                 PartTable {
                     entries: 0x5,
-                    derivative: 26,
+                    derivative: 30,
                     kind: EquationKind::Smooth,
                     loss: None,
                     reads: Reads::StateAndInput,
                 },
                 PartTable {
                     entries: 0xa,
-                    derivative: 27,
+                    derivative: 31,
                     kind: EquationKind::Affine,
-                    loss: Some(28),
+                    loss: Some(32),
                     reads: Reads::State,
                 },
             ],
@@ -500,10 +516,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 30,
-            balance: 31,
-            jacobian: 29,
-            series: None,
+            outputs: 34,
+            balance: 35,
+            jacobian: 33,
+            series: Some(SeriesTable {
+                start: 43,
+                step: 44,
+                entries: 0xf,
+                guards: 3,
+                conditions: 2,
+                lanes: 15,
+                carried: 19,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -516,9 +540,9 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 33,
-                    bound: Some(34),
-                    ways: &[WayTable { when: None, to: 0, reset: Some(32), resting: None }],
+                    value: 37,
+                    bound: Some(38),
+                    ways: &[WayTable { when: None, to: 0, reset: Some(36), resting: None }],
                     sounds: None,
                 },
                 GuardTable {
@@ -542,10 +566,10 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 37,
-                    bound: Some(38),
-                    ways: &[WayTable { when: None, to: 5, reset: Some(35), resting: None }],
-                    sounds: Some(36),
+                    value: 41,
+                    bound: Some(42),
+                    ways: &[WayTable { when: None, to: 5, reset: Some(39), resting: None }],
+                    sounds: Some(40),
                 },
             ],
             guard_specs: &[
@@ -579,20 +603,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "FLL",
-            derivative: 25,
+            derivative: 29,
             parts: &[
                 PartTable {
                     entries: 0x5,
-                    derivative: 26,
+                    derivative: 30,
                     kind: EquationKind::Smooth,
                     loss: None,
                     reads: Reads::StateAndInput,
                 },
                 PartTable {
                     entries: 0xa,
-                    derivative: 27,
+                    derivative: 31,
                     kind: EquationKind::Affine,
-                    loss: Some(28),
+                    loss: Some(32),
                     reads: Reads::State,
                 },
             ],
@@ -603,10 +627,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 30,
-            balance: 31,
-            jacobian: 29,
-            series: None,
+            outputs: 34,
+            balance: 35,
+            jacobian: 33,
+            series: Some(SeriesTable {
+                start: 48,
+                step: 49,
+                entries: 0xf,
+                guards: 4,
+                conditions: 2,
+                lanes: 16,
+                carried: 21,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -619,9 +651,9 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 40,
-                    bound: Some(41),
-                    ways: &[WayTable { when: None, to: 1, reset: Some(39), resting: None }],
+                    value: 46,
+                    bound: Some(47),
+                    ways: &[WayTable { when: None, to: 1, reset: Some(45), resting: None }],
                     sounds: None,
                 },
                 GuardTable {
@@ -632,7 +664,7 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 22,
+                    value: 24,
                     bound: Some(13),
                     ways: &[WayTable { when: None, to: 2, reset: None, resting: None }],
                     sounds: None,
@@ -645,8 +677,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 23,
-                    bound: Some(24),
+                    value: 25,
+                    bound: Some(26),
                     ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -658,10 +690,10 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 37,
-                    bound: Some(38),
-                    ways: &[WayTable { when: None, to: 5, reset: Some(35), resting: None }],
-                    sounds: Some(36),
+                    value: 41,
+                    bound: Some(42),
+                    ways: &[WayTable { when: None, to: 5, reset: Some(39), resting: None }],
+                    sounds: Some(40),
                 },
             ],
             guard_specs: &[
@@ -703,20 +735,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "FLT",
-            derivative: 25,
+            derivative: 29,
             parts: &[
                 PartTable {
                     entries: 0x5,
-                    derivative: 26,
+                    derivative: 30,
                     kind: EquationKind::Smooth,
                     loss: None,
                     reads: Reads::StateAndInput,
                 },
                 PartTable {
                     entries: 0xa,
-                    derivative: 27,
+                    derivative: 31,
                     kind: EquationKind::Affine,
-                    loss: Some(28),
+                    loss: Some(32),
                     reads: Reads::State,
                 },
             ],
@@ -727,10 +759,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 30,
-            balance: 31,
-            jacobian: 29,
-            series: None,
+            outputs: 34,
+            balance: 35,
+            jacobian: 33,
+            series: Some(SeriesTable {
+                start: 55,
+                step: 56,
+                entries: 0xf,
+                guards: 3,
+                conditions: 2,
+                lanes: 18,
+                carried: 22,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -743,10 +783,10 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 37,
-                    bound: Some(38),
-                    ways: &[WayTable { when: None, to: 6, reset: Some(35), resting: None }],
-                    sounds: Some(36),
+                    value: 41,
+                    bound: Some(42),
+                    ways: &[WayTable { when: None, to: 6, reset: Some(39), resting: None }],
+                    sounds: Some(40),
                 },
                 GuardTable {
                     id: 6,
@@ -756,10 +796,10 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 43,
-                    bound: Some(44),
+                    value: 51,
+                    bound: Some(52),
                     ways: &[
-                        WayTable { when: Some(42), to: 7, reset: None, resting: None },
+                        WayTable { when: Some(50), to: 7, reset: None, resting: None },
                         WayTable { when: None, to: 8, reset: None, resting: None },
                     ],
                     sounds: None,
@@ -772,10 +812,10 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 46,
+                    value: 54,
                     bound: Some(13),
                     ways: &[
-                        WayTable { when: Some(45), to: 2, reset: None, resting: None },
+                        WayTable { when: Some(53), to: 2, reset: None, resting: None },
                         WayTable { when: None, to: 9, reset: None, resting: None },
                     ],
                     sounds: None,
@@ -812,20 +852,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "STU",
-            derivative: 47,
+            derivative: 57,
             parts: &[
                 PartTable {
                     entries: 0x5,
-                    derivative: 26,
+                    derivative: 30,
                     kind: EquationKind::Smooth,
                     loss: None,
                     reads: Reads::StateAndInput,
                 },
                 PartTable {
                     entries: 0xa,
-                    derivative: 48,
+                    derivative: 58,
                     kind: EquationKind::Smooth,
-                    loss: Some(49),
+                    loss: Some(59),
                     reads: Reads::State,
                 },
             ],
@@ -836,10 +876,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 51,
-            balance: 52,
-            jacobian: 50,
-            series: None,
+            outputs: 61,
+            balance: 62,
+            jacobian: 60,
+            series: Some(SeriesTable {
+                start: 65,
+                step: 66,
+                entries: 0xf,
+                guards: 2,
+                conditions: 4,
+                lanes: 18,
+                carried: 24,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -852,10 +900,10 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 54,
-                    bound: Some(38),
+                    value: 64,
+                    bound: Some(42),
                     ways: &[
-                        WayTable { when: Some(53), to: 2, reset: None, resting: None },
+                        WayTable { when: Some(63), to: 2, reset: None, resting: None },
                         WayTable { when: None, to: 3, reset: None, resting: None },
                     ],
                     sounds: None,
@@ -868,8 +916,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 23,
-                    bound: Some(24),
+                    value: 25,
+                    bound: Some(26),
                     ways: &[WayTable { when: None, to: 6, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -897,20 +945,20 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "STT",
-            derivative: 47,
+            derivative: 57,
             parts: &[
                 PartTable {
                     entries: 0x5,
-                    derivative: 26,
+                    derivative: 30,
                     kind: EquationKind::Smooth,
                     loss: None,
                     reads: Reads::StateAndInput,
                 },
                 PartTable {
                     entries: 0xa,
-                    derivative: 48,
+                    derivative: 58,
                     kind: EquationKind::Smooth,
-                    loss: Some(49),
+                    loss: Some(59),
                     reads: Reads::State,
                 },
             ],
@@ -921,10 +969,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 51,
-            balance: 52,
-            jacobian: 50,
-            series: None,
+            outputs: 61,
+            balance: 62,
+            jacobian: 60,
+            series: Some(SeriesTable {
+                start: 67,
+                step: 68,
+                entries: 0xf,
+                guards: 2,
+                conditions: 4,
+                lanes: 18,
+                carried: 24,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -937,8 +993,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 54,
-                    bound: Some(38),
+                    value: 64,
+                    bound: Some(42),
                     ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -950,7 +1006,7 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 46,
+                    value: 54,
                     bound: Some(13),
                     ways: &[WayTable { when: None, to: 5, reset: None, resting: None }],
                     sounds: None,
@@ -979,10 +1035,10 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "REPH",
-            derivative: 55,
+            derivative: 69,
             parts: &[PartTable {
                 entries: 0xf,
-                derivative: 55,
+                derivative: 69,
                 kind: EquationKind::Smooth,
                 loss: None,
                 reads: Reads::StateAndInput,
@@ -994,10 +1050,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 57,
-            balance: 58,
-            jacobian: 56,
-            series: None,
+            outputs: 71,
+            balance: 72,
+            jacobian: 70,
+            series: Some(SeriesTable {
+                start: 79,
+                step: 80,
+                entries: 0xf,
+                guards: 3,
+                conditions: 2,
+                lanes: 24,
+                carried: 31,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -1010,8 +1074,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 59,
-                    bound: Some(60),
+                    value: 73,
+                    bound: Some(74),
                     ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -1023,9 +1087,9 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::OnCrossing,
                     reads: Reads::State,
-                    value: 62,
-                    bound: Some(63),
-                    ways: &[WayTable { when: None, to: 10, reset: Some(61), resting: None }],
+                    value: 76,
+                    bound: Some(77),
+                    ways: &[WayTable { when: None, to: 10, reset: Some(75), resting: None }],
                     sounds: None,
                 },
                 GuardTable {
@@ -1036,7 +1100,7 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 64,
+                    value: 78,
                     bound: Some(13),
                     ways: &[WayTable { when: None, to: 8, reset: None, resting: None }],
                     sounds: None,
@@ -1073,10 +1137,10 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "REPL",
-            derivative: 55,
+            derivative: 69,
             parts: &[PartTable {
                 entries: 0xf,
-                derivative: 55,
+                derivative: 69,
                 kind: EquationKind::Smooth,
                 loss: None,
                 reads: Reads::StateAndInput,
@@ -1088,10 +1152,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 57,
-            balance: 58,
-            jacobian: 56,
-            series: None,
+            outputs: 71,
+            balance: 72,
+            jacobian: 70,
+            series: Some(SeriesTable {
+                start: 82,
+                step: 83,
+                entries: 0xf,
+                guards: 3,
+                conditions: 2,
+                lanes: 24,
+                carried: 31,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -1104,8 +1176,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 59,
-                    bound: Some(60),
+                    value: 73,
+                    bound: Some(74),
                     ways: &[WayTable { when: None, to: 4, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -1117,7 +1189,7 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 65,
+                    value: 81,
                     bound: Some(13),
                     ways: &[WayTable { when: None, to: 7, reset: None, resting: None }],
                     sounds: None,
@@ -1130,10 +1202,10 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 46,
+                    value: 54,
                     bound: Some(13),
                     ways: &[
-                        WayTable { when: Some(45), to: 2, reset: None, resting: None },
+                        WayTable { when: Some(53), to: 2, reset: None, resting: None },
                         WayTable { when: None, to: 9, reset: None, resting: None },
                     ],
                     sounds: None,
@@ -1170,10 +1242,10 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "REP0",
-            derivative: 55,
+            derivative: 69,
             parts: &[PartTable {
                 entries: 0xf,
-                derivative: 55,
+                derivative: 69,
                 kind: EquationKind::Smooth,
                 loss: None,
                 reads: Reads::StateAndInput,
@@ -1185,10 +1257,18 @@ pub static TABLE: ModelTable = ModelTable {
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 57,
-            balance: 58,
-            jacobian: 56,
-            series: None,
+            outputs: 71,
+            balance: 72,
+            jacobian: 70,
+            series: Some(SeriesTable {
+                start: 86,
+                step: 87,
+                entries: 0xf,
+                guards: 3,
+                conditions: 2,
+                lanes: 24,
+                carried: 31,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -1201,8 +1281,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 59,
-                    bound: Some(60),
+                    value: 73,
+                    bound: Some(74),
                     ways: &[WayTable { when: None, to: 2, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -1214,8 +1294,8 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.05,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 66,
-                    bound: Some(34),
+                    value: 84,
+                    bound: Some(38),
                     ways: &[WayTable { when: None, to: 2, reset: None, resting: None }],
                     sounds: None,
                 },
@@ -1227,7 +1307,7 @@ pub static TABLE: ModelTable = ModelTable {
                     scale: 0.01,
                     fires: Fires::WhileNegative,
                     reads: Reads::State,
-                    value: 67,
+                    value: 85,
                     bound: Some(13),
                     ways: &[WayTable { when: None, to: 8, reset: None, resting: None }],
                     sounds: None,
@@ -1264,25 +1344,33 @@ pub static TABLE: ModelTable = ModelTable {
         },
         ModeTable {
             name: "CHK",
-            derivative: 68,
+            derivative: 88,
             parts: &[PartTable {
                 entries: 0x5,
-                derivative: 69,
+                derivative: 89,
                 kind: EquationKind::Smooth,
                 loss: None,
                 reads: Reads::StateAndInput,
             }],
             part_list: &[Part::of(&[0, 2])],
-            slaved: Some(70),
+            slaved: Some(90),
             projection: None,
             projected: 0,
             longest_projection: None,
             readout: 4,
             slopes: 5,
-            outputs: 72,
-            balance: 73,
-            jacobian: 71,
-            series: None,
+            outputs: 92,
+            balance: 93,
+            jacobian: 91,
+            series: Some(SeriesTable {
+                start: 96,
+                step: 97,
+                entries: 0x5,
+                guards: 1,
+                conditions: 2,
+                lanes: 19,
+                carried: 24,
+            }),
             kind: EquationKind::Smooth,
             loss: None,
             is_stiffening: true,
@@ -1294,9 +1382,9 @@ pub static TABLE: ModelTable = ModelTable {
                 scale: 0.01,
                 fires: Fires::WhileNegative,
                 reads: Reads::State,
-                value: 75,
+                value: 95,
                 bound: Some(13),
-                ways: &[WayTable { when: None, to: 8, reset: Some(74), resting: None }],
+                ways: &[WayTable { when: None, to: 8, reset: Some(94), resting: None }],
                 sounds: None,
             }],
             guard_specs: &[GuardSpec {
@@ -1449,9 +1537,9 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "F_lever", unit: "N" },
         NamedQuantity { name: "F_string", unit: "N" },
     ],
-    rest: RestTable { mode: 0, instead: &[], state: 76, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 98, is_improved: true },
     damper: None,
-    drawing: DrawingTable { numbers: 76, count: 0, bodies: &[], springs: &[] },
+    drawing: DrawingTable { numbers: 98, count: 0, bodies: &[], springs: &[] },
 };
 
 /// The model's arithmetic.
@@ -1475,73 +1563,95 @@ impl Functions for ReducedGrandFunctions {
             11 => reset_0_button_acc(given, out),
             12 => guard_button_acc(given, out),
             13 => bound_button_acc(given, out),
-            14 => derivative_lo(given, out),
-            15 => part_0_lo(given, out),
-            16 => slaved_lo(given, out),
-            17 => jacobian_lo(given, out),
-            18 => outputs_lo(given, out),
-            19 => balance_lo(given, out),
-            20 => guard_lift_off_lo(given, out),
-            21 => bound_lift_off_lo(given, out),
-            22 => guard_button_off_lo(given, out),
-            23 => guard_trip_lo(given, out),
-            24 => bound_trip_lo(given, out),
-            25 => derivative_fla(given, out),
-            26 => part_0_fla(given, out),
-            27 => part_1_fla(given, out),
-            28 => function_28(given, out),
-            29 => jacobian_fla(given, out),
-            30 => outputs_fla(given, out),
-            31 => balance_fla(given, out),
-            32 => reset_0_land_fla(given, out),
-            33 => guard_land_fla(given, out),
-            34 => bound_land_fla(given, out),
-            35 => reset_0_string_on_fla(given, out),
-            36 => speed_string_on_fla(given, out),
-            37 => guard_string_on_fla(given, out),
-            38 => bound_string_on_fla(given, out),
-            39 => reset_0_land_fll(given, out),
-            40 => guard_land_fll(given, out),
-            41 => bound_land_fll(given, out),
-            42 => when_0_rep_on_flt(given, out),
-            43 => guard_rep_on_flt(given, out),
-            44 => bound_rep_on_flt(given, out),
-            45 => when_0_reset_flt(given, out),
-            46 => guard_reset_flt(given, out),
-            47 => derivative_stu(given, out),
-            48 => part_1_stu(given, out),
-            49 => function_49(given, out),
-            50 => jacobian_stu(given, out),
-            51 => outputs_stu(given, out),
-            52 => balance_stu(given, out),
-            53 => when_0_string_off_stu(given, out),
-            54 => guard_string_off_stu(given, out),
-            55 => derivative_reph(given, out),
-            56 => jacobian_reph(given, out),
-            57 => outputs_reph(given, out),
-            58 => balance_reph(given, out),
-            59 => guard_rep_off_reph(given, out),
-            60 => bound_rep_off_reph(given, out),
-            61 => reset_0_check_reph(given, out),
-            62 => guard_check_reph(given, out),
-            63 => bound_check_reph(given, out),
-            64 => guard_check_far_reph(given, out),
-            65 => guard_check_near_repl(given, out),
-            66 => guard_jack_in_rep0(given, out),
-            67 => guard_jack_out_rep0(given, out),
-            68 => derivative_chk(given, out),
-            69 => part_0_chk(given, out),
-            70 => slaved_chk(given, out),
-            71 => jacobian_chk(given, out),
-            72 => outputs_chk(given, out),
-            73 => balance_chk(given, out),
-            74 => reset_0_check_off_chk(given, out),
-            75 => guard_check_off_chk(given, out),
-            76 => rest(given, out),
-            77 => preset_default(given, out),
-            78 => preset_playable(given, out),
-            79 => input_per_metre(given, out),
-            80 => derived_constants(given, out),
+            14 => series_start_acc(given, out),
+            15 => series_step_acc(given, out),
+            16 => derivative_lo(given, out),
+            17 => part_0_lo(given, out),
+            18 => slaved_lo(given, out),
+            19 => jacobian_lo(given, out),
+            20 => outputs_lo(given, out),
+            21 => balance_lo(given, out),
+            22 => guard_lift_off_lo(given, out),
+            23 => bound_lift_off_lo(given, out),
+            24 => guard_button_off_lo(given, out),
+            25 => guard_trip_lo(given, out),
+            26 => bound_trip_lo(given, out),
+            27 => series_start_lo(given, out),
+            28 => series_step_lo(given, out),
+            29 => derivative_fla(given, out),
+            30 => part_0_fla(given, out),
+            31 => part_1_fla(given, out),
+            32 => function_32(given, out),
+            33 => jacobian_fla(given, out),
+            34 => outputs_fla(given, out),
+            35 => balance_fla(given, out),
+            36 => reset_0_land_fla(given, out),
+            37 => guard_land_fla(given, out),
+            38 => bound_land_fla(given, out),
+            39 => reset_0_string_on_fla(given, out),
+            40 => speed_string_on_fla(given, out),
+            41 => guard_string_on_fla(given, out),
+            42 => bound_string_on_fla(given, out),
+            43 => series_start_fla(given, out),
+            44 => series_step_fla(given, out),
+            45 => reset_0_land_fll(given, out),
+            46 => guard_land_fll(given, out),
+            47 => bound_land_fll(given, out),
+            48 => series_start_fll(given, out),
+            49 => series_step_fll(given, out),
+            50 => when_0_rep_on_flt(given, out),
+            51 => guard_rep_on_flt(given, out),
+            52 => bound_rep_on_flt(given, out),
+            53 => when_0_reset_flt(given, out),
+            54 => guard_reset_flt(given, out),
+            55 => series_start_flt(given, out),
+            56 => series_step_flt(given, out),
+            57 => derivative_stu(given, out),
+            58 => part_1_stu(given, out),
+            59 => function_59(given, out),
+            60 => jacobian_stu(given, out),
+            61 => outputs_stu(given, out),
+            62 => balance_stu(given, out),
+            63 => when_0_string_off_stu(given, out),
+            64 => guard_string_off_stu(given, out),
+            65 => series_start_stu(given, out),
+            66 => series_step_stu(given, out),
+            67 => series_start_stt(given, out),
+            68 => series_step_stt(given, out),
+            69 => derivative_reph(given, out),
+            70 => jacobian_reph(given, out),
+            71 => outputs_reph(given, out),
+            72 => balance_reph(given, out),
+            73 => guard_rep_off_reph(given, out),
+            74 => bound_rep_off_reph(given, out),
+            75 => reset_0_check_reph(given, out),
+            76 => guard_check_reph(given, out),
+            77 => bound_check_reph(given, out),
+            78 => guard_check_far_reph(given, out),
+            79 => series_start_reph(given, out),
+            80 => series_step_reph(given, out),
+            81 => guard_check_near_repl(given, out),
+            82 => series_start_repl(given, out),
+            83 => series_step_repl(given, out),
+            84 => guard_jack_in_rep0(given, out),
+            85 => guard_jack_out_rep0(given, out),
+            86 => series_start_rep0(given, out),
+            87 => series_step_rep0(given, out),
+            88 => derivative_chk(given, out),
+            89 => part_0_chk(given, out),
+            90 => slaved_chk(given, out),
+            91 => jacobian_chk(given, out),
+            92 => outputs_chk(given, out),
+            93 => balance_chk(given, out),
+            94 => reset_0_check_off_chk(given, out),
+            95 => guard_check_off_chk(given, out),
+            96 => series_start_chk(given, out),
+            97 => series_step_chk(given, out),
+            98 => rest(given, out),
+            99 => preset_default(given, out),
+            100 => preset_playable(given, out),
+            101 => input_per_metre(given, out),
+            102 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -1967,13 +2077,6 @@ fn bound_lift_off_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate = input[1];
     let s_rate2 = input[2];
     let s_rate3 = input[3];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_3 = extra[3];
-    let extra_8 = extra[8];
-    let extra_9 = extra[9];
-    let extra_10 = extra[10];
     let v0 = 1.0 + u * ab;
     let v1 = functions::larger(v0, 0.0);
     let v2 = c37 * (y - ybed);
@@ -1993,33 +2096,33 @@ fn bound_lift_off_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v16 = c41 * (y - yb);
     let v17 = functions::logistic(v16);
     let v18 = (k1 + kj * v17 + 2.0 * (v6 * v1 + v15 * v9)).abs();
-    let v19 = extra_0 * c68;
+    let v19 = extra[0] * c68;
     let v20 = functions::logistic(functions::larger(v2.abs() - v19, 0.0));
     let v21 = v20 * (1.0 - v20);
     let v22 = functions::logistic(functions::larger(v10.abs() - v19, 0.0));
     let v23 = v22 * (1.0 - v22);
     let v24 = 2.0 * ((v14 * v9).abs() * v23 + (v5 * v1).abs() * v21);
-    let v25 = extra_0 * c69;
+    let v25 = extra[0] * c69;
     let v26 = functions::logistic(functions::larger(v16.abs() - v25, 0.0));
     let v27 = v26 * (1.0 - v26);
     let v28 = v19 + v2;
     let v29 = functions::logistic(v28);
     let v30 = v0.abs();
-    let v31 = extra_8 * c66;
+    let v31 = extra[8] * c66;
     let v32 = v31 + v30;
-    let v33 = extra_0 * v29 * (0.5 * (v32 + v32.abs()));
+    let v33 = extra[0] * v29 * (0.5 * (v32 + v32.abs()));
     let v34 = 0.5 * (v31 + v31.abs());
     let v35 = v5.abs();
     let v36 = v19 - v10;
     let v37 = functions::logistic(v36);
     let v38 = (v7 - 1.0).abs();
-    let v39 = extra_8 * c67;
+    let v39 = extra[8] * c67;
     let v40 = v39 + v38;
-    let v41 = extra_0 * v37 * (0.5 * (v40 + v40.abs()));
+    let v41 = extra[0] * v37 * (0.5 * (v40 + v40.abs()));
     let v42 = 0.5 * (v39 + v39.abs());
     let v43 = v14.abs();
     let v44 = v29 * (v34 * v35 + c70 * v33) + v37 * (v42 * v43 + c71 * v41);
-    let v45 = v18 + 2.0 * v44 + extra_0 * (c72 * v27 + c68 * v24);
+    let v45 = v18 + 2.0 * v44 + extra[0] * (c72 * v27 + c68 * v24);
     let v46 = v30 - v31;
     let v47 = if v0 > 0.0 { c66 } else { 0.0 };
     let v48 = if v46 > 0.0 { v47 } else { c66 };
@@ -2037,18 +2140,18 @@ fn bound_lift_off_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v60 = u * c40;
     let v61 = math::tanh(v60);
     let v62 = v61.abs();
-    let v63 = functions::larger(v60.abs() - extra_8 * c80, 0.0);
+    let v63 = functions::larger(v60.abs() - extra[8] * c80, 0.0);
     let v64 = math::tanh(v63);
     let v65 = 1.0 - v64 * v64;
-    let v66 = extra_8 * v65;
+    let v66 = extra[8] * v65;
     let v67 = v62 + functions::smaller(v62 + c80 * v66, 1.0);
     let v68 = v66 * v67;
-    let v69 = v58 * v59.abs() + v55 * v56.abs() + extra_0 * (v37 * v53 + v29 * v49);
+    let v69 = v58 * v59.abs() + v55 * v56.abs() + extra[0] * (v37 * v53 + v29 * v49);
     let v70 = v61 * v61;
     let v71 = 1.0 - v70;
     let v72 = c59 * (c65 - c50 * v71 + (v57 * v59 - v54 * v56));
     let v73 = (c43 + v72).abs() + c84 * (v69 + c83 * v68);
-    let v74 = extra_3 * (s_rate * c87 + s_rate2 * c88) + extra_0 * (c73 * v45);
+    let v74 = extra[3] * (s_rate * c87 + s_rate2 * c88) + extra[0] * (c73 * v45);
     let v75 = if v46 > 0.0 { 0.0 } else { f64::INFINITY };
     let v76 = if v50 > 0.0 { 0.0 } else { f64::INFINITY };
     let v77 = v3 * (1.0 - v3);
@@ -2069,20 +2172,20 @@ fn bound_lift_off_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v92 = 1.0 + (functions::logistic(v25 + v16) + v17.abs());
     let v93 = v29 * v34 * (c75 * v29) + c77 * v37 * (v37 * v42);
     let v94 = (v4 * v81).abs() * v87 + v91 + (v93 + (v13 * v83).abs() * v90 + v88);
-    let v95 = v80.abs() + c79 * (extra_0 * (c69 * (v92 * v27)));
-    let v96 = extra_1 * (extra_0 * (c68 * v85) + v95 + 2.0 * v94);
-    let v97 = v48 * (extra_0 * (v29 * (c70 * v29) + c68 * v35 * v21));
-    let v98 = v52 * (extra_0 * (v37 * (c71 * v37) + c68 * v43 * v23));
+    let v95 = v80.abs() + c79 * (extra[0] * (c69 * (v92 * v27)));
+    let v96 = extra[1] * (extra[0] * (c68 * v85) + v95 + 2.0 * v94);
+    let v97 = v48 * (extra[0] * (v29 * (c70 * v29) + c68 * v35 * v21));
+    let v98 = v52 * (extra[0] * (v37 * (c71 * v37) + c68 * v43 * v23));
     let v99 = 2.0 * (v97 + (v58 * v15.abs() + v55 * v6.abs() + v98));
-    let v100 = extra_9 * ((2.0 * (v57 * v15 + v54 * v6)).abs() + v99);
-    let v101 = c73 * (extra_2 * v45 + extra_1 * (2.0 * v100 + v96));
-    let v102 = extra_3 * extra_3 * (c87 * s_rate2 + c88 * s_rate3);
+    let v100 = extra[9] * ((2.0 * (v57 * v15 + v54 * v6)).abs() + v99);
+    let v101 = c73 * (extra[2] * v45 + extra[1] * (2.0 * v100 + v96));
+    let v102 = extra[3] * extra[3] * (c87 * s_rate2 + c88 * s_rate3);
     let v103 = c85 * v61;
     let v104 = c80 * v103.abs() * v67 + c86 * ((v70 - 1.0).abs() + c80 * v68);
-    let v105 = (2.0 * (v103 * v71)).abs() + extra_8 * (v65 * (2.0 * v104));
-    let v106 = v76 + (v102 + v75) + v101 + extra_10 * v73 + extra_9 * (extra_9 * v105);
+    let v105 = (2.0 * (v103 * v71)).abs() + extra[8] * (v65 * (2.0 * v104));
+    let v106 = v76 + (v102 + v75) + v101 + extra[10] * v73 + extra[9] * (extra[9] * v105);
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v74 + extra_8 * v73;
+    out[0] = v74 + extra[8] * v73;
     out[1] = v106;
     Some(())
 }
@@ -2125,11 +2228,157 @@ fn guard_button_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// Bounds of the guard's move and bend: button in mode ACC.
 fn bound_button_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_0;
-    out[1] = extra_2;
+    out[0] = extra[0];
+    out[1] = extra[2];
+    Some(())
+}
+
+/// Where the Taylor series begins in mode ACC.
+fn series_start_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<46>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let R = constants[0];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c45 = constants[45];
+    let y = state[0];
+    let u = state[2];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = functions::softplus(v3);
+    let v6 = 1.0 - u;
+    let v7 = v6 - 0.0;
+    let v8 = if v7 > 0.0 { v6 } else { 0.0 };
+    let v9 = -u;
+    let v10 = functions::logistic(v9);
+    let v11 = functions::softplus(v9);
+    let v12 = math::tanh(v3);
+    let v13 = y - u;
+    let v14 = functions::logistic(u * v13);
+    let out = out.first_chunk_mut::<27>()?;
+    out[0] = u;
+    out[1] = c45 * (u - u);
+    out[2] = R * y;
+    out[3] = u * R;
+    out[4] = u + u + v3;
+    out[5] = -v13;
+    out[6] = v1;
+    out[7] = v7;
+    out[8] = v1;
+    out[9] = v4 - v4 * v4;
+    out[10] = v4 + v4;
+    out[11] = v4;
+    out[12] = v5 + v5;
+    out[13] = c38 * (v5 * v5);
+    out[14] = v2;
+    out[15] = v7;
+    out[16] = v10 - v10 * v10;
+    out[17] = v10 + v10;
+    out[18] = v10;
+    out[19] = v11 + v11;
+    out[20] = c39 * (v11 * v11);
+    out[21] = v8;
+    out[22] = 1.0 - v12 * v12;
+    out[23] = v12 + v12;
+    out[24] = v14 - v14 * v14;
+    out[25] = v14 + v14;
+    out[26] = v14;
+    Some(())
+}
+
+/// One order of the Taylor series in mode ACC.
+fn series_step_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<60>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let extra = given.extra.first_chunk::<36>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c45 = constants[45];
+    let c59 = constants[59];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = c43 * u;
+    let v1 = ab * u;
+    let v2 = if extra[17] > 0.0 { v1 } else { 0.0 };
+    let v3 = c37 * y;
+    let v4 = extra[2] * extra[1] + v3 * extra[18];
+    let v5 = extra[4] * extra[1] + v3 * extra[20];
+    let v6 = c38 * (extra[5] + extra[21] * v5);
+    let v7 = -(ar * u);
+    let v8 = if extra[24] > 0.0 { v7 } else { 0.0 };
+    let v9 = -v3;
+    let v10 = extra[7] * extra[1] + v9 * extra[25];
+    let v11 = extra[9] * extra[1] + v9 * extra[27];
+    let v12 = c39 * (extra[10] + extra[28] * v11);
+    let v13 = extra[11] + extra[29] * v8 + v12 * extra[30];
+    let v14 = c40 * u;
+    let v15 = extra[12] * extra[1] + v14 * extra[31];
+    let v16 = c41 * y;
+    let v17 = extra[14] * extra[1] + v16 * extra[33];
+    let v18 = Fc * v15 + c42 * (extra[16] * extra[1] + v16 * extra[35]);
+    let v19 = v18 + (extra[6] + extra[22] * v2 + v6 * extra[23] - v13);
+    let v20 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - v19;
+    let v21 = extra[0] * v3;
+    let v22 = extra[0] * v9;
+    let v23 = extra[0] * v16;
+    let out = out.first_chunk_mut::<38>()?;
+    out[0] = u;
+    out[1] = c45 * (v20 - R * v0);
+    out[2] = R * y;
+    out[3] = R * u;
+    out[4] = v0 + c59 * v20;
+    out[5] = -y;
+    out[6] = v1;
+    out[7] = v7;
+    out[8] = v21;
+    out[9] = v4;
+    out[10] = v21;
+    out[11] = v5;
+    out[12] = v6;
+    out[13] = v22;
+    out[14] = v10;
+    out[15] = v22;
+    out[16] = v11;
+    out[17] = v12;
+    out[18] = extra[0] * v14;
+    out[19] = v15;
+    out[20] = v23;
+    out[21] = v17;
+    out[22] = v23;
+    out[23] = v4 - (extra[3] + extra[19] * v4);
+    out[24] = v4;
+    out[25] = v4;
+    out[26] = v5;
+    out[27] = v2;
+    out[28] = v10 - (extra[8] + extra[26] * v10);
+    out[29] = v10;
+    out[30] = v10;
+    out[31] = v11;
+    out[32] = v8;
+    out[33] = -(extra[13] + extra[32] * v15);
+    out[34] = v15;
+    out[35] = v17 - (extra[15] + extra[34] * v17);
+    out[36] = v17;
+    out[37] = v17;
     Some(())
 }
 
@@ -2665,25 +2914,17 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate = input[1];
     let s_rate2 = input[2];
     let s_rate3 = input[3];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_3 = extra[3];
-    let extra_7 = extra[7];
-    let extra_8 = extra[8];
-    let extra_9 = extra[9];
-    let extra_10 = extra[10];
-    let v0 = extra_0 * c112;
+    let v0 = extra[0] * c112;
     let v1 = y - yb;
     let v2 = c93 * v1;
     let v3 = v0 + (v2 - 1.0).abs();
     let v4 = c37 * (y - ybed);
-    let v5 = extra_0 * c68;
+    let v5 = extra[0] * c68;
     let v6 = v5 + v4;
     let v7 = functions::logistic(v6);
     let v8 = 1.0 + u * ab;
     let v9 = v8.abs();
-    let v10 = extra_8 * c66;
+    let v10 = extra[8] * c66;
     let v11 = v10 + v9;
     let v12 = 0.5 * (v11 + v11.abs());
     let v13 = functions::softplus(v4);
@@ -2693,18 +2934,18 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v17 = functions::logistic(v16);
     let v18 = u * ar;
     let v19 = (v18 - 1.0).abs();
-    let v20 = extra_8 * c67;
+    let v20 = extra[8] * c67;
     let v21 = v20 + v19;
     let v22 = 0.5 * (v21 + v21.abs());
     let v23 = -v15;
     let v24 = functions::softplus(v23);
     let v25 = c82 * (functions::softplus(v16) + v24.abs());
     let v26 = c41 * v1;
-    let v27 = extra_0 * c69;
+    let v27 = extra[0] * c69;
     let v28 = functions::logistic(v27 + v26);
     let v29 = v17 * v25 * v22 + (c111 * v28 + v12 * (v7 * v14));
     let v30 = u * c40;
-    let v31 = functions::larger(v30.abs() - extra_8 * c80, 0.0);
+    let v31 = functions::larger(v30.abs() - extra[8] * c80, 0.0);
     let v32 = math::tanh(v31);
     let v33 = 1.0 - v32 * v32;
     let v34 = 0.5 * (v10 + v10.abs());
@@ -2715,8 +2956,8 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v39 = c39 * v24;
     let v40 = v24 * v39;
     let v41 = v40.abs();
-    let v42 = c108 * (s_rate + extra_8) + c107 * (extra_0 + extra_3 * s_rate);
-    let v43 = v34 * v37 + (v42 + v38 * v41) + extra_0 * v29 + extra_8 * (c110 + c109 * v33);
+    let v42 = c108 * (s_rate + extra[8]) + c107 * (extra[0] + extra[3] * s_rate);
+    let v43 = v34 * v37 + (v42 + v38 * v41) + extra[0] * v29 + extra[8] * (c110 + c109 * v33);
     let v44 = functions::logistic(v4);
     let v45 = functions::larger(v8, 0.0);
     let v46 = v13 * v45;
@@ -2728,7 +2969,7 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v52 = c48 * v51;
     let v53 = functions::logistic(v26);
     let v54 = k1 + 2.0 * (v44 * v47) + 2.0 * (0.5 * (kj * v53) + v48 * v52);
-    let v55 = extra_0 * v17;
+    let v55 = extra[0] * v17;
     let v56 = v55 * v22;
     let v57 = c48 * v24;
     let v58 = v57.abs();
@@ -2737,7 +2978,7 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v61 = v5 * v60;
     let v62 = functions::logistic(functions::larger(v26.abs() - v27, 0.0));
     let v63 = v62 * (1.0 - v62);
-    let v64 = extra_0 * v7;
+    let v64 = extra[0] * v7;
     let v65 = v64 * v12;
     let v66 = c47 * v13;
     let v67 = v66.abs();
@@ -2745,17 +2986,17 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v69 = v68 * (1.0 - v68);
     let v70 = v5 * v69;
     let v71 = 2.0 * (v7 * (v34 * v67 + c70 * v65) + v47.abs() * v70);
-    let v72 = v17 * (v38 * v58 + c71 * v56) + v52.abs() * v61 + 0.5 * (extra_0 * c72 * v63 + v71);
-    let v73 = 2.0 * v72;
-    let v74 = extra_0 * c115;
+    let v72 = v17 * (v38 * v58 + c71 * v56) + v52.abs() * v61;
+    let v73 = 2.0 * (v72 + 0.5 * (extra[0] * c72 * v63 + v71));
+    let v74 = extra[0] * c115;
     let v75 = 1.0 - v2;
     let v76 = c59 * v75;
     let v77 = v76.abs();
     let v78 = -v54;
     let v79 = math::tanh(v30);
-    let v80 = u * -(b1 + ck) + (k1 * (extra_7 - y) - Wk) - Fc * v79;
+    let v80 = u * -(b1 + ck) + (k1 * (extra[7] - y) - Wk) - Fc * v79;
     let v81 = v39 * v51 + (v80 - c42 * functions::softplus(v26) - v35 * v46);
-    let v82 = extra_8 * c113 + (u * c98 + c104 * v81 - v76 * v78).abs();
+    let v82 = extra[8] * c113 + (u * c98 + c104 * v81 - v76 * v78).abs();
     let v83 = v74 * (v54.abs() + v73) + (v82 + c114 * v43 + v77 * v73);
     let v84 = v79 * v79;
     let v85 = 1.0 - v84;
@@ -2769,7 +3010,7 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v93 = if v91 > 0.0 { v92 } else { c67 };
     let v94 = if v91 > 0.0 { 0.0 } else { c67 + v87.abs() };
     let v95 = v79.abs();
-    let v96 = extra_8 * v33;
+    let v96 = extra[8] * v33;
     let v97 = c80 * v96;
     let v98 = v95 + functions::smaller(v95 + v97, 1.0);
     let v99 = v9 - v10;
@@ -2777,14 +3018,14 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v101 = if v99 > 0.0 { v100 } else { c66 };
     let v102 = if v99 > 0.0 { 0.0 } else { c66 + v86.abs() };
     let v103 = v55 * v93 * v25 + v94 * v41 + (v101 * v64 * v14 + v102 * v37 + c83 * v96 * v98);
-    let v104 = extra_0 * (c113 + c115 * ((c105 + v88).abs() + v103));
-    let v105 = 2.0 * (extra_8 * c117) + v90 + v77 * v103 + v104;
-    let v106 = c123 + extra_3 * ((s_rate * c87 + s_rate2 * c88) * v3);
+    let v104 = extra[0] * (c113 + c115 * ((c105 + v88).abs() + v103));
+    let v105 = 2.0 * (extra[8] * c117) + v90 + v77 * v103 + v104;
+    let v106 = c123 + extra[3] * ((s_rate * c87 + s_rate2 * c88) * v3);
     let v107 = if v99 > 0.0 { 0.0 } else { f64::INFINITY };
     let v108 = if v91 > 0.0 { 0.0 } else { f64::INFINITY };
-    let v109 = extra_3 * v3;
-    let v110 = 2.0 * (s_rate * (extra_1 * c121)) + s_rate3 * (c88 * v109);
-    let v111 = s_rate2 * (2.0 * (extra_1 * c122) + c87 * v109) + v110;
+    let v109 = extra[3] * v3;
+    let v110 = 2.0 * (s_rate * (extra[1] * c121)) + s_rate3 * (c88 * v109);
+    let v111 = s_rate2 * (2.0 * (extra[1] * c122) + c87 * v109) + v110;
     let v112 = Kr * v50;
     let v113 = v48 * (1.0 - v48);
     let v114 = Kr * v51;
@@ -2800,7 +3041,7 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v124 = v17 * v17 * (c77 * v38) + v112.abs() * v123 + (v117.abs() * v121 + v122);
     let v125 = v61 + v123;
     let v126 = (v38 * (Kr * v24).abs() + c78 * v56) * (v113.abs() + v125);
-    let v127 = extra_0 * (c69 * ((1.0 + (v28 + v53.abs())) * v63));
+    let v127 = extra[0] * (c69 * ((1.0 + (v28 + v53.abs())) * v63));
     let v128 = 2.0 * (v7 * v7 * (c75 * v34) + v115.abs() * v120);
     let v129 = v114.abs() * v125 + v126 + 0.5 * (c79 * v127 + v128);
     let v130 = 2.0 * (v124 + v129);
@@ -2809,22 +3050,22 @@ fn bound_lift_off_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v133 = v44 * v66;
     let v134 = v48 * v57;
     let v135 = 2.0 * (v87 * v134 + v86 * v133);
-    let v136 = v101 * (extra_0 * (v7 * (c70 * v7) + c68 * v67 * v69));
-    let v137 = v93 * (extra_0 * (v17 * (c71 * v17) + c68 * v58 * v60));
+    let v136 = v101 * (extra[0] * (v7 * (c70 * v7) + c68 * v67 * v69));
+    let v137 = v93 * (extra[0] * (v17 * (c71 * v17) + c68 * v58 * v60));
     let v138 = v94 * v134.abs() + v137 + (v102 * v133.abs() + v136);
     let v139 = 2.0 * v138;
     let v140 = (c104 * v89 + (c98 - v76 * -v135)).abs() + v77 * v139;
-    let v141 = extra_9 * (v74 * (v135.abs() + v139) + v140 + c116 * v103);
+    let v141 = extra[9] * (v74 * (v135.abs() + v139) + v140 + c116 * v103);
     let v142 = v97 * v98;
     let v143 = c119 * (v0 * (c106 * v79).abs() + c118 * v3 * v96);
     let v144 = v75 * (c85 * v79);
     let v145 = v144.abs() * v142 + v143 * ((v84 - 1.0).abs() + v142);
-    let v146 = extra_9 * ((2.0 * (v85 * v144) - c120).abs() + 2.0 * v145);
-    let v147 = v108 + (c123 + v107) + extra_3 * v111 + extra_2 * v83;
-    let v148 = extra_1 * (extra_1 * v132 + 2.0 * v141) + extra_10 * v105;
+    let v146 = extra[9] * ((2.0 * (v85 * v144) - c120).abs() + 2.0 * v145);
+    let v147 = v108 + (c123 + v107) + extra[3] * v111 + extra[2] * v83;
+    let v148 = extra[1] * (extra[1] * v132 + 2.0 * v141) + extra[10] * v105;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v106 + extra_0 * v83 + extra_8 * v105;
-    out[1] = v147 + extra_9 * v146 + v148;
+    out[0] = v106 + extra[0] * v83 + extra[8] * v105;
+    out[1] = v147 + extra[9] * v146 + v148;
     Some(())
 }
 
@@ -2859,11 +3100,256 @@ fn bound_trip_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<124>()?;
     let extra = given.extra.first_chunk::<3>()?;
     let c123 = constants[123];
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_0 + c123;
-    out[1] = c123 + extra_2;
+    out[0] = extra[0] + c123;
+    out[1] = c123 + extra[2];
+    Some(())
+}
+
+/// Where the Taylor series begins in mode LO.
+fn series_start_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<125>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let mk = constants[1];
+    let yb = constants[15];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c43 = constants[43];
+    let c59 = constants[59];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c92 = constants[92];
+    let c94 = constants[94];
+    let c96 = constants[96];
+    let c124 = constants[124];
+    let y = state[0];
+    let u = state[2];
+    let v0 = y - yb;
+    let v1 = u * v0;
+    let v2 = 1.0 - v1;
+    let v3 = u * u;
+    let v4 = math::tanh(v3);
+    let v5 = 1.0 - c89 * v0;
+    let v6 = v5 * v5;
+    let v7 = c94 * (v0 * v0);
+    let v8 = u * v2 + v3;
+    let v9 = u * c43;
+    let v10 = v3 + v9 * v2;
+    let v11 = 1.0 + u;
+    let v12 = v11 - 0.0;
+    let v13 = if v12 > 0.0 { v11 } else { 0.0 };
+    let v14 = functions::logistic(v3);
+    let v15 = functions::softplus(v3);
+    let v16 = 1.0 - u;
+    let v17 = v16 - 0.0;
+    let v18 = if v17 > 0.0 { v16 } else { 0.0 };
+    let v19 = -u;
+    let v20 = functions::logistic(v19);
+    let v21 = functions::softplus(v19);
+    let v22 = functions::logistic(v1);
+    let v23 = u + u;
+    let v24 = u - u - v23;
+    let v25 = c96 * v2;
+    let v26 = mk + v25 * v8;
+    let v27 = (v24 - u) / v26;
+    let v28 = c90 * v0;
+    let v29 = c91 * u;
+    let v30 = c89 - v28;
+    let v31 = c59 * v2;
+    let out = out.first_chunk_mut::<48>()?;
+    out[0] = u;
+    out[1] = v27;
+    out[2] = c92 + v29;
+    out[3] = v29 * v30;
+    out[4] = v10 + v31 * v24;
+    out[5] = v0;
+    out[6] = c124 - y;
+    out[7] = v12;
+    out[8] = v17;
+    out[9] = 1.0 - v4 * v4;
+    out[10] = v4 + v4;
+    out[11] = v0 + v0;
+    out[12] = v5 + v5;
+    out[13] = v7;
+    out[14] = v6;
+    out[15] = v7 * v6;
+    out[16] = v4;
+    out[17] = v23;
+    out[18] = v9;
+    out[19] = v2;
+    out[20] = v10;
+    out[21] = v8;
+    out[22] = v12;
+    out[23] = v14 - v14 * v14;
+    out[24] = v14 + v14;
+    out[25] = v14;
+    out[26] = v15 + v15;
+    out[27] = c38 * (v15 * v15);
+    out[28] = v13;
+    out[29] = v17;
+    out[30] = v20 - v20 * v20;
+    out[31] = v20 + v20;
+    out[32] = v20;
+    out[33] = v21 + v21;
+    out[34] = c39 * (v21 * v21);
+    out[35] = v18;
+    out[36] = v22 - v22 * v22;
+    out[37] = v22 + v22;
+    out[38] = v22;
+    out[39] = v25;
+    out[40] = v27;
+    out[41] = 1.0 / v26;
+    out[42] = v0;
+    out[43] = v28;
+    out[44] = v29;
+    out[45] = v30;
+    out[46] = v31;
+    out[47] = v24;
+    Some(())
+}
+
+/// One order of the Taylor series in mode LO.
+fn series_step_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<97>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let extra = given.extra.first_chunk::<68>()?;
+    let input = given.input;
+    let R = constants[0];
+    let mh = constants[2];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c43 = constants[43];
+    let c59 = constants[59];
+    let c89 = constants[89];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c93 = constants[93];
+    let c94 = constants[94];
+    let c95 = constants[95];
+    let c96 = constants[96];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = -(c93 * y);
+    let v1 = c40 * u;
+    let v2 = extra[2] * extra[1] + v1 * extra[29];
+    let v3 = c89 * y;
+    let v4 = -v3;
+    let v5 = extra[5] + extra[32] * v4;
+    let v6 = c94 * (extra[4] + extra[31] * y);
+    let v7 = extra[6] + extra[33] * v5 + v6 * extra[34];
+    let v8 = 16.0 * (extra[7] + extra[35] * v2 + v7 * extra[36]);
+    let v9 = R * v0 + v8;
+    let v10 = c43 * u;
+    let v11 = extra[9] + extra[38] * v0 + v10 * extra[39];
+    let v12 = mh * -(c95 * (extra[8] + extra[37] * u)) + v11;
+    let v13 = ab * u;
+    let v14 = if extra[42] > 0.0 { v13 } else { 0.0 };
+    let v15 = c37 * y;
+    let v16 = extra[11] * extra[1] + v15 * extra[43];
+    let v17 = extra[13] * extra[1] + v15 * extra[45];
+    let v18 = c38 * (extra[14] + extra[46] * v17);
+    let v19 = -(ar * u);
+    let v20 = if extra[49] > 0.0 { v19 } else { 0.0 };
+    let v21 = -v15;
+    let v22 = extra[16] * extra[1] + v21 * extra[50];
+    let v23 = extra[18] * extra[1] + v21 * extra[52];
+    let v24 = c39 * (extra[19] + extra[53] * v23);
+    let v25 = extra[15] + extra[47] * v14 + v18 * extra[48];
+    let v26 = v25 - (extra[20] + extra[54] * v20 + v24 * extra[55]);
+    let v27 = c41 * y;
+    let v28 = extra[21] * extra[1] + v27 * extra[56];
+    let v29 = Fc * v2 + c42 * (extra[23] * extra[1] + v27 * extra[58]);
+    let v30 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - (v29 + v26);
+    let v31 = v30 - (extra[10] + extra[40] * v9 + v12 * extra[41]);
+    let v32 = c96 * v0;
+    let v33 = extra[24] + extra[59] * v9 + v32 * extra[41];
+    let v34 = (v31 - extra[25] - extra[60] * v33) * extra[61];
+    let v35 = c90 * y;
+    let v36 = 0.5 * (extra[26] + extra[62] * v35 + y * extra[63]);
+    let v37 = -v35;
+    let v38 = c91 * u;
+    let v39 = c59 * v0;
+    let v40 = v12 + (extra[28] + extra[66] * v30 + v39 * extra[67]);
+    let v41 = extra[0] * v15;
+    let v42 = extra[0] * v21;
+    let v43 = extra[0] * v27;
+    let out = out.first_chunk_mut::<63>()?;
+    out[0] = u;
+    out[1] = v34;
+    out[2] = c91 * (v3 - v36);
+    out[3] = extra[27] + extra[64] * v37 + v38 * extra[65];
+    out[4] = v40;
+    out[5] = y;
+    out[6] = -y;
+    out[7] = v13;
+    out[8] = v19;
+    out[9] = extra[0] * v1;
+    out[10] = v2;
+    out[11] = y;
+    out[12] = v4;
+    out[13] = v6;
+    out[14] = v7;
+    out[15] = u;
+    out[16] = v10;
+    out[17] = v12;
+    out[18] = v41;
+    out[19] = v16;
+    out[20] = v41;
+    out[21] = v17;
+    out[22] = v18;
+    out[23] = v42;
+    out[24] = v22;
+    out[25] = v42;
+    out[26] = v23;
+    out[27] = v24;
+    out[28] = v43;
+    out[29] = v28;
+    out[30] = v43;
+    out[31] = v32;
+    out[32] = v33;
+    out[33] = y;
+    out[34] = v38;
+    out[35] = v39;
+    out[36] = -(extra[3] + extra[30] * v2);
+    out[37] = v2;
+    out[38] = y;
+    out[39] = v4;
+    out[40] = v5;
+    out[41] = v2;
+    out[42] = u;
+    out[43] = v0;
+    out[44] = v9;
+    out[45] = v16 - (extra[12] + extra[44] * v16);
+    out[46] = v16;
+    out[47] = v16;
+    out[48] = v17;
+    out[49] = v14;
+    out[50] = v22 - (extra[17] + extra[51] * v22);
+    out[51] = v22;
+    out[52] = v22;
+    out[53] = v23;
+    out[54] = v20;
+    out[55] = v28 - (extra[22] + extra[57] * v28);
+    out[56] = v28;
+    out[57] = v28;
+    out[58] = v9;
+    out[59] = v34;
+    out[60] = v35;
+    out[61] = v37;
+    out[62] = v30;
     Some(())
 }
 
@@ -2964,7 +3450,7 @@ fn part_1_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Is not used by the table.
-fn function_28(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+fn function_32(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<9>()?;
     let ch = constants[8];
     let out = out.first_chunk_mut::<1>()?;
@@ -3145,13 +3631,9 @@ fn bound_land_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<129>()?;
     let extra = given.extra.first_chunk::<7>()?;
     let c128 = constants[128];
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
-    let extra_4 = extra[4];
-    let extra_6 = extra[6];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_4 + extra_0 * c128;
-    out[1] = extra_6 + c128 * extra_2;
+    out[0] = extra[4] + extra[0] * c128;
+    out[1] = extra[6] + c128 * extra[2];
     Some(())
 }
 
@@ -3197,11 +3679,161 @@ fn guard_string_on_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// Bounds of the guard's move and bend: string_on in mode FLA.
 fn bound_string_on_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<7>()?;
-    let extra_4 = extra[4];
-    let extra_6 = extra[6];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_4;
-    out[1] = extra_6;
+    out[0] = extra[4];
+    out[1] = extra[6];
+    Some(())
+}
+
+/// Where the Taylor series begins in mode FLA.
+fn series_start_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<126>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let zs = constants[21];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c125 = constants[125];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = functions::softplus(v3);
+    let v6 = 1.0 - u;
+    let v7 = v6 - 0.0;
+    let v8 = if v7 > 0.0 { v6 } else { 0.0 };
+    let v9 = -u;
+    let v10 = functions::logistic(v9);
+    let v11 = functions::softplus(v9);
+    let v12 = math::tanh(v3);
+    let v13 = u - u;
+    let v14 = functions::logistic(u * v13);
+    let v15 = u + u;
+    let out = out.first_chunk_mut::<28>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v15;
+    out[3] = -v15;
+    out[4] = z - v3;
+    out[5] = -v13;
+    out[6] = zs - z;
+    out[7] = v1;
+    out[8] = v7;
+    out[9] = v1;
+    out[10] = v4 - v4 * v4;
+    out[11] = v4 + v4;
+    out[12] = v4;
+    out[13] = v5 + v5;
+    out[14] = c38 * (v5 * v5);
+    out[15] = v2;
+    out[16] = v7;
+    out[17] = v10 - v10 * v10;
+    out[18] = v10 + v10;
+    out[19] = v10;
+    out[20] = v11 + v11;
+    out[21] = c39 * (v11 * v11);
+    out[22] = v8;
+    out[23] = 1.0 - v12 * v12;
+    out[24] = v12 + v12;
+    out[25] = v14 - v14 * v14;
+    out[26] = v14 + v14;
+    out[27] = v14;
+    Some(())
+}
+
+/// One order of the Taylor series in mode FLA.
+fn series_step_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<127>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<36>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[17] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[18];
+    let v4 = extra[4] * extra[1] + v2 * extra[20];
+    let v5 = c38 * (extra[5] + extra[21] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[24] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[25];
+    let v10 = extra[9] * extra[1] + v8 * extra[27];
+    let v11 = c39 * (extra[10] + extra[28] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[31];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[33];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[35]);
+    let v18 = v17 - (extra[6] + extra[22] * v1 + v5 * extra[23]);
+    let v19 = extra[11] + extra[29] * v7 + v11 * extra[30] + v18;
+    let v20 = extra[0] * v2;
+    let v21 = extra[0] * v8;
+    let v22 = extra[0] * v14;
+    let out = out.first_chunk_mut::<39>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19;
+    out[3] = -(c126 * w);
+    out[4] = z - R * y;
+    out[5] = -y;
+    out[6] = -z;
+    out[7] = v0;
+    out[8] = v6;
+    out[9] = v20;
+    out[10] = v3;
+    out[11] = v20;
+    out[12] = v4;
+    out[13] = v5;
+    out[14] = v21;
+    out[15] = v9;
+    out[16] = v21;
+    out[17] = v10;
+    out[18] = v11;
+    out[19] = extra[0] * v12;
+    out[20] = v13;
+    out[21] = v22;
+    out[22] = v15;
+    out[23] = v22;
+    out[24] = v3 - (extra[3] + extra[19] * v3);
+    out[25] = v3;
+    out[26] = v3;
+    out[27] = v4;
+    out[28] = v1;
+    out[29] = v9 - (extra[8] + extra[26] * v9);
+    out[30] = v9;
+    out[31] = v9;
+    out[32] = v10;
+    out[33] = v7;
+    out[34] = -(extra[13] + extra[32] * v13);
+    out[35] = v13;
+    out[36] = v15 - (extra[15] + extra[34] * v15);
+    out[37] = v15;
+    out[38] = v15;
     Some(())
 }
 
@@ -3268,16 +3900,176 @@ fn bound_land_fll(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c129 = constants[129];
     let c130 = constants[130];
     let y = state[0];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_4 = extra[4];
-    let extra_6 = extra[6];
-    let v0 = extra_0 * c129 + (c91 * (c89 - c90 * (y - yb))).abs();
-    let v1 = c123 + extra_6 + c130 * (extra_1 * extra_1) + extra_2 * v0;
+    let v0 = extra[0] * c129 + (c91 * (c89 - c90 * (y - yb))).abs();
+    let v1 = c123 + extra[6] + c130 * (extra[1] * extra[1]) + extra[2] * v0;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_4 + c123 + extra_0 * v0;
+    out[0] = extra[4] + c123 + extra[0] * v0;
     out[1] = v1;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode FLL.
+fn series_start_fll(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<126>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let yb = constants[15];
+    let zs = constants[21];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c89 = constants[89];
+    let c124 = constants[124];
+    let c125 = constants[125];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = functions::softplus(v3);
+    let v6 = 1.0 - u;
+    let v7 = v6 - 0.0;
+    let v8 = if v7 > 0.0 { v6 } else { 0.0 };
+    let v9 = -u;
+    let v10 = functions::logistic(v9);
+    let v11 = functions::softplus(v9);
+    let v12 = math::tanh(v3);
+    let v13 = y - yb;
+    let v14 = functions::logistic(u * v13);
+    let v15 = u + u;
+    let out = out.first_chunk_mut::<31>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v15;
+    out[3] = -v15;
+    out[4] = z - u - v3;
+    out[5] = v13;
+    out[6] = c124 - y;
+    out[7] = zs - z;
+    out[8] = v1;
+    out[9] = v7;
+    out[10] = v1;
+    out[11] = v4 - v4 * v4;
+    out[12] = v4 + v4;
+    out[13] = v4;
+    out[14] = v5 + v5;
+    out[15] = c38 * (v5 * v5);
+    out[16] = v2;
+    out[17] = v7;
+    out[18] = v10 - v10 * v10;
+    out[19] = v10 + v10;
+    out[20] = v10;
+    out[21] = v11 + v11;
+    out[22] = c39 * (v11 * v11);
+    out[23] = v8;
+    out[24] = 1.0 - v12 * v12;
+    out[25] = v12 + v12;
+    out[26] = v14 - v14 * v14;
+    out[27] = v14 + v14;
+    out[28] = v14;
+    out[29] = v13;
+    out[30] = c89 - v3;
+    Some(())
+}
+
+/// One order of the Taylor series in mode FLL.
+fn series_step_fll(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<127>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<39>()?;
+    let input = given.input;
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c90 = constants[90];
+    let c91 = constants[91];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[18] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[19];
+    let v4 = extra[4] * extra[1] + v2 * extra[21];
+    let v5 = c38 * (extra[5] + extra[22] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[25] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[26];
+    let v10 = extra[9] * extra[1] + v8 * extra[28];
+    let v11 = c39 * (extra[10] + extra[29] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[32];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[34];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[36]);
+    let v18 = v17 - (extra[6] + extra[23] * v1 + v5 * extra[24]);
+    let v19 = extra[11] + extra[30] * v7 + v11 * extra[31] + v18;
+    let v20 = -(0.5 * (c90 * y));
+    let v21 = c91 * (extra[17] + extra[37] * v20 + y * extra[38]);
+    let v22 = extra[0] * v2;
+    let v23 = extra[0] * v8;
+    let v24 = extra[0] * v14;
+    let out = out.first_chunk_mut::<42>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19;
+    out[3] = -(c126 * w);
+    out[4] = z - v21;
+    out[5] = y;
+    out[6] = -y;
+    out[7] = -z;
+    out[8] = v0;
+    out[9] = v6;
+    out[10] = v22;
+    out[11] = v3;
+    out[12] = v22;
+    out[13] = v4;
+    out[14] = v5;
+    out[15] = v23;
+    out[16] = v9;
+    out[17] = v23;
+    out[18] = v10;
+    out[19] = v11;
+    out[20] = extra[0] * v12;
+    out[21] = v13;
+    out[22] = v24;
+    out[23] = v15;
+    out[24] = v24;
+    out[25] = y;
+    out[26] = v3 - (extra[3] + extra[20] * v3);
+    out[27] = v3;
+    out[28] = v3;
+    out[29] = v4;
+    out[30] = v1;
+    out[31] = v9 - (extra[8] + extra[27] * v9);
+    out[32] = v9;
+    out[33] = v9;
+    out[34] = v10;
+    out[35] = v7;
+    out[36] = -(extra[13] + extra[33] * v13);
+    out[37] = v13;
+    out[38] = v15 - (extra[15] + extra[35] * v15);
+    out[39] = v15;
+    out[40] = v15;
+    out[41] = v20;
     Some(())
 }
 
@@ -3323,23 +4115,18 @@ fn bound_rep_on_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c132 = constants[132];
     let c133 = constants[133];
     let y = state[0];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_4 = extra[4];
-    let extra_6 = extra[6];
-    let v0 = extra_0 * c132;
+    let v0 = extra[0] * c132;
     let v1 = c131 * (y - yd);
     let v2 = functions::logistic(functions::larger(v1.abs() - v0, 0.0));
     let v3 = v2 * (1.0 - v2);
     let v4 = functions::logistic(v1);
     let v5 = 1.0 - v4;
-    let v6 = (R * v5).abs() + extra_0 * c133 * v3;
+    let v6 = (R * v5).abs() + extra[0] * c133 * v3;
     let v7 = (1.0 + (functions::logistic(v0 + v1) + v4.abs())) * v3;
-    let v8 = c133 * (extra_1 * extra_1) * ((v4 * v5).abs() + extra_0 * (c132 * v7));
+    let v8 = c133 * (extra[1] * extra[1]) * ((v4 * v5).abs() + extra[0] * (c132 * v7));
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_4 + extra_0 * v6;
-    out[1] = extra_6 + extra_2 * v6 + v8;
+    out[0] = extra[4] + extra[0] * v6;
+    out[1] = extra[6] + extra[2] * v6 + v8;
     Some(())
 }
 
@@ -3365,6 +4152,175 @@ fn guard_reset_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
     out[0] = y - yrs;
     out[1] = u;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode FLT.
+fn series_start_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<126>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let zs = constants[21];
+    let yrs = constants[34];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c125 = constants[125];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = v4 - v4 * v4;
+    let v6 = functions::softplus(v3);
+    let v7 = 1.0 - u;
+    let v8 = v7 - 0.0;
+    let v9 = if v8 > 0.0 { v7 } else { 0.0 };
+    let v10 = -u;
+    let v11 = functions::logistic(v10);
+    let v12 = functions::softplus(v10);
+    let v13 = math::tanh(v3);
+    let v14 = u + u;
+    let v15 = v4 + v4;
+    let out = out.first_chunk_mut::<31>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v14;
+    out[3] = -v14;
+    out[4] = zs - z;
+    out[5] = z - u - v3;
+    out[6] = y - yrs;
+    out[7] = v1;
+    out[8] = v8;
+    out[9] = v1;
+    out[10] = v5;
+    out[11] = v15;
+    out[12] = v4;
+    out[13] = v6 + v6;
+    out[14] = c38 * (v6 * v6);
+    out[15] = v2;
+    out[16] = v8;
+    out[17] = v11 - v11 * v11;
+    out[18] = v11 + v11;
+    out[19] = v11;
+    out[20] = v12 + v12;
+    out[21] = c39 * (v12 * v12);
+    out[22] = v9;
+    out[23] = 1.0 - v13 * v13;
+    out[24] = v13 + v13;
+    out[25] = v5;
+    out[26] = v15;
+    out[27] = v4;
+    out[28] = v5;
+    out[29] = v15;
+    out[30] = v4;
+    Some(())
+}
+
+/// One order of the Taylor series in mode FLT.
+fn series_step_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<132>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<42>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let wd = constants[29];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c131 = constants[131];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[20] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[21];
+    let v4 = extra[4] * extra[1] + v2 * extra[23];
+    let v5 = c38 * (extra[5] + extra[24] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[27] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[28];
+    let v10 = extra[9] * extra[1] + v8 * extra[30];
+    let v11 = c39 * (extra[10] + extra[31] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[34];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[36];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[38]);
+    let v18 = v17 - (extra[6] + extra[25] * v1 + v5 * extra[26]);
+    let v19 = extra[11] + extra[32] * v7 + v11 * extra[33] + v18;
+    let v20 = c131 * y;
+    let v21 = extra[17] * extra[1] + v20 * extra[39];
+    let v22 = y - wd * (extra[19] * extra[1] + v20 * extra[41]);
+    let v23 = extra[0] * v2;
+    let v24 = extra[0] * v8;
+    let v25 = extra[0] * v14;
+    let v26 = extra[0] * v20;
+    let out = out.first_chunk_mut::<45>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19;
+    out[3] = -(c126 * w);
+    out[4] = -z;
+    out[5] = z - R * v22;
+    out[6] = y;
+    out[7] = v0;
+    out[8] = v6;
+    out[9] = v23;
+    out[10] = v3;
+    out[11] = v23;
+    out[12] = v4;
+    out[13] = v5;
+    out[14] = v24;
+    out[15] = v9;
+    out[16] = v24;
+    out[17] = v10;
+    out[18] = v11;
+    out[19] = extra[0] * v12;
+    out[20] = v13;
+    out[21] = v25;
+    out[22] = v15;
+    out[23] = v25;
+    out[24] = v26;
+    out[25] = v21;
+    out[26] = v26;
+    out[27] = v3 - (extra[3] + extra[22] * v3);
+    out[28] = v3;
+    out[29] = v3;
+    out[30] = v4;
+    out[31] = v1;
+    out[32] = v9 - (extra[8] + extra[29] * v9);
+    out[33] = v9;
+    out[34] = v9;
+    out[35] = v10;
+    out[36] = v7;
+    out[37] = -(extra[13] + extra[35] * v13);
+    out[38] = v13;
+    out[39] = v15 - (extra[15] + extra[37] * v15);
+    out[40] = v15;
+    out[41] = v15;
+    out[42] = v21 - (extra[18] + extra[40] * v21);
+    out[43] = v21;
+    out[44] = v21;
     Some(())
 }
 
@@ -3440,7 +4396,7 @@ fn part_1_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Is not used by the table.
-fn function_49(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+fn function_59(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<25>()?;
     let ch = constants[8];
     let Ks = constants[22];
@@ -3631,6 +4587,368 @@ fn guard_string_off_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
     out[0] = z - zs;
     out[1] = w;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode STU.
+fn series_start_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<135>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let zs = constants[21];
+    let ps = constants[23];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c124 = constants[124];
+    let c125 = constants[125];
+    let c134 = constants[134];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = v4 - v4 * v4;
+    let v6 = functions::softplus(v3);
+    let v7 = 1.0 - u;
+    let v8 = v7 - 0.0;
+    let v9 = if v8 > 0.0 { v7 } else { 0.0 };
+    let v10 = -u;
+    let v11 = functions::logistic(v10);
+    let v12 = functions::softplus(v10);
+    let v13 = math::tanh(v3);
+    let v14 = u + u;
+    let v15 = z - zs;
+    let v16 = v15 - 0.0;
+    let v17 = if v16 > 0.0 { v15 } else { 0.0 };
+    let v18 = v4 + v4;
+    let out = out.first_chunk_mut::<34>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v14;
+    out[3] = -v14;
+    out[4] = v15;
+    out[5] = c124 - y;
+    out[6] = v1;
+    out[7] = v8;
+    out[8] = v16;
+    out[9] = v1;
+    out[10] = v1;
+    out[11] = v5;
+    out[12] = v18;
+    out[13] = v4;
+    out[14] = v6 + v6;
+    out[15] = c38 * (v6 * v6);
+    out[16] = v2;
+    out[17] = v8;
+    out[18] = v11 - v11 * v11;
+    out[19] = v11 + v11;
+    out[20] = v11;
+    out[21] = v12 + v12;
+    out[22] = c39 * (v12 * v12);
+    out[23] = v9;
+    out[24] = 1.0 - v13 * v13;
+    out[25] = v13 + v13;
+    out[26] = v5;
+    out[27] = v18;
+    out[28] = v4;
+    out[29] = v16;
+    out[30] = math::powf(v17, ps);
+    out[31] = 1.0 / v17;
+    out[32] = v1;
+    out[33] = c134 * v2;
+    Some(())
+}
+
+/// One order of the Taylor series in mode STU.
+fn series_step_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<135>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<44>()?;
+    let input = given.input;
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let ps = constants[23];
+    let mus = constants[24];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c134 = constants[134];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[20] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[21];
+    let v4 = extra[4] * extra[1] + v2 * extra[23];
+    let v5 = c38 * (extra[5] + extra[24] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[27] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[28];
+    let v10 = extra[9] * extra[1] + v8 * extra[30];
+    let v11 = c39 * (extra[10] + extra[31] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[34];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[36];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[38]);
+    let v18 = v17 - (extra[6] + extra[25] * v1 + v5 * extra[26]);
+    let v19 = extra[11] + extra[32] * v7 + v11 * extra[33] + v18;
+    let v20 = if extra[39] > 0.0 { z } else { 0.0 };
+    let v21 = (ps + 1.0) * (extra[18] * extra[1]) - extra[17] + ps * extra[40] * v20;
+    let v22 = v21 * extra[41];
+    let v23 = mus * w;
+    let v24 = if extra[42] > 0.0 { v23 } else { 0.0 };
+    let v25 = c134 * v24;
+    let v26 = c126 * w + (extra[19] + extra[43] * v22 + v25 * extra[40]);
+    let v27 = extra[0] * v2;
+    let v28 = extra[0] * v8;
+    let v29 = extra[0] * v14;
+    let out = out.first_chunk_mut::<46>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19;
+    out[3] = -v26;
+    out[4] = z;
+    out[5] = -y;
+    out[6] = v0;
+    out[7] = v6;
+    out[8] = z;
+    out[9] = v23;
+    out[10] = v27;
+    out[11] = v3;
+    out[12] = v27;
+    out[13] = v4;
+    out[14] = v5;
+    out[15] = v28;
+    out[16] = v9;
+    out[17] = v28;
+    out[18] = v10;
+    out[19] = v11;
+    out[20] = extra[0] * v12;
+    out[21] = v13;
+    out[22] = v29;
+    out[23] = v15;
+    out[24] = v29;
+    out[25] = v20;
+    out[26] = extra[0] * v20;
+    out[27] = v25;
+    out[28] = v3 - (extra[3] + extra[22] * v3);
+    out[29] = v3;
+    out[30] = v3;
+    out[31] = v4;
+    out[32] = v1;
+    out[33] = v9 - (extra[8] + extra[29] * v9);
+    out[34] = v9;
+    out[35] = v9;
+    out[36] = v10;
+    out[37] = v7;
+    out[38] = -(extra[13] + extra[35] * v13);
+    out[39] = v13;
+    out[40] = v15 - (extra[15] + extra[37] * v15);
+    out[41] = v15;
+    out[42] = v15;
+    out[43] = v22;
+    out[44] = v22;
+    out[45] = v22;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode STT.
+fn series_start_stt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<135>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let zs = constants[21];
+    let ps = constants[23];
+    let yrs = constants[34];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c125 = constants[125];
+    let c134 = constants[134];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = v4 - v4 * v4;
+    let v6 = functions::softplus(v3);
+    let v7 = 1.0 - u;
+    let v8 = v7 - 0.0;
+    let v9 = if v8 > 0.0 { v7 } else { 0.0 };
+    let v10 = -u;
+    let v11 = functions::logistic(v10);
+    let v12 = functions::softplus(v10);
+    let v13 = math::tanh(v3);
+    let v14 = u + u;
+    let v15 = z - zs;
+    let v16 = v15 - 0.0;
+    let v17 = if v16 > 0.0 { v15 } else { 0.0 };
+    let v18 = v4 + v4;
+    let out = out.first_chunk_mut::<34>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v14;
+    out[3] = -v14;
+    out[4] = v15;
+    out[5] = y - yrs;
+    out[6] = v1;
+    out[7] = v8;
+    out[8] = v16;
+    out[9] = v1;
+    out[10] = v1;
+    out[11] = v5;
+    out[12] = v18;
+    out[13] = v4;
+    out[14] = v6 + v6;
+    out[15] = c38 * (v6 * v6);
+    out[16] = v2;
+    out[17] = v8;
+    out[18] = v11 - v11 * v11;
+    out[19] = v11 + v11;
+    out[20] = v11;
+    out[21] = v12 + v12;
+    out[22] = c39 * (v12 * v12);
+    out[23] = v9;
+    out[24] = 1.0 - v13 * v13;
+    out[25] = v13 + v13;
+    out[26] = v5;
+    out[27] = v18;
+    out[28] = v4;
+    out[29] = v16;
+    out[30] = math::powf(v17, ps);
+    out[31] = 1.0 / v17;
+    out[32] = v1;
+    out[33] = c134 * v2;
+    Some(())
+}
+
+/// One order of the Taylor series in mode STT.
+fn series_step_stt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<135>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<44>()?;
+    let input = given.input;
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let ps = constants[23];
+    let mus = constants[24];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c134 = constants[134];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[20] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[21];
+    let v4 = extra[4] * extra[1] + v2 * extra[23];
+    let v5 = c38 * (extra[5] + extra[24] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[27] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[28];
+    let v10 = extra[9] * extra[1] + v8 * extra[30];
+    let v11 = c39 * (extra[10] + extra[31] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[34];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[36];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[38]);
+    let v18 = v17 - (extra[6] + extra[25] * v1 + v5 * extra[26]);
+    let v19 = extra[11] + extra[32] * v7 + v11 * extra[33] + v18;
+    let v20 = if extra[39] > 0.0 { z } else { 0.0 };
+    let v21 = (ps + 1.0) * (extra[18] * extra[1]) - extra[17] + ps * extra[40] * v20;
+    let v22 = v21 * extra[41];
+    let v23 = mus * w;
+    let v24 = if extra[42] > 0.0 { v23 } else { 0.0 };
+    let v25 = c134 * v24;
+    let v26 = c126 * w + (extra[19] + extra[43] * v22 + v25 * extra[40]);
+    let v27 = extra[0] * v2;
+    let v28 = extra[0] * v8;
+    let v29 = extra[0] * v14;
+    let out = out.first_chunk_mut::<46>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19;
+    out[3] = -v26;
+    out[4] = z;
+    out[5] = y;
+    out[6] = v0;
+    out[7] = v6;
+    out[8] = z;
+    out[9] = v23;
+    out[10] = v27;
+    out[11] = v3;
+    out[12] = v27;
+    out[13] = v4;
+    out[14] = v5;
+    out[15] = v28;
+    out[16] = v9;
+    out[17] = v28;
+    out[18] = v10;
+    out[19] = v11;
+    out[20] = extra[0] * v12;
+    out[21] = v13;
+    out[22] = v29;
+    out[23] = v15;
+    out[24] = v29;
+    out[25] = v20;
+    out[26] = extra[0] * v20;
+    out[27] = v25;
+    out[28] = v3 - (extra[3] + extra[22] * v3);
+    out[29] = v3;
+    out[30] = v3;
+    out[31] = v4;
+    out[32] = v1;
+    out[33] = v9 - (extra[8] + extra[29] * v9);
+    out[34] = v9;
+    out[35] = v9;
+    out[36] = v10;
+    out[37] = v7;
+    out[38] = -(extra[13] + extra[35] * v13);
+    out[39] = v13;
+    out[40] = v15 - (extra[15] + extra[37] * v15);
+    out[41] = v15;
+    out[42] = v15;
+    out[43] = v22;
+    out[44] = v22;
+    out[45] = v22;
     Some(())
 }
 
@@ -3914,22 +5232,17 @@ fn bound_rep_off_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c149 = constants[149];
     let c150 = constants[150];
     let y = state[0];
-    let extra_0 = extra[0];
-    let extra_1 = extra[1];
-    let extra_2 = extra[2];
-    let extra_4 = extra[4];
-    let extra_6 = extra[6];
-    let v0 = extra_0 * c132;
+    let v0 = extra[0] * c132;
     let v1 = c131 * (y - yd);
     let v2 = functions::logistic(functions::larger(v1.abs() - v0, 0.0));
     let v3 = v0 * (v2 * (1.0 - v2));
     let v4 = functions::logistic(v1);
     let v5 = c128 * ((v4 - 1.0).abs() + v3);
     let v6 = v3 + (functions::logistic(v0 + v1) + v4.abs()) * v3;
-    let v7 = extra_1 * extra_1 * ((c149 * (v4 * (1.0 - v4))).abs() + c150 * v6);
+    let v7 = extra[1] * extra[1] * ((c149 * (v4 * (1.0 - v4))).abs() + c150 * v6);
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_4 + extra_0 * v5;
-    out[1] = extra_6 + extra_2 * v5 + v7;
+    out[0] = extra[4] + extra[0] * v5;
+    out[1] = extra[6] + extra[2] * v5 + v7;
     Some(())
 }
 
@@ -3979,13 +5292,9 @@ fn bound_check_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<155>()?;
     let extra = given.extra.first_chunk::<7>()?;
     let c154 = constants[154];
-    let extra_0 = extra[0];
-    let extra_2 = extra[2];
-    let extra_4 = extra[4];
-    let extra_6 = extra[6];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra_4 + extra_0 * c154;
-    out[1] = extra_6 + c154 * extra_2;
+    out[0] = extra[4] + extra[0] * c154;
+    out[1] = extra[6] + c154 * extra[2];
     Some(())
 }
 
@@ -4002,6 +5311,214 @@ fn guard_check_far_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     Some(())
 }
 
+/// Where the Taylor series begins in mode REPH.
+fn series_start_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<139>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let yck = constants[32];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c138 = constants[138];
+    let y = state[0];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = v4 - v4 * v4;
+    let v6 = functions::softplus(v3);
+    let v7 = 1.0 - u;
+    let v8 = v7 - 0.0;
+    let v9 = if v8 > 0.0 { v7 } else { 0.0 };
+    let v10 = -u;
+    let v11 = functions::logistic(v10);
+    let v12 = functions::softplus(v10);
+    let v13 = math::tanh(v3);
+    let v14 = 1.0 - v4;
+    let v15 = R * u;
+    let v16 = u - u;
+    let v17 = v16 + v15;
+    let v18 = v4 + v4;
+    let out = out.first_chunk_mut::<40>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = v3 - v3;
+    out[3] = v3 - (u + u);
+    out[4] = v17;
+    out[5] = v16 - v3;
+    out[6] = y - yck;
+    out[7] = v1;
+    out[8] = v8;
+    out[9] = v1;
+    out[10] = v5;
+    out[11] = v18;
+    out[12] = v4;
+    out[13] = v6 + v6;
+    out[14] = c38 * (v6 * v6);
+    out[15] = v2;
+    out[16] = v8;
+    out[17] = v11 - v11 * v11;
+    out[18] = v11 + v11;
+    out[19] = v11;
+    out[20] = v12 + v12;
+    out[21] = c39 * (v12 * v12);
+    out[22] = v9;
+    out[23] = 1.0 - v13 * v13;
+    out[24] = v13 + v13;
+    out[25] = v5;
+    out[26] = v18;
+    out[27] = v4;
+    out[28] = v5;
+    out[29] = v18;
+    out[30] = v4;
+    out[31] = v15;
+    out[32] = v14;
+    out[33] = v5;
+    out[34] = v18;
+    out[35] = v4;
+    out[36] = v17;
+    out[37] = v6;
+    out[38] = c138 * v14;
+    out[39] = v17 * v6;
+    Some(())
+}
+
+/// One order of the Taylor series in mode REPH.
+fn series_step_reph(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<140>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<57>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let cr = constants[26];
+    let wd = constants[29];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c131 = constants[131];
+    let c138 = constants[138];
+    let c139 = constants[139];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[26] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[27];
+    let v4 = extra[4] * extra[1] + v2 * extra[29];
+    let v5 = c38 * (extra[5] + extra[30] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[33] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[34];
+    let v10 = extra[9] * extra[1] + v8 * extra[36];
+    let v11 = c39 * (extra[10] + extra[37] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[40];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[42];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[44]);
+    let v18 = v17 - (extra[6] + extra[31] * v1 + v5 * extra[32]);
+    let v19 = extra[11] + extra[38] * v7 + v11 * extra[39] + v18;
+    let v20 = c131 * y;
+    let v21 = extra[17] * extra[1] + v20 * extra[45];
+    let v22 = -v21;
+    let v23 = y - wd * (extra[19] * extra[1] + v20 * extra[47]);
+    let v24 = -z + R * v23;
+    let v25 = R * u;
+    let v26 = extra[20] + extra[48] * v22 + v25 * extra[49] - w;
+    let v27 = cr * v26;
+    let v28 = extra[21] * extra[1] + v27 * extra[50];
+    let v29 = extra[23] * extra[1] + v27 * extra[52];
+    let v30 = extra[24] + extra[53] * v29 + v24 * extra[54];
+    let v31 = c138 * v22;
+    let v32 = core::f64::consts::LOG2_E * (extra[25] + extra[55] * v30 + v31 * extra[56]);
+    let v33 = core::f64::consts::LOG2_E * (c139 * v30) - c126 * w;
+    let v34 = extra[0] * v2;
+    let v35 = extra[0] * v8;
+    let v36 = extra[0] * v14;
+    let v37 = extra[0] * v20;
+    let v38 = extra[0] * v27;
+    let out = out.first_chunk_mut::<57>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19 - v32;
+    out[3] = v33;
+    out[4] = v24;
+    out[5] = z - Rc * y;
+    out[6] = y;
+    out[7] = v0;
+    out[8] = v6;
+    out[9] = v34;
+    out[10] = v3;
+    out[11] = v34;
+    out[12] = v4;
+    out[13] = v5;
+    out[14] = v35;
+    out[15] = v9;
+    out[16] = v35;
+    out[17] = v10;
+    out[18] = v11;
+    out[19] = extra[0] * v12;
+    out[20] = v13;
+    out[21] = v36;
+    out[22] = v15;
+    out[23] = v36;
+    out[24] = v37;
+    out[25] = v21;
+    out[26] = v37;
+    out[27] = v25;
+    out[28] = v38;
+    out[29] = v28;
+    out[30] = v38;
+    out[31] = v24;
+    out[32] = v31;
+    out[33] = v3 - (extra[3] + extra[28] * v3);
+    out[34] = v3;
+    out[35] = v3;
+    out[36] = v4;
+    out[37] = v1;
+    out[38] = v9 - (extra[8] + extra[35] * v9);
+    out[39] = v9;
+    out[40] = v9;
+    out[41] = v10;
+    out[42] = v7;
+    out[43] = -(extra[13] + extra[41] * v13);
+    out[44] = v13;
+    out[45] = v15 - (extra[15] + extra[43] * v15);
+    out[46] = v15;
+    out[47] = v15;
+    out[48] = v21 - (extra[18] + extra[46] * v21);
+    out[49] = v21;
+    out[50] = v21;
+    out[51] = v22;
+    out[52] = v28 - (extra[22] + extra[51] * v28);
+    out[53] = v28;
+    out[54] = v28;
+    out[55] = v29;
+    out[56] = v30;
+    Some(())
+}
+
 /// The guard and its rate: check_near in mode REPL.
 fn guard_check_near_repl(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<33>()?;
@@ -4012,6 +5529,213 @@ fn guard_check_near_repl(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
     out[0] = yck - y;
     out[1] = -u;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode REPL.
+fn series_start_repl(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<139>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let yck = constants[32];
+    let yrs = constants[34];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c138 = constants[138];
+    let y = state[0];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = v4 - v4 * v4;
+    let v6 = functions::softplus(v3);
+    let v7 = 1.0 - u;
+    let v8 = v7 - 0.0;
+    let v9 = if v8 > 0.0 { v7 } else { 0.0 };
+    let v10 = -u;
+    let v11 = functions::logistic(v10);
+    let v12 = functions::softplus(v10);
+    let v13 = math::tanh(v3);
+    let v14 = 1.0 - v4;
+    let v15 = R * u;
+    let v16 = u - u + v15;
+    let v17 = v4 + v4;
+    let out = out.first_chunk_mut::<40>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = v3 - v3;
+    out[3] = v3 - (u + u);
+    out[4] = v16;
+    out[5] = yck - y;
+    out[6] = y - yrs;
+    out[7] = v1;
+    out[8] = v8;
+    out[9] = v1;
+    out[10] = v5;
+    out[11] = v17;
+    out[12] = v4;
+    out[13] = v6 + v6;
+    out[14] = c38 * (v6 * v6);
+    out[15] = v2;
+    out[16] = v8;
+    out[17] = v11 - v11 * v11;
+    out[18] = v11 + v11;
+    out[19] = v11;
+    out[20] = v12 + v12;
+    out[21] = c39 * (v12 * v12);
+    out[22] = v9;
+    out[23] = 1.0 - v13 * v13;
+    out[24] = v13 + v13;
+    out[25] = v5;
+    out[26] = v17;
+    out[27] = v4;
+    out[28] = v5;
+    out[29] = v17;
+    out[30] = v4;
+    out[31] = v15;
+    out[32] = v14;
+    out[33] = v5;
+    out[34] = v17;
+    out[35] = v4;
+    out[36] = v16;
+    out[37] = v6;
+    out[38] = c138 * v14;
+    out[39] = v16 * v6;
+    Some(())
+}
+
+/// One order of the Taylor series in mode REPL.
+fn series_step_repl(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<140>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<57>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let cr = constants[26];
+    let wd = constants[29];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c131 = constants[131];
+    let c138 = constants[138];
+    let c139 = constants[139];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[26] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[27];
+    let v4 = extra[4] * extra[1] + v2 * extra[29];
+    let v5 = c38 * (extra[5] + extra[30] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[33] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[34];
+    let v10 = extra[9] * extra[1] + v8 * extra[36];
+    let v11 = c39 * (extra[10] + extra[37] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[40];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[42];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[44]);
+    let v18 = v17 - (extra[6] + extra[31] * v1 + v5 * extra[32]);
+    let v19 = extra[11] + extra[38] * v7 + v11 * extra[39] + v18;
+    let v20 = c131 * y;
+    let v21 = extra[17] * extra[1] + v20 * extra[45];
+    let v22 = -v21;
+    let v23 = y - wd * (extra[19] * extra[1] + v20 * extra[47]);
+    let v24 = -z + R * v23;
+    let v25 = R * u;
+    let v26 = extra[20] + extra[48] * v22 + v25 * extra[49] - w;
+    let v27 = cr * v26;
+    let v28 = extra[21] * extra[1] + v27 * extra[50];
+    let v29 = extra[23] * extra[1] + v27 * extra[52];
+    let v30 = extra[24] + extra[53] * v29 + v24 * extra[54];
+    let v31 = c138 * v22;
+    let v32 = core::f64::consts::LOG2_E * (extra[25] + extra[55] * v30 + v31 * extra[56]);
+    let v33 = core::f64::consts::LOG2_E * (c139 * v30) - c126 * w;
+    let v34 = extra[0] * v2;
+    let v35 = extra[0] * v8;
+    let v36 = extra[0] * v14;
+    let v37 = extra[0] * v20;
+    let v38 = extra[0] * v27;
+    let out = out.first_chunk_mut::<57>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19 - v32;
+    out[3] = v33;
+    out[4] = v24;
+    out[5] = -y;
+    out[6] = y;
+    out[7] = v0;
+    out[8] = v6;
+    out[9] = v34;
+    out[10] = v3;
+    out[11] = v34;
+    out[12] = v4;
+    out[13] = v5;
+    out[14] = v35;
+    out[15] = v9;
+    out[16] = v35;
+    out[17] = v10;
+    out[18] = v11;
+    out[19] = extra[0] * v12;
+    out[20] = v13;
+    out[21] = v36;
+    out[22] = v15;
+    out[23] = v36;
+    out[24] = v37;
+    out[25] = v21;
+    out[26] = v37;
+    out[27] = v25;
+    out[28] = v38;
+    out[29] = v28;
+    out[30] = v38;
+    out[31] = v24;
+    out[32] = v31;
+    out[33] = v3 - (extra[3] + extra[28] * v3);
+    out[34] = v3;
+    out[35] = v3;
+    out[36] = v4;
+    out[37] = v1;
+    out[38] = v9 - (extra[8] + extra[35] * v9);
+    out[39] = v9;
+    out[40] = v9;
+    out[41] = v10;
+    out[42] = v7;
+    out[43] = -(extra[13] + extra[41] * v13);
+    out[44] = v13;
+    out[45] = v15 - (extra[15] + extra[43] * v15);
+    out[46] = v15;
+    out[47] = v15;
+    out[48] = v21 - (extra[18] + extra[46] * v21);
+    out[49] = v21;
+    out[50] = v21;
+    out[51] = v22;
+    out[52] = v28 - (extra[22] + extra[51] * v28);
+    out[53] = v28;
+    out[54] = v28;
+    out[55] = v29;
+    out[56] = v30;
     Some(())
 }
 
@@ -4040,6 +5764,213 @@ fn guard_jack_out_rep0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
     out[0] = yrs - y;
     out[1] = -u;
+    Some(())
+}
+
+/// Where the Taylor series begins in mode REP0.
+fn series_start_rep0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<139>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let R = constants[0];
+    let yrs = constants[34];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c138 = constants[138];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = v4 - v4 * v4;
+    let v6 = functions::softplus(v3);
+    let v7 = 1.0 - u;
+    let v8 = v7 - 0.0;
+    let v9 = if v8 > 0.0 { v7 } else { 0.0 };
+    let v10 = -u;
+    let v11 = functions::logistic(v10);
+    let v12 = functions::softplus(v10);
+    let v13 = math::tanh(v3);
+    let v14 = 1.0 - v4;
+    let v15 = R * u;
+    let v16 = u - z + v15;
+    let v17 = v4 + v4;
+    let out = out.first_chunk_mut::<40>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = v3 - v3;
+    out[3] = v3 - (u + u);
+    out[4] = v16;
+    out[5] = y * R - z;
+    out[6] = yrs - y;
+    out[7] = v1;
+    out[8] = v8;
+    out[9] = v1;
+    out[10] = v5;
+    out[11] = v17;
+    out[12] = v4;
+    out[13] = v6 + v6;
+    out[14] = c38 * (v6 * v6);
+    out[15] = v2;
+    out[16] = v8;
+    out[17] = v11 - v11 * v11;
+    out[18] = v11 + v11;
+    out[19] = v11;
+    out[20] = v12 + v12;
+    out[21] = c39 * (v12 * v12);
+    out[22] = v9;
+    out[23] = 1.0 - v13 * v13;
+    out[24] = v13 + v13;
+    out[25] = v5;
+    out[26] = v17;
+    out[27] = v4;
+    out[28] = v5;
+    out[29] = v17;
+    out[30] = v4;
+    out[31] = v15;
+    out[32] = v14;
+    out[33] = v5;
+    out[34] = v17;
+    out[35] = v4;
+    out[36] = v16;
+    out[37] = v6;
+    out[38] = c138 * v14;
+    out[39] = v16 * v6;
+    Some(())
+}
+
+/// One order of the Taylor series in mode REP0.
+fn series_step_rep0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<140>()?;
+    let state = given.state.first_chunk::<4>()?;
+    let extra = given.extra.first_chunk::<57>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let cr = constants[26];
+    let wd = constants[29];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c125 = constants[125];
+    let c126 = constants[126];
+    let c131 = constants[131];
+    let c138 = constants[138];
+    let c139 = constants[139];
+    let y = state[0];
+    let z = state[1];
+    let u = state[2];
+    let w = state[3];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[26] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[27];
+    let v4 = extra[4] * extra[1] + v2 * extra[29];
+    let v5 = c38 * (extra[5] + extra[30] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[33] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[34];
+    let v10 = extra[9] * extra[1] + v8 * extra[36];
+    let v11 = c39 * (extra[10] + extra[37] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[40];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[42];
+    let v16 = k1 * (s - y) + b1 * (s_rate - u) - ck * u - Fc * v13;
+    let v17 = v16 - c42 * (extra[16] * extra[1] + v14 * extra[44]);
+    let v18 = v17 - (extra[6] + extra[31] * v1 + v5 * extra[32]);
+    let v19 = extra[11] + extra[38] * v7 + v11 * extra[39] + v18;
+    let v20 = c131 * y;
+    let v21 = extra[17] * extra[1] + v20 * extra[45];
+    let v22 = -v21;
+    let v23 = y - wd * (extra[19] * extra[1] + v20 * extra[47]);
+    let v24 = -z + R * v23;
+    let v25 = R * u;
+    let v26 = extra[20] + extra[48] * v22 + v25 * extra[49] - w;
+    let v27 = cr * v26;
+    let v28 = extra[21] * extra[1] + v27 * extra[50];
+    let v29 = extra[23] * extra[1] + v27 * extra[52];
+    let v30 = extra[24] + extra[53] * v29 + v24 * extra[54];
+    let v31 = c138 * v22;
+    let v32 = core::f64::consts::LOG2_E * (extra[25] + extra[55] * v30 + v31 * extra[56]);
+    let v33 = core::f64::consts::LOG2_E * (c139 * v30) - c126 * w;
+    let v34 = extra[0] * v2;
+    let v35 = extra[0] * v8;
+    let v36 = extra[0] * v14;
+    let v37 = extra[0] * v20;
+    let v38 = extra[0] * v27;
+    let out = out.first_chunk_mut::<57>()?;
+    out[0] = u;
+    out[1] = w;
+    out[2] = c125 * v19 - v32;
+    out[3] = v33;
+    out[4] = v24;
+    out[5] = R * y - z;
+    out[6] = -y;
+    out[7] = v0;
+    out[8] = v6;
+    out[9] = v34;
+    out[10] = v3;
+    out[11] = v34;
+    out[12] = v4;
+    out[13] = v5;
+    out[14] = v35;
+    out[15] = v9;
+    out[16] = v35;
+    out[17] = v10;
+    out[18] = v11;
+    out[19] = extra[0] * v12;
+    out[20] = v13;
+    out[21] = v36;
+    out[22] = v15;
+    out[23] = v36;
+    out[24] = v37;
+    out[25] = v21;
+    out[26] = v37;
+    out[27] = v25;
+    out[28] = v38;
+    out[29] = v28;
+    out[30] = v38;
+    out[31] = v24;
+    out[32] = v31;
+    out[33] = v3 - (extra[3] + extra[28] * v3);
+    out[34] = v3;
+    out[35] = v3;
+    out[36] = v4;
+    out[37] = v1;
+    out[38] = v9 - (extra[8] + extra[35] * v9);
+    out[39] = v9;
+    out[40] = v9;
+    out[41] = v10;
+    out[42] = v7;
+    out[43] = -(extra[13] + extra[41] * v13);
+    out[44] = v13;
+    out[45] = v15 - (extra[15] + extra[43] * v15);
+    out[46] = v15;
+    out[47] = v15;
+    out[48] = v21 - (extra[18] + extra[46] * v21);
+    out[49] = v21;
+    out[50] = v21;
+    out[51] = v22;
+    out[52] = v28 - (extra[22] + extra[51] * v28);
+    out[53] = v28;
+    out[54] = v28;
+    out[55] = v29;
+    out[56] = v30;
     Some(())
 }
 
@@ -4360,6 +6291,179 @@ fn guard_check_off_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     Some(())
 }
 
+/// Where the Taylor series begins in mode CHK.
+fn series_start_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<153>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let kr = constants[25];
+    let zc = constants[30];
+    let Rc = constants[31];
+    let yco = constants[33];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c152 = constants[152];
+    let y = state[0];
+    let u = state[2];
+    let v0 = 1.0 + u;
+    let v1 = v0 - 0.0;
+    let v2 = if v1 > 0.0 { v0 } else { 0.0 };
+    let v3 = u * u;
+    let v4 = functions::logistic(v3);
+    let v5 = v4 - v4 * v4;
+    let v6 = functions::softplus(v3);
+    let v7 = 1.0 - u;
+    let v8 = v7 - 0.0;
+    let v9 = if v8 > 0.0 { v7 } else { 0.0 };
+    let v10 = -u;
+    let v11 = functions::logistic(v10);
+    let v12 = functions::softplus(v10);
+    let v13 = math::tanh(v3);
+    let v14 = Rc * u;
+    let v15 = v4 + v4;
+    let out = out.first_chunk_mut::<31>()?;
+    out[0] = u;
+    out[1] = c152 * (u + u);
+    out[2] = zc + v14;
+    out[3] = v14;
+    out[4] = y - yco;
+    out[5] = v1;
+    out[6] = v8;
+    out[7] = v1;
+    out[8] = v5;
+    out[9] = v15;
+    out[10] = v4;
+    out[11] = v6 + v6;
+    out[12] = c38 * (v6 * v6);
+    out[13] = v2;
+    out[14] = v8;
+    out[15] = v11 - v11 * v11;
+    out[16] = v11 + v11;
+    out[17] = v11;
+    out[18] = v12 + v12;
+    out[19] = c39 * (v12 * v12);
+    out[20] = v9;
+    out[21] = 1.0 - v13 * v13;
+    out[22] = v13 + v13;
+    out[23] = v5;
+    out[24] = v15;
+    out[25] = v4;
+    out[26] = v5;
+    out[27] = v15;
+    out[28] = v4;
+    out[29] = u - v14 + v3;
+    out[30] = kr * (Rc - u);
+    Some(())
+}
+
+/// One order of the Taylor series in mode CHK.
+fn series_step_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<157>()?;
+    let state = given.state.first_chunk::<3>()?;
+    let extra = given.extra.first_chunk::<45>()?;
+    let input = given.input;
+    let R = constants[0];
+    let ck = constants[5];
+    let Fc = constants[6];
+    let ab = constants[11];
+    let ar = constants[14];
+    let kr = constants[25];
+    let wd = constants[29];
+    let Rc = constants[31];
+    let k1 = constants[35];
+    let b1 = constants[36];
+    let c37 = constants[37];
+    let c38 = constants[38];
+    let c39 = constants[39];
+    let c40 = constants[40];
+    let c41 = constants[41];
+    let c42 = constants[42];
+    let c131 = constants[131];
+    let c152 = constants[152];
+    let c156 = constants[156];
+    let y = state[0];
+    let u = state[2];
+    let s = input[0];
+    let s_rate = input[1];
+    let v0 = ab * u;
+    let v1 = if extra[21] > 0.0 { v0 } else { 0.0 };
+    let v2 = c37 * y;
+    let v3 = extra[2] * extra[1] + v2 * extra[22];
+    let v4 = extra[4] * extra[1] + v2 * extra[24];
+    let v5 = c38 * (extra[5] + extra[25] * v4);
+    let v6 = -(ar * u);
+    let v7 = if extra[28] > 0.0 { v6 } else { 0.0 };
+    let v8 = -v2;
+    let v9 = extra[7] * extra[1] + v8 * extra[29];
+    let v10 = extra[9] * extra[1] + v8 * extra[31];
+    let v11 = c39 * (extra[10] + extra[32] * v10);
+    let v12 = c40 * u;
+    let v13 = extra[12] * extra[1] + v12 * extra[35];
+    let v14 = c41 * y;
+    let v15 = extra[14] * extra[1] + v14 * extra[37];
+    let v16 = Rc * y;
+    let v17 = c131 * y;
+    let v18 = extra[17] * extra[1] + v17 * extra[40];
+    let v19 = y - wd * (extra[19] * extra[1] + v17 * extra[42]);
+    let v20 = -v16 + R * v19;
+    let v21 = kr * -(R * -v18);
+    let v22 = k1 * (s - y) + b1 * (s_rate - u) - (ck * u + Rc * (c156 * u));
+    let v23 = v22 - Fc * v13 - c42 * (extra[16] * extra[1] + v14 * extra[39]);
+    let v24 = v23 + (extra[20] + extra[43] * v21 + v20 * extra[44]);
+    let v25 = extra[11] + extra[33] * v7 + v11 * extra[34];
+    let v26 = v25 - (extra[6] + extra[26] * v1 + v5 * extra[27]);
+    let v27 = extra[0] * v2;
+    let v28 = extra[0] * v8;
+    let v29 = extra[0] * v14;
+    let v30 = extra[0] * v17;
+    let out = out.first_chunk_mut::<45>()?;
+    out[0] = u;
+    out[1] = c152 * (v24 + v26);
+    out[2] = v16;
+    out[3] = Rc * u;
+    out[4] = y;
+    out[5] = v0;
+    out[6] = v6;
+    out[7] = v27;
+    out[8] = v3;
+    out[9] = v27;
+    out[10] = v4;
+    out[11] = v5;
+    out[12] = v28;
+    out[13] = v9;
+    out[14] = v28;
+    out[15] = v10;
+    out[16] = v11;
+    out[17] = extra[0] * v12;
+    out[18] = v13;
+    out[19] = v29;
+    out[20] = v15;
+    out[21] = v29;
+    out[22] = v30;
+    out[23] = v18;
+    out[24] = v30;
+    out[25] = v20;
+    out[26] = v3 - (extra[3] + extra[23] * v3);
+    out[27] = v3;
+    out[28] = v3;
+    out[29] = v4;
+    out[30] = v1;
+    out[31] = v9 - (extra[8] + extra[30] * v9);
+    out[32] = v9;
+    out[33] = v9;
+    out[34] = v10;
+    out[35] = v7;
+    out[36] = -(extra[13] + extra[36] * v13);
+    out[37] = v13;
+    out[38] = v15 - (extra[15] + extra[38] * v15);
+    out[39] = v15;
+    out[40] = v15;
+    out[41] = v18 - (extra[18] + extra[41] * v18);
+    out[42] = v18;
+    out[43] = v18;
+    out[44] = v21;
+    Some(())
+}
+
 /// The state to start from.
 fn rest(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
@@ -4416,12 +6520,11 @@ fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset playable.
 fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<1>()?;
-    let extra_0 = extra[0];
-    let v0 = 0.003_058_169_4 * extra_0 - 0.164_301_830_600_000_03;
+    let v0 = 0.003_058_169_4 * extra[0] - 0.164_301_830_600_000_03;
     let out = out.first_chunk_mut::<37>()?;
     out[0] = 5.0;
     out[1] = 0.15;
-    out[2] = 0.011_137_652 - 6.2348e-5 * extra_0;
+    out[2] = 0.011_137_652 - 6.2348e-5 * extra[0];
     out[3] = 9.81;
     out[4] = functions::larger(v0, -0.04);
     out[5] = 0.4;
