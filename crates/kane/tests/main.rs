@@ -28,6 +28,7 @@ mod plain_equations;
 mod readable;
 mod resting;
 mod rigid;
+
 mod series;
 mod shipped;
 mod small_models;

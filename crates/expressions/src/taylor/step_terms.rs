@@ -147,7 +147,18 @@ impl<'a> StepTerms<'a> {
         let now = self.times(slope, self.now(x));
         let all = self.plus(before, now);
         let inverse = self.carried(CarriedValue::Over(1.0, x));
-        self.times(all, inverse)
+        let term = self.times(all, inverse);
+        self.unless_zero(x, x, term)
+    }
+
+    /// A coefficient of what is singular at zero: nothing where `of` is zero and stays so, as a felt
+    /// that is not touched, and no number where it leaves zero.
+    fn unless_zero(&mut self, start: TapeSlot, of: TapeSlot, term: Term) -> Term {
+        let [start, now] = [self.carried(CarriedValue::Value(start)), self.now(of)];
+        let [start, now] = [start, now].map(|it| self.times(it, it));
+        let is_any = self.plus(start, now)?;
+        let zero = self.writer.number(0.0);
+        Some(self.writer.push(Instruction::Select(is_any, term?, zero)))
     }
 
     fn term(&mut self, at: usize) -> Term {
@@ -188,7 +199,8 @@ impl<'a> StepTerms<'a> {
                 let sum = self.sum(LaneFactor::Value(own), LaneFactor::Value(own));
                 let before = self.minus(self.now(x), sum);
                 let inverse = self.carried(CarriedValue::Over(0.5, own));
-                self.times(before, inverse)
+                let term = self.times(before, inverse);
+                self.unless_zero(own, x, term)
             }
             SeriesRule::Power(x, by) => self.power(own, x, by),
             SeriesRule::Magnitude(x) => {

@@ -106,8 +106,10 @@ impl Recursion {
             is_read[slot.index()] = true;
         }
         // Operands stand before what is made of them.
-        for at in (0..is_read.len()).rev().filter(|at| is_read[*at]).collect::<Vec<_>>() {
-            instructions[at].operands(|it| is_read[it.index()] = true);
+        for (at, instruction) in instructions.iter().enumerate().rev() {
+            if is_read[at] {
+                instruction.operands(|it| is_read[it.index()] = true);
+            }
         }
         let mut writer = TapeWriter::default();
         let mut places = vec![TapeSlot::default(); is_read.len()];

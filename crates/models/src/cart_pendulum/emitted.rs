@@ -723,43 +723,50 @@ fn guard_right_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Where the Taylor series begins in mode free.
 fn series_start_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<16>()?;
+    let constants = given.constants.first_chunk::<17>()?;
     let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
     let left = constants[7];
     let right = constants[8];
     let c11 = constants[11];
+    let c12 = constants[12];
+    let c13 = constants[13];
     let c14 = constants[14];
     let c15 = constants[15];
+    let c16 = constants[16];
     let x = state[0];
     let theta = state[1];
     let x_dot = state[2];
     let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
     let (sin_theta, cos_theta) = math::sin_cos(theta);
     let v0 = c11 * (theta_dot * theta_dot);
-    let v1 = theta + theta;
-    let v2 = v1 + v0 * sin_theta;
-    let v3 = c15 * cos_theta;
-    let v4 = -v1;
-    let v5 = 1.0 / (c14 - theta * theta);
-    let v6 = v4 * v5;
+    let v1 = k * (s - x) + b * (s_rate - x_dot) + v0 * sin_theta;
+    let v2 = c15 * cos_theta;
+    let v3 = -(c12 * sin_theta + v2 * v1);
+    let v4 = 1.0 / (c14 - c13 * (cos_theta * cos_theta));
+    let v5 = v3 * v4;
     let out = out.first_chunk_mut::<17>()?;
     out[0] = x_dot;
     out[1] = theta_dot;
-    out[2] = theta * v2 - v3 * v6;
-    out[3] = v6;
+    out[2] = c16 * v1 - v2 * v5;
+    out[3] = v5;
     out[4] = x - left;
     out[5] = right - x;
     out[6] = cos_theta;
     out[7] = sin_theta;
     out[8] = theta_dot + theta_dot;
     out[9] = v0;
-    out[10] = v3;
-    out[11] = v2;
+    out[10] = v2;
+    out[11] = v1;
     out[12] = cos_theta + cos_theta;
-    out[13] = v5;
-    out[14] = v5;
-    out[15] = v4;
-    out[16] = v6;
+    out[13] = v4;
+    out[14] = v4;
+    out[15] = v3;
+    out[16] = v5;
     Some(())
 }
 
@@ -1043,25 +1050,32 @@ fn bound_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Where the Taylor series begins in mode left.
 fn series_start_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<12>()?;
+    let constants = given.constants.first_chunk::<32>()?;
     let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
     let left = constants[7];
     let c11 = constants[11];
+    let c30 = constants[30];
+    let c31 = constants[31];
     let theta = state[1];
     let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
     let (sin_theta, cos_theta) = math::sin_cos(theta);
-    let v0 = theta + theta;
-    let v1 = -v0;
+    let v0 = theta_dot * c11;
+    let v1 = -(theta_dot * v0 + c31 * cos_theta);
     let out = out.first_chunk_mut::<10>()?;
     out[0] = theta_dot;
-    out[1] = -(theta * sin_theta);
+    out[1] = -(c30 * sin_theta);
     out[2] = left;
     out[3] = 0.0;
-    out[4] = sin_theta * v1 - v0;
+    out[4] = sin_theta * v1 - (s_rate * b + k * (s - left));
     out[5] = cos_theta;
     out[6] = sin_theta;
     out[7] = theta_dot;
-    out[8] = theta_dot * c11;
+    out[8] = v0;
     out[9] = v1;
     Some(())
 }
@@ -1232,21 +1246,28 @@ fn guard_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Where the Taylor series begins in mode right.
 fn series_start_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<12>()?;
+    let constants = given.constants.first_chunk::<32>()?;
     let state = given.state.first_chunk::<4>()?;
+    let input = given.input;
+    let k = constants[5];
+    let b = constants[6];
     let right = constants[8];
     let c11 = constants[11];
+    let c30 = constants[30];
+    let c31 = constants[31];
     let theta = state[1];
     let theta_dot = state[3];
+    let s = input[0];
+    let s_rate = input[1];
     let (sin_theta, cos_theta) = math::sin_cos(theta);
     let v0 = theta_dot * c11;
-    let v1 = theta_dot * v0 + theta * cos_theta;
+    let v1 = theta_dot * v0 + c31 * cos_theta;
     let out = out.first_chunk_mut::<10>()?;
     out[0] = theta_dot;
-    out[1] = -(theta * sin_theta);
+    out[1] = -(c30 * sin_theta);
     out[2] = right;
     out[3] = 0.0;
-    out[4] = theta + theta + sin_theta * v1;
+    out[4] = s_rate * b + k * (s - right) + sin_theta * v1;
     out[5] = cos_theta;
     out[6] = sin_theta;
     out[7] = theta_dot;

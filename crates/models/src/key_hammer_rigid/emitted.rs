@@ -1217,17 +1217,24 @@ fn bound_string_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Where the Taylor series begins in mode A2.
 fn series_start_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<13>()?;
+    let constants = given.constants.first_chunk::<32>()?;
     let state = given.state.first_chunk::<2>()?;
+    let input = given.input;
+    let L1 = constants[0];
+    let L3 = constants[2];
+    let L4 = constants[3];
     let string_angle = constants[12];
+    let c31 = constants[31];
     let theta_h = state[0];
     let theta_h_dot = state[1];
-    let v0 = theta_h - theta_h;
+    let s = input[0];
+    let v0 = theta_h - s;
     let ([sin_theta_h, sin_v0], [cos_theta_h, cos_v0]) = math::sin_cos_of_two([theta_h, v0]);
+    let v1 = L1 * sin_v0 + (L4 * cos_theta_h - L3 * sin_theta_h);
     let out = out.first_chunk_mut::<8>()?;
     out[0] = theta_h_dot;
-    out[1] = -(theta_h * cos_theta_h);
-    out[2] = theta_h * sin_v0 + v0;
+    out[1] = -(c31 * cos_theta_h);
+    out[2] = v1;
     out[3] = string_angle - theta_h;
     out[4] = cos_theta_h;
     out[5] = sin_theta_h;
