@@ -131,6 +131,11 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         self.constants.get(..self.table.parameters.len()).unwrap_or(&self.constants)
     }
 
+    /// The parameters, and what follows from them.
+    pub(crate) const fn constants(&self) -> &[f64] {
+        &self.constants
+    }
+
     /// What is known of the mode beyond its equations.
     pub(crate) const fn natures(&self) -> &ModeNatures {
         &self.natures

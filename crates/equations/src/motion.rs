@@ -1,5 +1,6 @@
 //! A table's model as `pode` steps it.
 
+use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Model, Motion, Nature, Part, State};
 
 use crate::jacobian_bound::matrix;
@@ -59,6 +60,15 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
         input: &Motion,
     ) -> <[f64; N] as State>::Matrix {
         matrix(&self.jacobian_rows(self.mode(mode).jacobian, x, input))
+    }
+
+    fn series(
+        &self,
+        mode: ModeNumber,
+        input: &[Motion; INPUT_TERMS],
+        out: &mut Expansion<[f64; N]>,
+    ) -> bool {
+        self.mode(mode).series.is_some_and(|table| self.expand(&table, input, out))
     }
 
     #[inline]

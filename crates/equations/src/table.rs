@@ -138,6 +138,8 @@ pub struct ModeTable {
     pub balance: FunctionId,
     /// To the derivative's derivative by the state, row by row.
     pub jacobian: FunctionId,
+    /// Its Taylor series, where it has one.
+    pub series: Option<SeriesTable>,
     /// What its equations are like; the fastest rate is found from the Jacobian at the rest pose.
     pub kind: EquationKind,
     /// From constants to a number that is 0 where these values let nothing be lost: the mode is
@@ -173,6 +175,7 @@ impl ModeTable {
         outputs: Self::NO_FUNCTION,
         balance: Self::NO_FUNCTION,
         jacobian: Self::NO_FUNCTION,
+        series: None,
         kind: EquationKind::Smooth,
         loss: None,
         is_stiffening: false,
@@ -181,6 +184,32 @@ impl ModeTable {
         contacts: &[],
         freedom: Freedom { n: 0, m: 0, p: 0 },
     };
+}
+
+/// The Taylor series of a mode: two functions, and how many numbers they exchange.
+///
+/// A lane is a pair of factors whose products are summed up over the orders; the functions give
+/// the factors and take the sums.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SeriesTable {
+    /// To the outputs where the series begins, and behind them what the steps are given of it.
+    ///
+    /// The outputs are the derivative of what moves by equations, then what is slaved, guards and
+    /// conditions.
+    pub start: FunctionId,
+    /// From the coefficients of order k of state and input, and in `extra` k, 1/k, the lanes' sums
+    /// and what `start` gave: to the outputs' coefficients of order k, the first factors of all
+    /// lanes, and the second ones.
+    pub step: FunctionId,
+    /// The entries of the state that move by equations, as bits.
+    pub entries: u64,
+    /// How many guards have a series, the first of the mode's list.
+    pub guards: usize,
+    /// How many values there are at whose zeros the equations change their form.
+    pub conditions: usize,
+    pub lanes: usize,
+    /// How many numbers the steps are given of the start.
+    pub carried: usize,
 }
 
 /// Degrees of freedom of a mode. `[GC93]` table 1.

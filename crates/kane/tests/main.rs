@@ -28,6 +28,8 @@ mod plain_equations;
 mod readable;
 mod resting;
 mod rigid;
+
+mod series;
 mod shipped;
 mod small_models;
 mod sounding;

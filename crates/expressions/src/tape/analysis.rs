@@ -120,6 +120,22 @@ impl Tape {
 }
 
 impl Instruction {
+    /// Returns the same instruction with each operand where `place` says.
+    #[must_use]
+    pub fn moved(&self, place: impl Fn(TapeSlot) -> TapeSlot) -> Self {
+        match *self {
+            Self::Number(_) | Self::Argument(_) => *self,
+            Self::Add(x, y) => Self::Add(place(x), place(y)),
+            Self::Subtract(x, y) => Self::Subtract(place(x), place(y)),
+            Self::Multiply(x, y) => Self::Multiply(place(x), place(y)),
+            Self::Divide(x, y) => Self::Divide(place(x), place(y)),
+            Self::Negate(x) => Self::Negate(place(x)),
+            Self::Unary(function, x) => Self::Unary(function, place(x)),
+            Self::Binary(function, x, y) => Self::Binary(function, place(x), place(y)),
+            Self::Select(x, y, z) => Self::Select(place(x), place(y), place(z)),
+        }
+    }
+
     /// Shows each operand to `see`.
     pub fn operands(&self, mut see: impl FnMut(TapeSlot)) {
         match *self {

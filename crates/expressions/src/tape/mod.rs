@@ -16,6 +16,7 @@ mod writer;
 pub use analysis::{AngleGroup, AngleValues, ArgumentCounts};
 pub use evaluate::TapeArguments;
 pub use ready::constant_parts;
+pub(crate) use writer::TapeWriter;
 
 use crate::graph::{BinaryFunction, Place, UnaryFunction};
 

@@ -7,7 +7,7 @@ use super::{Argument, Instruction, TapeSlot};
 
 /// A tape that is being written; equal instructions are written once.
 #[derive(Debug, Default)]
-pub(super) struct TapeWriter {
+pub(crate) struct TapeWriter {
     instructions: Vec<Instruction>,
     known: HashMap<[u64; 4], TapeSlot>,
     /// When each value is ready, in cycles of a present processor, roughly.
@@ -18,11 +18,11 @@ pub(super) struct TapeWriter {
 type Signed = Reverse<(u32, TapeSlot, bool)>;
 
 impl TapeWriter {
-    pub(super) fn finish(self) -> Vec<Instruction> {
+    pub(crate) fn finish(self) -> Vec<Instruction> {
         self.instructions
     }
 
-    pub(super) fn push(&mut self, instruction: Instruction) -> TapeSlot {
+    pub(crate) fn push(&mut self, instruction: Instruction) -> TapeSlot {
         let key = key(&instruction);
         if let Some(slot) = self.known.get(&key) {
             return *slot;
@@ -36,7 +36,7 @@ impl TapeWriter {
         slot
     }
 
-    pub(super) fn number(&mut self, value: f64) -> TapeSlot {
+    pub(crate) fn number(&mut self, value: f64) -> TapeSlot {
         self.push(Instruction::Number(value))
     }
 

@@ -152,6 +152,10 @@ impl TapeSeries {
             SeriesRule::Driven { slope, of } => {
                 rows::driven(&known.rate[of.index()], down(slope), k)
             }
+            // What is zero and stays so is none of the points at which these are singular.
+            SeriesRule::Root(x) | SeriesRule::Power(x, _) if !(first(x).abs() + now(x).abs() > 0.0) => {
+                0.0
+            }
             SeriesRule::Root(x) => {
                 let (up, down) = (&known.rising[slot], &known.falling[slot]);
                 rows::root(now(x), up, down, 0.5 / up.at(0), k)

@@ -12,6 +12,13 @@ pub(super) enum LaneFactor {
 }
 
 impl LaneFactor {
+    /// The value.
+    pub(super) const fn slot(self) -> TapeSlot {
+        match self {
+            Self::Value(slot) | Self::Rate(slot) => slot,
+        }
+    }
+
     /// Its coefficient of order k.
     pub(super) fn text(self) -> String {
         match self {

@@ -96,13 +96,42 @@ impl FunctionList {
         name: &str,
         outputs: &[Node],
     ) -> Result<FunctionId, AssemblyError> {
+        let tape = self.lower(graph, name, outputs)?;
+        self.add_tape(name, tape)
+    }
+
+    /// Returns the tape of `outputs`, with what the parameters alone give found before.
+    pub(super) fn tape(
+        &mut self,
+        graph: &mut Graph,
+        name: &str,
+        outputs: &[Node],
+    ) -> Result<Tape, AssemblyError> {
+        let outputs = self.hoisting.of(graph, outputs);
+        self.lower(graph, name, &outputs)
+    }
+
+    fn lower(
+        &mut self,
+        graph: &Graph,
+        name: &str,
+        outputs: &[Node],
+    ) -> Result<Tape, AssemblyError> {
         for number in self.placed..self.parameters + self.hoisting.constants.len() {
             let number = u16::try_from(number).unwrap_or(u16::MAX);
             self.layout.place(Place::Parameter(number), Argument::Constant(number));
             self.placed += 1;
         }
-        let tape = Tape::lower(graph, &self.layout, outputs)
-            .map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))?;
+        Tape::lower(graph, &self.layout, outputs)
+            .map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))
+    }
+
+    /// Adds what a tape computes, once.
+    pub(super) fn add_tape(
+        &mut self,
+        name: &str,
+        tape: Tape,
+    ) -> Result<FunctionId, AssemblyError> {
         let tapes = &mut self.functions.tapes;
         let number = tapes.iter().position(|it| *it == tape).unwrap_or(tapes.len());
         if number == tapes.len() {

@@ -18,6 +18,7 @@ mod leak;
 mod modes;
 mod moving;
 mod parts;
+mod series;
 mod table;
 
 pub use error::AssemblyError;

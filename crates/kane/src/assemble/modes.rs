@@ -9,7 +9,7 @@ use super::jacobian::StateOfMode;
 use super::kinds::{LossKind, is_of_input, is_stiffening, kind_of};
 use super::moving::Moving;
 use super::parts::parts;
-use super::{AssemblyError, contacts, guards, leak};
+use super::{AssemblyError, contacts, guards, leak, series};
 use crate::graph::{Graph, Place};
 use crate::mechanism::{ConstraintKind, Mechanism};
 
@@ -35,6 +35,7 @@ pub(super) fn mode(
         slopes: forces.slopes,
         outputs: forces.outputs,
         balance: forces.balance,
+        series: series::series(graph, functions, &builder)?,
         guards,
         guard_specs: leak::list(guard_specs as Vec<GuardSpec>),
         contacts,

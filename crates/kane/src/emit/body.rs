@@ -68,7 +68,7 @@ impl<'a> FunctionBody<'a> {
         tape.instructions.iter().any(|it| matches!(it, Instruction::Argument(_)))
     }
 
-    /// Reads each argument once, in order.
+    /// Reads each argument once, in order; those without names of their own stand where they are used.
     fn arguments(&mut self) {
         let counts = self.tape.argument_counts();
         let lists =
@@ -89,7 +89,9 @@ impl<'a> FunctionBody<'a> {
         }
         for (argument, slots) in reads {
             let (name, read) = self.names.of(argument);
-            self.lines.push(format!("let {name} = {read};"));
+            if name != read {
+                self.lines.push(format!("let {name} = {read};"));
+            }
             self.values.extend(slots.iter().map(|it| (*it, RustExpression::atom(name.clone()))));
         }
     }

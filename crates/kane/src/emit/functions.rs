@@ -81,6 +81,8 @@ impl FunctionPurposes {
         set(Some(mode.outputs), "outputs", "The outputs");
         set(Some(mode.balance), "balance", "Energy, supplied and dissipated power");
         set(Some(mode.jacobian), "jacobian", "The derivative's derivative by the state");
+        set(mode.series.map(|it| it.start), "series_start", "Where the Taylor series begins");
+        set(mode.series.map(|it| it.step), "series_step", "One order of the Taylor series");
         for (at, part) in mode.parts.iter().enumerate() {
             set(Some(part.derivative), &format!("part_{at}"), "The derivative of a part");
         }

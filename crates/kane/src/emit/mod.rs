@@ -91,6 +91,7 @@ const IMPORTS: [(&str, &[&str]); 3] = [
             "RequirementTable",
             "RestTable",
             "RestingTable",
+            "SeriesTable",
             "SpringTable",
             "WayTable",
         ],

@@ -27,7 +27,7 @@ impl ArgumentNames {
         Self { constants, state, input, taken }
     }
 
-    /// Returns the argument's name, and the expression that reads it.
+    /// Returns the argument's name, and the expression that reads it; without a name it is both.
     pub(super) fn of(&self, argument: Argument) -> (String, String) {
         let named = |names: &[String], kind: &str, at: usize| {
             let name = names.get(at).cloned().unwrap_or_else(|| format!("{kind}_{at}"));
@@ -37,7 +37,7 @@ impl ArgumentNames {
             Argument::Constant(at) => named(&self.constants, "constants", at.into()),
             Argument::State(at) => named(&self.state, "state", at.into()),
             Argument::Input(at) => named(&self.input, "input", at.into()),
-            Argument::Extra(at) => named(&[], "extra", at.into()),
+            Argument::Extra(at) => (format!("extra[{at}]"), format!("extra[{at}]")),
         }
     }
 }

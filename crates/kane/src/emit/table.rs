@@ -4,7 +4,7 @@ use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{
     BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
     Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
-    PresetTable, RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
+    PresetTable, RequirementTable, RestTable, RestingTable, SeriesTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -59,10 +59,11 @@ structures! {
     RequirementTable { text, margin }
     ModeTable {
         name, derivative, parts, part_list, slaved, projection, projected, longest_projection,
-        readout, slopes, outputs, balance, jacobian, kind, loss, is_stiffening, guards,
+        readout, slopes, outputs, balance, jacobian, series, kind, loss, is_stiffening, guards,
         guard_specs, contacts, freedom,
     }
     Freedom { n, m, p }
+    SeriesTable { start, step, entries, guards, conditions, lanes, carried }
     PartTable { entries, derivative, kind, loss, reads }
     GuardTable { id, name, unit, priority, scale, fires, reads, value, bound, ways, sounds }
     WayTable { when, to, reset, resting }

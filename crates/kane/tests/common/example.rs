@@ -36,6 +36,7 @@ const MODE: ModeTable = ModeTable {
     outputs: 4,
     balance: 3,
     jacobian: 5,
+    series: None,
     kind: EquationKind::Smooth,
     loss: Some(2),
     is_stiffening: true,

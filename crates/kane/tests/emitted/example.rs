@@ -110,6 +110,7 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 4,
             balance: 3,
             jacobian: 5,
+            series: None,
             kind: EquationKind::Smooth,
             loss: Some(2),
             is_stiffening: true,
@@ -172,6 +173,7 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 4,
             balance: 3,
             jacobian: 5,
+            series: None,
             kind: EquationKind::Affine,
             loss: Some(2),
             is_stiffening: true,
@@ -473,9 +475,8 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let state = given.state.first_chunk::<1>()?;
     let extra = given.extra.first_chunk::<1>()?;
     let theta_k = state[0];
-    let extra_0 = extra[0];
     let out = out.first_chunk_mut::<6>()?;
-    out[0] = 0.333_333_333_333_333_3 * extra_0;
+    out[0] = 0.333_333_333_333_333_3 * extra[0];
     out[1] = 123_456_789.0;
     out[2] = 0.333_333_333_333_333_3;
     out[3] = core::f64::consts::PI;

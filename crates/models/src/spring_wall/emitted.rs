@@ -72,6 +72,7 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 3,
             balance: 4,
             jacobian: 0,
+            series: None,
             kind: EquationKind::Affine,
             loss: None,
             is_stiffening: false,
@@ -113,6 +114,7 @@ pub static TABLE: ModelTable = ModelTable {
             outputs: 9,
             balance: 10,
             jacobian: 0,
+            series: None,
             kind: EquationKind::Affine,
             loss: None,
             is_stiffening: false,
@@ -340,10 +342,9 @@ fn bound_touch_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let input = given.input;
     let s_rate = input[1];
     let s_rate2 = input[2];
-    let extra_3 = extra[3];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s_rate * extra_3;
-    out[1] = s_rate2 * (extra_3 * extra_3);
+    out[0] = s_rate * extra[3];
+    out[1] = s_rate2 * (extra[3] * extra[3]);
     Some(())
 }
 

@@ -92,6 +92,11 @@ impl GuardPolynomial {
             .fold((0.0, 0.0), |(value, slope), term| (term + tau * value, value + tau * slope))
     }
 
+    /// The same with the opposite sign.
+    pub(crate) fn negated(&self) -> Self {
+        Self { terms: self.terms.map(|term| -term), order: self.order }
+    }
+
     /// The same without its value at the start, divided by τ: what a guard that leaves zero does
     /// next.
     #[inline]

@@ -5,8 +5,8 @@
 //! [`Taylor`](crate::stepper::Taylor) makes steps of them. Coefficients are scaled by powers of a
 //! time that is about as long as the step, so that high orders neither overflow nor vanish.
 //!
-//! [`rows`] has what one more order of a product, a quotient or a sine takes; the crate `kane`
-//! writes such a series for any tape.
+//! [`rows`] and [`lanes`] have what one more order of a product, a quotient or a sine takes; the
+//! crate `expressions` writes such a series for any tape.
 
 mod bell;
 mod falls;
@@ -33,6 +33,9 @@ pub const INPUT_TERMS: usize = TERMS + 3;
 /// Guards of a mode whose series are kept, the first of its list.
 pub const MOST_GUARDS: usize = 6;
 
+/// Conditions whose series are kept.
+pub const MOST_CONDITIONS: usize = MOST_GUARDS;
+
 /// The solution from one state on, as a power series, with the guards along it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Expansion<S> {
@@ -46,6 +49,11 @@ pub struct Expansion<S> {
     pub guards: [[f64; TERMS]; MOST_GUARDS],
     /// How many guards have theirs.
     pub known_guards: usize,
+    /// Coefficients of what the equations' form depends on by its sign: where one of these comes to
+    /// zero, as a felt that is left, the series ends.
+    pub conditions: [[f64; TERMS]; MOST_CONDITIONS],
+    /// How many conditions there are.
+    pub known_conditions: usize,
 }
 
 impl<S: State> Expansion<S> {
@@ -63,12 +71,15 @@ impl<S: State> Expansion<S> {
         terms: [S::ZERO; TERMS],
         guards: [[0.0; TERMS]; MOST_GUARDS],
         known_guards: 0,
+        conditions: [[0.0; TERMS]; MOST_CONDITIONS],
+        known_conditions: 0,
     };
 
     /// Asks for the expansion from `x`, up to `order`, in units of `scale` (s).
     #[inline]
     pub(crate) fn begin(&mut self, x: &S, order: usize, scale: f64) {
         self.order = order.clamp(1, MOST_ORDER);
-        (self.scale, self.terms[0], self.known_guards) = (scale, *x, 0);
+        (self.scale, self.terms[0]) = (scale, *x);
+        (self.known_guards, self.known_conditions) = (0, 0);
     }
 }

@@ -42,13 +42,13 @@ impl<S: State> Default for TaylorMemory<S> {
 }
 
 impl<S: State> TaylorMemory<S> {
-    /// The step has been expanded, and may be as long as `reach` (s); or it has no series.
-    pub(super) fn expand(&mut self, reach: Option<f64>) {
-        (self.stage, self.reach) = match reach {
-            Some(reach) => (SeriesStage::Expanded, reach),
-            None => (SeriesStage::Singular, self.substitute.reach()),
+    /// The step has been expanded, and may be as long as the first of `reaches` (s), where the
+    /// series itself reaches as far as the second; or it has no series.
+    pub(super) fn expand(&mut self, reaches: Option<(f64, f64)>) {
+        (self.stage, (self.reach, self.scale)) = match reaches {
+            Some(reaches) => (SeriesStage::Expanded, reaches),
+            None => (SeriesStage::Singular, (self.substitute.reach(), self.substitute.reach())),
         };
-        self.scale = self.reach;
     }
 
     pub(super) const fn is_prepared(&self) -> bool {

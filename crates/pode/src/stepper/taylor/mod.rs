@@ -1,5 +1,6 @@
 //! Taylor's method, of any order, for models that know their series.
 
+mod branch;
 mod carried;
 mod reach;
 
@@ -16,7 +17,8 @@ use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, T
 ///
 /// For offline work, as long steps as a tolerance allows, and for the smallest errors: the work
 /// grows with the square of the digits. One expansion a step ([`Model::series`]), and no step is
-/// ever refused. A step from a state at which the model has no series, since it has none at all
+/// ever refused. Where the equations change their form along the series, as where a felt is left,
+/// the step ends. A step from a state at which the model has no series, since it has none at all
 /// or a felt is just being touched, is one of Tsitouras' method under the same tolerance.
 ///
 /// Dense output: the series, so that nothing is lost inside a step, and guards that the model
@@ -73,7 +75,8 @@ impl Stepper for Taylor {
         expansion.begin(x0, self.order, scale);
         let reach =
             if field.expand(expansion) { reach::of(expansion, self.tolerance) } else { None };
-        memory.expand(reach);
+        let reaches = reach.and_then(|reach| Some((branch::before(expansion, reach)?, reach)));
+        memory.expand(reaches);
     }
 
     fn step<S: State>(

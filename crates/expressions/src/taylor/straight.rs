@@ -1,0 +1,161 @@
+//! A recursion as two straight lines: where a series begins, and from order to order.
+
+use super::lanes::{LaneFactor, SeriesLane, lanes};
+use super::recursion::Recursion;
+use super::step_terms::StepTerms;
+use crate::graph::UnaryFunction;
+use crate::tape::{Argument, Instruction, Tape, TapeSlot, TapeWriter};
+
+/// A recursion as two tapes: what runs them keeps the lanes and sums over them.
+///
+/// A lane is a pair of factors a and b; its sum for the order k is Σ a(j) b(k − j) for j from 1 to
+/// k − 1.
+#[derive(Clone, PartialEq, Debug)]
+pub struct SeriesTapes {
+    /// From constants, state and input to the outputs, the conditions, and what is carried.
+    pub start: Tape,
+    /// From constants, the coefficients of order k of state and input, and in `extra` k, 1/k, the
+    /// lanes' sums and what is carried: to the coefficients of order k of outputs and conditions,
+    /// then the first factors of all lanes, and the second ones.
+    pub step: Tape,
+    /// How many numbers the steps are given of the start.
+    pub carried: usize,
+    pub lanes: usize,
+    /// How many values there are at whose zeros the series ends, since a branch does.
+    pub conditions: usize,
+}
+
+/// Where the numbers of a step begin in `extra`: k and 1/k stand before.
+const SUMS: usize = 2;
+
+/// What a step is given of the start.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum CarriedValue {
+    Value(TapeSlot),
+    Twice(TapeSlot),
+    Sign(TapeSlot),
+    /// A number over the value.
+    Over(f64, TapeSlot),
+}
+
+impl CarriedValue {
+    const fn slot(self) -> TapeSlot {
+        match self {
+            Self::Value(slot) | Self::Twice(slot) | Self::Sign(slot) | Self::Over(_, slot) => slot,
+        }
+    }
+}
+
+impl Recursion {
+    /// Returns the recursion as two tapes.
+    pub fn tapes(&self) -> SeriesTapes {
+        let conditions = self.conditions();
+        let outputs = [self.tape.outputs.as_slice(), &conditions].concat();
+        let is_live = self.live(&outputs);
+        let lanes = self.moving_lanes(&is_live);
+        let mut step = StepTerms::new(self, &lanes, SUMS);
+        for at in (0..is_live.len()).filter(|at| is_live[*at]) {
+            step.follow(at);
+        }
+        let (step, carried) = step.finish(&outputs);
+        SeriesTapes {
+            start: self.start(&outputs, &carried),
+            step,
+            carried: carried.len(),
+            lanes: lanes.len(),
+            conditions: conditions.len(),
+        }
+    }
+
+    /// Each sum once, of factors that both move.
+    fn moving_lanes(&self, is_live: &[bool]) -> Vec<SeriesLane> {
+        let mut all: Vec<SeriesLane> = Vec::new();
+        for lane in lanes(self, is_live) {
+            let is_moving = [lane.first, lane.second].iter().all(|it| !self.is_constant(it.slot()));
+            if is_moving && !all.iter().any(|it| it.is_sum_of(lane.first, lane.second)) {
+                all.push(lane);
+            }
+        }
+        all
+    }
+
+    /// The values at whose zeros what the outputs are made of changes its form.
+    fn conditions(&self) -> Vec<TapeSlot> {
+        let mut is_seen = vec![false; self.rules.len()];
+        let mut waiting = self.tape.outputs.clone();
+        let mut all = Vec::new();
+        while let Some(slot) = waiting.pop() {
+            if std::mem::replace(&mut is_seen[slot.index()], true) {
+                continue;
+            }
+            let instruction = self.tape.instructions[slot.index()];
+            all.extend(condition(&instruction).filter(|it| !self.is_constant(*it)));
+            instruction.operands(|it| waiting.push(it));
+            self.rules[slot.index()].operands(|it| waiting.push(it));
+        }
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    /// The values at the start of `outputs`, and what is carried.
+    fn start(&self, outputs: &[TapeSlot], carried: &[CarriedValue]) -> Tape {
+        let instructions = &self.tape.instructions;
+        let mut is_read = vec![false; instructions.len()];
+        for slot in outputs.iter().copied().chain(carried.iter().map(|it| it.slot())) {
+            is_read[slot.index()] = true;
+        }
+        // Operands stand before what is made of them.
+        for (at, instruction) in instructions.iter().enumerate().rev() {
+            if is_read[at] {
+                instruction.operands(|it| is_read[it.index()] = true);
+            }
+        }
+        let mut writer = TapeWriter::default();
+        let mut places = vec![TapeSlot::default(); is_read.len()];
+        for at in (0..is_read.len()).filter(|at| is_read[*at]) {
+            places[at] = writer.push(instructions[at].moved(|it| places[it.index()]));
+        }
+        let mut all: Vec<_> = outputs.iter().map(|it| places[it.index()]).collect();
+        for it in carried {
+            let place = places[it.slot().index()];
+            all.push(write(&mut writer, *it, place));
+        }
+        Tape { instructions: writer.finish(), outputs: all }
+    }
+}
+
+/// The value at whose zero an instruction changes its form.
+fn condition(instruction: &Instruction) -> Option<TapeSlot> {
+    if let Instruction::Select(condition, _, _) = *instruction {
+        Some(condition)
+    } else if let Instruction::Unary(UnaryFunction::Abs | UnaryFunction::Sign, x) = *instruction {
+        Some(x)
+    } else {
+        None
+    }
+}
+
+fn write(writer: &mut TapeWriter, carried: CarriedValue, x: TapeSlot) -> TapeSlot {
+    match carried {
+        CarriedValue::Value(_) => x,
+        CarriedValue::Twice(_) => writer.push(Instruction::Add(x, x)),
+        CarriedValue::Sign(_) => writer.push(Instruction::Unary(UnaryFunction::Sign, x)),
+        CarriedValue::Over(number, _) => {
+            let number = writer.number(number);
+            writer.push(Instruction::Divide(number, x))
+        }
+    }
+}
+
+/// The argument at a place of `extra`.
+pub(super) fn extra(at: usize) -> Instruction {
+    Instruction::Argument(Argument::Extra(u16::try_from(at).unwrap_or(u16::MAX)))
+}
+
+impl SeriesLane {
+    /// Whether its sum is that of these factors.
+    pub(super) fn is_sum_of(&self, a: LaneFactor, b: LaneFactor) -> bool {
+        (self.first, self.second) == (a, b) || (self.second, self.first) == (a, b)
+    }
+}

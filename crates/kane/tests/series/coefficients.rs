@@ -1,0 +1,91 @@
+//! Coefficients by two functions against the interpreted recursion, and against the equations.
+
+use kane::taylor::{SeriesStart, TapeSeries};
+use pode::{GuardId, Guarded as _, Model as _};
+
+use super::{ORDER, constants, each, motion_at};
+
+/// The recursion of the derivative as it stands, slaved entries by their rates.
+#[test]
+fn two_functions_give_the_coefficients_of_the_recursion() {
+    let mut worst: f64 = 0.0;
+    let modes = each(|program, case| {
+        let mode = &program.table.modes[case.index];
+        let series = TapeSeries::new(
+            &program.tapes()[usize::from(mode.derivative)],
+            case.states(),
+        );
+        let input: Vec<f64> = case.input.iter().map(|it| it.position).collect();
+        let constants = constants(program, case.model.parameters());
+        let start = SeriesStart {
+            constants: &constants,
+            state: &case.series.terms[0][..case.states()],
+            input: &input,
+            scale: case.series.scale,
+        };
+        let expected = series.expand(&start, ORDER);
+        for k in 0..=ORDER {
+            let all = expected.iter().map(|row| row[k].abs());
+            let size = all.fold(1e-14, f64::max);
+            for (entry, row) in expected.iter().enumerate() {
+                let off = (row[k] - case.series.terms[k][entry]).abs() / size;
+                assert!(off < 1e-11, "{}: entry {entry} of order {k}: {off:e}", case.name());
+                worst = worst.max(off);
+            }
+        }
+    });
+    println!("{modes} modes, {worst:e}");
+    assert!(modes >= 20, "only {modes} modes have a series");
+}
+
+/// How far the series says something: its last terms are then in the rounding, and no condition is
+/// near its zero.
+fn reach(case: &super::Case<12>) -> f64 {
+    let series = &case.series;
+    let rows = (0..case.states()).map(|entry| series.terms.map(|term| term[entry]));
+    let by_rows = rows.flat_map(|row| {
+        [ORDER, ORDER - 1].map(|k| {
+            let size = row[k].abs() / (1e-16 * (row[0].abs() + row[1].abs()).max(1e-3));
+            size.max(1e-6).powf(-1.0 / k as f64)
+        })
+    });
+    let conditions = series.conditions.iter().take(series.known_conditions);
+    let by_conditions = conditions.map(|row| {
+        let moves: f64 = row[1..=ORDER].iter().map(|it| it.abs()).sum();
+        row[0].abs() / moves.max(1e-300)
+    });
+    by_rows.chain(by_conditions).fold(0.5, f64::min)
+}
+
+#[test]
+fn the_polynomial_meets_equations_and_guards() {
+    let (mut seen, mut worst) = (0, 0.0_f64);
+    each(|_, case| {
+        let reach = reach(case);
+        seen += usize::from(reach > 0.01);
+        for tau in [0.0, 0.2, 0.5].map(|part| part * reach) {
+            let input = motion_at(&case.input, case.series.scale, tau);
+            let [x, rates] = case.at(tau);
+            let expected = case.model.derivative(case.mode, &x, &input);
+            let placed = case.model.constrain(case.mode, &x, &input);
+            let size = expected.iter().fold(1.0_f64, |most, it| most.max(it.abs()));
+            for entry in 0..case.states() {
+                let off = (rates[entry] - expected[entry]).abs() / size;
+                let moved = (placed[entry] - x[entry]).abs() / (1.0 + x[entry].abs());
+                let off = off.max(moved);
+                assert!(off < 1e-10, "{} at {tau}: entry {entry}: {off:e}", case.name());
+                worst = worst.max(off);
+            }
+            for (at, spec) in case.model.guards(case.mode).iter().enumerate() {
+                let row = &case.series.guards[at][..=ORDER];
+                let found = row.iter().rev().fold(0.0, |sum, term| term + tau * sum);
+                let GuardId(id) = spec.id;
+                let value = case.model.guard(case.mode, GuardId(id), &x, &input).value;
+                let off = (found - value).abs() / (1.0 + value.abs());
+                assert!(off < 1e-11, "{} at {tau}: guard {}: {off:e}", case.name(), spec.name);
+            }
+        }
+    });
+    println!("{seen} cases, {worst:e}");
+    assert!(seen > 70, "only {seen} cases go on for a while");
+}
