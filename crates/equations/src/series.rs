@@ -6,7 +6,7 @@
 use pode::Motion;
 use pode::series::lanes::{SeriesLanes, SeriesPair};
 use pode::series::rows::PER_ORDER;
-use pode::series::{INPUT_TERMS, Expansion, MOST_CONDITIONS, MOST_GUARDS, MOST_ORDER, TERMS};
+use pode::series::{Expansion, INPUT_TERMS, MOST_CONDITIONS, MOST_GUARDS, MOST_ORDER, TERMS};
 
 use crate::model::EquationModel;
 use crate::table::{Arguments, Functions, SeriesTable};

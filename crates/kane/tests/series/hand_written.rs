@@ -1,8 +1,9 @@
 //! The series of the described model B against the one that is compiled as one function, from a
 //! graph that was written by hand.
 
-use models::key_hammer_springs::Mode;
-use models::{Described as _, KeyHammerSprings};
+use hand_written::KeyHammerSprings;
+use hand_written::key_hammer_springs::Mode;
+use models::Described as _;
 use pode::Model as _;
 use pode::series::Expansion;
 
