@@ -105,6 +105,7 @@ other = { frame = "ground", @drawing.frames = 1 }
 [[drawing.outlines]]
 @drawing.outlines = 1
 [[drawing.springs]]
+from = { frame = "ground", @drawing.springs = 1 }
 @drawing.springs = 1
 "#;
 

@@ -35,9 +35,9 @@ pub(super) struct DrawnPair<W> {
 }
 
 impl<W: Playable> DrawnPair<W> {
-    pub(super) fn new(label: String, written: W, described: DrawnModel) -> Self {
-        let drawings = [Drawing::of(&written), Drawing::of(&described)];
-        Self { label, written, described, drawings }
+    pub(super) fn new(label: String, written: W, described: &DrawnModel) -> Self {
+        let drawings = [Drawing::of(&written), Drawing::of(described)];
+        Self { label, written, described: *described, drawings }
     }
 
     /// The described model in the mode and at the place of the one by hand.
