@@ -13,18 +13,20 @@ mod action;
 mod comparison;
 mod shapes;
 
-use equations::EquationModel;
 use equations::table::{Functions, ModelTable};
+use equations::{EquationModel, ModeNumber};
 use models::{
     BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, LoadedFunctions, ModelEntry,
     Playable, ReducedGrand, SpringWall, bouncing_ball, cart_pendulum, key_hammer_rigid,
     key_hammer_springs, reduced_grand, spring_wall,
 };
 
+use pode::Motion;
+
 use self::comparison::{Apart, DrawnPair};
 use crate::drawing;
 use crate::sketch::play::Moment;
-use crate::stroke::tuned;
+use crate::stroke::{tuned, values};
 
 /// A described model as one of the catalogue.
 pub(crate) type DrawnModel = EquationModel<LoadedFunctions, 4, 256>;
@@ -143,6 +145,31 @@ fn a_described_drawing_names_only_what_its_model_has() {
 #[test]
 fn a_described_drawing_is_finite_whatever_the_values() {
     with_all!(is_finite);
+}
+
+/// What a drawing follows is finite too.
+#[test]
+fn a_described_pose_is_finite_whatever_the_values() {
+    for model in [ball, cart, wall, model_a, model_b, model_c] {
+        let model = model();
+        let entry = models::Described::entry(&model);
+        let values = values(&entry.presets[0], entry.parameters.len(), 0);
+        for (index, parameter) in entry.parameters.iter().enumerate() {
+            for value in [parameter.range.0, 0.0_f64.max(parameter.range.0), parameter.range.1] {
+                let mut values = values.clone();
+                values[index] = value;
+                let model = models::Described::with_values(&model, &values);
+                let mut found = vec![0.0; entry.outputs.len()];
+                for mode in (0..).take(entry.modes.len()) {
+                    model.outputs(ModeNumber(mode), &[0.0; 4], &Motion::default(), &mut found);
+                    let outputs = entry.outputs.iter().zip(&found);
+                    let mut poses = outputs.filter(|it| it.0.contains('.'));
+                    let what = format_args!("{}, {} = {value}", entry.name, parameter.name);
+                    assert!(poses.all(|it| it.1.is_finite()), "{what}: {found:?}");
+                }
+            }
+        }
+    }
 }
 
 #[test]
