@@ -24,7 +24,7 @@ const MATERIALS: [Material; 6] = [
 ];
 
 /// A body or spring that is drawn elsewhere on purpose, and by how much at most at a moment (m).
-pub(super) type Apart = (&'static str, fn(&Moment) -> f64);
+pub(super) type AllowedDistance = (&'static str, fn(&Moment) -> f64);
 
 /// Both drawings of one model with the same values.
 pub(super) struct DrawnPair<W> {
@@ -57,7 +57,7 @@ impl<W: Playable> DrawnPair<W> {
 
     /// Compares views, names and places, at rest and over a stroke.
     #[track_caller]
-    pub(super) fn compare(&self, apart: &[Apart]) {
+    pub(super) fn compare(&self, apart: &[AllowedDistance]) {
         let [by_hand, described] = &self.drawings;
         let (ours, theirs) = (described.views[0], by_hand.views[0]);
         for (ours, theirs) in ours.iter().zip(theirs) {

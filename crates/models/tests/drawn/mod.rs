@@ -16,14 +16,14 @@ mod shapes;
 use equations::table::{Functions, ModelTable};
 use equations::{EquationModel, ModeNumber};
 use models::{
-    BouncingBall, CartPendulum, KeyHammerRigid, KeyHammerSprings, LoadedFunctions, ModelEntry,
-    Playable, ReducedGrand, SpringWall, bouncing_ball, cart_pendulum, key_hammer_rigid,
+    BouncingBall, CartPendulum, Described as _, KeyHammerRigid, KeyHammerSprings, LoadedFunctions,
+    ModelEntry, Playable, ReducedGrand, SpringWall, bouncing_ball, cart_pendulum, key_hammer_rigid,
     key_hammer_springs, reduced_grand, spring_wall,
 };
 
 use pode::Motion;
 
-use self::comparison::{Apart, DrawnPair};
+use self::comparison::{AllowedDistance, DrawnPair};
 use crate::drawing;
 use crate::sketch::play::Moment;
 use crate::stroke::{tuned, values};
@@ -66,7 +66,7 @@ described! {
 
 /// Compares all presets over a stroke; `apart` has what differs on purpose.
 #[track_caller]
-fn compare<W: Playable + Default>(described: &DrawnModel, apart: &[Apart]) {
+fn compare<W: Playable + Default>(described: &DrawnModel, apart: &[AllowedDistance]) {
     for preset in W::default().entry().presets {
         for key in [0, 44, 87] {
             let label = format!("{} {} {key}", W::default().entry().name, preset.name);
@@ -126,7 +126,7 @@ macro_rules! with_all {
     ($check:ident) => {
         for model in [ball, cart, wall, model_a, model_b, model_c] {
             let model = model();
-            let models::ModelEntry { name: known, presets, .. } = models::Described::entry(&model);
+            let ModelEntry { name: known, presets, .. } = model.entry();
             for preset in *presets {
                 for key in [0, 87] {
                     let label = format!("described {known} {} key {key}", preset.name);
@@ -152,23 +152,26 @@ fn a_described_drawing_is_finite_whatever_the_values() {
 fn a_described_pose_is_finite_whatever_the_values() {
     for model in [ball, cart, wall, model_a, model_b, model_c] {
         let model = model();
-        let entry = models::Described::entry(&model);
+        let entry = model.entry();
         let values = values(&entry.presets[0], entry.parameters.len(), 0);
         for (index, parameter) in entry.parameters.iter().enumerate() {
             for value in [parameter.range.0, 0.0_f64.max(parameter.range.0), parameter.range.1] {
                 let mut values = values.clone();
                 values[index] = value;
-                let model = models::Described::with_values(&model, &values);
-                let mut found = vec![0.0; entry.outputs.len()];
-                for mode in (0..).take(entry.modes.len()) {
-                    model.outputs(ModeNumber(mode), &[0.0; 4], &Motion::default(), &mut found);
-                    let outputs = entry.outputs.iter().zip(&found);
-                    let mut poses = outputs.filter(|it| it.0.contains('.'));
-                    let what = format_args!("{}, {} = {value}", entry.name, parameter.name);
-                    assert!(poses.all(|it| it.1.is_finite()), "{what}: {found:?}");
-                }
+                let label = format!("{}, {} = {value}", entry.name, parameter.name);
+                check_poses(&label, &model.with_values(&values));
             }
         }
+    }
+}
+
+fn check_poses(label: &str, model: &DrawnModel) {
+    let names = model.entry().outputs;
+    let mut found = vec![0.0; names.len()];
+    for mode in (0..).take(model.entry().modes.len()) {
+        model.outputs(ModeNumber(mode), &[0.0; 4], &Motion::default(), &mut found);
+        let mut poses = names.iter().zip(&found).filter(|it| it.0.contains('.'));
+        assert!(poses.all(|it| it.1.is_finite()), "{label}: {found:?}");
     }
 }
 
