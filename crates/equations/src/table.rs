@@ -355,11 +355,11 @@ pub struct DrawingTable {
     pub springs: &'static [SpringTable],
 }
 
-/// A frame that is drawn: the three outputs from `output` on are its origin (m) and angle (rad).
+/// What is drawn as one: the three outputs from `output` on are its origin (m) and angle (rad).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BodyTable {
     pub name: &'static str,
-    /// Number of the first of its outputs; none for the ground.
+    /// Number of the first of its outputs, which others may follow too; none on the ground.
     pub output: Option<usize>,
     pub outlines: &'static [OutlineTable],
 }

@@ -1,4 +1,5 @@
 //! What the models draw is to scale, and in contact where they say so.
+#![expect(clippy::expect_used, reason = "checks for tests, which fail aloud")]
 
 use models::draw::Material;
 use models::registry::SmallModel;

@@ -203,7 +203,9 @@ impl<'a> Configurations<'a> {
     fn name_shown(&self, item: &mut TomlNode) {
         key_of(item, "modes", &mut |modes| self.name_items(modes));
         if let TomlKind::List(items) = &mut item.kind {
-            items.iter_mut().for_each(|it| self.name_shown(it));
+            for item in items {
+                self.name_shown(item);
+            }
         }
     }
 

@@ -5,7 +5,8 @@ use diagnostics::{choice, quoted};
 use super::key_reader::{KeyReader, list};
 use super::reader::{CONSTANT, MechanismReader};
 use super::toml_tree::{TomlEntry, TomlNode};
-use crate::graph::{Node, UnaryFunction};
+use crate::graph::Node;
+use crate::mechanics::turned;
 use crate::mechanism::{Material, Outline};
 use crate::text::Dimension;
 
@@ -56,7 +57,9 @@ impl MechanismReader {
         let material = self.material(&mut keys);
         let is_closed = keys.is_set(&mut self.report, "closed");
         let place = self.outline_place(&mut keys);
-        let points = self.outline_points(&mut keys, place.is_some_and(|it| it.scale.is_some()));
+        let is_scaled = place.is_some_and(|it| it.scale.is_some());
+        let dimension = if is_scaled { Dimension::NONE } else { Dimension::LENGTH };
+        let points = self.outline_points(&mut keys, dimension);
         let modes = self.drawn_modes(&mut keys);
         let shapes = ["points", "rectangle", "disc"].map(|shape| keys.take(shape).is_some());
         if shapes == [false; 3] {
@@ -137,9 +140,8 @@ impl MechanismReader {
     fn outline_points(
         &mut self,
         keys: &mut KeyReader<'_>,
-        is_scaled: bool,
+        dimension: Dimension,
     ) -> Option<Vec<[Node; 2]>> {
-        let dimension = if is_scaled { Dimension::NONE } else { Dimension::LENGTH };
         let points = keys.take("points").and_then(|entry| {
             let items = list(&mut self.report, "points", &entry.node);
             items.iter().map(|item| self.pair("points", item, dimension)).collect()
@@ -179,13 +181,7 @@ impl MechanismReader {
     fn placed(&mut self, place: OutlinePlace, point: [Node; 2]) -> [Node; 2] {
         let graph = &mut self.graph;
         let [x, y] = place.scale.map_or(point, |it| point.map(|node| graph.multiply(node, it)));
-        let [x, y] = place.turn.map_or([x, y], |turn| {
-            let [sin, cos] =
-                [UnaryFunction::Sin, UnaryFunction::Cos].map(|it| graph.unary(it, turn));
-            let [xc, ys] = [(x, cos), (y, sin)].map(|(a, b)| graph.multiply(a, b));
-            let [xs, yc] = [(x, sin), (y, cos)].map(|(a, b)| graph.multiply(a, b));
-            [graph.subtract(xc, ys), graph.add(xs, yc)]
-        });
+        let [x, y] = place.turn.map_or([x, y], |angle| turned(graph, [x, y], angle));
         [graph.add(place.origin[0], x), graph.add(place.origin[1], y)]
     }
 }

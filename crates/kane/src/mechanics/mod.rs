@@ -27,6 +27,7 @@ mod speeds;
 mod vector;
 
 pub use error::{DerivationError, DerivationObstacle};
+pub(crate) use poses::turned;
 
 use crate::graph::{Graph, Place};
 use crate::mechanism::Mechanism;

@@ -42,7 +42,7 @@ fn pose(graph: &mut Graph, mechanism: &Mechanism, frame: usize) -> [Node; 3] {
 }
 
 /// A point turned about the origin.
-fn turned(graph: &mut Graph, [x, y]: [Node; 2], angle: Node) -> [Node; 2] {
+pub(crate) fn turned(graph: &mut Graph, [x, y]: [Node; 2], angle: Node) -> [Node; 2] {
     let (sin, cos) =
         (graph.unary(UnaryFunction::Sin, angle), graph.unary(UnaryFunction::Cos, angle));
     let [xc, xs] = [cos, sin].map(|it| graph.multiply(x, it));

@@ -16,7 +16,7 @@ const README: &str = include_str!("../../README.md");
 const FIRST: [&str; 2] = ["base", "remove"];
 
 /// Words beside the keys in the README's cells: names and values that stand for others'.
-const OTHER_WORDS: [&str; 7] = ["ground", "motion", "q", "key", "u", "y", "x"];
+const OTHER_WORDS: [&str; 8] = ["ground", "motion", "q", "key", "u", "y", "x", "rigid"];
 
 /// The coordinates of the description.
 const COORDINATES: [&str; 2] = ["y", "h"];
@@ -105,6 +105,7 @@ other = { frame = "ground", @drawing.frames = 1 }
 [[drawing.outlines]]
 @drawing.outlines = 1
 [[drawing.springs]]
+from = { frame = "ground", @drawing.springs = 1 }
 @drawing.springs = 1
 "#;
 
@@ -147,6 +148,7 @@ fn cells() -> BTreeMap<&'static str, String> {
             Some((row, text)) => (row.trim_matches(['[', ']']).split(".NAME").next(), text),
             None if line.starts_with("A mode has") => (Some("mode"), line),
             None if line.starts_with("Plain equations") => (Some("mode"), line),
+            None if line.starts_with("`longest_projection`") => (Some("mode"), line),
             None if ["A guard (", "`to` is", "`set = "].iter().any(|it| line.starts_with(it)) => {
                 (Some("guard"), line)
             }

@@ -11,7 +11,7 @@ const SPRINGS: &str = include_str!("../../../models/src/key_hammer_springs/model
 
 /// The value of `node` with the default preset's values of key 0; state, then accelerations.
 #[track_caller]
-fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f64; 4]) -> f64 {
+pub(super) fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f64; 4]) -> f64 {
     let mut layout = ArgumentLayout::default();
     layout.place(Place::Key, Argument::Extra(0));
     for index in 0..64 {

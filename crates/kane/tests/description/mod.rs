@@ -3,6 +3,7 @@
 mod bad_input;
 mod bases;
 mod builtin;
+mod drawing;
 mod foreign;
 mod keys;
 mod limits;
