@@ -39,7 +39,7 @@ impl SeriesTable {
     }
 
     /// Whether a mode of so many states can be expanded by it: at most 64 lanes and as many numbers
-    /// as there is room for, and six guards and six conditions.
+    /// as there is room for, and no more guards and conditions than an expansion keeps.
     pub fn fits(&self, states: usize) -> bool {
         let counts = self.guards <= MOST_GUARDS && self.conditions <= MOST_CONDITIONS;
         counts && self.blocks(states).is_some()

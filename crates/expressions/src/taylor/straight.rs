@@ -49,8 +49,7 @@ impl CarriedValue {
 impl Recursion {
     /// Returns the recursion as two tapes.
     pub fn tapes(&self) -> SeriesTapes {
-        let conditions = self.conditions();
-        let outputs = [self.tape.outputs.as_slice(), &conditions].concat();
+        let outputs = [self.tape.outputs.as_slice(), &self.conditions].concat();
         let is_live = self.live(&outputs);
         let lanes = self.moving_lanes(&is_live);
         let mut step = StepTerms::new(self, &lanes, SUMS);
@@ -63,7 +62,7 @@ impl Recursion {
             step,
             carried: carried.len(),
             lanes: lanes.len(),
-            conditions: conditions.len(),
+            conditions: self.conditions.len(),
         }
     }
 
@@ -76,25 +75,6 @@ impl Recursion {
                 all.push(lane);
             }
         }
-        all
-    }
-
-    /// The values at whose zeros what the outputs are made of changes its form.
-    fn conditions(&self) -> Vec<TapeSlot> {
-        let mut is_seen = vec![false; self.rules.len()];
-        let mut waiting = self.tape.outputs.clone();
-        let mut all = Vec::new();
-        while let Some(slot) = waiting.pop() {
-            if std::mem::replace(&mut is_seen[slot.index()], true) {
-                continue;
-            }
-            let instruction = self.tape.instructions[slot.index()];
-            all.extend(condition(&instruction).filter(|it| !self.is_constant(*it)));
-            instruction.operands(|it| waiting.push(it));
-            self.rules[slot.index()].operands(|it| waiting.push(it));
-        }
-        all.sort_unstable();
-        all.dedup();
         all
     }
 
@@ -122,17 +102,6 @@ impl Recursion {
             all.push(write(&mut writer, *it, place));
         }
         Tape { instructions: writer.finish(), outputs: all }
-    }
-}
-
-/// The value at whose zero an instruction changes its form.
-fn condition(instruction: &Instruction) -> Option<TapeSlot> {
-    if let Instruction::Select(condition, _, _) = *instruction {
-        Some(condition)
-    } else if let Instruction::Unary(UnaryFunction::Abs | UnaryFunction::Sign, x) = *instruction {
-        Some(x)
-    } else {
-        None
     }
 }
 

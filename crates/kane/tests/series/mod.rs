@@ -145,3 +145,9 @@ fn each(mut check: impl FnMut(&Program, &Case<12>)) -> usize {
     }
     modes
 }
+#[test]
+fn sizes() {
+    for program in files().iter().map(program) {
+        for mode in program.table.modes { println!("{} {} {:?}", program.table.name, mode.name, mode.series); }
+    }
+}
