@@ -23,25 +23,23 @@ impl Writing {
             }
             let instruction = self.instructions[slot.index()];
             signs.extend(sign(&instruction).filter(|it| !self.is_constant(*it)));
-            corners.extend(corner(&instruction).filter(|it| !self.is_constant(it.0)));
+            corners.extend(corner(&instruction).filter(|it| !self.is_constant(it.1)));
             instruction.operands(|it| waiting.push(it));
             self.rules[slot.index()].operands(|it| waiting.push(it));
         }
         corners.sort_unstable();
-        for (x, is_twice) in corners {
-            signs.push(self.beyond(x, is_twice));
+        for (times, x) in corners {
+            signs.push(self.beyond(times, x));
         }
         signs.sort_unstable();
         signs.dedup();
         signs
     }
 
-    /// How far |x| or 2|x| is above the next level below it; 0 below all of them.
-    fn beyond(&mut self, x: TapeSlot, is_twice: bool) -> TapeSlot {
-        let mut size = self.unary(UnaryFunction::Abs, x);
-        if is_twice {
-            size = self.add(size, size);
-        }
+    /// How far |x|, so many times, is above the next level below it; 0 below all of them.
+    fn beyond(&mut self, times: u8, x: TapeSlot) -> TapeSlot {
+        let once = self.unary(UnaryFunction::Abs, x);
+        let size = (1..times).fold(once, |size, _| self.add(size, once));
         let levels = LEVELS.map(|level| self.number(level));
         let mut level = levels[0];
         for next in levels {
@@ -64,16 +62,16 @@ fn sign(instruction: &Instruction) -> Option<TapeSlot> {
     }
 }
 
-/// The argument of a function that has a corner for those who look from afar, and whether it
-/// counts twice.
-fn corner(instruction: &Instruction) -> Option<(TapeSlot, bool)> {
+/// The argument of a function that has a corner for those who look from afar, and how many times
+/// it stands in the exponent.
+fn corner(instruction: &Instruction) -> Option<(u8, TapeSlot)> {
     use UnaryFunction as F;
     let Instruction::Unary(function, x) = *instruction else { return None };
     match function {
         F::Exp | F::Logistic | F::Softplus | F::SoftplusArea | F::SoftplusSquareArea => {
-            Some((x, false))
+            Some((1, x))
         }
-        F::Tanh => Some((x, true)),
+        F::Tanh => Some((2, x)),
         F::Sin | F::Cos | F::Asin | F::Acos | F::Ln | F::Sqrt | F::Abs | F::Sign => None,
     }
 }

@@ -153,7 +153,9 @@ impl TapeSeries {
                 rows::driven(&known.rate[of.index()], down(slope), k)
             }
             // What is zero and stays so is none of the points at which these are singular.
-            SeriesRule::Root(x) | SeriesRule::Power(x, _) if !(first(x).abs() + now(x).abs() > 0.0) => {
+            SeriesRule::Root(x) | SeriesRule::Power(x, _)
+                if first(x).abs().max(now(x).abs()) <= 0.0 =>
+            {
                 0.0
             }
             SeriesRule::Root(x) => {

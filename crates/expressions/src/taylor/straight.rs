@@ -14,8 +14,8 @@ use crate::tape::{Argument, Instruction, Tape, TapeSlot, TapeWriter};
 pub struct SeriesTapes {
     /// From constants, state and input to the outputs, the conditions, and what is carried.
     pub start: Tape,
-    /// From constants, the coefficients of order k of state and input, and in `extra` k, 1/k, the
-    /// lanes' sums and what is carried: to the coefficients of order k of outputs and conditions,
+    /// From constants, the coefficients of order k of state and input, and in `extra` k, 1/k, what
+    /// is carried and the lanes' sums: to the coefficients of order k of outputs and conditions,
     /// then the first factors of all lanes, and the second ones.
     pub step: Tape,
     /// How many numbers the steps are given of the start.
@@ -24,9 +24,6 @@ pub struct SeriesTapes {
     /// How many values there are at whose zeros the series ends, since a branch does.
     pub conditions: usize,
 }
-
-/// Where the numbers of a step begin in `extra`: k and 1/k stand before.
-const SUMS: usize = 2;
 
 /// What a step is given of the start.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -52,11 +49,10 @@ impl Recursion {
         let outputs = [self.tape.outputs.as_slice(), &self.conditions].concat();
         let is_live = self.live(&outputs);
         let lanes = self.moving_lanes(&is_live);
-        let mut step = StepTerms::new(self, &lanes, SUMS);
-        for at in (0..is_live.len()).filter(|at| is_live[*at]) {
-            step.follow(at);
-        }
-        let (step, carried) = step.finish(&outputs);
+        // How many numbers are carried is known when all is written once.
+        let (_, carried) = StepTerms::new(self, &lanes, 0).finish(&is_live, &outputs);
+        let (step, carried) =
+            StepTerms::new(self, &lanes, carried.len()).finish(&is_live, &outputs);
         SeriesTapes {
             start: self.start(&outputs, &carried),
             step,

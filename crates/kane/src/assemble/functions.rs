@@ -127,11 +127,7 @@ impl FunctionList {
     }
 
     /// Adds what a tape computes, once.
-    pub(super) fn add_tape(
-        &mut self,
-        name: &str,
-        tape: Tape,
-    ) -> Result<FunctionId, AssemblyError> {
+    pub(super) fn add_tape(&mut self, name: &str, tape: Tape) -> Result<FunctionId, AssemblyError> {
         let tapes = &mut self.functions.tapes;
         let number = tapes.iter().position(|it| *it == tape).unwrap_or(tapes.len());
         if number == tapes.len() {

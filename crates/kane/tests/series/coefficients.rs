@@ -11,10 +11,7 @@ fn two_functions_give_the_coefficients_of_the_recursion() {
     let mut worst: f64 = 0.0;
     let modes = each(|program, case| {
         let mode = &program.table.modes[case.index];
-        let series = TapeSeries::new(
-            &program.tapes()[usize::from(mode.derivative)],
-            case.states(),
-        );
+        let series = TapeSeries::new(&program.tapes()[usize::from(mode.derivative)], case.states());
         let input: Vec<f64> = case.input.iter().map(|it| it.position).collect();
         let constants = constants(program, case.model.parameters());
         let start = SeriesStart {

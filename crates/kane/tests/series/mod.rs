@@ -47,8 +47,7 @@ fn constants(program: &Program, parameters: &[f64]) -> Vec<f64> {
     let mut all = vec![0.0; program.table.constants];
     all[..count].copy_from_slice(&parameters[..count]);
     let mut derived = vec![0.0; program.table.constants - count];
-    let given =
-        Arguments { constants: &all[..count], state: &[], input: &[0.0; 4], extra: &[] };
+    let given = Arguments { constants: &all[..count], state: &[], input: &[0.0; 4], extra: &[] };
     program.functions.call(program.table.derive_constants, &given, &mut derived);
     all[count..].copy_from_slice(&derived);
     all
@@ -144,10 +143,4 @@ fn each(mut check: impl FnMut(&Program, &Case<12>)) -> usize {
         }
     }
     modes
-}
-#[test]
-fn sizes() {
-    for program in files().iter().map(program) {
-        for mode in program.table.modes { println!("{} {} {:?}", program.table.name, mode.name, mode.series); }
-    }
 }

@@ -3,9 +3,7 @@
 use equations::ModeNumber;
 use pode::series::{INPUT_TERMS, add_bell};
 use pode::stepper::{Controlled, Dop853, Stepper, Taylor, Tolerance};
-use pode::{
-    Advance, Energetic as _, Limits, Motion, RunRecorder, Signal, Simulator, Work,
-};
+use pode::{Advance, Energetic as _, Limits, Motion, RunRecorder, Signal, Simulator, Work};
 
 use super::{Interpreted, model, named};
 

@@ -300,18 +300,14 @@ fn derivative_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let c5 = constants[5];
     let v = state[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v;
-    out[1] = c5;
+    [out[0], out[1]] = [v, c5];
     Some(())
 }
 
 /// The derivative's derivative by the state in mode flight.
 fn jacobian_flight(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = 1.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[0], out[1], out[2], out[3]] = [0.0, 1.0, 0.0, 0.0];
     Some(())
 }
 
@@ -325,8 +321,7 @@ fn readout_flight(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The readout's slopes in mode flight.
 fn slopes_flight(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
+    [out[0], out[1]] = [0.0, 0.0];
     Some(())
 }
 
@@ -337,13 +332,7 @@ fn outputs_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let y = state[0];
     let s = input[0];
     let out = out.first_chunk_mut::<8>()?;
-    out[0] = 0.0;
-    out[1] = y - s;
-    out[2] = 0.0;
-    out[3] = y;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = s;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, y - s, 0.0, y, 0.0, 0.0, s];
     out[7] = 0.0;
     Some(())
 }
@@ -358,8 +347,7 @@ fn balance_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v = state[1];
     let out = out.first_chunk_mut::<3>()?;
     out[0] = y * c6 + 0.5 * (mass * (v * v));
-    out[1] = 0.0;
-    out[2] = 0.0;
+    [out[1], out[2]] = [0.0, 0.0];
     Some(())
 }
 
@@ -381,9 +369,7 @@ fn reset_0_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v = state[1];
     let s = input[0];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = s;
-    out[1] = v;
-    out[2] = 0.0;
+    [out[0], out[1], out[2]] = [s, v, 0.0];
     Some(())
 }
 
@@ -410,8 +396,7 @@ fn reset_1_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = s;
-    out[1] = s_rate;
+    [out[0], out[1]] = [s, s_rate];
     out[2] = mass * (s_rate - v);
     Some(())
 }
@@ -428,9 +413,7 @@ fn reset_2_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate = input[1];
     let v0 = v - s_rate;
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = s;
-    out[1] = v - c7 * v0;
-    out[2] = -(c8 * v0);
+    [out[0], out[1], out[2]] = [s, v - c7 * v0, -(c8 * v0)];
     Some(())
 }
 
@@ -444,8 +427,7 @@ fn function_11(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = s;
-    out[1] = s_rate;
+    [out[0], out[1]] = [s, s_rate];
     out[2] = -(mass * (v - s_rate));
     Some(())
 }
@@ -459,8 +441,7 @@ fn function_12(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v = state[1];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s_rate - v;
-    out[1] = restitution;
+    [out[0], out[1]] = [s_rate - v, restitution];
     Some(())
 }
 
@@ -473,8 +454,7 @@ fn guard_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = y - s;
-    out[1] = v - s_rate;
+    [out[0], out[1]] = [y - s, v - s_rate];
     Some(())
 }
 
@@ -500,9 +480,7 @@ fn series_start_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v = state[1];
     let s = input[0];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = v;
-    out[1] = c5;
-    out[2] = y - s;
+    [out[0], out[1], out[2]] = [v, c5, y - s];
     Some(())
 }
 
@@ -514,9 +492,7 @@ fn series_step_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v = state[1];
     let s = input[0];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = v;
-    out[1] = 0.0;
-    out[2] = y - s;
+    [out[0], out[1], out[2]] = [v, 0.0, y - s];
     Some(())
 }
 
@@ -526,8 +502,7 @@ fn derivative_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate = input[1];
     let s_rate2 = input[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s_rate;
-    out[1] = s_rate2;
+    [out[0], out[1]] = [s_rate, s_rate2];
     Some(())
 }
 
@@ -537,18 +512,14 @@ fn slaved_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s;
-    out[1] = s_rate;
+    [out[0], out[1]] = [s, s_rate];
     Some(())
 }
 
 /// The derivative's derivative by the state in mode rest.
 fn jacobian_rest(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[0], out[1], out[2], out[3]] = [0.0, 0.0, 0.0, 0.0];
     Some(())
 }
 
@@ -574,13 +545,7 @@ fn outputs_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate2 = input[2];
     let out = out.first_chunk_mut::<8>()?;
     out[0] = c6 + s_rate2 * mass;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = s;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = s;
-    out[7] = 0.0;
+    [out[1], out[2], out[3], out[4], out[5], out[6], out[7]] = [0.0, 0.0, s, 0.0, 0.0, s, 0.0];
     Some(())
 }
 
@@ -606,9 +571,7 @@ fn reset_0_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = s;
-    out[1] = s_rate;
-    out[2] = 0.0;
+    [out[0], out[1], out[2]] = [s, s_rate, 0.0];
     Some(())
 }
 
@@ -620,8 +583,7 @@ fn guard_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate2 = input[2];
     let s_rate3 = input[3];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s_rate2 + g;
-    out[1] = s_rate3;
+    [out[0], out[1]] = [s_rate2 + g, s_rate3];
     Some(())
 }
 
@@ -648,12 +610,7 @@ fn function_26(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The numbers of the drawing.
 fn drawing(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<60>()?;
-    out[0] = -0.4;
-    out[1] = -0.2;
-    out[2] = 0.4;
-    out[3] = 1.3;
-    out[4] = 0.06;
-    out[5] = 0.06;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [-0.4, -0.2, 0.4, 1.3, 0.06, 0.06];
     out[6] = 0.057_955_549_577_344_1;
     out[7] = 0.075_529_142_706_151_24;
     out[8] = 0.051_961_524_227_066_32;
@@ -714,11 +671,7 @@ fn drawing(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset default.
 fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<5>()?;
-    out[0] = 9.81;
-    out[1] = 0.8;
-    out[2] = 1.0;
-    out[3] = 1.0;
-    out[4] = 1.0;
+    [out[0], out[1], out[2], out[3], out[4]] = [9.81, 0.8, 1.0, 1.0, 1.0];
     Some(())
 }
 
@@ -727,9 +680,7 @@ fn preset_key(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<5>()?;
     out[0] = 9.81;
     out[1] = f64::from_bits(0x3fe6_6666_6666_6666);
-    out[2] = 0.01;
-    out[3] = 0.0;
-    out[4] = 5.0;
+    [out[2], out[3], out[4]] = [0.01, 0.0, 5.0];
     Some(())
 }
 
@@ -758,8 +709,7 @@ fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let y0 = constants[3];
     let s = input[0];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s + y0;
-    out[1] = 0.0;
+    [out[0], out[1]] = [s + y0, 0.0];
     Some(())
 }
 
@@ -771,9 +721,6 @@ fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let mass = constants[2];
     let v0 = restitution + 1.0;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = -g;
-    out[1] = g * mass;
-    out[2] = v0;
-    out[3] = mass * v0;
+    [out[0], out[1], out[2], out[3]] = [-g, g * mass, v0, mass * v0];
     Some(())
 }

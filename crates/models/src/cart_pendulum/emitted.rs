@@ -447,8 +447,7 @@ fn derivative_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v1 = c15 * cos_theta;
     let v2 = -(c12 * sin_theta + v1 * v0) * (1.0 / (c14 - c13 * (cos_theta * cos_theta)));
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = x_dot;
-    out[1] = theta_dot;
+    [out[0], out[1]] = [x_dot, theta_dot];
     out[2] = c16 * v0 - v1 * v2;
     out[3] = v2;
     Some(())
@@ -502,19 +501,12 @@ fn jacobian_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v10 = theta_dot * (theta_dot * c15) + v0 * (2.0 * (c20 * v7) - c15 * v9);
     let v11 = theta_dot * (sin_theta * (2.0 * (c15 + c20 * v2)));
     let out = out.first_chunk_mut::<16>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 1.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
     out[7] = 1.0;
     out[8] = -(c18 + c17 * v2);
     out[9] = v6 * (c15 * v0) + cos_theta * v10;
     out[10] = -(c22 + c21 * v2);
-    out[11] = v11;
-    out[12] = c19 * v1;
+    [out[11], out[12]] = [v11, c19 * v1];
     out[13] = v0 * (v9 - 2.0 * (c13 * v7));
     out[14] = c23 * v1;
     out[15] = -(2.0 * (c13 * v3 * v1));
@@ -543,8 +535,7 @@ fn slopes_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let k = constants[5];
     let b = constants[6];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = k;
-    out[1] = b;
+    [out[0], out[1]] = [k, b];
     Some(())
 }
 
@@ -616,8 +607,7 @@ fn reset_0_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v1 = cos_theta * v0;
     let v2 = 1.0 / (c16 + c25 * v1);
     let out = out.first_chunk_mut::<5>()?;
-    out[0] = x;
-    out[1] = theta;
+    [out[0], out[1]] = [x, theta];
     out[2] = x_dot * (1.0 + -(c26 + c28 * v1) * v2);
     out[3] = theta_dot + c27 * v0 * (x_dot * v2);
     out[4] = 0.0;
@@ -645,8 +635,7 @@ fn function_8(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v1 = cos_theta * v0;
     let v2 = 1.0 / (c16 + c25 * v1);
     let out = out.first_chunk_mut::<5>()?;
-    out[0] = x;
-    out[1] = theta;
+    [out[0], out[1]] = [x, theta];
     out[2] = x_dot + c29 * (x_dot * (-(c26 + c28 * v1) * v2));
     out[3] = theta_dot + c15 * v0 * (x_dot * v2);
     out[4] = 0.0;
@@ -660,8 +649,7 @@ fn function_9(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let restitution = constants[9];
     let x_dot = state[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = -x_dot;
-    out[1] = restitution;
+    [out[0], out[1]] = [-x_dot, restitution];
     Some(())
 }
 
@@ -682,8 +670,7 @@ fn guard_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let x = state[0];
     let x_dot = state[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = x - left;
-    out[1] = x_dot;
+    [out[0], out[1]] = [x - left, x_dot];
     Some(())
 }
 
@@ -691,8 +678,7 @@ fn guard_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 fn bound_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra[0];
-    out[1] = extra[2];
+    [out[0], out[1]] = [extra[0], extra[2]];
     Some(())
 }
 
@@ -703,8 +689,7 @@ fn function_13(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let restitution = constants[9];
     let x_dot = state[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = x_dot;
-    out[1] = restitution;
+    [out[0], out[1]] = [x_dot, restitution];
     Some(())
 }
 
@@ -716,8 +701,7 @@ fn guard_right_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let x = state[0];
     let x_dot = state[2];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = right - x;
-    out[1] = -x_dot;
+    [out[0], out[1]] = [right - x, -x_dot];
     Some(())
 }
 
@@ -750,23 +734,13 @@ fn series_start_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v4 = 1.0 / (c14 - c13 * (cos_theta * cos_theta));
     let v5 = v3 * v4;
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = x_dot;
-    out[1] = theta_dot;
+    [out[0], out[1]] = [x_dot, theta_dot];
     out[2] = c16 * v1 - v2 * v5;
-    out[3] = v5;
-    out[4] = x - left;
-    out[5] = right - x;
-    out[6] = cos_theta;
-    out[7] = sin_theta;
+    [out[3], out[4], out[5], out[6], out[7]] = [v5, x - left, right - x, cos_theta, sin_theta];
     out[8] = theta_dot + theta_dot;
-    out[9] = v0;
-    out[10] = v2;
-    out[11] = v1;
+    [out[9], out[10], out[11]] = [v0, v2, v1];
     out[12] = cos_theta + cos_theta;
-    out[13] = v4;
-    out[14] = v4;
-    out[15] = v3;
-    out[16] = v5;
+    [out[13], out[14], out[15], out[16]] = [v4, v4, v3, v5];
     Some(())
 }
 
@@ -789,43 +763,23 @@ fn series_step_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_dot = state[3];
     let s = input[0];
     let s_rate = input[1];
-    let v0 = extra[2] * extra[1] + theta * extra[11];
-    let v1 = -(extra[3] * extra[1] + theta * extra[12]);
-    let v2 = c11 * (extra[4] + extra[13] * theta_dot);
-    let v3 = k * (s - x) + b * (s_rate - x_dot) + (extra[5] + extra[14] * v0 + v2 * extra[12]);
+    let v0 = extra[13] * extra[1] + theta * extra[2];
+    let v1 = -(extra[14] * extra[1] + theta * extra[3]);
+    let v2 = c11 * (extra[15] + extra[4] * theta_dot);
+    let v3 = k * (s - x) + b * (s_rate - x_dot) + (extra[16] + extra[5] * v0 + v2 * extra[3]);
     let v4 = c15 * v1;
-    let v5 = c12 * v0 + (extra[6] + extra[15] * v3 + v4 * extra[16]);
+    let v5 = c12 * v0 + (extra[17] + extra[6] * v3 + v4 * extra[7]);
     let v6 = -v5;
-    let v7 = -(c13 * (extra[7] + extra[17] * v1));
-    let v8 = (-extra[8] - extra[18] * v7) * extra[19];
-    let v9 = extra[9] + extra[20] * v8 + v6 * extra[18];
-    let v10 = c16 * v3 - (extra[10] + extra[15] * v9 + v4 * extra[21]);
+    let v7 = -(c13 * (extra[18] + extra[8] * v1));
+    let v8 = (-extra[19] - extra[9] * v7) * extra[10];
+    let v9 = extra[20] + extra[11] * v8 + v6 * extra[9];
+    let v10 = c16 * v3 - (extra[21] + extra[6] * v9 + v4 * extra[12]);
     let v11 = extra[0] * theta;
     let out = out.first_chunk_mut::<24>()?;
-    out[0] = x_dot;
-    out[1] = theta_dot;
-    out[2] = v10;
-    out[3] = v9;
-    out[4] = x;
-    out[5] = -x;
-    out[6] = v11;
-    out[7] = v11;
-    out[8] = theta_dot;
-    out[9] = v2;
-    out[10] = v4;
-    out[11] = v1;
-    out[12] = v7;
-    out[13] = v6;
-    out[14] = v4;
-    out[15] = v1;
-    out[16] = v0;
-    out[17] = theta_dot;
-    out[18] = v0;
-    out[19] = v3;
-    out[20] = v1;
-    out[21] = v8;
-    out[22] = v8;
-    out[23] = v9;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [x_dot, theta_dot, v10, v9, x, -x];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [v11, v11, theta_dot, v2, v4, v1];
+    [out[12], out[13], out[14], out[15], out[16], out[17]] = [v7, v6, v4, v1, v0, theta_dot];
+    [out[18], out[19], out[20], out[21], out[22], out[23]] = [v0, v3, v1, v8, v8, v9];
     Some(())
 }
 
@@ -838,9 +792,7 @@ fn derivative_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_dot = state[3];
     let sin_theta = math::sin_cos(theta).0;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = theta_dot;
-    out[2] = 0.0;
+    [out[0], out[1], out[2]] = [0.0, theta_dot, 0.0];
     out[3] = -(c30 * sin_theta);
     Some(())
 }
@@ -853,10 +805,7 @@ fn slaved_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta = state[1];
     let theta_dot = state[3];
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = left;
-    out[1] = theta;
-    out[2] = 0.0;
-    out[3] = theta_dot;
+    [out[0], out[1], out[2], out[3]] = [left, theta, 0.0, theta_dot];
     Some(())
 }
 
@@ -868,22 +817,10 @@ fn jacobian_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta = state[1];
     let cos_theta = math::sin_cos(theta).1;
     let out = out.first_chunk_mut::<16>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = 1.0;
-    out[8] = 0.0;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = 0.0;
-    out[12] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    [out[7], out[8], out[9], out[10], out[11], out[12]] = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     out[13] = -(c30 * cos_theta);
-    out[14] = 0.0;
-    out[15] = 0.0;
+    [out[14], out[15]] = [0.0, 0.0];
     Some(())
 }
 
@@ -958,11 +895,7 @@ fn reset_0_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta = state[1];
     let theta_dot = state[3];
     let out = out.first_chunk_mut::<5>()?;
-    out[0] = left;
-    out[1] = theta;
-    out[2] = 0.0;
-    out[3] = theta_dot;
-    out[4] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4]] = [left, theta, 0.0, theta_dot, 0.0];
     Some(())
 }
 
@@ -1069,14 +1002,9 @@ fn series_start_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<10>()?;
     out[0] = theta_dot;
     out[1] = -(c30 * sin_theta);
-    out[2] = left;
-    out[3] = 0.0;
+    [out[2], out[3]] = [left, 0.0];
     out[4] = sin_theta * v1 - (s_rate * b + k * (s - left));
-    out[5] = cos_theta;
-    out[6] = sin_theta;
-    out[7] = theta_dot;
-    out[8] = v0;
-    out[9] = v1;
+    [out[5], out[6], out[7], out[8], out[9]] = [cos_theta, sin_theta, theta_dot, v0, v1];
     Some(())
 }
 
@@ -1095,26 +1023,16 @@ fn series_step_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_dot = state[3];
     let s = input[0];
     let s_rate = input[1];
-    let v0 = extra[2] * extra[1] + theta * extra[6];
-    let v1 = -(extra[3] * extra[1] + theta * extra[7]);
+    let v0 = extra[7] * extra[1] + theta * extra[2];
+    let v1 = -(extra[8] * extra[1] + theta * extra[3]);
     let v2 = c11 * theta_dot;
-    let v3 = extra[4] + extra[8] * v2 + theta_dot * extra[9] + c31 * v1;
+    let v3 = extra[9] + extra[4] * v2 + theta_dot * extra[5] + c31 * v1;
     let v4 = -v3;
-    let v5 = extra[5] + extra[7] * v4 + v0 * extra[10] - (b * s_rate + k * s);
+    let v5 = extra[10] + extra[3] * v4 + v0 * extra[6] - (b * s_rate + k * s);
     let v6 = extra[0] * theta;
     let out = out.first_chunk_mut::<13>()?;
-    out[0] = theta_dot;
-    out[1] = -(c30 * v0);
-    out[2] = 0.0;
-    out[3] = 0.0;
-    out[4] = v5;
-    out[5] = v6;
-    out[6] = v6;
-    out[7] = theta_dot;
-    out[8] = v0;
-    out[9] = v1;
-    out[10] = v0;
-    out[11] = v2;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [theta_dot, -(c30 * v0), 0.0, 0.0, v5, v6];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [v6, theta_dot, v0, v1, v0, v2];
     out[12] = v4;
     Some(())
 }
@@ -1134,10 +1052,7 @@ fn slaved_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta = state[1];
     let theta_dot = state[3];
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = right;
-    out[1] = theta;
-    out[2] = 0.0;
-    out[3] = theta_dot;
+    [out[0], out[1], out[2], out[3]] = [right, theta, 0.0, theta_dot];
     Some(())
 }
 
@@ -1173,8 +1088,7 @@ fn outputs_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let (sin_theta, cos_theta) = math::sin_cos(theta);
     let v1 = sin_theta * (theta_dot * (theta_dot * c11) + c31 * cos_theta);
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v0;
-    out[1] = v0 + v1;
+    [out[0], out[1]] = [v0, v0 + v1];
     Some(())
 }
 
@@ -1212,11 +1126,7 @@ fn reset_0_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta = state[1];
     let theta_dot = state[3];
     let out = out.first_chunk_mut::<5>()?;
-    out[0] = right;
-    out[1] = theta;
-    out[2] = 0.0;
-    out[3] = theta_dot;
-    out[4] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4]] = [right, theta, 0.0, theta_dot, 0.0];
     Some(())
 }
 
@@ -1265,14 +1175,9 @@ fn series_start_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<10>()?;
     out[0] = theta_dot;
     out[1] = -(c30 * sin_theta);
-    out[2] = right;
-    out[3] = 0.0;
+    [out[2], out[3]] = [right, 0.0];
     out[4] = s_rate * b + k * (s - right) + sin_theta * v1;
-    out[5] = cos_theta;
-    out[6] = sin_theta;
-    out[7] = theta_dot;
-    out[8] = v0;
-    out[9] = v1;
+    [out[5], out[6], out[7], out[8], out[9]] = [cos_theta, sin_theta, theta_dot, v0, v1];
     Some(())
 }
 
@@ -1291,25 +1196,15 @@ fn series_step_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_dot = state[3];
     let s = input[0];
     let s_rate = input[1];
-    let v0 = extra[2] * extra[1] + theta * extra[6];
-    let v1 = -(extra[3] * extra[1] + theta * extra[7]);
+    let v0 = extra[7] * extra[1] + theta * extra[2];
+    let v1 = -(extra[8] * extra[1] + theta * extra[3]);
     let v2 = c11 * theta_dot;
-    let v3 = extra[4] + extra[8] * v2 + theta_dot * extra[9] + c31 * v1;
-    let v4 = b * s_rate + k * s + (extra[5] + extra[7] * v3 + v0 * extra[10]);
+    let v3 = extra[9] + extra[4] * v2 + theta_dot * extra[5] + c31 * v1;
+    let v4 = b * s_rate + k * s + (extra[10] + extra[3] * v3 + v0 * extra[6]);
     let v5 = extra[0] * theta;
     let out = out.first_chunk_mut::<13>()?;
-    out[0] = theta_dot;
-    out[1] = -(c30 * v0);
-    out[2] = 0.0;
-    out[3] = 0.0;
-    out[4] = v4;
-    out[5] = v5;
-    out[6] = v5;
-    out[7] = theta_dot;
-    out[8] = v0;
-    out[9] = v1;
-    out[10] = v0;
-    out[11] = v2;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [theta_dot, -(c30 * v0), 0.0, 0.0, v4, v5];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [v5, theta_dot, v0, v1, v0, v2];
     out[12] = v3;
     Some(())
 }
@@ -1317,10 +1212,7 @@ fn series_step_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// Is not used by the table.
 fn function_37(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[0], out[1], out[2], out[3]] = [0.0, 0.0, 0.0, 0.0];
     Some(())
 }
 
@@ -1329,12 +1221,7 @@ fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<11>()?;
     out[0] = 1.0;
     out[1] = f64::from_bits(0x3fd3_3333_3333_3333);
-    out[2] = 0.25;
-    out[3] = 0.0;
-    out[4] = 9.81;
-    out[5] = 200.0;
-    out[6] = 0.0;
-    out[7] = -0.05;
+    [out[2], out[3], out[4], out[5], out[6], out[7]] = [0.25, 0.0, 9.81, 200.0, 0.0, -0.05];
     out[8] = 0.05;
     out[9] = f64::from_bits(0x3fe6_6666_6666_6666);
     out[10] = 1.0;
@@ -1344,17 +1231,9 @@ fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset key.
 fn preset_key(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<11>()?;
-    out[0] = 0.04;
-    out[1] = 0.02;
-    out[2] = 0.1;
-    out[3] = 0.0;
-    out[4] = 9.81;
-    out[5] = 60.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [0.04, 0.02, 0.1, 0.0, 9.81, 60.0];
     out[6] = f64::from_bits(0x3fd3_3333_3333_3333);
-    out[7] = -0.005;
-    out[8] = 0.04;
-    out[9] = 0.6;
-    out[10] = 5.0;
+    [out[7], out[8], out[9], out[10]] = [-0.005, 0.04, 0.6, 5.0];
     Some(())
 }
 
@@ -1382,10 +1261,7 @@ fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let input = given.input;
     let s = input[0];
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = s;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[0], out[1], out[2], out[3]] = [s, 0.0, 0.0, 0.0];
     Some(())
 }
 
@@ -1417,34 +1293,12 @@ fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v14 = v13.abs();
     let v15 = v11.abs();
     let out = out.first_chunk_mut::<29>()?;
-    out[0] = v0;
-    out[1] = v1;
-    out[2] = v5;
-    out[3] = v6;
-    out[4] = v4;
-    out[5] = v3;
-    out[6] = v4 * v7;
-    out[7] = k * v3;
-    out[8] = v7;
-    out[9] = v4 * v5;
-    out[10] = v4 * v8;
-    out[11] = b * v3;
-    out[12] = v8;
-    out[13] = v2;
-    out[14] = v4 * v4;
-    out[15] = v9 * v3;
-    out[16] = v10;
-    out[17] = v4 * v10;
-    out[18] = 1.0 / v9;
-    out[19] = v12;
-    out[20] = v0 * v12;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [v0, v1, v5, v6, v4, v3, v4 * v7];
+    [out[7], out[8], out[9], out[10], out[11]] = [k * v3, v7, v4 * v5, v4 * v8, b * v3];
+    [out[12], out[13], out[14], out[15], out[16]] = [v8, v2, v4 * v4, v9 * v3, v10];
+    [out[17], out[18], out[19], out[20]] = [v4 * v10, 1.0 / v9, v12, v0 * v12];
     out[21] = bob_mass.abs() * length.abs();
-    out[22] = v14 * v15;
-    out[23] = v13;
-    out[24] = v14;
-    out[25] = v15;
-    out[26] = v0.abs();
-    out[27] = k.abs();
-    out[28] = b.abs();
+    [out[22], out[23], out[24], out[25], out[26]] = [v14 * v15, v13, v14, v15, v0.abs()];
+    [out[27], out[28]] = [k.abs(), b.abs()];
     Some(())
 }

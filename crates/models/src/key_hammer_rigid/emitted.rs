@@ -464,10 +464,7 @@ fn slaved_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The derivative's derivative by the state in mode A1.
 fn jacobian_a1(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[0], out[1], out[2], out[3]] = [0.0, 0.0, 0.0, 0.0];
     Some(())
 }
 
@@ -586,12 +583,7 @@ fn outputs_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     out[0] = v11;
     out[1] = s_rate2 * JK + c17 * cos_s + v9 * v11;
     out[2] = L4 * cos_v2 - L3 * sin_v2 - L1 * sin_v3;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = s;
-    out[6] = L3;
-    out[7] = L4;
-    out[8] = v2;
+    [out[3], out[4], out[5], out[6], out[7], out[8]] = [0.0, 0.0, s, L3, L4, v2];
     Some(())
 }
 
@@ -627,9 +619,7 @@ fn balance_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v10 = v7 * (JH * (v3 * (L1 * v8 - v9 * v4)) + c18 * cos_v2);
     let v11 = JK * s_rate2 + c17 * cos_s + v10 / (v7 - (L4 * sin_v2 + L3 * cos_v2));
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = v6;
-    out[1] = s_rate * v11;
-    out[2] = 0.0;
+    [out[0], out[1], out[2]] = [v6, s_rate * v11, 0.0];
     Some(())
 }
 
@@ -648,8 +638,7 @@ fn reset_0_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v2 = L1 * (s_rate * (cos_s * v1 + sin_s * v0)) / (v0 * v0 + v1 * v1);
     let out = out.first_chunk_mut::<3>()?;
     out[0] = math::atan2(v0, v1);
-    out[1] = v2;
-    out[2] = 0.0;
+    [out[1], out[2]] = [v2, 0.0];
     Some(())
 }
 
@@ -985,8 +974,7 @@ fn jacobian_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_h = state[0];
     let sin_theta_h = math::sin_cos(theta_h).0;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = 1.0;
+    [out[0], out[1]] = [0.0, 1.0];
     out[2] = c31 * sin_theta_h;
     out[3] = 0.0;
     Some(())
@@ -1038,13 +1026,7 @@ fn outputs_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<9>()?;
     out[0] = 0.0;
     out[1] = s_rate2 * JK + c17 * cos_s;
-    out[2] = v0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = s;
-    out[6] = L3;
-    out[7] = L4;
-    out[8] = theta_h;
+    [out[2], out[3], out[4], out[5], out[6], out[7], out[8]] = [v0, 0.0, 0.0, s, L3, L4, theta_h];
     Some(())
 }
 
@@ -1097,8 +1079,7 @@ fn reset_0_land_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v6 = v4 - v5;
     let v7 = c20 * cos_s_v2 * (theta_h_dot * v5 + (s_rate - theta_h_dot) * v4);
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = v2;
-    out[1] = v3;
+    [out[0], out[1]] = [v2, v3];
     out[2] = v7 / (v6 * v6);
     Some(())
 }
@@ -1210,8 +1191,7 @@ fn guard_string_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 fn bound_string_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra[0];
-    out[1] = extra[2];
+    [out[0], out[1]] = [extra[0], extra[2]];
     Some(())
 }
 
@@ -1236,10 +1216,7 @@ fn series_start_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     out[1] = -(c31 * cos_theta_h);
     out[2] = v1;
     out[3] = string_angle - theta_h;
-    out[4] = cos_theta_h;
-    out[5] = sin_theta_h;
-    out[6] = cos_v0;
-    out[7] = sin_v0;
+    [out[4], out[5], out[6], out[7]] = [cos_theta_h, sin_theta_h, cos_v0, sin_v0];
     Some(())
 }
 
@@ -1257,23 +1234,16 @@ fn series_step_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_h_dot = state[1];
     let s = input[0];
     let v0 = theta_h - s;
-    let v1 = extra[2] * extra[1] + theta_h * extra[6];
-    let v2 = -(extra[3] * extra[1] + theta_h * extra[7]);
-    let v3 = extra[4] * extra[1] + v0 * extra[8];
+    let v1 = extra[6] * extra[1] + theta_h * extra[2];
+    let v2 = -(extra[7] * extra[1] + theta_h * extra[3]);
+    let v3 = extra[8] * extra[1] + v0 * extra[4];
     let v4 = extra[0] * theta_h;
     let v5 = extra[0] * v0;
     let out = out.first_chunk_mut::<12>()?;
-    out[0] = theta_h_dot;
-    out[1] = -(c31 * v2);
+    [out[0], out[1]] = [theta_h_dot, -(c31 * v2)];
     out[2] = L1 * v3 + (L4 * v2 - L3 * v1);
-    out[3] = -theta_h;
-    out[4] = v4;
-    out[5] = v4;
-    out[6] = v5;
-    out[7] = v5;
-    out[8] = v2;
-    out[9] = v1;
-    out[10] = -(extra[5] * extra[1] + v0 * extra[9]);
+    [out[3], out[4], out[5], out[6], out[7], out[8], out[9]] = [-theta_h, v4, v4, v5, v5, v2, v1];
+    out[10] = -(extra[9] * extra[1] + v0 * extra[5]);
     out[11] = v3;
     Some(())
 }
@@ -1312,41 +1282,19 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v21 = -(0.03 * L1);
     let v22 = 0.05 * L1;
     let out = out.first_chunk_mut::<68>()?;
-    out[0] = -(r + v0);
-    out[1] = -v1;
-    out[2] = v2;
+    [out[0], out[1], out[2]] = [-(r + v0), -v1, v2];
     out[3] = L4 + v1 + L2 * sin_string_angle.abs();
-    out[4] = v3;
-    out[5] = v4;
-    out[6] = v5;
-    out[7] = v4;
-    out[8] = v5;
-    out[9] = v7;
-    out[10] = v3;
-    out[11] = v7;
-    out[12] = 1.016 * L1;
-    out[13] = 0.0;
-    out[14] = v8;
+    [out[4], out[5], out[6], out[7], out[8], out[9], out[10]] = [v3, v4, v5, v4, v5, v7, v3];
+    [out[11], out[12], out[13], out[14]] = [v7, 1.016 * L1, 0.0, v8];
     out[15] = 0.004_141_104_721_640_332 * L1;
-    out[16] = v9;
-    out[17] = v10;
-    out[18] = v11;
+    [out[16], out[17], out[18]] = [v9, v10, v11];
     out[19] = 0.011_313_708_498_984_76 * L1;
-    out[20] = v12;
-    out[21] = v13;
-    out[22] = v14;
-    out[23] = v15;
-    out[24] = L1;
-    out[25] = v6;
-    out[26] = v16;
-    out[27] = v15;
-    out[28] = v17;
+    [out[20], out[21], out[22], out[23], out[24], out[25]] = [v12, v13, v14, v15, L1, v6];
+    [out[26], out[27], out[28]] = [v16, v15, v17];
     out[29] = 0.013_856_406_460_551_019 * L1;
     out[30] = v18;
     out[31] = 0.011_313_708_498_984_762 * L1;
-    out[32] = v19;
-    out[33] = v10;
-    out[34] = v20;
+    [out[32], out[33], out[34]] = [v19, v10, v20];
     out[35] = 0.004_141_104_721_640_336_5 * L1;
     out[36] = 0.984 * L1;
     out[37] = 1.959_434_878_635_765e-18 * L1;
@@ -1358,50 +1306,25 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     out[43] = -(0.011_313_708_498_984_755 * L1);
     out[44] = v17;
     out[45] = -(0.013_856_406_460_551_014 * L1);
-    out[46] = v16;
-    out[47] = -v15;
-    out[48] = L1;
-    out[49] = v7;
-    out[50] = v14;
+    [out[46], out[47], out[48], out[49], out[50]] = [v16, -v15, L1, v7, v14];
     out[51] = -(0.015_454_813_220_625_096 * L1);
-    out[52] = v12;
-    out[53] = -v13;
-    out[54] = v11;
+    [out[52], out[53], out[54]] = [v12, -v13, v11];
     out[55] = -(0.011_313_708_498_984_764 * L1);
     out[56] = v9;
     out[57] = -(0.008_000_000_000_000_007 * L1);
     out[58] = v8;
     out[59] = -(0.004_141_104_721_640_345 * L1);
-    out[60] = v21;
-    out[61] = v6;
-    out[62] = L2;
-    out[63] = v6;
-    out[64] = L2;
-    out[65] = v22;
-    out[66] = v21;
-    out[67] = v22;
+    [out[60], out[61], out[62], out[63], out[64], out[65]] = [v21, v6, L2, v6, L2, v22];
+    [out[66], out[67]] = [v21, v22];
     Some(())
 }
 
 /// The preset paper.
 fn preset_paper(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 0.4;
-    out[1] = 1.0;
-    out[2] = 0.1;
-    out[3] = 0.05;
-    out[4] = 6.5;
-    out[5] = 0.01;
-    out[6] = 6.2;
-    out[7] = 15.0;
-    out[8] = 0.002;
-    out[9] = 0.01625;
-    out[10] = 0.01;
-    out[11] = 9.81;
-    out[12] = 0.398;
-    out[13] = 1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [0.4, 1.0, 0.1, 0.05, 6.5, 0.01];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [6.2, 15.0, 0.002, 0.01625, 0.01, 9.81];
+    [out[12], out[13], out[14], out[15]] = [0.398, 1.0, 0.0, 0.0];
     out[16] = 0.097_020_853_308_819_4;
     Some(())
 }
@@ -1409,22 +1332,9 @@ fn preset_paper(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset literal.
 fn preset_literal(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 4.0;
-    out[1] = 10.0;
-    out[2] = 1.0;
-    out[3] = 0.5;
-    out[4] = 6.5;
-    out[5] = 0.01;
-    out[6] = 620.0;
-    out[7] = 15.0;
-    out[8] = 0.02;
-    out[9] = 1.625;
-    out[10] = 1.0;
-    out[11] = 9.81;
-    out[12] = 0.398;
-    out[13] = 1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [4.0, 10.0, 1.0, 0.5, 6.5, 0.01];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [620.0, 15.0, 0.02, 1.625, 1.0, 9.81];
+    [out[12], out[13], out[14], out[15]] = [0.398, 1.0, 0.0, 0.0];
     out[16] = 0.097_020_853_308_819_4;
     Some(())
 }
@@ -1435,23 +1345,13 @@ fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v0 = 0.000_630_306_423_357_664 * extra[0] - 0.034_866_025_053_821_58;
     let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra[0];
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 0.1385;
-    out[1] = 0.13;
+    [out[0], out[1]] = [0.1385, 0.13];
     out[2] = 0.124_800_000_000_000_01;
-    out[3] = 0.0027;
-    out[4] = 0.13;
+    [out[3], out[4]] = [0.0027, 0.13];
     out[5] = 0.011_137_652 - 6.2348e-5 * extra[0];
-    out[6] = 300.0;
-    out[7] = 24000.0;
-    out[8] = v0;
-    out[9] = 0.002;
-    out[10] = v1;
-    out[11] = 9.81;
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [300.0, 24000.0, v0, 0.002, v1, 9.81];
     out[12] = 0.213_336_278_760_121_84;
-    out[13] = 0.1;
-    out[14] = 0.12;
-    out[15] = 6.0;
-    out[16] = 0.2595;
+    [out[13], out[14], out[15], out[16]] = [0.1, 0.12, 6.0, 0.2595];
     Some(())
 }
 
@@ -1467,8 +1367,7 @@ fn input_per_metre(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The state to start from.
 fn rest(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
+    [out[0], out[1]] = [0.0, 0.0];
     Some(())
 }
 
@@ -1490,19 +1389,8 @@ fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v3 = L1.abs();
     let out = out.first_chunk_mut::<15>()?;
     out[0] = cK * (g * M1);
-    out[1] = v1;
-    out[2] = v2;
-    out[3] = L1 * JH;
-    out[4] = v0;
-    out[5] = g * L4;
-    out[6] = v3;
-    out[7] = v3 * v3;
-    out[8] = JH.abs();
-    out[9] = v1.abs();
-    out[10] = L4.abs();
-    out[11] = L3.abs();
-    out[12] = v2.abs();
-    out[13] = 2.0 * v2;
-    out[14] = v1 / JH;
+    [out[1], out[2], out[3], out[4], out[5], out[6]] = [v1, v2, L1 * JH, v0, g * L4, v3];
+    [out[7], out[8], out[9], out[10], out[11]] = [v3 * v3, JH.abs(), v1.abs(), L4.abs(), L3.abs()];
+    [out[12], out[13], out[14]] = [v2.abs(), 2.0 * v2, v1 / JH];
     Some(())
 }

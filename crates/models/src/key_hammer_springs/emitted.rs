@@ -529,8 +529,7 @@ fn derivative_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v11 = v9 * v7 * (k2 * functions::larger(1.0 + v10, 0.0));
     let v12 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
     out[2] = c19 * (v6 * v11 - c18 * cos_theta_h);
     out[3] = c20 * (v12 - v8 * v11);
     Some(())
@@ -623,18 +622,8 @@ fn jacobian_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v50 = c20 * (c17 * sin_theta_k - k1 + k2 * (v8 * (v14 * v49)));
     let v51 = v5 * v13;
     let out = out.first_chunk_mut::<16>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 1.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = 1.0;
-    out[8] = c19 * v31;
-    out[9] = v42;
-    out[10] = v46 * v45;
-    out[11] = v46 * v47;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+    [out[7], out[8], out[9], out[10], out[11]] = [1.0, c19 * v31, v42, v46 * v45, v46 * v47];
     out[12] = c20 * (k2 * (v8 * (v14 * v48)));
     out[13] = v50;
     out[14] = -(c22 * v43 * v51 * v45);
@@ -664,8 +653,7 @@ fn slopes_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let k1 = constants[6];
     let b1 = constants[14];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = k1;
-    out[1] = b1;
+    [out[0], out[1]] = [k1, b1];
     Some(())
 }
 
@@ -706,21 +694,9 @@ fn outputs_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
     out[0] = k2 * v7 * v11;
     out[1] = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot);
-    out[2] = v12;
-    out[3] = v7;
-    out[4] = v6;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = theta_k;
-    out[8] = L3;
-    out[9] = L4;
-    out[10] = theta_h;
-    out[11] = v8;
-    out[12] = v9;
-    out[13] = theta_k;
-    out[14] = 0.0;
-    out[15] = 0.0;
-    out[16] = s;
+    [out[2], out[3], out[4], out[5], out[6], out[7], out[8]] = [v12, v7, v6, 0.0, 0.0, theta_k, L3];
+    [out[9], out[10], out[11], out[12], out[13], out[14]] = [L4, theta_h, v8, v9, theta_k, 0.0];
+    [out[15], out[16]] = [0.0, s];
     Some(())
 }
 
@@ -846,11 +822,9 @@ fn reset_0_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_h_dot = state[2];
     let theta_k_dot = state[3];
     let out = out.first_chunk_mut::<5>()?;
-    out[0] = string_angle;
-    out[1] = theta_k;
+    [out[0], out[1]] = [string_angle, theta_k];
     out[2] = -(theta_h_dot * restitution);
-    out[3] = theta_k_dot;
-    out[4] = 0.0;
+    [out[3], out[4]] = [theta_k_dot, 0.0];
     Some(())
 }
 
@@ -882,8 +856,7 @@ fn guard_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 fn bound_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra[0];
-    out[1] = extra[2];
+    [out[0], out[1]] = [extra[0], extra[2]];
     Some(())
 }
 
@@ -938,39 +911,16 @@ fn series_start_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let (sin_v0, cos_v0) = math::sin_cos(v0);
     let v23 = L1 * sin_v0 + (L3 * sin_theta_h - L4 * cos_theta_h);
     let out = out.first_chunk_mut::<33>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
     out[2] = c19 * (v8 * v21 - c18 * cos_theta_h);
     out[3] = c20 * (v22 - v13 * v21);
     out[4] = v23;
     out[5] = string_angle - theta_h;
-    out[6] = v17;
-    out[7] = cos_theta_k;
-    out[8] = sin_theta_k;
-    out[9] = v2;
-    out[10] = v4;
-    out[11] = cos_theta_h;
-    out[12] = sin_theta_h;
-    out[13] = v7;
-    out[14] = v7;
-    out[15] = v5;
-    out[16] = theta_h_dot;
-    out[17] = v8;
-    out[18] = v9;
-    out[19] = v10;
-    out[20] = v11;
-    out[21] = v12;
-    out[22] = theta_k_dot;
-    out[23] = v13;
-    out[24] = v15;
-    out[25] = v15;
-    out[26] = v14;
-    out[27] = v17;
-    out[28] = v20;
-    out[29] = v19;
-    out[30] = v21;
-    out[31] = cos_v0;
-    out[32] = sin_v0;
+    [out[6], out[7], out[8], out[9], out[10]] = [v17, cos_theta_k, sin_theta_k, v2, v4];
+    [out[11], out[12], out[13], out[14], out[15]] = [cos_theta_h, sin_theta_h, v7, v7, v5];
+    [out[16], out[17], out[18], out[19], out[20], out[21]] = [theta_h_dot, v8, v9, v10, v11, v12];
+    [out[22], out[23], out[24], out[25], out[26], out[27]] = [theta_k_dot, v13, v15, v15, v14, v17];
+    [out[28], out[29], out[30], out[31], out[32]] = [v20, v19, v21, cos_v0, sin_v0];
     Some(())
 }
 
@@ -998,106 +948,58 @@ fn series_step_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let v0 = theta_k - theta_h;
-    let v1 = extra[2] * extra[1] + theta_k * extra[29];
-    let v2 = -(extra[3] * extra[1] + theta_k * extra[30]);
+    let v1 = extra[28] * extra[1] + theta_k * extra[2];
+    let v2 = -(extra[29] * extra[1] + theta_k * extra[3]);
     let v3 = L1 * v1;
     let v4 = -v3;
     let v5 = L1 * v2;
     let v6 = -v5;
-    let v7 = extra[4] + extra[30] * v4 + v1 * extra[31];
-    let v8 = v7 + (extra[5] + extra[29] * v6 + v2 * extra[32]);
-    let v9 = extra[6] * extra[1] + theta_h * extra[33];
-    let v10 = -(extra[7] * extra[1] + theta_h * extra[34]);
-    let v11 = extra[9] + extra[29] * v10 + v2 * extra[33];
-    let v12 = extra[8] + extra[30] * v9 + v1 * extra[34] + v11;
+    let v7 = extra[30] + extra[3] * v4 + v1 * extra[4];
+    let v8 = v7 + (extra[31] + extra[2] * v6 + v2 * extra[5]);
+    let v9 = extra[32] * extra[1] + theta_h * extra[6];
+    let v10 = -(extra[33] * extra[1] + theta_h * extra[7]);
+    let v11 = extra[35] + extra[2] * v10 + v2 * extra[6];
+    let v12 = extra[34] + extra[3] * v9 + v1 * extra[7] + v11;
     let v13 = -v12;
-    let v14 = (-extra[10] - extra[35] * v13) * extra[36];
-    let v15 = extra[11] + extra[37] * v14 + v8 * extra[35];
-    let v16 = extra[12] + extra[38] * v15 + theta_h_dot * extra[39];
-    let v17 = extra[14] + extra[33] * v4 + v10 * extra[31];
-    let v18 = v17 - (extra[13] + extra[34] * v6 + v9 * extra[32]);
-    let v19 = extra[15] + extra[40] * v14 + v18 * extra[35];
-    let v20 = v5 + (extra[16] + extra[30] * v19 + v1 * extra[41]);
+    let v14 = (-extra[36] - extra[8] * v13) * extra[9];
+    let v15 = extra[37] + extra[10] * v14 + v8 * extra[8];
+    let v16 = extra[38] + extra[11] * v15 + theta_h_dot * extra[12];
+    let v17 = extra[40] + extra[6] * v4 + v10 * extra[4];
+    let v18 = v17 - (extra[39] + extra[7] * v6 + v9 * extra[5]);
+    let v19 = extra[41] + extra[13] * v14 + v18 * extra[8];
+    let v20 = v5 + (extra[42] + extra[3] * v19 + v1 * extra[14]);
     let v21 = -v20;
-    let v22 = v3 - (extra[18] + extra[29] * v19 + v2 * extra[41]);
-    let v23 = extra[17] + extra[33] * v21 + v10 * extra[42];
-    let v24 = extra[19] + extra[34] * v22 + v9 * extra[43] - v23;
-    let v25 = extra[20] + extra[44] * v24 + theta_k_dot * extra[45];
+    let v22 = v3 - (extra[44] + extra[2] * v19 + v2 * extra[14]);
+    let v23 = extra[43] + extra[6] * v21 + v10 * extra[15];
+    let v24 = extra[45] + extra[7] * v22 + v9 * extra[16] - v23;
+    let v25 = extra[46] + extra[17] * v24 + theta_k_dot * extra[18];
     let v26 = v25 - v16;
-    let v27 = (-extra[21] - extra[46] * v12) * extra[47];
-    let v28 = c2 * (extra[22] + extra[46] * v26 + v27 * extra[48]);
-    let v29 = if extra[49] > 0.0 { v28 } else { 0.0 };
+    let v27 = (-extra[47] - extra[19] * v12) * extra[20];
+    let v28 = c2 * (extra[48] + extra[19] * v26 + v27 * extra[21]);
+    let v29 = if extra[22] > 0.0 { v28 } else { 0.0 };
     let v30 = k2 * v29;
-    let v31 = extra[23] + extra[46] * v19 + v27 * extra[41];
-    let v32 = extra[24] + extra[50] * v30 + v31 * extra[51];
-    let v33 = extra[25] + extra[39] * v32 + v15 * extra[52] - c18 * v10;
+    let v31 = extra[49] + extra[19] * v19 + v27 * extra[14];
+    let v32 = extra[50] + extra[23] * v30 + v31 * extra[24];
+    let v33 = extra[51] + extra[12] * v32 + v15 * extra[25] - c18 * v10;
     let v34 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * v2;
-    let v35 = v34 - (extra[26] + extra[45] * v32 + v24 * extra[52]);
-    let v36 = extra[27] * extra[1] + v0 * extra[53];
+    let v35 = v34 - (extra[52] + extra[18] * v32 + v24 * extra[25]);
+    let v36 = extra[53] * extra[1] + v0 * extra[26];
     let v37 = extra[0] * theta_k;
     let v38 = extra[0] * theta_h;
     let v39 = extra[0] * v0;
     let out = out.first_chunk_mut::<61>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
-    out[2] = c19 * v33;
-    out[3] = c20 * v35;
+    [out[0], out[1], out[2], out[3]] = [theta_h_dot, theta_k_dot, c19 * v33, c20 * v35];
     out[4] = L1 * v36 + (L3 * v9 - L4 * v10);
-    out[5] = -theta_h;
-    out[6] = v28;
-    out[7] = v37;
-    out[8] = v37;
-    out[9] = v1;
-    out[10] = v2;
-    out[11] = v38;
-    out[12] = v38;
-    out[13] = v1;
-    out[14] = v2;
-    out[15] = v13;
-    out[16] = v8;
-    out[17] = theta_h_dot;
-    out[18] = v9;
-    out[19] = v10;
-    out[20] = v18;
-    out[21] = v1;
-    out[22] = v10;
-    out[23] = v2;
-    out[24] = v9;
-    out[25] = theta_k_dot;
-    out[26] = v12;
-    out[27] = v27;
-    out[28] = v27;
-    out[29] = v31;
-    out[30] = v15;
-    out[31] = v24;
-    out[32] = v39;
-    out[33] = v39;
-    out[34] = v2;
-    out[35] = v1;
-    out[36] = v4;
-    out[37] = v6;
-    out[38] = v10;
-    out[39] = v9;
-    out[40] = v9;
-    out[41] = v10;
-    out[42] = v14;
-    out[43] = v14;
-    out[44] = v15;
-    out[45] = v6;
-    out[46] = v4;
-    out[47] = v14;
-    out[48] = v19;
-    out[49] = v21;
-    out[50] = v19;
-    out[51] = v22;
-    out[52] = v24;
-    out[53] = v27;
-    out[54] = v26;
-    out[55] = v19;
-    out[56] = v30;
-    out[57] = v32;
-    out[58] = v32;
-    out[59] = -(extra[28] * extra[1] + v0 * extra[54]);
+    [out[5], out[6], out[7], out[8], out[9], out[10]] = [-theta_h, v28, v37, v37, v1, v2];
+    [out[11], out[12], out[13], out[14], out[15], out[16]] = [v38, v38, v1, v2, v13, v8];
+    [out[17], out[18], out[19], out[20], out[21], out[22]] = [theta_h_dot, v9, v10, v18, v1, v10];
+    [out[23], out[24], out[25], out[26], out[27], out[28]] = [v2, v9, theta_k_dot, v12, v27, v27];
+    [out[29], out[30], out[31], out[32], out[33], out[34]] = [v31, v15, v24, v39, v39, v2];
+    [out[35], out[36], out[37], out[38], out[39], out[40]] = [v1, v4, v6, v10, v9, v9];
+    [out[41], out[42], out[43], out[44], out[45], out[46]] = [v10, v14, v14, v15, v6, v4];
+    [out[47], out[48], out[49], out[50], out[51], out[52]] = [v14, v19, v21, v19, v22, v24];
+    [out[53], out[54], out[55], out[56], out[57], out[58]] = [v27, v26, v19, v30, v32, v32];
+    out[59] = -(extra[54] * extra[1] + v0 * extra[27]);
     out[60] = v36;
     Some(())
 }
@@ -1121,8 +1023,7 @@ fn derivative_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let ([_, _], [cos_theta_h, cos_theta_k]) = math::sin_cos_of_two([theta_h, theta_k]);
     let v0 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
     out[2] = -(c28 * cos_theta_h);
     out[3] = c20 * v0;
     Some(())
@@ -1137,8 +1038,7 @@ fn part_0_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_h_dot = state[2];
     let cos_theta_h = math::sin_cos(theta_h).1;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_h_dot;
-    out[1] = 0.0;
+    [out[0], out[1]] = [theta_h_dot, 0.0];
     out[2] = -(c28 * cos_theta_h);
     out[3] = 0.0;
     Some(())
@@ -1160,10 +1060,7 @@ fn part_1_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let cos_theta_k = math::sin_cos(theta_k).1;
     let v0 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = theta_k_dot;
-    out[2] = 0.0;
-    out[3] = c20 * v0;
+    [out[0], out[1], out[2], out[3]] = [0.0, theta_k_dot, 0.0, c20 * v0];
     Some(())
 }
 
@@ -1189,22 +1086,12 @@ fn jacobian_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_k = state[1];
     let ([sin_theta_h, sin_theta_k], [_, _]) = math::sin_cos_of_two([theta_h, theta_k]);
     let out = out.first_chunk_mut::<16>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 1.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
     out[7] = 1.0;
     out[8] = c28 * sin_theta_h;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = 0.0;
-    out[12] = 0.0;
+    [out[9], out[10], out[11], out[12]] = [0.0, 0.0, 0.0, 0.0];
     out[13] = c20 * (c17 * sin_theta_k - k1);
-    out[14] = 0.0;
-    out[15] = c29;
+    [out[14], out[15]] = [0.0, c29];
     Some(())
 }
 
@@ -1235,21 +1122,11 @@ fn outputs_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
     out[0] = 0.0;
     out[1] = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot);
-    out[2] = v0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = theta_k;
-    out[8] = L3;
-    out[9] = L4;
-    out[10] = theta_h;
+    [out[2], out[3], out[4], out[5], out[6], out[7]] = [v0, 0.0, 0.0, 0.0, 0.0, theta_k];
+    [out[8], out[9], out[10]] = [L3, L4, theta_h];
     out[11] = v1 + sin_theta_k * v5;
     out[12] = v2 - cos_theta_k * v5;
-    out[13] = theta_k;
-    out[14] = 0.0;
-    out[15] = 0.0;
-    out[16] = s;
+    [out[13], out[14], out[15], out[16]] = [theta_k, 0.0, 0.0, s];
     Some(())
 }
 
@@ -1373,18 +1250,12 @@ fn series_start_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let (sin_v0, cos_v0) = math::sin_cos(v0);
     let v2 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_v0;
     let out = out.first_chunk_mut::<12>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
     out[2] = -(c28 * cos_theta_h);
-    out[3] = c20 * v1;
-    out[4] = v2;
+    [out[3], out[4]] = [c20 * v1, v2];
     out[5] = string_angle - theta_h;
-    out[6] = cos_theta_h;
-    out[7] = sin_theta_h;
-    out[8] = cos_theta_k;
-    out[9] = sin_theta_k;
-    out[10] = cos_v0;
-    out[11] = sin_v0;
+    [out[6], out[7], out[8], out[9]] = [cos_theta_h, sin_theta_h, cos_theta_k, sin_theta_k];
+    [out[10], out[11]] = [cos_v0, sin_v0];
     Some(())
 }
 
@@ -1409,32 +1280,21 @@ fn series_step_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let v0 = theta_k - theta_h;
-    let v1 = extra[2] * extra[1] + theta_h * extra[8];
-    let v2 = -(extra[3] * extra[1] + theta_h * extra[9]);
-    let v3 = -(extra[5] * extra[1] + theta_k * extra[11]);
+    let v1 = extra[8] * extra[1] + theta_h * extra[2];
+    let v2 = -(extra[9] * extra[1] + theta_h * extra[3]);
+    let v3 = -(extra[11] * extra[1] + theta_k * extra[5]);
     let v4 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * v3;
-    let v5 = extra[6] * extra[1] + v0 * extra[12];
+    let v5 = extra[12] * extra[1] + v0 * extra[6];
     let v6 = extra[0] * theta_h;
     let v7 = extra[0] * theta_k;
     let v8 = extra[0] * v0;
     let out = out.first_chunk_mut::<18>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
-    out[2] = -(c28 * v2);
-    out[3] = c20 * v4;
+    [out[0], out[1], out[2], out[3]] = [theta_h_dot, theta_k_dot, -(c28 * v2), c20 * v4];
     out[4] = L4 * v2 - L3 * v1 - L1 * v5;
-    out[5] = -theta_h;
-    out[6] = v6;
-    out[7] = v6;
-    out[8] = v7;
-    out[9] = v7;
-    out[10] = v8;
-    out[11] = v8;
-    out[12] = v2;
-    out[13] = v1;
-    out[14] = v3;
-    out[15] = extra[4] * extra[1] + theta_k * extra[10];
-    out[16] = -(extra[7] * extra[1] + v0 * extra[13]);
+    [out[5], out[6], out[7], out[8], out[9], out[10], out[11]] = [-theta_h, v6, v6, v7, v7, v8, v8];
+    [out[12], out[13], out[14]] = [v2, v1, v3];
+    out[15] = extra[10] * extra[1] + theta_k * extra[4];
+    out[16] = -(extra[13] * extra[1] + v0 * extra[7]);
     out[17] = v5;
     Some(())
 }
@@ -1477,48 +1337,17 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v25 = -(f64::from_bits(0x3fe6_6666_6666_6666) * r);
     let v26 = -v24;
     let out = out.first_chunk_mut::<84>()?;
-    out[0] = -(r + v0);
-    out[1] = -v1;
-    out[2] = v2;
+    [out[0], out[1], out[2]] = [-(r + v0), -v1, v2];
     out[3] = L4 + v1 + L2 * sin_string_angle.abs();
-    out[4] = v3;
-    out[5] = v4;
-    out[6] = v5;
-    out[7] = v4;
-    out[8] = v5;
-    out[9] = v6;
-    out[10] = v3;
-    out[11] = v6;
-    out[12] = v7;
-    out[13] = v8;
-    out[14] = L2;
-    out[15] = v8;
-    out[16] = L2;
-    out[17] = v9;
-    out[18] = v7;
-    out[19] = v9;
-    out[20] = v8;
-    out[21] = 0.0;
-    out[22] = v10;
-    out[23] = v11;
-    out[24] = v12;
-    out[25] = v13;
-    out[26] = v14;
-    out[27] = v15;
-    out[28] = v16;
-    out[29] = v17;
-    out[30] = v11;
-    out[31] = v10;
+    [out[4], out[5], out[6], out[7], out[8], out[9], out[10]] = [v3, v4, v5, v4, v5, v6, v3];
+    [out[11], out[12], out[13], out[14], out[15], out[16], out[17]] = [v6, v7, v8, L2, v8, L2, v9];
+    [out[18], out[19], out[20], out[21], out[22], out[23]] = [v7, v9, v8, 0.0, v10, v11];
+    [out[24], out[25], out[26], out[27], out[28], out[29]] = [v12, v13, v14, v15, v16, v17];
+    [out[30], out[31]] = [v11, v10];
     out[32] = 9.797_174_393_178_825e-19 * L1;
-    out[33] = v8;
-    out[34] = v18;
-    out[35] = v10;
+    [out[33], out[34], out[35]] = [v8, v18, v10];
     out[36] = -(0.007_999_999_999_999_997 * L1);
-    out[37] = v12;
-    out[38] = -v15;
-    out[39] = v14;
-    out[40] = -v12;
-    out[41] = v13;
+    [out[37], out[38], out[39], out[40], out[41]] = [v12, -v15, v14, -v12, v13];
     out[42] = -(0.015_454_813_220_625_092 * L1);
     out[43] = 0.004_141_104_721_640_336_5 * L1;
     out[44] = v19;
@@ -1529,60 +1358,29 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     out[49] = -(0.007_999_999_999_999_995 * L1);
     out[50] = -(0.011_313_708_498_984_767 * L1);
     out[51] = -(0.011_313_708_498_984_755 * L1);
-    out[52] = v21;
-    out[53] = -v22;
-    out[54] = v18;
-    out[55] = v20;
+    [out[52], out[53], out[54], out[55]] = [v21, -v22, v18, v20];
     out[56] = -(2.939_152_317_953_647_7e-18 * L1);
     out[57] = v19;
     out[58] = 0.004_141_104_721_640_325 * L1;
     out[59] = -(0.015_454_813_220_625_096 * L1);
-    out[60] = v16;
-    out[61] = -v17;
+    [out[60], out[61]] = [v16, -v17];
     out[62] = 0.011_313_708_498_984_758 * L1;
     out[63] = -(0.011_313_708_498_984_764 * L1);
-    out[64] = v22;
-    out[65] = v21;
+    [out[64], out[65]] = [v22, v21];
     out[66] = 0.015_454_813_220_625_089 * L1;
     out[67] = -(0.004_141_104_721_640_345 * L1);
-    out[68] = v3;
-    out[69] = v9;
-    out[70] = v23;
-    out[71] = v9;
-    out[72] = v23;
-    out[73] = v24;
-    out[74] = v3;
-    out[75] = v24;
-    out[76] = v25;
-    out[77] = v26;
-    out[78] = v25;
-    out[79] = v9;
-    out[80] = L1;
-    out[81] = v26;
-    out[82] = 0.0;
-    out[83] = 0.0;
+    [out[68], out[69], out[70], out[71], out[72], out[73]] = [v3, v9, v23, v9, v23, v24];
+    [out[74], out[75], out[76], out[77], out[78], out[79]] = [v3, v24, v25, v26, v25, v9];
+    [out[80], out[81], out[82], out[83]] = [L1, v26, 0.0, 0.0];
     Some(())
 }
 
 /// The preset paper.
 fn preset_paper(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 0.4;
-    out[1] = 1.0;
-    out[2] = 0.1;
-    out[3] = 0.05;
-    out[4] = 6.5;
-    out[5] = 0.01;
-    out[6] = 6.2;
-    out[7] = 15.0;
-    out[8] = 0.002;
-    out[9] = 0.01625;
-    out[10] = 0.01;
-    out[11] = 9.81;
-    out[12] = 0.398;
-    out[13] = 1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [0.4, 1.0, 0.1, 0.05, 6.5, 0.01];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [6.2, 15.0, 0.002, 0.01625, 0.01, 9.81];
+    [out[12], out[13], out[14], out[15]] = [0.398, 1.0, 0.0, 0.0];
     out[16] = 0.097_020_853_308_819_4;
     Some(())
 }
@@ -1590,22 +1388,9 @@ fn preset_paper(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset literal.
 fn preset_literal(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 4.0;
-    out[1] = 10.0;
-    out[2] = 1.0;
-    out[3] = 0.5;
-    out[4] = 6.5;
-    out[5] = 0.01;
-    out[6] = 620.0;
-    out[7] = 15.0;
-    out[8] = 0.02;
-    out[9] = 1.625;
-    out[10] = 1.0;
-    out[11] = 9.81;
-    out[12] = 0.398;
-    out[13] = 1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [4.0, 10.0, 1.0, 0.5, 6.5, 0.01];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [620.0, 15.0, 0.02, 1.625, 1.0, 9.81];
+    [out[12], out[13], out[14], out[15]] = [0.398, 1.0, 0.0, 0.0];
     out[16] = 0.097_020_853_308_819_4;
     Some(())
 }
@@ -1616,23 +1401,13 @@ fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v0 = 0.000_630_306_423_357_664 * extra[0] - 0.034_866_025_053_821_58;
     let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra[0];
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 0.1385;
-    out[1] = 0.13;
+    [out[0], out[1]] = [0.1385, 0.13];
     out[2] = 0.124_800_000_000_000_01;
-    out[3] = 0.0027;
-    out[4] = 0.13;
+    [out[3], out[4]] = [0.0027, 0.13];
     out[5] = 0.011_137_652 - 6.2348e-5 * extra[0];
-    out[6] = 300.0;
-    out[7] = 24000.0;
-    out[8] = v0;
-    out[9] = 0.002;
-    out[10] = v1;
-    out[11] = 9.81;
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [300.0, 24000.0, v0, 0.002, v1, 9.81];
     out[12] = 0.213_336_278_760_121_84;
-    out[13] = 0.1;
-    out[14] = 0.12;
-    out[15] = 6.0;
-    out[16] = 0.2595;
+    [out[13], out[14], out[15], out[16]] = [0.1, 0.12, 6.0, 0.2595];
     Some(())
 }
 
@@ -1656,9 +1431,7 @@ fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let (sin_s, cos_s) = math::sin_cos(s);
     let out = out.first_chunk_mut::<4>()?;
     out[0] = math::atan2(L1 * sin_s - L4, L1 * cos_s - L3);
-    out[1] = s;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[1], out[2], out[3]] = [s, 0.0, 0.0];
     Some(())
 }
 
@@ -1683,17 +1456,8 @@ fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v3 = 1.0 / JK;
     let out = out.first_chunk_mut::<13>()?;
     out[0] = cK * (g * M1);
-    out[1] = v1;
-    out[2] = v2;
-    out[3] = v3;
-    out[4] = k2 * v2;
-    out[5] = k2 * v3;
-    out[6] = v0;
-    out[7] = g * L4;
-    out[8] = L4.abs();
-    out[9] = L3.abs();
-    out[10] = L1.abs();
-    out[11] = v1 * v2;
+    [out[1], out[2], out[3], out[4], out[5], out[6]] = [v1, v2, v3, k2 * v2, k2 * v3, v0];
+    [out[7], out[8], out[9], out[10], out[11]] = [g * L4, L4.abs(), L3.abs(), L1.abs(), v1 * v2];
     out[12] = -(b1 * v3);
     Some(())
 }

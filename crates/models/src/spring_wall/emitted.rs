@@ -213,8 +213,7 @@ fn readout_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The readout's slopes in mode free.
 fn slopes_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
+    [out[0], out[1]] = [0.0, 0.0];
     Some(())
 }
 
@@ -225,17 +224,14 @@ fn outputs_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let wall = constants[2];
     let s = input[0];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = 0.0;
-    out[1] = s - wall;
+    [out[0], out[1]] = [0.0, s - wall];
     Some(())
 }
 
 /// Energy, supplied and dissipated power in mode free.
 fn balance_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
+    [out[0], out[1], out[2]] = [0.0, 0.0, 0.0];
     Some(())
 }
 
@@ -247,8 +243,7 @@ fn guard_touch_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = wall - s;
-    out[1] = -s_rate;
+    [out[0], out[1]] = [wall - s, -s_rate];
     Some(())
 }
 
@@ -292,8 +287,7 @@ fn slopes_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v1 = if v0 > 0.0 { K } else { 0.0 };
     let v2 = if v0 > 0.0 { B } else { 0.0 };
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v1;
-    out[1] = v2;
+    [out[0], out[1]] = [v1, v2];
     Some(())
 }
 
@@ -340,27 +334,21 @@ fn guard_leave_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s - wall;
-    out[1] = s_rate;
+    [out[0], out[1]] = [s - wall, s_rate];
     Some(())
 }
 
 /// Is not used by the table.
 fn function_12(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[0], out[1], out[2], out[3]] = [0.0, 0.0, 0.0, 0.0];
     Some(())
 }
 
 /// The preset default.
 fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = 1000.0;
-    out[1] = 0.5;
-    out[2] = 0.005;
+    [out[0], out[1], out[2]] = [1000.0, 0.5, 0.005];
     Some(())
 }
 
