@@ -11,16 +11,13 @@ use pode::series::{Expansion, INPUT_TERMS, MOST_CONDITIONS, MOST_GUARDS, MOST_OR
 use crate::model::EquationModel;
 use crate::table::{Arguments, Functions, SeriesTable};
 
-/// Pairs of lanes that are summed up at a time: as many as a common processor has registers for.
-const PAIRS: usize = 8;
-/// Lanes of a block.
-const LANES: usize = 2 * PAIRS;
-/// Numbers that a step is given and gives, for each block.
+/// Numbers that a step is given and gives, for each block of lanes.
 const ROOM: usize = 96;
-/// Most blocks of a mode.
-const MOST_BLOCKS: usize = 4;
-/// Where the sums begin in what a step is given: k and 1/k stand before.
-const SUMS: usize = 2;
+/// Where what is carried begins in what a step is given: k and 1/k stand before.
+const CARRIED: usize = 2;
+/// Pairs of lanes that are summed up at a time, as many as a common processor has registers for at
+/// most, and blocks of them; the first in which a mode's lanes have room are taken.
+const SIZES: [(usize, usize); 5] = [(4, 1), (8, 1), (7, 2), (8, 2), (8, 4)];
 
 impl SeriesTable {
     /// How many numbers each order of a state of `states` entries has: rates, slaved entries,
@@ -29,20 +26,22 @@ impl SeriesTable {
         states + self.guards + self.conditions
     }
 
-    /// How many blocks of lanes it takes; none if it takes too many.
-    fn blocks(&self, states: usize) -> Option<usize> {
-        let given = SUMS + self.lanes + self.carried;
-        let made = self.outputs(states) + self.carried.max(2 * self.lanes);
-        [1, 2, MOST_BLOCKS].into_iter().find(|blocks| {
-            self.lanes <= blocks * LANES && given <= blocks * ROOM && made <= blocks * ROOM
+    /// Pairs and blocks of lanes that it takes; none if it takes too many.
+    fn size(&self, states: usize) -> Option<(usize, usize)> {
+        let outputs = self.outputs(states);
+        SIZES.into_iter().find(|(pairs, blocks)| {
+            let lanes = 2 * pairs * blocks;
+            let given = CARRIED + self.carried + lanes;
+            let made = outputs + self.carried.max(self.lanes + lanes);
+            self.lanes <= lanes && given.max(made) <= blocks * ROOM
         })
     }
 
     /// Whether a mode of so many states can be expanded by it: at most 64 lanes and as many numbers
-    /// as there is room for, and six guards and six conditions.
+    /// as there is room for, and no more guards and conditions than an expansion keeps.
     pub fn fits(&self, states: usize) -> bool {
         let counts = self.guards <= MOST_GUARDS && self.conditions <= MOST_CONDITIONS;
-        counts && self.blocks(states).is_some()
+        counts && self.size(states).is_some()
     }
 }
 
@@ -67,15 +66,18 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
             input,
             order: out.order.min(MOST_ORDER),
             scale: out.scale,
+            per_scale: 1.0 / out.scale,
             terms: out.terms.as_flattened_mut(),
             width: N,
             guards: &mut out.guards,
             conditions: &mut out.conditions,
         };
-        match table.blocks(states) {
-            Some(1) => writer.expand::<1>(),
-            Some(2) => writer.expand::<2>(),
-            Some(MOST_BLOCKS) => writer.expand::<MOST_BLOCKS>(),
+        match table.size(states) {
+            Some((4, 1)) => writer.expand::<4, 1>(),
+            Some((8, 1)) => writer.expand::<8, 1>(),
+            Some((7, 2)) => writer.expand::<7, 2>(),
+            Some((8, 2)) => writer.expand::<8, 2>(),
+            Some((8, 4)) => writer.expand::<8, 4>(),
             _ => return false,
         }
         true
@@ -91,6 +93,7 @@ struct SeriesWriter<'a> {
     input: &'a [Motion; INPUT_TERMS],
     order: usize,
     scale: f64,
+    per_scale: f64,
     /// The state's coefficients, `width` of each order.
     terms: &'a mut [f64],
     width: usize,
@@ -100,33 +103,35 @@ struct SeriesWriter<'a> {
 
 impl SeriesWriter<'_> {
     /// Writes all orders.
-    fn expand<const BLOCKS: usize>(&mut self) {
+    fn expand<const PAIRS: usize, const BLOCKS: usize>(&mut self) {
         let mut lanes = [SeriesLanes::<PAIRS>::ZERO; BLOCKS];
         let (mut given, mut made) = ([[0.0; ROOM]; BLOCKS], [[0.0; ROOM]; BLOCKS]);
         let (given, made) = (given.as_flattened_mut(), made.as_flattened_mut());
         let SeriesTable { lanes: count, carried, start, step, .. } = *self.table;
         let outputs = self.table.outputs(self.states);
         self.call(start, 0, &[], made);
-        let behind = given.get_mut(SUMS + count..).unwrap_or_default();
         let kept = made.get(outputs..outputs + carried).unwrap_or_default();
-        behind.iter_mut().zip(kept).for_each(|(place, value)| *place = *value);
+        let places = given.iter_mut().skip(CARRIED);
+        places.zip(kept).for_each(|(place, value)| *place = *value);
         self.keep(0, made);
         // Guards, conditions and slaved entries go as far as the state.
         let last = if outputs > self.entries() { self.order } else { self.order - 1 };
-        for k in 1..=last {
-            let [order, per_order, sums @ ..] = &mut *given else { return };
-            (*order, *per_order) = (k as f64, PER_ORDER[k]);
-            let sums = sums.get_mut(..count).unwrap_or_default();
-            for (block, sums) in lanes.iter().zip(sums.chunks_mut(LANES)) {
+        for (k, per_order) in PER_ORDER.iter().enumerate().take(last + 1).skip(1) {
+            if let [order, per, ..] = given {
+                (*order, *per) = (k as f64, *per_order);
+            }
+            let sums = given.get_mut(CARRIED + carried..).unwrap_or_default();
+            for (block, sums) in lanes.iter().zip(sums.chunks_exact_mut(2 * PAIRS)) {
                 write_sums(&block.inner(k), sums);
             }
             self.call(step, k, given, made);
             self.keep(k, made);
-            let factors = made.get(outputs..outputs + 2 * count).unwrap_or_default();
-            let (first, second) = factors.split_at(factors.len() / 2);
-            let factors = first.chunks(LANES).zip(second.chunks(LANES));
-            for (block, (first, second)) in lanes.iter_mut().zip(factors) {
-                block.enter(k, pairs(first), pairs(second));
+            for (at, block) in lanes.iter_mut().enumerate() {
+                let first = outputs + 2 * PAIRS * at;
+                let [Some(a), Some(b)] = [first, first + count].map(|at| pairs(made, at)) else {
+                    return;
+                };
+                block.enter(k, a, b);
             }
         }
     }
@@ -139,15 +144,20 @@ impl SeriesWriter<'_> {
     /// Calls a function with the coefficients of order `k`.
     fn call(&self, function: u16, k: usize, extra: &[f64], out: &mut [f64]) {
         let state = self.terms.get(k * self.width..(k + 1) * self.width).unwrap_or_default();
-        let input = core::array::from_fn(|rate| self.input(rate, k));
+        let input = self.input(k);
         let arguments = Arguments { constants: self.constants, state, input: &input, extra };
         self.functions.call(function, &arguments, out);
     }
 
-    /// The coefficient `k` of the rate number `rate` of the input.
-    fn input(&self, rate: usize, k: usize) -> f64 {
-        let position = self.input.get(k + rate).map_or(0.0, |motion| motion.position);
-        (1..=rate).fold(position, |value, n| value * (k + n) as f64 / self.scale)
+    /// The coefficients of order `k` of the input and its rates.
+    fn input(&self, k: usize) -> [f64; 4] {
+        let mut by = 1.0;
+        core::array::from_fn(|rate| {
+            if rate > 0 {
+                by *= (k + rate) as f64 * self.per_scale;
+            }
+            by * self.input.get(k + rate).map_or(0.0, |motion| motion.position)
+        })
     }
 
     /// Enters the outputs of order `k`: rates make the state's next coefficients.
@@ -155,19 +165,19 @@ impl SeriesWriter<'_> {
         let (rates, others) = outputs.split_at(self.entries().min(outputs.len()));
         let (slaved, others) = others.split_at((self.states - self.entries()).min(others.len()));
         let (mut rates, mut slaved) = (rates.iter(), slaved.iter());
-        let by = self.scale * PER_ORDER[k + 1];
+        let by = self.scale * PER_ORDER.get(k + 1).copied().unwrap_or(0.0);
+        let rows = self.terms.get_mut(k * self.width..).unwrap_or_default();
+        let (now, next) = rows.split_at_mut(self.width.min(rows.len()));
+        // Nobody asks for more than the last, and the state itself is given.
+        let next = if k < self.order { next } else { &mut [] };
+        let now = if k > 0 { now } else { &mut [] };
         for entry in 0..self.states {
-            let is_free = self.table.entries >> entry & 1 == 1;
-            let (order, value) = if is_free {
-                (k + 1, rates.next().map(|rate| by * rate))
+            if self.table.entries >> entry & 1 == 1 {
+                let rate = rates.next().copied().unwrap_or(f64::NAN);
+                next.get_mut(entry).into_iter().for_each(|place| *place = by * rate);
             } else {
-                (k, slaved.next().copied())
-            };
-            // The state itself is given, and nobody asks for more than the last.
-            let is_wanted = order > 0 && order <= self.order;
-            let place = self.terms.get_mut(order * self.width + entry).filter(|_| is_wanted);
-            if let (Some(place), Some(value)) = (place, value) {
-                *place = value;
+                let value = slaved.next().copied().unwrap_or(f64::NAN);
+                now.get_mut(entry).into_iter().for_each(|place| *place = value);
             }
         }
         let (guards, conditions) = others.split_at(self.table.guards.min(others.len()));
@@ -180,19 +190,17 @@ impl SeriesWriter<'_> {
     }
 }
 
-/// Writes the sums of two lanes each.
+/// Writes the sums of the lanes of a block; those of lanes that are not there are not read.
 #[inline]
-fn write_sums(pairs: &[SeriesPair; PAIRS], sums: &mut [f64]) {
-    for (pair, sums) in pairs.iter().zip(sums.chunks_mut(2)) {
-        for (place, sum) in sums.iter_mut().zip(pair.both()) {
-            *place = sum;
-        }
+fn write_sums<const PAIRS: usize>(pairs: &[SeriesPair; PAIRS], sums: &mut [f64]) {
+    for (pair, sums) in pairs.iter().zip(sums.as_chunks_mut::<2>().0) {
+        *sums = pair.both();
     }
 }
 
-/// Factors of a block of lanes, two by two; lanes without any have zeros.
+/// The factors of a block of lanes, from the place `from` on; lanes that are not there have any.
 #[inline]
-fn pairs(factors: &[f64]) -> [SeriesPair; PAIRS] {
-    let at = |index: usize| factors.get(index).copied().unwrap_or(0.0);
-    core::array::from_fn(|pair| SeriesPair::new(at(2 * pair), at(2 * pair + 1)))
+fn pairs<const PAIRS: usize>(made: &[f64], from: usize) -> Option<[SeriesPair; PAIRS]> {
+    let factors = made.get(from..)?.as_chunks::<2>().0.first_chunk::<PAIRS>()?;
+    Some(factors.map(|[one, other]| SeriesPair::new(one, other)))
 }

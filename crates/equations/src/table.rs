@@ -197,8 +197,8 @@ pub struct SeriesTable {
     /// The outputs are the derivative of what moves by equations, then what is slaved, guards and
     /// conditions.
     pub start: FunctionId,
-    /// From the coefficients of order k of state and input, and in `extra` k, 1/k, the lanes' sums
-    /// and what `start` gave: to the outputs' coefficients of order k, the first factors of all
+    /// From the coefficients of order k of state and input, and in `extra` k, 1/k, what `start` gave
+    /// and the lanes' sums: to the outputs' coefficients of order k, the first factors of all
     /// lanes, and the second ones.
     pub step: FunctionId,
     /// The entries of the state that move by equations, as bits.

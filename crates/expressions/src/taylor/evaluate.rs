@@ -154,7 +154,7 @@ impl TapeSeries {
             }
             // What is zero and stays so is none of the points at which these are singular.
             SeriesRule::Root(x) | SeriesRule::Power(x, _)
-                if !(first(x).abs() + now(x).abs() > 0.0) =>
+                if first(x).abs().max(now(x).abs()) <= 0.0 =>
             {
                 0.0
             }

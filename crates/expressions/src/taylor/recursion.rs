@@ -15,6 +15,8 @@ pub struct Recursion {
     pub rules: Vec<SeriesRule>,
     /// How many outputs are entries of the derivative; those after them are guards.
     pub entries: usize,
+    /// The values at whose zeros the series ends: what decides a choice, or is near a corner.
+    pub conditions: Vec<TapeSlot>,
 }
 
 impl Recursion {
@@ -27,8 +29,9 @@ impl Recursion {
         }
         let outputs: Vec<_> = tape.outputs.iter().map(|it| writing.places[it.index()]).collect();
         let entries = entries.min(outputs.len());
+        let conditions = writing.conditions(&outputs);
         let tape = Tape { instructions: writing.instructions, outputs };
-        Self { tape, rules: writing.rules, entries }
+        Self { tape, rules: writing.rules, entries, conditions }
     }
 
     /// Returns whether the value at `slot` stays as it is.

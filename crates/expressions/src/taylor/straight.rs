@@ -14,8 +14,8 @@ use crate::tape::{Argument, Instruction, Tape, TapeSlot, TapeWriter};
 pub struct SeriesTapes {
     /// From constants, state and input to the outputs, the conditions, and what is carried.
     pub start: Tape,
-    /// From constants, the coefficients of order k of state and input, and in `extra` k, 1/k, the
-    /// lanes' sums and what is carried: to the coefficients of order k of outputs and conditions,
+    /// From constants, the coefficients of order k of state and input, and in `extra` k, 1/k, what
+    /// is carried and the lanes' sums: to the coefficients of order k of outputs and conditions,
     /// then the first factors of all lanes, and the second ones.
     pub step: Tape,
     /// How many numbers the steps are given of the start.
@@ -24,9 +24,6 @@ pub struct SeriesTapes {
     /// How many values there are at whose zeros the series ends, since a branch does.
     pub conditions: usize,
 }
-
-/// Where the numbers of a step begin in `extra`: k and 1/k stand before.
-const SUMS: usize = 2;
 
 /// What a step is given of the start.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -49,21 +46,19 @@ impl CarriedValue {
 impl Recursion {
     /// Returns the recursion as two tapes.
     pub fn tapes(&self) -> SeriesTapes {
-        let conditions = self.conditions();
-        let outputs = [self.tape.outputs.as_slice(), &conditions].concat();
+        let outputs = [self.tape.outputs.as_slice(), &self.conditions].concat();
         let is_live = self.live(&outputs);
         let lanes = self.moving_lanes(&is_live);
-        let mut step = StepTerms::new(self, &lanes, SUMS);
-        for at in (0..is_live.len()).filter(|at| is_live[*at]) {
-            step.follow(at);
-        }
-        let (step, carried) = step.finish(&outputs);
+        // How many numbers are carried is known when all is written once.
+        let (_, carried) = StepTerms::new(self, &lanes, 0).finish(&is_live, &outputs);
+        let (step, carried) =
+            StepTerms::new(self, &lanes, carried.len()).finish(&is_live, &outputs);
         SeriesTapes {
             start: self.start(&outputs, &carried),
             step,
             carried: carried.len(),
             lanes: lanes.len(),
-            conditions: conditions.len(),
+            conditions: self.conditions.len(),
         }
     }
 
@@ -76,25 +71,6 @@ impl Recursion {
                 all.push(lane);
             }
         }
-        all
-    }
-
-    /// The values at whose zeros what the outputs are made of changes its form.
-    fn conditions(&self) -> Vec<TapeSlot> {
-        let mut is_seen = vec![false; self.rules.len()];
-        let mut waiting = self.tape.outputs.clone();
-        let mut all = Vec::new();
-        while let Some(slot) = waiting.pop() {
-            if std::mem::replace(&mut is_seen[slot.index()], true) {
-                continue;
-            }
-            let instruction = self.tape.instructions[slot.index()];
-            all.extend(condition(&instruction).filter(|it| !self.is_constant(*it)));
-            instruction.operands(|it| waiting.push(it));
-            self.rules[slot.index()].operands(|it| waiting.push(it));
-        }
-        all.sort_unstable();
-        all.dedup();
         all
     }
 
@@ -122,17 +98,6 @@ impl Recursion {
             all.push(write(&mut writer, *it, place));
         }
         Tape { instructions: writer.finish(), outputs: all }
-    }
-}
-
-/// The value at whose zero an instruction changes its form.
-fn condition(instruction: &Instruction) -> Option<TapeSlot> {
-    if let Instruction::Select(condition, _, _) = *instruction {
-        Some(condition)
-    } else if let Instruction::Unary(UnaryFunction::Abs | UnaryFunction::Sign, x) = *instruction {
-        Some(x)
-    } else {
-        None
     }
 }
 

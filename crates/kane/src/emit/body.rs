@@ -56,10 +56,16 @@ impl<'a> FunctionBody<'a> {
             return self.lines;
         }
         self.lines.push(format!("let out = out.first_chunk_mut::<{}>()?;", outputs.len()));
+        let mut together = Vec::new();
         for (at, slot) in outputs.iter().enumerate() {
-            let value = self.value(*slot);
-            self.lines.push(format!("out[{at}] = {};", value.text));
+            let value = self.value(*slot).text;
+            if !fits(&together, at, &value) {
+                self.lines.extend(assignment(&together));
+                together.clear();
+            }
+            together.push((at, value));
         }
+        self.lines.extend(assignment(&together));
         self.lines
     }
 
@@ -219,6 +225,25 @@ impl<'a> FunctionBody<'a> {
         };
         let sine = name("sin", UnaryFunction::Sin, values.sine);
         (sine, name("cos", UnaryFunction::Cos, values.cosine))
+    }
+}
+
+/// Whether a value is written to `out[at]` together with others on one line: all must be short.
+fn fits(others: &[(usize, String)], at: usize, value: &str) -> bool {
+    const SHORT: usize = 12;
+    let is_short = others.iter().all(|it| it.1.len() <= SHORT) && value.len() <= SHORT;
+    let more = [others, &[(at, value.to_owned())]].concat();
+    is_short && assignment(&more).is_some_and(|line| line.len() <= STATEMENT)
+}
+
+/// The statement that writes values to their places.
+fn assignment(all: &[(usize, String)]) -> Option<String> {
+    let places: Vec<_> = all.iter().map(|(at, _)| format!("out[{at}]")).collect();
+    let values: Vec<_> = all.iter().map(|(_, value)| value.as_str()).collect();
+    match all {
+        [] => None,
+        [(at, value)] => Some(format!("out[{at}] = {value};")),
+        _ => Some(format!("[{}] = [{}];", places.join(", "), values.join(", "))),
     }
 }
 

@@ -305,8 +305,7 @@ fn derivative_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v13 = J1 + v1;
     let v14 = 1.0 / (v13 * v2 - v12 * v12);
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_k_rate;
-    out[1] = theta_h_rate;
+    [out[0], out[1]] = [theta_k_rate, theta_h_rate];
     out[2] = v14 * (v2 * v9 - v12 * v11);
     out[3] = v14 * (v13 * v11 - v12 * v9);
     Some(())
@@ -425,18 +424,11 @@ fn jacobian_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v45 = 2.0 * (v22 * (v19 * v17 - v18 * v14));
     let v46 = 0.01 * (k1 * cos_v0) + 2.0 * (theta_k_rate * v19 * sin_v0);
     let out = out.first_chunk_mut::<16>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 1.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
     out[7] = 1.0;
     out[8] = v20 * (v31 + v3 * v30 - v18 * v35) - v36;
     out[9] = v36 + v20 * (v3 * v39 - v31 - v18 * v40);
-    out[10] = v41;
-    out[11] = v43;
+    [out[10], out[11]] = [v41, v43];
     out[12] = v20 * (v19 * v35 + (v44 - v18 * v30)) - v45;
     out[13] = v45 + v20 * (v19 * v40 - (v18 * v39 + v44));
     out[14] = v42 * (M1 * v46) * v20;
@@ -463,8 +455,7 @@ fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_k = state[0];
     let theta_h = state[1];
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_k;
-    out[1] = theta_h;
+    [out[0], out[1]] = [theta_k, theta_h];
     out[2] = 0.333_333_333_333_333_3;
     out[3] = 1.5e-9;
     Some(())
@@ -480,7 +471,6 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     out[1] = 123_456_789.0;
     out[2] = 0.333_333_333_333_333_3;
     out[3] = core::f64::consts::PI;
-    out[4] = theta_k;
-    out[5] = theta_k;
+    [out[4], out[5]] = [theta_k, theta_k];
     Some(())
 }

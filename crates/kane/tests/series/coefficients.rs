@@ -49,7 +49,7 @@ fn reach(case: &super::Case<12>) -> f64 {
     let conditions = series.conditions.iter().take(series.known_conditions);
     let by_conditions = conditions.map(|row| {
         let moves: f64 = row[1..=ORDER].iter().map(|it| it.abs()).sum();
-        row[0].abs() / moves.max(1e-300)
+        if moves > 0.0 { row[0].abs() / moves } else { 1.0 }
     });
     by_rows.chain(by_conditions).fold(0.5, f64::min)
 }

@@ -165,7 +165,7 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "theta_k_dot", unit: "rad/s" },
     ],
     coordinates: 2,
-    constants: 32,
+    constants: 30,
     derive_constants: 32,
     input: NamedQuantity { name: "s", unit: "rad" },
     input_per_metre: 30,
@@ -379,185 +379,66 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "key.x", unit: "m" },
         NamedQuantity { name: "key.y", unit: "m" },
         NamedQuantity { name: "key.angle", unit: "rad" },
-        NamedQuantity { name: "sunk.x", unit: "m" },
-        NamedQuantity { name: "sunk.y", unit: "m" },
-        NamedQuantity { name: "sunk.angle", unit: "rad" },
-        NamedQuantity { name: "manipulandum.x", unit: "m" },
-        NamedQuantity { name: "manipulandum.y", unit: "m" },
-        NamedQuantity { name: "manipulandum.angle", unit: "rad" },
         NamedQuantity { name: "hammer.x", unit: "m" },
         NamedQuantity { name: "hammer.y", unit: "m" },
         NamedQuantity { name: "hammer.angle", unit: "rad" },
-        NamedQuantity { name: "finger.x", unit: "m" },
-        NamedQuantity { name: "finger.y", unit: "m" },
-        NamedQuantity { name: "finger.angle", unit: "rad" },
+        NamedQuantity { name: "slider.x", unit: "m" },
+        NamedQuantity { name: "slider.y", unit: "m" },
+        NamedQuantity { name: "slider.angle", unit: "rad" },
+        NamedQuantity { name: "manipulandum.x", unit: "m" },
+        NamedQuantity { name: "manipulandum.y", unit: "m" },
+        NamedQuantity { name: "manipulandum.angle", unit: "rad" },
     ],
     rest: RestTable { mode: 0, instead: &[], state: 31, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
         numbers: 26,
-        count: 432,
+        count: 84,
         bodies: &[
-            BodyTable {
-                name: "balance rail",
-                output: None,
-                outlines: &[
-                    OutlineTable {
-                        material: Material::Ground,
-                        is_closed: true,
-                        points: (4, 3),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Ground,
-                        is_closed: false,
-                        points: (10, 28),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: false,
-                        points: (66, 2),
-                        modes: &[],
-                    },
-                ],
-            },
-            BodyTable {
-                name: "hammer rail",
-                output: None,
-                outlines: &[
-                    OutlineTable {
-                        material: Material::Ground,
-                        is_closed: true,
-                        points: (70, 4),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Wood,
-                        is_closed: true,
-                        points: (78, 4),
-                        modes: &[],
-                    },
-                ],
-            },
             BodyTable {
                 name: "key",
                 output: Some(5),
-                outlines: &[
-                    OutlineTable {
-                        material: Material::Wood,
-                        is_closed: true,
-                        points: (86, 4),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Wood,
-                        is_closed: true,
-                        points: (94, 4),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: true,
-                        points: (102, 24),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: true,
-                        points: (150, 24),
-                        modes: &[],
-                    },
-                ],
+                outlines: &[OutlineTable {
+                    material: Material::Wood,
+                    is_closed: true,
+                    points: (4, 4),
+                    modes: &[],
+                }],
+            },
+            BodyTable {
+                name: "hammer",
+                output: Some(8),
+                outlines: &[OutlineTable {
+                    material: Material::Wood,
+                    is_closed: true,
+                    points: (12, 4),
+                    modes: &[],
+                }],
             },
             BodyTable {
                 name: "slider",
-                output: Some(8),
+                output: Some(11),
                 outlines: &[OutlineTable {
                     material: Material::Metal,
                     is_closed: true,
-                    points: (198, 24),
+                    points: (20, 24),
                     modes: &[],
                 }],
             },
             BodyTable {
                 name: "manipulandum",
-                output: Some(11),
-                outlines: &[
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: true,
-                        points: (246, 4),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: true,
-                        points: (254, 4),
-                        modes: &[],
-                    },
-                ],
-            },
-            BodyTable {
-                name: "hammer",
                 output: Some(14),
-                outlines: &[
-                    OutlineTable {
-                        material: Material::Wood,
-                        is_closed: true,
-                        points: (262, 4),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Wood,
-                        is_closed: true,
-                        points: (270, 4),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Felt,
-                        is_closed: true,
-                        points: (278, 15),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: true,
-                        points: (308, 24),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: true,
-                        points: (356, 24),
-                        modes: &[],
-                    },
-                ],
-            },
-            BodyTable {
-                name: "string",
-                output: None,
                 outlines: &[OutlineTable {
-                    material: Material::String,
-                    is_closed: false,
-                    points: (404, 2),
-                    modes: &[],
-                }],
-            },
-            BodyTable {
-                name: "finger",
-                output: Some(17),
-                outlines: &[OutlineTable {
-                    material: Material::Finger,
+                    material: Material::Metal,
                     is_closed: true,
-                    points: (408, 8),
+                    points: (68, 4),
                     modes: &[],
                 }],
             },
         ],
         springs: &[
-            SpringTable { name: "k1", from: (2, 424), to: (4, 426), modes: &[] },
-            SpringTable { name: "k2", from: (2, 428), to: (3, 430), modes: &[] },
+            SpringTable { name: "k1", from: (0, 76), to: (3, 78), modes: &[] },
+            SpringTable { name: "k2", from: (0, 80), to: (2, 82), modes: &[] },
         ],
     },
 };
@@ -648,8 +529,7 @@ fn derivative_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v11 = v9 * v7 * (k2 * functions::larger(1.0 + v10, 0.0));
     let v12 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
     out[2] = c19 * (v6 * v11 - c18 * cos_theta_h);
     out[3] = c20 * (v12 - v8 * v11);
     Some(())
@@ -742,18 +622,8 @@ fn jacobian_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v50 = c20 * (c17 * sin_theta_k - k1 + k2 * (v8 * (v14 * v49)));
     let v51 = v5 * v13;
     let out = out.first_chunk_mut::<16>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 1.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = 1.0;
-    out[8] = c19 * v31;
-    out[9] = v42;
-    out[10] = v46 * v45;
-    out[11] = v46 * v47;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+    [out[7], out[8], out[9], out[10], out[11]] = [1.0, c19 * v31, v42, v46 * v45, v46 * v47];
     out[12] = c20 * (k2 * (v8 * (v14 * v48)));
     out[13] = v50;
     out[14] = -(c22 * v43 * v51 * v45);
@@ -783,14 +653,13 @@ fn slopes_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let k1 = constants[6];
     let b1 = constants[14];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = k1;
-    out[1] = b1;
+    [out[0], out[1]] = [k1, b1];
     Some(())
 }
 
 /// The outputs in mode B1.
 fn outputs_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<25>()?;
+    let constants = given.constants.first_chunk::<16>()?;
     let state = given.state.first_chunk::<4>()?;
     let input = given.input;
     let L1 = constants[0];
@@ -800,9 +669,6 @@ fn outputs_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let k2 = constants[7];
     let b1 = constants[14];
     let c2 = constants[15];
-    let r = constants[16];
-    let c23 = constants[23];
-    let c24 = constants[24];
     let theta_h = state[0];
     let theta_k = state[1];
     let theta_h_dot = state[2];
@@ -819,38 +685,24 @@ fn outputs_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v5 = 1.0 / -v4;
     let v6 = (sin_theta_k * v1 + cos_theta_k * v3) * v5;
     let v7 = (cos_theta_h * v1 - sin_theta_h * v3) * v5;
-    let v8 = sin_theta_h * (v0 - cos_theta_k * v7) - cos_theta_h * -(v2 + sin_theta_k * v7);
-    let v9 = c2 * (1.0 / v4 * (theta_k_dot * v8 - theta_h_dot * v6));
+    let v8 = v2 + sin_theta_k * v7;
+    let v9 = v0 - cos_theta_k * v7;
+    let v10 = theta_k_dot * (sin_theta_h * v9 - cos_theta_h * -v8);
+    let v11 = functions::larger(1.0 + c2 * (1.0 / v4 * (v10 - theta_h_dot * v6)), 0.0);
     let sin_theta_k_theta_h = math::sin_cos(theta_k - theta_h).0;
-    let v10 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_theta_k_theta_h;
-    let v11 = functions::larger(v7, 0.0);
-    let out = out.first_chunk_mut::<20>()?;
-    out[0] = k2 * v7 * functions::larger(1.0 + v9, 0.0);
+    let v12 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_theta_k_theta_h;
+    let out = out.first_chunk_mut::<17>()?;
+    out[0] = k2 * v7 * v11;
     out[1] = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot);
-    out[2] = v10;
-    out[3] = v7;
-    out[4] = v6;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = theta_k;
-    out[8] = sin_theta_k * v11;
-    out[9] = -(cos_theta_k * v11);
-    out[10] = theta_k;
-    out[11] = 0.0;
-    out[12] = 0.0;
-    out[13] = s;
-    out[14] = L3;
-    out[15] = L4;
-    out[16] = theta_h;
-    out[17] = c24;
-    out[18] = c23 - s * r;
-    out[19] = 0.0;
+    [out[2], out[3], out[4], out[5], out[6], out[7], out[8]] = [v12, v7, v6, 0.0, 0.0, theta_k, L3];
+    [out[9], out[10], out[11], out[12], out[13], out[14]] = [L4, theta_h, v8, v9, theta_k, 0.0];
+    [out[15], out[16]] = [0.0, s];
     Some(())
 }
 
 /// Energy, supplied and dissipated power in mode B1.
 fn balance_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<27>()?;
+    let constants = given.constants.first_chunk::<25>()?;
     let state = given.state.first_chunk::<4>()?;
     let input = given.input;
     let L1 = constants[0];
@@ -864,8 +716,8 @@ fn balance_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let b1 = constants[14];
     let c2 = constants[15];
     let c17 = constants[17];
-    let c25 = constants[25];
-    let c26 = constants[26];
+    let c23 = constants[23];
+    let c24 = constants[24];
     let theta_h = state[0];
     let theta_k = state[1];
     let theta_h_dot = state[2];
@@ -885,7 +737,7 @@ fn balance_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v8 = 1.0 / -v7;
     let v9 = v6 * v8;
     let v10 = JH * (theta_h_dot * theta_h_dot) + JK * (theta_k_dot * theta_k_dot);
-    let v11 = c17 * sin_theta_k - M2 * -(c26 + c25 * sin_theta_h);
+    let v11 = c17 * sin_theta_k - M2 * -(c24 + c23 * sin_theta_h);
     let v12 = s_rate - theta_k_dot;
     let v13 = b1 * v12;
     let v14 = theta_h_dot * (sin_theta_k * v5 + cos_theta_k * v3);
@@ -922,15 +774,15 @@ fn guard_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Bounds of the guard's move and bend: release in mode B1.
 fn bound_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<30>()?;
+    let constants = given.constants.first_chunk::<28>()?;
     let state = given.state.first_chunk::<2>()?;
     let extra = given.extra.first_chunk::<7>()?;
     let L1 = constants[0];
     let L3 = constants[2];
     let L4 = constants[3];
+    let c25 = constants[25];
+    let c26 = constants[26];
     let c27 = constants[27];
-    let c28 = constants[28];
-    let c29 = constants[29];
     let theta_h = state[0];
     let theta_k = state[1];
     let v0 = theta_k - theta_h;
@@ -943,15 +795,15 @@ fn bound_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v6 = sin_v0.abs();
     let v7 = 0.5 * v5;
     let v8 = v5 * functions::smaller(v7 + v6, 1.0);
-    let v9 = c29 * v8 + (v1.abs() + extra[0] * (c27 * v3 + c28 * v4));
+    let v9 = c27 * v8 + (v1.abs() + extra[0] * (c25 * v3 + c26 * v4));
     let v10 = cos_v0.abs();
-    let v11 = c29 * functions::smaller(v10 + v8, 1.0);
+    let v11 = c27 * functions::smaller(v10 + v8, 1.0);
     let v12 = L1 * sin_v0;
     let v13 = (L4 * cos_theta_h - L3 * sin_theta_h - v12).abs();
     let v14 = v5 * functions::smaller(v7 + v10, 1.0);
-    let v15 = c29 * v14;
-    let v16 = extra[1] * (extra[0] * (c27 * v4 + c28 * v3) + (v13 + v15));
-    let v17 = c29 * (extra[5] * functions::smaller(v6 + v14, 1.0));
+    let v15 = c27 * v14;
+    let v16 = extra[1] * (extra[0] * (c25 * v4 + c26 * v3) + (v13 + v15));
+    let v17 = c27 * (extra[5] * functions::smaller(v6 + v14, 1.0));
     let v18 = extra[2] * v9 + extra[5] * (extra[5] * (v12.abs() + v15));
     let v19 = v18 + extra[6] * v11 + extra[1] * (v16 + 2.0 * v17);
     let out = out.first_chunk_mut::<2>()?;
@@ -970,11 +822,9 @@ fn reset_0_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let theta_h_dot = state[2];
     let theta_k_dot = state[3];
     let out = out.first_chunk_mut::<5>()?;
-    out[0] = string_angle;
-    out[1] = theta_k;
+    [out[0], out[1]] = [string_angle, theta_k];
     out[2] = -(theta_h_dot * restitution);
-    out[3] = theta_k_dot;
-    out[4] = 0.0;
+    [out[3], out[4]] = [theta_k_dot, 0.0];
     Some(())
 }
 
@@ -1006,8 +856,7 @@ fn guard_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 fn bound_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = extra[0];
-    out[1] = extra[2];
+    [out[0], out[1]] = [extra[0], extra[2]];
     Some(())
 }
 
@@ -1062,39 +911,16 @@ fn series_start_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let (sin_v0, cos_v0) = math::sin_cos(v0);
     let v23 = L1 * sin_v0 + (L3 * sin_theta_h - L4 * cos_theta_h);
     let out = out.first_chunk_mut::<33>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
     out[2] = c19 * (v8 * v21 - c18 * cos_theta_h);
     out[3] = c20 * (v22 - v13 * v21);
     out[4] = v23;
     out[5] = string_angle - theta_h;
-    out[6] = v17;
-    out[7] = cos_theta_k;
-    out[8] = sin_theta_k;
-    out[9] = v2;
-    out[10] = v4;
-    out[11] = cos_theta_h;
-    out[12] = sin_theta_h;
-    out[13] = v7;
-    out[14] = v7;
-    out[15] = v5;
-    out[16] = theta_h_dot;
-    out[17] = v8;
-    out[18] = v9;
-    out[19] = v10;
-    out[20] = v11;
-    out[21] = v12;
-    out[22] = theta_k_dot;
-    out[23] = v13;
-    out[24] = v15;
-    out[25] = v15;
-    out[26] = v14;
-    out[27] = v17;
-    out[28] = v20;
-    out[29] = v19;
-    out[30] = v21;
-    out[31] = cos_v0;
-    out[32] = sin_v0;
+    [out[6], out[7], out[8], out[9], out[10]] = [v17, cos_theta_k, sin_theta_k, v2, v4];
+    [out[11], out[12], out[13], out[14], out[15]] = [cos_theta_h, sin_theta_h, v7, v7, v5];
+    [out[16], out[17], out[18], out[19], out[20], out[21]] = [theta_h_dot, v8, v9, v10, v11, v12];
+    [out[22], out[23], out[24], out[25], out[26], out[27]] = [theta_k_dot, v13, v15, v15, v14, v17];
+    [out[28], out[29], out[30], out[31], out[32]] = [v20, v19, v21, cos_v0, sin_v0];
     Some(())
 }
 
@@ -1122,120 +948,72 @@ fn series_step_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let v0 = theta_k - theta_h;
-    let v1 = extra[2] * extra[1] + theta_k * extra[29];
-    let v2 = -(extra[3] * extra[1] + theta_k * extra[30]);
+    let v1 = extra[28] * extra[1] + theta_k * extra[2];
+    let v2 = -(extra[29] * extra[1] + theta_k * extra[3]);
     let v3 = L1 * v1;
     let v4 = -v3;
     let v5 = L1 * v2;
     let v6 = -v5;
-    let v7 = extra[4] + extra[30] * v4 + v1 * extra[31];
-    let v8 = v7 + (extra[5] + extra[29] * v6 + v2 * extra[32]);
-    let v9 = extra[6] * extra[1] + theta_h * extra[33];
-    let v10 = -(extra[7] * extra[1] + theta_h * extra[34]);
-    let v11 = extra[9] + extra[29] * v10 + v2 * extra[33];
-    let v12 = extra[8] + extra[30] * v9 + v1 * extra[34] + v11;
+    let v7 = extra[30] + extra[3] * v4 + v1 * extra[4];
+    let v8 = v7 + (extra[31] + extra[2] * v6 + v2 * extra[5]);
+    let v9 = extra[32] * extra[1] + theta_h * extra[6];
+    let v10 = -(extra[33] * extra[1] + theta_h * extra[7]);
+    let v11 = extra[35] + extra[2] * v10 + v2 * extra[6];
+    let v12 = extra[34] + extra[3] * v9 + v1 * extra[7] + v11;
     let v13 = -v12;
-    let v14 = (-extra[10] - extra[35] * v13) * extra[36];
-    let v15 = extra[11] + extra[37] * v14 + v8 * extra[35];
-    let v16 = extra[12] + extra[38] * v15 + theta_h_dot * extra[39];
-    let v17 = extra[14] + extra[33] * v4 + v10 * extra[31];
-    let v18 = v17 - (extra[13] + extra[34] * v6 + v9 * extra[32]);
-    let v19 = extra[15] + extra[40] * v14 + v18 * extra[35];
-    let v20 = v5 + (extra[16] + extra[30] * v19 + v1 * extra[41]);
+    let v14 = (-extra[36] - extra[8] * v13) * extra[9];
+    let v15 = extra[37] + extra[10] * v14 + v8 * extra[8];
+    let v16 = extra[38] + extra[11] * v15 + theta_h_dot * extra[12];
+    let v17 = extra[40] + extra[6] * v4 + v10 * extra[4];
+    let v18 = v17 - (extra[39] + extra[7] * v6 + v9 * extra[5]);
+    let v19 = extra[41] + extra[13] * v14 + v18 * extra[8];
+    let v20 = v5 + (extra[42] + extra[3] * v19 + v1 * extra[14]);
     let v21 = -v20;
-    let v22 = v3 - (extra[18] + extra[29] * v19 + v2 * extra[41]);
-    let v23 = extra[17] + extra[33] * v21 + v10 * extra[42];
-    let v24 = extra[19] + extra[34] * v22 + v9 * extra[43] - v23;
-    let v25 = extra[20] + extra[44] * v24 + theta_k_dot * extra[45];
+    let v22 = v3 - (extra[44] + extra[2] * v19 + v2 * extra[14]);
+    let v23 = extra[43] + extra[6] * v21 + v10 * extra[15];
+    let v24 = extra[45] + extra[7] * v22 + v9 * extra[16] - v23;
+    let v25 = extra[46] + extra[17] * v24 + theta_k_dot * extra[18];
     let v26 = v25 - v16;
-    let v27 = (-extra[21] - extra[46] * v12) * extra[47];
-    let v28 = c2 * (extra[22] + extra[46] * v26 + v27 * extra[48]);
-    let v29 = if extra[49] > 0.0 { v28 } else { 0.0 };
+    let v27 = (-extra[47] - extra[19] * v12) * extra[20];
+    let v28 = c2 * (extra[48] + extra[19] * v26 + v27 * extra[21]);
+    let v29 = if extra[22] > 0.0 { v28 } else { 0.0 };
     let v30 = k2 * v29;
-    let v31 = extra[23] + extra[46] * v19 + v27 * extra[41];
-    let v32 = extra[24] + extra[50] * v30 + v31 * extra[51];
-    let v33 = extra[25] + extra[39] * v32 + v15 * extra[52] - c18 * v10;
+    let v31 = extra[49] + extra[19] * v19 + v27 * extra[14];
+    let v32 = extra[50] + extra[23] * v30 + v31 * extra[24];
+    let v33 = extra[51] + extra[12] * v32 + v15 * extra[25] - c18 * v10;
     let v34 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * v2;
-    let v35 = v34 - (extra[26] + extra[45] * v32 + v24 * extra[52]);
-    let v36 = extra[27] * extra[1] + v0 * extra[53];
+    let v35 = v34 - (extra[52] + extra[18] * v32 + v24 * extra[25]);
+    let v36 = extra[53] * extra[1] + v0 * extra[26];
     let v37 = extra[0] * theta_k;
     let v38 = extra[0] * theta_h;
     let v39 = extra[0] * v0;
     let out = out.first_chunk_mut::<61>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
-    out[2] = c19 * v33;
-    out[3] = c20 * v35;
+    [out[0], out[1], out[2], out[3]] = [theta_h_dot, theta_k_dot, c19 * v33, c20 * v35];
     out[4] = L1 * v36 + (L3 * v9 - L4 * v10);
-    out[5] = -theta_h;
-    out[6] = v28;
-    out[7] = v37;
-    out[8] = v37;
-    out[9] = v1;
-    out[10] = v2;
-    out[11] = v38;
-    out[12] = v38;
-    out[13] = v1;
-    out[14] = v2;
-    out[15] = v13;
-    out[16] = v8;
-    out[17] = theta_h_dot;
-    out[18] = v9;
-    out[19] = v10;
-    out[20] = v18;
-    out[21] = v1;
-    out[22] = v10;
-    out[23] = v2;
-    out[24] = v9;
-    out[25] = theta_k_dot;
-    out[26] = v12;
-    out[27] = v27;
-    out[28] = v27;
-    out[29] = v31;
-    out[30] = v15;
-    out[31] = v24;
-    out[32] = v39;
-    out[33] = v39;
-    out[34] = v2;
-    out[35] = v1;
-    out[36] = v4;
-    out[37] = v6;
-    out[38] = v10;
-    out[39] = v9;
-    out[40] = v9;
-    out[41] = v10;
-    out[42] = v14;
-    out[43] = v14;
-    out[44] = v15;
-    out[45] = v6;
-    out[46] = v4;
-    out[47] = v14;
-    out[48] = v19;
-    out[49] = v21;
-    out[50] = v19;
-    out[51] = v22;
-    out[52] = v24;
-    out[53] = v27;
-    out[54] = v26;
-    out[55] = v19;
-    out[56] = v30;
-    out[57] = v32;
-    out[58] = v32;
-    out[59] = -(extra[28] * extra[1] + v0 * extra[54]);
+    [out[5], out[6], out[7], out[8], out[9], out[10]] = [-theta_h, v28, v37, v37, v1, v2];
+    [out[11], out[12], out[13], out[14], out[15], out[16]] = [v38, v38, v1, v2, v13, v8];
+    [out[17], out[18], out[19], out[20], out[21], out[22]] = [theta_h_dot, v9, v10, v18, v1, v10];
+    [out[23], out[24], out[25], out[26], out[27], out[28]] = [v2, v9, theta_k_dot, v12, v27, v27];
+    [out[29], out[30], out[31], out[32], out[33], out[34]] = [v31, v15, v24, v39, v39, v2];
+    [out[35], out[36], out[37], out[38], out[39], out[40]] = [v1, v4, v6, v10, v9, v9];
+    [out[41], out[42], out[43], out[44], out[45], out[46]] = [v10, v14, v14, v15, v6, v4];
+    [out[47], out[48], out[49], out[50], out[51], out[52]] = [v14, v19, v21, v19, v22, v24];
+    [out[53], out[54], out[55], out[56], out[57], out[58]] = [v27, v26, v19, v30, v32, v32];
+    out[59] = -(extra[54] * extra[1] + v0 * extra[27]);
     out[60] = v36;
     Some(())
 }
 
 /// The derivative of the state in mode B2.
 fn derivative_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<31>()?;
+    let constants = given.constants.first_chunk::<29>()?;
     let state = given.state.first_chunk::<4>()?;
     let input = given.input;
     let k1 = constants[6];
     let b1 = constants[14];
     let c17 = constants[17];
     let c20 = constants[20];
-    let c30 = constants[30];
+    let c28 = constants[28];
     let theta_h = state[0];
     let theta_k = state[1];
     let theta_h_dot = state[2];
@@ -1245,25 +1023,23 @@ fn derivative_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let ([_, _], [cos_theta_h, cos_theta_k]) = math::sin_cos_of_two([theta_h, theta_k]);
     let v0 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
-    out[2] = -(c30 * cos_theta_h);
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
+    out[2] = -(c28 * cos_theta_h);
     out[3] = c20 * v0;
     Some(())
 }
 
 /// The derivative of a part in mode B2.
 fn part_0_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<31>()?;
+    let constants = given.constants.first_chunk::<29>()?;
     let state = given.state.first_chunk::<3>()?;
-    let c30 = constants[30];
+    let c28 = constants[28];
     let theta_h = state[0];
     let theta_h_dot = state[2];
     let cos_theta_h = math::sin_cos(theta_h).1;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = theta_h_dot;
-    out[1] = 0.0;
-    out[2] = -(c30 * cos_theta_h);
+    [out[0], out[1]] = [theta_h_dot, 0.0];
+    out[2] = -(c28 * cos_theta_h);
     out[3] = 0.0;
     Some(())
 }
@@ -1284,10 +1060,7 @@ fn part_1_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let cos_theta_k = math::sin_cos(theta_k).1;
     let v0 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * cos_theta_k;
     let out = out.first_chunk_mut::<4>()?;
-    out[0] = 0.0;
-    out[1] = theta_k_dot;
-    out[2] = 0.0;
-    out[3] = c20 * v0;
+    [out[0], out[1], out[2], out[3]] = [0.0, theta_k_dot, 0.0, c20 * v0];
     Some(())
 }
 
@@ -1302,39 +1075,29 @@ fn function_18(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// The derivative's derivative by the state in mode B2.
 fn jacobian_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<32>()?;
+    let constants = given.constants.first_chunk::<30>()?;
     let state = given.state.first_chunk::<2>()?;
     let k1 = constants[6];
     let c17 = constants[17];
     let c20 = constants[20];
-    let c30 = constants[30];
-    let c31 = constants[31];
+    let c28 = constants[28];
+    let c29 = constants[29];
     let theta_h = state[0];
     let theta_k = state[1];
     let ([sin_theta_h, sin_theta_k], [_, _]) = math::sin_cos_of_two([theta_h, theta_k]);
     let out = out.first_chunk_mut::<16>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 1.0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
     out[7] = 1.0;
-    out[8] = c30 * sin_theta_h;
-    out[9] = 0.0;
-    out[10] = 0.0;
-    out[11] = 0.0;
-    out[12] = 0.0;
+    out[8] = c28 * sin_theta_h;
+    [out[9], out[10], out[11], out[12]] = [0.0, 0.0, 0.0, 0.0];
     out[13] = c20 * (c17 * sin_theta_k - k1);
-    out[14] = 0.0;
-    out[15] = c31;
+    [out[14], out[15]] = [0.0, c29];
     Some(())
 }
 
 /// The outputs in mode B2.
 fn outputs_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<25>()?;
+    let constants = given.constants.first_chunk::<15>()?;
     let state = given.state.first_chunk::<4>()?;
     let input = given.input;
     let L1 = constants[0];
@@ -1342,9 +1105,6 @@ fn outputs_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let L4 = constants[3];
     let k1 = constants[6];
     let b1 = constants[14];
-    let r = constants[16];
-    let c23 = constants[23];
-    let c24 = constants[24];
     let theta_h = state[0];
     let theta_k = state[1];
     let theta_k_dot = state[3];
@@ -1354,36 +1114,25 @@ fn outputs_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
         math::sin_cos_of_two([theta_h, theta_k - theta_h]);
     let v0 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_theta_k_theta_h;
     let (sin_theta_k, cos_theta_k) = math::sin_cos(theta_k);
-    let v1 = sin_theta_h * sin_theta_k + cos_theta_h * cos_theta_k;
-    let v2 = cos_theta_h * (L4 - L1 * sin_theta_k) - sin_theta_h * (L3 - L1 * cos_theta_k);
-    let v3 = functions::larger(v2 / -v1, 0.0);
-    let out = out.first_chunk_mut::<20>()?;
+    let v1 = L1 * cos_theta_k;
+    let v2 = L1 * sin_theta_k;
+    let v3 = cos_theta_h * (L4 - v2) - sin_theta_h * (L3 - v1);
+    let v4 = sin_theta_h * sin_theta_k + cos_theta_h * cos_theta_k;
+    let v5 = v3 * (1.0 / -v4);
+    let out = out.first_chunk_mut::<17>()?;
     out[0] = 0.0;
     out[1] = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot);
-    out[2] = v0;
-    out[3] = 0.0;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = 0.0;
-    out[7] = theta_k;
-    out[8] = sin_theta_k * v3;
-    out[9] = -(cos_theta_k * v3);
-    out[10] = theta_k;
-    out[11] = 0.0;
-    out[12] = 0.0;
-    out[13] = s;
-    out[14] = L3;
-    out[15] = L4;
-    out[16] = theta_h;
-    out[17] = c24;
-    out[18] = c23 - s * r;
-    out[19] = 0.0;
+    [out[2], out[3], out[4], out[5], out[6], out[7]] = [v0, 0.0, 0.0, 0.0, 0.0, theta_k];
+    [out[8], out[9], out[10]] = [L3, L4, theta_h];
+    out[11] = v1 + sin_theta_k * v5;
+    out[12] = v2 - cos_theta_k * v5;
+    [out[13], out[14], out[15], out[16]] = [theta_k, 0.0, 0.0, s];
     Some(())
 }
 
 /// Energy, supplied and dissipated power in mode B2.
 fn balance_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<27>()?;
+    let constants = given.constants.first_chunk::<25>()?;
     let state = given.state.first_chunk::<4>()?;
     let input = given.input;
     let M2 = constants[5];
@@ -1392,8 +1141,8 @@ fn balance_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let JH = constants[10];
     let b1 = constants[14];
     let c17 = constants[17];
-    let c25 = constants[25];
-    let c26 = constants[26];
+    let c23 = constants[23];
+    let c24 = constants[24];
     let theta_h = state[0];
     let theta_k = state[1];
     let theta_h_dot = state[2];
@@ -1404,7 +1153,7 @@ fn balance_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v1 = k1 * v0;
     let ([sin_theta_k, sin_theta_h], [_, _]) = math::sin_cos_of_two([theta_k, theta_h]);
     let v2 = JH * (theta_h_dot * theta_h_dot) + JK * (theta_k_dot * theta_k_dot);
-    let v3 = 0.5 * (v0 * v1 + v2) + c17 * sin_theta_k - M2 * -(c26 + c25 * sin_theta_h);
+    let v3 = 0.5 * (v0 * v1 + v2) + c17 * sin_theta_k - M2 * -(c24 + c23 * sin_theta_h);
     let v4 = s_rate - theta_k_dot;
     let v5 = b1 * v4;
     let out = out.first_chunk_mut::<3>()?;
@@ -1437,15 +1186,15 @@ fn guard_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Bounds of the guard's move and bend: land in mode B2.
 fn bound_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<30>()?;
+    let constants = given.constants.first_chunk::<28>()?;
     let state = given.state.first_chunk::<2>()?;
     let extra = given.extra.first_chunk::<7>()?;
     let L1 = constants[0];
     let L3 = constants[2];
     let L4 = constants[3];
+    let c25 = constants[25];
+    let c26 = constants[26];
     let c27 = constants[27];
-    let c28 = constants[28];
-    let c29 = constants[29];
     let theta_h = state[0];
     let theta_k = state[1];
     let v0 = theta_k - theta_h;
@@ -1454,20 +1203,20 @@ fn bound_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v2 = extra[0] + extra[4];
     let v3 = sin_v0.abs();
     let v4 = 0.5 * v2;
-    let v5 = c29 * v2 * functions::smaller(v4 + v3, 1.0);
+    let v5 = c27 * v2 * functions::smaller(v4 + v3, 1.0);
     let v6 = 0.5 * extra[0];
     let v7 = functions::smaller(v6 + cos_theta_h.abs(), 1.0);
     let v8 = functions::smaller(v6 + sin_theta_h.abs(), 1.0);
     let v9 = (L4 * sin_theta_h + L3 * cos_theta_h - v1).abs() + v5;
-    let v10 = extra[0] * (c27 * v7 + c28 * v8) + v9;
+    let v10 = extra[0] * (c25 * v7 + c26 * v8) + v9;
     let v11 = v1.abs() + v5;
     let v12 = L1 * sin_v0;
     let v13 = (L4 * cos_theta_h - L3 * sin_theta_h - v12).abs();
     let v14 = v2 * functions::smaller(v4 + cos_v0.abs(), 1.0);
-    let v15 = c29 * v14;
-    let v16 = extra[1] * (extra[0] * (c27 * v8 + c28 * v7) + (v13 + v15));
+    let v15 = c27 * v14;
+    let v16 = extra[1] * (extra[0] * (c25 * v8 + c26 * v7) + (v13 + v15));
     let v17 = extra[1] * (v16 + 2.0 * (extra[5] * (v12.abs() + v15)));
-    let v18 = c29 * extra[5] * (extra[5] * functions::smaller(v3 + v14, 1.0));
+    let v18 = c27 * extra[5] * (extra[5] * functions::smaller(v3 + v14, 1.0));
     let out = out.first_chunk_mut::<2>()?;
     out[0] = extra[4] * v11 + extra[0] * v10;
     out[1] = extra[6] * v11 + extra[2] * v10 + v17 + v18;
@@ -1476,7 +1225,7 @@ fn bound_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// Where the Taylor series begins in mode B2.
 fn series_start_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<31>()?;
+    let constants = given.constants.first_chunk::<29>()?;
     let state = given.state.first_chunk::<4>()?;
     let input = given.input;
     let L1 = constants[0];
@@ -1487,7 +1236,7 @@ fn series_start_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let b1 = constants[14];
     let c17 = constants[17];
     let c20 = constants[20];
-    let c30 = constants[30];
+    let c28 = constants[28];
     let theta_h = state[0];
     let theta_k = state[1];
     let theta_h_dot = state[2];
@@ -1501,24 +1250,18 @@ fn series_start_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let (sin_v0, cos_v0) = math::sin_cos(v0);
     let v2 = L4 * cos_theta_h - L3 * sin_theta_h - L1 * sin_v0;
     let out = out.first_chunk_mut::<12>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
-    out[2] = -(c30 * cos_theta_h);
-    out[3] = c20 * v1;
-    out[4] = v2;
+    [out[0], out[1]] = [theta_h_dot, theta_k_dot];
+    out[2] = -(c28 * cos_theta_h);
+    [out[3], out[4]] = [c20 * v1, v2];
     out[5] = string_angle - theta_h;
-    out[6] = cos_theta_h;
-    out[7] = sin_theta_h;
-    out[8] = cos_theta_k;
-    out[9] = sin_theta_k;
-    out[10] = cos_v0;
-    out[11] = sin_v0;
+    [out[6], out[7], out[8], out[9]] = [cos_theta_h, sin_theta_h, cos_theta_k, sin_theta_k];
+    [out[10], out[11]] = [cos_v0, sin_v0];
     Some(())
 }
 
 /// One order of the Taylor series in mode B2.
 fn series_step_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<31>()?;
+    let constants = given.constants.first_chunk::<29>()?;
     let state = given.state.first_chunk::<4>()?;
     let extra = given.extra.first_chunk::<14>()?;
     let input = given.input;
@@ -1529,7 +1272,7 @@ fn series_step_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let b1 = constants[14];
     let c17 = constants[17];
     let c20 = constants[20];
-    let c30 = constants[30];
+    let c28 = constants[28];
     let theta_h = state[0];
     let theta_k = state[1];
     let theta_h_dot = state[2];
@@ -1537,32 +1280,21 @@ fn series_step_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let v0 = theta_k - theta_h;
-    let v1 = extra[2] * extra[1] + theta_h * extra[8];
-    let v2 = -(extra[3] * extra[1] + theta_h * extra[9]);
-    let v3 = -(extra[5] * extra[1] + theta_k * extra[11]);
+    let v1 = extra[8] * extra[1] + theta_h * extra[2];
+    let v2 = -(extra[9] * extra[1] + theta_h * extra[3]);
+    let v3 = -(extra[11] * extra[1] + theta_k * extra[5]);
     let v4 = k1 * (s - theta_k) + b1 * (s_rate - theta_k_dot) - c17 * v3;
-    let v5 = extra[6] * extra[1] + v0 * extra[12];
+    let v5 = extra[12] * extra[1] + v0 * extra[6];
     let v6 = extra[0] * theta_h;
     let v7 = extra[0] * theta_k;
     let v8 = extra[0] * v0;
     let out = out.first_chunk_mut::<18>()?;
-    out[0] = theta_h_dot;
-    out[1] = theta_k_dot;
-    out[2] = -(c30 * v2);
-    out[3] = c20 * v4;
+    [out[0], out[1], out[2], out[3]] = [theta_h_dot, theta_k_dot, -(c28 * v2), c20 * v4];
     out[4] = L4 * v2 - L3 * v1 - L1 * v5;
-    out[5] = -theta_h;
-    out[6] = v6;
-    out[7] = v6;
-    out[8] = v7;
-    out[9] = v7;
-    out[10] = v8;
-    out[11] = v8;
-    out[12] = v2;
-    out[13] = v1;
-    out[14] = v3;
-    out[15] = extra[4] * extra[1] + theta_k * extra[10];
-    out[16] = -(extra[7] * extra[1] + v0 * extra[13]);
+    [out[5], out[6], out[7], out[8], out[9], out[10], out[11]] = [-theta_h, v6, v6, v7, v7, v8, v8];
+    [out[12], out[13], out[14]] = [v2, v1, v3];
+    out[15] = extra[10] * extra[1] + theta_k * extra[4];
+    out[16] = -(extra[13] * extra[1] + v0 * extra[7]);
     out[17] = v5;
     Some(())
 }
@@ -1574,651 +1306,81 @@ fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let L2 = constants[1];
     let L3 = constants[2];
     let L4 = constants[3];
-    let M2 = constants[5];
-    let k1 = constants[6];
-    let k2 = constants[7];
-    let cK = constants[8];
-    let g = constants[11];
     let string_angle = constants[12];
     let r = constants[16];
-    let v0 = L3 - L1;
-    let v1 = math::atan2(-L4, -v0);
-    let v2 = 0.08 * L1;
-    let v3 = 1.0 / functions::larger(v0.abs(), v2);
-    let v4 = M2 * g * (L2 * v3);
-    let v5 = 1.0 / k2;
-    let v6 = (v5 + L1 * L1 / k1) * v3 * v4;
-    let v7 = v6 + 2.0 * functions::larger(string_angle - v1, 0.0);
-    let v8 = functions::smaller(v6 + math::sqrt(v6 * v7), 1.0);
-    let v9 = 0.16 * L1;
-    let ([sin_v1_v8, sin_string_angle], [_, cos_string_angle]) =
-        math::sin_cos_of_two([v1 - v8, string_angle]);
-    let v10 = functions::larger(0.088_000_000_000_000_01 * L1, 3.0 * (v5 * v4));
-    let v11 = functions::larger(0.288_000_000_000_000_03 * L1, 0.012 + v9);
-    let v12 = functions::smaller(L4 - 0.2 * L1 + L2 * sin_v1_v8, -(v11 + v10));
-    let v13 = 0.24 * L1 + functions::larger(L3 + L2, L1);
-    let v14 = L4 + 0.4 * L1 + L2 * sin_string_angle;
-    let v15 = functions::larger(L4 + v9, f64::from_bits(0x3fd4_7ae1_47ae_147b) * L1);
-    let v16 = -(0.104_000_000_000_000_01 * L1 + v10);
-    let v17 = -(0.208_000_000_000_000_02 * L1 + v10);
-    let v18 = 0.124_444_444_444_444_44 * L1;
-    let v19 = -v18;
-    let v20 = -(0.232_888_888_888_888_9 * L1 + v10);
-    let v21 = -(0.088_888_888_888_888_89 * L1);
-    let v22 = -(0.053_333_333_333_333_344 * L1);
-    let v23 = 0.017_777_777_777_777_78 * L1;
-    let v24 = -v23;
-    let v25 = 0.053_333_333_333_333_316 * L1;
-    let v26 = 0.088_888_888_888_888_88 * L1;
-    let v27 = 0.064 * L1;
-    let v28 = 0.055_999_999_999_999_994 * L1;
-    let v29 = L3 - 0.152 * L1;
-    let v30 = L4 + v27;
-    let v31 = 0.016 * L1;
-    let v32 = L3 - v31;
-    let v33 = L4 + 0.144_000_000_000_000_02 * L1;
-    let v34 = L4 - v31;
-    let v35 = L3 + 0.008 * L1;
-    let v36 = -r;
-    let v37 = 1.08 * L1;
-    let v38 = -v10;
-    let v39 = functions::smaller(v28, 0.5 * r);
-    let v40 = -v39;
-    let v41 = 0.04 * L1;
-    let v42 = 0.0144 * L1;
-    let v43 = 0.013_909_331_898_562_582 * L1;
-    let v44 = 0.003_726_994_249_476_298_5 * L1;
-    let v45 = 0.012_470_765_814_495_917 * L1;
-    let v46 = 0.007_199_999_999_999_999 * L1;
-    let v47 = 0.010_182_337_649_086_284 * L1;
-    let v48 = 0.010_182_337_649_086_283 * L1;
-    let v49 = 0.007_200_000_000_000_001_5 * L1;
-    let v50 = 0.012_470_765_814_495_915 * L1;
-    let v51 = 8.817_456_953_860_942e-19 * L1;
-    let v52 = -(0.003_726_994_249_476_297 * L1);
-    let v53 = -(0.007_199_999_999_999_996 * L1);
-    let v54 = -v48;
-    let v55 = -v45;
-    let v56 = -v43;
-    let v57 = 0.003_726_994_249_476_302_4 * L1;
-    let v58 = -v42;
-    let v59 = 1.763_491_390_772_188_4e-18 * L1;
-    let v60 = -(0.003_726_994_249_476_299_4 * L1);
-    let v61 = -(0.012_470_765_814_495_919 * L1);
-    let v62 = -(0.007_199_999_999_999_995_5 * L1);
-    let v63 = -(0.010_182_337_649_086_29 * L1);
-    let v64 = -(0.010_182_337_649_086_28 * L1);
-    let v65 = -(0.007_200_000_000_000_006 * L1);
-    let v66 = 0.012_470_765_814_495_912 * L1;
-    let v67 = -v66;
-    let v68 = -(2.645_237_086_158_282_6e-18 * L1);
-    let v69 = 0.003_726_994_249_476_292 * L1;
-    let v70 = -(0.013_909_331_898_562_584 * L1);
-    let v71 = -v50;
-    let v72 = 0.010_182_337_649_086_281 * L1;
-    let v73 = -(0.010_182_337_649_086_286 * L1);
-    let v74 = 0.013_909_331_898_562_58 * L1;
-    let v75 = -(0.003_726_994_249_476_310_7 * L1);
-    let v76 = functions::larger(v36, functions::smaller(cK, L1));
-    let v77 = 0.032 * L1;
-    let v78 = 0.052_000_000_000_000_005 * L1;
-    let v79 = 0.027_712_812_921_102_038 * L1;
-    let v80 = -(0.036_000_000_000_000_004 * L1 + v10);
-    let v81 = 0.016_000_000_000_000_004 * L1 + v76;
-    let v82 = -(0.021_090_373_558_749_816 * L1 + v10);
-    let v83 = v76 - 0.008_282_209_443_280_661 * L1;
-    let v84 = L1 - 32.352_380_637_815_095 * v76;
-    let v85 = -(0.079_712_812_921_102_04 * L1 + v10);
-    let v86 = -(0.082_909_626_441_250_19 * L1 + v10);
-    let (sin_v1, cos_v1) = math::sin_cos(v1);
-    let v87 = L1 * cos_v1;
-    let v88 = 0.016 * v87;
-    let v89 = L1 * sin_v1;
-    let v90 = 0.016 * v89;
-    let v91 = 0.004_141_104_721_640_332 * v89;
-    let v92 = 0.015_454_813_220_625_094 * v87;
-    let v93 = 0.004_141_104_721_640_332 * v87;
-    let v94 = 0.015_454_813_220_625_094 * v89;
-    let v95 = L1 - 0.007_999_999_999_999_998 * v89;
-    let v96 = 0.013_856_406_460_551_019 * v87;
-    let v97 = 0.007_999_999_999_999_998 * v87;
-    let v98 = 0.013_856_406_460_551_019 * v89;
-    let v99 = 0.011_313_708_498_984_762 * (v87 - 0.999_999_999_999_999_9 * v89);
-    let v100 = 0.011_313_708_498_984_76 * (v87 + 1.000_000_000_000_000_2 * v89);
-    let v101 = L1 + 0.008_000_000_000_000_002 * v87;
-    let v102 = 0.013_856_406_460_551_017 * v89;
-    let v103 = 0.008_000_000_000_000_002 * v89;
-    let v104 = 0.013_856_406_460_551_017 * v87;
-    let v105 = L1 - 0.004_141_104_721_640_330_4 * v87;
-    let v106 = 0.004_141_104_721_640_330_4 * v89;
-    let v107 = L1 - 0.004_141_104_721_640_336_5 * v89 - 0.015_454_813_220_625_092 * v87;
-    let v108 = 0.004_141_104_721_640_336_5 * v87 - 0.015_454_813_220_625_092 * v89;
-    let v109 = L1 + 0.007_999_999_999_999_995 * v89 - 0.013_856_406_460_551_02 * v87;
-    let v110 = 0.007_999_999_999_999_995 * v87 + 0.013_856_406_460_551_02 * v89;
-    let v111 = L1 + 0.011_313_708_498_984_755 * v89 - 0.011_313_708_498_984_767 * v87;
-    let v112 = 0.011_313_708_498_984_755 * v87 + 0.011_313_708_498_984_767 * v89;
-    let v113 = 0.008_000_000_000_000_007 * (v87 - 1.732_050_807_568_875_2 * v89);
-    let v114 = 0.013_856_406_460_551_014 * (v87 + 0.577_350_269_189_626_5 * v89);
-    let v115 = 0.015_454_813_220_625_096 * v89 + (L1 + 0.004_141_104_721_640_325 * v87);
-    let v116 = 0.004_141_104_721_640_325 * v89 - 0.015_454_813_220_625_096 * v87;
-    let v117 = 0.011_313_708_498_984_764 * v89 + (L1 + 0.011_313_708_498_984_758 * v87);
-    let v118 = 0.011_313_708_498_984_758 * v89 - 0.011_313_708_498_984_764 * v87;
-    let v119 = 0.015_454_813_220_625_089 * v87 + (L1 + 0.004_141_104_721_640_345 * v89);
-    let v120 = 0.015_454_813_220_625_089 * v89 - 0.004_141_104_721_640_345 * v87;
-    let v121 = 0.048 * L1;
-    let v122 = 0.02 * L1;
-    let v123 = -v122;
-    let v124 = -(0.024 * L1);
-    let v125 = L1 * sin_string_angle;
-    let v126 = L1 * cos_string_angle;
-    let v127 = 0.027_999_999_999_999_997 * v126;
-    let v128 = L2 - v127;
-    let v129 = 0.16 * v125;
-    let v130 = 0.027_999_999_999_999_997 * v125;
-    let v131 = 0.16 * v126;
-    let v132 = L2 + v127;
-    let v133 = f64::from_bits(0x3fd4_7ae1_47ae_147b) * v125;
-    let v134 = f64::from_bits(0x3fd4_7ae1_47ae_147b) * v126;
-    let v135 = L2 + 0.128 * v125;
-    let v136 = 0.04 * v126;
-    let v137 = 0.04 * v125;
-    let v138 = 0.128 * v126;
-    let v139 = L2 + 0.208_000_000_000_000_02 * v125;
-    let v140 = 0.072_000_000_000_000_01 * v126;
-    let v141 = 0.072_000_000_000_000_01 * v125;
-    let v142 = 0.208_000_000_000_000_02 * v126;
-    let v143 = L2 + 0.288_000_000_000_000_03 * v125;
-    let v144 = 0.08 * v126;
-    let v145 = 0.08 * v125;
-    let v146 = 0.288_000_000_000_000_03 * v126;
-    let v147 = L2 + 0.351_883_232_000_000_05 * v125;
-    let v148 = 0.061_997_768_000_000_01 * v126;
-    let v149 = 0.061_997_768_000_000_01 * v125;
-    let v150 = 0.351_883_232_000_000_05 * v126;
-    let v151 = L2 + 0.371_116_152_000_000_03 * v125;
-    let v152 = 0.053_505_664 * v126;
-    let v153 = 0.053_505_664 * v125;
-    let v154 = 0.371_116_152_000_000_03 * v126;
-    let v155 = L2 + 0.386_559_504 * v125;
-    let v156 = 0.039_239_48 * v126;
-    let v157 = 0.039_239_48 * v125;
-    let v158 = 0.386_559_504 * v126;
-    let v159 = L2 + f64::from_bits(0x3fd9_6105_75d8_15ce) * v125;
-    let v160 = 0.020_738_752 * v126;
-    let v161 = 0.020_738_752 * v125;
-    let v162 = f64::from_bits(0x3fd9_6105_75d8_15ce) * v126;
-    let v163 = 0.012 * L1;
-    let v164 = 0.011_591_109_915_468_82 * L1;
-    let v165 = 0.003_105_828_541_230_249 * L1;
-    let v166 = 0.010_392_304_845_413_265 * L1;
-    let v167 = 0.005_999_999_999_999_999 * L1;
-    let v168 = 0.008_485_281_374_238_571 * L1;
-    let v169 = 0.008_485_281_374_238_57 * L1;
-    let v170 = L2 + 0.006_000_000_000_000_002 * L1;
-    let v171 = 0.010_392_304_845_413_263 * L1;
-    let v172 = L2 - 0.003_105_828_541_230_247_4 * L1;
-    let v173 = L2 - v166;
-    let v174 = L2 - v164;
-    let v175 = 0.006_000_000_000_000_005 * L1;
-    let v176 = 0.010_392_304_845_413_26 * L1;
-    let v177 = 0.026_000_000_000_000_002 * L1;
-    let v178 = 0.166_400_000_000_000_02 * L1;
-    let v179 = -(f64::from_bits(0x3fe6_6666_6666_6666) * r);
-    let out = out.first_chunk_mut::<432>()?;
-    out[0] = -(v9 + functions::larger(r, v2));
-    out[1] = v12;
-    out[2] = v13;
-    out[3] = v2 + functions::larger(v14, v15);
-    out[4] = 0.0;
-    out[5] = v16;
-    out[6] = -v2;
-    out[7] = v17;
-    out[8] = v2;
-    out[9] = v17;
-    out[10] = -v9;
-    out[11] = v17;
-    out[12] = v19;
-    out[13] = v17;
-    out[14] = -(0.149_333_333_333_333_35 * L1);
-    out[15] = v20;
-    out[16] = v19;
-    out[17] = v17;
-    out[18] = v21;
-    out[19] = v17;
-    out[20] = -(0.113_777_777_777_777_78 * L1);
-    out[21] = v20;
-    out[22] = v21;
-    out[23] = v17;
-    out[24] = v22;
-    out[25] = v17;
-    out[26] = -(0.078_222_222_222_222_23 * L1);
-    out[27] = v20;
-    out[28] = v22;
-    out[29] = v17;
-    out[30] = v24;
-    out[31] = v17;
-    out[32] = -(0.042_666_666_666_666_67 * L1);
-    out[33] = v20;
-    out[34] = v24;
-    out[35] = v17;
-    out[36] = v23;
-    out[37] = v17;
-    out[38] = -(0.007_111_111_111_111_124 * L1);
-    out[39] = v20;
-    out[40] = v23;
-    out[41] = v17;
-    out[42] = v25;
-    out[43] = v17;
-    out[44] = 0.028_444_444_444_444_44 * L1;
-    out[45] = v20;
-    out[46] = v25;
-    out[47] = v17;
-    out[48] = v26;
-    out[49] = v17;
-    out[50] = v27;
-    out[51] = v20;
-    out[52] = v26;
-    out[53] = v17;
-    out[54] = v18;
-    out[55] = v17;
-    out[56] = 0.099_555_555_555_555_54 * L1;
-    out[57] = v20;
-    out[58] = v18;
-    out[59] = v17;
-    out[60] = v9;
-    out[61] = v17;
-    out[62] = 0.135_111_111_111_111_15 * L1;
-    out[63] = v20;
-    out[64] = v9;
-    out[65] = v17;
-    out[66] = 0.0;
-    out[67] = v16;
-    out[68] = 0.0;
-    out[69] = v28;
-    out[70] = v29;
-    out[71] = v30;
-    out[72] = v32;
-    out[73] = v30;
-    out[74] = v32;
-    out[75] = v33;
-    out[76] = v29;
-    out[77] = v33;
-    out[78] = L3 - 0.096 * L1;
-    out[79] = v30;
-    out[80] = L3 - 0.027_999_999_999_999_997 * L1;
-    out[81] = v34;
-    out[82] = v35;
-    out[83] = v34;
-    out[84] = v35;
-    out[85] = v30;
-    out[86] = v36;
-    out[87] = v16;
-    out[88] = v37;
-    out[89] = v16;
-    out[90] = v37;
-    out[91] = v38;
-    out[92] = v36;
-    out[93] = v38;
-    out[94] = v40;
-    out[95] = v38;
-    out[96] = v39;
-    out[97] = v38;
-    out[98] = v39;
-    out[99] = v41;
-    out[100] = v40;
-    out[101] = v41;
-    out[102] = v42;
-    out[103] = 0.0;
-    out[104] = v43;
-    out[105] = v44;
-    out[106] = v45;
-    out[107] = v46;
-    out[108] = v47;
-    out[109] = v48;
-    out[110] = v49;
-    out[111] = v50;
-    out[112] = v44;
-    out[113] = v43;
-    out[114] = v51;
-    out[115] = v42;
-    out[116] = v52;
-    out[117] = v43;
-    out[118] = v53;
-    out[119] = v45;
-    out[120] = v54;
-    out[121] = v47;
-    out[122] = v55;
-    out[123] = v46;
-    out[124] = v56;
-    out[125] = v57;
-    out[126] = v58;
-    out[127] = v59;
-    out[128] = v56;
-    out[129] = v60;
-    out[130] = v61;
-    out[131] = v62;
-    out[132] = v63;
-    out[133] = v64;
-    out[134] = v65;
-    out[135] = v67;
-    out[136] = v52;
-    out[137] = v56;
-    out[138] = v68;
-    out[139] = v58;
-    out[140] = v69;
-    out[141] = v70;
-    out[142] = v49;
-    out[143] = v71;
-    out[144] = v72;
-    out[145] = v73;
-    out[146] = v66;
-    out[147] = v65;
-    out[148] = v74;
-    out[149] = v75;
-    out[150] = v77 + v76;
-    out[151] = -(v78 + v10);
-    out[152] = 0.030_909_626_441_250_188 * L1 + v76;
-    out[153] = -(0.043_717_790_556_719_344 * L1 + v10);
-    out[154] = v79 + v76;
-    out[155] = v80;
-    out[156] = 0.022_627_416_997_969_524 * L1 + v76;
-    out[157] = -(0.029_372_583_002_030_484 * L1 + v10);
-    out[158] = v81;
-    out[159] = -(0.024_287_187_078_897_97 * L1 + v10);
-    out[160] = 0.008_282_209_443_280_664 * L1 + v76;
-    out[161] = v82;
-    out[162] = 1.959_434_878_635_765e-18 * L1 + v76;
-    out[163] = -(0.020_000_000_000_000_004 * L1 + v10);
-    out[164] = v83;
-    out[165] = v82;
-    out[166] = v76 - 0.015_999_999_999_999_993 * L1;
-    out[167] = -(0.024_287_187_078_897_966 * L1 + v10);
-    out[168] = v76 - 0.022_627_416_997_969_52 * L1;
-    out[169] = -(0.029_372_583_002_030_48 * L1 + v10);
-    out[170] = v76 - v79;
-    out[171] = v80;
-    out[172] = -(0.030_909_626_441_250_185 * v84);
-    out[173] = -(0.043_717_790_556_719_33 * L1 + v10);
-    out[174] = v76 - v77;
-    out[175] = -(0.052 * L1 + v10);
-    out[176] = -(0.030_909_626_441_250_188 * v84);
-    out[177] = -(0.060_282_209_443_280_67 * L1 + v10);
-    out[178] = v76 - 0.027_712_812_921_102_04 * L1;
-    out[179] = -(0.067_999_999_999_999_99 * L1 + v10);
-    out[180] = v76 - 0.022_627_416_997_969_534 * L1;
-    out[181] = -(0.074_627_416_997_969_51 * L1 + v10);
-    out[182] = v76 - 0.016_000_000_000_000_014 * L1;
-    out[183] = v85;
-    out[184] = v83;
-    out[185] = v86;
-    out[186] = v76 - 5.878_304_635_907_295_5e-18 * L1;
-    out[187] = -(0.084 * L1 + v10);
-    out[188] = 0.008_282_209_443_280_65 * L1 + v76;
-    out[189] = v86;
-    out[190] = v81;
-    out[191] = v85;
-    out[192] = 0.022_627_416_997_969_517 * L1 + v76;
-    out[193] = -(0.074_627_416_997_969_53 * L1 + v10);
-    out[194] = 0.027_712_812_921_102_028 * L1 + v76;
-    out[195] = -(0.068_000_000_000_000_02 * L1 + v10);
-    out[196] = 0.030_909_626_441_250_178 * L1 + v76;
-    out[197] = -(0.060_282_209_443_280_69 * L1 + v10);
-    out[198] = L1 + v88;
-    out[199] = v90;
-    out[200] = v92 + (L1 - v91);
-    out[201] = v93 + v94;
-    out[202] = v96 + v95;
-    out[203] = v97 + v98;
-    out[204] = L1 + v99;
-    out[205] = v100;
-    out[206] = v101 - v102;
-    out[207] = v103 + v104;
-    out[208] = L1 + v93 - v94;
-    out[209] = v91 + v92;
-    out[210] = 9.797_174_393_178_825e-19 * v87 + (L1 - v90);
-    out[211] = v88 + 9.797_174_393_178_825e-19 * v89;
-    out[212] = v105 - v94;
-    out[213] = v92 - v106;
-    out[214] = L1 - v98 - 0.007_999_999_999_999_997 * v87;
-    out[215] = v96 - 0.007_999_999_999_999_997 * v89;
-    out[216] = L1 - v100;
-    out[217] = v99;
-    out[218] = v95 - v96;
-    out[219] = v97 - v98;
-    out[220] = v107;
-    out[221] = v108;
-    out[222] = L1 - v88 - 1.959_434_878_635_765e-18 * v89;
-    out[223] = 1.959_434_878_635_765e-18 * v87 - v90;
-    out[224] = 0.004_141_104_721_640_333 * v89 + (L1 - v92);
-    out[225] = -(v94 + 0.004_141_104_721_640_333 * v87);
-    out[226] = v109;
-    out[227] = -v110;
-    out[228] = v111;
-    out[229] = -v112;
-    out[230] = L1 - v113;
-    out[231] = -v114;
-    out[232] = v94 + v105;
-    out[233] = -(v92 + v106);
-    out[234] = L1 + v90 - 2.939_152_317_953_647_7e-18 * v87;
-    out[235] = -(v88 + 2.939_152_317_953_647_7e-18 * v89);
-    out[236] = v115;
-    out[237] = v116;
-    out[238] = v102 + v101;
-    out[239] = v103 - v104;
-    out[240] = v117;
-    out[241] = v118;
-    out[242] = L1 + v114;
-    out[243] = -v113;
-    out[244] = v119;
-    out[245] = v120;
-    out[246] = v36;
-    out[247] = v121;
-    out[248] = v122;
-    out[249] = v121;
-    out[250] = v122;
-    out[251] = v2;
-    out[252] = v36;
-    out[253] = v2;
-    out[254] = v123;
-    out[255] = 0.0;
-    out[256] = v122;
-    out[257] = 0.0;
-    out[258] = v122;
-    out[259] = v121;
-    out[260] = v123;
-    out[261] = v121;
-    out[262] = v124;
-    out[263] = v31;
-    out[264] = L2;
-    out[265] = v31;
-    out[266] = L2;
-    out[267] = v121;
-    out[268] = v124;
-    out[269] = v121;
-    out[270] = v128 - v129;
-    out[271] = v130 - v131;
-    out[272] = v132 - v129;
-    out[273] = -(v130 + v131);
-    out[274] = v133 + v132;
-    out[275] = v134 - v130;
-    out[276] = v133 + v128;
-    out[277] = v130 + v134;
-    out[278] = v136 + v135;
-    out[279] = v138 - v137;
-    out[280] = v140 + v139;
-    out[281] = v142 - v141;
-    out[282] = v144 + v143;
-    out[283] = v146 - v145;
-    out[284] = v148 + v147;
-    out[285] = v150 - v149;
-    out[286] = v152 + v151;
-    out[287] = v154 - v153;
-    out[288] = v156 + v155;
-    out[289] = v158 - v157;
-    out[290] = v160 + v159;
-    out[291] = v162 - v161;
-    out[292] = L2 + 0.4 * v125;
-    out[293] = 0.4 * v126;
-    out[294] = v159 - v160;
-    out[295] = v161 + v162;
-    out[296] = v155 - v156;
-    out[297] = v157 + v158;
-    out[298] = v151 - v152;
-    out[299] = v153 + v154;
-    out[300] = v147 - v148;
-    out[301] = v149 + v150;
-    out[302] = v143 - v144;
-    out[303] = v145 + v146;
-    out[304] = v139 - v140;
-    out[305] = v141 + v142;
-    out[306] = v135 - v136;
-    out[307] = v137 + v138;
-    out[308] = v42;
-    out[309] = 0.0;
-    out[310] = v43;
-    out[311] = v44;
-    out[312] = v45;
-    out[313] = v46;
-    out[314] = v47;
-    out[315] = v48;
-    out[316] = v49;
-    out[317] = v50;
-    out[318] = v44;
-    out[319] = v43;
-    out[320] = v51;
-    out[321] = v42;
-    out[322] = v52;
-    out[323] = v43;
-    out[324] = v53;
-    out[325] = v45;
-    out[326] = v54;
-    out[327] = v47;
-    out[328] = v55;
-    out[329] = v46;
-    out[330] = v56;
-    out[331] = v57;
-    out[332] = v58;
-    out[333] = v59;
-    out[334] = v56;
-    out[335] = v60;
-    out[336] = v61;
-    out[337] = v62;
-    out[338] = v63;
-    out[339] = v64;
-    out[340] = v65;
-    out[341] = v67;
-    out[342] = v52;
-    out[343] = v56;
-    out[344] = v68;
-    out[345] = v58;
-    out[346] = v69;
-    out[347] = v70;
-    out[348] = v49;
-    out[349] = v71;
-    out[350] = v72;
-    out[351] = v73;
-    out[352] = v66;
-    out[353] = v65;
-    out[354] = v74;
-    out[355] = v75;
-    out[356] = L2 + v163;
-    out[357] = 0.0;
-    out[358] = L2 + v164;
-    out[359] = v165;
-    out[360] = L2 + v166;
-    out[361] = v167;
-    out[362] = L2 + v168;
-    out[363] = v169;
-    out[364] = v170;
-    out[365] = v171;
-    out[366] = L2 + v165;
-    out[367] = v164;
-    out[368] = L2 + 7.347_880_794_884_119e-19 * L1;
-    out[369] = v163;
-    out[370] = v172;
-    out[371] = v164;
-    out[372] = L2 - 0.005_999_999_999_999_997_5 * L1;
-    out[373] = v166;
-    out[374] = L2 - v169;
-    out[375] = v168;
-    out[376] = v173;
-    out[377] = v167;
-    out[378] = v174;
-    out[379] = 0.003_105_828_541_230_252 * L1;
-    out[380] = L2 - v163;
-    out[381] = 1.469_576_158_976_823_9e-18 * L1;
-    out[382] = v174;
-    out[383] = -(0.003_105_828_541_230_249_6 * L1);
-    out[384] = v173;
-    out[385] = -(0.005_999_999_999_999_997 * L1);
-    out[386] = L2 - 0.008_485_281_374_238_575 * L1;
-    out[387] = -(0.008_485_281_374_238_566 * L1);
-    out[388] = L2 - v175;
-    out[389] = -v176;
-    out[390] = v172;
-    out[391] = -v164;
-    out[392] = L2 - 2.204_364_238_465_235_5e-18 * L1;
-    out[393] = -v163;
-    out[394] = L2 + 0.003_105_828_541_230_243_5 * L1;
-    out[395] = -(0.011_591_109_915_468_821 * L1);
-    out[396] = v170;
-    out[397] = -v171;
-    out[398] = L2 + 0.008_485_281_374_238_568 * L1;
-    out[399] = -(0.008_485_281_374_238_573 * L1);
-    out[400] = L2 + v176;
-    out[401] = -v175;
-    out[402] = L2 + 0.011_591_109_915_468_818 * L1;
-    out[403] = -(0.003_105_828_541_230_259 * L1);
-    out[404] = L3 + L2 * (cos_string_angle - 0.6);
-    out[405] = v14;
-    out[406] = v13;
-    out[407] = v14;
-    out[408] = -v177;
-    out[409] = 0.0;
-    out[410] = v177;
-    out[411] = 0.0;
-    out[412] = 0.046_800_000_000_000_01 * L1;
-    out[413] = 0.020_800_000_000_000_003 * L1;
-    out[414] = v78;
-    out[415] = v78;
-    out[416] = 0.0364 * L1;
-    out[417] = v178;
-    out[418] = -(0.057_200_000_000_000_01 * L1);
-    out[419] = v178;
-    out[420] = -v78;
-    out[421] = 0.041_600_000_000_000_005 * L1;
-    out[422] = -(0.043_680_000_000_000_004 * L1);
-    out[423] = 0.01248 * L1;
-    out[424] = v179;
-    out[425] = v38;
-    out[426] = v179;
-    out[427] = v121;
-    out[428] = L1;
-    out[429] = v38;
-    out[430] = L1;
-    out[431] = -v31;
+    let v0 = 0.2 * L1;
+    let v1 = 0.6 * L1;
+    let v2 = f64::from_bits(0x3fd3_3333_3333_3333) * L1 + (L3 + L2);
+    let sin_string_angle = math::sin_cos(string_angle).0;
+    let v3 = -r;
+    let v4 = -v0;
+    let v5 = 1.08 * L1;
+    let v6 = -(0.09 * L1);
+    let v7 = -(0.03 * L1);
+    let v8 = 0.016 * L1;
+    let v9 = 0.05 * L1;
+    let v10 = 0.015_454_813_220_625_094 * L1;
+    let v11 = 0.004_141_104_721_640_332 * L1;
+    let v12 = 0.013_856_406_460_551_019 * L1;
+    let v13 = 0.007_999_999_999_999_998 * L1;
+    let v14 = 0.011_313_708_498_984_762 * L1;
+    let v15 = 0.011_313_708_498_984_76 * L1;
+    let v16 = 0.008_000_000_000_000_002 * L1;
+    let v17 = 0.013_856_406_460_551_017 * L1;
+    let v18 = -(0.004_141_104_721_640_330_4 * L1);
+    let v19 = -v8;
+    let v20 = -v10;
+    let v21 = -(0.008_000_000_000_000_007 * L1);
+    let v22 = 0.013_856_406_460_551_014 * L1;
+    let v23 = 0.02 * L1;
+    let v24 = 0.08 * L1;
+    let v25 = -(f64::from_bits(0x3fe6_6666_6666_6666) * r);
+    let v26 = -v24;
+    let out = out.first_chunk_mut::<84>()?;
+    [out[0], out[1], out[2]] = [-(r + v0), -v1, v2];
+    out[3] = L4 + v1 + L2 * sin_string_angle.abs();
+    [out[4], out[5], out[6], out[7], out[8], out[9], out[10]] = [v3, v4, v5, v4, v5, v6, v3];
+    [out[11], out[12], out[13], out[14], out[15], out[16], out[17]] = [v6, v7, v8, L2, v8, L2, v9];
+    [out[18], out[19], out[20], out[21], out[22], out[23]] = [v7, v9, v8, 0.0, v10, v11];
+    [out[24], out[25], out[26], out[27], out[28], out[29]] = [v12, v13, v14, v15, v16, v17];
+    [out[30], out[31]] = [v11, v10];
+    out[32] = 9.797_174_393_178_825e-19 * L1;
+    [out[33], out[34], out[35]] = [v8, v18, v10];
+    out[36] = -(0.007_999_999_999_999_997 * L1);
+    [out[37], out[38], out[39], out[40], out[41]] = [v12, -v15, v14, -v12, v13];
+    out[42] = -(0.015_454_813_220_625_092 * L1);
+    out[43] = 0.004_141_104_721_640_336_5 * L1;
+    out[44] = v19;
+    out[45] = 1.959_434_878_635_765e-18 * L1;
+    out[46] = v20;
+    out[47] = -(0.004_141_104_721_640_333 * L1);
+    out[48] = -(0.013_856_406_460_551_02 * L1);
+    out[49] = -(0.007_999_999_999_999_995 * L1);
+    out[50] = -(0.011_313_708_498_984_767 * L1);
+    out[51] = -(0.011_313_708_498_984_755 * L1);
+    [out[52], out[53], out[54], out[55]] = [v21, -v22, v18, v20];
+    out[56] = -(2.939_152_317_953_647_7e-18 * L1);
+    out[57] = v19;
+    out[58] = 0.004_141_104_721_640_325 * L1;
+    out[59] = -(0.015_454_813_220_625_096 * L1);
+    [out[60], out[61]] = [v16, -v17];
+    out[62] = 0.011_313_708_498_984_758 * L1;
+    out[63] = -(0.011_313_708_498_984_764 * L1);
+    [out[64], out[65]] = [v22, v21];
+    out[66] = 0.015_454_813_220_625_089 * L1;
+    out[67] = -(0.004_141_104_721_640_345 * L1);
+    [out[68], out[69], out[70], out[71], out[72], out[73]] = [v3, v9, v23, v9, v23, v24];
+    [out[74], out[75], out[76], out[77], out[78], out[79]] = [v3, v24, v25, v26, v25, v9];
+    [out[80], out[81], out[82], out[83]] = [L1, v26, 0.0, 0.0];
     Some(())
 }
 
 /// The preset paper.
 fn preset_paper(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 0.4;
-    out[1] = 1.0;
-    out[2] = 0.1;
-    out[3] = 0.05;
-    out[4] = 6.5;
-    out[5] = 0.01;
-    out[6] = 6.2;
-    out[7] = 15.0;
-    out[8] = 0.002;
-    out[9] = 0.01625;
-    out[10] = 0.01;
-    out[11] = 9.81;
-    out[12] = 0.398;
-    out[13] = 1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [0.4, 1.0, 0.1, 0.05, 6.5, 0.01];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [6.2, 15.0, 0.002, 0.01625, 0.01, 9.81];
+    [out[12], out[13], out[14], out[15]] = [0.398, 1.0, 0.0, 0.0];
     out[16] = 0.097_020_853_308_819_4;
     Some(())
 }
@@ -2226,22 +1388,9 @@ fn preset_paper(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The preset literal.
 fn preset_literal(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 4.0;
-    out[1] = 10.0;
-    out[2] = 1.0;
-    out[3] = 0.5;
-    out[4] = 6.5;
-    out[5] = 0.01;
-    out[6] = 620.0;
-    out[7] = 15.0;
-    out[8] = 0.02;
-    out[9] = 1.625;
-    out[10] = 1.0;
-    out[11] = 9.81;
-    out[12] = 0.398;
-    out[13] = 1.0;
-    out[14] = 0.0;
-    out[15] = 0.0;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [4.0, 10.0, 1.0, 0.5, 6.5, 0.01];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [620.0, 15.0, 0.02, 1.625, 1.0, 9.81];
+    [out[12], out[13], out[14], out[15]] = [0.398, 1.0, 0.0, 0.0];
     out[16] = 0.097_020_853_308_819_4;
     Some(())
 }
@@ -2252,23 +1401,13 @@ fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v0 = 0.000_630_306_423_357_664 * extra[0] - 0.034_866_025_053_821_58;
     let v1 = 0.000_207_048_950_680_000_01 - 1.159_049_32e-6 * extra[0];
     let out = out.first_chunk_mut::<17>()?;
-    out[0] = 0.1385;
-    out[1] = 0.13;
+    [out[0], out[1]] = [0.1385, 0.13];
     out[2] = 0.124_800_000_000_000_01;
-    out[3] = 0.0027;
-    out[4] = 0.13;
+    [out[3], out[4]] = [0.0027, 0.13];
     out[5] = 0.011_137_652 - 6.2348e-5 * extra[0];
-    out[6] = 300.0;
-    out[7] = 24000.0;
-    out[8] = v0;
-    out[9] = 0.002;
-    out[10] = v1;
-    out[11] = 9.81;
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [300.0, 24000.0, v0, 0.002, v1, 9.81];
     out[12] = 0.213_336_278_760_121_84;
-    out[13] = 0.1;
-    out[14] = 0.12;
-    out[15] = 6.0;
-    out[16] = 0.2595;
+    [out[13], out[14], out[15], out[16]] = [0.1, 0.12, 6.0, 0.2595];
     Some(())
 }
 
@@ -2292,15 +1431,13 @@ fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let (sin_s, cos_s) = math::sin_cos(s);
     let out = out.first_chunk_mut::<4>()?;
     out[0] = math::atan2(L1 * sin_s - L4, L1 * cos_s - L3);
-    out[1] = s;
-    out[2] = 0.0;
-    out[3] = 0.0;
+    [out[1], out[2], out[3]] = [s, 0.0, 0.0];
     Some(())
 }
 
 /// What follows from the parameters.
 fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<17>()?;
+    let constants = given.constants.first_chunk::<15>()?;
     let L1 = constants[0];
     let L2 = constants[1];
     let L3 = constants[2];
@@ -2313,26 +1450,14 @@ fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let JH = constants[10];
     let g = constants[11];
     let b1 = constants[14];
-    let r = constants[16];
     let v0 = g * L2;
     let v1 = M2 * v0;
     let v2 = 1.0 / JH;
     let v3 = 1.0 / JK;
-    let out = out.first_chunk_mut::<15>()?;
+    let out = out.first_chunk_mut::<13>()?;
     out[0] = cK * (g * M1);
-    out[1] = v1;
-    out[2] = v2;
-    out[3] = v3;
-    out[4] = k2 * v2;
-    out[5] = k2 * v3;
-    out[6] = 0.08 * L1;
-    out[7] = 0.048 * L1 - r;
-    out[8] = v0;
-    out[9] = g * L4;
-    out[10] = L4.abs();
-    out[11] = L3.abs();
-    out[12] = L1.abs();
-    out[13] = v1 * v2;
-    out[14] = -(b1 * v3);
+    [out[1], out[2], out[3], out[4], out[5], out[6]] = [v1, v2, v3, k2 * v2, k2 * v3, v0];
+    [out[7], out[8], out[9], out[10], out[11]] = [g * L4, L4.abs(), L3.abs(), L1.abs(), v1 * v2];
+    out[12] = -(b1 * v3);
     Some(())
 }

@@ -12,9 +12,8 @@
 
 use equations::functions;
 use equations::table::{
-    Arguments, BodyTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable, Material,
-    ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable, RestTable,
-    SpringTable, WayTable,
+    Arguments, DrawingTable, Freedom, FunctionId, Functions, GuardTable, ModeTable, ModelTable,
+    NamedQuantity, ParameterTable, PresetTable, RestTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Reads};
 
@@ -163,87 +162,10 @@ pub static TABLE: ModelTable = ModelTable {
             reads: Reads::StateAndInput,
         },
     ],
-    outputs: &[
-        NamedQuantity { name: "F", unit: "N" },
-        NamedQuantity { name: "depth", unit: "m" },
-        NamedQuantity { name: "key.x", unit: "m" },
-        NamedQuantity { name: "key.y", unit: "m" },
-        NamedQuantity { name: "key.angle", unit: "rad" },
-        NamedQuantity { name: "pad.x", unit: "m" },
-        NamedQuantity { name: "pad.y", unit: "m" },
-        NamedQuantity { name: "pad.angle", unit: "rad" },
-    ],
+    outputs: &[NamedQuantity { name: "F", unit: "N" }, NamedQuantity { name: "depth", unit: "m" }],
     rest: RestTable { mode: 0, instead: &[], state: 0, is_improved: true },
     damper: None,
-    drawing: DrawingTable {
-        numbers: 12,
-        count: 116,
-        bodies: &[
-            BodyTable {
-                name: "key",
-                output: Some(2),
-                outlines: &[OutlineTable {
-                    material: Material::Wood,
-                    is_closed: true,
-                    points: (4, 4),
-                    modes: &[],
-                }],
-            },
-            BodyTable {
-                name: "finger",
-                output: Some(2),
-                outlines: &[OutlineTable {
-                    material: Material::Finger,
-                    is_closed: true,
-                    points: (12, 8),
-                    modes: &[],
-                }],
-            },
-            BodyTable {
-                name: "ground",
-                output: None,
-                outlines: &[
-                    OutlineTable {
-                        material: Material::Ground,
-                        is_closed: false,
-                        points: (28, 28),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: false,
-                        points: (84, 4),
-                        modes: &[],
-                    },
-                ],
-            },
-            BodyTable {
-                name: "wall",
-                output: Some(5),
-                outlines: &[
-                    OutlineTable {
-                        material: Material::Felt,
-                        is_closed: true,
-                        points: (92, 4),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: false,
-                        points: (100, 2),
-                        modes: &[],
-                    },
-                    OutlineTable {
-                        material: Material::Metal,
-                        is_closed: true,
-                        points: (104, 4),
-                        modes: &[],
-                    },
-                ],
-            },
-        ],
-        springs: &[SpringTable { name: "K", from: (2, 112), to: (3, 114), modes: &[] }],
-    },
+    drawing: DrawingTable { numbers: 12, count: 0, bodies: &[], springs: &[] },
 };
 
 /// The model's arithmetic.
@@ -265,7 +187,7 @@ impl Functions for SpringWallFunctions {
             9 => outputs_contact(given, out),
             10 => balance_contact(given, out),
             11 => guard_leave_contact(given, out),
-            12 => drawing(given, out),
+            12 => function_12(given, out),
             13 => preset_default(given, out),
             14 => input_per_metre(given, out),
             _ => return,
@@ -291,8 +213,7 @@ fn readout_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 /// The readout's slopes in mode free.
 fn slopes_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
+    [out[0], out[1]] = [0.0, 0.0];
     Some(())
 }
 
@@ -302,24 +223,15 @@ fn outputs_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let input = given.input;
     let wall = constants[2];
     let s = input[0];
-    let out = out.first_chunk_mut::<8>()?;
-    out[0] = 0.0;
-    out[1] = s - wall;
-    out[2] = 0.0;
-    out[3] = -s;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = -functions::larger(s, wall);
-    out[7] = 0.0;
+    let out = out.first_chunk_mut::<2>()?;
+    [out[0], out[1]] = [0.0, s - wall];
     Some(())
 }
 
 /// Energy, supplied and dissipated power in mode free.
 fn balance_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = 0.0;
-    out[1] = 0.0;
-    out[2] = 0.0;
+    [out[0], out[1], out[2]] = [0.0, 0.0, 0.0];
     Some(())
 }
 
@@ -331,8 +243,7 @@ fn guard_touch_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = wall - s;
-    out[1] = -s_rate;
+    [out[0], out[1]] = [wall - s, -s_rate];
     Some(())
 }
 
@@ -376,8 +287,7 @@ fn slopes_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v1 = if v0 > 0.0 { K } else { 0.0 };
     let v2 = if v0 > 0.0 { B } else { 0.0 };
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = v1;
-    out[1] = v2;
+    [out[0], out[1]] = [v1, v2];
     Some(())
 }
 
@@ -391,15 +301,9 @@ fn outputs_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let v0 = s - wall;
-    let out = out.first_chunk_mut::<8>()?;
+    let out = out.first_chunk_mut::<2>()?;
     out[0] = functions::larger(s_rate * B + K * v0, 0.0);
     out[1] = v0;
-    out[2] = 0.0;
-    out[3] = -s;
-    out[4] = 0.0;
-    out[5] = 0.0;
-    out[6] = -functions::larger(s, wall);
-    out[7] = 0.0;
     Some(())
 }
 
@@ -430,145 +334,21 @@ fn guard_leave_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s = input[0];
     let s_rate = input[1];
     let out = out.first_chunk_mut::<2>()?;
-    out[0] = s - wall;
-    out[1] = s_rate;
+    [out[0], out[1]] = [s - wall, s_rate];
     Some(())
 }
 
-/// The numbers of the drawing.
-fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<3>()?;
-    let wall = constants[2];
-    let v0 = functions::larger(wall, 0.0);
-    let v1 = -(0.033 + v0);
-    let v2 = -(0.035_862_222_222_222_226 + v0);
-    let v3 = -(0.0165 + v0);
-    let out = out.first_chunk_mut::<116>()?;
-    out[0] = -0.023;
-    out[1] = functions::smaller(v1, -(0.012 + v0)) - 0.006;
-    out[2] = 0.023;
-    out[3] = 0.045;
-    out[4] = -0.0115;
-    out[5] = 0.0;
-    out[6] = 0.0115;
-    out[7] = 0.0;
-    out[8] = 0.0115;
-    out[9] = 0.012;
-    out[10] = -0.0115;
-    out[11] = 0.012;
-    out[12] = -0.00375;
-    out[13] = 0.012;
-    out[14] = 0.00375;
-    out[15] = 0.012;
-    out[16] = 0.00675;
-    out[17] = 0.015;
-    out[18] = 0.0075;
-    out[19] = 0.0195;
-    out[20] = 0.005_249_999_999_999_999_5;
-    out[21] = 0.036_000_000_000_000_004;
-    out[22] = -0.00825;
-    out[23] = 0.036_000_000_000_000_004;
-    out[24] = -0.0075;
-    out[25] = 0.018_000_000_000_000_002;
-    out[26] = -0.006_299_999_999_999_999;
-    out[27] = 0.0138;
-    out[28] = -0.0184;
-    out[29] = v1;
-    out[30] = -0.014_311_111_111_111_111;
-    out[31] = v1;
-    out[32] = -0.017_173_333_333_333_332;
-    out[33] = v2;
-    out[34] = -0.014_311_111_111_111_111;
-    out[35] = v1;
-    out[36] = -0.010_222_222_222_222_223;
-    out[37] = v1;
-    out[38] = -0.013_084_444_444_444_444;
-    out[39] = v2;
-    out[40] = -0.010_222_222_222_222_223;
-    out[41] = v1;
-    out[42] = -0.006_133_333_333_333_334;
-    out[43] = v1;
-    out[44] = -0.008_995_555_555_555_557;
-    out[45] = v2;
-    out[46] = -0.006_133_333_333_333_334;
-    out[47] = v1;
-    out[48] = -0.002_044_444_444_444_446;
-    out[49] = v1;
-    out[50] = -0.004_906_666_666_666_668_5;
-    out[51] = v2;
-    out[52] = -0.002_044_444_444_444_446;
-    out[53] = v1;
-    out[54] = 0.002_044_444_444_444_442_5;
-    out[55] = v1;
-    out[56] = -0.000_817_777_777_777_781_9;
-    out[57] = v2;
-    out[58] = 0.002_044_444_444_444_442_5;
-    out[59] = v1;
-    out[60] = 0.006_133_333_333_333_331;
-    out[61] = v1;
-    out[62] = 0.003_271_111_111_111_106_6;
-    out[63] = v2;
-    out[64] = 0.006_133_333_333_333_331;
-    out[65] = v1;
-    out[66] = 0.010_222_222_222_222_22;
-    out[67] = v1;
-    out[68] = 0.007_359_999_999_999_995;
-    out[69] = v2;
-    out[70] = 0.010_222_222_222_222_22;
-    out[71] = v1;
-    out[72] = 0.014_311_111_111_111_108;
-    out[73] = v1;
-    out[74] = 0.011_448_888_888_888_883;
-    out[75] = v2;
-    out[76] = 0.014_311_111_111_111_108;
-    out[77] = v1;
-    out[78] = 0.0184;
-    out[79] = v1;
-    out[80] = 0.015_537_777_777_777_775;
-    out[81] = v2;
-    out[82] = 0.0184;
-    out[83] = v1;
-    out[84] = 0.002_875;
-    out[85] = v3;
-    out[86] = 0.002_875;
-    out[87] = v1;
-    out[88] = 0.008_625;
-    out[89] = v1;
-    out[90] = 0.008_625;
-    out[91] = v3;
-    out[92] = -0.0115;
-    out[93] = -0.003;
-    out[94] = 0.0115;
-    out[95] = -0.003;
-    out[96] = 0.0115;
-    out[97] = 0.0;
-    out[98] = -0.0115;
-    out[99] = 0.0;
-    out[100] = 0.00575;
-    out[101] = -0.003;
-    out[102] = 0.00575;
-    out[103] = -0.018;
-    out[104] = 0.00322;
-    out[105] = -0.019;
-    out[106] = 0.00828;
-    out[107] = -0.019;
-    out[108] = 0.00828;
-    out[109] = -0.018;
-    out[110] = 0.00322;
-    out[111] = -0.018;
-    out[112] = -0.00575;
-    out[113] = v1;
-    out[114] = -0.00575;
-    out[115] = -0.003;
+/// Is not used by the table.
+fn function_12(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let out = out.first_chunk_mut::<4>()?;
+    [out[0], out[1], out[2], out[3]] = [0.0, 0.0, 0.0, 0.0];
     Some(())
 }
 
 /// The preset default.
 fn preset_default(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = 1000.0;
-    out[1] = 0.5;
-    out[2] = 0.005;
+    [out[0], out[1], out[2]] = [1000.0, 0.5, 0.005];
     Some(())
 }
 

@@ -1,13 +1,13 @@
 //! The guards of a mode along one step, as polynomials.
 
-use super::{MOST_GUARDS, TERMS};
+use super::TERMS;
 use crate::guard::GuardValue;
 
 /// The guards of a mode along one step.
 #[derive(Clone, Copy, Debug)]
 pub struct GuardSeries<'a> {
     /// Coefficients by power of the time in units of the expansion.
-    pub(crate) terms: &'a [[f64; TERMS]; MOST_GUARDS],
+    pub(crate) terms: &'a [[f64; TERMS]],
     /// How many of them are known.
     pub(crate) known: usize,
     pub(crate) order: usize,

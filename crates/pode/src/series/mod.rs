@@ -34,7 +34,7 @@ pub const INPUT_TERMS: usize = TERMS + 3;
 pub const MOST_GUARDS: usize = 6;
 
 /// Conditions whose series are kept.
-pub const MOST_CONDITIONS: usize = MOST_GUARDS;
+pub const MOST_CONDITIONS: usize = 12;
 
 /// The solution from one state on, as a power series, with the guards along it.
 #[derive(Clone, Copy, PartialEq, Debug)]
