@@ -13,7 +13,10 @@ const TRAVEL: f64 = 0.01;
 
 /// Poses on the way from the one to the other, both included: where a mode holds at some of them,
 /// its rates are taken there.
-const ON_THE_WAY: u8 = 17;
+const ON_THE_WAY: u8 = 9;
+
+/// How far the input may be ahead of the pose, as parts of the whole way: the finger presses.
+const AHEAD: [f64; 2] = [0.0, 0.1];
 
 /// A state at an input.
 type Pose<const N: usize> = ([f64; N], Motion);
@@ -80,31 +83,36 @@ impl Rates {
     ) -> Self {
         let table = model.mode(mode);
         let mut rates = Self { whole: 0.0, parts: [0.0; pode::MAX_PARTS] };
-        let on_the_way = |index: u8| {
+        let on_the_way = |index: u8, ahead: f64| {
             let fraction = f64::from(index) / f64::from(ON_THE_WAY - 1);
-            let (x, input) = between(first, last, fraction);
+            let (x, _) = between(first, last, fraction);
+            let (_, input) = between(first, last, fraction + ahead);
             (model.constrain(mode, &x, &input), input)
         };
         let holds = |(x, input): &Pose<N>| {
             let guards = model.guards(mode).iter();
             guards.map(|it| model.guard(mode, it.id, x, input).value).all(|value| value >= 0.0)
         };
-        let is_met = (0..ON_THE_WAY).any(|index| holds(&on_the_way(index)));
-        let ends = |index: &u8| *index == 0 || *index == ON_THE_WAY - 1;
-        for index in (0..ON_THE_WAY).filter(|index| is_met || ends(index)) {
-            let (x, input) = on_the_way(index);
-            if is_met && !holds(&(x, input)) {
-                continue;
-            }
-            let input = &input;
-            let rows = model.jacobian_rows(table.jacobian, &x, input);
-            let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
-            rates.whole = rates.whole.max(fastest_once(&rows, moving));
-            for (rate, part) in rates.parts.iter_mut().zip(table.parts) {
-                *rate = rate.max(fastest_once(&rows, part.entries));
+        let poses = || (0..ON_THE_WAY).flat_map(|index| AHEAD.map(|ahead| (index, ahead)));
+        let is_met = poses().any(|(index, ahead)| holds(&on_the_way(index, ahead)));
+        for (index, ahead) in poses() {
+            let is_end = ahead == 0.0 && (index == 0 || index == ON_THE_WAY - 1);
+            let (x, input) = on_the_way(index, ahead);
+            let counts = if is_met { holds(&(x, input)) } else { is_end };
+            if counts {
+                rates.add(table, &model.jacobian_rows(table.jacobian, &x, &input));
             }
         }
         rates
+    }
+
+    /// Those of a Jacobian, where they are faster.
+    fn add<const N: usize>(&mut self, table: &ModeTable, rows: &[[f64; N]; N]) {
+        let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
+        self.whole = self.whole.max(fastest_once(rows, moving));
+        for (rate, part) in self.parts.iter_mut().zip(table.parts) {
+            *rate = rate.max(fastest_once(rows, part.entries));
+        }
     }
 
     fn of_part(&self, index: usize) -> f64 {

@@ -16,7 +16,7 @@ use equations::table::{
     Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
     PresetTable, RestTable, RestingTable, SeriesTable, WayTable,
 };
-use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
+use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
 /// All of the model but its arithmetic.
 pub static TABLE: ModelTable = ModelTable {
@@ -70,7 +70,7 @@ pub static TABLE: ModelTable = ModelTable {
     requirements: &[],
     states: &[NamedQuantity { name: "y", unit: "m" }, NamedQuantity { name: "v", unit: "m/s" }],
     coordinates: 1,
-    constants: 9,
+    constants: 15,
     derive_constants: 33,
     input: NamedQuantity { name: "s", unit: "m" },
     input_per_metre: 30,
@@ -206,36 +206,80 @@ pub static TABLE: ModelTable = ModelTable {
     outputs: &[
         NamedQuantity { name: "F", unit: "N" },
         NamedQuantity { name: "gap", unit: "m" },
-        NamedQuantity { name: "ball.x", unit: "m" },
-        NamedQuantity { name: "ball.y", unit: "m" },
-        NamedQuantity { name: "ball.angle", unit: "rad" },
+        NamedQuantity { name: "key.x", unit: "m" },
+        NamedQuantity { name: "key.y", unit: "m" },
+        NamedQuantity { name: "key.angle", unit: "rad" },
         NamedQuantity { name: "floor.x", unit: "m" },
         NamedQuantity { name: "floor.y", unit: "m" },
         NamedQuantity { name: "floor.angle", unit: "rad" },
+        NamedQuantity { name: "ball.x", unit: "m" },
+        NamedQuantity { name: "ball.y", unit: "m" },
+        NamedQuantity { name: "ball.angle", unit: "rad" },
+        NamedQuantity { name: "finger.x", unit: "m" },
+        NamedQuantity { name: "finger.y", unit: "m" },
+        NamedQuantity { name: "finger.angle", unit: "rad" },
     ],
     rest: RestTable { mode: 1, instead: &[(31, 0)], state: 32, is_improved: false },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     drawing: DrawingTable {
         numbers: 27,
-        count: 60,
+        count: 138,
         bodies: &[
             BodyTable {
-                name: "ball",
-                output: Some(2),
+                name: "pivot",
+                output: None,
                 outlines: &[OutlineTable {
-                    material: Material::Felt,
+                    material: Material::Ground,
                     is_closed: true,
-                    points: (4, 24),
+                    points: (4, 3),
                     modes: &[],
                 }],
             },
             BodyTable {
-                name: "floor",
+                name: "key",
+                output: Some(2),
+                outlines: &[
+                    OutlineTable {
+                        material: Material::Wood,
+                        is_closed: true,
+                        points: (10, 4),
+                        modes: &[],
+                    },
+                    OutlineTable {
+                        material: Material::Metal,
+                        is_closed: true,
+                        points: (18, 24),
+                        modes: &[],
+                    },
+                ],
+            },
+            BodyTable {
+                name: "paddle",
                 output: Some(5),
                 outlines: &[OutlineTable {
                     material: Material::Wood,
                     is_closed: true,
-                    points: (52, 4),
+                    points: (66, 4),
+                    modes: &[],
+                }],
+            },
+            BodyTable {
+                name: "ball",
+                output: Some(8),
+                outlines: &[OutlineTable {
+                    material: Material::Felt,
+                    is_closed: true,
+                    points: (74, 24),
+                    modes: &[],
+                }],
+            },
+            BodyTable {
+                name: "finger",
+                output: Some(11),
+                outlines: &[OutlineTable {
+                    material: Material::Finger,
+                    is_closed: true,
+                    points: (122, 8),
                     modes: &[],
                 }],
             },
@@ -327,26 +371,35 @@ fn slopes_flight(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// The outputs in mode flight.
 fn outputs_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<12>()?;
     let state = given.state.first_chunk::<1>()?;
     let input = given.input;
+    let c6 = constants[6];
+    let c7 = constants[7];
+    let c8 = constants[8];
+    let c9 = constants[9];
+    let c10 = constants[10];
+    let c11 = constants[11];
     let y = state[0];
     let s = input[0];
-    let out = out.first_chunk_mut::<8>()?;
-    [out[0], out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, y - s, 0.0, y, 0.0, 0.0, s];
-    out[7] = 0.0;
+    let v0 = if c7 > 0.0 { s * c6 } else { 0.0 };
+    let out = out.first_chunk_mut::<14>()?;
+    [out[0], out[1], out[2], out[3], out[4], out[5]] = [0.0, y - s, 0.0, c10, c8 * v0, 0.0];
+    [out[6], out[7], out[8], out[9], out[10], out[11]] = [s, 0.0, 0.0, y, 0.0, c11];
+    [out[12], out[13]] = [c9 - v0, 0.0];
     Some(())
 }
 
 /// Energy, supplied and dissipated power in mode flight.
 fn balance_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<7>()?;
+    let constants = given.constants.first_chunk::<13>()?;
     let state = given.state.first_chunk::<2>()?;
     let mass = constants[2];
-    let c6 = constants[6];
+    let c12 = constants[12];
     let y = state[0];
     let v = state[1];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = y * c6 + 0.5 * (mass * (v * v));
+    out[0] = y * c12 + 0.5 * (mass * (v * v));
     [out[1], out[2]] = [0.0, 0.0];
     Some(())
 }
@@ -403,17 +456,17 @@ fn reset_1_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// The state after guard floor in mode flight.
 fn reset_2_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<9>()?;
+    let constants = given.constants.first_chunk::<15>()?;
     let state = given.state.first_chunk::<2>()?;
     let input = given.input;
-    let c7 = constants[7];
-    let c8 = constants[8];
+    let c13 = constants[13];
+    let c14 = constants[14];
     let v = state[1];
     let s = input[0];
     let s_rate = input[1];
     let v0 = v - s_rate;
     let out = out.first_chunk_mut::<3>()?;
-    [out[0], out[1], out[2]] = [s, v - c7 * v0, -(c8 * v0)];
+    [out[0], out[1], out[2]] = [s, v - c13 * v0, -(c14 * v0)];
     Some(())
 }
 
@@ -525,42 +578,51 @@ fn jacobian_rest(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 
 /// The readout in mode rest.
 fn readout_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<7>()?;
+    let constants = given.constants.first_chunk::<13>()?;
     let input = given.input;
     let mass = constants[2];
-    let c6 = constants[6];
+    let c12 = constants[12];
     let s_rate2 = input[2];
     let out = out.first_chunk_mut::<1>()?;
-    out[0] = c6 + s_rate2 * mass;
+    out[0] = c12 + mass * s_rate2;
     Some(())
 }
 
 /// The outputs in mode rest.
 fn outputs_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<7>()?;
+    let constants = given.constants.first_chunk::<13>()?;
     let input = given.input;
     let mass = constants[2];
     let c6 = constants[6];
+    let c7 = constants[7];
+    let c8 = constants[8];
+    let c9 = constants[9];
+    let c10 = constants[10];
+    let c11 = constants[11];
+    let c12 = constants[12];
     let s = input[0];
     let s_rate2 = input[2];
-    let out = out.first_chunk_mut::<8>()?;
-    out[0] = c6 + s_rate2 * mass;
-    [out[1], out[2], out[3], out[4], out[5], out[6], out[7]] = [0.0, 0.0, s, 0.0, 0.0, s, 0.0];
+    let v0 = if c7 > 0.0 { s * c6 } else { 0.0 };
+    let out = out.first_chunk_mut::<14>()?;
+    out[0] = c12 + mass * s_rate2;
+    [out[1], out[2], out[3], out[4], out[5], out[6]] = [0.0, 0.0, c10, c8 * v0, 0.0, s];
+    [out[7], out[8], out[9], out[10], out[11], out[12]] = [0.0, 0.0, s, 0.0, c11, c9 - v0];
+    out[13] = 0.0;
     Some(())
 }
 
 /// Energy, supplied and dissipated power in mode rest.
 fn balance_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<7>()?;
+    let constants = given.constants.first_chunk::<13>()?;
     let input = given.input;
     let mass = constants[2];
-    let c6 = constants[6];
+    let c12 = constants[12];
     let s = input[0];
     let s_rate = input[1];
     let s_rate2 = input[2];
     let out = out.first_chunk_mut::<3>()?;
-    out[0] = s * c6 + 0.5 * (mass * (s_rate * s_rate));
-    out[1] = s_rate * (c6 + mass * s_rate2);
+    out[0] = s * c12 + 0.5 * (mass * (s_rate * s_rate));
+    out[1] = s_rate * (c12 + mass * s_rate2);
     out[2] = 0.0;
     Some(())
 }
@@ -583,7 +645,7 @@ fn guard_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let s_rate2 = input[2];
     let s_rate3 = input[3];
     let out = out.first_chunk_mut::<2>()?;
-    [out[0], out[1]] = [s_rate2 + g, s_rate3];
+    [out[0], out[1]] = [g + s_rate2, s_rate3];
     Some(())
 }
 
@@ -608,63 +670,137 @@ fn function_26(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The numbers of the drawing.
-fn drawing(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let out = out.first_chunk_mut::<60>()?;
-    [out[0], out[1], out[2], out[3], out[4], out[5]] = [-0.4, -0.2, 0.4, 1.3, 0.06, 0.06];
-    out[6] = 0.057_955_549_577_344_1;
-    out[7] = 0.075_529_142_706_151_24;
-    out[8] = 0.051_961_524_227_066_32;
-    out[9] = 0.09;
-    out[10] = 0.042_426_406_871_192_854;
-    out[11] = 0.102_426_406_871_192_84;
-    out[12] = 0.030_000_000_000_000_006;
-    out[13] = 0.111_961_524_227_066_32;
-    out[14] = 0.015_529_142_706_151_244;
-    out[15] = 0.117_955_549_577_344_1;
-    out[16] = 3.673_940_397_442_059e-18;
-    out[17] = 0.12;
-    out[18] = -0.015_529_142_706_151_237;
-    out[19] = 0.117_955_549_577_344_1;
-    out[20] = -0.029_999_999_999_999_985;
-    out[21] = 0.111_961_524_227_066_32;
-    out[22] = -0.042_426_406_871_192_85;
-    out[23] = 0.102_426_406_871_192_85;
-    out[24] = -0.051_961_524_227_066_32;
-    out[25] = 0.09;
-    out[26] = -0.057_955_549_577_344_09;
-    out[27] = 0.075_529_142_706_151_26;
-    out[28] = -0.06;
-    out[29] = 0.060_000_000_000_000_005;
-    out[30] = -0.057_955_549_577_344_1;
-    out[31] = 0.044_470_857_293_848_75;
-    out[32] = -0.051_961_524_227_066_326;
-    out[33] = 0.030_000_000_000_000_016;
-    out[34] = -0.042_426_406_871_192_875;
-    out[35] = 0.017_573_593_128_807_17;
-    out[36] = -0.030_000_000_000_000_027;
-    out[37] = 0.008_038_475_772_933_7;
-    out[38] = -0.015_529_142_706_151_237;
-    out[39] = 0.002_044_450_422_655_899_6;
-    out[40] = -1.102_182_119_232_617_8e-17;
-    out[41] = 0.0;
-    out[42] = 0.015_529_142_706_151_217;
-    out[43] = 0.002_044_450_422_655_892_7;
-    out[44] = 0.030_000_000_000_000_006;
-    out[45] = 0.008_038_475_772_933_686;
-    out[46] = 0.042_426_406_871_192_84;
-    out[47] = 0.017_573_593_128_807_137;
-    out[48] = 0.051_961_524_227_066_3;
-    out[49] = 0.029_999_999_999_999_97;
-    out[50] = 0.057_955_549_577_344_084;
-    out[51] = 0.044_470_857_293_848_705;
-    out[52] = -f64::from_bits(0x3fd3_3333_3333_3333);
-    out[53] = -0.02;
-    out[54] = f64::from_bits(0x3fd3_3333_3333_3333);
-    out[55] = -0.02;
-    out[56] = f64::from_bits(0x3fd3_3333_3333_3333);
-    out[57] = 0.0;
-    out[58] = -f64::from_bits(0x3fd3_3333_3333_3333);
-    out[59] = 0.0;
+fn drawing(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<5>()?;
+    let g = constants[0];
+    let mass = constants[2];
+    let y0 = constants[3];
+    let scale = constants[4];
+    let v0 = math::powf(0.000_238_732_414_637_843 * mass, 0.333_333_333_333_333_3);
+    let v1 = functions::larger(10.0 * v0, functions::larger(0.25 * y0, 0.2));
+    let v2 = scale.abs();
+    let v3 = functions::larger(v1 / (1.0 + v2), 0.048);
+    let v4 = -v3;
+    let v5 = scale * v3;
+    let v6 = 1.6 * v0;
+    let v7 = v5 - v6;
+    let v8 = 0.04 * v1;
+    let v9 = v6 + v5;
+    let v10 = 0.125 * (scale * scale / functions::larger(g, 1.0));
+    let v11 = 2.0 * v0;
+    let v12 = 0.013_200_000_000_000_002 * v2 + v11 + 1.1 * functions::larger(y0, v10);
+    let v13 = 0.12 * v1;
+    let v14 = -v8;
+    let v15 = -v13;
+    let v16 = 0.02 * v1;
+    let v17 = -v16;
+    let v18 = functions::larger(v5, 0.0);
+    let v19 = 0.01 * v1;
+    let v20 = 0.009_659_258_262_890_684 * v1;
+    let v21 = 0.002_588_190_451_025_207_4 * v1;
+    let v22 = 0.008_660_254_037_844_387 * v1;
+    let v23 = 0.004_999_999_999_999_999 * v1;
+    let v24 = 0.007_071_067_811_865_476 * v1;
+    let v25 = 0.007_071_067_811_865_474_5 * v1;
+    let v26 = 0.005_000_000_000_000_001 * v1;
+    let v27 = -(0.002_588_190_451_025_206_5 * v1);
+    let v28 = -(0.004_999_999_999_999_997_5 * v1);
+    let v29 = -v22;
+    let v30 = 0.009_659_258_262_890_682 * v1;
+    let v31 = -v19;
+    let v32 = -v20;
+    let v33 = -(0.005_000_000_000_000_004_4 * v1);
+    let v34 = 0.008_660_254_037_844_385 * v1;
+    let v35 = 0.965_925_826_289_068_3 * v0;
+    let v36 = 0.866_025_403_784_438_7 * v0;
+    let v37 = 1.5 * v0;
+    let v38 = 1.707_106_781_186_547_5 * v0;
+    let v39 = 0.500_000_000_000_000_1 * v0 + v5;
+    let v40 = 1.965_925_826_289_068_2 * v0;
+    let v41 = v5 - 0.258_819_045_102_520_63 * v0;
+    let v42 = 0.015 * v1;
+    let v43 = 0.03 * v1;
+    let v44 = 0.096 * v1;
+    let out = out.first_chunk_mut::<138>()?;
+    out[0] = functions::smaller(v4, v7) - v8;
+    out[1] = -(0.012 + 0.012 * v2 + 0.13 * v1);
+    out[2] = v8 + functions::larger(v9, 0.0);
+    out[3] = functions::larger(v12, v13);
+    [out[4], out[5], out[6], out[7], out[8], out[9], out[10]] = [0.0, v14, v14, v15, v8, v15, v4];
+    [out[11], out[12], out[13], out[14], out[15], out[16]] = [v17, v18, v17, v18, v16, v4];
+    [out[17], out[18], out[19], out[20], out[21], out[22]] = [v16, v19, 0.0, v20, v21, v22];
+    [out[23], out[24], out[25], out[26], out[27], out[28]] = [v23, v24, v25, v26, v22, v21];
+    out[29] = v20;
+    out[30] = 6.123_233_995_736_766e-19 * v1;
+    [out[31], out[32], out[33], out[34], out[35], out[36]] = [v19, v27, v20, v28, v22, -v25];
+    [out[37], out[38], out[39], out[40]] = [v24, v29, v23, -v30];
+    out[41] = 0.002_588_190_451_025_210_4 * v1;
+    out[42] = v31;
+    out[43] = 1.224_646_799_147_353_2e-18 * v1;
+    out[44] = v32;
+    out[45] = -(0.002_588_190_451_025_208 * v1);
+    out[46] = -(0.008_660_254_037_844_388 * v1);
+    out[47] = v28;
+    out[48] = -(0.007_071_067_811_865_479 * v1);
+    out[49] = -(0.007_071_067_811_865_471 * v1);
+    [out[50], out[51], out[52], out[53]] = [v33, -v34, v27, v32];
+    out[54] = -(1.836_970_198_721_029_6e-18 * v1);
+    out[55] = v31;
+    out[56] = 0.002_588_190_451_025_203 * v1;
+    [out[57], out[58], out[59]] = [v32, v26, v29];
+    out[60] = 0.007_071_067_811_865_474 * v1;
+    out[61] = -(0.007_071_067_811_865_477 * v1);
+    [out[62], out[63], out[64]] = [v34, v33, v30];
+    out[65] = -(0.002_588_190_451_025_215_6 * v1);
+    [out[66], out[67], out[68], out[69], out[70], out[71]] = [v7, v17, v9, v17, v9, 0.0];
+    [out[72], out[73], out[74], out[75], out[76]] = [v7, 0.0, v0 + v5, v0, v35 + v5];
+    out[77] = 1.258_819_045_102_520_7 * v0;
+    [out[78], out[79]] = [v36 + v5, v37];
+    out[80] = core::f64::consts::FRAC_1_SQRT_2 * v0 + v5;
+    [out[81], out[82]] = [v38, v39];
+    out[83] = 1.866_025_403_784_438_6 * v0;
+    out[84] = 0.258_819_045_102_520_74 * v0 + v5;
+    out[85] = v40;
+    out[86] = 6.123_233_995_736_766e-17 * v0 + v5;
+    [out[87], out[88], out[89]] = [v11, v41, v40];
+    out[90] = v5 - 0.499_999_999_999_999_8 * v0;
+    out[91] = 1.866_025_403_784_438_8 * v0;
+    out[92] = v5 - f64::from_bits(0x3fe6_a09e_667f_3bcc) * v0;
+    [out[93], out[94], out[95]] = [v38, v5 - v36, v37];
+    out[96] = v5 - 0.965_925_826_289_068_2 * v0;
+    out[97] = 1.258_819_045_102_521 * v0;
+    out[98] = v5 - v0;
+    out[99] = 1.000_000_000_000_000_2 * v0;
+    out[100] = v5 - v35;
+    out[101] = 0.741_180_954_897_479_3 * v0;
+    out[102] = v5 - 0.866_025_403_784_438_8 * v0;
+    out[103] = 0.500_000_000_000_000_2 * v0;
+    out[104] = v5 - f64::from_bits(0x3fe6_a09e_667f_3bd0) * v0;
+    out[105] = 0.292_893_218_813_452_87 * v0;
+    out[106] = v5 - 0.500_000_000_000_000_4 * v0;
+    out[107] = 0.133_974_596_215_561_63 * v0;
+    out[108] = v41;
+    out[109] = 0.034_074_173_710_931_69 * v0;
+    out[110] = v5 - 1.836_970_198_721_029_7e-16 * v0;
+    out[111] = 0.0;
+    out[112] = 0.258_819_045_102_520_3 * v0 + v5;
+    out[113] = 0.034_074_173_710_931_58 * v0;
+    out[114] = v39;
+    out[115] = 0.133_974_596_215_561_4 * v0;
+    out[116] = f64::from_bits(0x3fe6_a09e_667f_3bcb) * v0 + v5;
+    out[117] = 0.292_893_218_813_452_3 * v0;
+    out[118] = 0.866_025_403_784_438_4 * v0 + v5;
+    out[119] = 0.499_999_999_999_999_56 * v0;
+    out[120] = 0.965_925_826_289_068_1 * v0 + v5;
+    out[121] = 0.741_180_954_897_478_4 * v0;
+    [out[122], out[123], out[124], out[125], out[126]] = [-v42, 0.0, v42, 0.0, 0.027 * v1];
+    [out[127], out[128], out[129]] = [0.012 * v1, v43, v43];
+    out[130] = 0.020_999_999_999_999_998 * v1;
+    out[131] = v44;
+    out[132] = -(0.033 * v1);
+    [out[133], out[134], out[135]] = [v44, -v43, 0.024 * v1];
+    out[136] = -(0.025_199_999_999_999_997 * v1);
+    out[137] = 0.0072 * v1;
     Some(())
 }
 
@@ -709,18 +845,27 @@ fn rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let y0 = constants[3];
     let s = input[0];
     let out = out.first_chunk_mut::<2>()?;
-    [out[0], out[1]] = [s + y0, 0.0];
+    [out[0], out[1]] = [y0 + s, 0.0];
     Some(())
 }
 
 /// What follows from the parameters.
 fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
-    let constants = given.constants.first_chunk::<3>()?;
+    let constants = given.constants.first_chunk::<5>()?;
     let g = constants[0];
     let restitution = constants[1];
     let mass = constants[2];
-    let v0 = restitution + 1.0;
-    let out = out.first_chunk_mut::<4>()?;
-    [out[0], out[1], out[2], out[3]] = [-g, g * mass, v0, mass * v0];
+    let y0 = constants[3];
+    let scale = constants[4];
+    let v0 = scale.abs();
+    let v1 = math::powf(0.000_238_732_414_637_843 * mass, 0.333_333_333_333_333_3);
+    let v2 = functions::larger(10.0 * v1, functions::larger(0.25 * y0, 0.2));
+    let v3 = functions::larger(v2 / (1.0 + v0), 0.048);
+    let v4 = 1.0 + restitution;
+    let out = out.first_chunk_mut::<10>()?;
+    [out[0], out[1], out[2], out[3], out[4]] = [-g, 1.0 / scale, v0, 1.0 / v3, -(0.02 * v2)];
+    out[5] = -(0.04 * v2);
+    out[6] = 0.016 * v2 - v3;
+    [out[7], out[8], out[9]] = [g * mass, v4, mass * v4];
     Some(())
 }
