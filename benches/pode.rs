@@ -13,7 +13,7 @@ use equations::EquationModel;
 use hand_written::KeyHammerSprings;
 use models::emitted::key_hammer_springs::{KeyHammerSpringsFunctions, TABLE};
 use models::registry::SmallModel;
-use models::{Described, Playable, built_in, descriptions};
+use models::{Described, built_in, descriptions};
 use pode::input::Cubic;
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,

@@ -21,7 +21,7 @@ use std::sync::Arc;
 use criterion::Criterion;
 use haptics::{Kalman, RigParameters};
 use models::registry::SmallModel;
-use models::{Described as _, Playable as _, built_in};
+use models::{Described as _, built_in};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};

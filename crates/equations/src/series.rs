@@ -127,11 +127,7 @@ impl SeriesWriter<'_> {
             self.call(step, k, given, made);
             self.keep(k, made);
             for (at, block) in lanes.iter_mut().enumerate() {
-                let first = outputs + 2 * PAIRS * at;
-                let [Some(a), Some(b)] = [first, first + count].map(|at| pairs(made, at)) else {
-                    return;
-                };
-                block.enter(k, a, b);
+                enter(block, k, made, [outputs, outputs + count].map(|from| from + 2 * PAIRS * at));
             }
         }
     }
@@ -195,6 +191,19 @@ impl SeriesWriter<'_> {
 fn write_sums<const PAIRS: usize>(pairs: &[SeriesPair; PAIRS], sums: &mut [f64]) {
     for (pair, sums) in pairs.iter().zip(sums.as_chunks_mut::<2>().0) {
         *sums = pair.both();
+    }
+}
+
+/// Enters the factors of order `k` of a block of lanes, from two places on.
+#[inline]
+fn enter<const PAIRS: usize>(
+    block: &mut SeriesLanes<PAIRS>,
+    k: usize,
+    made: &[f64],
+    from: [usize; 2],
+) {
+    if let [Some(first), Some(second)] = from.map(|from| pairs(made, from)) {
+        block.enter(k, first, second);
     }
 }
 

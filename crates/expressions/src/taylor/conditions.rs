@@ -40,9 +40,8 @@ impl Writing {
     fn beyond(&mut self, times: u8, x: TapeSlot) -> TapeSlot {
         let once = self.unary(UnaryFunction::Abs, x);
         let size = (1..times).fold(once, |size, _| self.add(size, once));
-        let levels = LEVELS.map(|level| self.number(level));
-        let mut level = levels[0];
-        for next in levels {
+        let [mut level, higher @ ..] = LEVELS.map(|level| self.number(level));
+        for next in higher {
             let above = self.subtract(size, next);
             level = self.choice([above, next, level]);
         }

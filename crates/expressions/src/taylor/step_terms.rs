@@ -213,14 +213,14 @@ impl<'a> StepTerms<'a> {
                 let sign = self.carried(CarriedValue::Sign(x));
                 self.times(Some(sign), self.now(x))
             }
-            SeriesRule::Choice(condition, x, y) => self.choice(condition, x, y),
+            SeriesRule::Choice(condition, x, y) => Some(self.choice(condition, x, y)),
         }
     }
 
-    fn choice(&mut self, condition: TapeSlot, x: TapeSlot, y: TapeSlot) -> Term {
+    fn choice(&mut self, condition: TapeSlot, x: TapeSlot, y: TapeSlot) -> TapeSlot {
         let condition = self.value(condition);
         let [x, y] = [x, y].map(|it| self.now(it).unwrap_or_else(|| self.writer.number(0.0)));
-        Some(self.writer.push(Instruction::Select(condition, x, y)))
+        self.writer.push(Instruction::Select(condition, x, y))
     }
 
     fn argument(&mut self, argument: Argument) -> TapeSlot {
