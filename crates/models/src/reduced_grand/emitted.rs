@@ -2626,13 +2626,8 @@ fn series_start_acc(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     out[0] = u;
     out[1] = c45 * (v21 - R * v0);
     [out[2], out[3]] = [R * y, u * R];
-<<<<<<< HEAD
     out[4] = v0 + c69 * v21;
-    [out[5], out[6], out[7], out[8], out[9], out[10], out[11]] = [-v17, v2, v9, v28, v35, v42, v50];
-=======
-    out[4] = v0 + c59 * v21;
     [out[5], out[6], out[7], out[8], out[9], out[10], out[11]] = [-v17, v2, v9, v27, v33, v39, v46];
->>>>>>> series-next
     [out[12], out[13], out[14], out[15], out[16]] = [v2, v5 - v5 * v5, v5 + v5, v5, v6 + v6];
     [out[17], out[18], out[19]] = [v7, v3, v9];
     out[20] = v12 - v12 * v12;
@@ -3566,13 +3561,8 @@ fn series_start_lo(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     out[2] = c102 + c101 * (v4 - 0.5 * (v0 * v33));
     out[3] = v35 * v34;
     out[4] = v11 + v36 * v29;
-<<<<<<< HEAD
-    [out[5], out[6], out[7], out[8], out[9], out[10]] = [v0, c136 - y, v13, v20, v43, v50];
-    [out[11], out[12]] = [v57, v65];
-=======
-    [out[5], out[6], out[7], out[8], out[9], out[10]] = [v0, c124 - y, v13, v20, v42, v48];
+    [out[5], out[6], out[7], out[8], out[9], out[10]] = [v0, c136 - y, v13, v20, v42, v48];
     [out[11], out[12]] = [v54, v61];
->>>>>>> series-next
     out[13] = 1.0 - v3 * v3;
     [out[14], out[15], out[16], out[17], out[18]] = [v3 + v3, v0 + v0, v5 + v5, v7, v6];
     [out[19], out[20], out[21], out[22], out[23], out[24]] = [v8, v3, u + u, v10, v1, v11];
@@ -4109,17 +4099,10 @@ fn series_start_fla(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v44 = v43 - 0.0;
     let v45 = if v44 > 0.0 { v43 } else { 0.0 };
     let out = out.first_chunk_mut::<40>()?;
-<<<<<<< HEAD
     [out[0], out[1], out[2]] = [u, w, c137 * v20];
     out[3] = -(g + w * c138);
-    [out[4], out[5], out[6], out[7], out[8], out[9]] = [z - y * R, -v16, zs - z, v1, v8, v27];
-    [out[10], out[11], out[12], out[13], out[14]] = [v34, v41, v49, v1, v4 - v4 * v4];
-=======
-    [out[0], out[1], out[2]] = [u, w, c125 * v20];
-    out[3] = -(g + w * c126);
     [out[4], out[5], out[6], out[7], out[8], out[9]] = [z - y * R, -v16, zs - z, v1, v8, v26];
     [out[10], out[11], out[12], out[13], out[14]] = [v32, v38, v45, v1, v4 - v4 * v4];
->>>>>>> series-next
     [out[15], out[16], out[17], out[18], out[19], out[20]] = [v4 + v4, v4, v5 + v5, v6, v2, v8];
     out[21] = v11 - v11 * v11;
     [out[22], out[23], out[24], out[25], out[26]] = [v11 + v11, v11, v12 + v12, v13, v9];
@@ -4413,19 +4396,11 @@ fn series_start_fll(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v45 = v44 - 0.0;
     let v46 = if v45 > 0.0 { v44 } else { 0.0 };
     let out = out.first_chunk_mut::<43>()?;
-<<<<<<< HEAD
     [out[0], out[1], out[2]] = [u, w, c137 * v20];
     out[3] = -(g + w * c138);
     out[4] = z - c102 - c101 * (v16 * v21);
-    [out[5], out[6], out[7], out[8], out[9], out[10]] = [v16, c136 - y, zs - z, v1, v8, v28];
-    [out[11], out[12], out[13], out[14], out[15]] = [v35, v42, v50, v1, v4 - v4 * v4];
-=======
-    [out[0], out[1], out[2]] = [u, w, c125 * v20];
-    out[3] = -(g + w * c126);
-    out[4] = z - c92 - c91 * (v16 * v21);
-    [out[5], out[6], out[7], out[8], out[9], out[10]] = [v16, c124 - y, zs - z, v1, v8, v27];
+    [out[5], out[6], out[7], out[8], out[9], out[10]] = [v16, c136 - y, zs - z, v1, v8, v27];
     [out[11], out[12], out[13], out[14], out[15]] = [v33, v39, v46, v1, v4 - v4 * v4];
->>>>>>> series-next
     [out[16], out[17], out[18], out[19], out[20], out[21]] = [v4 + v4, v4, v5 + v5, v6, v2, v8];
     out[22] = v11 - v11 * v11;
     [out[23], out[24], out[25], out[26], out[27]] = [v11 + v11, v11, v12 + v12, v13, v9];
@@ -4738,17 +4713,10 @@ fn series_start_flt(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v52 = v51 - 0.0;
     let v53 = if v52 > 0.0 { v51 } else { 0.0 };
     let out = out.first_chunk_mut::<46>()?;
-<<<<<<< HEAD
     [out[0], out[1], out[2]] = [u, w, c137 * v19];
     out[3] = -(g + w * c138);
-    [out[4], out[5], out[6], out[7], out[8], out[9]] = [zs - z, v22, y - yrs, v1, v8, v29];
-    [out[10], out[11], out[12], out[13], out[14], out[15]] = [v36, v43, v50, v58, v1, v4 - v4 * v4];
-=======
-    [out[0], out[1], out[2]] = [u, w, c125 * v19];
-    out[3] = -(g + w * c126);
     [out[4], out[5], out[6], out[7], out[8], out[9]] = [zs - z, v22, y - yrs, v1, v8, v28];
     [out[10], out[11], out[12], out[13], out[14], out[15]] = [v34, v40, v46, v53, v1, v4 - v4 * v4];
->>>>>>> series-next
     [out[16], out[17], out[18], out[19], out[20], out[21]] = [v4 + v4, v4, v5 + v5, v6, v2, v8];
     out[22] = v11 - v11 * v11;
     [out[23], out[24], out[25], out[26], out[27]] = [v11 + v11, v11, v12 + v12, v13, v9];
@@ -5220,17 +5188,10 @@ fn series_start_stu(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v51 = v50 - 0.0;
     let v52 = if v51 > 0.0 { v50 } else { 0.0 };
     let out = out.first_chunk_mut::<47>()?;
-<<<<<<< HEAD
     [out[0], out[1], out[2]] = [u, w, c137 * v19];
     out[3] = -(g + w * c138 + v27 * v23);
     [out[4], out[5], out[6], out[7], out[8], out[9]] = [v20, c136 - y, v1, v8, v21, v25];
-    [out[10], out[11], out[12], out[13], out[14], out[15]] = [v34, v41, v48, v56, v1, v4 - v4 * v4];
-=======
-    [out[0], out[1], out[2]] = [u, w, c125 * v19];
-    out[3] = -(g + w * c126 + v27 * v23);
-    [out[4], out[5], out[6], out[7], out[8], out[9]] = [v20, c124 - y, v1, v8, v21, v25];
     [out[10], out[11], out[12], out[13], out[14], out[15]] = [v33, v39, v45, v52, v1, v4 - v4 * v4];
->>>>>>> series-next
     [out[16], out[17], out[18], out[19], out[20], out[21]] = [v4 + v4, v4, v5 + v5, v6, v2, v8];
     out[22] = v11 - v11 * v11;
     [out[23], out[24], out[25], out[26], out[27]] = [v11 + v11, v11, v12 + v12, v13, v9];
@@ -7150,15 +7111,9 @@ fn series_start_chk(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let v56 = if v55 > 0.0 { v54 } else { 0.0 };
     let out = out.first_chunk_mut::<46>()?;
     out[0] = u;
-<<<<<<< HEAD
     out[1] = c169 * (v25 + (v14 * v10 - v7 * v2));
-    [out[2], out[3], out[4], out[5], out[6], out[7]] = [zc + v19, u * Rc, y - yco, v1, v9, v32];
-    [out[8], out[9], out[10], out[11], out[12], out[13]] = [v39, v46, v53, v61, v1, v5 - v5 * v5];
-=======
-    out[1] = c152 * (v25 + (v14 * v10 - v7 * v2));
     [out[2], out[3], out[4], out[5], out[6], out[7]] = [zc + v19, u * Rc, y - yco, v1, v9, v31];
     [out[8], out[9], out[10], out[11], out[12], out[13]] = [v37, v43, v49, v56, v1, v5 - v5 * v5];
->>>>>>> series-next
     [out[14], out[15], out[16], out[17], out[18], out[19]] = [v5 + v5, v5, v6 + v6, v7, v2, v9];
     out[20] = v12 - v12 * v12;
     [out[21], out[22], out[23], out[24], out[25]] = [v12 + v12, v12, v13 + v13, v14, v10];
