@@ -31,7 +31,7 @@ impl ModeNatures {
         let poses = [0.0, TRAVEL].map(|travel| {
             let position = travel * model.input_per_metre();
             let input = Motion { position, ..Motion::default() };
-            (model.at_rest(&input).1, input)
+            (model.own_rest(&input), input)
         });
         for (number, table) in (0..).zip(model.table().modes) {
             let rates = Rates::of(model, ModeNumber(number), &poses);

@@ -64,6 +64,11 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         RestPose { state: self.constrain(pose.mode, &pose.state, input), ..pose }
     }
 
+    /// Returns where the mode that the table names comes to rest, whether it is over there or not.
+    pub(crate) fn own_rest(&self, input: &Motion) -> [f64; N] {
+        self.rest_in(self.rest_mode(input), input).state
+    }
+
     /// The mode that the table names for these parameters.
     fn rest_mode(&self, input: &Motion) -> ModeNumber {
         let rest = self.table().rest;
