@@ -23,7 +23,8 @@ const SEED: &str = "1994";
 const PROGRAM: &str = "LETOFF_PROGRAM";
 
 /// The crates of the tick, which must do without the standard library.
-const NO_STD: [&str; 5] = ["pode", "contacts", "models", "scheduler", "firmware-protocol"];
+const NO_STD: [&str; 6] =
+    ["pode", "contacts", "equations", "models", "scheduler", "firmware-protocol"];
 
 /// A target on which there is no standard library to fall back to.
 const BARE_TARGET: &str = "thumbv7em-none-eabihf";
@@ -134,8 +135,8 @@ mod tests {
     fn the_no_std_build_names_each_crate() {
         assert_eq!(
             no_std(&[]).join(" "),
-            "check --no-default-features --package pode --package contacts --package models \
-             --package scheduler --package firmware-protocol"
+            "check --no-default-features --package pode --package contacts --package equations \
+             --package models --package scheduler --package firmware-protocol"
         );
     }
 }
