@@ -260,7 +260,8 @@ fn values_that_a_model_does_not_allow_are_refused_wherever_they_are_given() {
     let said = run(&folder, &["check", "scene.toml"]);
     let why = "feel needs base > 100 N/m, which does not hold on C4";
     assert!(said.code == Some(2) && said.err.contains(why), "{said:?}");
-    let arguments = ["simulate", "feel.toml", "--set", "base=50", "--until", "0.1"];
+    let arguments =
+        ["simulate", "feel.toml", "--set", "base=50", "--until", "0.1", "--step", "1e-3"];
     let said = run(&folder, &arguments);
     let why = "feel needs base > 100 N/m, which does not hold";
     assert!(said.code == Some(2) && said.err.contains(why), "{said:?}");

@@ -21,6 +21,7 @@ use host::session::{RunOptions, RunSession, SessionError};
 use scene::{LinksConfig, Override, Scene};
 
 /// What `letoff run` takes.
+#[expect(clippy::struct_excessive_bools, reason = "flags of a command line")]
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "Examples:
   letoff run                                  the default scene, until its piece is over

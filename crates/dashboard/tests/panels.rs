@@ -6,11 +6,9 @@ use dashboard::{Pane, SavedWindow};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use telemetry::{
-    Catalogue, Description, DescriptionFile, Model, Request, Signal, Update, Voice, signal,
-};
+use telemetry::{Catalogue, Model, Request, Signal, Update, Voice, signal};
 
-use crate::common::{Behind, TestWindow, open, open_with};
+use crate::common::{Behind, TestWindow, open, open_with, wrong_description};
 
 const C4: u8 = 39;
 
@@ -265,24 +263,11 @@ fn an_instrument_is_used_for_a_typed_range() {
 fn a_description_shows_its_mistakes_and_is_read_again_or_opened() {
     let mut window = open(Pane::Descriptions, Behind::Live);
     assert!(window.says("Only models of the program play"));
-    let file = DescriptionFile { path: "/home/me/feel.toml".into(), text: String::new() };
-    let mistakes = "/home/me/feel.toml:6:7: there is no \"kk\"; write \"k\"\n  kk\n  ^";
-    let description = Description {
-        version: 2,
-        model: "feel".into(),
-        files: vec![file],
-        since: 3_000_000_000,
-        watched: true,
-        mistakes: mistakes.into(),
-    };
-    let before = Description { version: 1, mistakes: String::new(), ..description.clone() };
-    let descriptions = vec![before, description];
-    let catalogue = Catalogue { descriptions, tick_hz: 1000, ..Catalogue::default() };
-    window.harness.state_mut().take(0, Update::Catalogue(catalogue));
+    let [catalogue, voice] = wrong_description();
+    window.harness.state_mut().take(0, catalogue);
     window.settle();
     assert!(window.says("Only models of the program play"));
-    let voice = Voice { key: 39, model: "feel".into(), version: 2, ..Voice::default() };
-    window.harness.state_mut().take(0, Update::Voice(voice));
+    window.harness.state_mut().take(0, voice);
     window.settle();
     assert!(window.says("version 2 plays on 1 key since 3.0 s; its files are watched"));
     assert!(!window.says("version 1"), "no key plays it");

@@ -4,7 +4,7 @@ use dashboard::{App, Pane, SavedWindow};
 use eframe::egui::{Event, Key, Modifiers, Theme};
 
 use crate::common::snapshot::Canvas;
-use crate::common::{Behind, TestClock, source};
+use crate::common::{Behind, TestClock, source, wrong_description};
 
 /// A canvas after `seconds` of the demonstration.
 fn canvas(
@@ -68,7 +68,8 @@ fn a_stop_that_may_not_have_been_done() {
 }
 
 /// Panels with a picture of their own below, or in which a demonstration shows nothing.
-const NAMED: [Pane; 13] = [
+const NAMED: [Pane; 14] = [
+    Pane::Descriptions,
     Pane::Overview,
     Pane::Mechanism,
     Pane::Phase,
@@ -94,6 +95,18 @@ fn every_other_panel() {
 #[test]
 fn overview() {
     check_panel(Pane::Overview, "overview");
+}
+
+#[test]
+fn descriptions() {
+    let set = |app: &mut App| app.show_only(Pane::Descriptions);
+    let mut canvas = canvas([760, 420], Theme::Dark, Behind::Live, 3.0, set);
+    for update in wrong_description() {
+        canvas.app().take(0, update);
+    }
+    canvas.step(Vec::new());
+    canvas.step(Vec::new());
+    canvas.check("descriptions");
 }
 
 #[test]

@@ -113,3 +113,37 @@ fn a_ball_on_a_soft_floor_comes_back_to_where_it_fell_from() {
     let lowest = heights.iter().copied().fold(0.0, f64::min);
     assert!((lowest + d).abs() < 5e-5, "{lowest} m, {d} m by energy");
 }
+
+/// Names of the modes in which the model begins 1 mm above the floor and 1 mm in it, from the mode
+/// with its contact open and from that with it closed.
+struct Beginnings;
+
+impl Visitor for Beginnings {
+    type Output = [[String; 2]; 2];
+
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
+        let still = Motion::default();
+        let (open, above) = model.at_rest(&still);
+        [1e-3, -1e-3].map(|height| {
+            let mut state = above;
+            state.as_mut()[0] = height;
+            let (right, _) = model.begin(open, &state, &still);
+            // The other mode is the one in which it begins at the other side.
+            state.as_mut()[0] = -height;
+            let (wrong, _) = model.begin(open, &state, &still);
+            state.as_mut()[0] = height;
+            [right, wrong].map(|from| {
+                let (mode, begun) = model.begin(from, &state, &still);
+                assert_eq!(begun, state);
+                ModeName::new(&model, model.mode_code(mode)).to_string()
+            })
+        })
+    }
+}
+
+#[test]
+fn a_model_begins_with_what_overlaps_closed_and_the_rest_open() {
+    let entry = register_model(&SOFT, &SoftFloor, None).unwrap();
+    let begun = catalogue::visit(entry, Beginnings).unwrap();
+    assert_eq!(begun, [["free", "free"], ["free floor=closed", "free floor=closed"]]);
+}

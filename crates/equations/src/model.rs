@@ -4,7 +4,6 @@ use pode::Motion;
 
 use crate::mode_number::ModeNumber;
 use crate::natures::{MAX_MODES, ModeNatures};
-use crate::rest::RestPose;
 use crate::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable};
 
 /// A model whose equations are functions by number, with its constants in the object.
@@ -91,21 +90,6 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
             *constant = value;
         }
         constants
-    }
-
-    /// Returns where the model rests with the values of a preset for a key, and with the input at 0.
-    ///
-    /// # Errors
-    /// As of [`Self::new`].
-    pub fn rest_of_preset(
-        table: &'static ModelTable,
-        functions: F,
-        (preset, key): (usize, u8),
-    ) -> Result<RestPose<N>, DoesNotFit> {
-        let mut values = [0.0; C];
-        Self::without_natures(table, functions, &[])?.preset(preset, key, &mut values);
-        let model = Self::without_natures(table, functions, &values)?;
-        Ok(model.rest_pose(&Motion::default()))
     }
 
     /// Writes the values of the parameters in the preset `index` for a key, 0 (A0) to 87 (C8).

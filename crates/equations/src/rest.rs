@@ -4,9 +4,9 @@ use pode::{Fires, Guarded as _, Matrix as _, Model as _, Motion, State};
 
 use crate::jacobian_bound::matrix;
 use crate::mode_number::ModeNumber;
-use crate::model::EquationModel;
+use crate::model::{DoesNotFit, EquationModel};
 use crate::relax::{Descent, is_near};
-use crate::table::{Functions, ModeTable};
+use crate::table::{Functions, ModeTable, ModelTable};
 
 /// From a guess a tenth off Newton needs 4 to 6 rounds; 40 leave room for soft felts.
 const ROUNDS: usize = 40;
@@ -28,6 +28,21 @@ pub struct RestPose<const N: usize> {
 }
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// Returns where the model rests with the values of a preset for a key, and with the input at 0.
+    ///
+    /// # Errors
+    /// As of [`Self::new`].
+    pub fn rest_of_preset(
+        table: &'static ModelTable,
+        functions: F,
+        (preset, key): (usize, u8),
+    ) -> Result<RestPose<N>, DoesNotFit> {
+        let mut values = [0.0; C];
+        Self::without_natures(table, functions, &[])?.preset(preset, key, &mut values);
+        let model = Self::without_natures(table, functions, &values)?;
+        Ok(model.rest_pose(&Motion::default()))
+    }
+
     /// Returns mode and state at rest under a constant input, or where the table says that it
     /// starts.
     ///

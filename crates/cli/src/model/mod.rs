@@ -93,7 +93,7 @@ pub struct NewArgs {
   letoff model load my-action.toml               the keys that play it go on with what it says now
   letoff model load my-action.toml --keys C4..B4")]
 pub struct LoadArgs {
-    /// The description.
+    /// The description, which may have been loaded before.
     pub file: PathBuf,
     /// Which keys, as `C4..B5` or `60..83`; those that play it without.
     #[arg(long)]

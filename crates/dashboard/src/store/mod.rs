@@ -191,7 +191,7 @@ impl Store {
     pub fn model_of(&self, key: u8) -> Option<&Model> {
         let voice = self.voice(key)?;
         let mut models = self.catalogue.as_ref()?.models.iter();
-        let found = models.find(|it| it.name == voice.model && it.version == voice.version);
+        let found = models.find(|it| (&it.name, it.version) == (&voice.model, voice.version));
         found.or_else(|| self.model(&voice.model))
     }
 

@@ -15,7 +15,10 @@ use dashboard::{App, Pane, SavedWindow, WallClock};
 use eframe::egui;
 use egui_kittest::{Harness, kittest::Queryable as _};
 use telemetry::source::Ticket;
-use telemetry::{Arrival, ConnectionState, Request, Source, Topic};
+use telemetry::{
+    Arrival, Catalogue, ConnectionState, Description, DescriptionFile, Request, Source, Topic,
+    Update, Voice,
+};
 
 /// When every test begins (ns since 1970).
 const BEGAN: u64 = 1_800_000_000_000_000_000;
@@ -240,4 +243,31 @@ impl TestWindow {
             .map(|change| change.value)
             .collect()
     }
+}
+
+/// What is told of two versions of a description of which C4 plays the second, and whose file is
+/// wrong now: the catalogue, and the voice.
+pub(crate) fn wrong_description() -> [Update; 2] {
+    const WRONG: &str = "\
+/home/me/feel.toml:6:25: there is no \"kk\"; use \"k\", the nearest of base, k, m, s, y, y', y'' and \
+pi
+  key = { stretch = \"s - kk*y\", stiffness = \"k\", damping = \"1 N*s/m\" } # far more than a line takes
+                          ^
+/home/me/feel.toml:9:1: there is no key \"zero\" here; remove it
+  zero = 1
+  ^";
+    let file = DescriptionFile { path: "/home/me/feel.toml".to_owned(), text: String::new() };
+    let playing = Description {
+        version: 2,
+        model: "feel".to_owned(),
+        files: vec![file],
+        since: 3_000_000_000,
+        watched: true,
+        mistakes: WRONG.to_owned(),
+    };
+    let before = Description { version: 1, mistakes: String::new(), ..playing.clone() };
+    let descriptions = vec![before, playing];
+    let catalogue = Catalogue { descriptions, tick_hz: 1000, ..Catalogue::default() };
+    let voice = Voice { key: 39, model: "feel".to_owned(), version: 2, ..Voice::default() };
+    [Update::Catalogue(catalogue), Update::Voice(voice)]
 }

@@ -69,6 +69,7 @@ force = { stretch = "y", force = "1 N", energy = "1 N*y", @forces = 1 }
 
 [contacts]
 contact = { gap = "y", stiffness = "1 N/m", @contacts = 1, friction = { slip = "v", stiction = "1 N", kinetic = "1 N", @contacts = 1 } }
+stop = { gap = "h", rigid = true, restitution = 0.5, @contacts = 1 }
 
 [frictions]
 bearing = { slip = "v", stiction = "1 N", kinetic = "1 N", @frictions = 1 }
@@ -147,6 +148,7 @@ fn cells() -> BTreeMap<&'static str, String> {
         let (row, text) = match cell {
             Some((row, text)) => (row.trim_matches(['[', ']']).split(".NAME").next(), text),
             None if line.starts_with("A mode has") => (Some("mode"), line),
+            None if line.starts_with("`longest_projection`") => (Some("mode"), line),
             None if line.starts_with("Plain equations") => (Some("mode"), line),
             None if line.starts_with("`longest_projection`") => (Some("mode"), line),
             None if ["A guard (", "`to` is", "`set = "].iter().any(|it| line.starts_with(it)) => {

@@ -175,7 +175,7 @@ impl<M: Playable> Start<M> {
         let model = model.with_values(&parameters(entry, args, mistakes)?);
         let name = entry.name;
         model.unmet(&mut |condition| {
-            mistakes.push(SimulateMistake::Unmet { model: name, condition })
+            mistakes.push(SimulateMistake::Unmet { model: name, condition });
         });
         let s = input.at(0.0);
         let (rest_mode, rest) = model.at_rest(&s);

@@ -3,6 +3,7 @@
 //! An address to listen at may be given; 127.0.0.1:8765 without.
 
 #![expect(clippy::print_stdout, reason = "says where it listens")]
+#![cfg_attr(test, allow(dead_code, reason = "it has no tests that ask"))]
 
 mod synthetic;
 

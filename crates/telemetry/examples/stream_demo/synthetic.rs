@@ -91,7 +91,7 @@ impl Synthetic {
     }
 
     /// Clients that have gone so far.
-    #[allow(dead_code, reason = "tests ask")]
+    #[cfg_attr(not(test), expect(dead_code, reason = "tests ask"))]
     pub(crate) fn gone(&self) -> Vec<u64> {
         locked(&self.gone).clone()
     }
