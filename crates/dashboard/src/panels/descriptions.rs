@@ -35,7 +35,8 @@ impl super::View for View {
             let store = &state.store;
             let plays = |it: &&Description| 0 < keys_of(it, store);
             let newest_first = catalogue.descriptions.iter().rev().filter(plays);
-            let asked = newest_first.filter_map(|it| description_ui(ui, it, store, catalogue));
+            let asked =
+                newest_first.filter_map(|it| description_ui(ui, it, store, catalogue));
             asked.last()
         });
         if let Some(request) = area.inner.or(opened) {
