@@ -3,6 +3,7 @@
 use equations::table::{Arguments, Functions as _};
 use expressions::graph::Graph;
 use expressions::tape::{self, Instruction, Tape, TapeSlot};
+use expressions::taylor::Recursion;
 use native::{NativeError, compile};
 use proptest::prelude::*;
 
@@ -121,4 +122,32 @@ fn copies_keep_the_code_alive_on_other_threads() {
 fn no_functions_are_no_error() {
     let native = compile(&[]).unwrap();
     assert!(native.is_empty());
+}
+
+#[test]
+fn the_two_functions_of_a_series_give_the_tapes_bits() {
+    let lever = lever::functions();
+    let series = Recursion::new(&lever[1], 4).tapes();
+    let tapes = [series.start, series.step];
+    let native = compile(&tapes).unwrap();
+    let extra: Vec<f64> =
+        (0..2 + series.carried + series.lanes).map(|at| (0.7 * at as f64).sin() + 0.1).collect();
+    for n in 0..200_u32 {
+        let n = f64::from(n);
+        let state = [(0.37 * n).sin(), (0.73 * n).sin() * 0.9, (0.11 * n).sin() * 8.0, 3.0];
+        let input = [(0.21 * n).sin(), 0.7, -2.0, 1.0];
+        let given =
+            Arguments { constants: &CONSTANTS, state: &state, input: &input, extra: &extra };
+        for (number, tape) in (0..).zip(&tapes) {
+            let expected = tape.evaluate(&tape::TapeArguments {
+                constants: &CONSTANTS,
+                state: &state,
+                input,
+                extra: &extra,
+            });
+            let mut out = vec![0.0; expected.len()];
+            native.call(number, &given, &mut out);
+            assert_eq!(bits(&out), bits(&expected), "tape {number}");
+        }
+    }
 }

@@ -86,6 +86,7 @@ const IMPACTS: [(usize, f64); 4] = [
 ];
 
 /// The largest error of an impact's time (s) in 10 s, taken in ticks of `h` (s), and the work.
+#[expect(clippy::large_stack_frames, reason = "a simulator on the stack of a test")]
 fn impacts(pendulum: Pendulum, tolerance: f64, h: f64) -> (f64, pode::Work) {
     let method = Taylor::to(Tolerance::both(tolerance));
     let limits = Limits { events: 64, ..Limits::default() };
@@ -277,5 +278,64 @@ fn a_graze_is_seen_in_a_step_that_is_a_million_times_longer() {
         // Rounding of the guard, over its slope.
         let error = (times[0] - (LOWEST - depth.sqrt())).abs();
         assert!(error < 1e-15 / depth.sqrt() + 2e-12, "{depth:e}: {error:e}");
+    }
+}
+
+/// x' = way (1 + max(x, 0)): a straight line below zero, an exponential above it.
+#[derive(Clone, Copy, Debug)]
+struct Bent {
+    way: f64,
+}
+
+impl Model for Bent {
+    type Mode = ();
+    type State = [f64; 1];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, (): (), x: &[f64; 1], (): &()) -> [f64; 1] {
+        [self.way * (1.0 + x[0].max(0.0))]
+    }
+
+    fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 1]>) -> bool {
+        let is_above = out.terms[0][0] > 0.0;
+        for k in 0..out.order {
+            let above = if is_above { out.terms[k][0] } else { 0.0 };
+            let one = if k == 0 { 1.0 } else { 0.0 };
+            out.terms[k + 1] = [out.scale * self.way * (one + above) / (k + 1) as f64];
+        }
+        for k in 0..=out.order {
+            out.conditions[0][k] = out.terms[k][0];
+        }
+        out.known_conditions = 1;
+        true
+    }
+}
+
+impl Guarded for Bent {}
+impl Resets for Bent {}
+
+#[test]
+fn a_step_ends_where_the_equations_change_their_form() {
+    let e = 1.0_f64.exp();
+    // Either way zero is reached after 1 s, from −1 or from e − 1.
+    for (way, from) in [(1.0, -1.0), (-1.0, e - 1.0)] {
+        for h in [3.0, 0.7, 0.1, 1.0] {
+            let method = Taylor::to(Tolerance::both(1e-14));
+            let mut bent = Simulator::new(Bent { way }, method, Limits::default(), (), [from]);
+            let ticks = (3.0_f64 / h).floor();
+            let report = bent.run(ticks * h, h, |_| (), &mut Silent);
+            assert!(report.is_completed());
+            let after = ticks * h - 1.0;
+            let expected = match (way > 0.0, after > 0.0) {
+                (true, true) => after.exp() - 1.0,
+                (true, false) => after,
+                (false, true) => -after,
+                (false, false) => (-after).exp() - 1.0,
+            };
+            let error = (bent.state()[0] - expected).abs() / (1.0 + expected.abs());
+            assert!(error < 1e-13, "{way}, ticks of {h} s: {error:e}");
+            assert!(report.work.pieces <= 12 + report.ticks as u32, "{:?}", report.work);
+        }
     }
 }

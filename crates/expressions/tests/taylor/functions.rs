@@ -9,6 +9,8 @@ use expressions::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit}
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
 
+use super::straight::followed;
+
 #[path = "emitted.rs"]
 mod emitted;
 
@@ -223,4 +225,48 @@ fn what_is_emitted_and_what_is_interpreted_agree() {
             assert!(error <= 1e-12 * size, "function {index}, order {k}: off by {error:e}");
         }
     }
+}
+
+/// Values near their corners and forms that change end a series; here all of them are far.
+#[test]
+fn two_straight_lines_and_the_recursion_agree() {
+    let mut along = Along::new();
+    let nodes = along.functions();
+    let expected = along.series(&nodes, 24);
+    for (index, (node, terms)) in nodes.iter().zip(&expected).enumerate() {
+        let found = &followed(&along.tape(&[*node]), (P, X), 24)[1];
+        for (k, (found, term)) in found.iter().zip(terms).enumerate() {
+            let size = terms[k.saturating_sub(2)..(k + 3).min(25)]
+                .iter()
+                .fold(0.0_f64, |a, b| a.max(b.abs()));
+            let error = (found - term).abs();
+            assert!(error <= 1e-12 * size, "function {index}, order {k}: off by {error:e}");
+        }
+    }
+}
+
+#[test]
+fn a_series_says_where_it_ends() {
+    let mut along = Along::new();
+    let (x, p) = (along.x, along.p);
+    let conditions = |along: &Along, node: Node, x: f64| -> Vec<Vec<f64>> {
+        followed(&along.tape(&[node]), (P, x), 2).split_off(2)
+    };
+    // A choice by x − p: what is compared is zero where they are the same.
+    let larger = along.two(Two::Max, x, p);
+    assert_eq!(conditions(&along, larger, 2.0), [[2.0 - P, 1.0, 0.0]]);
+    let size = along.one(One::Abs, x);
+    assert_eq!(conditions(&along, size, -3.0), [[-3.0, 1.0, 0.0]]);
+    // A softplus: from −100 to −40, from −35 to −20, from 15 to 10 if it turns round; and near
+    // zero it is seen by its own coefficients.
+    let soft = along.one(One::Softplus, x);
+    for (x, above, slope) in [(-100.0, 60.0, -1.0), (-35.0, 15.0, -1.0), (15.0, 5.0, 1.0)] {
+        assert_eq!(conditions(&along, soft, x), [[above, slope, 0.0]]);
+    }
+    assert_eq!(conditions(&along, soft, -5.0), [[0.0, 0.0, 0.0]]);
+    let tanh = along.one(One::Tanh, x);
+    assert_eq!(conditions(&along, tanh, -12.0), [[4.0, -2.0, 0.0]]);
+    // What the parameters alone decide ends nothing.
+    let fixed = along.graph.select(p, x, p);
+    assert!(conditions(&along, fixed, 2.0).is_empty());
 }

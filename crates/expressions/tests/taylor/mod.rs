@@ -2,3 +2,4 @@
 
 mod functions;
 mod model_b;
+mod straight;

@@ -9,6 +9,10 @@ use super::functions::FunctionList;
 use crate::graph::{Graph, Node};
 use crate::taylor::Recursion;
 
+/// Most instructions of what is expanded: one with more sums than a step has room for is found out
+/// in time that grows with the square of them.
+const LONGEST: usize = 2048;
+
 /// The series of a mode; none where nothing moves by equations, or contacts act, whose forces are no
 /// part of the equations, and none of a mode that is too large for a step's arrays.
 pub(super) fn series(
@@ -29,6 +33,9 @@ pub(super) fn series(
     let outputs = state.replaced(graph, &[rates.as_slice(), &slaved, guards].concat());
     let name = format!("{}_series", builder.name);
     let tape = functions.tape(graph, &name, &outputs)?;
+    if tape.instructions.len() > LONGEST {
+        return Ok(None);
+    }
     let tapes = Recursion::new(&tape, rates.len()).tapes();
     let mut table = SeriesTable {
         start: 0,

@@ -84,8 +84,8 @@ fn end<S: State>(expansion: &Expansion<S>, index: usize, reach: f64) -> BranchEn
 
 /// The only root between a place where it is positive and one where it is negative.
 fn root(condition: &GuardPolynomial, from: f64, to: f64) -> f64 {
-    /// Down to the last bit of a step.
-    const BISECTIONS: u32 = 52;
+    /// To the last bit of a root that is a millionth of the reach, as that of a straight line.
+    const BISECTIONS: u32 = 76;
     let (mut from, mut to) = (from, to);
     for _ in 0..BISECTIONS {
         let middle = 0.5 * (from + to);
