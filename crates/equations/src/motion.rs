@@ -6,7 +6,7 @@ use pode::{Model, Motion, Nature, Part, State};
 use crate::jacobian_bound::matrix;
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
-use crate::table::Functions;
+use crate::table::{Functions, ModeTable};
 
 impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
     type Mode = ModeNumber;
@@ -87,17 +87,29 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
         if self.mode(mode).is_stiffening { self.step_at(mode, longest, x, input) } else { longest }
     }
 
+    #[inline]
     fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mode = self.mode(mode);
+        if mode.slaved.is_none() && mode.projection.is_none() {
+            return *x;
+        }
+        self.constrained(mode, x, input)
+    }
+
+    fn longest_projection(&self, mode: ModeNumber) -> f64 {
+        self.mode(mode).longest_projection.map_or(f64::INFINITY, |limit| self.of_constants(limit))
+    }
+}
+
+impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// The state with what the mode slaves in place, and on the mode's constraints.
+    #[inline(never)]
+    fn constrained(&self, mode: &'static ModeTable, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mut x = *x;
         if let Some(slaved) = mode.slaved {
             let before = x;
             self.call(slaved, &before, input, &mut x);
         }
         mode.projection.map_or(x, |projection| self.projected(projection, mode, x, input))
-    }
-
-    fn longest_projection(&self, mode: ModeNumber) -> f64 {
-        self.mode(mode).longest_projection.map_or(f64::INFINITY, |limit| self.of_constants(limit))
     }
 }

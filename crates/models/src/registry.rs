@@ -126,7 +126,7 @@ impl LoadedModel {
     #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
     pub(crate) fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         match self {
-            Self::Small(model) => visitor.visit(*model),
+            Self::Small(model) => visitor.visit_small(*model),
             Self::Medium(model) => visitor.visit(*model),
             Self::MediumWithContacts(model) => visitor.visit(*model),
             Self::Large(model) => visitor.visit(*model),

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
-use models::Playable;
 use models::catalogue::{self, ModelEntry, Visitor};
+use models::registry::SmallModel;
+use models::{Described as _, Playable};
 use pode::Limits;
 use pode::stepper::{self, Any};
 use scheduler::observation::MAX_STATES;
@@ -159,6 +160,14 @@ impl Visitor for Builder<'_> {
         let stepper = if let Any::ByNeed(_) = asked { Any::ByNeed(by_need) } else { asked };
         let fittings = self.fittings(model.input_per_metre())?;
         Ok(Box::new(RenderedKey::new(model, stepper, fittings)))
+    }
+
+    /// The usual method is compiled into the usual voice; any other costs it a choice per step.
+    fn visit_small(self, model: SmallModel) -> Self::Output {
+        let Any::Rk4(rk4) = self.render.stepper else { return self.visit(model) };
+        let model = model.with_values(self.values);
+        let fittings = self.fittings(model.input_per_metre())?;
+        Ok(Box::new(RenderedKey::new(model, rk4, fittings)))
     }
 }
 
