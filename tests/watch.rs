@@ -1,5 +1,6 @@
 //! Descriptions that are edited while the host plays them: `letoff run --watch`, and its recording
 //! run again without the files.
+#![expect(clippy::panic, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
 use std::io::{BufRead as _, BufReader, Write as _};
