@@ -1,5 +1,6 @@
 //! Descriptions that are edited while the host plays them: `letoff run --watch`, and its recording
 //! run again without the files.
+#![expect(clippy::panic, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
 use std::io::{BufRead as _, BufReader, Write as _};
@@ -153,16 +154,22 @@ fn rows(folder: &Path, key: u8) -> Vec<[f64; 4]> {
 }
 
 /// Stiffnesses (N/m) at which a pressed key rested, in the order of time: there are no rows while
-/// nothing changes.
+/// nothing changes. A key that creeps on by a step of its encoder rests where it did.
 fn rests(rows: &[[f64; 4]]) -> Vec<f64> {
     let next = rows.iter().skip(1).map(|row| row[0]).chain([f64::INFINITY]);
     let rests = rows.iter().zip(next).filter(|(row, next)| 200.0 < next - row[0] && 1e-3 < row[1]);
-    rests.map(|([_, position, force, _], _)| force / position).collect()
+    let mut found: Vec<_> = rests.map(|([_, position, force, _], _)| force / position).collect();
+    found.dedup_by(|next, before| is_near(*next, *before));
+    found
+}
+
+fn is_near(found: f64, wanted: f64) -> bool {
+    (found / wanted - 1.0).abs() < 0.01
 }
 
 #[track_caller]
 fn check_near(found: &[f64], wanted: &[f64]) {
-    let near = |(found, wanted): (&f64, &f64)| (found / wanted - 1.0).abs() < 0.01;
+    let near = |(found, wanted): (&f64, &f64)| is_near(*found, *wanted);
     assert!(
         found.len() == wanted.len() && found.iter().zip(wanted).all(near),
         "{found:?}, {wanted:?}"
@@ -234,9 +241,11 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     check_near(&rests(&all[0]), &wanted(BASE));
     check_near(&rests(&all[1]), &wanted(OTHER_BASE));
     // The forces differ by more than a newton where the key stands; in a tick the force that is
-    // sent changes by a twentieth of it, and by what the key moves.
-    let steps = all[0].windows(2).map(|pair| (pair[1][3] - pair[0][3]).abs());
-    let largest = steps.fold(0.0, f64::max);
+    // sent changes by a twentieth of it, and by what the key moves. A busy machine may skip ticks.
+    let in_turn = all[0].windows(2).filter(|pair| pair[1][0] - pair[0][0] < 1.5);
+    let largest = in_turn.map(|pair| (pair[1][3] - pair[0][3]).abs()).fold(0.0, f64::max);
+    let blended = all[0].iter().filter(|[.., force, sent]| 0.05 < (sent - force).abs()).count();
+    assert!(5 < blended, "{blended} ticks in which the force is on its way to the new one");
     let travel = 2.0 / felt(SPRINGS[0], BASE);
     let jump = travel * (felt(SPRINGS[1], BASE) - felt(SPRINGS[0], BASE));
     assert!(jump > 1.0 && largest < 0.2 * jump, "{largest} N in a tick, {jump} N between both");

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use realtime::pool::{LaneCounters, VoiceChange, WaitLimit};
+use realtime::pool::{BoxedVoice, LaneCounters, VoiceChange, WaitLimit};
 use scene::KeyVoice;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::{FinishedTick, TickObserver};
@@ -58,6 +58,8 @@ fn a_full_ring_drops_and_leaves_the_heap_alone() {
 
 #[test]
 fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
+    const CHANGES: [fn(BoxedVoice) -> VoiceChange; 2] =
+        [VoiceChange::Succeed, VoiceChange::Replace];
     let watch = trap::watch();
     let scene = scene("default", &[]);
     let mut bus = keybed(&scene);
@@ -71,8 +73,7 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
         if WATCHED.contains(&tick) {
             if let Some((key, voice)) = others.pop() {
                 // Every other one goes on where the one before is.
-                let is_next = others.len() % 2 == 0;
-                let change = if is_next { VoiceChange::Succeed } else { VoiceChange::Replace };
+                let change = CHANGES[others.len() % 2];
                 stage.swaps.send(key, change(voice)).expect("room for it");
             }
             trap::within(|| stage.tick());

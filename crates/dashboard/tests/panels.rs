@@ -6,7 +6,7 @@ use dashboard::{Pane, SavedWindow};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{self, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use telemetry::{Catalogue, Model, Request, Signal, Update, Voice, signal};
+use telemetry::{Catalogue, Model, Request, Signal, Update, signal};
 
 use crate::common::{Behind, TestWindow, open, open_with, wrong_description};
 
