@@ -2,9 +2,8 @@
 #![expect(clippy::unwrap_used, reason = "visitors of tests, outside #[test], fail aloud")]
 
 use descriptions::register_model;
-use hand_written::BouncingBall;
-use models::catalogue::{self, ModelEntry, Visitor};
-use models::{Described as _, ModeName, Playable};
+use models::catalogue::{self, Visitor};
+use models::{ModeName, Playable};
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Simulator};
 
@@ -53,7 +52,7 @@ impl Visitor for Flight {
 #[test]
 fn a_registered_ball_falls_and_bounces_as_the_one_of_the_program() {
     let described = register_model(&TABLE, &Ball, None).unwrap();
-    let written: &ModelEntry = BouncingBall::default().entry();
+    let written = catalogue::built_in("bouncing-ball").unwrap();
     let [got, expected] =
         [described, written].map(|entry| catalogue::visit(entry, Flight).unwrap());
     assert_eq!((got.0, expected.0), (1, 1), "one impact");

@@ -102,7 +102,7 @@ struct SeriesWriter<'a> {
 }
 
 impl SeriesWriter<'_> {
-    /// Writes all orders.
+    /// Writes every order up to the highest, one after the other.
     fn expand<const PAIRS: usize, const BLOCKS: usize>(&mut self) {
         let mut lanes = [SeriesLanes::<PAIRS>::ZERO; BLOCKS];
         let (mut given, mut made) = ([[0.0; ROOM]; BLOCKS], [[0.0; ROOM]; BLOCKS]);

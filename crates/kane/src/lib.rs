@@ -20,7 +20,7 @@ mod program;
 pub mod readable;
 mod rest_check;
 pub mod system;
-pub mod text;
 
 pub use expressions::{graph, tape, taylor};
+pub use formulas as text;
 pub use program::{DerivedModel, derive_model};

@@ -8,7 +8,7 @@ use crate::emitted::{
 use crate::entry::ModelEntry;
 use crate::entry_of_table::entry;
 use crate::equation_model::LoadedFunctions;
-use crate::registry::{LoadedModel, SmallModel};
+use crate::loaded_model::{LoadedModel, SmallModel};
 
 use equations::table::{Functions, ModelTable};
 

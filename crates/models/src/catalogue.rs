@@ -1,13 +1,14 @@
 //! From a name to a model, be it part of the program or read from a file.
 
 pub use crate::entry::ModelEntry;
-pub use crate::visitor::Visitor;
+pub use crate::loaded_model::Visitor;
 
 use crate::{built_in as program, registry};
 
 /// Does something with the model of `entry`; none if it is a copy of an entry.
 pub fn visit<V: Visitor>(entry: &ModelEntry, visitor: V) -> Option<V::Output> {
-    Some(registry::model(entry)?.visit(visitor))
+    let model = program::model(entry).or_else(|| registry::model(entry))?;
+    Some(model.visit(visitor))
 }
 
 /// Every model: those of the program, then the newest version of each that was read from a file,

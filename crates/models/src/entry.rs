@@ -79,6 +79,13 @@ impl ModelEntry {
         guards.find(|guard| guard.name == name).map_or("", |guard| guard.unit)
     }
 
+    /// The outputs that are of use to people; behind them are the poses that a drawing follows,
+    /// which are called after their frames: `key.angle`.
+    pub fn quantities(&self) -> &'static [&'static str] {
+        let count = self.outputs.iter().take_while(|name| !name.contains('.')).count();
+        self.outputs.split_at(count).0
+    }
+
     /// The default preset's value of a parameter for the lowest key.
     pub fn default_value(&self, parameter: usize) -> f64 {
         self.presets.first().map_or(f64::NAN, |preset| (preset.value)(parameter, 0))

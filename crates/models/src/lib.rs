@@ -23,8 +23,8 @@ pub mod draw;
 pub mod emitted;
 pub mod entry_of_table;
 mod equation_model;
+mod loaded_model;
 pub mod registry;
-mod visitor;
 
 pub use describe::{Damper, Described, Playable, Sounding};
 pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};

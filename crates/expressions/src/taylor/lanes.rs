@@ -12,7 +12,7 @@ pub(super) enum LaneFactor {
 }
 
 impl LaneFactor {
-    /// The value.
+    /// The place of the value of which it is a factor.
     pub(super) const fn slot(self) -> TapeSlot {
         match self {
             Self::Value(slot) | Self::Rate(slot) => slot,

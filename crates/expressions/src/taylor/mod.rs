@@ -4,6 +4,7 @@
 //! [`TapeSeries`] follows it, [`SeriesTapes`] makes straight lines of it that compile like any other
 //! function, and [`emit`] writes it as Rust. `[JZ05]`
 
+mod carried;
 mod conditions;
 mod emit;
 mod evaluate;

@@ -1,9 +1,9 @@
 //! The coefficients of one order, from those before it, as instructions.
 
+use super::carried::{CarriedValue, extra};
 use super::lanes::{LaneFactor, SeriesLane};
 use super::recursion::Recursion;
 use super::rules::SeriesRule;
-use super::straight::{CarriedValue, extra};
 use crate::tape::{Argument, Instruction, Tape, TapeSlot, TapeWriter};
 
 /// Where what is carried begins in `extra`: k and 1/k stand before.

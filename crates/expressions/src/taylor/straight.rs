@@ -1,10 +1,10 @@
 //! A recursion as two straight lines: where a series begins, and from order to order.
 
+use super::carried::{CarriedValue, write};
 use super::lanes::{LaneFactor, SeriesLane, lanes};
 use super::recursion::Recursion;
 use super::step_terms::StepTerms;
-use crate::graph::UnaryFunction;
-use crate::tape::{Argument, Instruction, Tape, TapeSlot, TapeWriter};
+use crate::tape::{Tape, TapeSlot, TapeWriter};
 
 /// A recursion as two tapes: what runs them keeps the lanes and sums over them.
 ///
@@ -23,24 +23,6 @@ pub struct SeriesTapes {
     pub lanes: usize,
     /// How many values there are at whose zeros the series ends, since a branch does.
     pub conditions: usize,
-}
-
-/// What a step is given of the start.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum CarriedValue {
-    Value(TapeSlot),
-    Twice(TapeSlot),
-    Sign(TapeSlot),
-    /// A number over the value.
-    Over(f64, TapeSlot),
-}
-
-impl CarriedValue {
-    const fn slot(self) -> TapeSlot {
-        match self {
-            Self::Value(slot) | Self::Twice(slot) | Self::Sign(slot) | Self::Over(_, slot) => slot,
-        }
-    }
 }
 
 impl Recursion {
@@ -99,23 +81,6 @@ impl Recursion {
         }
         Tape { instructions: writer.finish(), outputs: all }
     }
-}
-
-fn write(writer: &mut TapeWriter, carried: CarriedValue, x: TapeSlot) -> TapeSlot {
-    match carried {
-        CarriedValue::Value(_) => x,
-        CarriedValue::Twice(_) => writer.push(Instruction::Add(x, x)),
-        CarriedValue::Sign(_) => writer.push(Instruction::Unary(UnaryFunction::Sign, x)),
-        CarriedValue::Over(number, _) => {
-            let number = writer.number(number);
-            writer.push(Instruction::Divide(number, x))
-        }
-    }
-}
-
-/// The argument at a place of `extra`.
-pub(super) fn extra(at: usize) -> Instruction {
-    Instruction::Argument(Argument::Extra(u16::try_from(at).unwrap_or(u16::MAX)))
 }
 
 impl SeriesLane {

@@ -101,7 +101,9 @@ impl Page<'_> {
         self.want("supplied", mode.supplied);
         self.want("dissipated", mode.dissipated);
         self.section("outputs".to_owned());
-        for (output, node) in self.system.mechanism.outputs.iter().zip(&mode.outputs) {
+        let outputs = self.system.mechanism.outputs.iter().zip(&mode.outputs);
+        // Those of a drawing are called after their frames: `key.angle`.
+        for (output, node) in outputs.filter(|(output, _)| !output.name.contains('.')) {
             self.want(output.name.clone(), *node);
         }
     }

@@ -84,7 +84,8 @@ impl OutputFiles {
             }
         }
         model.outputs(mode, state, input, &mut self.outputs);
-        sheet.numbers(&self.outputs);
+        let shown = model.entry().quantities().len();
+        sheet.numbers(self.outputs.get(..shown).unwrap_or(&self.outputs));
         let slopes = model.slopes(mode, state, input);
         sheet.numbers(&[slopes.per_position, slopes.per_rate]);
         let EnergyAudit { supplied, dissipated, jumps, stored } = *audit;
@@ -156,12 +157,12 @@ fn guard_names<M: Described>(model: &M) -> Vec<&'static str> {
 }
 
 fn trajectory_header<M: Described>(model: &M, guards: &[&str]) -> Vec<String> {
-    let ModelEntry { states, outputs, input, .. } = *model.entry();
+    let ModelEntry { states, input, .. } = *model.entry();
     let mut header: Vec<String> = ["t", "mode"].map(String::from).to_vec();
     header.extend(states.iter().map(|name| (*name).to_owned()));
     header.push(input.to_owned());
     header.extend(guards.iter().map(|name| format!("guard_{name}")));
-    for name in outputs {
+    for name in model.entry().quantities() {
         let taken = header.iter().any(|column| column == name);
         header.push(if taken { format!("output_{name}") } else { (*name).to_owned() });
     }

@@ -41,7 +41,7 @@ enum BranchEnd {
     Behind,
     /// At this part of the step.
     At(f64),
-    /// At its start.
+    /// Right at the start of the step.
     Here,
     Unclear,
 }

@@ -1,6 +1,6 @@
 //! The functions that an expression can name.
 
-use crate::graph::{BinaryFunction, UnaryFunction};
+use expressions::graph::{BinaryFunction, UnaryFunction};
 
 /// What a function asks of its arguments' units, and what comes out.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -7,7 +7,7 @@ use diagnostics::quoted;
 use super::expression::{ExpressionPart, ParsedExpression, PartShape};
 use super::functions::{Function, UnitRule, function};
 use super::{Dependence, Dimension, Measured, NameError, NameScope, TextError};
-use crate::graph::{BinaryFunction, Graph, UnaryFunction};
+use expressions::graph::{BinaryFunction, Graph, UnaryFunction};
 
 /// Returns the value of `expression` in `scope`.
 ///
@@ -196,9 +196,9 @@ impl ValueBuilder<'_> {
 
     fn quotient(
         &mut self,
-        above: crate::graph::Node,
-        below: crate::graph::Node,
-    ) -> crate::graph::Node {
+        above: expressions::graph::Node,
+        below: expressions::graph::Node,
+    ) -> expressions::graph::Node {
         match (self.graph.number(above), self.graph.number(below)) {
             (Some(above), Some(below)) => self.graph.constant(above / below),
             _ => self.graph.divide(above, below),

@@ -1,7 +1,7 @@
 //! What the names in an expression stand for.
 
 use super::Dimension;
-use crate::graph::{Graph, Node};
+use expressions::graph::{Graph, Node};
 
 /// A value with its unit, and what it depends on.
 #[derive(Clone, Copy, PartialEq, Debug)]
