@@ -134,7 +134,7 @@ mod tests {
     fn the_no_std_build_names_each_crate() {
         assert_eq!(
             no_std(&[]).join(" "),
-            "check --no-default-features --package pode --package contacts --package models \
+            "check --no-default-features --package pode --package contacts --package equations \
              --package scheduler --package firmware-protocol"
         );
     }

@@ -10,7 +10,7 @@ use scheduler::values::ModelValues;
 use super::fence::{BoxedVoice, PanicGuard};
 
 /// Changes that one lane makes in one tick; a whole instrument takes several ticks.
-const MAX_CHANGES_PER_TICK: usize = 2;
+const MAX_CHANGES_PER_TICK: usize = 4;
 
 /// Why a change was not taken; it is given back.
 pub enum Refused {
