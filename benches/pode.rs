@@ -1,6 +1,10 @@
 //! Model B, a grand's size, one tick of 1 ms: every method, with and without an event; the same
 //! tick by hand and as its description gives it; and the root finder alone.
-#![expect(clippy::expect_used, reason = "a bench may stop here")]
+#![expect(
+    clippy::expect_used,
+    clippy::large_stack_frames,
+    reason = "a bench may stop here, and copies simulators"
+)]
 
 #[path = "setting/mod.rs"]
 mod setting;
@@ -20,7 +24,7 @@ use pode::stepper::{
     LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler, Tsitouras5,
     VelocityVerlet,
 };
-use pode::{Bracket, Event, Limits, Model, Motion, Simulator, Stepper, Watch, locate};
+use pode::{Bracket, Event, Limits, Model, Motion, Resets, Simulator, Stepper, Watch, locate};
 use setting::TICKS;
 
 /// Tick (s).
@@ -73,14 +77,11 @@ fn at_rest<M: Described, T: Stepper>(model: M, stepper: T) -> Simulator<M, T> {
     simulator(model, stepper, (mode, state))
 }
 
-fn simulator<M: Model, T: Stepper>(
+fn simulator<M: Model + Resets, T: Stepper>(
     model: M,
     stepper: T,
     (mode, state): (M::Mode, M::State),
-) -> Simulator<M, T>
-where
-    M: pode::Resets,
-{
+) -> Simulator<M, T> {
     let limits = Limits { event_tolerance: NANOSECOND, ..Limits::default() };
     Simulator::new(model, stepper, limits, mode, state)
 }
@@ -90,6 +91,12 @@ fn quiet<T: Stepper>(criterion: &mut Criterion, stepper: T) {
     tick(criterion, T::NAME, at_rest(model(), stepper));
 }
 
+/// Model B as emitted Rust.
+type Emitted = EquationModel<KeyHammerSpringsFunctions, 4, 192>;
+
+/// Model B as machine code that is made while the program runs.
+type Native<'a> = EquationModel<&'a native::NativeFunctions, 4, 192>;
+
 /// The same tick by one method, of one model in all its forms: by hand; as emitted Rust whose calls
 /// the compiler knows; as the program runs it, where calls go through a table, the method known or
 /// one of several; and as machine code that is made while the program runs.
@@ -97,21 +104,19 @@ fn forms(criterion: &mut Criterion) {
     let values = values();
     let hand = KeyHammerSprings::default().with_values(&values);
     tick(criterion, "rk4/by hand", at_rest(hand, Rk4));
-    type Emitted = EquationModel<KeyHammerSpringsFunctions, 4, 192>;
     let emitted = Emitted::new(&TABLE, KeyHammerSpringsFunctions, &values).expect("model B");
     tick(criterion, "rk4/emitted", simulator(emitted, Rk4, emitted.at_rest(&Motion::default())));
     tick(criterion, "rk4/as played", at_rest(model(), Any::Rk4(Rk4)));
     let text = descriptions::description(NAME).expect("a description");
     let derived = kane::derive_model(NAME, text, &kane::description::NoBases).expect("model B");
     let functions = native::compile(derived.program.tapes()).expect("machine code");
-    type Native<'a> = EquationModel<&'a native::NativeFunctions, 4, 192>;
     let native = Native::new(derived.program.table, &functions, &values).expect("model B");
     tick(criterion, "rk4/native", simulator(native, Rk4, native.at_rest(&Motion::default())));
 }
 
 fn tick<M, T>(criterion: &mut Criterion, name: &str, mut simulator: Simulator<M, T>)
 where
-    M: Model<Input = Motion> + pode::Resets,
+    M: Model<Input = Motion> + Resets,
     T: Stepper,
 {
     let scale = model().input_per_metre();
@@ -163,7 +168,6 @@ impl<M: Model> Watch<M> for Fired {
 }
 
 /// The first tick of a stroke whose only event is `guard`: what was before, and its input.
-#[expect(clippy::large_stack_frames, reason = "simulators are copied, once for each bench")]
 fn just_before(guard: &str) -> (Simulator<SmallModel, Rk4>, Cubic) {
     let mut simulator = at_rest(model(), Rk4);
     for tick in 0..1000 {

@@ -1,7 +1,6 @@
 //! How many steps of a played stroke are certain to hide no crossing.
 
 #![expect(
-    clippy::disallowed_macros,
     clippy::expect_used,
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -3,12 +3,7 @@
 //! Steps are random cubics from random places: what holds along them holds along any method's
 //! dense output.
 
-#![expect(
-    clippy::disallowed_methods,
-    clippy::disallowed_macros,
-    clippy::expect_used,
-    reason = "a test has the heap, and fails aloud"
-)]
+#![expect(clippy::expect_used, reason = "a test has the heap, and fails aloud")]
 
 use models::{Parameter, Playable, Preset};
 use pode::input::Cubic;

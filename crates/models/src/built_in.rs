@@ -30,6 +30,7 @@ static MODELS: LazyLock<Vec<(&'static ModelEntry, LoadedModel)>> =
     LazyLock::new(|| EMITTED.into_iter().filter_map(made).collect());
 
 /// A model with its entry; a test asks that none is too large for all types.
+#[expect(clippy::large_stack_frames, reason = "once for a model, off the tick")]
 fn made((table, functions): Emitted) -> Option<(&'static ModelEntry, LoadedModel)> {
     let entry = entry(table, functions, None);
     Some((entry, LoadedModel::new(table, LoadedFunctions::new(functions, entry)).ok()?))

@@ -1,4 +1,9 @@
 //! What is known of a model without building one, from its table.
+#![expect(
+    clippy::disallowed_types,
+    clippy::disallowed_macros,
+    reason = "once for a model, off the tick"
+)]
 
 use std::path::Path;
 

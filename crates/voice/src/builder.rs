@@ -163,6 +163,7 @@ impl Visitor for Builder<'_> {
     }
 
     /// The usual method is compiled into the usual voice; any other costs it a choice per step.
+    #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
     fn visit_small(self, model: SmallModel) -> Self::Output {
         let Any::Rk4(rk4) = self.render.stepper else { return self.visit(model) };
         let model = model.with_values(self.values);

@@ -1,9 +1,6 @@
 //! Reads the reference cases and runs a model on them.
 #![expect(
     unreachable_pub,
-    clippy::disallowed_methods,
-    clippy::disallowed_macros,
-    clippy::disallowed_types,
     clippy::expect_used,
     clippy::wildcard_enum_match_arm,
     clippy::cast_possible_truncation,

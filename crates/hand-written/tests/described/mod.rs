@@ -3,7 +3,6 @@
     clippy::expect_used,
     clippy::indexing_slicing,
     clippy::panic,
-    clippy::disallowed_macros,
     reason = "a test has the heap, and fails aloud"
 )]
 

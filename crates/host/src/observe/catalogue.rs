@@ -20,7 +20,7 @@ pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue 
         tick_hz: scene.tick_hz,
         force_limit: scene.render.force_limit,
         slew_limit: scene.render.slew_limit,
-        models: models.map(|entry| model(entry)).collect(),
+        models: models.map(model).collect(),
         instruments: instruments(),
         fingers: scene.links == LinksConfig::Simulated,
         scene_text: scene::written(scene),

@@ -77,6 +77,7 @@ impl BallDrop {
 
     /// The scenario, judged on its first impacts, as many as `judged`, and on the time `rests`
     /// (s), if it comes so far; otherwise there are no other impacts.
+    #[expect(clippy::large_stack_frames, reason = "once for a scenario")]
     fn answered(self, judged: i32, rests: Option<f64>) -> Result<BallScenario, BadFile> {
         const NAME: &str = "bouncing-ball";
         let missing = |what| BadFile::missing(NAME, what);

@@ -125,6 +125,7 @@ impl ScenarioEntry {
     ///
     /// # Errors
     /// When its reference cannot be read.
+    #[expect(clippy::large_stack_frames, reason = "once for a scenario")]
     pub(crate) fn visit<V: ScenarioVisitor>(&self, visitor: V) -> Result<V::Output, BadFile> {
         Ok(match self.build {
             Build::Ball(build) => visitor.visit(build()?),

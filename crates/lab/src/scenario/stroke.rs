@@ -33,6 +33,7 @@ impl StrokeTicks {
 
 impl<I: TermInput> StrokeScenario<I> {
     /// Reads the case of the model `name` in `file`, whose trajectory has the readout in `column`.
+    #[expect(clippy::large_stack_frames, reason = "once for a scenario")]
     fn read(
         (name, column): (&str, &str),
         file: &ReferenceFile,
