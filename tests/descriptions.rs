@@ -94,6 +94,9 @@ fn equations_and_rust_are_printed_and_a_first_file_is_written() {
     let folder = folder("descriptions-out");
     let said = good(&folder, &["model", "derive", "key-hammer-springs", "--mode", "B2"]);
     assert!(said.out.contains("theta_h_dot' = -cos(theta_h)*M2*g*L2/JH"), "{}", said.out);
+    let clavichord = root().join("configs/models/clavichord.toml").display().to_string();
+    let said = good(&folder, &["model", "derive", &clavichord, "--mode", "motion"]);
+    assert!(said.out.contains("string leads to motion+string where its rebounds end"), "{}", said.out);
     let said = good(&folder, &["model", "derive", "bouncing-ball", "--notation", "latex"]);
     assert!(said.out.contains('\\'), "{}", said.out);
     let said = good(&folder, &["model", "emit", "bouncing-ball"]);

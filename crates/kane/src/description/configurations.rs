@@ -164,7 +164,7 @@ impl<'a> Configurations<'a> {
                     *name = self.next(name, closed);
                 }
                 ("to", TomlKind::List(ways)) => self.lead_each(ways, closed),
-                ("impact", TomlKind::Table(_)) => self.lead(&mut key.node, closed),
+                ("to" | "impact", TomlKind::Table(_)) => self.lead(&mut key.node, closed),
                 _ => {}
             }
         }

@@ -198,7 +198,9 @@ impl MechanismReader {
             self.report.miss(keys.place, "the guard leads nowhere", help);
             return Vec::new();
         };
-        let Some(items) = entry.node.items() else {
+        // One way stands for a list of one.
+        let one = entry.node.entries().map(|_| std::slice::from_ref(&entry.node));
+        let Some(items) = entry.node.items().or(one) else {
             let Some((name, place)) = text(&mut self.report, "to", &entry.node) else {
                 return Vec::new();
             };

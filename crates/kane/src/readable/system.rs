@@ -3,7 +3,7 @@
 use super::writer::{Equation, equations};
 use super::{Notation, SymbolNames};
 use crate::graph::{Node, NodeOperation, Place};
-use crate::system::{EquationSystem, GuardEquations, ModeEquations};
+use crate::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
 /// Returns all equations of `system`: for each mode what is slaved, the derivative, readout and
 /// outputs, guards with where they lead, and reset maps.
@@ -25,7 +25,8 @@ pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
 pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) -> String {
     let Some(found) = system.modes.get(mode) else { return String::new() };
     let names = SymbolNames::of(&system.mechanism);
-    let mut page = Page { system, names, wanted: Vec::new(), sections: Vec::new() };
+    let mut page =
+        Page { system, names, wanted: Vec::new(), sections: Vec::new(), statements: Vec::new() };
     page.motion(found);
     page.results(found);
     for guard in &found.guards {
@@ -41,6 +42,8 @@ struct Page<'a> {
     names: SymbolNames,
     wanted: Vec<(String, Node)>,
     sections: Vec<(usize, String)>,
+    /// What needs no equation, after so many sections.
+    statements: Vec<(usize, String)>,
 }
 
 impl Page<'_> {
@@ -94,6 +97,16 @@ impl Page<'_> {
         }
     }
 
+    fn say(&mut self, statement: String) {
+        self.statements.push((self.sections.len(), statement));
+    }
+
+    /// The mode in which the rebounds of an impact end, if it is another one.
+    fn settled(&self, way: &Way) -> Option<String> {
+        let mode = way.branch.impact?.settles.filter(|to| *to != way.branch.to)?;
+        Some(self.system.mechanism.modes.get(mode)?.name.clone())
+    }
+
     fn results(&mut self, mode: &ModeEquations) {
         self.section("readout, energy (J) and power (W)".to_owned());
         self.want("readout", mode.readout);
@@ -116,11 +129,19 @@ impl Page<'_> {
             let to = self.system.mechanism.modes.get(way.branch.to);
             let to = to.map_or("", |it| it.name.as_str());
             let where_to = way.branch.when.map_or("", |_| " where `when` is positive");
-            self.section(format!("{} leads to {to}{where_to}; after it", guard.name));
+            let heading = format!("{} leads to {to}{where_to}; after it", guard.name);
+            self.section(heading.clone());
+            let before = self.wanted.len();
             self.want("when", way.branch.when);
             for (place, node) in self.system.state.iter().zip(&way.state) {
                 let changed = (!self.is_itself(*node, *place)).then_some(*node);
                 self.want(self.names.name(*place), changed);
+            }
+            if self.wanted.len() == before {
+                self.say(format!("{heading} all is as before"));
+            }
+            if let Some(settled) = self.settled(way) {
+                self.say(format!("{} leads to {settled} where its rebounds end", guard.name));
             }
         }
         self.want("sounds", guard.sounds);
@@ -135,6 +156,9 @@ impl Page<'_> {
         for (at, (from, heading)) in self.sections.iter().enumerate() {
             let to = self.sections.get(at + 1).map_or(lines.len(), |it| it.0);
             printed.block(heading, lines.get(*from..to).unwrap_or_default());
+            for (_, statement) in self.statements.iter().filter(|it| it.0 == at + 1) {
+                printed.statement(statement);
+            }
         }
         printed.text
     }
@@ -153,6 +177,15 @@ impl Printed {
             Notation::Latex => format!("\\section*{{{}}}\n", super::words::escaped(title)),
         };
         self.text.push_str(&title);
+    }
+
+    /// A line of its own.
+    fn statement(&mut self, text: &str) {
+        let text = match self.notation {
+            Notation::Text => format!("\n{text}\n"),
+            Notation::Latex => format!("\\paragraph{{{}}}\n", super::words::escaped(text)),
+        };
+        self.text.push_str(&text);
     }
 
     fn block(&mut self, heading: &str, lines: &[Equation]) {

@@ -167,3 +167,13 @@ fn points_are_placed_by_all_frames_below_them() {
         assert!((of(axis) - expected).abs() < 1e-14, "{axis}");
     }
 }
+
+#[test]
+fn one_way_stands_for_a_list_of_one() {
+    let derived = |text: &str| {
+        kane::derive_model("a file", text, &kane::description::NoBases).expect("a model").rust()
+    };
+    let table = SPRINGS.replace("to = \"B2\"", "to = { mode = \"B2\" }");
+    assert_ne!(table, SPRINGS);
+    assert_eq!(derived(&table), derived(SPRINGS));
+}
