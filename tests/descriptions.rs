@@ -96,7 +96,11 @@ fn equations_and_rust_are_printed_and_a_first_file_is_written() {
     assert!(said.out.contains("theta_h_dot' = -cos(theta_h)*M2*g*L2/JH"), "{}", said.out);
     let clavichord = root().join("configs/models/clavichord.toml").display().to_string();
     let said = good(&folder, &["model", "derive", &clavichord, "--mode", "motion"]);
-    assert!(said.out.contains("string leads to motion+string where its rebounds end"), "{}", said.out);
+    assert!(
+        said.out.contains("string leads to motion+string where its rebounds end"),
+        "{}",
+        said.out
+    );
     let said = good(&folder, &["model", "derive", "bouncing-ball", "--notation", "latex"]);
     assert!(said.out.contains('\\'), "{}", said.out);
     let said = good(&folder, &["model", "emit", "bouncing-ball"]);

@@ -57,8 +57,14 @@ impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
 
     /// The input at the end of the step, if it was taken.
     #[inline]
-    pub(super) fn end_input(&self) -> Option<M::Input> {
+    pub(super) fn known_end_input(&self) -> Option<M::Input> {
         (self.last.0.to_bits() == 1.0_f64.to_bits()).then_some(self.last.1)
+    }
+
+    /// The input at the end of the step.
+    #[inline]
+    pub(super) fn end_input(&mut self) -> M::Input {
+        self.input(1.0)
     }
 
     /// Adds the evaluations to the tick's.
@@ -73,15 +79,12 @@ impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
     #[inline(always)]
     fn rates(&self, x: &M::State, input: &M::Input) -> M::State {
-        if self.part.is_whole() {
+        let rates = if self.index == TOGETHER {
             self.model.derivative(self.mode, x, input)
-        } else if self.index == TOGETHER {
-            let rates = self.model.derivative(self.mode, x, input);
-            M::State::ZERO.with_entries(&rates, &self.part)
         } else {
-            let rates = self.model.derivative_of(self.mode, self.index, x, input);
-            M::State::ZERO.with_entries(&rates, &self.part)
-        }
+            self.model.derivative_of(self.mode, self.index, x, input)
+        };
+        if self.part.is_whole() { rates } else { M::State::ZERO.with_entries(&rates, &self.part) }
     }
 
     /// The model's Jacobian for the entries of all parts, zero for the others.

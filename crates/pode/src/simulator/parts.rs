@@ -127,16 +127,21 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         ModeField::new(self.model, (self.mode, index, part), self.signal, theta, self.input)
     }
 
-    /// All parts as one, where the method takes several of this mode together.
+    /// What one step of the method takes: the mode's only part, or several as one; `None` where
+    /// they are stepped apart, and where nothing moves.
     #[inline]
-    fn union(&self) -> Option<Part> {
-        let (parts, length) = (self.model.parts(self.mode), M::State::ZERO.entries().len());
-        let is_apart = parts.len() < 2 || self.stepper.steps_apart(length);
-        if is_apart { None } else { Some(Part::union(parts, length)) }
+    fn whole(&self) -> Option<Part> {
+        let length = M::State::ZERO.entries().len();
+        match self.model.parts(self.mode) {
+            [] => None,
+            [only] => Some(*only),
+            _ if self.stepper.steps_apart(length) => None,
+            several => Some(Part::union(several, length)),
+        }
     }
 
-    /// Steps all parts from `x0`, one after another, and counts their evaluations; a step that one
-    /// of them refuses is refused by all. Returns the input at the end as well.
+    /// Steps all parts from `x0`, and counts their evaluations. Returns the input at the end as
+    /// well.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     pub(super) fn take(
@@ -145,50 +150,43 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         memories: &mut Memories<M, T>,
         work: &mut Work,
     ) -> (Taken<M, T>, M::Input) {
-        let mut end = None;
-        let parts = self.model.parts(self.mode);
-        if let Some(whole) = self.union() {
-            return self.take_together(&whole, x0, memories, work);
-        }
-        let mut whole: Option<Taken<M, T>> = None;
-        for (index, (part, memory)) in parts.iter().zip(memories.iter_mut()).enumerate() {
-            let mut field = self.field((index, *part), self.theta.1);
-            let step = match parts {
-                [_] => self.stepper.step(&mut field, x0, &mut memory.method, self.h),
-                _ => self.take_part((index, *part), x0, memory, &mut field, work),
-            };
-            field.count(work);
-            end = end.or_else(|| field.end_input());
-            whole = Some(whole.map_or(step, |whole| together(&whole, &step, part)));
-        }
-        let whole = whole.unwrap_or_else(|| Step::new(T::Dense::still(x0)));
-        if !whole.is_accepted && parts.len() > 1 {
-            memories.iter_mut().take(parts.len()).for_each(PartMemory::refuse);
-        }
-        (whole, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
+        let Some(whole) = self.whole() else { return self.take_apart(x0, memories, work) };
+        let mut field = self.field((TOGETHER, whole), self.theta.1);
+        let [memory, ..] = memories;
+        let step = self.stepper.step(&mut field, x0, &mut memory.method, self.h);
+        field.count(work);
+        (step, field.end_input())
     }
 
-    /// Steps all parts as one.
-    fn take_together(
+    /// Steps the parts one after another; a step that one of them refuses is refused by all.
+    fn take_apart(
         &self,
-        whole: &Part,
         x0: &M::State,
         memories: &mut Memories<M, T>,
         work: &mut Work,
     ) -> (Taken<M, T>, M::Input) {
-        let mut field = self.field((TOGETHER, *whole), self.theta.1);
-        let [memory, ..] = memories;
-        let step = self.stepper.step(&mut field, x0, &mut memory.method, self.h);
-        field.count(work);
-        let end = field.end_input();
-        (step, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
+        let mut end = None;
+        let parts = self.model.parts(self.mode);
+        let mut whole: Option<Taken<M, T>> = None;
+        for (index, (part, memory)) in parts.iter().zip(memories.iter_mut()).enumerate() {
+            let mut field = self.field((index, *part), self.theta.1);
+            let step = self.take_part((index, *part), x0, memory, &mut field, work);
+            field.count(work);
+            end = end.or_else(|| field.known_end_input());
+            whole = Some(whole.map_or(step, |whole| together(&whole, &step, part)));
+        }
+        let whole = whole.unwrap_or_else(|| Step::new(T::Dense::still(x0)));
+        if !whole.is_accepted {
+            memories.iter_mut().take(parts.len()).for_each(PartMemory::refuse);
+        }
+        (whole, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
     }
 
     /// Has the method look ahead from `x0`, for a step of about the length that is given.
     pub(super) fn prepare(&self, x0: &M::State, memories: &mut Memories<M, T>, work: &mut Work) {
         let part = match self.model.parts(self.mode) {
             [] => return,
-            [only] => (0, *only),
+            [only] => (TOGETHER, *only),
             several => (TOGETHER, Part::union(several, M::State::ZERO.entries().len())),
         };
         let mut field = self.field(part, self.theta.1);
@@ -240,7 +238,7 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         dense: &mut T::Dense<M::State>,
         work: &mut Work,
     ) {
-        if let Some(whole) = self.union() {
+        if let Some(whole) = self.whole() {
             let mut field = self.field((TOGETHER, whole), self.theta.1);
             let [memory, ..] = memories;
             self.stepper.refine(&mut field, &memory.method, dense, self.h);
