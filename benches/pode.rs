@@ -15,9 +15,10 @@ use std::hint::black_box;
 use criterion::Criterion;
 use equations::EquationModel;
 use hand_written::KeyHammerSprings;
+use models::catalogue::Visitor;
 use models::emitted::key_hammer_springs::{KeyHammerSpringsFunctions, TABLE};
 use models::registry::SmallModel;
-use models::{Described, built_in, descriptions};
+use models::{Described, Playable, built_in, descriptions};
 use pode::input::Cubic;
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,
@@ -98,20 +99,36 @@ type Emitted = EquationModel<KeyHammerSpringsFunctions, 4, 192>;
 type Native<'a> = EquationModel<&'a native::NativeFunctions, 4, 192>;
 
 /// The same tick by one method, of one model in all its forms: by hand; as emitted Rust whose calls
-/// the compiler knows; as the program runs it, where calls go through a table, the method known or
-/// one of several; and as machine code that is made while the program runs.
+/// the compiler knows, by itself and as a voice plays it; the same where calls go through a table,
+/// the method known (`rk4`) or one of several; and as machine code that is made while the program
+/// runs.
 fn forms(criterion: &mut Criterion) {
     let values = values();
     let hand = KeyHammerSprings::default().with_values(&values);
     tick(criterion, "rk4/by hand", at_rest(hand, Rk4));
     let emitted = Emitted::new(&TABLE, KeyHammerSpringsFunctions, &values).expect("model B");
     tick(criterion, "rk4/emitted", simulator(emitted, Rk4, emitted.at_rest(&Motion::default())));
-    tick(criterion, "rk4/as played", at_rest(model(), Any::Rk4(Rk4)));
+    built_in::visit_by_type(model(), Played { criterion, values: &values });
+    tick(criterion, "rk4/any", at_rest(model(), Any::Rk4(Rk4)));
     let text = descriptions::description(NAME).expect("a description");
     let derived = kane::derive_model(NAME, text, &kane::description::NoBases).expect("model B");
     let functions = native::compile(derived.program.tapes()).expect("machine code");
     let native = Native::new(derived.program.table, &functions, &values).expect("model B");
     tick(criterion, "rk4/native", simulator(native, Rk4, native.at_rest(&Motion::default())));
+}
+
+/// A model as a voice plays it.
+struct Played<'a> {
+    criterion: &'a mut Criterion,
+    values: &'a [f64],
+}
+
+impl Visitor for Played<'_> {
+    type Output = ();
+
+    fn visit<M: Playable>(self, model: M) {
+        tick(self.criterion, "rk4/as played", at_rest(model.with_values(self.values), Rk4));
+    }
 }
 
 fn tick<M, T>(criterion: &mut Criterion, name: &str, mut simulator: Simulator<M, T>)

@@ -3,7 +3,7 @@
 use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motion, Reset, Resets};
 
 use crate::mode_number::ModeNumber;
-use crate::model::EquationModel;
+use crate::model::{EquationModel, rates_of};
 use crate::table::{EnclosureLayout, FunctionId, Functions, GuardTable, RestingTable, WayTable};
 
 /// A rebound slower than this is none (m/s): under gravity it would last 20 ps.
@@ -13,12 +13,14 @@ const STILL: f64 = 1e-10;
 const HOP: f64 = 1e-5;
 
 impl<F: Functions + Copy, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn guards(&self, mode: ModeNumber) -> &[GuardSpec] {
         self.mode(mode).guard_specs
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn guard_bound(
         &self,
         mode: ModeNumber,
@@ -29,13 +31,15 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Guarded for EquationMo
         self.bound(bound, over)
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn guard(&self, mode: ModeNumber, guard: GuardId, x: &[f64; N], input: &Motion) -> GuardValue {
-        let [value, rate] = match self.guard_table(mode, guard) {
-            Some(guard) => self.values(guard.value, x, input),
-            None => [f64::NAN; 2],
+        let Some(guard) = self.guard_table(mode, guard) else {
+            return GuardValue::new(f64::NAN, f64::NAN);
         };
-        GuardValue::new(value, rate)
+        let (rates, mut out) = (rates_of(input), [f64::NAN; 2]);
+        self.functions().guard(guard.value, &self.arguments(x, &rates, &[]), &mut out);
+        GuardValue::new(out[0], out[1])
     }
 }
 
@@ -58,13 +62,15 @@ pub(crate) struct Leads<const N: usize> {
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The table of a guard in a mode, if it has it.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     pub(crate) fn guard_table(&self, mode: ModeNumber, id: GuardId) -> Option<&'static GuardTable> {
         self.mode(mode).guards.iter().find(|guard| guard.id == id.0)
     }
 
     /// The bound that a function gives over a step; unknown without one, and where it is no number.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     pub(crate) fn bound(
         &self,
         bound: Option<FunctionId>,
@@ -76,7 +82,8 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
             [most.position, most.rate, most.acceleration, most.jerk]
         });
         let mut out = [f64::INFINITY; 2];
-        self.call_with(bound, (&over.start, &input), numbers.as_flattened(), &mut out);
+        let arguments = self.arguments(&over.start, &input, numbers.as_flattened());
+        self.functions().bound(bound, &arguments, &mut out);
         let [moves, bend] = out.map(|it| if it.is_nan() { f64::INFINITY } else { it });
         GuardBound::new(moves, bend)
     }

@@ -54,6 +54,12 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         Ok(model)
     }
 
+    /// The same with its arithmetic as another type, whose functions give the same.
+    pub const fn with_functions<G>(&self, functions: G) -> EquationModel<G, N, C> {
+        let Self { table, constants, natures, .. } = *self;
+        EquationModel { table, functions, constants, natures }
+    }
+
     /// The same with nothing known of its modes.
     pub(crate) fn without_natures(
         table: &'static ModelTable,
@@ -106,6 +112,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     }
 
     /// Returns the arithmetic of the model.
+    #[inline]
     pub const fn functions(&self) -> &F {
         &self.functions
     }
@@ -134,9 +141,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// Calls `function` with the state and the input.
     #[inline]
     pub(crate) fn call(&self, function: FunctionId, x: &[f64; N], input: &Motion, out: &mut [f64]) {
-        let Motion { position, rate, acceleration, jerk } = *input;
-        let input = [position, rate, acceleration, jerk];
-        self.call_with(function, (x, &input), &[], out);
+        self.call_with(function, (x, &rates_of(input)), &[], out);
     }
 
     /// The same with further arguments.
@@ -148,8 +153,19 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         extra: &[f64],
         out: &mut [f64],
     ) {
-        let arguments = Arguments { constants: &self.constants, state, input, extra };
-        self.functions.call(function, &arguments, out);
+        self.functions.call(function, &self.arguments(state, input, extra), out);
+    }
+
+    /// What a function is given.
+    #[expect(clippy::inline_always, reason = "a call takes the arguments through memory")]
+    #[inline(always)]
+    pub(crate) const fn arguments<'a>(
+        &'a self,
+        state: &'a [f64],
+        input: &'a [f64; 4],
+        extra: &'a [f64],
+    ) -> Arguments<'a> {
+        Arguments { constants: &self.constants, state, input, extra }
     }
 
     /// The values of a function that gives K numbers; none is a number if there is no function.
@@ -198,6 +214,14 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         };
         core::array::from_fn(|row| core::array::from_fn(|column| entry(row, column)))
     }
+}
+
+/// The input and its rates, as a function is given them.
+#[expect(clippy::inline_always, reason = "a call takes the input through memory")]
+#[inline(always)]
+pub(crate) const fn rates_of(input: &Motion) -> [f64; 4] {
+    let Motion { position, rate, acceleration, jerk } = *input;
+    [position, rate, acceleration, jerk]
 }
 
 /// Whether the table has room in a state of `room.0` entries and with `room.1` constants.

@@ -5,7 +5,7 @@ use pode::{Model, Motion, Nature, Part, State};
 
 use crate::jacobian_bound::matrix;
 use crate::mode_number::ModeNumber;
-use crate::model::EquationModel;
+use crate::model::{EquationModel, rates_of};
 use crate::table::{Functions, ModeTable};
 
 impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
@@ -20,10 +20,13 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
         self.table().coordinates
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn derivative(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mut out = [0.0; N];
-        self.call(self.mode(mode).derivative, x, input, &mut out);
+        let rates = rates_of(input);
+        let arguments = self.arguments(x, &rates, &[]);
+        self.functions().derivative(self.mode(mode).derivative, &arguments, &mut out);
         out
     }
 
@@ -47,10 +50,13 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
         out
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn readout(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
-        let [readout] = self.values(self.mode(mode).readout, x, input);
-        readout
+        let (rates, mut out) = (rates_of(input), [f64::NAN]);
+        let arguments = self.arguments(x, &rates, &[]);
+        self.functions().readout(self.mode(mode).readout, &arguments, &mut out);
+        out[0]
     }
 
     fn jacobian(
@@ -87,13 +93,16 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
         if self.mode(mode).is_stiffening { self.step_at(mode, longest, x, input) } else { longest }
     }
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
     fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mode = self.mode(mode);
         if mode.slaved.is_none() && mode.projection.is_none() {
             return *x;
         }
-        self.constrained(mode, x, input)
+        let mut in_place = *x;
+        self.put_in_place(mode, &mut in_place, input);
+        in_place
     }
 
     fn longest_projection(&self, mode: ModeNumber) -> f64 {
@@ -102,14 +111,15 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
 }
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// The state with what the mode slaves in place, and on the mode's constraints.
+    /// Puts what the mode slaves in place, and the state on the mode's constraints.
     #[inline(never)]
-    fn constrained(&self, mode: &'static ModeTable, x: &[f64; N], input: &Motion) -> [f64; N] {
-        let mut x = *x;
+    fn put_in_place(&self, mode: &'static ModeTable, x: &mut [f64; N], input: &Motion) {
         if let Some(slaved) = mode.slaved {
-            let before = x;
-            self.call(slaved, &before, input, &mut x);
+            let before = *x;
+            self.call(slaved, &before, input, x);
         }
-        mode.projection.map_or(x, |projection| self.projected(projection, mode, x, input))
+        if let Some(projection) = mode.projection {
+            *x = self.projected(projection, mode, *x, input);
+        }
     }
 }

@@ -29,6 +29,34 @@ pub trait Functions: Send + Sync {
     /// no function has writes nothing. Where `out` or an argument is shorter than the function
     /// needs, all of `out` becomes NaN.
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]);
+
+    /// As [`call`](Self::call), for the derivative of a mode.
+    ///
+    /// This and the next three are what each step asks for. Emitted code tells the few functions
+    /// of each apart by themselves, so that they become part of the step where its type is known;
+    /// any other number gives NaN.
+    #[inline]
+    fn derivative(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.call(function, arguments, out);
+    }
+
+    /// As [`call`](Self::call), for the readout of a mode.
+    #[inline]
+    fn readout(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.call(function, arguments, out);
+    }
+
+    /// As [`call`](Self::call), for a guard and its rate.
+    #[inline]
+    fn guard(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.call(function, arguments, out);
+    }
+
+    /// As [`call`](Self::call), for the bounds of a guard over a step.
+    #[inline]
+    fn bound(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.call(function, arguments, out);
+    }
 }
 
 impl<F: Functions + ?Sized> Functions for &F {

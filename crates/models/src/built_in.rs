@@ -1,5 +1,6 @@
 //! The models that are part of the program: the only file that knows all of them.
 
+use std::ptr;
 use std::sync::LazyLock;
 
 use crate::emitted::{
@@ -8,8 +9,9 @@ use crate::emitted::{
 use crate::entry::ModelEntry;
 use crate::entry_of_table::entry;
 use crate::equation_model::LoadedFunctions;
-use crate::loaded_model::{LoadedModel, SmallModel};
+use crate::loaded_model::{LoadedModel, SmallModel, Visitor};
 
+use equations::EquationModel;
 use equations::table::{Functions, ModelTable};
 
 /// A description's table and functions, as they were emitted.
@@ -45,6 +47,27 @@ pub fn entries() -> impl Iterator<Item = &'static ModelEntry> + Clone {
 pub fn small(name: &str) -> Option<SmallModel> {
     let (_, model) = MODELS.iter().find(|(entry, _)| entry.name == name)?;
     if let LoadedModel::Small(model) = model { Some(*model) } else { None }
+}
+
+/// Does something with `model` as a type of its own, if it is the paper's A or B: its equations are
+/// part of each step then, and no calls.
+///
+/// Each of them is compiled with all that the visitor does, and it pays only where the equations are
+/// short: those of the reduced grand take longer so.
+pub fn visit_by_type<V: Visitor>(model: SmallModel, visitor: V) -> V::Output {
+    use crate::emitted::{key_hammer_rigid as rigid, key_hammer_springs as springs};
+    if ptr::eq(model.table(), &raw const springs::TABLE) {
+        visitor.visit(of_type(&model, springs::KeyHammerSpringsFunctions))
+    } else if ptr::eq(model.table(), &raw const rigid::TABLE) {
+        visitor.visit(of_type(&model, rigid::KeyHammerRigidFunctions))
+    } else {
+        visitor.visit(model)
+    }
+}
+
+fn of_type<F>(model: &SmallModel, functions: F) -> EquationModel<LoadedFunctions<F>, 4, 192> {
+    let functions = model.functions().of_type(functions);
+    model.with_functions(functions)
 }
 
 /// The model of `entry`, if it is part of the program.

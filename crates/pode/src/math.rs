@@ -80,7 +80,8 @@ fn large_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
 
 /// Sines and cosines of two angles (rad), the same bits as [`sin_cos`]'s: in the time of one
 /// where they lie side by side already, as a state's entries do.
-#[inline]
+#[expect(clippy::inline_always, reason = "a call takes angles and results through memory")]
+#[inline(always)]
 pub fn sin_cos_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     if x.iter().all(|x| is_small(*x)) {
         let x = f64x2::new(x);

@@ -6,9 +6,9 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
 use models::catalogue::{self, ModelEntry, Visitor};
 use models::registry::SmallModel;
-use models::{Described as _, Playable};
+use models::{Playable, built_in};
 use pode::Limits;
-use pode::stepper::{self, Any};
+use pode::stepper::{self, Any, Rk4};
 use scheduler::observation::MAX_STATES;
 use scheduler::time::Period;
 use scheduler::values::MAX_VALUES;
@@ -163,12 +163,25 @@ impl Visitor for Builder<'_> {
     }
 
     /// The usual method is compiled into the usual voice; any other costs it a choice per step.
-    #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
     fn visit_small(self, model: SmallModel) -> Self::Output {
         let Any::Rk4(rk4) = self.render.stepper else { return self.visit(model) };
-        let model = model.with_values(self.values);
-        let fittings = self.fittings(model.input_per_metre())?;
-        Ok(Box::new(RenderedKey::new(model, rk4, fittings)))
+        built_in::visit_by_type(model, Rk4Builder { rk4, builder: self })
+    }
+}
+
+/// Makes the voice of a model whose method is known.
+struct Rk4Builder<'a> {
+    rk4: Rk4,
+    builder: Builder<'a>,
+}
+
+impl Visitor for Rk4Builder<'_> {
+    type Output = Result<AnyVoice, BuildError>;
+
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
+        let model = model.with_values(self.builder.values);
+        let fittings = self.builder.fittings(model.input_per_metre())?;
+        Ok(Box::new(RenderedKey::new(model, self.rk4, fittings)))
     }
 }
 

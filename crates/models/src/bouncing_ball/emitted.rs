@@ -3,6 +3,7 @@
     non_snake_case,
     unreachable_pub,
     clippy::allow_attributes,
+    clippy::inline_always,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
@@ -335,9 +336,58 @@ impl Functions for BouncingBallFunctions {
             out.fill(f64::NAN);
         }
     }
+
+    #[inline(always)]
+    fn derivative(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derivative_flight(given, out),
+            17 => derivative_rest(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn readout(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            2 => readout_flight(given, out),
+            20 => readout_rest(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn guard(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            13 => guard_floor_flight(given, out),
+            24 => guard_lift_rest(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn bound(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            14 => bound_floor_flight(given, out),
+            25 => bound_lift_rest(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
 }
 
 /// The derivative of the state in mode flight.
+#[inline(always)]
 fn derivative_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<6>()?;
     let state = given.state.first_chunk::<2>()?;
@@ -356,6 +406,7 @@ fn jacobian_flight(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode flight.
+#[inline(always)]
 fn readout_flight(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<1>()?;
     out[0] = 0.0;
@@ -499,6 +550,7 @@ fn function_12(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: floor in mode flight.
+#[inline(always)]
 fn guard_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let state = given.state.first_chunk::<2>()?;
     let input = given.input;
@@ -512,6 +564,7 @@ fn guard_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: floor in mode flight.
+#[inline(always)]
 fn bound_floor_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<4>()?;
     let input = given.input;
@@ -550,6 +603,7 @@ fn series_step_flight(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The derivative of the state in mode rest.
+#[inline(always)]
 fn derivative_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let input = given.input;
     let s_rate = input[1];
@@ -577,6 +631,7 @@ fn jacobian_rest(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode rest.
+#[inline(always)]
 fn readout_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<13>()?;
     let input = given.input;
@@ -638,6 +693,7 @@ fn reset_0_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: lift in mode rest.
+#[inline(always)]
 fn guard_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<1>()?;
     let input = given.input;
@@ -650,6 +706,7 @@ fn guard_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: lift in mode rest.
+#[inline(always)]
 fn bound_lift_rest(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<4>()?;
     let input = given.input;

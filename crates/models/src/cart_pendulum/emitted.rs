@@ -3,6 +3,7 @@
     non_snake_case,
     unreachable_pub,
     clippy::allow_attributes,
+    clippy::inline_always,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
@@ -527,9 +528,61 @@ impl Functions for CartPendulumFunctions {
             out.fill(f64::NAN);
         }
     }
+
+    #[inline(always)]
+    fn derivative(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derivative_free(given, out),
+            17 => derivative_left(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn readout(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            3 => readout_free(given, out),
+            20 => readout_left(given, out),
+            30 => readout_right(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn guard(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            11 => guard_left_free(given, out),
+            14 => guard_right_free(given, out),
+            24 => guard_off_left(given, out),
+            34 => guard_off_right(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn bound(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            12 => bound_left_free(given, out),
+            25 => bound_off_left(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
 }
 
 /// The derivative of the state in mode free.
+#[inline(always)]
 fn derivative_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<17>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -620,6 +673,7 @@ fn jacobian_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode free.
+#[inline(always)]
 fn readout_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<7>()?;
     let state = given.state.first_chunk::<3>()?;
@@ -773,6 +827,7 @@ fn speed_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: left in mode free.
+#[inline(always)]
 fn guard_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<8>()?;
     let state = given.state.first_chunk::<3>()?;
@@ -785,6 +840,7 @@ fn guard_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: left in mode free.
+#[inline(always)]
 fn bound_left_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
     let out = out.first_chunk_mut::<2>()?;
@@ -804,6 +860,7 @@ fn function_13(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: right in mode free.
+#[inline(always)]
 fn guard_right_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<9>()?;
     let state = given.state.first_chunk::<3>()?;
@@ -894,6 +951,7 @@ fn series_step_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The derivative of the state in mode left.
+#[inline(always)]
 fn derivative_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<33>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -935,6 +993,7 @@ fn jacobian_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode left.
+#[inline(always)]
 fn readout_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<8>()?;
     let input = given.input;
@@ -1014,6 +1073,7 @@ fn reset_0_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: off in mode left.
+#[inline(always)]
 fn guard_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<34>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -1038,6 +1098,7 @@ fn guard_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: off in mode left.
+#[inline(always)]
 fn bound_off_left(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<42>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -1171,6 +1232,7 @@ fn slaved_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode right.
+#[inline(always)]
 fn readout_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<9>()?;
     let input = given.input;
@@ -1248,6 +1310,7 @@ fn reset_0_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: off in mode right.
+#[inline(always)]
 fn guard_off_right(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<34>()?;
     let state = given.state.first_chunk::<4>()?;

@@ -1,17 +1,16 @@
 //! Draws a model by its table.
 
 use equations::EquationModel;
-use equations::table::{BodyTable, OutlineTable};
+use equations::table::{BodyTable, Functions, OutlineTable};
 
-use super::LoadedFunctions;
 use crate::draw::{Body, Coil, Ends, Follow, Sketch};
 
 /// Most numbers of a drawing: its view, and 510 points.
 const MOST: usize = 1024;
 
 /// Draws `model` from the side; nothing if its drawing has more numbers than there is room for.
-pub(super) fn draw<const N: usize, const C: usize>(
-    model: &EquationModel<LoadedFunctions, N, C>,
+pub(super) fn draw<F: Functions + Copy, const N: usize, const C: usize>(
+    model: &EquationModel<F, N, C>,
     sketch: &mut dyn Sketch,
 ) {
     let drawing = model.table().drawing;

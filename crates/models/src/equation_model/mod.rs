@@ -21,8 +21,8 @@ pub use contacts::MAX_CODED_CONTACTS;
 
 /// The functions of a model of the catalogue, and its entry there.
 #[derive(Clone, Copy)]
-pub struct LoadedFunctions {
-    functions: &'static dyn Functions,
+pub struct LoadedFunctions<F = &'static dyn Functions> {
+    functions: F,
     entry: &'static ModelEntry,
 }
 
@@ -31,18 +31,47 @@ impl LoadedFunctions {
     pub const fn new(functions: &'static dyn Functions, entry: &'static ModelEntry) -> Self {
         Self { functions, entry }
     }
+
+    /// The same as functions of a type of their own.
+    pub(crate) const fn of_type<F>(self, functions: F) -> LoadedFunctions<F> {
+        LoadedFunctions { functions, entry: self.entry }
+    }
 }
 
-impl fmt::Debug for LoadedFunctions {
+impl<F> fmt::Debug for LoadedFunctions<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_tuple("LoadedFunctions").field(&self.entry.name).finish()
     }
 }
 
-impl Functions for LoadedFunctions {
+impl<F: Functions> Functions for LoadedFunctions<F> {
     #[inline]
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
         self.functions.call(function, arguments, out);
+    }
+
+    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
+    #[inline(always)]
+    fn derivative(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.derivative(function, arguments, out);
+    }
+
+    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
+    #[inline(always)]
+    fn readout(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.readout(function, arguments, out);
+    }
+
+    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
+    #[inline(always)]
+    fn guard(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.guard(function, arguments, out);
+    }
+
+    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
+    #[inline(always)]
+    fn bound(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.bound(function, arguments, out);
     }
 }
 
@@ -53,7 +82,10 @@ fn damper(table: &ModelTable) -> (Damper, f64) {
     })
 }
 
-impl<const N: usize, const C: usize> Described for EquationModel<LoadedFunctions, N, C> {
+impl<F, const N: usize, const C: usize> Described for EquationModel<LoadedFunctions<F>, N, C>
+where
+    F: Functions + Copy + 'static,
+{
     fn entry(&self) -> &'static ModelEntry {
         self.functions().entry
     }
@@ -85,7 +117,10 @@ impl<const N: usize, const C: usize> Described for EquationModel<LoadedFunctions
     }
 }
 
-impl<const N: usize, const C: usize> Playable for EquationModel<LoadedFunctions, N, C> {
+impl<F, const N: usize, const C: usize> Playable for EquationModel<LoadedFunctions<F>, N, C>
+where
+    F: Functions + Copy + 'static,
+{
     fn damper(&self) -> Damper {
         damper(self.table()).0
     }

@@ -3,6 +3,7 @@
     non_snake_case,
     unreachable_pub,
     clippy::allow_attributes,
+    clippy::inline_always,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
@@ -531,9 +532,47 @@ impl Functions for KeyHammerRigidFunctions {
             out.fill(f64::NAN);
         }
     }
+
+    #[inline(always)]
+    fn derivative(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derivative_a1(given, out),
+            11 => derivative_a2(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn readout(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            3 => readout_a1(given, out),
+            13 => readout_a2(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn guard(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            8 => guard_release_a1(given, out),
+            18 => guard_land_a2(given, out),
+            22 => guard_string_a2(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
 }
 
 /// The derivative of the state in mode A1.
+#[inline(always)]
 fn derivative_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<4>()?;
     let input = given.input;
@@ -584,6 +623,7 @@ fn jacobian_a1(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode A1.
+#[inline(always)]
 fn readout_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<19>()?;
     let input = given.input;
@@ -762,6 +802,7 @@ fn reset_0_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: release in mode A1.
+#[inline(always)]
 fn guard_release_a1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<20>()?;
     let input = given.input;
@@ -1072,6 +1113,7 @@ fn function_10(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The derivative of the state in mode A2.
+#[inline(always)]
 fn derivative_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<34>()?;
     let state = given.state.first_chunk::<2>()?;
@@ -1100,6 +1142,7 @@ fn jacobian_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode A2.
+#[inline(always)]
 fn readout_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<18>()?;
     let input = given.input;
@@ -1208,6 +1251,7 @@ fn reset_0_land_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: land in mode A2.
+#[inline(always)]
 fn guard_land_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<4>()?;
     let state = given.state.first_chunk::<2>()?;
@@ -1298,6 +1342,7 @@ fn speed_string_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: string in mode A2.
+#[inline(always)]
 fn guard_string_a2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<13>()?;
     let state = given.state.first_chunk::<2>()?;

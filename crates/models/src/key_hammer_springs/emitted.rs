@@ -3,6 +3,7 @@
     non_snake_case,
     unreachable_pub,
     clippy::allow_attributes,
+    clippy::inline_always,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
@@ -608,9 +609,59 @@ impl Functions for KeyHammerSpringsFunctions {
             out.fill(f64::NAN);
         }
     }
+
+    #[inline(always)]
+    fn derivative(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derivative_b1(given, out),
+            15 => derivative_b2(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn readout(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            3 => readout_b1(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn guard(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            7 => guard_release_b1(given, out),
+            11 => guard_string_b1(given, out),
+            22 => guard_land_b2(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn bound(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            8 => bound_release_b1(given, out),
+            12 => bound_string_b1(given, out),
+            23 => bound_land_b2(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
 }
 
 /// The derivative of the state in mode B1.
+#[inline(always)]
 fn derivative_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<21>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -751,6 +802,7 @@ fn jacobian_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode B1.
+#[inline(always)]
 fn readout_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<15>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -875,6 +927,7 @@ fn balance_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: release in mode B1.
+#[inline(always)]
 fn guard_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<4>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -896,6 +949,7 @@ fn guard_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: release in mode B1.
+#[inline(always)]
 fn bound_release_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<30>()?;
     let state = given.state.first_chunk::<2>()?;
@@ -963,6 +1017,7 @@ fn speed_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: string in mode B1.
+#[inline(always)]
 fn guard_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<13>()?;
     let state = given.state.first_chunk::<3>()?;
@@ -976,6 +1031,7 @@ fn guard_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: string in mode B1.
+#[inline(always)]
 fn bound_string_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<3>()?;
     let out = out.first_chunk_mut::<2>()?;
@@ -1128,6 +1184,7 @@ fn series_step_b1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The derivative of the state in mode B2.
+#[inline(always)]
 fn derivative_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<31>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -1288,6 +1345,7 @@ fn balance_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: land in mode B2.
+#[inline(always)]
 fn guard_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<4>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -1309,6 +1367,7 @@ fn guard_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: land in mode B2.
+#[inline(always)]
 fn bound_land_b2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<30>()?;
     let state = given.state.first_chunk::<2>()?;

@@ -3,6 +3,7 @@
     non_snake_case,
     unreachable_pub,
     clippy::allow_attributes,
+    clippy::inline_always,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
@@ -274,14 +275,62 @@ impl Functions for SpringWallFunctions {
             out.fill(f64::NAN);
         }
     }
+
+    #[inline(always)]
+    fn derivative(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            0 => derived_constants(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn readout(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            1 => readout_free(given, out),
+            7 => readout_contact(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn guard(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            5 => guard_touch_free(given, out),
+            11 => guard_leave_contact(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn bound(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            6 => bound_touch_free(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
 }
 
 /// What follows from the parameters.
+#[inline(always)]
 fn derived_constants(_: &Arguments<'_>, _: &mut [f64]) -> Option<()> {
     Some(())
 }
 
 /// The readout in mode free.
+#[inline(always)]
 fn readout_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let out = out.first_chunk_mut::<1>()?;
     out[0] = 0.0;
@@ -316,6 +365,7 @@ fn balance_free(_: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: touch in mode free.
+#[inline(always)]
 fn guard_touch_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<3>()?;
     let input = given.input;
@@ -328,6 +378,7 @@ fn guard_touch_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Bounds of the guard's move and bend: touch in mode free.
+#[inline(always)]
 fn bound_touch_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let extra = given.extra.first_chunk::<4>()?;
     let input = given.input;
@@ -340,6 +391,7 @@ fn bound_touch_free(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The readout in mode contact.
+#[inline(always)]
 fn readout_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<3>()?;
     let input = given.input;
@@ -409,6 +461,7 @@ fn balance_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: leave in mode contact.
+#[inline(always)]
 fn guard_leave_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<3>()?;
     let input = given.input;
