@@ -3,6 +3,7 @@
     non_snake_case,
     unreachable_pub,
     clippy::allow_attributes,
+    clippy::inline_always,
     clippy::large_stack_frames,
     clippy::suspicious_operation_groupings,
     clippy::too_many_lines,
@@ -259,6 +260,39 @@ impl Functions for LeverWithHammerFunctions {
             out.fill(f64::NAN);
         }
     }
+
+    #[inline(always)]
+    fn derivative(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            1 => derivative_contact(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn readout(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            2 => input_per_metre(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
+
+    #[inline(always)]
+    fn guard(&self, function: FunctionId, given: &Arguments<'_>, out: &mut [f64]) {
+        let done = match function {
+            6 => guard_release_contact(given, out),
+            _ => None,
+        };
+        if done.is_none() {
+            out.fill(f64::NAN);
+        }
+    }
 }
 
 /// What follows from the parameters.
@@ -272,6 +306,7 @@ fn derived_constants(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The derivative of the state in mode contact.
+#[inline(always)]
 fn derivative_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<6>()?;
     let state = given.state.first_chunk::<4>()?;
@@ -312,6 +347,7 @@ fn derivative_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// Input per metre of key-front travel.
+#[inline(always)]
 fn input_per_metre(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let constants = given.constants.first_chunk::<5>()?;
     let state = given.state.first_chunk::<1>()?;
@@ -437,6 +473,7 @@ fn jacobian_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
 }
 
 /// The guard and its rate: release in mode contact.
+#[inline(always)]
 fn guard_release_contact(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     let state = given.state.first_chunk::<2>()?;
     let input = given.input;
