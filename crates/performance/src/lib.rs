@@ -22,9 +22,10 @@ pub mod score;
 pub mod stroke;
 
 pub use assess::{Assessment, ExpectedNote, Spread, Struck, WINDOW, assess};
-pub use pianist::{Performance, Pianist, Progress};
+pub use pianist::{Performance, Pianist, Progress, ShortStroke};
 pub use rehearse::{
-    PlayOutcome, Practice, Rehearsal, RehearsedStroke, Strike, StrokeTable, StrokeTables,
+    LATEST, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall, Strike, StrokeTable,
+    StrokeTables,
 };
 pub use score::{Score, ScoreError, ScoreNote, read};
 pub use stroke::{PlannedStroke, Technique, plan};

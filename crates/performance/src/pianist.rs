@@ -10,7 +10,7 @@ use keyboard::KEYS;
 use midi::VelocityCurve;
 
 use crate::assess::{ExpectedNote, Struck};
-use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, StrokeTables};
+use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, Shortfall, StrokeTables};
 use crate::score::Score;
 use crate::stroke::{PlannedStroke, Technique, plan};
 
@@ -52,8 +52,20 @@ pub struct Performance {
     pub expected: Vec<ExpectedNote>,
     /// What the rehearsal promises: compare with [`assess`](crate::assess()).
     pub predicted: Vec<Struck>,
+    /// What cannot be played as it is written, in order of onset, then of key.
+    pub shortfalls: Vec<ShortStroke>,
     /// Moves of the sustain pedal: when (s), and how deep, 0 (up) ..= 1 (down).
     pub pedals: Vec<(f64, f64)>,
+}
+
+/// A note that is not played as it is written.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ShortStroke {
+    /// Which key, 0 ..= 87.
+    pub key: u8,
+    /// When it should be heard (s since the start of the performance).
+    pub onset: f64,
+    pub why: Shortfall,
 }
 
 impl Performance {
@@ -132,11 +144,14 @@ impl Pianist {
         expected.sort_by(|a, b| a.onset.total_cmp(&b.onset).then(a.key.cmp(&b.key)));
         let mut gestures: Vec<Vec<_>> = rehearsed
             .iter()
-            .map(|strokes| strokes.iter().map(|stroke| stroke.gesture).collect())
+            .map(|strokes| strokes.iter().filter_map(|stroke| stroke.gesture).collect())
             .collect();
         gestures.resize(KEYS, Vec::new());
         let lead_in = self.technique.lead_in;
+        let mut shortfalls: Vec<_> = rehearsed.iter().flatten().filter_map(short).collect();
+        shortfalls.sort_by(|a, b| a.onset.total_cmp(&b.onset).then(a.key.cmp(&b.key)));
         Performance {
+            shortfalls,
             gestures,
             expected,
             predicted: rehearsed.iter().flatten().filter_map(|s| self.predict(s)).collect(),
@@ -149,6 +164,11 @@ impl Pianist {
         let velocity = self.curve.velocity(strike.speed).get();
         Some(Struck { key: stroke.wanted.key, at: strike.at, velocity })
     }
+}
+
+fn short(stroke: &RehearsedStroke) -> Option<ShortStroke> {
+    let PlannedStroke { key, onset, .. } = stroke.wanted;
+    stroke.shortfall.map(|why| ShortStroke { key, onset, why })
 }
 
 fn wanted(stroke: &PlannedStroke) -> ExpectedNote {

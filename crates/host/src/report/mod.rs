@@ -3,19 +3,20 @@
 use std::fmt;
 
 use hdrhistogram::Histogram;
-use performance::Assessment;
 use serde::Serialize;
 
 use voice::AuditReport;
 
 mod board_line;
 mod link_line;
+mod note_report;
 mod step_counts;
 
 pub use board_line::BoardLine;
 pub(crate) use board_line::{muted_keys, stage_words};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
+pub use note_report::{ErrorQuantiles, NoteReport, NoteShortfall};
 pub use step_counts::StepCounts;
 
 /// The report of `letoff run`, as `--json` prints it.
@@ -148,46 +149,6 @@ impl Quantiles {
     }
 }
 
-/// The quality of a performance.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct NoteReport {
-    /// Notes that the piece asks for within the run.
-    pub played: usize,
-    pub struck: usize,
-    /// Notes asked for and not struck.
-    pub missed: usize,
-    /// Strikes that the piece does not have.
-    pub extra: usize,
-    /// |struck − wanted| (ms).
-    pub onset_error_ms: ErrorQuantiles,
-    /// |struck − wanted| in MIDI velocities.
-    pub velocity_error: ErrorQuantiles,
-}
-
-/// Quantiles of an error.
-#[derive(Clone, Copy, Debug, Serialize)]
-#[expect(missing_docs, reason = "the names say it")]
-pub struct ErrorQuantiles {
-    pub p50: f64,
-    pub p99: f64,
-    pub max: f64,
-}
-
-impl From<&Assessment> for NoteReport {
-    fn from(it: &Assessment) -> Self {
-        let spread =
-            |it: &performance::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
-        Self {
-            played: it.played,
-            struck: it.played - it.missed,
-            missed: it.missed,
-            extra: it.extra,
-            onset_error_ms: spread(&it.onset_error_ms),
-            velocity_error: spread(&it.velocity_error),
-        }
-    }
-}
-
 /// Evaluations, independent of the machine.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Evaluations {
@@ -296,22 +257,6 @@ impl Deadline {
             )?;
         }
         Ok(())
-    }
-}
-
-impl NoteReport {
-    fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "  notes       {} of {} struck, {} missed, {} extra",
-            self.struck, self.played, self.missed, self.extra
-        )?;
-        let (o, v) = (&self.onset_error_ms, &self.velocity_error);
-        writeln!(
-            f,
-            "              onset error p50 {:.3} p99 {:.3} max {:.3} ms; velocity error p50 {:.0} p99 {:.0} max {:.0}",
-            o.p50, o.p99, o.max, v.p50, v.p99, v.max
-        )
     }
 }
 

@@ -26,7 +26,9 @@ use crate::control::RunHandle;
 use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
-use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, Realtime};
+use crate::report::{
+    Deadline, Evaluations, MidiReport, NoteReport, NoteShortfall, Realtime,
+};
 use crate::report::{RunReport, StepCounts};
 use key_source::KeySource;
 use key_transport::KeyTransport;
@@ -380,7 +382,8 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteRep
     let expected: Vec<_> =
         performance.expected.iter().filter(|note| note.onset < heard).copied().collect();
     let struck: Vec<_> = struck.iter().filter(|strike| strike.at < heard).copied().collect();
-    NoteReport::from(&assess(&expected, &struck))
+    let shortfalls = performance.shortfalls.iter().filter(|it| it.onset < heard);
+    NoteReport::new(&assess(&expected, &struck), shortfalls.map(NoteShortfall::new).collect())
 }
 
 /// Returns the keys of a scene: simulated, or on boards that were found.

@@ -7,8 +7,9 @@
 //! 3. try on a copy of the key, and correct both, until strike and onset are as wanted;
 //! 4. if the touch does not serve, try the other one;
 //! 5. if the key is not up yet, let the stroke before go earlier, and try again;
-//! 6. choose the release so that the damper falls where it should and the next stroke has room;
-//! 7. keep it and go on.
+//! 6. if it cannot be in time even so, leave it out, and give the stroke before its length back;
+//! 7. choose the release so that the damper falls where it should and the next stroke has room;
+//! 8. keep it and go on.
 //!
 //! Nothing depends on anything but the arguments: the same strokes give the same bits.
 
@@ -16,6 +17,8 @@ mod hand;
 mod last;
 mod release;
 mod search;
+mod shortfall;
+mod strokes;
 mod table;
 
 use haptics::plant::{Gesture, Touch};
@@ -23,8 +26,9 @@ use midi::VelocityCurve;
 
 use crate::stroke::{PlannedStroke, Technique};
 use hand::PlannedKey;
-use last::Last;
 use search::Try;
+pub use shortfall::{LATEST, Shortfall};
+use strokes::KeyStrokes;
 pub use table::{StrokeTable, StrokeTables, tabulate};
 
 /// How much longer than from rest the next stroke may take, for choosing a release.
@@ -64,8 +68,10 @@ pub struct Strike {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RehearsedStroke {
     pub wanted: PlannedStroke,
-    /// What the finger does.
-    pub gesture: Gesture,
+    /// What the finger does; none where the stroke is left out.
+    pub gesture: Option<Gesture>,
+    /// Why it is not played as it is written; none where it is.
+    pub shortfall: Option<Shortfall>,
     /// The strike that it gives, unless it gives none.
     pub strike: Option<Strike>,
     /// How many strikes it gives; more than one is a bouncing hammer.
@@ -74,6 +80,14 @@ pub struct RehearsedStroke {
     pub damper_fall: Option<f64>,
     /// Simulations that it took.
     pub n_tries: u32,
+}
+
+impl RehearsedStroke {
+    /// A stroke that is not played, for want of what `shortfall` says.
+    const fn left_out(wanted: &PlannedStroke, shortfall: Option<Shortfall>, n_tries: u32) -> Self {
+        let (gesture, strike, damper_fall) = (None, None, None);
+        Self { wanted: *wanted, gesture, shortfall, strike, n_strikes: 0, damper_fall, n_tries }
+    }
 }
 
 /// What a rehearsal goes by.
@@ -95,25 +109,9 @@ impl Practice<'_> {
         &self,
         instrument: R,
         strokes: &[PlannedStroke],
-        mut progress: impl FnMut(),
+        progress: impl FnMut(),
     ) -> Vec<RehearsedStroke> {
-        let mut hand = PlannedKey::new(instrument);
-        let mut rehearsed: Vec<RehearsedStroke> = Vec::with_capacity(strokes.len());
-        let mut last: Option<Last<R>> = None;
-        for (index, wanted) in strokes.iter().enumerate() {
-            let mut found = self.find(&mut hand, wanted);
-            if let (Some(last), Some(stroke)) = (&last, rehearsed.last_mut())
-                && !found.is_acceptable()
-            {
-                last.make_room(self, wanted, (&mut hand, stroke, &mut found));
-            }
-            let latest = strokes.get(index + 1).map(|next| self.latest_release(next));
-            let before = hand.clone();
-            rehearsed.push(release::choose(&mut hand, wanted, &found, latest));
-            last = Some(Last { hand: before, found });
-            progress();
-        }
-        rehearsed
+        KeyStrokes::new(self, instrument, strokes).rehearse(progress)
     }
 
     /// Finds speed and start, by the wanted touch or else by the other.
@@ -138,6 +136,12 @@ impl Practice<'_> {
         let (_, struck_delay) = self.guess(Touch::Struck, wanted.speed);
         let too_late = wanted.onset - wanted_delay < free;
         if too_late && struck_delay < wanted_delay { Touch::Struck } else { wanted.touch }
+    }
+
+    /// Least time from a start to a strike at `speed` (m/s), from rest (s).
+    fn quickest(&self, speed: f64) -> f64 {
+        let delays = [Touch::Pressed, Touch::Struck].map(|touch| self.guess(touch, speed).1);
+        delays[0].min(delays[1])
     }
 
     /// When the key must be released (s) so that `next` finds it up.

@@ -47,7 +47,8 @@ pub(super) fn choose<R: Rehearsal>(
     let gesture = Gesture { release, ..found.gesture };
     RehearsedStroke {
         wanted: *wanted,
-        gesture,
+        gesture: Some(gesture),
+        shortfall: None,
         strike: found.strike,
         n_strikes: strikes.filter(|strike| strike.at >= gesture.start).count(),
         damper_fall: outcome.damper_fall.filter(|fall| *fall > release),

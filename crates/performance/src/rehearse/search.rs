@@ -48,6 +48,8 @@ pub(super) struct Try {
     pub(super) strike: Option<Strike>,
     /// Velocity error in MIDI units + onset error (ms) + what wrong strikes cost.
     pub(super) cost: f64,
+    /// Strikes beyond the first.
+    pub(super) n_extra: usize,
     /// Whether both tolerances are met by exactly one strike.
     pub(super) is_good: bool,
     pub(super) n_tries: u32,
@@ -155,6 +157,7 @@ fn judge(
     Try {
         gesture,
         strike,
+        n_extra,
         cost: level_error + 1e3 * onset_error + wrong,
         is_good: wrong == 0.0 && level_error <= LEVEL_TOLERANCE && onset_error <= ONSET_TOLERANCE,
         n_tries: 1,

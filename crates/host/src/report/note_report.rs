@@ -1,0 +1,109 @@
+//! What became of the notes of a performance.
+
+use std::fmt;
+
+use firmware_protocol::key::KeyIndex;
+use performance::{Assessment, ShortStroke};
+use serde::Serialize;
+
+/// The quality of a performance.
+#[derive(Clone, Debug, Serialize)]
+pub struct NoteReport {
+    /// Notes that the piece asks for within the run.
+    pub played: usize,
+    pub struck: usize,
+    /// Notes asked for and not struck.
+    pub missed: usize,
+    /// Strikes that the piece does not have.
+    pub extra: usize,
+    /// How far strikes were from their onsets, early or late (ms).
+    pub onset_error_ms: ErrorQuantiles,
+    /// How far strikes were from their notes, in MIDI velocities.
+    pub velocity_error: ErrorQuantiles,
+    /// What the pianist knew beforehand that the keys cannot do, in order of time.
+    pub shortfalls: Vec<NoteShortfall>,
+}
+
+/// A note that the keys cannot play as it is written.
+#[derive(Clone, Debug, Serialize)]
+pub struct NoteShortfall {
+    /// Name of the key, as C4.
+    pub key: String,
+    /// When it should be heard (s since the start of the run).
+    pub at_s: f64,
+    /// Whether the note is left out.
+    pub is_left_out: bool,
+    /// What cannot be done.
+    pub why: String,
+}
+
+impl NoteShortfall {
+    /// What is said of a stroke that falls short.
+    pub fn new(short: &ShortStroke) -> Self {
+        Self {
+            key: KeyIndex::new(usize::from(short.key)).map_or_else(String::new, |it| it.to_string()),
+            at_s: short.onset,
+            is_left_out: short.why.is_left_out(),
+            why: short.why.to_string(),
+        }
+    }
+}
+
+/// Quantiles of an error.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[expect(missing_docs, reason = "the names say it")]
+pub struct ErrorQuantiles {
+    pub p50: f64,
+    pub p99: f64,
+    pub max: f64,
+}
+
+impl NoteReport {
+    /// What is said of a performance that went as assessed, with the notes that fell short.
+    pub fn new(it: &Assessment, shortfalls: Vec<NoteShortfall>) -> Self {
+        let spread =
+            |it: &performance::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
+        Self {
+            played: it.played,
+            struck: it.played - it.missed,
+            missed: it.missed,
+            extra: it.extra,
+            onset_error_ms: spread(&it.onset_error_ms),
+            velocity_error: spread(&it.velocity_error),
+            shortfalls,
+        }
+    }
+
+    pub(super) fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "  notes       {} of {} struck, {} missed, {} extra",
+            self.struck, self.played, self.missed, self.extra
+        )?;
+        let (o, v) = (&self.onset_error_ms, &self.velocity_error);
+        writeln!(
+            f,
+            "              onset error p50 {:.3} p99 {:.3} max {:.3} ms; velocity error p50 {:.0} p99 {:.0} max {:.0}",
+            o.p50, o.p99, o.max, v.p50, v.p99, v.max
+        )?;
+        self.fmt_shortfalls(f)
+    }
+
+    fn fmt_shortfalls(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        /// Most notes that are named one by one.
+        const NAMED: usize = 8;
+        if self.shortfalls.is_empty() {
+            return Ok(());
+        }
+        let left_out = self.shortfalls.iter().filter(|it| it.is_left_out).count();
+        let others = self.shortfalls.len() - left_out;
+        writeln!(f, "              beyond these keys: {left_out} left out, {others} played otherwise")?;
+        for NoteShortfall { key, at_s, why, .. } in self.shortfalls.iter().take(NAMED) {
+            writeln!(f, "                {key} at {at_s:.3} s is {why}")?;
+        }
+        match self.shortfalls.len().saturating_sub(NAMED) {
+            0 => Ok(()),
+            more => writeln!(f, "                and {more} more, which `--json` lists"),
+        }
+    }
+}
