@@ -64,7 +64,7 @@ impl<R: Rehearsal> Last<R> {
         for kept in KEPT {
             let mut hand = self.hand.clone();
             let latest = Some(earliest + kept * held);
-            let shortened = release::choose(&mut hand, &stroke.wanted, &self.found, latest);
+            let shortened = release::choose(practice, &mut hand, &stroke.wanted, &self.found, latest);
             let found = practice.find(&mut hand, wanted);
             if best.as_ref().is_none_or(|best| found.cost < best.found.cost) {
                 best = Some(Room { hand, stroke: shortened, found });
@@ -79,11 +79,12 @@ impl<R: Rehearsal> Last<R> {
     /// The stroke before with the release that its own end asks for, not after `latest` (s).
     pub(super) fn alone(
         &self,
+        practice: &Practice<'_>,
         wanted: &PlannedStroke,
         latest: Option<f64>,
     ) -> (PlannedKey<R>, RehearsedStroke) {
         let mut hand = self.hand.clone();
-        let stroke = release::choose(&mut hand, wanted, &self.found, latest);
+        let stroke = release::choose(practice, &mut hand, wanted, &self.found, latest);
         (hand, stroke)
     }
 }

@@ -4,13 +4,14 @@ use haptics::plant::Gesture;
 
 use super::hand::PlannedKey;
 use super::search::Try;
-use super::{PlayOutcome, Rehearsal, RehearsedStroke};
+use super::{PlayOutcome, Practice, Rehearsal, RehearsedStroke};
 use crate::stroke::PlannedStroke;
 
 /// Shortest time from a strike to the release of its key (s).
 const SHORTEST_HOLD: f64 = 0.01;
 
-/// First guess for the time from a release to the fall of the damper (s).
+/// First guess for the time from a release to the fall of the damper (s), of a key that was not seen
+/// to fall.
 const USUAL_FALL: f64 = 0.03;
 
 /// Time before the first guess that is kept open for an earlier release (s).
@@ -30,13 +31,14 @@ const MAX_TRIES: u32 = 4;
 /// The damper falls as near to the wanted end as it can if the release is not after `latest` (s),
 /// where the next stroke needs the key.
 pub(super) fn choose<R: Rehearsal>(
+    practice: &Practice<'_>,
     hand: &mut PlannedKey<R>,
     wanted: &PlannedStroke,
     found: &Try,
     latest: Option<f64>,
 ) -> RehearsedStroke {
     let limits = ReleaseWindow::new(hand, wanted, found, latest);
-    let guess = limits.apply(wanted.end - USUAL_FALL);
+    let guess = limits.apply(wanted.end - practice.tables.fall.unwrap_or(USUAL_FALL));
     hand.keep(found.gesture);
     let held = hand.advance(guess - LEEWAY);
     let limits = ReleaseWindow { earliest: limits.earliest.max(hand.now()), ..limits };

@@ -77,7 +77,7 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         }
         if is_left_out(&found) {
             let latest = self.latest_release(index);
-            let (hand, alone) = last.alone(&self.strokes[last.index], latest);
+            let (hand, alone) = last.alone(self.practice, &self.strokes[last.index], latest);
             let stroke = &mut self.rehearsed[last.index];
             *stroke = RehearsedStroke { shortfall: stroke.shortfall, ..alone };
             self.hand = hand;
@@ -89,7 +89,8 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
     fn keep(&mut self, index: usize, found: Try, shortfall: Option<Shortfall>) {
         let before = self.hand.clone();
         let latest = self.latest_release(index);
-        let stroke = release::choose(&mut self.hand, &self.strokes[index], &found, latest);
+        let wanted = &self.strokes[index];
+        let stroke = release::choose(self.practice, &mut self.hand, wanted, &found, latest);
         self.rehearsed.push(RehearsedStroke { shortfall, ..stroke });
         self.last = Some(Last { hand: before, found, index });
     }

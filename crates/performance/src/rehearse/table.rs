@@ -23,6 +23,9 @@ const WAY: f64 = 0.02;
 /// Time that a trial has beyond that (s): finger and key must gather speed.
 const PATIENCE: f64 = 0.2;
 
+/// Time after a release in which the damper is waited for (s).
+const LONGEST_FALL: f64 = 0.5;
+
 /// Guess where a table is empty: hammer speed over finger speed.
 const USUAL_RATIO: f64 = 5.0;
 
@@ -75,6 +78,8 @@ pub struct StrokeTables {
     pub pressed: StrokeTable,
     /// The finger comes from above.
     pub struck: StrokeTable,
+    /// From the release of a key that is held to the fall of its damper (s), if that was seen.
+    pub fall: Option<f64>,
 }
 
 impl StrokeTables {
@@ -83,6 +88,7 @@ impl StrokeTables {
         Self {
             pressed: tabulate(instrument, Touch::Pressed, technique),
             struck: tabulate(instrument, Touch::Struck, technique),
+            fall: fall(instrument, technique),
         }
     }
 
@@ -110,6 +116,15 @@ pub(super) fn slowest(touch: Touch) -> f64 {
         Touch::Pressed => SLOWEST_PRESS,
         Touch::Struck => SLOWEST_STRIKE,
     }
+}
+
+/// From a release to the fall of the damper (s) of a key that was pressed and held.
+fn fall<R: Rehearsal>(instrument: &R, technique: &Technique) -> Option<f64> {
+    /// An easy stroke (m/s), and a hold until all is still (s).
+    const EASY: (f64, f64) = (0.2, 0.5);
+    let gesture = technique.gesture(Touch::Pressed, EASY.0, 0.0, EASY.1);
+    let outcome = instrument.clone().play(&[gesture], EASY.1 + LONGEST_FALL);
+    outcome.damper_fall.map(|at| at - EASY.1).filter(|fall| *fall > 0.0)
 }
 
 fn measure<R: Rehearsal>(
