@@ -41,7 +41,7 @@ impl NoteShortfall {
     /// What is said of a stroke that falls short.
     pub fn new(short: &ShortStroke) -> Self {
         Self {
-            key: KeyIndex::new(usize::from(short.key)).map_or_else(String::new, |it| it.to_string()),
+            key: KeyIndex::new(short.key).map_or_else(String::new, |it| it.to_string()),
             at_s: short.onset,
             is_left_out: short.why.is_left_out(),
             why: short.why.to_string(),
@@ -97,7 +97,10 @@ impl NoteReport {
         }
         let left_out = self.shortfalls.iter().filter(|it| it.is_left_out).count();
         let others = self.shortfalls.len() - left_out;
-        writeln!(f, "              beyond these keys: {left_out} left out, {others} played otherwise")?;
+        writeln!(
+            f,
+            "              beyond these keys: {left_out} left out, {others} played otherwise"
+        )?;
         for NoteShortfall { key, at_s, why, .. } in self.shortfalls.iter().take(NAMED) {
             writeln!(f, "                {key} at {at_s:.3} s is {why}")?;
         }

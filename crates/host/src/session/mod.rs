@@ -26,9 +26,7 @@ use crate::control::RunHandle;
 use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
-use crate::report::{
-    Deadline, Evaluations, MidiReport, NoteReport, NoteShortfall, Realtime,
-};
+use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, NoteShortfall, Realtime};
 use crate::report::{RunReport, StepCounts};
 use key_source::KeySource;
 use key_transport::KeyTransport;

@@ -64,7 +64,8 @@ impl<R: Rehearsal> Last<R> {
         for kept in KEPT {
             let mut hand = self.hand.clone();
             let latest = Some(earliest + kept * held);
-            let shortened = release::choose(practice, &mut hand, &stroke.wanted, &self.found, latest);
+            let shortened =
+                release::choose(practice, &mut hand, &stroke.wanted, &self.found, latest);
             let found = practice.find(&mut hand, wanted);
             if best.as_ref().is_none_or(|best| found.cost < best.found.cost) {
                 best = Some(Room { hand, stroke: shortened, found });

@@ -79,7 +79,10 @@ impl fmt::Display for Shortfall {
         match self {
             Self::TooSoon { late: Some(late) } => {
                 let late = late * 1e3;
-                write!(f, "left out, since its key cannot be struck again before {late:.0} ms later")
+                write!(
+                    f,
+                    "left out, since its key cannot be struck again before {late:.0} ms later"
+                )
             }
             Self::TooSoon { late: None } => {
                 write!(f, "left out, since its key cannot be struck again so soon")
