@@ -137,6 +137,16 @@ impl<'a> Running<'a> {
     }
 }
 
+/// The largest change of the force that is sent, from one tick to the next (N).
+///
+/// A busy machine may skip ticks, while the key moves on under the force that it has: what follows
+/// settles for some ticks.
+fn largest_change(rows: &[[f64; 4]]) -> f64 {
+    let settled = |rows: &&[[f64; 4]]| rows.windows(2).all(|pair| pair[1][0] - pair[0][0] < 1.5);
+    let in_turn = rows.windows(SETTLED).filter(settled).filter_map(|rows| rows.last_chunk::<2>());
+    in_turn.map(|[one, next]| (next[3] - one[3]).abs()).fold(0.0, f64::max)
+}
+
 /// Rows of a key: tick, position (m), the voice's force and the force sent (N).
 fn rows(folder: &Path, key: u8) -> Vec<[f64; 4]> {
     let text = fs::read_to_string(folder.join(format!("export/key-{key}.csv"))).expect("its rows");
@@ -243,16 +253,13 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     let wanted = |base| [SPRINGS[0], SPRINGS[1], SPRINGS[0]].map(|spring| felt(spring, base));
     check_near(&rests(&all[0]), &wanted(BASE));
     check_near(&rests(&all[1]), &wanted(OTHER_BASE));
-    // The forces differ by more than a newton where the key stands; in a tick the force that is
-    // sent changes by a twentieth of it, and by what the key moves. A busy machine may skip ticks,
-    // while the key moves on under the force that it has: what follows settles for some ticks.
-    let settled = |rows: &&[[f64; 4]]| rows.windows(2).all(|pair| pair[1][0] - pair[0][0] < 1.5);
-    let in_turn = all[0].windows(SETTLED).filter(settled).filter_map(|rows| rows.last_chunk::<2>());
-    let largest = in_turn.map(|[one, next]| (next[3] - one[3]).abs()).fold(0.0, f64::max);
+    let largest = largest_change(&all[0]);
     let blended = all[0].iter().filter(|[.., force, sent]| 0.05 < (sent - force).abs()).count();
     assert!(5 < blended, "{blended} ticks in which the force is on its way to the new one");
     let travel = 2.0 / felt(SPRINGS[0], BASE);
     let jump = travel * (felt(SPRINGS[1], BASE) - felt(SPRINGS[0], BASE));
+    // The forces differ by more than a newton where the key stands; in a tick the force that is
+    // sent changes by a twentieth of it, and by what the key moves.
     assert!(jump > 1.0 && largest < 0.2 * jump, "{largest} N in a tick, {jump} N between both");
 
     // Nothing but the recording is left.

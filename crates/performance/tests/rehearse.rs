@@ -226,7 +226,9 @@ fn quick_repetitions_do_not_delay_what_comes_after_them() {
     let rehearsed = rehearse(&slow, &strokes);
     let (played, left_out): (Vec<_>, Vec<_>) =
         rehearsed.iter().partition(|stroke| stroke.shortfall.is_none());
-    played.iter().for_each(|stroke| check_met(stroke));
+    for stroke in &played {
+        check_met(stroke);
+    }
     assert!(played.len() >= 21, "every second one, and the last: {}", played.len());
     assert!(left_out.iter().all(|it| matches!(it.shortfall, Some(Shortfall::TooSoon { .. }))));
     assert_eq!(rehearsed.last().expect("the last").shortfall, None);
