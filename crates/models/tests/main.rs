@@ -1,5 +1,6 @@
 //! The models of the program against what every model promises.
 
+mod by_type;
 mod conformance;
 mod drawing;
 mod drawing_to_scale;
