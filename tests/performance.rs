@@ -7,6 +7,8 @@ use std::sync::atomic::AtomicBool;
 
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession};
+use midly::num::{u4, u7, u15, u28};
+use midly::{Format, Header, MetaMessage, MidiMessage, Smf, Timing, TrackEvent, TrackEventKind};
 use scene::Scene;
 
 use crate::stage::{scene, try_scene};
@@ -56,6 +58,50 @@ fn every_instrument_runs_on_all_keys_without_a_fault() {
         }
     }
     assert_eq!(refused, ["paper-rigid"]);
+}
+
+#[test]
+fn what_the_keys_cannot_do_is_left_out_and_named() {
+    // Eight in a second, which no key of the default scene can do, and one long after.
+    let onsets: Vec<u32> = (0..16).map(|i| 125 * i).chain([4000]).collect();
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("repeated.mid");
+    fs::write(&path, repeated(&onsets)).expect("a file");
+    let piece = path.to_str().expect("a path that is text");
+    let report = run(&scene("default", &[("pianist.performance", piece)]), 7.0);
+    check_healthy(&report);
+    let notes = report.notes.as_ref().expect("a pianist");
+    let left_out: Vec<_> = notes.shortfalls.iter().filter(|it| it.is_left_out).collect();
+    assert_eq!((notes.played, notes.extra), (onsets.len(), 0), "{notes:?}");
+    assert_eq!((notes.missed, notes.struck), (left_out.len(), 17 - left_out.len()), "{notes:?}");
+    assert!((4..13).contains(&left_out.len()), "{notes:?}");
+    assert!(notes.onset_error_ms.max < ONSET_MS, "{notes:?}");
+    assert!(left_out.iter().all(|it| it.key == "C4" && it.at_s < 3.0), "{left_out:?}");
+    let said = report.to_string();
+    let first = format!("C4 at {:.3} s is left out, since its key can", left_out[0].at_s);
+    assert!(said.contains(&first), "{said}");
+}
+
+/// A file in which C4 is struck at each of `onsets` (ms), softly and short.
+fn repeated(onsets: &[u32]) -> Vec<u8> {
+    let message = |velocity: u8| TrackEventKind::Midi {
+        channel: u4::new(0),
+        message: MidiMessage::NoteOn { key: u7::new(60), vel: u7::new(velocity) },
+    };
+    let mut track = Vec::new();
+    let mut now = 0;
+    for onset in onsets {
+        // At the usual tempo, 500 ticks a quarter are a thousandth of a second each.
+        for (at, velocity) in [(*onset, 40), (onset + 50, 0)] {
+            track.push(TrackEvent { delta: u28::new(at - now), kind: message(velocity) });
+            now = at;
+        }
+    }
+    let kind = TrackEventKind::Meta(MetaMessage::EndOfTrack);
+    track.push(TrackEvent { delta: u28::new(0), kind });
+    let header = Header::new(Format::SingleTrack, Timing::Metrical(u15::new(500)));
+    let mut bytes = Vec::new();
+    Smf { header, tracks: vec![track] }.write_std(&mut bytes).expect("a file");
+    bytes
 }
 
 /// Asserts what is promised of 30 s of scene `name`, with `least` notes, and that it is the
