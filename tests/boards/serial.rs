@@ -51,9 +51,12 @@ fn a_piece_is_played_over_eight_ports() {
     assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
     assert_eq!(count(&report, "/links/gaps"), 0, "{report}");
     assert_eq!(count(&report, "/links/refused"), 0, "{report}");
-    // What a hypervisor stole and did not tell the kernel counts as own work.
+    // What a hypervisor stole and did not tell the kernel counts as own work: up to a third of
+    // what the kernel was told of.
     let own_work = count(&report, "/deadline/missed_own_work");
-    assert!(1000 * own_work <= count(&report, "/ticks"), "{report}");
+    let told = count(&report, "/deadline/missed_woken_late")
+        + count(&report, "/deadline/missed_preempted");
+    assert!(own_work <= count(&report, "/ticks") / 1000 + told / 3, "{report}");
 }
 
 #[test]
