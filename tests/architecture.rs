@@ -26,7 +26,7 @@ const MAY_KNOW: [(&str, &[&str]); 29] = [
     ("models", &["contacts", "equations", "pode"]),
     // For tests alone, which compare with it.
     ("hand-written", &["equations", "models", "pode"]),
-    ("descriptions", &["contacts", "diagnostics", "equations", "hand-written", "models", "pode"]),
+    ("descriptions", &["contacts", "diagnostics", "equations", "models", "pode"]),
     // The models are what tests compare with.
     ("expressions", &["equations", "hand-written", "models", "pode"]),
     ("formulas", &["diagnostics", "expressions"]),

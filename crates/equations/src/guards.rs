@@ -13,8 +13,7 @@ const STILL: f64 = 1e-10;
 const HOP: f64 = 1e-5;
 
 impl<F: Functions + Copy, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
-    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
-    #[inline(always)]
+    #[inline]
     fn guards(&self, mode: ModeNumber) -> &[GuardSpec] {
         self.mode(mode).guard_specs
     }
@@ -62,8 +61,7 @@ pub(crate) struct Leads<const N: usize> {
 
 impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The table of a guard in a mode, if it has it.
-    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
-    #[inline(always)]
+    #[inline]
     pub(crate) fn guard_table(&self, mode: ModeNumber, id: GuardId) -> Option<&'static GuardTable> {
         self.mode(mode).guards.iter().find(|guard| guard.id == id.0)
     }

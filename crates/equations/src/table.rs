@@ -108,6 +108,12 @@ pub struct NamedQuantity {
     pub unit: &'static str,
 }
 
+/// Whether an output is the pose of a frame that a drawing follows: it is called after it, as
+/// `key.angle`.
+pub fn is_pose(output: &str) -> bool {
+    output.contains('.')
+}
+
 /// A parameter with its unit and range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ParameterTable {

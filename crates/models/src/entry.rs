@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use equations::table::is_pose;
+
 /// A parameter of a model, with its unit and range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Parameter {
@@ -79,10 +81,9 @@ impl ModelEntry {
         guards.find(|guard| guard.name == name).map_or("", |guard| guard.unit)
     }
 
-    /// The outputs that are of use to people; behind them are the poses that a drawing follows,
-    /// which are called after their frames: `key.angle`.
+    /// The outputs that are of use to people; behind them are the poses that a drawing follows.
     pub fn quantities(&self) -> &'static [&'static str] {
-        let count = self.outputs.iter().take_while(|name| !name.contains('.')).count();
+        let count = self.outputs.iter().take_while(|name| !is_pose(name)).count();
         self.outputs.split_at(count).0
     }
 

@@ -123,7 +123,7 @@ impl LoadedModel {
 
 /// Something to be done with a model whose type is known by its entry only.
 pub trait Visitor: Sized {
-    /// What comes out.
+    /// What the visitor makes of a model.
     type Output;
 
     /// Does it with `model`, which has the values of its default preset.

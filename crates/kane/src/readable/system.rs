@@ -1,5 +1,7 @@
 //! All equations of a system, mode by mode.
 
+use equations::table::is_pose;
+
 use super::writer::{Equation, equations};
 use super::{Notation, SymbolNames};
 use crate::graph::{Node, NodeOperation, Place};
@@ -115,8 +117,7 @@ impl Page<'_> {
         self.want("dissipated", mode.dissipated);
         self.section("outputs".to_owned());
         let outputs = self.system.mechanism.outputs.iter().zip(&mode.outputs);
-        // Those of a drawing are called after their frames: `key.angle`.
-        for (output, node) in outputs.filter(|(output, _)| !output.name.contains('.')) {
+        for (output, node) in outputs.filter(|(output, _)| !is_pose(&output.name)) {
             self.want(output.name.clone(), *node);
         }
     }

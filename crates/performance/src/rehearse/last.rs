@@ -62,10 +62,8 @@ impl<R: Rehearsal> Last<R> {
         }
         let mut best: Option<Room<R>> = None;
         for kept in KEPT {
-            let mut hand = self.hand.clone();
             let latest = Some(earliest + kept * held);
-            let shortened =
-                release::choose(practice, &mut hand, &stroke.wanted, &self.found, latest);
+            let (mut hand, shortened) = self.let_go(practice, stroke, latest);
             let found = practice.find(&mut hand, wanted);
             if best.as_ref().is_none_or(|best| found.cost < best.found.cost) {
                 best = Some(Room { hand, stroke: shortened, found });
@@ -77,15 +75,15 @@ impl<R: Rehearsal> Last<R> {
         best.filter(|it| it.found.is_acceptable() || it.found.cost < GAIN * found.cost)
     }
 
-    /// The stroke before with the release that its own end asks for, not after `latest` (s).
-    pub(super) fn alone(
+    /// The key after the stroke before, and that `stroke` with a release not after `latest` (s).
+    pub(super) fn let_go(
         &self,
         practice: &Practice<'_>,
-        wanted: &PlannedStroke,
+        stroke: &RehearsedStroke,
         latest: Option<f64>,
     ) -> (PlannedKey<R>, RehearsedStroke) {
         let mut hand = self.hand.clone();
-        let stroke = release::choose(practice, &mut hand, wanted, &self.found, latest);
-        (hand, stroke)
+        let again = release::choose(practice, &mut hand, &stroke.wanted, &self.found, latest);
+        (hand, RehearsedStroke { shortfall: stroke.shortfall, ..again })
     }
 }

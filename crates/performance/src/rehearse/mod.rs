@@ -84,9 +84,16 @@ pub struct RehearsedStroke {
 
 impl RehearsedStroke {
     /// A stroke that is not played, for want of what `shortfall` says.
-    const fn left_out(wanted: &PlannedStroke, shortfall: Option<Shortfall>, n_tries: u32) -> Self {
-        let (gesture, strike, damper_fall) = (None, None, None);
-        Self { wanted: *wanted, gesture, shortfall, strike, n_strikes: 0, damper_fall, n_tries }
+    const fn left_out(wanted: &PlannedStroke, shortfall: Shortfall, n_tries: u32) -> Self {
+        Self {
+            wanted: *wanted,
+            gesture: None,
+            shortfall: Some(shortfall),
+            strike: None,
+            n_strikes: 0,
+            damper_fall: None,
+            n_tries,
+        }
     }
 }
 

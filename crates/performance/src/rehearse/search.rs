@@ -169,7 +169,11 @@ fn is_level(practice: &Practice<'_>, wanted: &PlannedStroke, strike: Option<Stri
 }
 
 /// Velocity error in MIDI units; zero if there is no strike, which costs enough by itself.
-fn level_error(practice: &Practice<'_>, wanted: &PlannedStroke, strike: Option<Strike>) -> f64 {
+pub(super) fn level_error(
+    practice: &Practice<'_>,
+    wanted: &PlannedStroke,
+    strike: Option<Strike>,
+) -> f64 {
     let level = |speed| practice.curve.level(speed).clamp(0.0, 128.0);
     strike.map_or(0.0, |strike| (level(strike.speed) - level(wanted.speed)).abs())
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::search::Try;
+use super::search::{Try, level_error};
 use super::{Practice, Strike};
 use crate::stroke::PlannedStroke;
 
@@ -61,8 +61,7 @@ impl Shortfall {
         if found.n_extra > 0 {
             return Some(Self::Repeated);
         }
-        let level = |speed| practice.curve.level(speed).clamp(0.0, 128.0);
-        let is_off = (level(speed) - level(wanted.speed)).abs() > LEVEL;
+        let is_off = level_error(practice, wanted, found.strike) > LEVEL;
         is_off.then_some(Self::Level { speed, wanted: wanted.speed })
     }
 }

@@ -37,11 +37,12 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
             } else {
                 self.with_room(index, found)
             };
-            let shortfall = Shortfall::of(self.practice, wanted, &found, is_free);
-            if shortfall.is_some_and(|it| it.is_left_out()) {
-                self.rehearsed.push(RehearsedStroke::left_out(wanted, shortfall, found.n_tries));
-            } else {
-                self.keep(index, found, shortfall);
+            match Shortfall::of(self.practice, wanted, &found, is_free) {
+                Some(shortfall) if shortfall.is_left_out() => {
+                    let left_out = RehearsedStroke::left_out(wanted, shortfall, found.n_tries);
+                    self.rehearsed.push(left_out);
+                }
+                shortfall => self.keep(index, found, shortfall),
             }
             progress();
         }
@@ -67,20 +68,17 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
             let shortfall = Shortfall::of(self.practice, wanted, found, IsFree::No);
             shortfall.is_some_and(|it| it.is_left_out())
         };
+        let latest = self.latest_release(index);
         let Some(last) = &self.last else { return found };
         let stroke = &mut self.rehearsed[last.index];
         let room = last.make_room(self.practice, wanted, stroke, &found);
         if let Some(room) = room.filter(|room| !is_left_out(&room.found)) {
-            *stroke = RehearsedStroke { shortfall: stroke.shortfall, ..room.stroke };
+            *stroke = room.stroke;
             self.hand = room.hand;
             return room.found;
         }
         if is_left_out(&found) {
-            let latest = self.latest_release(index);
-            let (hand, alone) = last.alone(self.practice, &self.strokes[last.index], latest);
-            let stroke = &mut self.rehearsed[last.index];
-            *stroke = RehearsedStroke { shortfall: stroke.shortfall, ..alone };
-            self.hand = hand;
+            (self.hand, *stroke) = last.let_go(self.practice, stroke, latest);
         }
         found
     }

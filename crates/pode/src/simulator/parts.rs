@@ -184,12 +184,9 @@ impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
 
     /// Has the method look ahead from `x0`, for a step of about the length that is given.
     pub(super) fn prepare(&self, x0: &M::State, memories: &mut Memories<M, T>, work: &mut Work) {
-        let part = match self.model.parts(self.mode) {
-            [] => return,
-            [only] => (TOGETHER, *only),
-            several => (TOGETHER, Part::union(several, M::State::ZERO.entries().len())),
-        };
-        let mut field = self.field(part, self.theta.1);
+        // A method that looks ahead takes all parts together.
+        let Some(whole) = self.whole() else { return };
+        let mut field = self.field((TOGETHER, whole), self.theta.1);
         let [memory, ..] = memories;
         self.stepper.prepare(&mut field, x0, &mut memory.method, self.h);
         field.count(work);
