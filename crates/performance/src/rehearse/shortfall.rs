@@ -78,10 +78,7 @@ impl fmt::Display for Shortfall {
         match self {
             Self::TooSoon { late: Some(late) } => {
                 let late = late * 1e3;
-                write!(
-                    f,
-                    "left out, since its key cannot be struck again before {late:.0} ms later"
-                )
+                write!(f, "left out, since its key can be struck again only {late:.0} ms later")
             }
             Self::TooSoon { late: None } => {
                 write!(f, "left out, since its key cannot be struck again so soon")
@@ -95,5 +92,16 @@ impl fmt::Display for Shortfall {
             }
             Self::Repeated => write!(f, "struck more than once by its hammer"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_out_for_want_of_time_says_how_much_is_wanting() {
+        let said = Shortfall::TooSoon { late: Some(0.0426) }.to_string();
+        assert_eq!(said, "left out, since its key can be struck again only 43 ms later");
     }
 }
