@@ -65,7 +65,7 @@ pub fn key(number: usize) -> KeyIndex {
 
 /// A stroke from `start` to `release` (s) at `speed` (m/s).
 pub fn stroke(start: f64, release: f64, touch: Touch, speed: f64) -> Gesture {
-    Gesture { start, release, touch, speed, hold: Gesture::HOLD }
+    Gesture { start, release, touch, speed, ..Gesture::USUAL }
 }
 
 /// Plays every key about twice a second until `end` (s): pressed and struck, soft and loud,

@@ -134,7 +134,7 @@ fn a_simulated_finger_plays_over_the_link() {
         release: 0.4,
         touch: Touch::Pressed,
         speed: 0.3,
-        hold: Gesture::HOLD,
+        ..Gesture::USUAL
     };
     keybed.play(key, &[gesture]);
     keybed.begin_at(now_us());

@@ -22,7 +22,7 @@ fn strokes() -> Vec<Gesture> {
         release,
         touch,
         speed,
-        hold: Gesture::HOLD,
+        ..Gesture::USUAL
     };
     vec![stroke(0.010_3, 0.150, Touch::Pressed, 0.3), stroke(0.170_7, 0.300, Touch::Struck, 1.2)]
 }

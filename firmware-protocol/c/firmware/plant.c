@@ -4,9 +4,10 @@
 
 /* One step [s]. */
 #define H (1e-6f * STEP_US)
-/* The key: mass [kg], damping [N s/m], friction moving and at rest [N]. */
-#define MASS 0.045f
-#define DAMPING 2.0f
+/* The key: mass [kg], damping [N s/m], return spring [N], friction moving and at rest [N]. */
+#define MASS 0.040f
+#define DAMPING 1.0f
+#define RETURN 0.3f
 #define COULOMB 0.10f
 #define STICTION 0.12f
 /* The felts: where the key bottom is [m], stiffness [N/m], damping [N s/m]. */
@@ -66,7 +67,7 @@ static float breakaway(float position, float force)
 {
     struct resistance felt = resistance(position, 0.0f);
     float push = 0.0f < felt.preload ? -felt.sign * felt.preload : 0.0f;
-    float net = push - force;
+    float net = push - force - RETURN;
     if (magnitude(net) <= STICTION) {
         return 0.0f;
     }
@@ -78,7 +79,7 @@ static float sliding(const struct plant_key *key, float force, float direction)
 {
     struct resistance felt = resistance(key->position, H);
     float inertia = MASS + H * DAMPING;
-    float impulse = MASS * key->velocity - H * (force + direction * COULOMB);
+    float impulse = MASS * key->velocity - H * (force + RETURN + direction * COULOMB);
     float free = impulse * (1.0f / (MASS + H * DAMPING));
     if (felt.preload + felt.slope * felt.sign * free <= 0.0f) {
         return free;

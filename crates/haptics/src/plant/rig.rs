@@ -38,15 +38,21 @@ impl Default for RigParameters {
         };
         Self {
             key: KeyParameters {
-                // E: key stick of 3e-3 kg m² at 0.2595 m from the balance rail.
-                mass: 0.045,
-                // E: eddy-current damper, so that a 1 kHz loop can hold 2 b / T = 4 kN/m.
-                damping: 2.0,
+                // E: key stick of 2.7e-3 kg m² at 0.2595 m from the balance rail. With 35 g the
+                // loops of grand-springs at 500 Hz and grand-reduced at 4 kHz with the slow filter
+                // make energy.
+                mass: 0.040,
+                // E: eddy-current damper, so that a 1 kHz loop can hold 2 b / T = 2 kN/m.
+                damping: 1.0,
                 // S: a real key's friction is 0.118 N; ours should not add more.
                 coulomb: 0.10,
                 stiction: 0.12,
-                // E: balanced; all load comes from the motor.
-                weight: 0.0,
+                // E: a return spring, as every keyboard has one. Under 0.2, 0.35 and 0.5 N of the
+                // motor the key comes up, from its bottom to 1 mm below its rest, in 49, 41 and
+                // 36 ms, where a real one takes 30 to 45 (S: 35); under the grands' models, whose
+                // moving mass it has to lift too, in 75 to 120. With 0.4 N it takes a tenth less,
+                // but the paper's undamped springs then strike with nobody at the keys.
+                weight: 0.3,
                 rest_stop: felt(0.0),
                 // S: key dip 9.9–10.7 mm.
                 bottom_stop: felt(10.16e-3),
@@ -182,7 +188,7 @@ impl KeyRig {
     fn play(&mut self, t: f64, h: f64, gesture: &Gesture) -> f64 {
         if self.playing.is_none_or(|start| start - gesture.start != 0.0) {
             self.playing = Some(gesture.start);
-            self.finger.place(gesture.command(t));
+            self.finger.place(gesture.command(t), gesture.speed);
         }
         let contact = self.finger.contact(self.key.position(), self.key.velocity());
         let command = gesture.command(t + h);

@@ -242,7 +242,7 @@ mod tests {
             release: 0.04 + f64::from(n) / 15.0,
             touch: if n % 2 == 0 { Touch::Struck } else { Touch::Pressed },
             speed: 3.0,
-            hold: Gesture::HOLD,
+            ..Gesture::USUAL
         });
         let strokes: Vec<_> = strokes.collect();
         for (h, stiffness) in [(1e-3, 0.0), (1e-3, 1_500.0), (250e-6, 0.0), (250e-6, 3_000.0)] {

@@ -7,11 +7,8 @@ pub(super) use stroke::MuscleCommand;
 use super::smooth::{quintic, quintic_slope};
 use stroke::StrokeProfile;
 
-/// Height above the key to which a finger is lifted (m) (estimate).
-const LIFT_HEIGHT: f64 = 10e-3;
-
-/// Time that lifting takes (s) (estimate).
-const LIFT_TIME: f64 = 50e-3;
+/// Times that lifting may take (s): faster is no finger, and slower none that lets go.
+const LIFTS: (f64, f64) = (10e-3, 1.0);
 
 /// How a finger meets the key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,7 +29,10 @@ pub enum Touch {
 /// faster gesture is never behind a slower one on its way down.
 ///
 /// Times share the origin of the `t` they are asked with. `release` may be infinite while it
-/// is not known, and then be set to any time not yet passed.
+/// is not known, and then be set to any time not yet passed, `lift` with it.
+///
+/// A finger that must play its key again soon is not lifted to the end: the next gesture takes
+/// over at its own start, from the depth to which the key has risen by then.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gesture {
     /// Time at which the finger starts to move (s).
@@ -41,15 +41,38 @@ pub struct Gesture {
     pub release: f64,
     /// How it meets the key.
     pub touch: Touch,
-    /// Commanded speed on the way down (m/s), meant for `0.02 ..= 3`.
+    /// Depth at which a pressed finger starts (m), down positive: where its key is then.
+    pub from: f64,
+    /// Commanded speed on the way down (m/s), meant for `0.02 ..= 3`, and to 8 from a stiffer
+    /// finger: see [`FingerParameters::braced`](super::FingerParameters::braced).
     pub speed: f64,
     /// Commanded depth while the key is held (m), down positive; see [`Self::HOLD`].
     pub hold: f64,
+    /// Time from the release until the finger is lifted (s), meant for `0.01 ..= 1`.
+    pub lift: f64,
 }
 
 impl Gesture {
     /// Hold depth for the default key and finger (m): dip and 2 N at 400 N/m.
-    pub const HOLD: f64 = 10.16e-3 + 2.0 / 400.0;
+    pub const HOLD: f64 = 10.16e-3 + stroke::PUSH;
+
+    /// Height above the key to which a finger is lifted (m) (estimate).
+    pub const LIFT_HEIGHT: f64 = 10e-3;
+
+    /// Usual time that lifting takes (s) (estimate).
+    pub const LIFT: f64 = 50e-3;
+
+    /// A press of middling speed at time 0 that is never released, with the usual depths and the
+    /// usual lift: what other gestures differ from.
+    pub const USUAL: Self = Self {
+        start: 0.0,
+        release: f64::INFINITY,
+        touch: Touch::Pressed,
+        from: 0.0,
+        speed: 0.2,
+        hold: Self::HOLD,
+        lift: Self::LIFT,
+    };
 
     /// Returns the commanded position at `t` (s), in metres, down positive.
     ///
@@ -76,9 +99,15 @@ impl Gesture {
         self.start + StrokeProfile::of(self).arrival()
     }
 
+    /// Returns the time from its start at which the unhindered finger passes `depth` (s), which
+    /// lies between where it gains its full speed and where it is held (m).
+    pub fn passes(&self, depth: f64) -> f64 {
+        StrokeProfile::of(self).passes(depth)
+    }
+
     /// Returns the time from which the finger is gone (s).
     pub fn end(&self) -> f64 {
-        self.lift_off() + LIFT_TIME
+        self.lift_off() + self.lift_time()
     }
 
     /// Whether there is a finger at `t` (s), in `[start, end)`.
@@ -91,12 +120,18 @@ impl Gesture {
         self.release.max(self.start)
     }
 
+    /// Time that lifting takes (s), as a finger can.
+    const fn lift_time(&self) -> f64 {
+        self.lift.max(LIFTS.0).min(LIFTS.1)
+    }
+
     /// Position and velocity at `t` (s): the stroke, blended into the lifted finger.
     pub(super) fn command(&self, t: f64) -> MuscleCommand {
         let down = StrokeProfile::of(self).command(t - self.start);
-        let x = (t - self.lift_off()) / LIFT_TIME;
-        let (lifted, rate) = (quintic(x), quintic_slope(x) / LIFT_TIME);
-        let way = -LIFT_HEIGHT - down.position;
+        let lift_time = self.lift_time();
+        let x = (t - self.lift_off()) / lift_time;
+        let (lifted, rate) = (quintic(x), quintic_slope(x) / lift_time);
+        let way = -Self::LIFT_HEIGHT - down.position;
         MuscleCommand {
             position: down.position + lifted * way,
             velocity: down.velocity * (1.0 - lifted) + rate * way,
@@ -111,8 +146,7 @@ mod tests {
 
     /// A gesture that starts at 1 s and is never released.
     fn endless(touch: Touch, speed: f64) -> Gesture {
-        let release = f64::INFINITY;
-        Gesture { start: 1.0, release, touch, speed, hold: Gesture::HOLD }
+        Gesture { start: 1.0, touch, speed, ..Gesture::USUAL }
     }
 
     /// Speeds of musical strokes, slow to fast (m/s).
@@ -125,6 +159,32 @@ mod tests {
         let at_start = |touch| endless(touch, 0.5).command(1.0);
         assert_eq!(at_start(Touch::Pressed), MuscleCommand { position: 0.0, velocity: 0.0 });
         assert_eq!(at_start(Touch::Struck), MuscleCommand { position: -0.02, velocity: 0.0 });
+    }
+
+    #[test]
+    fn a_finger_that_takes_over_starts_at_its_depth_and_is_at_full_speed_no_deeper() {
+        let full = |from| {
+            let gesture = Gesture { from, ..endless(Touch::Pressed, 0.5) };
+            assert_eq!(gesture.command(1.0), MuscleCommand { position: from, velocity: 0.0 });
+            let times = (0..10_000).map(|i| 1.0 + f64::from(i) * 1e-5);
+            let at = times.clone().find(|t| gesture.velocity(*t) >= 0.5 * (1.0 - 1e-9));
+            gesture.position(at.unwrap())
+        };
+        let (rest, half) = (full(0.0), full(5e-3));
+        // Half of the way to the hold depth, less by the square of what is left of the way.
+        assert!((rest - 7.58e-3).abs() < 1e-5, "{rest}");
+        let part = 1.0 - 5.0 / 10.16;
+        assert!((half - (5e-3 + 7.58e-3 * part * part)).abs() < 1e-5, "{half}");
+    }
+
+    #[test]
+    fn a_slow_lift_takes_the_time_it_is_given() {
+        let gesture = Gesture { release: 1.3, lift: 0.2, ..endless(Touch::Pressed, 0.5) };
+        assert!((gesture.end() - 1.5).abs() < 1e-15);
+        let quick = Gesture { lift: 0.0, ..gesture };
+        assert!((quick.end() - 1.31).abs() < 1e-15, "no finger is faster");
+        let middle = Gesture { lift: 0.1, ..gesture }.position(1.35);
+        assert!((gesture.position(1.4) - middle).abs() < 1e-4, "the same way");
     }
 
     #[test]
@@ -190,13 +250,16 @@ mod tests {
     fn any_gesture() -> impl Strategy<Value = Gesture> {
         let touch = prop_oneof![Just(Touch::Pressed), Just(Touch::Struck)];
         let slow_to_fast = (-3.9..1.1_f64).prop_map(f64::exp);
-        (0.0..10.0_f64, -0.1..1.5_f64, touch, slow_to_fast, 0.008..0.03_f64).prop_map(
-            |(start, held, touch, speed, hold)| Gesture {
+        let depths = (0.0..0.007_f64, 0.008..0.03_f64);
+        (0.0..10.0_f64, -0.1..1.5_f64, touch, slow_to_fast, depths, 0.05..0.4_f64).prop_map(
+            |(start, held, touch, speed, (from, hold), lift)| Gesture {
                 start,
                 release: start + held,
                 touch,
+                from,
                 speed,
                 hold,
+                lift,
             },
         )
     }

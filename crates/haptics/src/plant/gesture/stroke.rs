@@ -21,6 +21,16 @@ const SPEEDS: (f64, f64) = (1e-3, 20.0);
 /// Shallowest hold depth (m), so that a stroke always has a way to go.
 const MIN_HOLD: f64 = 1e-3;
 
+/// How much deeper than its key's bottom a finger is held (m): 2 N at 400 N/m.
+pub(super) const PUSH: f64 = 2.0 / 400.0;
+
+/// Least part of the usual run-up, for a finger that starts deep. The run-up shrinks with the
+/// square of the way: who plays again from half-way down has no time for more.
+const LEAST_RUN_UP: f64 = 0.1;
+
+/// Deepest start, as a part of the hold depth: there must be a way to go.
+const DEEPEST: f64 = 0.6;
+
 /// Height above the key from which a struck gesture starts (m) (estimate).
 const STRIKE_HEIGHT: f64 = 20e-3;
 
@@ -71,8 +81,11 @@ impl StrokeProfile {
     pub(super) fn of(gesture: &Gesture) -> Self {
         let speed = gesture.speed.max(SPEEDS.0).min(SPEEDS.1);
         let hold = gesture.hold.max(MIN_HOLD);
+        let from = gesture.from.max(0.0).min(DEEPEST * hold);
+        // What is left of the way to the key's bottom.
+        let part = 1.0 - from / (hold - PUSH).max(MIN_HOLD);
         let (from, run_up) = match gesture.touch {
-            Touch::Pressed => (0.0, PRESSED_RUN_UP * hold),
+            Touch::Pressed => (from, PRESSED_RUN_UP * hold * (part * part).max(LEAST_RUN_UP)),
             Touch::Struck => (-STRIKE_HEIGHT, STRUCK_RUN_UP * STRIKE_HEIGHT),
         };
         // Its mean speed is half of the full one.
@@ -92,6 +105,11 @@ impl StrokeProfile {
     /// Time after its start at which the stroke passes the key's rest position (s).
     pub(super) fn arrival(&self) -> f64 {
         if self.from < 0.0 { 0.5 * self.run_up - self.from / self.speed } else { 0.0 }
+    }
+
+    /// Time after its start at which the stroke, at full speed by then, passes `depth` (s).
+    pub(super) fn passes(&self, depth: f64) -> f64 {
+        0.5 * self.run_up + (depth - self.from) / self.speed
     }
 
     /// Command at `elapsed` (s) after the start.

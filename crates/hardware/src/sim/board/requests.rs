@@ -268,6 +268,7 @@ impl SimulatedBoard {
             touch,
             speed: f64::from(wanted.speed) * 1e-6,
             hold: f64::from(wanted.hold) * 1e-6,
+            ..Gesture::USUAL
         });
         Ok(Nothing)
     }
