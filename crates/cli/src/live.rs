@@ -1,35 +1,67 @@
 //! Progress of what takes long: the rehearsal, a run, keys that are measured.
 //!
-//! Drawn on stderr, and only when a person sees it: a pipe gets the report alone.
+//! Drawn on stderr, and only when a person sees it: a pipe gets the report, and a line every few
+//! seconds while a performance is rehearsed.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::tell;
 use host::adapters::observer::LiveCounters;
 use host::session::PianistProgress;
 
 /// Time between two updates of the line.
 pub(super) const REFRESH: Duration = Duration::from_millis(200);
 
+/// Time between two lines about a rehearsal where there is no terminal to draw on.
+const LINE_EVERY: Duration = Duration::from_secs(3);
+
+/// Whether a rehearsal is told of line by line where there is no terminal.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum ProgressLines {
+    Told,
+    Quiet,
+}
+
 /// The rehearsal of a performance.
 #[derive(Clone, Debug)]
-pub(super) struct RehearsalProgress(ProgressBar);
+pub(super) struct RehearsalProgress {
+    bar: ProgressBar,
+    lines: ProgressLines,
+    /// Lines that were told.
+    n_lines: Arc<AtomicU64>,
+}
 
 impl RehearsalProgress {
-    pub(super) fn new() -> Self {
+    pub(super) fn new(lines: ProgressLines) -> Self {
         let bar = ProgressBar::new(0).with_message("rehearsing");
-        Self(bar.with_style(style("{msg:12} {wide_bar} {pos}/{len} strokes {eta}")))
+        let bar = bar.with_style(style("{msg:12} {wide_bar} {pos}/{len} strokes {eta}"));
+        Self { bar, lines, n_lines: Arc::default() }
     }
 
+    /// Shows how far it has come; called by the threads that rehearse.
     pub(super) fn show(&self, progress: PianistProgress) {
-        self.0.set_length(progress.total as u64);
-        self.0.set_position(progress.done as u64);
+        let PianistProgress { done, total } = progress;
+        self.bar.set_length(total as u64);
+        self.bar.set_position(done as u64);
+        if self.bar.is_hidden() && self.lines == ProgressLines::Told && self.is_line_due() {
+            tell(&format!("rehearsed {done} of {total} notes"));
+        }
+    }
+
+    /// Whether the time of the next line has come; only one thread is told so.
+    fn is_line_due(&self) -> bool {
+        let told = self.n_lines.load(Relaxed);
+        let due = LINE_EVERY.as_secs() * (told + 1) <= self.bar.elapsed().as_secs();
+        due && self.n_lines.compare_exchange(told, told + 1, Relaxed, Relaxed).is_ok()
     }
 
     pub(super) fn finish(&self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
     }
 }
 

@@ -176,7 +176,9 @@ async fn host(
     } else {
         Endpoints::open(scene, &handle, wanted.as_ref())?
     };
-    let Some(session) = prepare(scene, options, &handle, &mut signals).await? else {
+    let progress =
+        if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
+    let Some(session) = prepare(scene, options, &handle, &mut signals, progress).await? else {
         endpoints.leave("the host was stopped before it began to play").await;
         return Ok(None);
     };
@@ -234,8 +236,9 @@ async fn prepare(
     options: RunOptions,
     handle: &Arc<RunHandle>,
     signals: &mut Signals,
+    progress: live::ProgressLines,
 ) -> Result<Option<RunSession>, Failure> {
-    let rehearsal = live::RehearsalProgress::new();
+    let rehearsal = live::RehearsalProgress::new(progress);
     let (scene, its_handle, shown) = (scene.clone(), Arc::clone(handle), rehearsal.clone());
     let prepare = move || {
         RunSession::prepare_behind(its_handle, &scene, options, &|progress| shown.show(progress))
