@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
-use midi::NoteEvent as MidiEvent;
+use midi::{NoteEvent as MidiEvent, PedalMove};
 use models::catalogue;
 use realtime::run::{Assembly, Timings, Until};
 use realtime::wake_fd::WakeFd;
@@ -46,7 +46,9 @@ impl Audience {
         let (producer, ring) = rtrb::RingBuffer::new(places);
         let bell = Arc::new(WakeFd::new().expect("a descriptor"));
         let counters = Arc::new(LiveCounters::default());
-        let pedals = (0..100).map(|n| (0.03 * f64::from(n), f64::from(n % 2))).collect();
+        let pedal = midi::Pedal::Sustain;
+        let moved = |n| (0.03 * f64::from(n), f64::from(n % 2));
+        let pedals = (0..100).map(moved).map(|(at, depth)| PedalMove { pedal, at, depth }).collect();
         let publisher = TickPublisher::new(producer, bell, Arc::clone(&counters), pedals, 1e-3);
         let (tap, tapped) = TickRecorder::new();
         tapped.followed.store((1 << KEYS) - 1);

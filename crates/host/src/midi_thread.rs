@@ -198,7 +198,7 @@ impl MidiThread {
 mod tests {
     use std::sync::Mutex;
 
-    use midi::{Message, MidiSendError};
+    use midi::{Message, MidiSendError, Pedal, PedalMove};
     use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Moment};
     use scheduler::observation::{FollowedKeys, VoiceObservation};
     use scheduler::port::{FinishedTick, TickObserver as _};
@@ -252,7 +252,7 @@ mod tests {
         let fall = VoiceEvent::DamperFall { speed: 0.1 };
         let (ring, events) = rtrb::RingBuffer::new(256);
         let bell = Arc::new(WakeFd::new().expect("an eventfd"));
-        let pedals = Box::from([(0.014, 1.0)]);
+        let pedals = Box::from([PedalMove { pedal: Pedal::Sustain, at: 0.014, depth: 1.0 }]);
         let counters = Arc::<LiveCounters>::default();
         let mut publisher = TickPublisher::new(ring, Arc::clone(&bell), counters, pedals, PERIOD);
         let heard = Heard::default();

@@ -134,4 +134,8 @@ impl Rehearsal for RehearsedKey {
         }
         outcome
     }
+
+    fn depth(&self) -> f64 {
+        self.key.rig().position()
+    }
 }

@@ -7,8 +7,8 @@
 //! | the damper falls on a sounding note | a real note-off (`8n`) with its release velocity |
 //! | a strike with the damper down | note-on, and its note-off [`player::UNDAMPED`] later |
 //! | the damper lifts | nothing |
-//! | the pedal moves | CC64, if its 7-bit value changed |
-//! | [`Player::silence`], or the player is dropped | note-off for every held note, CC64 = 0, CC123, CC120 |
+//! | a pedal moves | CC64 (sustain), CC66 (sostenuto) or CC67 (una corda), if its 7-bit value changed |
+//! | [`Player::silence`], or the player is dropped | note-off for every held note, CC64, CC66 and CC67 = 0, CC123, CC120 |
 //!
 //! Everything here may block and allocate: a tick hands its events over through a ring and waits
 //! for nothing. [`Schedule`] puts them in order of time, note-offs first.
@@ -19,6 +19,7 @@
 pub mod message;
 pub mod note;
 pub mod output;
+pub mod pedal;
 pub mod player;
 pub mod schedule;
 pub mod velocity;
@@ -26,6 +27,7 @@ pub mod velocity;
 pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
 pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
+pub use pedal::{Pedal, PedalMove};
 pub use player::{NoteEvent, NoteEventKind, Player};
 pub use schedule::Schedule;
 pub use velocity::{UnknownCurve, VelocityCurve};

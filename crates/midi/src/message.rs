@@ -46,18 +46,25 @@ pub enum Message {
 pub enum Controller {
     /// CC64, the sustain pedal: 0 is up, 127 is down.
     Sustain,
+    /// CC66, the sostenuto pedal, with the same values.
+    Sostenuto,
+    /// CC67, the una corda pedal, with the same values.
+    UnaCorda,
     /// CC120, silence at once.
     AllSoundOff,
     AllNotesOff,
 }
 
 impl Controller {
-    const ALL: [Self; 3] = [Self::Sustain, Self::AllSoundOff, Self::AllNotesOff];
+    const ALL: [Self; 5] =
+        [Self::Sustain, Self::Sostenuto, Self::UnaCorda, Self::AllSoundOff, Self::AllNotesOff];
 
     /// MIDI number of the controller.
     pub const fn number(self) -> u8 {
         match self {
             Self::Sustain => 64,
+            Self::Sostenuto => 66,
+            Self::UnaCorda => 67,
             Self::AllSoundOff => 120,
             Self::AllNotesOff => 123,
         }
@@ -80,7 +87,7 @@ pub enum MidiDecodeError {
     #[error("note {0} is not one of 21 to 108")]
     NoSuchNote(u8),
     /// The controller is not one that is used.
-    #[error("controller {0} is not 64, 120 or 123")]
+    #[error("controller {0} is not 64, 66, 67, 120 or 123")]
     NoSuchController(u8),
 }
 
@@ -147,7 +154,7 @@ mod tests {
     use super::*;
 
     fn messages() -> impl Strategy<Value = Message> {
-        (0_u8..4, 0_u8..88, 1_u8..=127, 0_usize..3).prop_map(|(kind, key, value, which)| {
+        (0_u8..4, 0_u8..88, 1_u8..=127, 0_usize..5).prop_map(|(kind, key, value, which)| {
             let note = Note::from_key(key).unwrap();
             let velocity = Velocity::new(value).unwrap();
             match kind {

@@ -6,6 +6,7 @@ use rtrb::Consumer;
 use crate::message::{Controller, Message};
 use crate::note::{Note, Velocity};
 use crate::output::{MidiSendError, Output};
+use crate::pedal::{Pedal, PedalValues};
 use crate::velocity::{VelocityCurve, release_velocity};
 
 /// How long a note sounds that was struck with its damper down (s).
@@ -16,7 +17,7 @@ pub const UNDAMPED: f64 = 0.05;
 /// Something that happened at a key and can be heard.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NoteEvent {
-    /// Which key, 0 ..= 87; any for the pedal.
+    /// Which key, 0 ..= 87; any for a pedal.
     pub key: u8,
     /// When (s since the host started).
     pub at: f64,
@@ -38,8 +39,13 @@ pub enum NoteEventKind {
     },
     /// The damper leaves the string.
     DamperLift,
-    /// The sustain pedal is at this depth, 0 (up) ..= 1 (down); concerns all keys.
-    Sustain(f64),
+    /// A pedal is at this depth; concerns all keys.
+    Pedal {
+        /// Which of the three pedals.
+        pedal: Pedal,
+        /// How deep it is, from 0 (up) to 1 (down).
+        depth: f64,
+    },
 }
 
 /// Where a damper is, as far as it was reported.
@@ -72,8 +78,8 @@ pub struct Player<O: Output> {
     output: O,
     curve: VelocityCurve,
     held: [NoteState; KEYS],
-    /// Value of CC64 that was sent last.
-    pedal: u8,
+    /// Values of the pedals' controllers that were sent last.
+    pedals: PedalValues,
     /// Latest time that was seen (s).
     now: f64,
     /// Whether anything was sent since all was silenced.
@@ -84,7 +90,7 @@ impl<O: Output> Player<O> {
     /// A player that sends to `output`, with velocities by `curve`.
     pub fn new(output: O, curve: VelocityCurve) -> Self {
         let held = [SILENT; KEYS];
-        Self { output, curve, held, pedal: 0, now: 0.0, stirred: false }
+        Self { output, curve, held, pedals: PedalValues::default(), now: 0.0, stirred: false }
     }
 
     /// Where the messages go.
@@ -140,7 +146,7 @@ impl<O: Output> Player<O> {
         fallen.and(polled)
     }
 
-    /// Silences everything now: held notes, the pedal, and what others may have left.
+    /// Silences everything now: held notes, the pedals, and what others may have left.
     ///
     /// # Errors
     ///
@@ -151,8 +157,9 @@ impl<O: Output> Player<O> {
             let released = self.release(key, self.now, Velocity::UNKNOWN);
             outcome = outcome.and(released);
         }
-        self.pedal = 0;
-        for controller in [Controller::Sustain, Controller::AllNotesOff, Controller::AllSoundOff] {
+        self.pedals = PedalValues::default();
+        let pedals = Pedal::ALL.map(Pedal::controller);
+        for controller in pedals.into_iter().chain([Controller::AllNotesOff, Controller::AllSoundOff]) {
             let sent = self.send(self.now, Message::ControlChange { controller, value: 0 });
             outcome = outcome.and(sent);
         }
@@ -183,7 +190,7 @@ impl<O: Output> Player<O> {
                 self.lift_damper(key);
                 Ok(())
             }
-            NoteEventKind::Sustain(depth) => self.sustain(at, depth),
+            NoteEventKind::Pedal { pedal, depth } => self.press(at, pedal, depth),
         }
     }
 
@@ -224,18 +231,17 @@ impl<O: Output> Player<O> {
         }
     }
 
-    fn sustain(&mut self, at: f64, depth: f64) -> Result<(), MidiSendError> {
+    fn press(&mut self, at: f64, pedal: Pedal, depth: f64) -> Result<(), MidiSendError> {
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "clamped to 0 ..= 127 before; NaN becomes 0, a pedal that is up"
         )]
         let value = (depth.clamp(0.0, 1.0) * 127.0).round() as u8;
-        if value == self.pedal {
+        if !self.pedals.set(pedal, value) {
             return Ok(());
         }
-        self.pedal = value;
-        self.send(at, Message::ControlChange { controller: Controller::Sustain, value })
+        self.send(at, Message::ControlChange { controller: pedal.controller(), value })
     }
 
     /// Moves to time `now` (s), ending the notes that fall silent by themselves until then.

@@ -7,7 +7,7 @@ use crate::player::{NoteEvent, NoteEventKind};
 /// Key events that wait, the earliest first.
 ///
 /// Events that happen at the same time go out as MIDI practice wants: note-offs (dampers that
-/// fall), dampers that lift, the pedal, then note-ons (strikes); keys in the order in which they
+/// fall), dampers that lift, pedals, then note-ons (strikes); keys in the order in which they
 /// were put in. What happens to one key at one time stays in its own order.
 #[derive(Clone, Debug, Default)]
 pub struct Schedule {
@@ -27,7 +27,7 @@ impl ScheduledEvent {
     }
 
     fn is_of(&self, event: &NoteEvent) -> bool {
-        let is_pedal = |event: &NoteEvent| matches!(event.kind, NoteEventKind::Sustain(_));
+        let is_pedal = |event: &NoteEvent| matches!(event.kind, NoteEventKind::Pedal { .. });
         self.event.at.total_cmp(&event.at).is_eq()
             && self.event.key == event.key
             && is_pedal(&self.event) == is_pedal(event)
@@ -60,7 +60,7 @@ const fn rank(kind: NoteEventKind) -> u8 {
     match kind {
         NoteEventKind::DamperFall { .. } => 0,
         NoteEventKind::DamperLift => 1,
-        NoteEventKind::Sustain(_) => 2,
+        NoteEventKind::Pedal { .. } => 2,
         NoteEventKind::Strike { .. } => 3,
     }
 }
@@ -68,6 +68,7 @@ const fn rank(kind: NoteEventKind) -> u8 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pedal::Pedal;
 
     const STRIKE: NoteEventKind = NoteEventKind::Strike { speed: 1.0 };
     const FALL: NoteEventKind = NoteEventKind::DamperFall { speed: 0.1 };
@@ -88,7 +89,7 @@ mod tests {
 
     #[test]
     fn at_one_time_notes_end_before_others_begin_and_keys_keep_their_order() {
-        let pedal = NoteEventKind::Sustain(1.0);
+        let pedal = NoteEventKind::Pedal { pedal: Pedal::Sostenuto, depth: 1.0 };
         let at_once = [
             (1, 0.5, STRIKE),
             (0, 0.5, pedal),

@@ -97,6 +97,12 @@ pub fn release_velocity(speed: f64) -> Velocity {
     Velocity::nearest(127.0 * speed.abs() / FASTEST_RELEASE)
 }
 
+/// Speed of the key (m/s) that gives the release velocity `velocity`; the inverse of
+/// [`release_velocity`].
+pub fn release_speed(velocity: Velocity) -> f64 {
+    FASTEST_RELEASE * f64::from(velocity.get()) / 127.0
+}
+
 /// The Disklavier's curve, `shift` louder; negative infinity where there is no logarithm.
 fn logarithmic(speed: f64, shift: f64) -> f64 {
     if speed > 0.0 {

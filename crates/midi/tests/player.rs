@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use midi::{
-    Message, MessageRecorder, MidiSendError, NoteEvent, NoteEventKind, Output, Player,
+    Message, MessageRecorder, MidiSendError, NoteEvent, NoteEventKind, Output, Pedal, Player,
     VelocityCurve,
 };
 
@@ -26,7 +26,7 @@ fn lift(at: f64) -> NoteEvent {
 }
 
 fn sustain(at: f64, depth: f64) -> NoteEvent {
-    NoteEvent { key: 0, at, kind: NoteEventKind::Sustain(depth) }
+    NoteEvent { key: 0, at, kind: NoteEventKind::Pedal { pedal: Pedal::Sustain, depth } }
 }
 
 fn on(at: f64, velocity: u8) -> (f64, [u8; 3]) {
@@ -98,6 +98,22 @@ fn the_pedal_is_sent_when_its_value_changes() {
 }
 
 #[test]
+fn each_pedal_has_its_controller_and_moves_by_itself() {
+    let press = |at, pedal, depth| {
+        let kind = NoteEventKind::Pedal { pedal, depth };
+        NoteEvent { key: 0, at, kind }
+    };
+    let moves = [
+        press(1.0, Pedal::Sostenuto, 1.0),
+        press(1.1, Pedal::UnaCorda, 0.5),
+        press(1.2, Pedal::Sustain, 0.0),
+        press(1.3, Pedal::Sostenuto, 0.0),
+    ];
+    let expected = [(1.0, [0xB0, 66, 127]), (1.1, [0xB0, 67, 64]), (1.3, [0xB0, 66, 0])];
+    check(&moves, &expected);
+}
+
+#[test]
 fn a_key_that_does_not_exist_is_silent() {
     check(&[NoteEvent { key: 88, at: 0.0, kind: NoteEventKind::Strike { speed: 1.0 } }], &[]);
 }
@@ -109,8 +125,9 @@ fn silence_releases_what_is_held_and_resets_the_rest() {
     player.play(sustain(1.5, 1.0)).expect("memory");
     player.silence().expect("memory");
     assert!(!player.is_sounding(KEY));
-    let panic = [off(1.5, 64), (1.5, [0xB0, 64, 0]), (1.5, [0xB0, 123, 0]), (1.5, [0xB0, 120, 0])];
-    assert_eq!(sent(&player)[2..], panic);
+    let controllers = [64, 66, 67, 123, 120].map(|controller| (1.5, [0xB0, controller, 0]));
+    assert_eq!(sent(&player)[2..3], [off(1.5, 64)]);
+    assert_eq!(sent(&player)[3..], controllers);
 }
 
 #[test]
@@ -149,8 +166,9 @@ fn a_player_that_goes_away_leaves_no_note_hanging() {
     let mut player = Player::new(output, VelocityCurve::default());
     player.play(strike(1.0, 1.0)).expect("accepted");
     drop(player);
-    let expected = [[0x80, 60, 64], [0xB0, 64, 0], [0xB0, 123, 0], [0xB0, 120, 0]];
-    assert_eq!(sent.borrow()[1..], expected);
+    let controllers = [64, 66, 67, 123, 120].map(|controller| [0xB0, controller, 0]);
+    assert_eq!(sent.borrow()[1..2], [[0x80, 60, 64]]);
+    assert_eq!(sent.borrow()[2..], controllers);
 }
 
 #[test]
@@ -173,5 +191,5 @@ fn silence_tries_every_message_even_if_all_are_lost() {
     let mut player = Player::new(output, VelocityCurve::default());
     assert!(player.play(strike(1.0, 1.0)).is_err());
     assert!(player.silence().is_err());
-    assert_eq!(sent.borrow().len(), 1 + 4);
+    assert_eq!(sent.borrow().len(), 1 + 6);
 }

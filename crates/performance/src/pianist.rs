@@ -7,7 +7,7 @@ use std::thread;
 
 use haptics::plant::Gesture;
 use keyboard::KEYS;
-use midi::VelocityCurve;
+use midi::{PedalMove, VelocityCurve};
 
 use crate::assess::{ExpectedNote, Struck};
 use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, Shortfall, StrokeTables};
@@ -54,8 +54,8 @@ pub struct Performance {
     pub predicted: Vec<Struck>,
     /// What cannot be played as it is written, in order of onset, then of key.
     pub shortfalls: Vec<ShortStroke>,
-    /// Moves of the sustain pedal: when (s), and how deep, 0 (up) ..= 1 (down).
-    pub pedals: Vec<(f64, f64)>,
+    /// Moves of the pedals, in order of time.
+    pub pedals: Vec<PedalMove>,
 }
 
 /// A note that is not played as it is written.
@@ -72,7 +72,7 @@ impl Performance {
     /// When the last finger has left its key or the pedal is moved last (s).
     pub fn end(&self) -> f64 {
         let ends = self.gestures.iter().flatten().map(Gesture::end);
-        ends.chain(self.pedals.iter().map(|pedal| pedal.0)).fold(0.0, f64::max)
+        ends.chain(self.pedals.iter().map(|pedal| pedal.at)).fold(0.0, f64::max)
     }
 }
 
@@ -155,7 +155,11 @@ impl Pianist {
             gestures,
             expected,
             predicted: rehearsed.iter().flatten().filter_map(|s| self.predict(s)).collect(),
-            pedals: score.pedals.iter().map(|(at, depth)| (at + lead_in, *depth)).collect(),
+            pedals: score
+                .pedals
+                .iter()
+                .map(|pedal| PedalMove { at: pedal.at + lead_in, ..*pedal })
+                .collect(),
         }
     }
 

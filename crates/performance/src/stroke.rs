@@ -2,6 +2,7 @@
 
 use haptics::plant::{Gesture, Touch};
 use keyboard::KEYS;
+use midi::velocity::release_speed;
 use midi::{Velocity, VelocityCurve};
 
 use crate::score::{Score, ScoreNote};
@@ -13,15 +14,6 @@ pub struct Technique {
     ///
     /// A pressed touch reaches about 4 m/s and gets heavy long before.
     pub struck_above: f64,
-    /// A key that is wanted again within this time is struck (s): a press would take too long.
-    pub quick: f64,
-    /// Least time from a damper's fall to the next onset of its key (s), for the key to come up.
-    pub gap: f64,
-    /// Time that a key should have from its release to the start of the next gesture (s).
-    ///
-    /// A grand's key returns from bottom in 35 ms, lifting the finger takes 50 ms, and the rest
-    /// is room for a slower stroke than was foreseen; none begins before the finger is lifted.
-    pub rise: f64,
     /// Depth to which a finger holds a key (m).
     pub hold: f64,
     /// Silence before the first onset of the score (s), for the first gesture to begin in.
@@ -32,9 +24,6 @@ impl Default for Technique {
     fn default() -> Self {
         Self {
             struck_above: 2.5,
-            quick: 0.2,
-            gap: 0.1,
-            rise: 0.07,
             hold: Gesture::HOLD,
             lead_in: 1.0,
         }
@@ -59,12 +48,14 @@ pub struct PlannedStroke {
     pub velocity: Velocity,
     /// How the finger should meet the key.
     pub touch: Touch,
+    /// How long the finger should be lifted (s): the longer, the slower the key is let go.
+    pub lift: f64,
 }
 
 /// Plans the strokes of every key, 88 lists in order of onset.
 ///
-/// Onsets are later than the score's by the technique's lead-in; an end that leaves the key too
-/// little time to come up for its next stroke is moved earlier.
+/// Onsets are later than the score's by the technique's lead-in; no note ends after the next onset
+/// on its key.
 pub fn plan(score: &Score, curve: VelocityCurve, technique: &Technique) -> Vec<Vec<PlannedStroke>> {
     let mut keys = vec![Vec::new(); KEYS];
     for note in &score.notes {
@@ -74,7 +65,7 @@ pub fn plan(score: &Score, curve: VelocityCurve, technique: &Technique) -> Vec<V
     }
     for strokes in &mut keys {
         strokes.sort_by(|a, b| a.onset.total_cmp(&b.onset));
-        make_room(strokes, technique);
+        part(strokes);
     }
     keys
 }
@@ -85,19 +76,23 @@ fn wanted(note: &ScoreNote, curve: VelocityCurve, technique: &Technique) -> Plan
     let touch = if speed > technique.struck_above { Touch::Struck } else { Touch::Pressed };
     let onset = note.onset + technique.lead_in;
     let end = note.end + technique.lead_in;
-    PlannedStroke { key: note.key, onset, end, speed, velocity, touch }
+    let lift = note.release.map_or(Gesture::LIFT, lift);
+    PlannedStroke { key: note.key, onset, end, speed, velocity, touch, lift }
 }
 
-/// Shortens strokes whose key is wanted again soon, and strikes where a press takes too long.
-fn make_room(strokes: &mut [PlannedStroke], technique: &Technique) {
+/// How long a finger is lifted whose key passes its damper's height as fast as `release` says (s).
+fn lift(release: Velocity) -> f64 {
+    /// Way of the finger over the time of its lift, where that is fastest (m).
+    const WAY: f64 = 1.875 * (Gesture::HOLD + Gesture::LIFT_HEIGHT);
+    WAY / release_speed(release)
+}
+
+/// Ends strokes where the next on their key begins at the latest.
+fn part(strokes: &mut [PlannedStroke]) {
     let mut previous: Option<&mut PlannedStroke> = None;
     for stroke in strokes {
         if let Some(previous) = previous {
-            previous.end = previous.end.min(stroke.onset - technique.gap);
-            previous.end = previous.end.max(previous.onset + SHORTEST);
-            if stroke.onset - previous.onset < technique.quick {
-                stroke.touch = Touch::Struck;
-            }
+            previous.end = previous.end.min(stroke.onset).max(previous.onset + SHORTEST);
         }
         previous = Some(stroke);
     }
@@ -111,7 +106,7 @@ mod tests {
     use super::*;
 
     fn note(onset: f64, end: f64, velocity: u8) -> ScoreNote {
-        ScoreNote { key: 39, onset, end, velocity }
+        ScoreNote { key: 39, onset, end, velocity, release: None }
     }
 
     fn planned(notes: &[ScoreNote]) -> Vec<PlannedStroke> {
@@ -133,23 +128,33 @@ mod tests {
     }
 
     #[test]
-    fn a_note_repeated_soon_ends_earlier() {
-        let strokes = planned(&[note(0.0, 0.5, 58), note(0.5, 1.0, 58)]);
-        assert!((strokes[0].end - 1.4).abs() < 1e-12);
-        assert_eq!(strokes[1].touch, Touch::Pressed);
+    fn a_note_repeated_soon_ends_as_written() {
+        let strokes = planned(&[note(0.0, 0.45, 58), note(0.5, 1.2, 58), note(1.0, 1.3, 58)]);
+        let ends: Vec<f64> = strokes.iter().map(|stroke| stroke.end).collect();
+        assert_eq!(ends, [1.45, 2.0, 2.3], "and not after the next onset");
     }
 
     #[test]
-    fn a_note_repeated_at_once_is_struck_and_still_sounds() {
-        let strokes = planned(&[note(0.0, 0.1, 58), note(0.1, 1.0, 58)]);
-        assert!((strokes[0].end - 1.03).abs() < 1e-12);
-        assert_eq!(strokes[1].touch, Touch::Struck);
+    fn the_shortest_note_still_sounds() {
+        assert!((planned(&[note(0.0, 0.001, 58)])[0].end - 1.03).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_key_is_let_go_as_slowly_as_its_release_is_soft() {
+        let lift = |release| {
+            let release = Velocity::new(release);
+            planned(&[ScoreNote { release, ..note(0.0, 1.0, 58) }])[0].lift
+        };
+        assert!((lift(64) / lift(127) - 127.0 / 64.0).abs() < 1e-9);
+        // 25 mm at 0.4 m/s at most.
+        assert!((lift(127) - 1.875 * 25.16e-3 / 0.4).abs() < 1e-9, "{}", lift(127));
+        assert_eq!(planned(&[note(0.0, 1.0, 58)])[0].lift.to_bits(), Gesture::LIFT.to_bits());
     }
 
     #[test]
     fn a_key_that_does_not_exist_is_left_out() {
         let score = Score {
-            notes: vec![ScoreNote { key: 88, onset: 0.0, end: 1.0, velocity: 60 }],
+            notes: vec![ScoreNote { key: 88, ..note(0.0, 1.0, 60) }],
             ..Score::default()
         };
         let keys = plan(&score, VelocityCurve::Disklavier, &Technique::default());

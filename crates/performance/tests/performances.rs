@@ -64,7 +64,7 @@ fn the_prelude_has_its_549_notes_and_changes_pedal_in_every_bar() {
     let score = score("bach-bwv-846");
     // 32 bars of 16, two of 16 and a chord of five.
     assert_eq!(score.notes.len(), 32 * 16 + 2 * 16 + 5);
-    let pressed = score.pedals.iter().filter(|(_, depth)| *depth > 0.5).count();
+    let pressed = score.pedals.iter().filter(|pedal| pedal.depth > 0.5).count();
     assert_eq!(pressed, 35);
     // The first half bar: C4 E4 G4 C5 E5 G4 C5 E5.
     let keys: Vec<_> = score.notes[..8].iter().map(|note| note.key + 21).collect();

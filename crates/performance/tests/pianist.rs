@@ -4,6 +4,7 @@ use std::num::NonZero;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use haptics::plant::Gesture;
+use midi::{Pedal, PedalMove};
 use performance::{
     Performance, Pianist, PlayOutcome, Rehearsal, Score, ScoreNote, Strike, Struck, assess,
 };
@@ -33,6 +34,10 @@ impl Rehearsal for Toy {
         let mut falls = gestures.iter().map(|g| g.release + 0.03).filter(|at| span.contains(at));
         PlayOutcome { strikes, damper_fall: falls.next_back() }
     }
+
+    fn depth(&self) -> f64 {
+        0.0
+    }
 }
 
 /// Notes all over the keyboard, soft and loud, with repetitions.
@@ -41,9 +46,9 @@ fn score() -> Score {
         let onset = 0.1 * f64::from(i);
         let (key, velocity) = (i * 37 % 88, 30 + i * 13 % 76);
         let [key, velocity] = [key, velocity].map(|value| u8::try_from(value).unwrap_or(1));
-        ScoreNote { key, onset, end: onset + 0.5, velocity }
+        ScoreNote { key, onset, end: onset + 0.5, velocity, release: None }
     });
-    Score { notes: notes.collect(), pedals: vec![(0.5, 1.0)], ..Score::default() }
+    Score { notes: notes.collect(), pedals: vec![PedalMove { pedal: Pedal::Sustain, at: 0.5, depth: 1.0 }], ..Score::default() }
 }
 
 fn prepare(n_workers: usize) -> Performance {
@@ -58,7 +63,8 @@ fn what_is_prepared_is_what_the_score_wants() {
     assert_eq!((promised.played, promised.missed, promised.extra), (200, 0, 0));
     assert!(promised.onset_error_ms.max <= 0.1, "{promised}");
     assert!(promised.velocity_error.max < 0.5, "{promised}");
-    assert_eq!(performance.pedals, [(1.5, 1.0)], "the lead-in holds for pedals too");
+    let pedal = PedalMove { pedal: Pedal::Sustain, at: 1.5, depth: 1.0 };
+    assert_eq!(performance.pedals, [pedal], "the lead-in holds for pedals too");
     assert_eq!(performance.gestures.len(), 88);
     assert!(performance.expected.is_sorted_by_key(|note| note.onset));
 }

@@ -65,12 +65,17 @@ impl Rehearsal for Toy {
         self.now = until;
         outcome
     }
+
+    /// It is up at once, whatever it does later.
+    fn depth(&self) -> f64 {
+        0.0
+    }
 }
 
 fn stroke(onset: f64, end: f64, velocity: u8, touch: Touch) -> PlannedStroke {
     let velocity = Velocity::nearest(f64::from(velocity));
     let speed = VelocityCurve::Disklavier.speed(velocity);
-    PlannedStroke { key: 39, onset, end, speed, velocity, touch }
+    PlannedStroke { key: 39, onset, end, speed, velocity, touch, lift: Gesture::LIFT }
 }
 
 fn rehearse(toy: &Toy, strokes: &[PlannedStroke]) -> Vec<RehearsedStroke> {
@@ -89,18 +94,20 @@ fn rehearse(toy: &Toy, strokes: &[PlannedStroke]) -> Vec<RehearsedStroke> {
 #[track_caller]
 fn check_script(toy: &Toy, rehearsed: &[RehearsedStroke]) {
     let mut toy = toy.clone();
+    let gestures: Vec<_> = rehearsed.iter().filter_map(|stroke| stroke.gesture).collect();
     for stroke in rehearsed {
         // Only now is the key told of the gesture, and before the next begins.
         let Some(gesture) = stroke.gesture else {
             assert_eq!(stroke.strike, None, "{stroke:?}");
             continue;
         };
-        let played = toy.play(&[gesture], gesture.end());
+        let next = gestures.iter().map(|it| it.start).find(|start| *start > gesture.start);
+        let until = next.map_or(gesture.end(), |next| next.min(gesture.end()));
+        let played = toy.play(&[gesture], until);
         assert_eq!(played.strikes.first().copied(), stroke.strike);
     }
-    let gestures: Vec<_> = rehearsed.iter().filter_map(|stroke| stroke.gesture).collect();
     for pair in gestures.windows(2) {
-        assert!(pair[0].end() <= pair[1].start, "fingers collide: {pair:?}");
+        assert!(pair[0].release < pair[1].start, "fingers collide: {pair:?}");
     }
 }
 
@@ -126,7 +133,7 @@ fn a_table_says_what_the_key_does_from_rest() {
     assert!((table.command(1.0) - 0.25).abs() < 1e-9);
     assert!((table.delay(0.25) - 0.04).abs() < 1e-9);
     let (softest, loudest) = table.range().expect("it strikes");
-    assert!((softest - 0.08).abs() < 1e-9 && (loudest - 12.0).abs() < 1e-9);
+    assert!((softest - 0.08).abs() < 1e-9 && (28.0..=32.0).contains(&loudest));
 }
 
 #[test]
@@ -179,7 +186,8 @@ fn a_key_wanted_at_once_is_let_go_early() {
     let strokes = [stroke(1.0, 1.2, 60, Touch::Pressed), stroke(1.2, 2.0, 60, Touch::Pressed)];
     let rehearsed = rehearse(&Toy::default(), &strokes);
     rehearsed.iter().for_each(check_met);
-    assert!(release(&rehearsed[0]) < 1.12);
+    // The next begins 38 ms before its strike.
+    assert!(release(&rehearsed[0]) < 1.162, "{:?}", rehearsed[0]);
 }
 
 #[test]
@@ -210,7 +218,7 @@ fn what_cannot_be_in_time_is_left_out_and_named() {
     let Some(Shortfall::TooSoon { late: Some(late) }) = rehearsed[1].shortfall else {
         panic!("{:?}", rehearsed[1].shortfall)
     };
-    assert!((0.05..0.2).contains(&late), "{late} s late");
+    assert!((0.03..0.2).contains(&late), "{late} s late");
     let fall = rehearsed[0].damper_fall.expect("it falls");
     assert!((fall - 1.5).abs() < 3e-3, "the note before keeps its length, not {fall} s");
 }
@@ -256,6 +264,10 @@ struct Broken;
 impl Rehearsal for Broken {
     fn play(&mut self, _gestures: &[Gesture], _until: f64) -> PlayOutcome {
         PlayOutcome::default()
+    }
+
+    fn depth(&self) -> f64 {
+        0.0
     }
 }
 

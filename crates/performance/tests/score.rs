@@ -2,6 +2,7 @@
 
 #![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
 
+use midi::{Pedal, PedalMove};
 use midly::num::{u4, u7, u15, u24, u28};
 use midly::{
     Format, Fps, Header, MetaMessage, MidiMessage, Smf, Timing, TrackEvent, TrackEventKind,
@@ -47,7 +48,7 @@ fn score(track: &[TrackEvent<'static>]) -> Score {
 }
 
 fn note(key: u8, onset: f64, end: f64, velocity: u8) -> ScoreNote {
-    ScoreNote { key, onset, end, velocity }
+    ScoreNote { key, onset, end, velocity, release: None }
 }
 
 #[test]
@@ -106,10 +107,41 @@ fn notes_off_the_keyboard_and_percussion_are_skipped_and_counted() {
 }
 
 #[test]
+fn a_release_velocity_is_kept_unless_it_says_that_it_is_unknown() {
+    let off = |velocity| {
+        let message = MidiMessage::NoteOff { key: u7::new(60), vel: u7::new(velocity) };
+        score(&[on(0, 60, 70), event(100, 0, message)]).notes[0].release
+    };
+    assert_eq!(off(100), midi::Velocity::new(100));
+    assert_eq!((off(64), off(0)), (None, None));
+}
+
+#[test]
 fn pedal_moves_are_kept() {
-    let pedal = |value| MidiMessage::Controller { controller: u7::new(64), value: u7::new(value) };
-    let found = score(&[event(0, 0, pedal(127)), on(0, 60, 70), event(100, 0, pedal(0))]);
-    assert_eq!(found.pedals, [(0.0, 1.0), (0.5, 0.0)]);
+    let pedal = |controller, value| MidiMessage::Controller {
+        controller: u7::new(controller),
+        value: u7::new(value),
+    };
+    let found = score(&[
+        event(0, 0, pedal(64, 127)),
+        on(0, 60, 70),
+        event(20, 0, pedal(67, 127)),
+        event(20, 0, pedal(65, 127)),
+        event(20, 0, pedal(66, 0)),
+        event(40, 0, pedal(64, 0)),
+    ]);
+    let moved: Vec<_> = found.pedals.iter().map(|it| (it.pedal, it.at, it.depth)).collect();
+    let expected = [
+        (Pedal::Sustain, 0.0, 1.0),
+        (Pedal::UnaCorda, 0.1, 1.0),
+        (Pedal::Sostenuto, 0.3, 0.0),
+        (Pedal::Sustain, 0.5, 0.0),
+    ];
+    for (moved, expected) in moved.iter().zip(expected) {
+        assert_eq!((moved.0, moved.2), (expected.0, expected.2));
+        assert!((moved.1 - expected.1).abs() < 1e-9, "{moved:?}");
+    }
+    assert_eq!(moved.len(), expected.len(), "portamento is no pedal");
 }
 
 /// Asserts that `bytes` are refused with `sentence`.
@@ -163,7 +195,8 @@ fn check_sound(score: &Score) {
         assert!(note.onset.is_finite() && note.onset <= note.end && note.end.is_finite());
     }
     assert!(score.notes.is_sorted_by_key(|note| (note.onset, note.key)));
-    assert!(score.pedals.iter().all(|(at, depth)| at.is_finite() && (0.0..=1.0).contains(depth)));
+    let sound = |it: &PedalMove| it.at.is_finite() && (0.0..=1.0).contains(&it.depth);
+    assert!(score.pedals.iter().all(sound));
 }
 
 proptest! {

@@ -8,7 +8,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use haptics::plant::Gesture;
-use performance::{Pianist, PlayOutcome, Rehearsal, Strike, Struck, assess, read};
+use performance::{
+    Pianist, PlayOutcome, Rehearsal, Score, ScoreNote, Strike, Struck, assess, read,
+};
 
 /// Step of the simulation (s).
 const STEP: f64 = 1e-4;
@@ -83,6 +85,10 @@ impl Rehearsal for Key {
         }
         outcome
     }
+
+    fn depth(&self) -> f64 {
+        self.depth
+    }
 }
 
 /// Asserts that a piece is played as the design promises.
@@ -90,8 +96,14 @@ impl Rehearsal for Key {
 fn check(piece: &str) {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../configs/performances");
     let score = read(&fs::read(folder.join(piece)).expect("the piece")).expect("a score");
+    check_score(&score);
+}
+
+/// The same of a score.
+#[track_caller]
+fn check_score(score: &Score) {
     let pianist = Pianist::default();
-    let performance = pianist.prepare(&score, |_| Key::default(), |_| ());
+    let performance = pianist.prepare(score, |_| Key::default(), |_| ());
     let mut struck = Vec::new();
     for (key, gestures) in (0..).zip(&performance.gestures) {
         let outcome = Key::default().play(gestures, performance.end());
@@ -115,4 +127,17 @@ fn the_prelude_is_played_to_the_design_s_figures() {
 #[test]
 fn the_ode_is_played_to_the_design_s_figures() {
     check("beethoven-ode-to-joy.mid");
+}
+
+#[test]
+fn a_key_is_repeated_seven_times_a_second_from_where_it_is() {
+    // Its jack resets at 6 mm, and the whole way up and down takes longer than that.
+    let soft_to_loud = [50, 60, 70, 80, 90];
+    let notes = (0_u32..).zip(soft_to_loud).flat_map(|(row, velocity)| {
+        (0..10_u32).map(move |n| {
+            let onset = f64::from(3 * row) + f64::from(n) / 7.0;
+            ScoreNote { key: 39, onset, end: onset + 0.05, velocity, release: None }
+        })
+    });
+    check_score(&Score { notes: notes.collect(), ..Score::default() });
 }

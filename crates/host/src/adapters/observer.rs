@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
-use midi::{NoteEvent as MidiEvent, NoteEventKind};
+use midi::{NoteEvent as MidiEvent, NoteEventKind, PedalMove};
 use rtrb::Producer;
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::port::{FinishedTick, TickObserver};
@@ -53,8 +53,8 @@ pub struct TickPublisher {
     ring: Producer<MidiEvent>,
     bell: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
-    /// Moves of the sustain pedal, in order of time: when (s), and how deep.
-    pedals: Box<[(f64, f64)]>,
+    /// Moves of the pedals, in order of time.
+    pedals: Box<[PedalMove]>,
     next_pedal: usize,
     /// Tick (s).
     period: f64,
@@ -66,14 +66,14 @@ impl TickPublisher {
         ring: Producer<MidiEvent>,
         bell: Arc<WakeFd>,
         counters: Arc<LiveCounters>,
-        pedals: Box<[(f64, f64)]>,
+        pedals: Box<[PedalMove]>,
         period: f64,
     ) -> Self {
         Self { ring, bell, counters, pedals, next_pedal: 0, period }
     }
 
-    /// Plays `pedals` from now on: when (s), and how deep, in order of time.
-    pub fn set_pedals(&mut self, pedals: Box<[(f64, f64)]>) {
+    /// Plays `pedals` from now on, which are in order of time.
+    pub fn set_pedals(&mut self, pedals: Box<[PedalMove]>) {
         (self.pedals, self.next_pedal) = (pedals, 0);
     }
 
@@ -81,16 +81,16 @@ impl TickPublisher {
     /// ring can put it in order of time.
     ///
     /// # Real-time
-    /// One write of at most all events of a tick and all moves of the pedal that are left.
+    /// One write of at most all events of a tick and all moves of pedals that are left.
     fn publish(&mut self, seen: &FinishedTick<'_>, sums: &mut Sums) {
         let period = self.period;
         let end = Moment { tick: seen.tick, theta: 1.0 }.seconds(period);
         let pedals = self.pedals.get(self.next_pedal..).unwrap_or_default();
-        let n_pedals = pedals.iter().take_while(|pedal| pedal.0 < end).count();
-        let pressed = pedals.iter().take(n_pedals).map(|&(at, depth)| MidiEvent {
+        let n_pedals = pedals.iter().take_while(|pedal| pedal.at < end).count();
+        let pressed = pedals.iter().take(n_pedals).map(|&PedalMove { pedal, at, depth }| MidiEvent {
             key: 0,
             at,
-            kind: NoteEventKind::Sustain(depth),
+            kind: NoteEventKind::Pedal { pedal, depth },
         });
         let played = (0..).zip(seen.turns).flat_map(|(key, turn)| {
             let event = move |&(at, event): &(Moment, KeyEvent)| MidiEvent {

@@ -1,5 +1,6 @@
 //! What happened, as messages.
 
+use midi::{Pedal, PedalMove};
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::observation::Switch;
 use scheduler::voice::VoiceFault;
@@ -89,9 +90,21 @@ pub(super) fn miss(pulse: &PulseRow) -> Option<Event> {
     words(pulse.outcome).map(|text| of_none(Kind::Miss, pulse.tick, text.to_owned()))
 }
 
-/// The sustain pedal will move at `at` (s) to `depth`, 0 to 1.
-pub fn pedal((at, depth): (f64, f64)) -> Event {
-    Event { at, speed: depth, ..of_none(Kind::Pedal, 0, String::new()) }
+/// A pedal will be moved.
+pub fn pedal(PedalMove { pedal, at, depth }: PedalMove) -> Event {
+    let controller = pedal.controller().number().into();
+    Event { at, speed: depth, controller, ..of_none(Kind::Pedal, 0, String::new()) }
+}
+
+/// The move of a pedal that `event` tells of, unless this host knows no such pedal.
+///
+/// Recordings that name no controller know the sustain pedal alone.
+pub fn pedal_move(event: &Event) -> Option<PedalMove> {
+    let pedal = match event.controller {
+        0 => Pedal::Sustain,
+        number => Pedal::of_number(u8::try_from(number).ok()?)?,
+    };
+    Some(PedalMove { pedal, at: event.at, depth: event.speed })
 }
 
 /// Ticks that were not run before `tick`.
@@ -113,4 +126,21 @@ pub(super) fn armed(row: &TickRow) -> Event {
 
 fn of_none(kind: Kind, tick: u64, text: String) -> Event {
     Event { kind: kind.into(), tick, key: NO_KEY, text, ..Event::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_move_of_each_pedal_is_told_and_read_again() {
+        for pedal in Pedal::ALL {
+            let moved = PedalMove { pedal, at: 1.5, depth: 0.25 };
+            assert_eq!(pedal_move(&super::pedal(moved)), Some(moved));
+        }
+        let old = Event { at: 2.0, speed: 1.0, ..of_none(Kind::Pedal, 0, String::new()) };
+        let sustain = PedalMove { pedal: Pedal::Sustain, at: 2.0, depth: 1.0 };
+        assert_eq!(pedal_move(&old), Some(sustain), "as in recordings of before");
+        assert_eq!(pedal_move(&Event { controller: 1, ..old }), None);
+    }
 }

@@ -26,7 +26,7 @@ mod voice;
 
 pub(crate) use block::flag;
 pub use catalogue::{catalogue, described, version};
-pub use events::{NO_KEY, pedal};
+pub use events::{NO_KEY, pedal, pedal_move};
 pub use links::LinksWatch;
 pub use log::{LogLine, LogSink};
 pub use model_probe::{ModelProbe, modes, probe, signals};

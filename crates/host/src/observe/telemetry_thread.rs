@@ -97,7 +97,7 @@ pub struct TelemetryThread {
     sinks: Vec<Box<dyn MessageSink>>,
     /// What whoever comes later must know: the catalogue, and the voice of each key.
     latched: BTreeMap<Option<u32>, Update>,
-    /// Moves of the pedal, which are told beforehand.
+    /// Moves of pedals, which are told beforehand.
     pedals: Vec<Update>,
     probes: BTreeMap<u32, SeenVoice>,
     /// Time at tick 0 (ns since 1970), and that of a tick (ns).

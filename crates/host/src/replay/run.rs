@@ -2,6 +2,7 @@
 
 use std::sync::mpsc;
 
+use midi::PedalMove;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::time::{Nanos, Period, Timetable};
 use serde::Serialize;
@@ -16,7 +17,7 @@ use super::versions::RecordedVersions;
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
 use crate::midi_thread::MidiDispatcher;
-use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, voice};
+use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, pedal_move, voice};
 use crate::session::{MonitoredOutput, Watchers, nowhere};
 use realtime::clock;
 use realtime::run::scheduler;
@@ -103,7 +104,7 @@ struct Replay {
     told: mpsc::Sender<TelemetryMessage>,
     said: Said,
     comparison: Comparison,
-    pedals: Vec<(f64, f64)>,
+    pedals: Vec<PedalMove>,
     is_running: bool,
     ticks: u64,
     last: u64,
@@ -244,7 +245,7 @@ impl Replay {
             Update::Event(event) => {
                 self.feed.event(event);
                 match event.kind() {
-                    Kind::Pedal => self.pedals.push((event.at, event.speed)),
+                    Kind::Pedal => self.pedals.extend(pedal_move(event)),
                     Kind::Fault => self.faults += 1,
                     Kind::Strike => self.strikes += 1,
                     Kind::Unknown

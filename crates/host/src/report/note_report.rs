@@ -1,5 +1,6 @@
 //! What became of the notes of a performance.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use firmware_protocol::key::KeyIndex;
@@ -22,6 +23,47 @@ pub struct NoteReport {
     pub velocity_error: ErrorQuantiles,
     /// What the pianist knew beforehand that the keys cannot do, in order of time.
     pub shortfalls: Vec<NoteShortfall>,
+    /// Notes of the piece that are not among those asked for.
+    pub unplayed: UnplayedNotes,
+}
+
+/// Notes of a piece that the pianist does not play at all, or not by themselves.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize)]
+pub struct UnplayedNotes {
+    /// How many are on keys that have no voice in the scene.
+    pub without_voice: usize,
+    /// The names of these keys, from the lowest on.
+    pub keys_without_voice: Vec<String>,
+    /// How many are not on the 88 keys, or percussion.
+    pub outside: u32,
+    /// How many begin while their key is held by another: that one ends, or both are one.
+    pub overlapping: u32,
+}
+
+impl UnplayedNotes {
+    /// What is said of notes on `keys` (0 to 87) that have no voice, one key for each note, of
+    /// notes outside of the keyboard, and of those that overlap on their key.
+    pub fn new(keys: &[u8], outside: u32, overlapping: u32) -> Self {
+        let names: BTreeSet<u8> = keys.iter().copied().collect();
+        let names = names.into_iter().filter_map(KeyIndex::new).map(|key| key.to_string());
+        Self { without_voice: keys.len(), keys_without_voice: names.collect(), outside, overlapping }
+    }
+
+    fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.without_voice > 0 {
+            let keys = self.keys_without_voice.join(", ");
+            let n = self.without_voice;
+            writeln!(f, "              {n} more on keys without a voice in this scene: {keys}")?;
+        }
+        if self.outside > 0 {
+            writeln!(f, "              {} more off the 88 keys or percussion", self.outside)?;
+        }
+        if self.overlapping > 0 {
+            let n = self.overlapping;
+            writeln!(f, "              {n} overlap with another on their key, which ends or is one with it")?;
+        }
+        Ok(())
+    }
 }
 
 /// A note that the keys cannot play as it is written.
@@ -71,6 +113,7 @@ impl NoteReport {
             onset_error_ms: spread(&it.onset_error_ms),
             velocity_error: spread(&it.velocity_error),
             shortfalls,
+            unplayed: UnplayedNotes::default(),
         }
     }
 
@@ -86,7 +129,8 @@ impl NoteReport {
             "              onset error p50 {:.3} p99 {:.3} max {:.3} ms; velocity error p50 {:.0} p99 {:.0} max {:.0}",
             o.p50, o.p99, o.max, v.p50, v.p99, v.max
         )?;
-        self.fmt_shortfalls(f)
+        self.fmt_shortfalls(f)?;
+        self.unplayed.fmt_lines(f)
     }
 
     fn fmt_shortfalls(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -27,7 +27,7 @@ use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, NoteShortfall, Realtime};
-use crate::report::{RunReport, StepCounts};
+use crate::report::{RunReport, StepCounts, UnplayedNotes};
 use key_source::KeySource;
 use key_transport::KeyTransport;
 use measured::MeasuredRun;
@@ -143,6 +143,7 @@ struct PreparedRun {
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
     performance: Option<Performance>,
+    unplayed: UnplayedNotes,
     watchers: Watchers,
     midi: MidiReport,
     bell: Arc<WakeFd>,
@@ -187,7 +188,9 @@ impl RunSession {
         if scene.performance.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let performance = pianist::rehearse(scene, &builder, &keys, options.duration, progress)?;
+        let piece = pianist::rehearse(scene, &builder, &keys, options.duration, progress)?;
+        let (performance, unplayed) =
+            piece.map(|it| (it.performance, it.unplayed)).unzip();
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
@@ -230,6 +233,7 @@ impl RunSession {
             virtual_time: options.virtual_time,
             voices,
             performance,
+            unplayed: unplayed.unwrap_or_default(),
             watchers: Watchers { publisher, recorder },
             midi,
             bell,
@@ -330,7 +334,10 @@ impl PreparedRun {
             lanes: self.n_lanes.get(),
             realtime: measured.realtime,
             deadline: measured.deadline,
-            notes: self.performance.as_ref().map(|it| notes(it, &played.struck, duration)),
+            notes: self.performance.as_ref().map(|it| {
+                let report = notes(it, &played.struck, duration);
+                NoteReport { unplayed: self.unplayed.clone(), ..report }
+            }),
             events: load(&counters.events),
             strikes: load(&counters.strikes),
             faults: load(&counters.faults),

@@ -7,10 +7,19 @@ use performance::{Performance, Pianist, Score, Technique, read};
 use super::SessionError;
 use super::key_source::KeySource;
 use crate::rehearsal::RehearsedKey;
+use crate::report::UnplayedNotes;
 use scene::{PerformanceSource, Scene};
 use voice::VoiceBuilder;
 
 pub use performance::Progress as PianistProgress;
+
+/// A piece as it will be played.
+#[derive(Debug)]
+pub(super) struct RehearsedPiece {
+    pub(super) performance: Performance,
+    /// Notes of the piece that no key is asked for.
+    pub(super) unplayed: UnplayedNotes,
+}
 
 /// Rehearses the scene's piece, up to `duration` (s) if the run ends before the piece does.
 pub(super) fn rehearse(
@@ -19,12 +28,12 @@ pub(super) fn rehearse(
     key_source: &KeySource,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
-) -> Result<Option<Performance>, SessionError> {
+) -> Result<Option<RehearsedPiece>, SessionError> {
     let Some(piece) = &scene.performance else { return Ok(None) };
     let technique = Technique::default();
     let score = load(piece)?;
     let keys = keys_of(builder, key_source)?;
-    let score = within(score, duration, technique.lead_in, &keys);
+    let (score, unplayed) = within(score, duration, technique.lead_in, &keys);
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
         let keys = keys.lock().unwrap_or_else(PoisonError::into_inner);
@@ -32,7 +41,8 @@ pub(super) fn rehearse(
         keys[usize::from(key)].clone().unwrap_or_else(|| unreachable!("key {key} has no voice"))
     };
     let pianist = Pianist { curve: scene.midi.curve, technique, ..Pianist::default() };
-    Ok(Some(pianist.prepare(&score, instrument, progress)))
+    let performance = pianist.prepare(&score, instrument, progress);
+    Ok(Some(RehearsedPiece { performance, unplayed }))
 }
 
 fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
@@ -61,15 +71,20 @@ fn keys_of(
     Ok(keys)
 }
 
-/// Returns the part of `score` that is struck before `duration` (s) on keys that have a voice.
+/// Returns the part of `score` that is struck before `duration` (s) on keys that have a voice, and
+/// which of its notes are left out.
 fn within(
     mut score: Score,
     duration: Option<f64>,
     lead_in: f64,
     keys: &[Option<RehearsedKey>],
-) -> Score {
+) -> (Score, UnplayedNotes) {
     let end = duration.map_or(f64::INFINITY, |duration| duration - lead_in);
-    score.notes.retain(|note| note.onset < end && keys[usize::from(note.key)].is_some());
-    score.pedals.retain(|pedal| pedal.0 < end);
-    score
+    score.notes.retain(|note| note.onset < end);
+    score.pedals.retain(|pedal| pedal.at < end);
+    let (voiced, without_voice): (Vec<_>, Vec<_>) =
+        score.notes.iter().copied().partition(|note| keys[usize::from(note.key)].is_some());
+    let without_voice: Vec<u8> = without_voice.iter().map(|note| note.key).collect();
+    let unplayed = UnplayedNotes::new(&without_voice, score.skipped, score.overlaps);
+    (Score { notes: voiced, ..score }, unplayed)
 }

@@ -3,8 +3,9 @@
 use keyboard::{KEYS, KeyIndex};
 
 use super::{MidiSendError, Unavailable};
-use crate::message::{Controller, Message};
+use crate::message::Message;
 use crate::note::{Note, Velocity};
+use crate::pedal::{Pedal, PedalValues};
 
 /// Least time between two attempts to connect, and between two looks at the port (s).
 const INTERVAL: f64 = 1.0;
@@ -46,8 +47,8 @@ pub(super) struct Reconnecting<B> {
     /// When the connection was last attempted or looked at (s); `None` before.
     looked: Option<f64>,
     sounds: [Sound; KEYS],
-    /// Where the sustain pedal should be, 0 ..= 127.
-    pedal: u8,
+    /// Where the pedals should be.
+    pedals: PedalValues,
 }
 
 impl<B: MidiSystem> Reconnecting<B> {
@@ -55,12 +56,12 @@ impl<B: MidiSystem> Reconnecting<B> {
     pub(super) fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
         backend.connect()?;
         let sounds = [Sound::Silent; KEYS];
-        Ok(Self { backend, name, link: PortState::Up, looked: None, sounds, pedal: 0 })
+        Ok(Self { backend, name, link: PortState::Up, looked: None, sounds, pedals: PedalValues::default() })
     }
 
     /// Sends `message` at time `at` (s), over a new connection if the old one is lost.
     pub(super) fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
-        self.follow_pedal(message);
+        self.follow_pedals(message);
         if self.link == PortState::Up && self.deliver(message) {
             return Ok(());
         }
@@ -108,7 +109,7 @@ impl<B: MidiSystem> Reconnecting<B> {
         }
     }
 
-    /// Silences what the destination may still sound, and puts its pedal where it should be.
+    /// Silences what the destination may still sound, and puts its pedals where they should be.
     fn restore(&mut self) -> bool {
         for note in KeyIndex::all().filter_map(|key| Note::from_key(key.number())) {
             let off = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
@@ -117,8 +118,10 @@ impl<B: MidiSystem> Reconnecting<B> {
                 return false;
             }
         }
-        let pedal = Message::ControlChange { controller: Controller::Sustain, value: self.pedal };
-        self.deliver(pedal)
+        let pedals = self.pedals;
+        pedals.all().all(|(pedal, value)| {
+            self.deliver(Message::ControlChange { controller: pedal.controller(), value })
+        })
     }
 
     fn deliver(&mut self, message: Message) -> bool {
@@ -143,9 +146,11 @@ impl<B: MidiSystem> Reconnecting<B> {
         self.sounds[usize::from(note.key())] = sound;
     }
 
-    fn follow_pedal(&mut self, message: Message) {
-        if let Message::ControlChange { controller: Controller::Sustain, value } = message {
-            self.pedal = value;
+    fn follow_pedals(&mut self, message: Message) {
+        if let Message::ControlChange { controller, value } = message
+            && let Some(pedal) = Pedal::of_number(controller.number())
+        {
+            self.pedals.set(pedal, value);
         }
     }
 
@@ -157,6 +162,10 @@ impl<B: MidiSystem> Reconnecting<B> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::message::Controller;
+
+    /// All pedals up.
+    const UP: [[u8; 3]; 3] = [[0xB0, 64, 0], [0xB0, 66, 0], [0xB0, 67, 0]];
 
     /// A destination that the test unplugs and plugs in.
     #[derive(Default)]
@@ -212,7 +221,9 @@ mod tests {
         assert!(port.send(1.0, off(60)).is_err());
         port.backend.unplugged = false;
         port.send(2.5, on(64)).unwrap();
-        assert_eq!(port.backend.received[1..], [[0x80, 60, 64], [0xB0, 64, 0], [0x90, 64, 64]]);
+        let [sustain, sostenuto, una_corda] = UP;
+        let expected = [[0x80, 60, 64], sustain, sostenuto, una_corda, [0x90, 64, 64]];
+        assert_eq!(port.backend.received[1..], expected);
     }
 
     #[test]
@@ -236,7 +247,8 @@ mod tests {
         port.backend.unplugged = false;
         assert!(port.poll(1.5).is_err(), "not tried again yet");
         port.poll(2.3).unwrap();
-        assert_eq!(port.backend.received[1..], [[0x80, 60, 64], [0xB0, 64, 0]]);
+        assert_eq!(port.backend.received[1..2], [[0x80, 60, 64]]);
+        assert_eq!(port.backend.received[2..], UP);
     }
 
     #[test]
@@ -252,18 +264,22 @@ mod tests {
         assert!(port.poll(1.4).is_err());
         port.backend.unplugged = false;
         port.poll(2.5).unwrap();
-        assert_eq!(port.backend.received[4..], [[0x80, 64, 64], [0xB0, 64, 0]]);
+        assert_eq!(port.backend.received[4..5], [[0x80, 64, 64]]);
+        assert_eq!(port.backend.received[5..], UP);
     }
 
     #[test]
     fn a_pedal_that_was_lifted_meanwhile_is_up() {
         let mut port = port();
-        let pedal = |value| Message::ControlChange { controller: Controller::Sustain, value };
-        port.send(0.0, pedal(127)).unwrap();
+        let at = |controller, value| Message::ControlChange { controller, value };
+        port.send(0.0, at(Controller::Sustain, 127)).unwrap();
+        port.send(0.1, at(Controller::UnaCorda, 90)).unwrap();
         unplug(&mut port);
-        assert!(port.send(1.0, pedal(0)).is_err());
+        assert!(port.send(1.0, at(Controller::Sustain, 0)).is_err());
         port.backend.unplugged = false;
         port.poll(2.0).unwrap();
-        assert_eq!(port.backend.received.last(), Some(&[0xB0, 64, 0]));
+        // What is pressed is pressed again.
+        let expected = [[0xB0, 64, 0], [0xB0, 66, 0], [0xB0, 67, 90]];
+        assert_eq!(port.backend.received[2..], expected);
     }
 }

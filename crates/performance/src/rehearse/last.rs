@@ -56,8 +56,8 @@ impl<R: Rehearsal> Last<R> {
         let earliest = release::earliest(&stroke.wanted, &self.found);
         let gesture = stroke.gesture?;
         let held = gesture.release - earliest;
-        let free = Gesture { release: earliest, ..gesture }.end();
-        if held < WORTHWHILE || free + practice.quickest(wanted.speed) > wanted.onset + LATEST {
+        let turned = earliest + practice.turn(wanted.speed);
+        if held < WORTHWHILE || turned > wanted.onset + LATEST {
             return None;
         }
         let mut best: Option<Room<R>> = None;

@@ -6,7 +6,8 @@
 //! 2. guess speed and start from the [`StrokeTable`] of the key at rest;
 //! 3. try on a copy of the key, and correct both, until strike and onset are as wanted;
 //! 4. if the touch does not serve, try the other one;
-//! 5. if the key is not up yet, let the stroke before go earlier, and try again;
+//! 5. if the key is not up yet, strike from where it is, let the stroke before go earlier and more
+//!    quickly, and try again;
 //! 6. if it cannot be in time even so, leave it out, and give the stroke before its length back;
 //! 7. choose the release so that the damper falls where it should and the next stroke has room;
 //! 8. keep it and go on.
@@ -31,8 +32,11 @@ pub use shortfall::{LATEST, Shortfall};
 use strokes::KeyStrokes;
 pub use table::{StrokeTable, StrokeTables, tabulate};
 
-/// How much longer than from rest the next stroke may take, for choosing a release.
-const SLACK: f64 = 1.3;
+/// How much longer than at best it may take to strike again, for choosing a release.
+const SLACK: f64 = 1.15;
+
+/// Guess for a key that was not seen to rise: from a quick release until it can be struck again (s).
+const USUAL_RISE: f64 = 35e-3;
 
 /// A key with its action that can be tried out; a copy of it is a snapshot.
 ///
@@ -44,6 +48,9 @@ pub trait Rehearsal: Clone {
     /// that may still be under way, and those that begin later.
     /// What a gesture does before its release does not depend on when that is.
     fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome;
+
+    /// Returns how deep the key's front is now (m), down positive.
+    fn depth(&self) -> f64;
 }
 
 /// What happened while a key was played.
@@ -123,38 +130,30 @@ impl Practice<'_> {
 
     /// Finds speed and start, by the wanted touch or else by the other.
     fn find<R: Rehearsal>(&self, hand: &mut PlannedKey<R>, wanted: &PlannedStroke) -> Try {
-        let touch = self.fitting_touch(hand.free_from(), wanted);
+        let touch = wanted.touch;
         let (_, delay) = self.guess(touch, wanted.speed);
         let (_, other_delay) = self.guess(other(touch), wanted.speed);
         hand.advance(wanted.onset - search::reach(delay.max(other_delay)));
-        let first = search::find(self, hand, wanted, touch);
+        let rise = hand.rise();
+        let first = search::find(self, hand, wanted, touch, &rise);
         if first.is_acceptable() {
             return first;
         }
-        let second = search::find(self, hand, wanted, other(touch));
+        let second = search::find(self, hand, wanted, other(touch), &rise);
         let n_tries = first.n_tries + second.n_tries;
         let best = if second.cost < first.cost { second } else { first };
         Try { n_tries, ..best }
     }
 
-    /// The wanted touch, or a struck one if the wanted would have to begin before `free` (s).
-    fn fitting_touch(&self, free: f64, wanted: &PlannedStroke) -> Touch {
-        let (_, wanted_delay) = self.guess(wanted.touch, wanted.speed);
-        let (_, struck_delay) = self.guess(Touch::Struck, wanted.speed);
-        let too_late = wanted.onset - wanted_delay < free;
-        if too_late && struck_delay < wanted_delay { Touch::Struck } else { wanted.touch }
+    /// Time from a quick release to the next strike at `speed` (m/s) from as deep as can be (s).
+    fn turn(&self, speed: f64) -> f64 {
+        let (_, delay) = self.guess(Touch::Pressed, speed);
+        self.tables.rise.unwrap_or(USUAL_RISE) + search::SHORTEST_WAY * delay
     }
 
-    /// Least time from a start to a strike at `speed` (m/s), from rest (s).
-    fn quickest(&self, speed: f64) -> f64 {
-        let delays = [Touch::Pressed, Touch::Struck].map(|touch| self.guess(touch, speed).1);
-        delays[0].min(delays[1])
-    }
-
-    /// When the key must be released (s) so that `next` finds it up.
+    /// When the key must be released (s) so that `next` finds it high enough, if all goes well.
     fn latest_release(&self, next: &PlannedStroke) -> f64 {
-        let (_, delay) = self.guess(next.touch, next.speed);
-        next.onset - SLACK * delay - self.technique.rise
+        next.onset - SLACK * self.turn(next.speed)
     }
 
     /// Finger speed (m/s) that gives hammer `speed` (m/s) from rest, and the delay of its strike (s).

@@ -26,6 +26,13 @@ const TOLERANCE: f64 = 3e-3;
 /// Most simulations for one release.
 const MAX_TRIES: u32 = 4;
 
+/// Time of the quickest lift of a finger (s) (estimate).
+pub(super) const QUICK_LIFT: f64 = 20e-3;
+
+/// How much later a damper falls for a lift that takes longer, per second of it: the key's bottom
+/// is passed after a third of the lift, and the damper's height half-way.
+const FALL_PER_LIFT: f64 = 0.4;
+
 /// Chooses the release of the gesture that was `found`, and gives it to the key.
 ///
 /// The damper falls as near to the wanted end as it can if the release is not after `latest` (s),
@@ -38,15 +45,15 @@ pub(super) fn choose<R: Rehearsal>(
     latest: Option<f64>,
 ) -> RehearsedStroke {
     let limits = ReleaseWindow::new(hand, wanted, found, latest);
-    let guess = limits.apply(wanted.end - practice.tables.fall.unwrap_or(USUAL_FALL));
+    let (guess, lift) = limits.first_guess(wanted, practice.tables.fall.unwrap_or(USUAL_FALL));
     hand.keep(found.gesture);
     let held = hand.advance(guess - LEEWAY);
     let limits = ReleaseWindow { earliest: limits.earliest.max(hand.now()), ..limits };
-    let Released { release, outcome, n_tries } = refine(hand, wanted.end, guess, limits);
-    hand.release_at(release);
+    let Released { release, outcome, n_tries } = refine(hand, wanted.end, (guess, lift), limits);
+    hand.let_go(release, lift);
 
     let strikes = held.strikes.iter().chain(&outcome.strikes);
-    let gesture = Gesture { release, ..found.gesture };
+    let gesture = Gesture { release, lift, ..found.gesture };
     RehearsedStroke {
         wanted: *wanted,
         gesture: Some(gesture),
@@ -81,6 +88,20 @@ impl ReleaseWindow {
         Self { earliest, latest: latest.unwrap_or(f64::INFINITY) }
     }
 
+    /// Release and lift (s) for a stroke whose damper falls `fall` (s) after a usual release: a
+    /// lift that is as slow as wanted, where the note is long enough and the key is not needed.
+    fn first_guess(self, wanted: &PlannedStroke, fall: f64) -> (f64, f64) {
+        let later = |lift: f64| FALL_PER_LIFT * (lift - Gesture::LIFT);
+        let longest = Gesture::LIFT + (wanted.end - self.earliest - fall) / FALL_PER_LIFT;
+        let lift = wanted.lift.min(longest).max(QUICK_LIFT);
+        let release = wanted.end - fall - later(lift);
+        if release <= self.latest {
+            (self.apply(release), lift)
+        } else {
+            (self.apply(release), QUICK_LIFT)
+        }
+    }
+
     /// The allowed time nearest to `release` (s); a strike comes before room for the next.
     fn apply(self, release: f64) -> f64 {
         release.min(self.latest).max(self.earliest)
@@ -94,19 +115,19 @@ struct Released {
     n_tries: u32,
 }
 
-/// Moves the release from `guess` until the damper falls at `end` (s), within `limits`.
+/// Moves the release of a lift that takes `lift` (s) from `guess` until the damper falls at `end` (s), within `limits`.
 fn refine<R: Rehearsal>(
     hand: &mut PlannedKey<R>,
     end: f64,
-    guess: f64,
+    (guess, lift): (f64, f64),
     limits: ReleaseWindow,
 ) -> Released {
     let mut release = guess;
     let mut n_tries = 0;
     loop {
         n_tries += 1;
-        hand.release_at(release);
-        let outcome = hand.look_ahead(release + PATIENCE);
+        hand.let_go(release, lift);
+        let outcome = hand.look_ahead(release + lift + PATIENCE);
         let fall = outcome.damper_fall.filter(|fall| *fall > release);
         let late = fall.map_or(0.0, |fall| fall - end);
         let better = limits.apply(release - late);

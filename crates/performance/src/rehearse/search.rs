@@ -2,7 +2,7 @@
 
 use haptics::plant::{Gesture, Touch};
 
-use super::hand::PlannedKey;
+use super::hand::{KeyRise, PlannedKey};
 use super::{PlayOutcome, Practice, Rehearsal, Strike, table};
 use crate::stroke::PlannedStroke;
 
@@ -32,6 +32,16 @@ const MAX_STRIDE: f64 = 0.7;
 
 /// A gesture that gives no strike counts as this much too slow, as a natural logarithm.
 const MISS_STRIDE: f64 = 0.4;
+
+/// Depth at which an action lets off (m), for a first guess.
+const LET_OFF: f64 = 9e-3;
+
+/// Time from the deepest start to the strike, as a part of that from rest: see
+/// [`Gesture::passes`].
+pub(super) const SHORTEST_WAY: f64 = 0.25;
+
+/// Halvings of the time within which a stroke starts: less than a microsecond of half a second.
+const HALVINGS: u32 = 20;
 
 /// Spare time before the earliest start that is looked at (s).
 const MARGIN: f64 = 0.03;
@@ -68,8 +78,9 @@ pub(super) fn find<R: Rehearsal>(
     hand: &PlannedKey<R>,
     wanted: &PlannedStroke,
     touch: Touch,
+    rise: &KeyRise,
 ) -> Try {
-    let mut search = StrokeSearch::new(practice, hand.free_from(), wanted, touch);
+    let mut search = StrokeSearch::new(practice, (hand.free_from(), rise), wanted, touch);
     let mut last = search.attempt(hand);
     let mut best = last;
     let mut n_tries = 1;
@@ -90,6 +101,8 @@ struct StrokeSearch<'a> {
     touch: Touch,
     /// When the finger is free (s).
     earliest: f64,
+    /// How the key comes up before.
+    rise: &'a KeyRise,
     /// When the gesture is to start (s).
     start: f64,
     bracket: SpeedBracket,
@@ -99,45 +112,74 @@ impl<'a> StrokeSearch<'a> {
     /// Begins with what the key would need at rest.
     fn new(
         practice: &'a Practice<'a>,
-        earliest: f64,
+        (earliest, rise): (f64, &'a KeyRise),
         wanted: &'a PlannedStroke,
         touch: Touch,
     ) -> Self {
         let (command, delay) = practice.guess(touch, wanted.speed);
         let start = (wanted.onset - delay).max(earliest);
-        Self {
-            practice,
-            wanted,
-            touch,
-            earliest,
-            start,
-            bracket: SpeedBracket::new(touch, command),
+        let bracket = SpeedBracket::new(touch, command);
+        let mut search = Self { practice, wanted, touch, earliest, rise, start, bracket };
+        search.aim(wanted.onset);
+        search
+    }
+
+    /// Starts so that the strike is expected at `at` (s), or as early as can be.
+    ///
+    /// The later the start, the higher is the key by then, and the longer the way: the time that
+    /// is looked for is between the earliest start and that from rest.
+    fn aim(&mut self, at: f64) {
+        let from_rest = at - self.delay_from(f64::INFINITY);
+        let (mut early, mut late) = (self.earliest, at);
+        if self.rise.depth(from_rest) == 0.0 && self.earliest <= from_rest {
+            early = from_rest;
+        } else {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (early + late);
+                let is_late = at < middle + self.delay_from(middle);
+                if is_late { late = middle } else { early = middle }
+            }
+        }
+        self.start = early;
+    }
+
+    /// The gesture of the present speed that starts at `start` (s).
+    fn gesture_from(&self, start: f64) -> Gesture {
+        let Self { practice, touch, .. } = *self;
+        let speed = self.bracket.guess.exp();
+        let usual = practice.technique.gesture(touch, speed, start, f64::INFINITY);
+        match touch {
+            Touch::Pressed => Gesture { from: self.rise.depth(start), ..usual },
+            Touch::Struck => usual,
         }
     }
 
     fn attempt<R: Rehearsal>(&self, hand: &PlannedKey<R>) -> Try {
-        let until = self.wanted.onset.max(self.start + self.delay()) + WATCH;
-        let speed = self.bracket.guess.exp();
-        let gesture = self.practice.technique.gesture(self.touch, speed, self.start, f64::INFINITY);
+        let until = self.wanted.onset.max(self.start + self.delay_from(self.start)) + WATCH;
+        let gesture = self.gesture_from(self.start);
         judge(self.practice, self.wanted, gesture, &hand.try_out(gesture, until))
     }
 
     /// Changes speed and start by what `tried` shows; false if neither can be changed.
     fn correct(&mut self, tried: &Try) -> bool {
         let (guess, start) = (self.bracket.guess, self.start);
-        let delay = self.delay();
+        let expected = start + self.delay_from(start);
         if !is_level(self.practice, self.wanted, tried.strike) {
             self.bracket.learn(too_fast_by(self.wanted, tried.strike));
         }
-        let late = tried.strike.map_or(0.0, |strike| strike.at - self.wanted.onset);
-        self.start = (start - late + delay - self.delay()).max(self.earliest);
+        let lag = tried.strike.map_or(0.0, |strike| strike.at - expected);
+        self.aim(self.wanted.onset - lag);
         let is_elsewhere = (self.start - start).abs() > 0.1 * ONSET_TOLERANCE;
         is_elsewhere || guess.to_bits() != self.bracket.guess.to_bits()
     }
 
-    /// From start to strike (s), if the key were at rest.
-    fn delay(&self) -> f64 {
-        self.practice.tables.of(self.touch).delay(self.bracket.guess.exp())
+    /// From `start` to the strike (s), if the key were at rest; less by what the finger then has
+    /// behind it already.
+    fn delay_from(&self, start: f64) -> f64 {
+        let gesture = self.gesture_from(start);
+        let whole = Gesture { from: 0.0, ..gesture }.passes(LET_OFF);
+        let way = gesture.passes(LET_OFF) / whole;
+        way * self.practice.tables.of(self.touch).delay(gesture.speed)
     }
 }
 

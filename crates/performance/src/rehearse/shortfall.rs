@@ -55,6 +55,10 @@ impl Shortfall {
             });
         };
         let late = at - wanted.onset;
+        if late < -LATEST {
+            // A hammer that is still on its way flies at the touch of the finger.
+            return Some(Self::TooSoon { late: None });
+        }
         if late > LATEST {
             return Some(Self::TooSoon { late: Some(late) });
         }

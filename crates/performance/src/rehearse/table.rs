@@ -3,6 +3,8 @@
 use haptics::plant::{Gesture, Touch};
 
 use super::Rehearsal;
+use super::hand::{DEEPEST, LONGEST_RISE, LOOK};
+use super::release::QUICK_LIFT;
 use crate::stroke::Technique;
 
 /// Slowest finger that presses (m/s).
@@ -12,9 +14,12 @@ const SLOWEST_PRESS: f64 = 0.02;
 const SLOWEST_STRIKE: f64 = 0.1;
 
 /// Fastest finger (m/s): what gestures are meant for.
-pub(super) const FASTEST: f64 = 3.0;
+pub(super) const FASTEST: f64 = 8.0;
 
-/// Speeds that are tried, in geometric progression.
+/// Fastest finger that plays with ease (m/s).
+const FASTEST_WITH_EASE: f64 = 3.0;
+
+/// Speeds that are tried up to there, in geometric progression, which goes on beyond.
 const N_SPEEDS: u32 = 24;
 
 /// Way of a finger until its strike is certain (m), for the length of a trial.
@@ -25,6 +30,9 @@ const PATIENCE: f64 = 0.2;
 
 /// Time after a release in which the damper is waited for (s).
 const LONGEST_FALL: f64 = 0.5;
+
+/// An easy stroke (m/s), and a hold until all is still (s).
+const EASY: (f64, f64) = (0.2, 0.5);
 
 /// Guess where a table is empty: hammer speed over finger speed.
 const USUAL_RATIO: f64 = 5.0;
@@ -80,6 +88,8 @@ pub struct StrokeTables {
     pub struck: StrokeTable,
     /// From the release of a key that is held to the fall of its damper (s), if that was seen.
     pub fall: Option<f64>,
+    /// From the quick release of a key that is held until it can be struck again (s), if it rises.
+    pub rise: Option<f64>,
 }
 
 impl StrokeTables {
@@ -89,6 +99,7 @@ impl StrokeTables {
             pressed: tabulate(instrument, Touch::Pressed, technique),
             struck: tabulate(instrument, Touch::Struck, technique),
             fall: fall(instrument, technique),
+            rise: rise(instrument, technique),
         }
     }
 
@@ -101,11 +112,13 @@ impl StrokeTables {
     }
 }
 
-/// Tries `touch` out on `instrument`, which is at rest at time 0, at 24 speeds.
+/// Tries `touch` out on `instrument`, which is at rest at time 0, at 24 speeds that
+/// it plays with ease and some beyond.
 pub fn tabulate<R: Rehearsal>(instrument: &R, touch: Touch, technique: &Technique) -> StrokeTable {
     let slowest = slowest(touch);
-    let ratio = (FASTEST / slowest).powf(1.0 / f64::from(N_SPEEDS - 1));
-    let commands = (0..N_SPEEDS).map(|index| slowest * ratio.powf(f64::from(index)));
+    let ratio = (FASTEST_WITH_EASE / slowest).powf(1.0 / f64::from(N_SPEEDS - 1));
+    let commands = (0..2 * N_SPEEDS).map(|index| slowest * ratio.powf(f64::from(index)));
+    let commands = commands.take_while(|command| *command <= FASTEST);
     let trials = commands.filter_map(|command| measure(instrument, touch, command, technique));
     StrokeTable { points: rising(&trials.collect::<Vec<_>>()) }
 }
@@ -120,11 +133,22 @@ pub(super) fn slowest(touch: Touch) -> f64 {
 
 /// From a release to the fall of the damper (s) of a key that was pressed and held.
 fn fall<R: Rehearsal>(instrument: &R, technique: &Technique) -> Option<f64> {
-    /// An easy stroke (m/s), and a hold until all is still (s).
-    const EASY: (f64, f64) = (0.2, 0.5);
     let gesture = technique.gesture(Touch::Pressed, EASY.0, 0.0, EASY.1);
     let outcome = instrument.clone().play(&[gesture], EASY.1 + LONGEST_FALL);
     outcome.damper_fall.map(|at| at - EASY.1).filter(|fall| *fall > 0.0)
+}
+
+/// From the quick release of a key that was pressed and held until it can be struck again (s).
+fn rise<R: Rehearsal>(instrument: &R, technique: &Technique) -> Option<f64> {
+    let (speed, release) = EASY;
+    let press = technique.gesture(Touch::Pressed, speed, 0.0, release);
+    let gesture = Gesture { lift: QUICK_LIFT, ..press };
+    let mut instrument = instrument.clone();
+    let mut looks = (0..LONGEST_RISE).map(|look| f64::from(look) * LOOK);
+    looks.find(|after| {
+        instrument.play(&[gesture], release + after);
+        instrument.depth() <= DEEPEST
+    })
 }
 
 fn measure<R: Rehearsal>(
@@ -178,7 +202,7 @@ fn interpolate(
 impl Technique {
     /// A gesture of this technique; times in s, `speed` of the finger in m/s.
     pub(super) fn gesture(&self, touch: Touch, speed: f64, start: f64, release: f64) -> Gesture {
-        Gesture { start, release, touch, speed, hold: self.hold }
+        Gesture { start, release, touch, speed, hold: self.hold, ..Gesture::USUAL }
     }
 }
 

@@ -4,6 +4,7 @@ mod merge;
 mod notes;
 mod tempo;
 
+use midi::{PedalMove, Velocity};
 use midly::{Format, Smf};
 
 use notes::NoteCollector;
@@ -13,8 +14,8 @@ use notes::NoteCollector;
 pub struct Score {
     /// Notes in order of onset, then of key; no two on one key overlap.
     pub notes: Vec<ScoreNote>,
-    /// Moves of the sustain pedal: when (s), and how deep, 0 (up) ..= 1 (down).
-    pub pedals: Vec<(f64, f64)>,
+    /// Moves of the pedals, in order of time.
+    pub pedals: Vec<PedalMove>,
     /// Notes left out: not on the 88 keys, or on channel 10, which is percussion.
     pub skipped: u32,
     /// Notes shortened or left out because their key was already held by another.
@@ -39,6 +40,8 @@ pub struct ScoreNote {
     pub end: f64,
     /// How hard, 1 ..= 127.
     pub velocity: u8,
+    /// How fast it is to be released, if the file says so.
+    pub release: Option<Velocity>,
 }
 
 /// Why a file cannot be played.

@@ -2,16 +2,13 @@
 
 use std::collections::{BTreeMap, VecDeque};
 
-use midi::Note;
+use midi::{Note, Pedal, PedalMove, Velocity};
 use midly::{MidiMessage, TrackEventKind};
 
 use super::{Score, ScoreNote};
 
 /// Channel 10, counted from 0: percussion by convention.
 const PERCUSSION: u8 = 9;
-
-/// Controller number of the sustain pedal.
-const SUSTAIN: u8 = 64;
 
 /// The notes heard so far.
 #[derive(Debug, Default)]
@@ -20,7 +17,7 @@ pub(super) struct NoteCollector {
     heard: Vec<ScoreNote>,
     /// Open notes by channel and key, the oldest first.
     open: BTreeMap<(u8, u8), VecDeque<usize>>,
-    pedals: Vec<(f64, f64)>,
+    pedals: Vec<PedalMove>,
     skipped: u32,
     /// Time of the latest event (s).
     now: f64,
@@ -38,17 +35,22 @@ impl NoteCollector {
     fn hear_message(&mut self, at: f64, channel: u8, message: MidiMessage) {
         #[expect(
             clippy::wildcard_enum_match_arm,
-            reason = "a foreign protocol, we hear notes only"
+            reason = "a foreign protocol, we hear notes and pedals only"
         )]
         match message {
             MidiMessage::NoteOn { key, vel } if vel > 0 => {
                 self.begin(at, channel, key.as_int(), vel.as_int());
             }
-            MidiMessage::NoteOn { key, .. } | MidiMessage::NoteOff { key, .. } => {
-                self.end(at, channel, key.as_int());
+            MidiMessage::NoteOn { key, .. } => self.end(at, channel, key.as_int(), None),
+            MidiMessage::NoteOff { key, vel } => {
+                // 64 stands for a keyboard that does not know.
+                let told = Velocity::new(vel.as_int()).filter(|it| *it != Velocity::UNKNOWN);
+                self.end(at, channel, key.as_int(), told);
             }
-            MidiMessage::Controller { controller, value } if controller == SUSTAIN => {
-                self.pedals.push((at, f64::from(value.as_int()) / 127.0));
+            MidiMessage::Controller { controller, value } => {
+                let depth = f64::from(value.as_int()) / 127.0;
+                let pedal = Pedal::of_number(controller.as_int());
+                self.pedals.extend(pedal.map(|pedal| PedalMove { pedal, at, depth }));
             }
             _ => {}
         }
@@ -59,17 +61,17 @@ impl NoteCollector {
             Some(note) if channel != PERCUSSION => {
                 let key = note.key();
                 self.open.entry((channel, key)).or_default().push_back(self.heard.len());
-                self.heard.push(ScoreNote { key, onset, end: f64::INFINITY, velocity });
+                self.heard.push(ScoreNote { key, onset, end: f64::INFINITY, velocity, release: None });
             }
             _ => self.skipped = self.skipped.saturating_add(1),
         }
     }
 
-    fn end(&mut self, at: f64, channel: u8, number: u8) {
+    fn end(&mut self, at: f64, channel: u8, number: u8, release: Option<Velocity>) {
         let Some(note) = Note::from_number(number) else { return };
         let oldest = self.open.get_mut(&(channel, note.key())).and_then(VecDeque::pop_front);
         if let Some(note) = oldest.and_then(|index| self.heard.get_mut(index)) {
-            note.end = at;
+            (note.end, note.release) = (at, release);
         }
     }
 

@@ -139,6 +139,9 @@ pub struct Event {
     /// Of a pedal: when \[s\].
     #[prost(double, tag = "10")]
     pub at: f64,
+    /// Of a pedal: its MIDI controller, 64 sustain, 66 sostenuto, 67 una corda; 0 stands for 64.
+    #[prost(uint32, tag = "11")]
+    pub controller: u32,
 }
 /// Nested message and enum types in `Event`.
 pub mod event {
@@ -169,7 +172,7 @@ pub mod event {
         /// From the next tick on voices are not felt, or felt again.
         Disarm = 11,
         Arm = 12,
-        /// The sustain pedal moves at `at`, to a depth of `speed`, 0 to 1; told beforehand.
+        /// The pedal of `controller` moves at `at`, to a depth of `speed`, 0 to 1; told beforehand.
         Pedal = 13,
     }
     impl Kind {

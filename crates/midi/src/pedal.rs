@@ -1,0 +1,82 @@
+//! The pedals of a piano, and how far each is pressed.
+
+use crate::message::Controller;
+
+/// A pedal of a grand.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[must_use]
+pub enum Pedal {
+    /// The right pedal: lifts all dampers.
+    Sustain,
+    /// The middle pedal: keeps those dampers up that are up when it is pressed.
+    Sostenuto,
+    /// The left pedal: the hammers strike fewer strings, or softer.
+    UnaCorda,
+}
+
+impl Pedal {
+    /// Every pedal, the right one first.
+    pub const ALL: [Self; 3] = [Self::Sustain, Self::Sostenuto, Self::UnaCorda];
+
+    /// Returns the controller that says where this pedal is.
+    pub const fn controller(self) -> Controller {
+        match self {
+            Self::Sustain => Controller::Sustain,
+            Self::Sostenuto => Controller::Sostenuto,
+            Self::UnaCorda => Controller::UnaCorda,
+        }
+    }
+
+    /// Returns the pedal that the controller with this MIDI number moves, if there is one.
+    pub fn of_number(number: u8) -> Option<Self> {
+        Self::ALL.into_iter().find(|pedal| pedal.controller().number() == number)
+    }
+}
+
+/// A pedal comes to another depth.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PedalMove {
+    /// Which of the three pedals.
+    pub pedal: Pedal,
+    /// When it is there (s).
+    pub at: f64,
+    /// How deep, from 0 (up) to 1 (down).
+    pub depth: f64,
+}
+
+/// Where the three pedals are, as values of their controllers.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct PedalValues([u8; Pedal::ALL.len()]);
+
+impl PedalValues {
+    /// Sets where `pedal` is, 0 to 127; returns whether it was elsewhere.
+    pub(crate) fn set(&mut self, pedal: Pedal, value: u8) -> bool {
+        std::mem::replace(&mut self.0[pedal as usize], value) != value
+    }
+
+    /// Returns where each pedal is, 0 to 127.
+    pub(crate) fn all(&self) -> impl Iterator<Item = (Pedal, u8)> {
+        Pedal::ALL.into_iter().zip(self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pedal_is_found_by_the_number_of_its_controller_and_no_other_is() {
+        let found: Vec<_> = (0..128).filter_map(Pedal::of_number).collect();
+        assert_eq!(found, [Pedal::Sustain, Pedal::Sostenuto, Pedal::UnaCorda]);
+        assert_eq!(Pedal::of_number(65), None);
+    }
+
+    #[test]
+    fn each_pedal_has_a_value_of_its_own() {
+        let mut values = PedalValues::default();
+        assert!(values.set(Pedal::UnaCorda, 90) && !values.set(Pedal::UnaCorda, 90));
+        assert!(!values.set(Pedal::Sustain, 0));
+        let all: Vec<_> = values.all().collect();
+        assert_eq!(all, [(Pedal::Sustain, 0), (Pedal::Sostenuto, 0), (Pedal::UnaCorda, 90)]);
+    }
+}
