@@ -48,7 +48,8 @@ impl Audience {
         let counters = Arc::new(LiveCounters::default());
         let pedal = midi::Pedal::Sustain;
         let moved = |n| (0.03 * f64::from(n), f64::from(n % 2));
-        let pedals = (0..100).map(moved).map(|(at, depth)| PedalMove { pedal, at, depth }).collect();
+        let pedals =
+            (0..100).map(moved).map(|(at, depth)| PedalMove { pedal, at, depth }).collect();
         let publisher = TickPublisher::new(producer, bell, Arc::clone(&counters), pedals, 1e-3);
         let (tap, tapped) = TickRecorder::new();
         tapped.followed.store((1 << KEYS) - 1);

@@ -176,8 +176,7 @@ async fn host(
     } else {
         Endpoints::open(scene, &handle, wanted.as_ref())?
     };
-    let progress =
-        if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
+    let progress = if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
     let Some(session) = prepare(scene, options, &handle, &mut signals, progress).await? else {
         endpoints.leave("the host was stopped before it began to play").await;
         return Ok(None);

@@ -129,13 +129,8 @@ fn a_simulated_finger_plays_over_the_link() {
     let (offline, _boards) = keybed(&[3]);
     let mut keybed = armed(offline);
     let key = KeyIndex::new(39).expect("C4");
-    let gesture = Gesture {
-        start: 0.1,
-        release: 0.4,
-        touch: Touch::Pressed,
-        speed: 0.3,
-        ..Gesture::USUAL
-    };
+    let gesture =
+        Gesture { start: 0.1, release: 0.4, touch: Touch::Pressed, speed: 0.3, ..Gesture::USUAL };
     keybed.play(key, &[gesture]);
     keybed.begin_at(now_us());
     let mut deepest = 0.0_f64;

@@ -17,13 +17,8 @@ const PLAYED: usize = 40;
 
 /// Two strokes of different kinds, the second before the first finger is gone.
 fn strokes() -> Vec<Gesture> {
-    let stroke = |start, release, touch, speed| Gesture {
-        start,
-        release,
-        touch,
-        speed,
-        ..Gesture::USUAL
-    };
+    let stroke =
+        |start, release, touch, speed| Gesture { start, release, touch, speed, ..Gesture::USUAL };
     vec![stroke(0.010_3, 0.150, Touch::Pressed, 0.3), stroke(0.170_7, 0.300, Touch::Struck, 1.2)]
 }
 

@@ -159,7 +159,9 @@ impl<O: Output> Player<O> {
         }
         self.pedals = PedalValues::default();
         let pedals = Pedal::ALL.map(Pedal::controller);
-        for controller in pedals.into_iter().chain([Controller::AllNotesOff, Controller::AllSoundOff]) {
+        for controller in
+            pedals.into_iter().chain([Controller::AllNotesOff, Controller::AllSoundOff])
+        {
             let sent = self.send(self.now, Message::ControlChange { controller, value: 0 });
             outcome = outcome.and(sent);
         }

@@ -54,6 +54,9 @@ pub struct Performance {
     pub predicted: Vec<Struck>,
     /// What cannot be played as it is written, in order of onset, then of key.
     pub shortfalls: Vec<ShortStroke>,
+    /// Softest and loudest speed of the hammer at the string that every key which is played gives
+    /// from rest (m/s), if each of them strikes.
+    pub range: Option<(f64, f64)>,
     /// Moves of the pedals, in order of time.
     pub pedals: Vec<PedalMove>,
 }
@@ -95,11 +98,12 @@ impl Pianist {
             progress(Progress { done, total });
         };
         let rehearsed = self.share_out(&keys, |strokes| {
-            strokes
-                .first()
-                .map_or_else(Vec::new, |first| self.rehearse(instrument(first.key), strokes, step))
+            strokes.first().map(|first| self.rehearse(instrument(first.key), strokes, step))
         });
-        self.put_together(score, &keys, &rehearsed)
+        let range = range(rehearsed.iter().flatten());
+        let strokes: Vec<_> =
+            rehearsed.into_iter().map(|key| key.map_or_else(Vec::new, |key| key.strokes)).collect();
+        Performance { range, ..self.put_together(score, &keys, &strokes) }
     }
 
     fn rehearse<R: Rehearsal>(
@@ -107,10 +111,11 @@ impl Pianist {
         instrument: R,
         strokes: &[PlannedStroke],
         progress: impl FnMut(),
-    ) -> Vec<RehearsedStroke> {
+    ) -> KeyFindings {
         let tables = StrokeTables::measure(&instrument, &self.technique);
         let practice = Practice { tables: &tables, curve: self.curve, technique: &self.technique };
-        practice.rehearse(instrument, strokes, progress)
+        let strokes = practice.rehearse(instrument, strokes, progress);
+        KeyFindings { strokes, range: tables.range() }
     }
 
     /// Lets the workers take key after key, the busiest first; results in order of keys.
@@ -154,6 +159,7 @@ impl Pianist {
             shortfalls,
             gestures,
             expected,
+            range: None,
             predicted: rehearsed.iter().flatten().filter_map(|s| self.predict(s)).collect(),
             pedals: score
                 .pedals
@@ -168,6 +174,23 @@ impl Pianist {
         let velocity = self.curve.velocity(strike.speed).get();
         Some(Struck { key: stroke.wanted.key, at: strike.at, velocity })
     }
+}
+
+/// What was found out about one key.
+struct KeyFindings {
+    strokes: Vec<RehearsedStroke>,
+    /// Softest and loudest hammer speed that it gives (m/s).
+    range: Option<(f64, f64)>,
+}
+
+/// The hammer speeds that all of `keys` give (m/s).
+fn range<'a>(keys: impl Iterator<Item = &'a KeyFindings>) -> Option<(f64, f64)> {
+    let ranges = keys.map(|key| key.range);
+    let common = ranges.reduce(|one, other| {
+        let (one, other) = (one?, other?);
+        Some((one.0.max(other.0), one.1.min(other.1)))
+    });
+    common.flatten()
 }
 
 fn short(stroke: &RehearsedStroke) -> Option<ShortStroke> {

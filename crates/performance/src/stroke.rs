@@ -22,11 +22,7 @@ pub struct Technique {
 
 impl Default for Technique {
     fn default() -> Self {
-        Self {
-            struck_above: 2.5,
-            hold: Gesture::HOLD,
-            lead_in: 1.0,
-        }
+        Self { struck_above: 2.5, hold: Gesture::HOLD, lead_in: 1.0 }
     }
 }
 
@@ -153,10 +149,8 @@ mod tests {
 
     #[test]
     fn a_key_that_does_not_exist_is_left_out() {
-        let score = Score {
-            notes: vec![ScoreNote { key: 88, ..note(0.0, 1.0, 60) }],
-            ..Score::default()
-        };
+        let score =
+            Score { notes: vec![ScoreNote { key: 88, ..note(0.0, 1.0, 60) }], ..Score::default() };
         let keys = plan(&score, VelocityCurve::Disklavier, &Technique::default());
         assert!(keys.iter().all(Vec::is_empty));
     }

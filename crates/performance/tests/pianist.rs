@@ -48,7 +48,11 @@ fn score() -> Score {
         let [key, velocity] = [key, velocity].map(|value| u8::try_from(value).unwrap_or(1));
         ScoreNote { key, onset, end: onset + 0.5, velocity, release: None }
     });
-    Score { notes: notes.collect(), pedals: vec![PedalMove { pedal: Pedal::Sustain, at: 0.5, depth: 1.0 }], ..Score::default() }
+    Score {
+        notes: notes.collect(),
+        pedals: vec![PedalMove { pedal: Pedal::Sustain, at: 0.5, depth: 1.0 }],
+        ..Score::default()
+    }
 }
 
 fn prepare(n_workers: usize) -> Performance {
@@ -66,6 +70,10 @@ fn what_is_prepared_is_what_the_score_wants() {
     let pedal = PedalMove { pedal: Pedal::Sustain, at: 1.5, depth: 1.0 };
     assert_eq!(performance.pedals, [pedal], "the lead-in holds for pedals too");
     assert_eq!(performance.gestures.len(), 88);
+    // From the lowest and the highest key: four times and 5.74 times the finger's 0.02 to 8 m/s.
+    let (softest, loudest) = performance.range.expect("they strike");
+    assert!((softest - 5.74 * 0.02).abs() < 1e-9, "{softest}");
+    assert!((28.0..=32.0).contains(&loudest), "{loudest}");
     assert!(performance.expected.is_sorted_by_key(|note| note.onset));
 }
 

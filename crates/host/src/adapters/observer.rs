@@ -87,10 +87,8 @@ impl TickPublisher {
         let end = Moment { tick: seen.tick, theta: 1.0 }.seconds(period);
         let pedals = self.pedals.get(self.next_pedal..).unwrap_or_default();
         let n_pedals = pedals.iter().take_while(|pedal| pedal.at < end).count();
-        let pressed = pedals.iter().take(n_pedals).map(|&PedalMove { pedal, at, depth }| MidiEvent {
-            key: 0,
-            at,
-            kind: NoteEventKind::Pedal { pedal, depth },
+        let pressed = pedals.iter().take(n_pedals).map(|&PedalMove { pedal, at, depth }| {
+            MidiEvent { key: 0, at, kind: NoteEventKind::Pedal { pedal, depth } }
         });
         let played = (0..).zip(seen.turns).flat_map(|(key, turn)| {
             let event = move |&(at, event): &(Moment, KeyEvent)| MidiEvent {

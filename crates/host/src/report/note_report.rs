@@ -21,6 +21,8 @@ pub struct NoteReport {
     pub onset_error_ms: ErrorQuantiles,
     /// How far strikes were from their notes, in MIDI velocities.
     pub velocity_error: ErrorQuantiles,
+    /// Softest and loudest speed of the hammer that every key of the piece gives (m/s).
+    pub range_m_per_s: Option<(f64, f64)>,
     /// What the pianist knew beforehand that the keys cannot do, in order of time.
     pub shortfalls: Vec<NoteShortfall>,
     /// Notes of the piece that are not among those asked for.
@@ -46,7 +48,12 @@ impl UnplayedNotes {
     pub fn new(keys: &[u8], outside: u32, overlapping: u32) -> Self {
         let names: BTreeSet<u8> = keys.iter().copied().collect();
         let names = names.into_iter().filter_map(KeyIndex::new).map(|key| key.to_string());
-        Self { without_voice: keys.len(), keys_without_voice: names.collect(), outside, overlapping }
+        Self {
+            without_voice: keys.len(),
+            keys_without_voice: names.collect(),
+            outside,
+            overlapping,
+        }
     }
 
     fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -60,7 +67,10 @@ impl UnplayedNotes {
         }
         if self.overlapping > 0 {
             let n = self.overlapping;
-            writeln!(f, "              {n} overlap with another on their key, which ends or is one with it")?;
+            writeln!(
+                f,
+                "              {n} overlap with another on their key, which ends or is one with it"
+            )?;
         }
         Ok(())
     }
@@ -114,6 +124,7 @@ impl NoteReport {
             velocity_error: spread(&it.velocity_error),
             shortfalls,
             unplayed: UnplayedNotes::default(),
+            range_m_per_s: None,
         }
     }
 
@@ -129,6 +140,12 @@ impl NoteReport {
             "              onset error p50 {:.3} p99 {:.3} max {:.3} ms; velocity error p50 {:.0} p99 {:.0} max {:.0}",
             o.p50, o.p99, o.max, v.p50, v.p99, v.max
         )?;
+        if let Some((softest, loudest)) = self.range_m_per_s {
+            writeln!(
+                f,
+                "              these keys give {softest:.2} to {loudest:.2} m/s at the string"
+            )?;
+        }
         self.fmt_shortfalls(f)?;
         self.unplayed.fmt_lines(f)
     }
@@ -152,5 +169,33 @@ impl NoteReport {
             0 => Ok(()),
             more => writeln!(f, "                and {more} more, which `--json` lists"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Shown(NoteReport);
+
+    impl fmt::Display for Shown {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            self.0.fmt_lines(f)
+        }
+    }
+
+    #[test]
+    fn notes_that_no_key_is_asked_for_are_told_with_their_keys() {
+        let unplayed = UnplayedNotes::new(&[3, 0, 3], 2, 0);
+        let report = NoteReport {
+            unplayed,
+            range_m_per_s: Some((0.12, 4.6)),
+            ..NoteReport::new(&Assessment::default(), Vec::new())
+        };
+        let said = Shown(report).to_string();
+        assert!(said.contains("3 more on keys without a voice in this scene: A0, C1"), "{said}");
+        assert!(said.contains("2 more off the 88 keys or percussion"), "{said}");
+        assert!(!said.contains("overlap"), "{said}");
+        assert!(said.contains("these keys give 0.12 to 4.60 m/s at the string"), "{said}");
     }
 }

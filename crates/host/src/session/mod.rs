@@ -189,8 +189,7 @@ impl RunSession {
             return Err(SessionError::NoFingers);
         }
         let piece = pianist::rehearse(scene, &builder, &keys, options.duration, progress)?;
-        let (performance, unplayed) =
-            piece.map(|it| (it.performance, it.unplayed)).unzip();
+        let (performance, unplayed) = piece.map(|it| (it.performance, it.unplayed)).unzip();
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
@@ -336,7 +335,7 @@ impl PreparedRun {
             deadline: measured.deadline,
             notes: self.performance.as_ref().map(|it| {
                 let report = notes(it, &played.struck, duration);
-                NoteReport { unplayed: self.unplayed.clone(), ..report }
+                NoteReport { unplayed: self.unplayed.clone(), range_m_per_s: it.range, ..report }
             }),
             events: load(&counters.events),
             strikes: load(&counters.strikes),

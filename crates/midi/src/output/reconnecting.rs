@@ -56,7 +56,14 @@ impl<B: MidiSystem> Reconnecting<B> {
     pub(super) fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
         backend.connect()?;
         let sounds = [Sound::Silent; KEYS];
-        Ok(Self { backend, name, link: PortState::Up, looked: None, sounds, pedals: PedalValues::default() })
+        Ok(Self {
+            backend,
+            name,
+            link: PortState::Up,
+            looked: None,
+            sounds,
+            pedals: PedalValues::default(),
+        })
     }
 
     /// Sends `message` at time `at` (s), over a new connection if the old one is lost.

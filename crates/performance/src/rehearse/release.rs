@@ -24,7 +24,7 @@ const PATIENCE: f64 = 0.25;
 const TOLERANCE: f64 = 3e-3;
 
 /// Most simulations for one release.
-const MAX_TRIES: u32 = 4;
+const MAX_TRIES: u32 = 7;
 
 /// Time of the quickest lift of a finger (s) (estimate).
 pub(super) const QUICK_LIFT: f64 = 20e-3;
@@ -124,6 +124,7 @@ fn refine<R: Rehearsal>(
 ) -> Released {
     let mut release = guess;
     let mut n_tries = 0;
+    let mut best: Option<(f64, Released)> = None;
     loop {
         n_tries += 1;
         hand.let_go(release, lift);
@@ -132,8 +133,12 @@ fn refine<R: Rehearsal>(
         let late = fall.map_or(0.0, |fall| fall - end);
         let better = limits.apply(release - late);
         let stays = (better - release).abs() < f64::EPSILON * release;
+        if best.as_ref().is_none_or(|best| late.abs() < best.0) {
+            best = Some((late.abs(), Released { release, outcome, n_tries }));
+        }
         if n_tries >= MAX_TRIES || late.abs() <= TOLERANCE || stays {
-            return Released { release, outcome, n_tries };
+            let Some((_, best)) = best else { continue };
+            return Released { n_tries, ..best };
         }
         release = better;
     }

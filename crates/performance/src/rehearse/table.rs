@@ -103,6 +103,12 @@ impl StrokeTables {
         }
     }
 
+    /// Softest and loudest hammer speed of any touch from rest (m/s), if the key ever strikes.
+    pub fn range(&self) -> Option<(f64, f64)> {
+        let ranges = [&self.pressed, &self.struck].into_iter().filter_map(StrokeTable::range);
+        ranges.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
+    }
+
     /// The table of `touch`.
     pub fn of(&self, touch: Touch) -> &StrokeTable {
         match touch {

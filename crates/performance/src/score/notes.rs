@@ -61,7 +61,13 @@ impl NoteCollector {
             Some(note) if channel != PERCUSSION => {
                 let key = note.key();
                 self.open.entry((channel, key)).or_default().push_back(self.heard.len());
-                self.heard.push(ScoreNote { key, onset, end: f64::INFINITY, velocity, release: None });
+                self.heard.push(ScoreNote {
+                    key,
+                    onset,
+                    end: f64::INFINITY,
+                    velocity,
+                    release: None,
+                });
             }
             _ => self.skipped = self.skipped.saturating_add(1),
         }
