@@ -8,6 +8,9 @@ use super::{PlayOutcome, Rehearsal};
 /// was after a third.
 const CLEARED: f64 = 0.35;
 
+/// Time of the quickest lift of a finger (s) (estimate).
+pub(super) const QUICK_LIFT: f64 = 20e-3;
+
 /// Time between two looks at a key that rises (s).
 pub(super) const LOOK: f64 = 1e-3;
 

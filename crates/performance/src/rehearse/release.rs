@@ -2,7 +2,7 @@
 
 use haptics::plant::Gesture;
 
-use super::hand::PlannedKey;
+use super::hand::{PlannedKey, QUICK_LIFT};
 use super::search::Try;
 use super::{PlayOutcome, Practice, Rehearsal, RehearsedStroke};
 use crate::stroke::PlannedStroke;
@@ -25,9 +25,6 @@ const TOLERANCE: f64 = 3e-3;
 
 /// Most simulations for one release.
 const MAX_TRIES: u32 = 7;
-
-/// Time of the quickest lift of a finger (s) (estimate).
-pub(super) const QUICK_LIFT: f64 = 20e-3;
 
 /// How much later a damper falls for a lift that takes longer, per second of it: the key's bottom
 /// is passed after a third of the lift, and the damper's height half-way.

@@ -3,8 +3,7 @@
 use haptics::plant::{Gesture, Touch};
 
 use super::Rehearsal;
-use super::hand::{DEEPEST, LONGEST_RISE, LOOK};
-use super::release::QUICK_LIFT;
+use super::hand::{DEEPEST, LONGEST_RISE, LOOK, QUICK_LIFT};
 use crate::stroke::Technique;
 
 /// Slowest finger that presses (m/s).
