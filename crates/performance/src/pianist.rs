@@ -100,7 +100,7 @@ impl Pianist {
         let rehearsed = self.share_out(&keys, |strokes| {
             strokes.first().map(|first| self.rehearse(instrument(first.key), strokes, step))
         });
-        let range = range(rehearsed.iter().flatten());
+        let range = range(&rehearsed);
         let strokes: Vec<_> =
             rehearsed.into_iter().map(|key| key.map_or_else(Vec::new, |key| key.strokes)).collect();
         Performance { range, ..self.put_together(score, &keys, &strokes) }
@@ -184,8 +184,8 @@ struct KeyFindings {
 }
 
 /// The hammer speeds that all of `keys` give (m/s).
-fn range<'a>(keys: impl Iterator<Item = &'a KeyFindings>) -> Option<(f64, f64)> {
-    let ranges = keys.map(|key| key.range);
+fn range(keys: &[Option<KeyFindings>]) -> Option<(f64, f64)> {
+    let ranges = keys.iter().flatten().map(|key| key.range);
     let common = ranges.reduce(|one, other| {
         let (one, other) = (one?, other?);
         Some((one.0.max(other.0), one.1.min(other.1)))

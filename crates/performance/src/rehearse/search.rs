@@ -130,15 +130,15 @@ impl<'a> StrokeSearch<'a> {
     /// is looked for is between the earliest start and that from rest.
     fn aim(&mut self, at: f64) {
         let from_rest = at - self.delay_from(f64::INFINITY);
-        let (mut early, mut late) = (self.earliest, at);
         if self.rise.depth(from_rest) == 0.0 && self.earliest <= from_rest {
-            early = from_rest;
-        } else {
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (early + late);
-                let is_late = at < middle + self.delay_from(middle);
-                if is_late { late = middle } else { early = middle }
-            }
+            self.start = from_rest;
+            return;
+        }
+        let (mut early, mut late) = (self.earliest, at);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (early + late);
+            let is_late = at < middle + self.delay_from(middle);
+            (early, late) = if is_late { (early, middle) } else { (middle, late) };
         }
         self.start = early;
     }
