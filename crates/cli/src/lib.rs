@@ -17,6 +17,7 @@ mod instruments;
 mod live;
 mod log;
 mod model;
+mod piano;
 mod plan;
 mod record;
 mod recover;
@@ -35,6 +36,8 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use lab::simulate::SimulateArgs;
+
+pub use model::read_descriptions;
 
 /// The host of force-feedback keyboards.
 #[derive(Debug, Parser)]
@@ -111,7 +114,7 @@ fn system(error: io::Error) -> Failure {
 
 /// Runs the command and returns its exit code.
 pub fn run(letoff: &Letoff) -> ExitCode {
-    model::install();
+    read_descriptions();
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
     let (code, text) = match done {

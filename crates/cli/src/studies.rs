@@ -11,6 +11,7 @@ use lab::certificates::{CertificateChoice, CertificateReport, LOOKS, try_certifi
 use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
 use lab::scenario::SCENARIOS;
 
+use super::piano::{self, PianoArgs};
 use super::{Failure, print_json};
 use diagnostics::{choice, quoted};
 
@@ -28,6 +29,8 @@ pub enum StudyCommand {
     Accuracy(AccuracyArgs),
     /// Whether a step that is called certain hides a crossing, on random systems.
     Certificates(CertificatesArgs),
+    /// Touch, timing, check, repetition and energy of an instrument, beside measured grands.
+    Piano(PianoArgs),
 }
 
 /// What `letoff lab certificates` takes.
@@ -107,6 +110,7 @@ pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.study {
         StudyCommand::Accuracy(args) => accuracy(args, out),
         StudyCommand::Certificates(args) => certificates(args, out),
+        StudyCommand::Piano(args) => piano::run(args, out),
     }
 }
 
@@ -205,7 +209,7 @@ fn tell(args: &AccuracyArgs, report: &StudyReport, out: &mut dyn Write) -> Resul
 }
 
 /// Returns a bar for so many runs, on stderr where a person sees it.
-fn bar(runs: usize) -> ProgressBar {
+pub(super) fn bar(runs: usize) -> ProgressBar {
     const TEMPLATE: &str = "{msg:14} {wide_bar} {pos}/{len} runs {eta}";
     // A template of ours cannot be wrong; if it were, the plain bar will do.
     let style = ProgressStyle::with_template(TEMPLATE);

@@ -6,7 +6,8 @@
 //! certificates/  random systems, and whether a certain step hides a crossing
 //! accuracy/   runs each with every method and step, judges it, times it
 //! report/     what was measured, as CSV, SVG and one HTML page
-//! plot/       pictures as SVG, for simulate and report
+//! piano/      an instrument beside measured grands
+//! plot/       pictures as SVG, for simulate, piano and report
 //! ```
 //!
 //! `scenario` does not know `accuracy`, `accuracy` does not know `report`, and none of them knows
@@ -20,6 +21,7 @@
 
 pub mod accuracy;
 pub mod certificates;
+pub mod piano;
 mod plot;
 pub mod report;
 pub mod scenario;

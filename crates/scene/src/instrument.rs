@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::document;
 use super::embedded::INSTRUMENTS;
+use super::figures;
 use super::needs::Needs;
 use super::read::TableReader;
 use super::report::MistakeList;
@@ -28,6 +29,8 @@ pub struct Instrument {
     pub doc: String,
     /// The settings with which it is stable.
     pub needs: Needs,
+    /// What `letoff lab piano` should measure: figures by name, lowest and highest value.
+    pub figures: Vec<(String, (f64, f64))>,
     /// The model, the preset, and what differs from it.
     pub voicing: Voicing,
 }
@@ -98,6 +101,7 @@ impl Instrument {
             report.miss(reader.place, "the instrument has no model", "add model = \"…\"");
         }
         let needs = Needs::read(report, reader);
+        let figures = figures::read(report, reader);
         let voicing = Voicing::read(report, reader);
         let Some(mut voicing) = voicing else {
             reader.take("parameters");
@@ -105,7 +109,7 @@ impl Instrument {
         };
         voicing.read_parameters(report, reader);
         voicing.refuse_unmet(report, reader.place, KeyRange::ALL);
-        Some(Self { name: source.name.clone(), title, doc, needs, voicing })
+        Some(Self { name: source.name.clone(), title, doc, needs, figures, voicing })
     }
 }
 

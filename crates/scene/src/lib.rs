@@ -23,6 +23,7 @@
 
 mod document;
 mod embedded;
+mod figures;
 mod instrument;
 mod keys;
 mod kind;

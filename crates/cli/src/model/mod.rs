@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
-use descriptions::{DescriptionFiles, MissingModel};
+use descriptions::{DescriptionFiles, MissingModel, description};
 use kane::readable::{Notation, mode_equations, system_equations};
 use kane::{DerivedModel, derive_model};
 
@@ -15,10 +15,9 @@ use self::bases::FileBases;
 use super::{Failure, ask};
 use diagnostics::{choice, quoted};
 use host::control::Request;
-use models::descriptions::description;
 
-/// Makes this program read descriptions of models.
-pub(super) fn install() {
+/// Makes this program read descriptions of models, as the command does when it starts.
+pub fn read_descriptions() {
     descriptions::install(&reader::CompilingReader);
 }
 

@@ -7,7 +7,7 @@
 mod date;
 mod disk;
 mod machine;
-mod page;
+pub(crate) mod page;
 mod peers;
 mod plot;
 mod summary;
@@ -56,6 +56,11 @@ pub enum ReportError {
 /// When they cannot.
 pub fn prepare(folder: &Path) -> Result<(), DiskError> {
     disk::prepare(folder)
+}
+
+/// Writes `text` to the file at `path`, which is complete or as it was before.
+pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), DiskError> {
+    disk::write(path, text)
 }
 
 impl StudyReport {

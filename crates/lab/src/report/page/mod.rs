@@ -6,12 +6,13 @@ mod glance;
 mod html;
 mod runs;
 
-use html::escape;
+pub(crate) use html::{HtmlCell, escape, table};
 
 use super::{StudyReport, date};
 use crate::accuracy::MeasuredScenario;
 
-const STYLE: &str = include_str!("style.css");
+/// How pages look.
+pub(crate) const STYLE: &str = include_str!("style.css");
 
 /// What a reader must know before looking at a plot.
 const HOW_TO_READ: &str = include_str!("how_to_read.html");

@@ -1,0 +1,92 @@
+//! What a key does after its stroke: how soon it plays again, and how soon it is up.
+
+use pode::Motion;
+
+use super::drive::{BEYOND_DIP, Drive};
+use super::subject::PianoSubject;
+
+/// Strokes of a repetition that must sound.
+const STROKES: u32 = 8;
+/// Speed of the stroke before them (m/s).
+const FIRST: f64 = 0.15;
+/// Longest time that a key takes for its whole way between two strokes (s).
+const MOVE: f64 = 60e-3;
+/// Length of a tick (s).
+const TICK: f64 = 1e-4;
+
+/// The quickest repetition at which every stroke sounds (1/s), where the key comes up by `part`
+/// of its travel; 0 if the slowest that is tried does not sound.
+pub(super) fn quickest(subject: &PianoSubject<'_>, key: u8, part: f64) -> f64 {
+    /// Rates that are tried (1/s), in steps of a half.
+    const HALVES: std::ops::RangeInclusive<u32> = 4..=50;
+    let rates = HALVES.map(|halves| 0.5 * f64::from(halves));
+    rates.take_while(|rate| repeats(subject, key, (part, *rate))).last().unwrap_or(0.0)
+}
+
+/// Whether each press of a repetition gives one strike.
+fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> bool {
+    let Some(mut driven) = subject.open(key) else { return false };
+    let held = subject.dip(key) + 0.5 * BEYOND_DIP;
+    // As quick as a mezzoforte, or as the rate demands.
+    let move_time = (0.5 / rate).min(MOVE * part.sqrt());
+    let drive = Drive::Repeated { speed: FIRST, held, up: (1.0 - part) * held, rate, move_time };
+    let first = held / FIRST;
+    let until = first + (f64::from(STROKES) + 0.5) / rate;
+    let mut t = 0.0;
+    while t < until {
+        if !driven.advance(TICK, &|theta| drive.at(t + theta * TICK)) {
+            return false;
+        }
+        t += TICK;
+    }
+    // One in each period, which begins with the key down.
+    let period = |n: u32| first + (f64::from(n) + 0.5) / rate;
+    (0..STROKES).all(|n| {
+        let within = period(n)..period(n + 1);
+        driven.strikes().iter().filter(|it| it.sounds && within.contains(&it.t)).count() == 1
+    })
+}
+
+/// Time from when the finger is gone, with the key down, until it is up to 1 mm (s).
+///
+/// The finger is gone where it takes no force: the key's front is followed.
+pub(super) fn return_time(subject: &PianoSubject<'_>, key: u8) -> Option<f64> {
+    /// Held before (s), and longest return that is waited for (s).
+    const HELD: f64 = 0.3;
+    const PATIENCE: f64 = 1.0;
+    const UP: f64 = 1e-3;
+    /// Short, since the front is followed one tick late.
+    const SHORT: f64 = 2e-5;
+    let mut driven = subject.open(key)?;
+    let held = subject.dip(key) + 0.2 * BEYOND_DIP;
+    let down = held / FIRST;
+    let drive = |t: f64| Motion {
+        position: (FIRST * t).min(held),
+        rate: if t < down { FIRST } else { 0.0 },
+        ..Motion::default()
+    };
+    let mut t = 0.0;
+    while t < down + HELD {
+        if !driven.advance(TICK, &|theta| drive(t + theta * TICK)) {
+            return None;
+        }
+        t += TICK;
+    }
+    let gone = t;
+    let mut before = driven.sample().travel;
+    while t < gone + PATIENCE {
+        let now = driven.sample().travel;
+        let rate = (now - before) / SHORT;
+        before = now;
+        let front =
+            |theta: f64| Motion { position: now + rate * SHORT * theta, rate, ..Motion::default() };
+        if !driven.advance(SHORT, &front) {
+            return None;
+        }
+        t += SHORT;
+        if driven.sample().travel <= UP {
+            return Some(t - gone);
+        }
+    }
+    None
+}
