@@ -44,7 +44,7 @@ impl TickObserver for Heard {
             self.other_faults += u32::from(turn.fault.is_some() && !is_diverged);
         }
         for (_at, event) in turns.iter().flat_map(|it| it.events.as_slice()) {
-            if let KeyEvent::Strike { speed } = event {
+            if let KeyEvent::Strike { speed, .. } = event {
                 self.strikes += 1;
                 self.fastest = self.fastest.max(*speed);
             }

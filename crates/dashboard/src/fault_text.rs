@@ -84,6 +84,7 @@ pub(crate) const fn event(kind: Kind) -> Option<Explanation> {
         | Kind::Switch
         | Kind::Strike
         | Kind::DamperLift
+        | Kind::Pressure
         | Kind::DamperFall
         | Kind::Change
         | Kind::Pedal

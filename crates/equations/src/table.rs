@@ -97,6 +97,7 @@ pub struct ModelTable {
     pub outputs: &'static [NamedQuantity],
     pub rest: RestTable,
     pub damper: Option<DamperTable>,
+    pub midi: MidiTable,
     pub drawing: DrawingTable,
 }
 
@@ -376,6 +377,40 @@ pub struct DamperTable {
     pub fall: f64,
     /// Speed below which what strikes does not sound (m/s).
     pub softest_tone: f64,
+}
+
+/// What becomes of strikes and of the key's force in MIDI.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct MidiTable {
+    /// Speeds of a strike that are as soft and as loud as a grand's softest and loudest tone (m/s);
+    /// none where what strikes is a hammer as fast as a grand's.
+    pub speeds: Option<(f64, f64)>,
+    /// The velocity of every note, 1 ..= 127, of an instrument without dynamics.
+    pub velocity: Option<u8>,
+    /// What is sent while a key is held down.
+    pub pressure: Option<PressureTable>,
+}
+
+impl MidiTable {
+    /// A hammer as fast as a grand's, and no pressure.
+    pub const HAMMER: Self = Self { speeds: None, velocity: None, pressure: None };
+}
+
+/// Aftertouch: a force on the key as MIDI pressure.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PressureTable {
+    pub kind: PressureKind,
+    /// Force at which it begins, and at which it is greatest (N).
+    pub range: (f64, f64),
+}
+
+/// Whom a pressure concerns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PressureKind {
+    /// All notes: that of the key that is pressed hardest.
+    Channel,
+    /// The key's own note.
+    Key,
 }
 
 /// How a model looks from the side; numbers come from one function of the constants.

@@ -138,7 +138,7 @@ impl MidiDispatcher {
     }
 
     fn play(&mut self, event: NoteEvent) {
-        if let NoteEventKind::Strike { speed } = event.kind {
+        if let NoteEventKind::Strike { speed, .. } = event.kind {
             let velocity = self.curve.velocity(speed).get();
             self.struck.push(Struck { key: event.key, at: event.at, velocity });
         }
@@ -199,7 +199,7 @@ mod tests {
     use std::sync::Mutex;
 
     use midi::{Message, MidiSendError, Pedal, PedalMove};
-    use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Moment};
+    use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Loudness, Moment};
     use scheduler::observation::{FollowedKeys, VoiceObservation};
     use scheduler::port::{FinishedTick, TickObserver as _};
     use scheduler::voice::VoiceOutput;
@@ -248,7 +248,7 @@ mod tests {
 
     #[test]
     fn a_chord_goes_out_to_a_live_port_in_order_of_time() {
-        let strike = VoiceEvent::Strike { speed: 2.0 };
+        let strike = VoiceEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) };
         let fall = VoiceEvent::DamperFall { speed: 0.1 };
         let (ring, events) = rtrb::RingBuffer::new(256);
         let bell = Arc::new(WakeFd::new().expect("an eventfd"));

@@ -94,9 +94,11 @@ impl RehearsedKey {
     fn note(&self, (at, event): &(Moment, KeyEvent), outcome: &mut PlayOutcome) {
         let at = at.seconds(self.period);
         match *event {
-            KeyEvent::Strike { speed } => outcome.strikes.push(Strike { at, speed }),
+            KeyEvent::Strike { loudness, .. } => {
+                outcome.strikes.push(Strike { at, speed: loudness.hammer_speed });
+            }
             KeyEvent::DamperFall { .. } => outcome.damper_fall = Some(at),
-            KeyEvent::DamperLift => {}
+            KeyEvent::DamperLift | KeyEvent::Pressure { .. } => {}
         }
     }
 }

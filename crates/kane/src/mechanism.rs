@@ -12,6 +12,8 @@
 pub use equations::table::Material;
 pub use pode::Fires;
 
+use equations::table::MidiTable;
+
 use crate::graph::{Graph, Node};
 
 /// Most modes of a mechanism, those that rigid contacts make included.
@@ -54,6 +56,7 @@ pub struct Mechanism {
     /// The mode at rest, and each coordinate there as a function of the input.
     pub rest: Rest,
     pub sound: Option<StringDamper>,
+    pub midi: MidiTable,
     pub drawing: Drawing,
 }
 

@@ -2,11 +2,12 @@
 //!
 //! | what happened | what is sent, at the same time |
 //! |---|---|
-//! | a strike on a silent note | note-on, velocity from the hammer speed by a [`VelocityCurve`] |
+//! | a strike on a silent note | note-on, velocity from the hammer speed by a [`VelocityCurve`], or the one of an instrument without dynamics |
 //! | a strike on a sounding note | note-off, then note-on |
 //! | the damper falls on a sounding note | a real note-off (`8n`) with its release velocity |
 //! | a strike with the damper down | note-on, and its note-off [`player::UNDAMPED`] later |
 //! | the damper lifts | nothing |
+//! | the key is held down with another force, of an instrument with aftertouch | pressure of the channel or of the key |
 //! | a pedal moves | CC64 (sustain), CC66 (sostenuto) or CC67 (una corda), if its 7-bit value changed |
 //! | [`Player::silence`], or the player is dropped | note-off for every held note, CC64, CC66 and CC67 = 0, CC123, CC120 |
 //!
@@ -28,6 +29,6 @@ pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
 pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
 pub use pedal::{Pedal, PedalMove};
-pub use player::{NoteEvent, NoteEventKind, Player};
+pub use player::{NoteEvent, NoteEventKind, Player, PressureScope};
 pub use schedule::Schedule;
 pub use velocity::{UnknownCurve, VelocityCurve};

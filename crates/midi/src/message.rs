@@ -1,9 +1,11 @@
-//! Messages as bytes: three each, the status never left out.
+//! Messages as bytes: three each but for one, the status never left out.
 //!
 //! ```text
 //! 8n kk vv   note-off, release velocity vv (1 ..= 127)
 //! 9n kk vv   note-on, velocity vv (1 ..= 127)
 //! Bn cc vv   controller cc is vv (0 ..= 127)
+//! An kk vv   pressure vv (0 ..= 127) on the key of note kk
+//! Dn vv      pressure vv (0 ..= 127) of the channel
 //! ```
 //! `n` is the channel: 0 when sent, any when received.
 
@@ -15,6 +17,8 @@ pub const LEN: usize = 3;
 const NOTE_OFF: u8 = 0x80;
 const NOTE_ON: u8 = 0x90;
 const CONTROL_CHANGE: u8 = 0xB0;
+const KEY_PRESSURE: u8 = 0xA0;
+const CHANNEL_PRESSURE: u8 = 0xD0;
 
 /// What is sent to a synthesizer.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -38,6 +42,25 @@ pub enum Message {
         /// Its value, 0 ..= 127.
         value: u8,
     },
+    /// The key of a note that sounds is held down with another force.
+    KeyPressure { note: Note, value: u8 },
+    /// Keys are held down with another force.
+    ChannelPressure { value: u8 },
+}
+
+/// The bytes of a message, of which there are [`LEN`] at most.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct EncodedMessage {
+    bytes: [u8; LEN],
+    length: usize,
+}
+
+impl core::ops::Deref for EncodedMessage {
+    type Target = [u8];
+
+    fn deref(&self) -> &[u8] {
+        self.bytes.split_at(self.length).0
+    }
 }
 
 /// The controllers that are sent.
@@ -74,11 +97,11 @@ impl Controller {
 /// Why bytes are not one of our messages.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum MidiDecodeError {
-    /// A message has three bytes.
-    #[error("a message has 3 bytes, not {got}")]
+    /// A message has three bytes, or two.
+    #[error("a message has 3 bytes, or 2 of a channel's pressure, not {got}")]
     Length { got: usize },
     /// The first byte is no status that is understood.
-    #[error("status {0:#04x} is not a note or a controller")]
+    #[error("status {0:#04x} is not a note, a pressure or a controller")]
     Status(u8),
     /// A data byte has its highest bit set.
     #[error("data byte {0:#04x} is above 127")]
@@ -93,14 +116,18 @@ pub enum MidiDecodeError {
 
 impl Message {
     /// The bytes of this message, on the first channel.
-    pub const fn encode(self) -> [u8; LEN] {
-        match self {
+    pub const fn encode(self) -> EncodedMessage {
+        let bytes = match self {
             Self::NoteOn { note, velocity } => [NOTE_ON, note.number(), velocity.get()],
             Self::NoteOff { note, velocity } => [NOTE_OFF, note.number(), velocity.get()],
             Self::ControlChange { controller, value } => {
                 [CONTROL_CHANGE, controller.number(), value & 0x7F]
             }
-        }
+            Self::KeyPressure { note, value } => [KEY_PRESSURE, note.number(), value & 0x7F],
+            Self::ChannelPressure { value } => [CHANNEL_PRESSURE, value & 0x7F, 0],
+        };
+        let length = if let Self::ChannelPressure { .. } = self { LEN - 1 } else { LEN };
+        EncodedMessage { bytes, length }
     }
 
     /// Reads a message of any channel; never panics, whatever the bytes.
@@ -111,8 +138,10 @@ impl Message {
     ///
     /// If the bytes are not one whole message of a kind that is understood.
     pub fn decode(bytes: &[u8]) -> Result<Self, MidiDecodeError> {
-        let &[status, first, second] = bytes else {
-            return Err(MidiDecodeError::Length { got: bytes.len() });
+        let (status, first, second) = match bytes {
+            &[status, value] if status & 0xF0 == CHANNEL_PRESSURE => (status, value, 0),
+            &[status, first, second] => (status, first, second),
+            _ => return Err(MidiDecodeError::Length { got: bytes.len() }),
         };
         if let Some(high) = [first, second].into_iter().find(|byte| *byte > 0x7F) {
             return Err(MidiDecodeError::Data(high));
@@ -126,6 +155,8 @@ impl Message {
             CONTROL_CHANGE => {
                 Ok(Self::ControlChange { controller: decode_controller(first)?, value: second })
             }
+            KEY_PRESSURE => Ok(Self::KeyPressure { note: decode_note(first)?, value: second }),
+            CHANNEL_PRESSURE if bytes.len() < LEN => Ok(Self::ChannelPressure { value: first }),
             _ => Err(MidiDecodeError::Status(status)),
         }
     }
@@ -154,12 +185,14 @@ mod tests {
     use super::*;
 
     fn messages() -> impl Strategy<Value = Message> {
-        (0_u8..4, 0_u8..88, 1_u8..=127, 0_usize..5).prop_map(|(kind, key, value, which)| {
+        (0_u8..6, 0_u8..88, 1_u8..=127, 0_usize..5).prop_map(|(kind, key, value, which)| {
             let note = Note::from_key(key).unwrap();
             let velocity = Velocity::new(value).unwrap();
             match kind {
                 0 => Message::NoteOn { note, velocity },
                 1 => Message::NoteOff { note, velocity },
+                2 => Message::KeyPressure { note, value },
+                3 => Message::ChannelPressure { value },
                 _ => Message::ControlChange { controller: Controller::ALL[which], value },
             }
         })
@@ -169,7 +202,8 @@ mod tests {
     fn a_note_off_is_a_real_one() {
         let note = Note::from_number(60).unwrap();
         let message = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
-        assert_eq!(message.encode(), [0x80, 60, 64]);
+        assert_eq!(*message.encode(), [0x80, 60, 64]);
+        assert_eq!(*Message::ChannelPressure { value: 5 }.encode(), [0xD0, 5]);
     }
 
     #[test]

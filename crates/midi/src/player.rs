@@ -29,8 +29,10 @@ pub struct NoteEvent {
 pub enum NoteEventKind {
     /// The hammer meets the string.
     Strike {
-        /// Speed of the hammer at the string (m/s).
+        /// Speed of a grand's hammer (m/s) that is as loud.
         speed: f64,
+        /// The velocity whatever the speed, of an instrument without dynamics.
+        velocity: Option<Velocity>,
     },
     /// The damper reaches the string.
     DamperFall {
@@ -39,6 +41,8 @@ pub enum NoteEventKind {
     },
     /// The damper leaves the string.
     DamperLift,
+    /// The key is held down with another force, 0 (none) to 127.
+    Pressure { value: u8, scope: PressureScope },
     /// A pedal is at this depth; concerns all keys.
     Pedal {
         /// Which of the three pedals.
@@ -46,6 +50,15 @@ pub enum NoteEventKind {
         /// How deep it is, from 0 (up) to 1 (down).
         depth: f64,
     },
+}
+
+/// Whom a pressure concerns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PressureScope {
+    /// All notes: the greatest of all keys is sent.
+    Channel,
+    /// The key's own note.
+    Key,
 }
 
 /// Where a damper is, as far as it was reported.
@@ -80,6 +93,8 @@ pub struct Player<O: Output> {
     held: [NoteState; KEYS],
     /// Values of the pedals' controllers that were sent last.
     pedals: PedalValues,
+    /// Pressure of each key that concerns the channel.
+    pressed: [u8; KEYS],
     /// Latest time that was seen (s).
     now: f64,
     /// Whether anything was sent since all was silenced.
@@ -90,7 +105,8 @@ impl<O: Output> Player<O> {
     /// A player that sends to `output`, with velocities by `curve`.
     pub fn new(output: O, curve: VelocityCurve) -> Self {
         let held = [SILENT; KEYS];
-        Self { output, curve, held, pedals: PedalValues::default(), now: 0.0, stirred: false }
+        let pedals = PedalValues::default();
+        Self { output, curve, held, pedals, pressed: [0; KEYS], now: 0.0, stirred: false }
     }
 
     /// Where the messages go.
@@ -157,6 +173,11 @@ impl<O: Output> Player<O> {
             let released = self.release(key, self.now, Velocity::UNKNOWN);
             outcome = outcome.and(released);
         }
+        if self.pressed.iter().any(|value| *value > 0) {
+            self.pressed = [0; KEYS];
+            let sent = self.send(self.now, Message::ChannelPressure { value: 0 });
+            outcome = outcome.and(sent);
+        }
         self.pedals = PedalValues::default();
         let pedals = Pedal::ALL.map(Pedal::controller);
         for controller in
@@ -183,7 +204,10 @@ impl<O: Output> Player<O> {
     fn respond(&mut self, event: NoteEvent) -> Result<(), MidiSendError> {
         let NoteEvent { key, at, kind } = event;
         match kind {
-            NoteEventKind::Strike { speed } => self.strike(key, at, self.curve.velocity(speed)),
+            NoteEventKind::Strike { speed, velocity } => {
+                self.strike(key, at, velocity.unwrap_or_else(|| self.curve.velocity(speed)))
+            }
+            NoteEventKind::Pressure { value, scope } => self.press(key, at, (value, scope)),
             NoteEventKind::DamperFall { speed } => {
                 self.lay_damper(key);
                 self.release(key, at, release_velocity(speed))
@@ -216,6 +240,26 @@ impl<O: Output> Player<O> {
         held.sounding = false;
         held.until = None;
         self.send(at, Message::NoteOff { note, velocity })
+    }
+
+    fn press(
+        &mut self,
+        key: u8,
+        at: f64,
+        (value, scope): (u8, PressureScope),
+    ) -> Result<(), MidiSendError> {
+        let Some(note) = Note::from_key(key) else { return Ok(()) };
+        if scope == PressureScope::Key {
+            return self.send(at, Message::KeyPressure { note, value });
+        }
+        let greatest = |keys: &[u8; KEYS]| keys.iter().copied().max().unwrap_or(0);
+        let before = greatest(&self.pressed);
+        self.pressed[usize::from(key)] = value;
+        let value = greatest(&self.pressed);
+        if value == before {
+            return Ok(());
+        }
+        self.send(at, Message::ChannelPressure { value })
     }
 
     fn lay_damper(&mut self, key: u8) {

@@ -62,6 +62,7 @@ const fn rank(kind: NoteEventKind) -> u8 {
         NoteEventKind::DamperLift => 1,
         NoteEventKind::Pedal { .. } => 2,
         NoteEventKind::Strike { .. } => 3,
+        NoteEventKind::Pressure { .. } => 4,
     }
 }
 
@@ -70,7 +71,7 @@ mod tests {
     use super::*;
     use crate::pedal::Pedal;
 
-    const STRIKE: NoteEventKind = NoteEventKind::Strike { speed: 1.0 };
+    const STRIKE: NoteEventKind = NoteEventKind::Strike { speed: 1.0, velocity: None };
     const FALL: NoteEventKind = NoteEventKind::DamperFall { speed: 0.1 };
 
     fn order(events: &[(u8, f64, NoteEventKind)]) -> Vec<(u8, NoteEventKind)> {

@@ -14,7 +14,7 @@ use midi::{
 const KEY: u8 = 39;
 
 fn strike(at: f64, speed: f64) -> NoteEvent {
-    NoteEvent { key: KEY, at, kind: NoteEventKind::Strike { speed } }
+    NoteEvent { key: KEY, at, kind: NoteEventKind::Strike { speed, velocity: None } }
 }
 
 fn fall(at: f64) -> NoteEvent {
@@ -38,7 +38,12 @@ fn off(at: f64, velocity: u8) -> (f64, [u8; 3]) {
 }
 
 fn sent(player: &Player<MessageRecorder>) -> Vec<(f64, [u8; 3])> {
-    player.output().messages().iter().map(|(at, message)| (*at, message.encode())).collect()
+    player
+        .output()
+        .messages()
+        .iter()
+        .map(|(at, message)| (*at, *message.encode().first_chunk().expect("three bytes")))
+        .collect()
 }
 
 /// Asserts that `events` make a player send `expected`.
@@ -115,7 +120,14 @@ fn each_pedal_has_its_controller_and_moves_by_itself() {
 
 #[test]
 fn a_key_that_does_not_exist_is_silent() {
-    check(&[NoteEvent { key: 88, at: 0.0, kind: NoteEventKind::Strike { speed: 1.0 } }], &[]);
+    check(
+        &[NoteEvent {
+            key: 88,
+            at: 0.0,
+            kind: NoteEventKind::Strike { speed: 1.0, velocity: None },
+        }],
+        &[],
+    );
 }
 
 #[test]
@@ -150,7 +162,7 @@ struct Shared {
 
 impl Output for Shared {
     fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
-        self.sent.borrow_mut().push(message.encode());
+        self.sent.borrow_mut().push(*message.encode().first_chunk().expect("three bytes"));
         if self.broken { Err(MidiSendError::NoSuchTime { at }) } else { Ok(()) }
     }
 
@@ -192,4 +204,35 @@ fn silence_tries_every_message_even_if_all_are_lost() {
     assert!(player.play(strike(1.0, 1.0)).is_err());
     assert!(player.silence().is_err());
     assert_eq!(sent.borrow().len(), 1 + 6);
+}
+
+#[test]
+fn an_instrument_without_dynamics_has_one_velocity() {
+    let velocity = Velocity::new(64);
+    let kind = NoteEventKind::Strike { speed: 5.0, velocity };
+    check(&[lift(0.9), NoteEvent { key: KEY, at: 1.0, kind }], &[on(1.0, 64)]);
+}
+
+#[test]
+fn the_channel_has_the_greatest_pressure_of_all_keys_and_none_when_all_is_silenced() {
+    let press = |key, value, scope| NoteEvent {
+        key,
+        at: 1.0,
+        kind: NoteEventKind::Pressure { value, scope },
+    };
+    let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
+    for (key, value) in [(3, 40), (5, 20), (3, 10), (5, 20)] {
+        player.play(press(key, value, PressureScope::Channel)).expect("memory takes everything");
+    }
+    player.play(press(KEY, 7, PressureScope::Key)).expect("memory takes everything");
+    player.silence().expect("memory takes everything");
+    let pressure: Vec<_> = player
+        .output()
+        .messages()
+        .iter()
+        .map(|(_, message)| message.encode().to_vec())
+        .filter(|bytes| matches!(bytes[0], 0xA0 | 0xD0))
+        .collect();
+    let expected: [&[u8]; 5] = [&[0xD0, 40], &[0xD0, 20], &[0xA0, 60, 7], &[0xD0, 0], &[]];
+    assert_eq!(pressure, expected[..4]);
 }

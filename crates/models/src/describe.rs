@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use equations::table::MidiTable;
 use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
 use crate::draw::Sketch;
@@ -81,12 +82,17 @@ pub trait Described:
 pub trait Playable: Described {
     /// The damper that the key lifts.
     fn damper(&self) -> Damper {
-        Damper::GRAND
+        Damper::USUAL
     }
 
     /// Speed below which what strikes touches the string but does not sound (m/s).
     fn softest_tone(&self) -> f64 {
-        Damper::SOFTEST_TONE_OF_A_GRAND
+        Damper::USUAL_SOFTEST_TONE
+    }
+
+    /// What becomes of strikes and of the key's force in MIDI.
+    fn midi(&self) -> &'static MidiTable {
+        &MidiTable::HAMMER
     }
 
     /// Input per metre of key-front travel (unit of the input / m); a force at the
@@ -112,15 +118,25 @@ pub struct Damper {
 }
 
 impl Damper {
-    /// A grand's: it is lifted at half of the key's dip (S), where the hammer is at half blow
-    /// (piano-facts).
-    pub const GRAND: Self = Self { lift: 5.0e-3, fall: 4.6e-3 };
+    /// Of a description that says nothing of a damper: at half of the usual dip (piano-facts).
+    pub const USUAL: Self = Self { lift: 5.0e-3, fall: 4.6e-3 };
 
-    /// [`Playable::softest_tone`] of a grand (m/s).
+    /// Softest tone of a description that says nothing of it (m/s).
     ///
     /// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so that
     /// the limit lies below the softest MIDI velocity of the Disklavier's curve.
-    pub const SOFTEST_TONE_OF_A_GRAND: f64 = 0.15;
+    pub const USUAL_SOFTEST_TONE: f64 = 0.15;
+}
+
+/// Returns the speed of a grand's hammer (m/s) that is as loud as a strike at `speed` (m/s) of an
+/// instrument with these conventions: of its softest and its loudest strike a grand's softest and
+/// loudest tone, and between them by logarithms, as loudness is heard.
+pub fn hammer_speed(midi: &MidiTable, speed: f64) -> f64 {
+    /// Of a grand (m/s) (Goebl, Bresin & Galembo 2005).
+    const TONES: (f64, f64) = (0.18, 6.8);
+    let Some((softest, loudest)) = midi.speeds else { return speed };
+    let place = (speed.max(f64::MIN_POSITIVE) / softest).ln() / (loudest / softest).ln();
+    TONES.0 * (TONES.1 / TONES.0).powf(place)
 }
 
 /// A guard's firing that is heard.

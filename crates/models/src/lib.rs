@@ -26,8 +26,9 @@ mod equation_model;
 mod loaded_model;
 pub mod registry;
 
-pub use describe::{Damper, Described, Playable, Sounding};
+pub use describe::{Damper, Described, Playable, Sounding, hammer_speed};
 pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
 pub use equation_model::LoadedFunctions;
+pub use equations::table::{MidiTable, PressureKind, PressureTable};
 pub use mode_code::ModeCode;
 pub use mode_name::ModeName;

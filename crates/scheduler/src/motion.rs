@@ -74,6 +74,31 @@ impl KeySlope {
     }
 }
 
+/// How loud a strike is.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Loudness {
+    /// Speed of a grand's hammer (m/s) that is as loud.
+    pub hammer_speed: f64,
+    /// The one velocity of all notes, of an instrument without dynamics.
+    pub velocity: Option<u8>,
+}
+
+impl Loudness {
+    /// Of a grand's hammer at `speed` (m/s).
+    pub const fn of_hammer(speed: f64) -> Self {
+        Self { hammer_speed: speed, velocity: None }
+    }
+}
+
+/// Whom the pressure on a key concerns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PressureScope {
+    /// All notes.
+    Channel,
+    /// The key's own note.
+    Key,
+}
+
 /// What happened to a key's note within a tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum KeyEvent {
@@ -81,6 +106,8 @@ pub enum KeyEvent {
     Strike {
         /// Hammer speed at the string (m/s).
         speed: f64,
+        /// How loud that is.
+        loudness: Loudness,
     },
     /// The damper left the string.
     DamperLift,
@@ -88,5 +115,11 @@ pub enum KeyEvent {
     DamperFall {
         /// Key-front speed upwards when it fell (m/s).
         speed: f64,
+    },
+    /// The key is held down with another force.
+    Pressure {
+        /// 0 (none) to 127.
+        value: u8,
+        scope: PressureScope,
     },
 }

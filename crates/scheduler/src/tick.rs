@@ -36,9 +36,9 @@ pub struct Scheduler {
     safety: Safety,
 }
 
-/// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (352),
+/// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (416),
 /// observation (216), force, slope and what safety knows of it (32).
-pub const SCHEDULER_KB: usize = 77;
+pub const SCHEDULER_KB: usize = 83;
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {

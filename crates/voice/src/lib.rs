@@ -8,11 +8,13 @@
 //! | [`rendered_key`] | the voice: estimate, advance, read out, limit |
 //! | [`input`] | from a key's samples to the motion of the model's input |
 //! | [`damper`] | when the key lifts and drops its damper |
+//! | `aftertouch` | the force on a key that is held down, as pressure |
 //! | [`audit`] | where a voice publishes its energy audit |
 //! | `carried` | what of a voice goes on in the one that takes its place |
 //! | [`builder`] | from a scene's values to a voice |
 
-pub mod audit;
+mod aftertouch;
+mod audit;
 pub mod builder;
 mod carried;
 pub mod damper;

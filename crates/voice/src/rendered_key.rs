@@ -4,17 +4,18 @@ use std::any::Any;
 use std::sync::Arc;
 
 use haptics::{EnergyBound, ForceGate, PassivityObserver};
-use models::Playable;
+use models::{Playable, hammer_speed};
 use pode::input::Cubic;
 use pode::{
     Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, State, Stepper,
     Watch,
 };
-use scheduler::motion::{KeyEvent, KeySample, KeySlope, Moment};
+use scheduler::motion::{KeyEvent, KeySample, KeySlope, Loudness, Moment};
 use scheduler::observation::{Switch, Switches, VoiceObservation};
 use scheduler::values::ModelValues;
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
+use crate::aftertouch::PressureTracker;
 use crate::audit::AuditCell;
 use crate::carried::{KeyMemory, carry, same_mode};
 use crate::damper::DamperTracker;
@@ -32,6 +33,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     simulator: Simulator<M, T>,
     memory: KeyMemory,
     gate: ForceGate,
+    pressure: PressureTracker,
     rest: RestDetector,
     auditor: Auditor<M>,
     passivity: PassivityObserver,
@@ -90,6 +92,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             simulator: Simulator::new(model, stepper, limits, mode, state),
             memory: KeyMemory { entry, input, damper },
             gate,
+            pressure: PressureTracker::default(),
             rest: RestDetector::new(h),
             auditor: Auditor::default(),
             passivity,
@@ -128,6 +131,14 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     fn is_explained(&self, before: &EnergyAudit) -> bool {
         let most = self.gate.limit() * LONGEST_WAY;
         (self.auditor.sums.residual() - before.residual()).abs() <= most
+    }
+
+    /// Tells the pressure on the key, of an instrument that has one.
+    fn press(&mut self, tick: u64, turn: &mut VoiceOutput) {
+        let Some(table) = self.simulator.model().midi().pressure else { return };
+        if let Some(event) = self.pressure.follow(table, turn.force, self.h) {
+            turn.events.push(Moment { tick, theta: 1.0 }, event);
+        }
     }
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
@@ -171,6 +182,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
                 turn.events.push(at, event);
             }
         }
+        self.press(tick, turn);
         self.rest.observe(sample.position, turn.force);
         if moves(self.coordinates, (&before, self.simulator.state()), self.h) {
             self.rest.still = 0;
@@ -340,9 +352,16 @@ impl<M: Playable> Watch<M> for Strikes<'_> {
         let sounding = model.sounding(spec.id, &event.before.1);
         if let Some(sounding) = sounding.filter(|it| it.speed >= model.softest_tone()) {
             let at = Moment { tick: self.tick, theta: event.theta };
-            self.events.push(at, KeyEvent::Strike { speed: sounding.speed });
+            self.events.push(at, strike(model, sounding.speed));
         }
     }
+}
+
+/// A strike at `speed` (m/s), as loud as the instrument has it.
+fn strike<M: Playable>(model: &M, speed: f64) -> KeyEvent {
+    let midi = model.midi();
+    let loudness = Loudness { hammer_speed: hammer_speed(midi, speed), velocity: midi.velocity };
+    KeyEvent::Strike { speed, loudness }
 }
 
 const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
-use midi::{NoteEvent as MidiEvent, NoteEventKind, PedalMove};
+use midi::{NoteEvent as MidiEvent, NoteEventKind, PedalMove, Velocity};
 use rtrb::Producer;
-use scheduler::motion::{KeyEvent, Moment};
+use scheduler::motion::{KeyEvent, Loudness, Moment, PressureScope};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
@@ -190,7 +190,21 @@ impl TickObserver for TickPublisher {
 
 const fn heard(event: KeyEvent) -> NoteEventKind {
     match event {
-        KeyEvent::Strike { speed } => NoteEventKind::Strike { speed },
+        KeyEvent::Strike { loudness: Loudness { hammer_speed: speed, velocity }, .. } => {
+            // A velocity of 0 is none.
+            let velocity = match velocity {
+                Some(velocity) => Velocity::new(velocity),
+                None => None,
+            };
+            NoteEventKind::Strike { speed, velocity }
+        }
+        KeyEvent::Pressure { value, scope } => {
+            let scope = match scope {
+                PressureScope::Channel => midi::PressureScope::Channel,
+                PressureScope::Key => midi::PressureScope::Key,
+            };
+            NoteEventKind::Pressure { value, scope }
+        }
         KeyEvent::DamperLift => NoteEventKind::DamperLift,
         KeyEvent::DamperFall { speed } => NoteEventKind::DamperFall { speed },
     }

@@ -32,7 +32,10 @@ pub(super) fn switch(tick: u64, key: u8, it: &Switch, probe: Option<&dyn ModelPr
 /// Something of the note.
 pub(super) fn note(key: u8, moment: Moment, event: KeyEvent) -> Event {
     match event {
-        KeyEvent::Strike { speed } => Event { speed, ..at(Kind::Strike, key, moment) },
+        KeyEvent::Strike { speed, .. } => Event { speed, ..at(Kind::Strike, key, moment) },
+        KeyEvent::Pressure { value, .. } => {
+            Event { speed: f64::from(value) / 127.0, ..at(Kind::Pressure, key, moment) }
+        }
         KeyEvent::DamperLift => at(Kind::DamperLift, key, moment),
         KeyEvent::DamperFall { speed } => Event { speed, ..at(Kind::DamperFall, key, moment) },
     }

@@ -74,6 +74,7 @@ impl LogSink {
             | Kind::Switch
             | Kind::Strike
             | Kind::DamperLift
+            | Kind::Pressure
             | Kind::DamperFall
             | Kind::Miss
             | Kind::Skip

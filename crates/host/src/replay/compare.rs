@@ -42,6 +42,7 @@ pub(super) fn is_compared(update: &Update) -> bool {
             Kind::Switch
                 | Kind::Strike
                 | Kind::DamperLift
+                | Kind::Pressure
                 | Kind::DamperFall
                 | Kind::Fault
                 | Kind::Recovery

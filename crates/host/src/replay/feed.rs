@@ -88,6 +88,7 @@ impl Feed {
             | Kind::Switch
             | Kind::Strike
             | Kind::DamperLift
+            | Kind::Pressure
             | Kind::DamperFall
             | Kind::Fault
             | Kind::Recovery

@@ -251,6 +251,7 @@ impl Replay {
                     Kind::Unknown
                     | Kind::Switch
                     | Kind::DamperLift
+                    | Kind::Pressure
                     | Kind::DamperFall
                     | Kind::Recovery
                     | Kind::Miss

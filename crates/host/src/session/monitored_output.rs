@@ -21,7 +21,7 @@ impl Output for MonitoredOutput {
             Ok(()) => text_of(message),
             Err(error) => format!("{}, lost: {error}", text_of(message)),
         };
-        let midi = Midi { at, bytes: message.encode().into(), text };
+        let midi = Midi { at, bytes: message.encode().to_vec(), text };
         // A telemetry thread that has ended needs no more messages.
         let _gone = self.sender.send(TelemetryMessage::Update(Box::new(Update::Midi(midi))));
         sent
@@ -48,5 +48,9 @@ fn text_of(message: Message) -> String {
         Message::ControlChange { controller, value } => {
             format!("controller {} is {value}", controller.number())
         }
+        Message::KeyPressure { note, value } => {
+            format!("pressure of note {} is {value}", note.number())
+        }
+        Message::ChannelPressure { value } => format!("pressure of the channel is {value}"),
     }
 }

@@ -72,6 +72,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
             fall: it.fall,
             softest_tone: it.softest_tone,
         }),
+        midi: mechanism.midi,
         drawing,
     };
     let FunctionList { functions, names, .. } = functions;

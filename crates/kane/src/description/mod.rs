@@ -20,6 +20,7 @@ mod key_reader;
 mod law_texts;
 mod laws;
 mod linear;
+mod midi;
 mod modes;
 mod names;
 mod names_in_use;

@@ -121,6 +121,7 @@ impl MechanismReader {
             self.report.len() == before && !self.report.is_broken && !self.has_lost_ways;
         self.outputs(&mut root);
         self.damper(&mut root);
+        self.midi(&mut root);
         self.drawing(&mut root);
         root.finish(&mut self.report);
         self.check();

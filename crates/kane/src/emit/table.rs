@@ -3,8 +3,9 @@
 use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{
     BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
-    Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
-    PresetTable, RequirementTable, RestTable, RestingTable, SeriesTable, SpringTable, WayTable,
+    Material, MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable,
+    PartTable, PresetTable, PressureKind, PressureTable, RequirementTable, RestTable, RestingTable,
+    SeriesTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -51,7 +52,7 @@ structures! {
     ModelTable {
         name, summary, parameters, presets, requirements, states, coordinates, constants,
         derive_constants, input, input_per_metre, modes, contacts, contact_specs, guard_specs, outputs,
-        rest, damper, drawing,
+        rest, damper, midi, drawing,
     }
     NamedQuantity { name, unit }
     ParameterTable { name, title, unit, range, doc }
@@ -78,6 +79,8 @@ structures! {
     }
     RestTable { mode, instead, state, is_improved }
     DamperTable { lift, fall, softest_tone }
+    MidiTable { speeds, velocity, pressure }
+    PressureTable { kind, range }
     DrawingTable { numbers, count, bodies, springs }
     BodyTable { name, output, outlines }
     OutlineTable { material, is_closed, points, modes }
@@ -88,6 +91,7 @@ enumerations! {
     Material { Wood, Felt, Metal, String, Ground, Finger }
     EquationKind { Affine, Linear, Smooth, Conservative, Stiff }
     Fires { WhileNegative, OnCrossing }
+    PressureKind { Channel, Key }
     Reads { StateAndInput, State }
 }
 

@@ -4,8 +4,9 @@
 use contacts::{ContactSpec, FrictionSpec};
 use equations::table::{
     BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom, GuardTable,
-    Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable,
-    RequirementTable, RestTable, RestingTable, SpringTable, WayTable,
+    Material, MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable,
+    PresetTable, PressureKind, PressureTable, RequirementTable, RestTable, RestingTable,
+    SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -112,6 +113,11 @@ pub static TABLE: ModelTable = ModelTable {
     outputs: &[NamedQuantity { name: "F", unit: "N" }],
     rest: RestTable { mode: 0, instead: &[], state: 7, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
+    midi: MidiTable {
+        speeds: Some((0.05, 1.5)),
+        velocity: Some(64),
+        pressure: Some(PressureTable { kind: PressureKind::Key, range: (5.0, 15.0) }),
+    },
     drawing: DrawingTable {
         numbers: 8,
         count: 6,

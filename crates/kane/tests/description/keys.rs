@@ -99,6 +99,13 @@ fall = "4 mm"
 softest_tone = "1 m/s"
 @damper = 1
 
+[midi]
+velocity = 64
+speeds = ["0.1 m/s", "1 m/s"]
+pressure = "key"
+pressure_range = ["5 N", "15 N"]
+@midi = 1
+
 [drawing]
 @drawing = 1
 [drawing.frames]

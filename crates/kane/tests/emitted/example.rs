@@ -15,9 +15,9 @@ use contacts::{ContactSpec, FrictionSpec};
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, ContactModeTable, ContactTable, DamperTable, DrawingTable, Freedom,
-    FunctionId, Functions, GuardTable, Material, ModeTable, ModelTable, NamedQuantity,
-    OutlineTable, ParameterTable, PresetTable, RequirementTable, RestTable, RestingTable,
-    SpringTable, WayTable,
+    FunctionId, Functions, GuardTable, Material, MidiTable, ModeTable, ModelTable, NamedQuantity,
+    OutlineTable, ParameterTable, PresetTable, PressureKind, PressureTable, RequirementTable,
+    RestTable, RestingTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -221,6 +221,11 @@ pub static TABLE: ModelTable = ModelTable {
     outputs: &[NamedQuantity { name: "F", unit: "N" }],
     rest: RestTable { mode: 0, instead: &[], state: 7, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
+    midi: MidiTable {
+        speeds: Some((0.05, 1.5)),
+        velocity: Some(64),
+        pressure: Some(PressureTable { kind: PressureKind::Key, range: (5.0, 15.0) }),
+    },
     drawing: DrawingTable {
         numbers: 8,
         count: 6,

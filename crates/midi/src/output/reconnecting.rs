@@ -145,7 +145,9 @@ impl<B: MidiSystem> Reconnecting<B> {
         match message {
             Message::NoteOn { note, .. } => self.hear(note, Sound::Sounding),
             Message::NoteOff { note, .. } => self.hear(note, Sound::Ended),
-            Message::ControlChange { .. } => {}
+            Message::ControlChange { .. }
+            | Message::KeyPressure { .. }
+            | Message::ChannelPressure { .. } => {}
         }
     }
 

@@ -108,15 +108,26 @@ fn meta(delta: u64, message: MetaMessage<'_>) -> TrackEvent<'_> {
 }
 
 fn event(delta: u64, message: Message) -> TrackEvent<'static> {
-    let [status, first, second] = message.encode().map(u7::from_int_lossy);
+    let number = |note: crate::Note| u7::from_int_lossy(note.number());
     let message = match message {
-        Message::NoteOn { .. } => MidiMessage::NoteOn { key: first, vel: second },
-        Message::NoteOff { .. } => MidiMessage::NoteOff { key: first, vel: second },
-        Message::ControlChange { .. } => {
-            MidiMessage::Controller { controller: first, value: second }
+        Message::NoteOn { note, velocity } => {
+            MidiMessage::NoteOn { key: number(note), vel: u7::from_int_lossy(velocity.get()) }
+        }
+        Message::NoteOff { note, velocity } => {
+            MidiMessage::NoteOff { key: number(note), vel: u7::from_int_lossy(velocity.get()) }
+        }
+        Message::ControlChange { controller, value } => MidiMessage::Controller {
+            controller: u7::from_int_lossy(controller.number()),
+            value: u7::from_int_lossy(value),
+        },
+        Message::KeyPressure { note, value } => {
+            MidiMessage::Aftertouch { key: number(note), vel: u7::from_int_lossy(value) }
+        }
+        Message::ChannelPressure { value } => {
+            MidiMessage::ChannelAftertouch { vel: u7::from_int_lossy(value) }
         }
     };
-    let channel = u4::from_int_lossy(status.as_int());
+    let channel = u4::new(0);
     TrackEvent { delta: pause(delta), kind: TrackEventKind::Midi { channel, message } }
 }
 

@@ -14,8 +14,8 @@
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
-    Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
-    PresetTable, RestTable, RestingTable, SeriesTable, WayTable,
+    Material, MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable,
+    PartTable, PresetTable, RestTable, RestingTable, SeriesTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -222,6 +222,7 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     rest: RestTable { mode: 1, instead: &[(31, 0)], state: 32, is_improved: false },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
+    midi: MidiTable { speeds: None, velocity: None, pressure: None },
     drawing: DrawingTable {
         numbers: 27,
         count: 138,

@@ -14,8 +14,8 @@
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable, Material,
-    ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable, PresetTable,
-    RequirementTable, RestTable, RestingTable, SeriesTable, SpringTable, WayTable,
+    MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
+    PresetTable, RequirementTable, RestTable, RestingTable, SeriesTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -374,6 +374,7 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     rest: RestTable { mode: 0, instead: &[], state: 42, is_improved: true },
     damper: None,
+    midi: MidiTable { speeds: None, velocity: None, pressure: None },
     drawing: DrawingTable {
         numbers: 37,
         count: 288,

@@ -5,6 +5,7 @@ use core::fmt;
 use contacts::{
     ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, WithContacts,
 };
+use equations::table::MidiTable;
 use equations::{EquationModel, ModeNumber};
 use pode::{GuardId, Motion};
 
@@ -142,6 +143,10 @@ impl<const N: usize, const C: usize> Playable
 
     fn softest_tone(&self) -> f64 {
         self.system().softest_tone()
+    }
+
+    fn midi(&self) -> &'static MidiTable {
+        self.system().midi()
     }
 
     fn input_per_metre(&self) -> f64 {

@@ -8,7 +8,7 @@ mod drawing;
 
 use core::fmt;
 
-use equations::table::{Arguments, FunctionId, Functions, ModelTable};
+use equations::table::{Arguments, FunctionId, Functions, MidiTable, ModelTable};
 use equations::{EquationModel, ModeNumber};
 use pode::{GuardId, Motion};
 
@@ -75,9 +75,9 @@ impl<F: Functions> Functions for LoadedFunctions<F> {
     }
 }
 
-/// The damper of a table, and the speed below which nothing sounds (m/s); a grand's without one.
+/// The damper of a table, and the speed below which nothing sounds (m/s); the usual ones where it says nothing.
 fn damper(table: &ModelTable) -> (Damper, f64) {
-    table.damper.map_or((Damper::GRAND, Damper::SOFTEST_TONE_OF_A_GRAND), |it| {
+    table.damper.map_or((Damper::USUAL, Damper::USUAL_SOFTEST_TONE), |it| {
         (Damper { lift: it.lift, fall: it.fall }, it.softest_tone)
     })
 }
@@ -127,6 +127,10 @@ where
 
     fn softest_tone(&self) -> f64 {
         damper(self.table()).1
+    }
+
+    fn midi(&self) -> &'static MidiTable {
+        &self.table().midi
     }
 
     fn input_per_metre(&self) -> f64 {

@@ -14,8 +14,8 @@
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
-    Material, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable,
-    PresetTable, RestTable, SeriesTable, SpringTable, WayTable,
+    Material, MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable,
+    PartTable, PresetTable, RestTable, SeriesTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -395,6 +395,7 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     rest: RestTable { mode: 0, instead: &[], state: 31, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
+    midi: MidiTable { speeds: None, velocity: None, pressure: None },
     drawing: DrawingTable {
         numbers: 26,
         count: 432,

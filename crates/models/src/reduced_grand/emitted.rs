@@ -13,9 +13,9 @@
 
 use equations::functions;
 use equations::table::{
-    Arguments, BodyTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable, Material,
-    ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PartTable, PresetTable,
-    RestTable, SeriesTable, SpringTable, WayTable,
+    Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
+    Material, MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable,
+    PartTable, PresetTable, RestTable, SeriesTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -1558,7 +1558,8 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "finger.angle", unit: "rad" },
     ],
     rest: RestTable { mode: 0, instead: &[], state: 105, is_improved: true },
-    damper: None,
+    damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
+    midi: MidiTable { speeds: None, velocity: None, pressure: None },
     drawing: DrawingTable {
         numbers: 101,
         count: 738,

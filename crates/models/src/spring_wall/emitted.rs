@@ -14,8 +14,8 @@
 use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable, Material,
-    ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable, RestTable,
-    SpringTable, WayTable,
+    MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable,
+    RestTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Reads};
 
@@ -176,6 +176,7 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     rest: RestTable { mode: 0, instead: &[], state: 0, is_improved: true },
     damper: None,
+    midi: MidiTable { speeds: None, velocity: None, pressure: None },
     drawing: DrawingTable {
         numbers: 12,
         count: 116,

@@ -4,7 +4,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::worker::boxed_array;
 use super::*;
-use scheduler::motion::{KeyEvent, KeySample, Moment};
+use scheduler::motion::{KeyEvent, KeySample, Loudness, Moment};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
 use scheduler::voice::Voice;
 
@@ -45,7 +45,8 @@ impl Voice for Blocking {
             self.begun.send(()).unwrap();
             self.go_on.recv().unwrap();
             let moment = Moment { tick, theta: 0.5 };
-            turn.events.push(moment, KeyEvent::Strike { speed: 2.0 });
+            turn.events
+                .push(moment, KeyEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) });
         }
     }
 

@@ -174,6 +174,8 @@ pub mod event {
         Arm = 12,
         /// The pedal of `controller` moves at `at`, to a depth of `speed`, 0 to 1; told beforehand.
         Pedal = 13,
+        /// The key is held down with another force, 0 to 1 in `speed`, of an instrument with aftertouch.
+        Pressure = 14,
     }
     impl Kind {
         /// String value of the enum field names used in the ProtoBuf definition.
@@ -196,6 +198,7 @@ pub mod event {
                 Self::Disarm => "DISARM",
                 Self::Arm => "ARM",
                 Self::Pedal => "PEDAL",
+                Self::Pressure => "PRESSURE",
             }
         }
         /// Creates an enum from field names used in the ProtoBuf definition.
@@ -215,6 +218,7 @@ pub mod event {
                 "DISARM" => Some(Self::Disarm),
                 "ARM" => Some(Self::Arm),
                 "PEDAL" => Some(Self::Pedal),
+                "PRESSURE" => Some(Self::Pressure),
                 _ => None,
             }
         }

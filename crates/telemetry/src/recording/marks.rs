@@ -51,6 +51,7 @@ impl Marks<'_> {
             | Kind::Unknown
             | Kind::Switch
             | Kind::DamperLift
+            | Kind::Pressure
             | Kind::DamperFall
             | Kind::Skip
             | Kind::Change
