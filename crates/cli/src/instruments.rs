@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use clap::{Args, Subcommand};
-use descriptions::find_model;
+use descriptions::{find_model, model_names};
 use models::catalogue;
 use serde::Serialize;
 
@@ -181,12 +181,14 @@ fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result
 }
 
 fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
-    let Some(name) = model else {
-        return Ok(catalogue::built_ins().map(ModelInfo::from).collect());
+    let info = |name: &str| {
+        let entry = find_model(name, Path::new(""));
+        entry.map(ModelInfo::from).map_err(|missing| Failure::Usage(missing.rendered()))
     };
-    let entry = find_model(name, Path::new(""));
-    let entry = entry.map_err(|missing| Failure::Usage(missing.rendered()))?;
-    Ok(vec![entry.into()])
+    match model {
+        Some(name) => Ok(vec![info(name)?]),
+        None => model_names().map(info).collect(),
+    }
 }
 
 fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {

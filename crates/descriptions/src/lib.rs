@@ -22,13 +22,15 @@ mod files;
 mod load;
 mod reader;
 mod register;
+mod shipped;
 mod unmet;
 
 pub use files::{DescriptionFiles, FileContents, keep_file};
 pub use load::{
-    DescriptionVersion, MissingModel, find_model, is_path, load_model, rendered, try_load,
-    unknown_model, version_of,
+    DescriptionVersion, MissingModel, find_model, is_path, load_model, model_names, rendered,
+    try_load, unknown_model, version_of,
 };
 pub use reader::{DescriptionReader, ReadModel, install};
 pub use register::{NotRegistered, register_model};
+pub use shipped::description;
 pub use unmet::unmet;

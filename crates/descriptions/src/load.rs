@@ -9,6 +9,7 @@ use models::catalogue::{self, ModelEntry};
 use crate::files::{DescriptionFiles, FileContents, absolute, text_of};
 use crate::reader::reader;
 use crate::register::register_model;
+use crate::shipped::{SHIPPED, description};
 
 /// A version of a description, with what stood in its files.
 #[derive(Clone, Debug)]
@@ -57,7 +58,7 @@ impl MissingModel {
 /// Returns the mistakes, each with the line that it is about and a caret under the place.
 pub fn rendered(mistakes: &Diagnostics) -> String {
     let text_of = |file: &str| {
-        let of_program = models::descriptions::description(file).map(str::to_owned);
+        let of_program = description(file).map(str::to_owned);
         of_program.or_else(|| text_of(file))
     };
     diagnostics::rendered(mistakes, &text_of).trim_end().to_owned()
@@ -71,7 +72,8 @@ pub fn is_path(wanted: &str) -> bool {
 /// Returns the model of the program that is called `wanted`, or the one that the file at that path
 /// below `folder` describes.
 ///
-/// A name is always that of a model of the program, whatever was read from files before.
+/// A name is always that of a model of the program, whatever was read from files before; one that
+/// comes as a description is derived when it is asked for the first time.
 ///
 /// # Errors
 /// There is none, or all that is wrong with its description.
@@ -82,15 +84,34 @@ pub fn find_model(wanted: &str, folder: &Path) -> Result<&'static ModelEntry, Mi
     if is_path(wanted) {
         return load_model(&folder.join(wanted)).map_err(MissingModel::Wrong);
     }
-    Err(unknown_model(wanted))
+    shipped(wanted).unwrap_or_else(|| Err(unknown_model(wanted)))
+}
+
+/// Names of all models of the program: those that it contains as Rust, then those that come as
+/// descriptions.
+pub fn model_names() -> impl Iterator<Item = &'static str> + Clone {
+    let shipped = SHIPPED.iter().map(|(name, _text)| *name);
+    catalogue::built_ins().map(|entry| entry.name).chain(shipped)
+}
+
+/// The model that comes with the program as a description called `name`, if there is one.
+fn shipped(name: &str) -> Option<Result<&'static ModelEntry, MissingModel>> {
+    static LOADED: Mutex<Vec<&'static ModelEntry>> = Mutex::new(Vec::new());
+    let (name, text) = *SHIPPED.iter().find(|(known, _text)| *known == name)?;
+    // Held while a model is derived: two that ask for it get the same one.
+    let mut loaded = LOADED.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = loaded.iter().find(|entry| entry.name == name) {
+        return Some(Ok(known));
+    }
+    let entry = derive(Path::new(name), text, &DescriptionFiles::default(), None);
+    Some(entry.inspect(|entry| loaded.push(entry)).map_err(MissingModel::Wrong))
 }
 
 /// Returns that there is no model called `wanted`, and which there are.
 pub fn unknown_model(wanted: &str) -> MissingModel {
-    let names = catalogue::built_ins().map(|entry| entry.name);
     MissingModel::Unknown {
         message: format!("there is no model {}", quoted(wanted)),
-        help: format!("{}, or a path to a description of yours", choice(wanted, names)),
+        help: format!("{}, or a path to a description of yours", choice(wanted, model_names())),
     }
 }
 
@@ -140,17 +161,27 @@ fn known() -> MutexGuard<'static, Vec<KnownVersion>> {
 fn read(path: &Path, files: &DescriptionFiles) -> Result<&'static ModelEntry, Diagnostics> {
     let refuse = |(message, help): (String, &str)| refusal(path, message, help);
     let bytes = files.read_or_help(path).map_err(refuse)?;
-    let Some(reader) = reader() else {
-        let message = "this program cannot read descriptions of models".to_owned();
-        return Err(refuse((message, "name a model of the program")));
-    };
     let text = std::str::from_utf8(&bytes).map_err(|error| {
         let message = format!("byte {} is not UTF-8", error.valid_up_to());
         refuse((message, "save the file as UTF-8 text"))
     })?;
+    derive(path, text, files, Some(&absolute(path)))
+}
+
+/// Derives and registers the description `text` at `path`, which is a `file` or part of the program.
+fn derive(
+    path: &Path,
+    text: &str,
+    files: &DescriptionFiles,
+    file: Option<&Path>,
+) -> Result<&'static ModelEntry, Diagnostics> {
+    let Some(reader) = reader() else {
+        let message = "this program cannot read descriptions of models".to_owned();
+        return Err(refusal(path, message, "name a model that it contains as Rust"));
+    };
     let model = reader.read(path, text, files)?;
-    register_model(model.table, model.functions, Some(&absolute(path)))
-        .map_err(|large| refuse((large.to_string(), "describe a smaller model")))
+    register_model(model.table, model.functions, file)
+        .map_err(|large| refusal(path, large.to_string(), "describe a smaller model"))
 }
 
 /// The diagnostics of a file of which nothing else is known.

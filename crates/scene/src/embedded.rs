@@ -39,6 +39,16 @@ pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
     what: "instrument",
     files: configs!(
         include_str, "instruments", ".toml":
+        "grand",
+        "upright",
+        "viennese",
+        "harpsichord",
+        "organ",
+        "clavichord",
+        "celesta",
+        "rhodes",
+        "hammond",
+        "synth",
         "grand-springs",
         "grand-rigid",
         "grand-reduced",

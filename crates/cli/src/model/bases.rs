@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use descriptions::DescriptionFiles;
+use descriptions::{DescriptionFiles, description};
 use kane::description::Bases;
-use models::descriptions::description;
 
 /// Models of the program by their names, and files beside the description that names them.
 #[derive(Debug)]

@@ -13,7 +13,7 @@ use scene::{self, LinksConfig, Scene};
 /// Returns the catalogue of a host that runs `scene` and plays the models of `described`, which
 /// are no part of the program; when it began is not known yet.
 pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue {
-    let models = catalogue::built_ins().chain(described.iter().copied());
+    let models = of_program().into_iter().chain(described.iter().copied());
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: scene.name.clone(),
@@ -27,6 +27,18 @@ pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue 
         descriptions: described.iter().filter_map(|entry| description(entry)).collect(),
         ..Catalogue::default()
     }
+}
+
+/// Returns the models that the program contains as Rust, then those of its instruments that come as
+/// descriptions, each once.
+fn of_program() -> Vec<&'static ModelEntry> {
+    let mut models: Vec<_> = catalogue::built_ins().collect();
+    for instrument in scene::Instrument::embedded() {
+        if !models.iter().any(|known| known.is(instrument.model())) {
+            models.push(instrument.model());
+        }
+    }
+    models
 }
 
 /// Returns those of `models` that were read from files, each once.

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use descriptions::{keep_file, load_model};
-use models::catalogue::{self, ModelEntry};
+use descriptions::{find_model, keep_file, load_model};
+use models::catalogue::ModelEntry;
 use telemetry::{Catalogue, Voice};
 
 use super::ReplayError;
@@ -35,7 +35,7 @@ impl RecordedVersions {
     /// Returns the model of a recorded voice.
     pub(super) fn model(&self, voice: &Voice) -> Result<&'static ModelEntry, ReplayError> {
         let found = match voice.version {
-            0 => catalogue::find(&voice.model),
+            0 => find_model(&voice.model, Path::new("")).ok(),
             version => self.0.get(&version).copied(),
         };
         found.ok_or_else(|| {
