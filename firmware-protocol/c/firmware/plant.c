@@ -56,7 +56,8 @@ static struct resistance resistance(float position, float h)
     bool up = position < BOTTOM - position;
     struct resistance felt;
     felt.sign = up ? -1.0f : 1.0f;
-    float depth = up ? -position : position - BOTTOM;
+    /* The return spring leaves the key at 0. */
+    float depth = up ? RETURN / FELT_STIFFNESS - position : position - BOTTOM;
     felt.preload = FELT_STIFFNESS * depth;
     felt.slope = FELT_STIFFNESS * h + (0.0f < depth ? FELT_DAMPING : 0.0f);
     return felt;

@@ -32,7 +32,10 @@ pub struct KeyFront {
 impl KeyFront {
     /// Creates a key at rest, touching its rest felt.
     pub const fn new(parameters: KeyParameters) -> Self {
-        Self::placed(parameters, parameters.rest_stop.position, 0.0)
+        let KeyParameters { rest_stop, weight, .. } = parameters;
+        // A return spring presses it into the felt.
+        let depth = weight.max(0.0) / rest_stop.stiffness;
+        Self::placed(parameters, rest_stop.position - depth, 0.0)
     }
 
     /// Creates a key at `position` (m) moving with `velocity` (m/s).

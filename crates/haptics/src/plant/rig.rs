@@ -53,7 +53,8 @@ impl Default for RigParameters {
                 // moving mass it has to lift too, in 75 to 120. With 0.4 N it takes a tenth less,
                 // but the paper's undamped springs then strike with nobody at the keys.
                 weight: 0.3,
-                rest_stop: felt(0.0),
+                // Where the return spring leaves the key at 0.
+                rest_stop: felt(0.3 / 60e3),
                 // S: key dip 9.9–10.7 mm.
                 bottom_stop: felt(10.16e-3),
             },

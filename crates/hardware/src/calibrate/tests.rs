@@ -45,7 +45,8 @@ fn with(change: impl Fn(&mut RigParameters)) -> RigParameters {
 fn a_trip_tells_bottom_and_friction() {
     let it = travelled(RigParameters::default(), 1.0).unwrap();
     assert!((it.bottom - 10.16e-3).abs() < 20e-6, "{it:?}");
-    assert!((it.friction - 0.12).abs() < 0.01 && it.float.abs() < 2e-3, "{it:?}");
+    // Its return spring pushes with 0.3 N.
+    assert!((it.friction - 0.12).abs() < 0.01 && (it.float - 0.3).abs() < 0.01, "{it:?}");
 }
 
 #[test]
@@ -59,7 +60,7 @@ fn a_soft_felt_does_not_pass_for_a_key_that_breaks_away() {
     let it = travelled(with(|rig| rig.key.bottom_stop.stiffness = 10e3), 1.0).unwrap();
     // At most 1.5 N on 10 kN/m.
     assert!((10.16e-3..10.31e-3).contains(&it.bottom), "{it:?}");
-    assert!((it.friction - 0.12).abs() < 0.01, "{it:?}");
+    assert!((it.friction - 0.12).abs() < 0.015, "{it:?}");
 }
 
 #[test]
@@ -98,15 +99,20 @@ fn a_sensor_that_reads_wrongly_says_how() {
 #[test]
 fn a_motor_of_another_strength_is_known_by_the_weight_that_it_balances() {
     for (strength, spring) in [(1.0, 0.0), (0.8, 0.2), (1.25, 0.0)] {
-        let empty = travelled(with(|rig| rig.key.weight = spring), strength).unwrap();
+        let empty = travelled(
+            with(|rig| (rig.key.weight, rig.key.rest_stop.position) = (spring, 0.0)),
+            strength,
+        )
+        .unwrap();
         // 50 g on the front: they move with it.
         let loaded = with(|rig| {
             rig.key.weight = spring - 0.05 * super::G;
+            rig.key.rest_stop.position = 0.0;
             rig.key.mass += 0.05;
         });
         let mut balance = Balance::new(&RESTED, &empty, 0.05);
         let gain = work(loaded, strength, |x| x, |t, x| balance.advance(t, x)).unwrap();
-        assert!((gain * strength - 1.0).abs() < 0.02, "{gain} at {strength}");
+        assert!((gain * strength - 1.0).abs() < 0.03, "{gain} at {strength}");
     }
 }
 

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | place | from half a travel, or 4 mm, above the rest to as much below the bottom | the hardest stroke of the simulated finger presses the felt by 3 mm |
 //! | speed | up to 5 m/s | hammers are struck at up to 6.8 m/s, five times as fast as keys (piano-facts) |
-//! | fourth difference | as of accelerations of 125 m/s² that change their sign in every sample | a motor of 30 N can hardly do more to a key, and no finger can |
+//! | fourth difference | as of accelerations of 140 m/s² that change their sign in every sample | a motor of 30 N can hardly do more to a key, and no finger can |
 //!
 //! Hard strokes pass the last for some samples each, so it counts only what is so in more than a
 //! fifth of the time; they add up to a third of what makes a key doubtful.
@@ -19,7 +19,7 @@ use crate::calibration::KeyCalibration;
 const FASTEST: f64 = 5.0;
 
 /// Acceleration to and fro, from sample to sample, that a key can have (m/s²).
-const MOST_TO_AND_FRO: f64 = 125.0;
+const MOST_TO_AND_FRO: f64 = 140.0;
 
 /// Least room beyond rest and bottom (m).
 const LEAST_ROOM: f64 = 4e-3;
