@@ -19,6 +19,7 @@ mod log;
 mod model;
 mod piano;
 mod plan;
+mod progress;
 mod record;
 mod recover;
 mod replay;

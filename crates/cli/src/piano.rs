@@ -12,7 +12,7 @@ use lab::piano::{
 use scene::Instrument;
 use serde::Serialize;
 
-use super::studies::bar;
+use super::progress::bar;
 use super::{Failure, print_json};
 
 /// What `letoff lab piano` takes.
@@ -134,6 +134,8 @@ fn tell(args: &PianoArgs, examined: &[Examination], out: &mut dyn Write) -> Resu
 fn line(figure: &Figure) -> String {
     let value = figure.value.map_or_else(|| "—".to_owned(), |it| format!("{it:.3}"));
     let limits = match (figure.low, figure.high) {
+        (Some(low), Some(high)) if low == f64::NEG_INFINITY => format!("at most {high}"),
+        (Some(low), Some(high)) if high == f64::INFINITY => format!("at least {low}"),
         (Some(low), Some(high)) => format!("{low} to {high}"),
         _ => String::new(),
     };

@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use std::time::SystemTime;
 
 use clap::{Args, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
 use lab::accuracy::{Effort, METHODS, SequenceVerdict, StudyChoice, UnknownName, measure};
 use lab::certificates::{CertificateChoice, CertificateReport, LOOKS, try_certificates};
 use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
 use lab::scenario::SCENARIOS;
 
 use super::piano::{self, PianoArgs};
+use super::progress::bar;
 use super::{Failure, print_json};
 use diagnostics::{choice, quoted};
 
@@ -206,13 +206,4 @@ fn tell(args: &AccuracyArgs, report: &StudyReport, out: &mut dyn Write) -> Resul
         report.measured.len(),
         rows().count(),
     )?)
-}
-
-/// Returns a bar for so many runs, on stderr where a person sees it.
-pub(super) fn bar(runs: usize) -> ProgressBar {
-    const TEMPLATE: &str = "{msg:14} {wide_bar} {pos}/{len} runs {eta}";
-    // A template of ours cannot be wrong; if it were, the plain bar will do.
-    let style = ProgressStyle::with_template(TEMPLATE);
-    let style = style.unwrap_or_else(|_broken| ProgressStyle::default_bar());
-    ProgressBar::new(runs as u64).with_style(style)
 }

@@ -24,8 +24,10 @@ impl Bases for Folder {
 pub(crate) fn files() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut all = Vec::new();
-    for entry in std::fs::read_dir(root.join("configs/models")).expect("a folder") {
-        all.push(entry.expect("an entry").path());
+    for folder in ["configs/models", "crates/kane/tests/actions"] {
+        for entry in std::fs::read_dir(root.join(folder)).expect("a folder") {
+            all.push(entry.expect("an entry").path());
+        }
     }
     for entry in std::fs::read_dir(root.join("crates/models/src")).expect("a folder") {
         let file = entry.expect("an entry").path().join("model.toml");

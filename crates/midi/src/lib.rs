@@ -29,6 +29,6 @@ pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
 pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
 pub use pedal::{Pedal, PedalMove};
-pub use player::{NoteEvent, NoteEventKind, Player, PressureScope};
+pub use player::{NoteEvent, NoteEventKind, Player, PressureTarget};
 pub use schedule::Schedule;
 pub use velocity::{UnknownCurve, VelocityCurve};

@@ -138,9 +138,9 @@ impl Message {
     ///
     /// If the bytes are not one whole message of a kind that is understood.
     pub fn decode(bytes: &[u8]) -> Result<Self, MidiDecodeError> {
-        let (status, first, second) = match bytes {
-            &[status, value] if status & 0xF0 == CHANNEL_PRESSURE => (status, value, 0),
-            &[status, first, second] => (status, first, second),
+        let (status, first, second) = match *bytes {
+            [status, value] if status & 0xF0 == CHANNEL_PRESSURE => (status, value, 0),
+            [status, first, second] => (status, first, second),
             _ => return Err(MidiDecodeError::Length { got: bytes.len() }),
         };
         if let Some(high) = [first, second].into_iter().find(|byte| *byte > 0x7F) {

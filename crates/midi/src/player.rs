@@ -42,7 +42,7 @@ pub enum NoteEventKind {
     /// The damper leaves the string.
     DamperLift,
     /// The key is held down with another force, 0 (none) to 127.
-    Pressure { value: u8, scope: PressureScope },
+    Pressure { value: u8, scope: PressureTarget },
     /// A pedal is at this depth; concerns all keys.
     Pedal {
         /// Which of the three pedals.
@@ -54,7 +54,7 @@ pub enum NoteEventKind {
 
 /// Whom a pressure concerns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PressureScope {
+pub enum PressureTarget {
     /// All notes: the greatest of all keys is sent.
     Channel,
     /// The key's own note.
@@ -207,7 +207,7 @@ impl<O: Output> Player<O> {
             NoteEventKind::Strike { speed, velocity } => {
                 self.strike(key, at, velocity.unwrap_or_else(|| self.curve.velocity(speed)))
             }
-            NoteEventKind::Pressure { value, scope } => self.press(key, at, (value, scope)),
+            NoteEventKind::Pressure { value, scope } => self.touch(key, at, (value, scope)),
             NoteEventKind::DamperFall { speed } => {
                 self.lay_damper(key);
                 self.release(key, at, release_velocity(speed))
@@ -242,14 +242,14 @@ impl<O: Output> Player<O> {
         self.send(at, Message::NoteOff { note, velocity })
     }
 
-    fn press(
+    fn touch(
         &mut self,
         key: u8,
         at: f64,
-        (value, scope): (u8, PressureScope),
+        (value, scope): (u8, PressureTarget),
     ) -> Result<(), MidiSendError> {
         let Some(note) = Note::from_key(key) else { return Ok(()) };
-        if scope == PressureScope::Key {
+        if scope == PressureTarget::Key {
             return self.send(at, Message::KeyPressure { note, value });
         }
         let greatest = |keys: &[u8; KEYS]| keys.iter().copied().max().unwrap_or(0);

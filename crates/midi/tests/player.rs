@@ -7,7 +7,7 @@ use std::rc::Rc;
 
 use midi::{
     Message, MessageRecorder, MidiSendError, NoteEvent, NoteEventKind, Output, Pedal, Player,
-    VelocityCurve,
+    PressureTarget, Velocity, VelocityCurve,
 };
 
 /// Middle C.
@@ -222,9 +222,9 @@ fn the_channel_has_the_greatest_pressure_of_all_keys_and_none_when_all_is_silenc
     };
     let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
     for (key, value) in [(3, 40), (5, 20), (3, 10), (5, 20)] {
-        player.play(press(key, value, PressureScope::Channel)).expect("memory takes everything");
+        player.play(press(key, value, PressureTarget::Channel)).expect("memory takes everything");
     }
-    player.play(press(KEY, 7, PressureScope::Key)).expect("memory takes everything");
+    player.play(press(KEY, 7, PressureTarget::Key)).expect("memory takes everything");
     player.silence().expect("memory takes everything");
     let pressure: Vec<_> = player
         .output()

@@ -128,9 +128,10 @@ impl Damper {
     pub const USUAL_SOFTEST_TONE: f64 = 0.15;
 }
 
-/// Returns the speed of a grand's hammer (m/s) that is as loud as a strike at `speed` (m/s) of an
-/// instrument with these conventions: of its softest and its loudest strike a grand's softest and
-/// loudest tone, and between them by logarithms, as loudness is heard.
+/// Returns the speed of a grand's hammer (m/s) that is as loud as a strike at `speed` (m/s).
+///
+/// The softest and the loudest strike of an instrument with these conventions are a grand's softest
+/// and loudest tone, and those between go by logarithms, as loudness is heard.
 pub fn hammer_speed(midi: &MidiTable, speed: f64) -> f64 {
     /// Of a grand (m/s) (Goebl, Bresin & Galembo 2005).
     const TONES: (f64, f64) = (0.18, 6.8);

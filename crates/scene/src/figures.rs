@@ -6,10 +6,13 @@ use super::read::{self, TableReader, wrong_type};
 use super::report::MistakeList;
 use diagnostics::quoted;
 
-/// A limit may be `inf`: then there is none on that side.
-const LIMIT: Quantity = Quantity { unit: "", range: (f64::NEG_INFINITY, f64::INFINITY) };
+/// Any number that is finite.
+const LIMIT: Quantity = Quantity { unit: "", range: (f64::MIN, f64::MAX) };
 
-/// Reads the lowest and the highest value that each figure should have.
+const HELP: &str = "give [lowest, highest], { at_least = … } or { at_most = … }";
+
+/// Reads the lowest and the highest value that each figure should have; infinite where there is
+/// none.
 pub(super) fn read(
     report: &mut MistakeList<'_>,
     instrument: &mut TableReader<'_>,
@@ -19,27 +22,42 @@ pub(super) fn read(
         wrong_type(report, "figures", &entry.node, "a table", "write it as [figures]");
         return Vec::new();
     };
-    let limits = |report: &mut MistakeList<'_>, name: &str, node: &DocumentNode| {
-        let TomlValue::List(items) = &node.value else {
-            wrong_type(report, name, node, "a list", "give the lowest and the highest value");
-            return None;
-        };
-        let [low, high] = items.as_slice() else {
-            let message = format!("{} has {} values", quoted(name), items.len());
-            report.say(node.place, message, "give the lowest and the highest value");
-            return None;
-        };
-        let low = read::number(report, name, low, LIMIT)?;
-        let high = read::number(report, name, high, LIMIT)?;
-        if low > high {
-            let message = format!("{} has its lowest value above its highest", quoted(name));
-            report.say(node.place, message, "give the lowest value first");
-            return None;
-        }
-        Some((low, high))
+    let mut read = Vec::new();
+    for figure in figures {
+        let limits = limits(report, &figure.name, &figure.node);
+        read.extend(limits.map(|limits| (figure.name.clone(), limits)));
+    }
+    read
+}
+
+fn limits(report: &mut MistakeList<'_>, name: &str, node: &DocumentNode) -> Option<(f64, f64)> {
+    let TomlValue::List(items) = &node.value else { return limit(report, name, node) };
+    let [low, high] = items.as_slice() else {
+        report.say(node.place, format!("{} has {} values", quoted(name), items.len()), HELP);
+        return None;
     };
-    let figure = |report: &mut MistakeList<'_>, name: &str, node: &DocumentNode| {
-        Some((name.to_owned(), limits(report, name, node)?))
-    };
-    figures.iter().filter_map(|it| figure(report, &it.name, &it.node)).collect()
+    let low = read::number(report, name, low, LIMIT)?;
+    let high = read::number(report, name, high, LIMIT)?;
+    if low > high {
+        let message = format!("{} has its lowest value above its highest", quoted(name));
+        report.say(node.place, message, "give the lowest value first");
+        return None;
+    }
+    Some((low, high))
+}
+
+/// A limit on one side.
+fn limit(report: &mut MistakeList<'_>, name: &str, node: &DocumentNode) -> Option<(f64, f64)> {
+    if node.entries().is_none() {
+        wrong_type(report, name, node, "a list or a table", HELP);
+        return None;
+    }
+    let mut reader = TableReader::new(report, name, node)?;
+    let low = reader.number(report, "at_least", LIMIT);
+    let high = reader.number(report, "at_most", LIMIT);
+    if low.is_none() && high.is_none() {
+        report.say(node.place, format!("{} has no limit", quoted(name)), HELP);
+    }
+    reader.finish(report);
+    Some((low.unwrap_or(f64::NEG_INFINITY), high.unwrap_or(f64::INFINITY)))
 }

@@ -93,7 +93,7 @@ impl Loudness {
 /// Whom the pressure on a key concerns.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PressureScope {
-    /// All notes.
+    /// All notes of the channel.
     Channel,
     /// The key's own note.
     Key,

@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn a_retuned_voice_is_the_voice_that_is_built_with_those_values() {
-        let scene = Scene::load("default", &[]).unwrap();
+        let scene = Scene::load("springs", &[]).unwrap();
         let builder = VoiceBuilder::new(&scene).unwrap();
         let key = scene.keys[39].as_ref().unwrap();
         let stiffness = key.model.parameters.iter().position(|it| it.name == "k2").unwrap();

@@ -12,8 +12,8 @@ use descriptions::{DescriptionFiles, DescriptionReader, ReadModel};
 use diagnostics::{Diagnostic, Diagnostics};
 use equations::table::{
     Arguments, BodyTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable, Material,
-    ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable, RestTable,
-    WayTable,
+    MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable, PresetTable,
+    RestTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardSpec, Part, Reads};
 
@@ -169,6 +169,7 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     rest: RestTable { mode: 0, instead: &[], state: START, is_improved: false },
     damper: None,
+    midi: MidiTable::HAMMER,
     drawing: DrawingTable {
         numbers: PICTURE,
         count: 8,

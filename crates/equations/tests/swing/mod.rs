@@ -135,5 +135,6 @@ pub static TABLE: ModelTable = ModelTable {
     outputs: &[quantity("angle"), quantity("F"), quantity("sum")],
     rest: RestTable { mode: 0, instead: &[], state: REST, is_improved: true },
     damper: None,
+    midi: equations::table::MidiTable::HAMMER,
     drawing: DrawingTable { numbers: DRAWING, count: 5, bodies: &[], springs: &[] },
 };

@@ -9,27 +9,23 @@ use super::subject::PianoSubject;
 const STROKES: u32 = 8;
 /// Speed of the stroke before them (m/s).
 const FIRST: f64 = 0.15;
-/// Longest time that a key takes for its whole way between two strokes (s).
-const MOVE: f64 = 60e-3;
 /// Length of a tick (s).
 const TICK: f64 = 1e-4;
 
 /// The quickest repetition at which every stroke sounds (1/s), where the key comes up by `part`
-/// of its travel; 0 if the slowest that is tried does not sound.
+/// of its travel; 0 if there is none.
 pub(super) fn quickest(subject: &PianoSubject<'_>, key: u8, part: f64) -> f64 {
     /// Rates that are tried (1/s), in steps of a half.
     const HALVES: std::ops::RangeInclusive<u32> = 4..=50;
-    let rates = HALVES.map(|halves| 0.5 * f64::from(halves));
-    rates.take_while(|rate| repeats(subject, key, (part, *rate))).last().unwrap_or(0.0)
+    let mut rates = HALVES.rev().map(|halves| 0.5 * f64::from(halves));
+    rates.find(|rate| repeats(subject, key, (part, *rate))).unwrap_or(0.0)
 }
 
 /// Whether each press of a repetition gives one strike.
 fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> bool {
     let Some(mut driven) = subject.open(key) else { return false };
     let held = subject.dip(key) + 0.5 * BEYOND_DIP;
-    // As quick as a mezzoforte, or as the rate demands.
-    let move_time = (0.5 / rate).min(MOVE * part.sqrt());
-    let drive = Drive::Repeated { speed: FIRST, held, up: (1.0 - part) * held, rate, move_time };
+    let drive = Drive::Repeated { speed: FIRST, held, up: (1.0 - part) * held, rate };
     let first = held / FIRST;
     let until = first + (f64::from(STROKES) + 0.5) / rate;
     let mut t = 0.0;

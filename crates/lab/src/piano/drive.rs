@@ -11,14 +11,14 @@ pub(super) const BEYOND_DIP: f64 = 1e-3;
 
 /// How a finger meets the key.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Touch {
+pub(super) enum StrokeTouch {
     /// From the key, which it takes along.
     Pressed,
-    /// From above.
+    /// From above, with a speed already.
     Struck,
 }
 
-impl Touch {
+impl StrokeTouch {
     pub(super) const ALL: [Self; 2] = [Self::Pressed, Self::Struck];
 
     pub(super) const fn name(self) -> &'static str {
@@ -57,14 +57,13 @@ pub(super) enum Drive {
     },
     /// Down at a constant speed (m/s), back at once, and then up.
     Slope { speed: f64, turn: f64 },
-    /// Down to `held` at `speed`; from then on, `rate` times a second, up to `up` (m) and down again
-    /// in two times `move_time` (s), which end each period.
-    Repeated { speed: f64, held: f64, up: f64, rate: f64, move_time: f64 },
+    /// Down to `held` at `speed`, from then on between `held` and `up` (m), `rate` times a second.
+    Repeated { speed: f64, held: f64, up: f64, rate: f64 },
 }
 
 impl Drive {
     /// A stroke on a key that travels `dip` (m).
-    pub(super) fn stroke(touch: Touch, duration: f64, dip: f64) -> Self {
+    pub(super) fn stroke(touch: StrokeTouch, duration: f64, dip: f64) -> Self {
         let depth = STROKE_DEPTH * dip / USUAL_DIP;
         Self::Stroke { duration, exponent: touch.exponent(duration), depth, held: dip + BEYOND_DIP }
     }
@@ -80,14 +79,10 @@ impl Drive {
                     return still(held);
                 }
                 // A power below 2 has no acceleration at 0, and one of 1 no bend.
-                let acceleration =
-                    if n > 1.0 && x > 0.0 { (n - 1.0) * x.powf(n - 2.0) } else { 0.0 };
-                Motion {
-                    position,
-                    rate: depth * n / duration * x.powf(n - 1.0),
-                    acceleration: depth * n / (duration * duration) * acceleration,
-                    jerk: 0.0,
-                }
+                let bend = if n > 1.0 && x > 0.0 { (n - 1.0) * x.powf(n - 2.0) } else { 0.0 };
+                let speed = depth * n / duration;
+                let rate = speed * x.powf(n - 1.0);
+                Motion { position, rate, acceleration: speed / duration * bend, jerk: 0.0 }
             }
             Self::Slope { speed, turn } => {
                 let top = turn / speed;
@@ -99,18 +94,13 @@ impl Drive {
                     still(0.0)
                 }
             }
-            Self::Repeated { speed, held, up, rate, move_time } => {
+            Self::Repeated { speed, held, up, rate } => {
                 let down = held / speed;
                 if t < down {
                     return Motion { position: speed * t, rate: speed, ..Motion::default() };
                 }
-                let period = 1.0 / rate;
-                let since = (t - down) % period - (period - 2.0 * move_time);
-                if since <= 0.0 {
-                    return still(held);
-                }
-                let omega = std::f64::consts::PI / move_time;
-                let (sin, cos) = (omega * since).sin_cos();
+                let omega = std::f64::consts::TAU * rate;
+                let (sin, cos) = (omega * (t - down)).sin_cos();
                 let amplitude = 0.5 * (held - up);
                 Motion {
                     position: held - amplitude * (1.0 - cos),
@@ -134,7 +124,7 @@ mod tests {
 
     #[test]
     fn a_stroke_has_its_depth_after_its_duration_and_then_holds() {
-        for touch in Touch::ALL {
+        for touch in StrokeTouch::ALL {
             for duration in [0.01, 0.06, 0.2] {
                 let drive = Drive::stroke(touch, duration, USUAL_DIP);
                 assert!((drive.at(duration).position - STROKE_DEPTH).abs() < 1e-12);
@@ -146,10 +136,10 @@ mod tests {
     #[test]
     fn a_rate_is_the_slope_of_its_position() {
         let drives = [
-            Drive::stroke(Touch::Pressed, 0.05, USUAL_DIP),
-            Drive::stroke(Touch::Struck, 0.02, 5e-3),
+            Drive::stroke(StrokeTouch::Pressed, 0.05, USUAL_DIP),
+            Drive::stroke(StrokeTouch::Struck, 0.02, 5e-3),
             Drive::Slope { speed: 0.1, turn: 0.01 },
-            Drive::Repeated { speed: 0.1, held: 0.011, up: 0.007, rate: 12.0, move_time: 0.03 },
+            Drive::Repeated { speed: 0.1, held: 0.011, up: 0.007, rate: 12.0 },
         ];
         for drive in drives {
             for t in [0.004, 0.013, 0.12, 0.16] {
@@ -166,7 +156,7 @@ mod tests {
         // Mean of the three grands' travel times (s) at these hammer speeds (m/s).
         for (speed, travel) in [(0.4, 0.163), (1.0, 0.0926), (2.0, 0.0593), (4.0, 0.0384)] {
             let Drive::Stroke { exponent, depth, .. } =
-                Drive::stroke(Touch::Pressed, travel, USUAL_DIP)
+                Drive::stroke(StrokeTouch::Pressed, travel, USUAL_DIP)
             else {
                 unreachable!()
             };

@@ -65,12 +65,12 @@ pub(super) const ENERGY: [(&str, &str); 2] = [
 
 /// The figures that were measured, with what is expected of each.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Measured {
+pub(super) struct MeasuredFigures {
     values: Vec<(&'static str, f64)>,
 }
 
-impl Measured {
-    /// Notes a value.
+impl MeasuredFigures {
+    /// Notes the value of the figure called `name`.
     pub(super) fn set(&mut self, name: &'static str, value: f64) {
         self.values.push((name, value));
     }
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn a_figure_passes_within_its_limits_and_not_without_a_value() {
-        let mut measured = Measured::default();
+        let mut measured = MeasuredFigures::default();
         measured.set("softest", 0.21);
         let expected =
             [("softest".to_owned(), (0.15, 0.2)), ("loudest".to_owned(), (6.0, f64::INFINITY))];

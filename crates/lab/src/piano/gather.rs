@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use super::again::{quickest, return_time};
-use super::drive::Touch;
-use super::figure::{Figure, Measured};
-use super::grands::{Timed, speeds};
+use super::drive::StrokeTouch;
+use super::figure::{Figure, MeasuredFigures};
+use super::grands::{StrokeTime, speeds};
 use super::slope::{self, ForceCurve};
 use super::stroke::{Miss, Stroke, durations, play, softest};
 use super::subject::PianoSubject;
@@ -37,7 +37,7 @@ pub const JOBS: usize = SLOPES.len() + 2 * STROKES as usize + 88 + 4;
 /// What was measured of an instrument.
 #[derive(Clone, Debug)]
 pub struct Examination {
-    /// Its name.
+    /// Name of the instrument, for reports.
     pub name: String,
     /// Its figures, in the order of the report.
     pub figures: Vec<Figure>,
@@ -65,14 +65,14 @@ impl Examination {
 /// A piece of work, and what it gave.
 enum Job {
     Slope(f64),
-    Stroke(Touch, f64),
+    Stroke(StrokeTouch, f64),
     Sweep(u8),
     Softest,
     Repetition(f64),
     Return,
 }
 
-enum Done {
+enum JobOutcome {
     Slope(Option<ForceCurve>),
     Stroke(Result<Stroke, Miss>),
     Sweep(u8, Vec<Result<Stroke, Miss>>),
@@ -85,7 +85,7 @@ enum Done {
 pub fn examine(subject: &PianoSubject<'_>, progress: &(dyn Fn() + Sync)) -> Examination {
     let strokes = |touch| durations(DURATIONS, STROKES).map(move |it| Job::Stroke(touch, it));
     let mut jobs: Vec<Job> = SLOPES.into_iter().map(Job::Slope).collect();
-    jobs.extend(Touch::ALL.into_iter().flat_map(strokes));
+    jobs.extend(StrokeTouch::ALL.into_iter().flat_map(strokes));
     jobs.extend((0..88).map(Job::Sweep));
     jobs.extend([Job::Softest, Job::Repetition(1.0 / 3.0), Job::Repetition(1.0), Job::Return]);
     let done = in_parallel(&jobs, &|job| {
@@ -96,45 +96,48 @@ pub fn examine(subject: &PianoSubject<'_>, progress: &(dyn Fn() + Sync)) -> Exam
     gather(subject, done)
 }
 
-fn run(subject: &PianoSubject<'_>, job: &Job) -> Done {
+fn run(subject: &PianoSubject<'_>, job: &Job) -> JobOutcome {
     match *job {
-        Job::Slope(speed) => Done::Slope(slope::measure(subject, MIDDLE, speed)),
-        Job::Stroke(touch, duration) => Done::Stroke(play(subject, MIDDLE, (touch, duration))),
+        Job::Slope(speed) => JobOutcome::Slope(slope::measure(subject, MIDDLE, speed)),
+        Job::Stroke(touch, duration) => {
+            JobOutcome::Stroke(play(subject, MIDDLE, (touch, duration)))
+        }
         Job::Sweep(key) => {
             let strokes = durations(SWEEP_DURATIONS, SWEEP);
-            Done::Sweep(key, strokes.map(|it| play(subject, key, (Touch::Pressed, it))).collect())
+            JobOutcome::Sweep(
+                key,
+                strokes.map(|it| play(subject, key, (StrokeTouch::Pressed, it))).collect(),
+            )
         }
-        Job::Softest => Done::Softest(softest(subject, MIDDLE)),
-        Job::Repetition(part) => Done::Repetition(part, quickest(subject, MIDDLE, part)),
-        Job::Return => Done::Return(return_time(subject, MIDDLE)),
+        Job::Softest => JobOutcome::Softest(softest(subject, MIDDLE)),
+        Job::Repetition(part) => JobOutcome::Repetition(part, quickest(subject, MIDDLE, part)),
+        Job::Return => JobOutcome::Return(return_time(subject, MIDDLE)),
     }
 }
 
 /// What `work` makes of each job, in their order.
-fn in_parallel(jobs: &[Job], work: &(dyn Fn(&Job) -> Done + Sync)) -> Vec<Done> {
+fn in_parallel(jobs: &[Job], work: &(dyn Fn(&Job) -> JobOutcome + Sync)) -> Vec<JobOutcome> {
     let next = AtomicUsize::new(0);
     let done = Mutex::new(Vec::new());
-    let processors = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| {
-        for _ in 0..processors {
-            scope.spawn(|| {
-                while let Some((place, job)) = {
-                    let place = next.fetch_add(1, Ordering::Relaxed);
-                    jobs.get(place).map(|job| (place, job))
-                } {
-                    let result = work(job);
-                    done.lock().unwrap_or_else(PoisonError::into_inner).push((place, result));
-                }
-            });
+    let take = || {
+        let place = next.fetch_add(1, Ordering::Relaxed);
+        jobs.get(place).map(|job| (place, job))
+    };
+    let help = || {
+        while let Some((place, job)) = take() {
+            let outcome = work(job);
+            done.lock().unwrap_or_else(PoisonError::into_inner).push((place, outcome));
         }
-    });
+    };
+    let processors = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| (0..processors).for_each(|_| drop(scope.spawn(help))));
     let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     done.sort_by_key(|(place, _)| *place);
     done.into_iter().map(|(_, done)| done).collect()
 }
 
-fn gather(subject: &PianoSubject<'_>, done: Vec<Done>) -> Examination {
-    let mut measured = Measured::default();
+fn gather(subject: &PianoSubject<'_>, done: Vec<JobOutcome>) -> Examination {
+    let mut measured = MeasuredFigures::default();
     let mut examination = Examination {
         name: subject.name.to_owned(),
         figures: Vec::new(),
@@ -146,16 +149,20 @@ fn gather(subject: &PianoSubject<'_>, done: Vec<Done>) -> Examination {
     };
     for it in done {
         match it {
-            Done::Slope(curve) => examination.slopes.extend(curve),
-            Done::Stroke(stroke) => examination.take(stroke),
-            Done::Sweep(key, strokes) => {
+            JobOutcome::Slope(curve) => examination.slopes.extend(curve),
+            JobOutcome::Stroke(stroke) => examination.take(stroke),
+            JobOutcome::Sweep(key, strokes) => {
                 examination.failed += strokes.iter().filter(|it| **it == Err(Miss::Failed)).count();
                 examination.sweep.push((key, strokes.into_iter().flatten().collect()));
             }
-            Done::Softest(stroke) => measured.maybe("softest", stroke.and_then(|it| it.thrown)),
-            Done::Repetition(part, rate) if part < 1.0 => measured.set("repetition_third", rate),
-            Done::Repetition(_, rate) => measured.set("repetition_full", rate),
-            Done::Return(time) => measured.maybe("return", time.map(|it| 1e3 * it)),
+            JobOutcome::Softest(stroke) => {
+                measured.maybe("softest", stroke.and_then(|it| it.thrown));
+            }
+            JobOutcome::Repetition(part, rate) if part < 1.0 => {
+                measured.set("repetition_third", rate);
+            }
+            JobOutcome::Repetition(_, rate) => measured.set("repetition_full", rate),
+            JobOutcome::Return(time) => measured.maybe("return", time.map(|it| 1e3 * it)),
         }
     }
     weigh(&examination, &mut measured);
@@ -177,7 +184,7 @@ impl Examination {
     }
 
     /// Strokes on the middle key with a touch, from soft to loud.
-    pub(super) fn strokes_of(&self, touch: Touch) -> Vec<Stroke> {
+    pub(super) fn strokes_of(&self, touch: StrokeTouch) -> Vec<Stroke> {
         let mut strokes: Vec<_> =
             self.strokes.iter().filter(|it| it.touch == touch).copied().collect();
         strokes.sort_by(|a, b| a.speed.total_cmp(&b.speed));
@@ -194,12 +201,12 @@ const WEIGHTS: [[&str; 3]; 4] = [
 ];
 
 /// Touch weights, humps and energy from the force curves.
-fn weigh(examination: &Examination, measured: &mut Measured) {
+fn weigh(examination: &Examination, measured: &mut MeasuredFigures) {
     let dip = examination.dip;
     let scale = dip / super::drive::USUAL_DIP;
     let range = (WEIGHED.0 * scale, WEIGHED.1 * scale);
     let with_speed = |speed: f64| {
-        examination.slopes.iter().find(move |it| it.speed <= speed && it.speed >= speed)
+        examination.slopes.iter().find(move |it| it.speed.to_bits() == speed.to_bits())
     };
     for (speed, [down, up, hump]) in SLOPES.into_iter().zip(WEIGHTS) {
         let Some(curve) = with_speed(speed) else { continue };
@@ -221,14 +228,14 @@ fn weigh(examination: &Examination, measured: &mut Measured) {
 }
 
 /// Times of strokes against the three grands, and speeds.
-fn compare(examination: &Examination, measured: &mut Measured) {
+fn compare(examination: &Examination, measured: &mut MeasuredFigures) {
     const NAMES: [[&str; 2]; 3] = [
         ["travel_pressed", "travel_struck"],
         ["key_bottom_pressed", "key_bottom_struck"],
         ["free_flight_pressed", "free_flight_struck"],
     ];
-    for (what, names) in Timed::ALL.into_iter().zip(NAMES) {
-        for (touch, name) in Touch::ALL.into_iter().zip(names) {
+    for (what, names) in StrokeTime::ALL.into_iter().zip(NAMES) {
+        for (touch, name) in StrokeTouch::ALL.into_iter().zip(names) {
             let (low, high) = speeds(touch);
             let strokes = examination.strokes_of(touch);
             let within = strokes.iter().filter(|it| (low..=high).contains(&it.speed));
@@ -237,11 +244,12 @@ fn compare(examination: &Examination, measured: &mut Measured) {
             measured.maybe(name, excess.reduce(f64::max));
         }
     }
-    let pressed = examination.strokes_of(Touch::Pressed);
+    let pressed = examination.strokes_of(StrokeTouch::Pressed);
     measured.maybe("key_bottom_zero", zero_of_key_bottom(&pressed));
     let gap = |strokes: &[Stroke], speed| at(strokes, speed, Stroke::gap).map(|it| 1e3 * it);
     measured.maybe("gap_soft", gap(&pressed, 0.5));
-    let loud = gap(&pressed, 5.0).or_else(|| gap(&examination.strokes_of(Touch::Struck), 5.0));
+    let loud =
+        gap(&pressed, 5.0).or_else(|| gap(&examination.strokes_of(StrokeTouch::Struck), 5.0));
     measured.maybe("gap_loud", loud);
     let speeds = examination.strokes.iter().map(|it| it.speed);
     measured.maybe("loudest", speeds.reduce(f64::max));
@@ -267,7 +275,7 @@ fn at(strokes: &[Stroke], speed: f64, of: impl Fn(&Stroke) -> Option<f64>) -> Op
 }
 
 /// Check and second strikes of all strokes, and travel over the compass.
-fn follow(examination: &Examination, measured: &mut Measured) {
+fn follow(examination: &Examination, measured: &mut MeasuredFigures) {
     /// Strokes above this speed must be caught (m/s).
     const CHECKED_ABOVE: f64 = 1.0;
     let all = || {

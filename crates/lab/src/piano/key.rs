@@ -12,7 +12,7 @@ const METHOD: (&str, f64) = ("tsitouras5", 1e-8);
 
 /// What a key shows at an instant.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Sample {
+pub(super) struct ActionSample {
     /// Time (s).
     pub(super) t: f64,
     /// Travel of the key's front (m).
@@ -27,7 +27,7 @@ pub(super) struct Sample {
 
 /// What strikes meets what sounds.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Strike {
+pub(super) struct StringContact {
     /// Time (s).
     pub(super) t: f64,
     /// Its speed (m/s).
@@ -44,10 +44,10 @@ pub(super) trait DrivenKey {
     fn advance(&mut self, h: f64, input: &dyn Fn(f64) -> Motion) -> bool;
 
     /// What it shows now.
-    fn sample(&self) -> Sample;
+    fn sample(&self) -> ActionSample;
 
     /// Every strike so far.
-    fn strikes(&self) -> &[Strike];
+    fn strikes(&self) -> &[StringContact];
 
     /// Energy so far (J).
     fn audit(&self) -> EnergyAudit;
@@ -132,13 +132,13 @@ impl<M: Playable> DrivenKey for SimulatedAction<M> {
         !matches!(tick.advance, Advance::Faulty(_))
     }
 
-    fn sample(&self) -> Sample {
+    fn sample(&self) -> ActionSample {
         let (model, mode, state) =
             (self.simulator.model(), self.simulator.mode(), self.simulator.state());
         let mut outputs = vec![0.0; self.places.count];
         model.outputs(mode, state, &self.input, &mut outputs);
         let value = |place: Option<usize>| place.and_then(|place| outputs.get(place).copied());
-        Sample {
+        ActionSample {
             t: self.log.t,
             travel: value(self.places.travel).unwrap_or(self.input.position / self.scale),
             head: value(self.places.head),
@@ -147,7 +147,7 @@ impl<M: Playable> DrivenKey for SimulatedAction<M> {
         }
     }
 
-    fn strikes(&self) -> &[Strike] {
+    fn strikes(&self) -> &[StringContact] {
         &self.log.strikes
     }
 
@@ -166,7 +166,7 @@ struct Log {
     t: f64,
     /// Its length (s).
     h: f64,
-    strikes: Vec<Strike>,
+    strikes: Vec<StringContact>,
     audit: EnergyAudit,
 }
 
@@ -180,7 +180,7 @@ impl<M: Playable> Watch<M> for Log {
         let EventCause::Guard(spec) = event.cause else { return };
         if let Some(sounding) = model.sounding(spec.id, &event.before.1) {
             let (t, speed) = (self.t + event.theta * self.h, sounding.speed);
-            self.strikes.push(Strike { t, speed, sounds: speed >= model.softest_tone() });
+            self.strikes.push(StringContact { t, speed, sounds: speed >= model.softest_tone() });
         }
     }
 }

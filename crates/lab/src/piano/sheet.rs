@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::drive::Touch;
+use super::drive::StrokeTouch;
 use super::figure::Figure;
 use super::gather::Examination;
-use super::grands::{Timed, speeds};
+use super::grands::{StrokeTime, speeds};
 use super::slope::ForceCurve;
 use super::stroke::Stroke as PlayedStroke;
 use crate::plot::chart::{Chart, ChartCurve, CurveLook, Scales};
@@ -45,7 +45,7 @@ fn page(examined: &[Examination], charts: &[(&'static str, Chart)]) -> String {
     );
     page += &figures(examined);
     for (_, chart) in charts {
-        page += &format!("<figure>\n{}</figure>\n", chart.svg());
+        page += &["<figure>\n", &chart.svg(), "</figure>\n"].concat();
     }
     page + "</body>\n</html>\n"
 }
@@ -90,11 +90,11 @@ fn cells(figure: &Figure) -> [HtmlCell; 2] {
 /// Where a figure should lie, in words.
 fn limits(figure: &Figure) -> String {
     match (figure.low, figure.high) {
-        (Some(low), Some(high)) if low > f64::MIN && high < f64::MAX => {
+        (Some(low), Some(high)) if low.is_finite() && high.is_finite() => {
             format!("{} to {}", number(low), number(high))
         }
-        (Some(low), _) if low > f64::MIN => format!("at least {}", number(low)),
-        (_, Some(high)) if high < f64::MAX => format!("at most {}", number(high)),
+        (Some(low), _) if low.is_finite() => format!("at least {}", number(low)),
+        (_, Some(high)) if high.is_finite() => format!("at most {}", number(high)),
         _ => String::new(),
     }
 }
@@ -121,7 +121,8 @@ fn csv(examined: &[Examination]) -> String {
             let number = |it: &Option<f64>| it.map_or_else(String::new, |it| it.to_string());
             let [value, low, high] = [value, low, high].map(number);
             let pass = pass.map_or_else(String::new, |it| it.to_string());
-            text += &format!("{},{name},{value},{low},{high},{pass}\n", it.name);
+            text += &[it.name.as_str(), name, &value, &low, &high, &pass].join(",");
+            text += "\n";
         }
     }
     text
@@ -129,7 +130,7 @@ fn csv(examined: &[Examination]) -> String {
 
 fn charts(examined: &[Examination]) -> Vec<(&'static str, Chart)> {
     let mut charts = vec![("force", forces(examined))];
-    for (what, name) in Timed::ALL.into_iter().zip(["travel", "key-bottom", "free-flight"]) {
+    for (what, name) in StrokeTime::ALL.into_iter().zip(["travel", "key-bottom", "free-flight"]) {
         charts.push((name, times(what, examined)));
     }
     charts.push(("check", checks(examined)));
@@ -180,9 +181,9 @@ fn thinned(way: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// A time against hammer speed, with the three grands.
-fn times(what: Timed, examined: &[Examination]) -> Chart {
+fn times(what: StrokeTime, examined: &[Examination]) -> Chart {
     let mut curves = Vec::new();
-    for touch in Touch::ALL {
+    for touch in StrokeTouch::ALL {
         let (low, high) = speeds(touch);
         let places = || super::stroke::durations((low, high), 40);
         for (grand, name) in GRANDS.into_iter().enumerate() {
@@ -190,7 +191,7 @@ fn times(what: Timed, examined: &[Examination]) -> Chart {
             let stroke = Stroke::new(MEASURED, 1.0 + 0.5 * grand as f64).faint(0.6);
             curves.push(ChartCurve {
                 name: format!("{name}, {}", touch.name()),
-                stroke: Stroke { is_dashed: touch == Touch::Struck, ..stroke },
+                stroke: Stroke { is_dashed: touch == StrokeTouch::Struck, ..stroke },
                 look: CurveLook::Line,
                 points: places().map(measured).collect(),
             });
@@ -199,7 +200,8 @@ fn times(what: Timed, examined: &[Examination]) -> Chart {
             let point = |it: &PlayedStroke| Some((it.speed, 1e3 * it.timed(what)?));
             let strokes = it.strokes_of(touch);
             let within = strokes.iter().filter(|it| (0.7 * low..=1.2 * high).contains(&it.speed));
-            let stroke = Stroke::new(color(instrument, usize::from(touch == Touch::Struck)), 1.6);
+            let stroke =
+                Stroke::new(color(instrument, usize::from(touch == StrokeTouch::Struck)), 1.6);
             curves.push(ChartCurve {
                 name: format!("{}, {}", it.name, touch.name()),
                 stroke,
@@ -209,11 +211,13 @@ fn times(what: Timed, examined: &[Examination]) -> Chart {
         }
     }
     let (title, y_title, scales) = match what {
-        Timed::Travel => {
+        StrokeTime::Travel => {
             ("Travel: from the key's start to the string", "time [ms]", Scales::Logarithmic)
         }
-        Timed::KeyBottom => ("Key bottom, after the string", "time [ms]", Scales::SemiLogarithmic),
-        Timed::FreeFlight => ("Free flight of the hammer", "time [ms]", Scales::Logarithmic),
+        StrokeTime::KeyBottom => {
+            ("Key bottom, after the string", "time [ms]", Scales::SemiLogarithmic)
+        }
+        StrokeTime::FreeFlight => ("Free flight of the hammer", "time [ms]", Scales::Logarithmic),
     };
     // A hammer that is carried to the string has no flight, and a logarithm no place for it.
     if scales == Scales::Logarithmic {

@@ -1,8 +1,8 @@
 //! One stroke: when the hammer meets the string, when the key its bed, and what happens then.
 
-use super::drive::{Drive, Touch};
-use super::grands::Timed;
-use super::key::{Sample, Strike};
+use super::drive::{Drive, StrokeTouch};
+use super::grands::StrokeTime;
+use super::key::{ActionSample, StringContact};
 use super::subject::PianoSubject;
 
 /// Length of a tick while the hammer is on its way (s).
@@ -17,7 +17,7 @@ const FINELY_AFTER: f64 = 0.03;
 /// A stroke that reached the string.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Stroke {
-    pub(super) touch: Touch,
+    pub(super) touch: StrokeTouch,
     /// Time that the key took for most of its way (s), which was asked for.
     pub(super) duration: f64,
     /// Speed of the hammer at the string (m/s).
@@ -38,11 +38,11 @@ pub(super) struct Stroke {
 
 impl Stroke {
     /// What was timed, if it was.
-    pub(super) fn timed(&self, what: Timed) -> Option<f64> {
+    pub(super) fn timed(&self, what: StrokeTime) -> Option<f64> {
         match what {
-            Timed::Travel => Some(self.travel),
-            Timed::KeyBottom => self.key_bottom,
-            Timed::FreeFlight => self.free_flight,
+            StrokeTime::Travel => Some(self.travel),
+            StrokeTime::KeyBottom => self.key_bottom,
+            StrokeTime::FreeFlight => self.free_flight,
         }
     }
 
@@ -57,7 +57,7 @@ impl Stroke {
 pub(super) enum Miss {
     /// The hammer did not reach the string.
     Silent,
-    /// The model failed.
+    /// The model could not be advanced.
     Failed,
 }
 
@@ -65,7 +65,7 @@ pub(super) enum Miss {
 pub(super) fn play(
     subject: &PianoSubject<'_>,
     key: u8,
-    (touch, duration): (Touch, f64),
+    (touch, duration): (StrokeTouch, f64),
 ) -> Result<Stroke, Miss> {
     let mut driven = subject.open(key).ok_or(Miss::Failed)?;
     let dip = subject.dip(key);
@@ -84,7 +84,7 @@ pub(super) fn play(
         let first = driven.strikes().first().copied();
         seen.add(driven.sample(), first);
     }
-    let Strike { t: met, speed, .. } = *driven.strikes().first().ok_or(Miss::Silent)?;
+    let StringContact { t: met, speed, .. } = *driven.strikes().first().ok_or(Miss::Silent)?;
     let string = subject.parameter("string_height", key);
     Ok(Stroke {
         touch,
@@ -101,7 +101,7 @@ pub(super) fn play(
 
 /// What has been seen of a stroke.
 struct Seen {
-    last: Sample,
+    last: ActionSample,
     dip: f64,
     /// When the key met its bed (s).
     bottom: Option<f64>,
@@ -112,21 +112,23 @@ struct Seen {
 }
 
 impl Seen {
-    fn new(sample: Sample, dip: f64) -> Self {
+    fn new(sample: ActionSample, dip: f64) -> Self {
         let released = sample.push.map(|_push| sample.t);
         Self { last: sample, dip, bottom: None, released, thrown: None }
     }
 
-    fn add(&mut self, now: Sample, strike: Option<Strike>) {
+    fn add(&mut self, now: ActionSample, strike: Option<StringContact>) {
         let before = self.last;
         self.last = now;
         if self.bottom.is_none() && now.travel >= self.dip {
-            let part = (self.dip - before.travel) / (now.travel - before.travel);
-            self.bottom = Some(before.t + part.clamp(0.0, 1.0) * (now.t - before.t));
+            let (left, way) = (self.dip - before.travel, now.travel - before.travel);
+            let part = (left / way).clamp(0.0, 1.0);
+            self.bottom = Some(before.t + part * (now.t - before.t));
         }
         let is_before = strike.is_none_or(|strike| strike.t >= now.t);
         if let (Some(from), Some(to), true) = (before.head, now.head, is_before) {
-            let speed = (to - from) / (now.t - before.t);
+            let (rise, time) = (to - from, now.t - before.t);
+            let speed = rise / time;
             self.thrown = Some(self.thrown.map_or(speed, |thrown| thrown.max(speed)));
         }
         if let (Some(push), true) = (now.push, is_before)
@@ -155,10 +157,10 @@ pub(super) fn softest(subject: &PianoSubject<'_>, key: u8) -> Option<Stroke> {
     const BRACKET: (f64, f64) = (0.1, 3.0);
     const HALVINGS: u32 = 12;
     let (mut sounds, mut silent) = BRACKET;
-    let mut softest = play(subject, key, (Touch::Pressed, sounds)).ok()?;
+    let mut softest = play(subject, key, (StrokeTouch::Pressed, sounds)).ok()?;
     for _ in 0..HALVINGS {
         let middle = (sounds * silent).sqrt();
-        match play(subject, key, (Touch::Pressed, middle)) {
+        match play(subject, key, (StrokeTouch::Pressed, middle)) {
             Ok(stroke) => (sounds, softest) = (middle, stroke),
             Err(_) => silent = middle,
         }

@@ -9,9 +9,9 @@ use super::key::{DrivenKey, Opener};
 /// An instrument, and what is expected of it.
 #[derive(Clone, Copy)]
 pub struct PianoSubject<'a> {
-    /// Its name.
+    /// Name of the instrument, for reports.
     pub name: &'a str,
-    /// Its model.
+    /// The model that every key has.
     pub model: &'static ModelEntry,
     /// One value per parameter of the model for a key, 0 (A0) ..= 87 (C8).
     pub values: &'a (dyn Fn(u8) -> Vec<f64> + Sync),

@@ -43,7 +43,7 @@ pub(crate) enum CurveLook {
     Line,
     /// A line with a mark at each point.
     Marked,
-    /// Marks alone.
+    /// Marks without a line between them.
     Marks,
 }
 

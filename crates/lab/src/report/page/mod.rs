@@ -11,7 +11,7 @@ pub(crate) use html::{HtmlCell, escape, table};
 use super::{StudyReport, date};
 use crate::accuracy::MeasuredScenario;
 
-/// How pages look.
+/// The style sheet of all pages.
 pub(crate) const STYLE: &str = include_str!("style.css");
 
 /// What a reader must know before looking at a plot.

@@ -1,0 +1,12 @@
+//! A bar for long work.
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Returns a bar for so many runs, on stderr where a person sees it.
+pub(super) fn bar(runs: usize) -> ProgressBar {
+    const TEMPLATE: &str = "{msg:14} {wide_bar} {pos}/{len} runs {eta}";
+    // A template of ours cannot be wrong; if it were, the plain bar will do.
+    let style = ProgressStyle::with_template(TEMPLATE);
+    let style = style.unwrap_or_else(|_broken| ProgressStyle::default_bar());
+    ProgressBar::new(runs as u64).with_style(style)
+}
