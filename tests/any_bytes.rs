@@ -87,5 +87,5 @@ proptest! {
 /// The default scene with the performance at `path`.
 fn performed(path: &str) -> Scene {
     let overrides = [(String::from("pianist.performance"), String::from(path))];
-    Scene::load("default", &overrides).expect("the file is there")
+    Scene::load("springs", &overrides).expect("the file is there")
 }

@@ -223,7 +223,7 @@ fn staged(keybed: Keybed<Armed>) -> Stage<Keybed<Armed>, Heard> {
     LATER.set(0);
     // Every tick is a little late, as any is.
     NOW.set(NOW.get() + 137);
-    Stage::new(&scene("default", &[]), keybed).watched_by(Heard::default())
+    Stage::new(&scene("springs", &[]), keybed).watched_by(Heard::default())
 }
 
 /// Runs `ticks` more.

@@ -13,7 +13,29 @@ fn every_scene_loads_and_is_embedded() {
 }
 
 #[test]
+fn every_scene_has_a_voice_on_each_key() {
+    cli::read_descriptions();
+    for name in scene::scenes() {
+        let scene = scene::Scene::load(name, &[]).expect("a good scene");
+        assert_eq!(scene.name, name);
+        assert!(scene.keys.iter().all(Option::is_some), "{name} has silent keys");
+    }
+}
+
+#[test]
+fn every_description_is_a_model_that_its_name_finds() {
+    cli::read_descriptions();
+    let known: BTreeSet<_> = descriptions::model_names().map(String::from).collect();
+    for name in names(&files("models", "toml")) {
+        assert!(known.contains(&name), "{name} is not part of the program");
+        let model = descriptions::find_model(&name, Path::new(""));
+        assert_eq!(model.expect("a good description").name, name);
+    }
+}
+
+#[test]
 fn every_instrument_loads_and_is_embedded() {
+    cli::read_descriptions();
     let names = scene::instruments().into_iter().map(|instrument| instrument.name);
     check_shelf("instruments", FileKind::Instrument, &names.collect());
 }
@@ -47,6 +69,7 @@ fn no_file_in_configs_is_of_an_unknown_kind() {
 /// Asserts that every file in `folder` is a good `kind`, and that `embedded` are all of them.
 #[track_caller]
 fn check_shelf(folder: &str, kind: FileKind, embedded: &BTreeSet<String>) {
+    cli::read_descriptions();
     let paths = files(folder, "toml");
     for path in &paths {
         assert_eq!(check_file(path), Ok(kind), "{}", path.display());

@@ -138,6 +138,6 @@ fn eighty_eight_keys_play_a_description() {
 }
 
 #[test]
-fn a_grand_action_sounds_where_its_hammers_meet_the_strings() {
-    play("descriptions-grand", "configs/models/grand-action.toml", "default");
+fn a_grand_sounds_where_its_hammers_meet_the_strings() {
+    play("descriptions-grand", "configs/models/grand.toml", "default");
 }

@@ -46,7 +46,7 @@ fn felt<B: KeyBus>(stage: &mut Stage<B, Nobody>) -> Felt {
 }
 
 fn healthy() -> Felt {
-    let scene = scene("default", &[]);
+    let scene = scene("springs", &[]);
     let bus = hands(&scene);
     let felt = felt(&mut Stage::new(&scene, bus));
     assert_eq!(felt.faults.iter().sum::<u32>(), 0);
@@ -97,7 +97,7 @@ fn check_fade(felt: &Felt, last_good: u64, back: u64) {
 fn nan_from_a_sensor_stays_with_its_key_on_any_number_of_lanes() {
     let healthy = healthy();
     for n_lanes in 1..=2 {
-        let scene = scene("default", &[]);
+        let scene = scene("springs", &[]);
         let bus = BrokenSensor { keybed: hands(&scene), key: FAILING, ticks: WRONG };
         let felt = felt(&mut Stage::on_lanes(&scene, bus, n_lanes));
         check_neighbours(&healthy, &felt, &(FAILING..FAILING + 1));
@@ -110,7 +110,7 @@ fn nan_from_a_sensor_stays_with_its_key_on_any_number_of_lanes() {
 
 #[test]
 fn one_nan_is_a_fault_that_fades_whole() {
-    let scene = scene("default", &[]);
+    let scene = scene("springs", &[]);
     let bus = BrokenSensor { keybed: hands(&scene), key: FAILING, ticks: 4000..4001 };
     let felt = felt(&mut Stage::new(&scene, bus));
     assert_eq!(felt.faults.iter().sum::<u32>(), 1);
@@ -120,7 +120,7 @@ fn one_nan_is_a_fault_that_fades_whole() {
 
 /// A run in which the wire of the failing key's board has `plan`.
 fn disturbed(plan: FaultPlan) -> (Felt, Stage<SimulatedKeybed, Nobody>) {
-    let scene = scene("default", &[]);
+    let scene = scene("springs", &[]);
     let mut bus = hands(&scene);
     bus.disturb(board(), plan);
     let mut stage = Stage::new(&scene, bus);
@@ -167,7 +167,7 @@ fn lost_samples_are_bridged_held_and_faded_and_the_board_alone_notices() {
 
 #[test]
 fn a_board_that_was_silent_fades_and_comes_back_when_it_is_armed() {
-    let scene = scene("default", &[]);
+    let scene = scene("springs", &[]);
     let mut bus = hands(&scene);
     bus.disturb(board(), scripted(WRONG, LinkFault::Down));
     let mut stage = Stage::new(&scene, bus);

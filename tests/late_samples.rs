@@ -69,7 +69,7 @@ fn hands(scene: &Scene) -> SimulatedKeybed {
 
 /// Plays at `hz` with frames that are late by one tick and by two with this probability each.
 fn heard(hz: u32, probability: f64) -> Heard {
-    let mut scene = scene("default", &[]);
+    let mut scene = scene("springs", &[]);
     // Slower than a scene may be: what happens then is the question.
     scene.tick_hz = hz;
     let mut bus = hands(&scene);

@@ -25,7 +25,7 @@ const UNEXPLAINED: f64 = 2e-3;
 
 #[test]
 fn the_default_scene_is_played_as_written() {
-    check_played("default", 50);
+    check_played("springs", 50);
 }
 
 #[test]
@@ -48,10 +48,11 @@ fn every_embedded_scene_runs_without_a_fault() {
 #[test]
 fn every_instrument_runs_on_all_keys_without_a_fault() {
     let stable = [("tick_hz", "4000"), ("render.jerk_density", "10")];
+    cli::read_descriptions();
     let mut refused = Vec::new();
     for instrument in scene::instruments() {
         let chosen = [("keys.instrument", instrument.name.as_str())];
-        let load = |more: &[(&str, &str)]| try_scene("default", &[&chosen, more].concat());
+        let load = |more: &[(&str, &str)]| try_scene("springs", &[&chosen, more].concat());
         match load(&[]).or_else(|_unstable| load(&stable)) {
             Ok(scene) => check_healthy(&run(&scene, 3.0)),
             Err(_offline) => refused.push(instrument.name),
@@ -67,7 +68,7 @@ fn what_the_keys_cannot_do_is_left_out_and_named() {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("repeated.mid");
     fs::write(&path, repeated(&onsets)).expect("a file");
     let piece = path.to_str().expect("a path that is text");
-    let report = run(&scene("default", &[("pianist.performance", piece)]), 7.0);
+    let report = run(&scene("springs", &[("pianist.performance", piece)]), 7.0);
     check_healthy(&report);
     let notes = report.notes.as_ref().expect("a pianist");
     let left_out: Vec<_> = notes.shortfalls.iter().filter(|it| it.is_left_out).collect();

@@ -67,11 +67,12 @@ fn ticks(scene: &Scene, seconds: u32) -> u64 {
 fn with_instrument(instrument: &str, hz: &str, render: &[(&str, &str)]) -> Result<Scene, String> {
     let mut overrides = vec![("keys.instrument", instrument), ("tick_hz", hz)];
     overrides.extend(render);
-    try_scene("default", &overrides)
+    try_scene("springs", &overrides)
 }
 
 /// Every instrument at three rates, with the usual filter and with a slow one.
 fn all_loops() -> Vec<(String, Result<Scene, String>)> {
+    cli::read_descriptions();
     let mut loops = Vec::new();
     for instrument in instruments() {
         for hz in ["500", "1000", "4000"] {
@@ -174,7 +175,7 @@ fn a_scene_is_asked_for_what_its_instrument_needs_in_one_sentence() {
     // The same model and preset by another way.
     let model = [("keys.model", "key-hammer-rigid"), ("keys.preset", "playable")];
     let owned: Vec<_> = model.iter().map(|(a, b)| (String::from(*a), String::from(*b))).collect();
-    let why = Scene::load("default", &owned).expect_err("refused").to_string();
+    let why = Scene::load("springs", &owned).expect_err("refused").to_string();
     assert!(why.contains("grand-rigid needs"), "{why}");
     assert_eq!(scene("mixed", &[]).tick_hz, 4000);
 }

@@ -8,7 +8,7 @@ use crate::letoff::{check, check_words, folder, run};
 #[track_caller]
 fn check_set(set: &str, words: &[&str]) {
     let folder = folder("set");
-    let said = check(&folder, &["run", "--virtual-time", "--set", set], 2, words);
+    let said = check(&folder, &["run", "springs", "--virtual-time", "--set", set], 2, words);
     check_words(&said, &[&format!("--set {set}: ")]);
 }
 
@@ -31,7 +31,7 @@ fn a_parameter_that_is_not_there_is_answered_with_the_nearest() {
 fn several_wrong_overrides_are_all_reported() {
     let folder = folder("several");
     let sets = ["--set", "tick_hz=0", "--set", "lanes=99", "--set", "nonsense=1"];
-    let said = run(&folder, &[&["run"], &sets[..]].concat());
+    let said = run(&folder, &[&["run", "springs"], &sets[..]].concat());
     assert_eq!((said.code, said.lines().len()), (Some(2), 3), "{said:?}");
     check_words(&said, &["tick_hz=0", "lanes=99", "nonsense=1"]);
 }
@@ -99,7 +99,7 @@ fn a_model_that_diverges_is_counted_and_the_others_play_on() {
     let sentence = format!("letoff: voices failed in {} turns", report["faults"]);
     assert!(said.err.starts_with(&sentence) && said.err.lines().count() == 1, "{said:?}");
     // Every note is another key's; what the diverging one struck, nobody asked for.
-    let healthy = run(&folder, &[&["run", "default"], &length[..]].concat()).report();
+    let healthy = run(&folder, &[&["run", "springs"], &length[..]].concat()).report();
     for name in ["played", "missed", "onset_error_ms", "velocity_error"] {
         assert_eq!(report["notes"][name], healthy["notes"][name], "{name}");
     }

@@ -93,7 +93,7 @@ pub(crate) fn wait_for(what: &str, is_so: impl Fn() -> bool) {
 
 /// Arguments of a run over `links`.
 pub(crate) fn arguments<'a>(links: &'a [String], more: &[&'a str]) -> Vec<&'a str> {
-    let run = ["run", "--json"].into_iter();
+    let run = ["run", "springs", "--json"].into_iter();
     run.chain(links.iter().map(String::as_str)).chain(more.iter().copied()).collect()
 }
 

@@ -13,7 +13,7 @@ use crate::trap;
 #[track_caller]
 fn check(plan: &FaultPlan) {
     let watch = trap::watch();
-    let mut keybed = keybed(&scene("default", &[]));
+    let mut keybed = keybed(&scene("springs", &[]));
     play_all(&mut keybed, 4.0);
     for (board, seed) in BoardId::all().zip(1..) {
         keybed.disturb(board, FaultPlan { seed, ..plan.clone() });

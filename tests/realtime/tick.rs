@@ -128,16 +128,16 @@ fn a_tick_of_every_model_leaves_the_heap_alone() {
 #[test]
 fn a_tick_of_every_method_leaves_the_heap_alone() {
     for stepper in ["semi-implicit-euler", "heun", "bogacki-shampine"] {
-        check(&scene("default", &[("render.stepper", stepper)]), 1);
+        check(&scene("springs", &[("render.stepper", stepper)]), 1);
     }
 }
 
 #[test]
 fn a_tick_of_every_input_path_leaves_the_heap_alone() {
     for reconstruction in ["hold", "linear", "quadratic", "late-hermite"] {
-        check(&scene("default", &[("render.reconstruction", reconstruction)]), 1);
+        check(&scene("springs", &[("render.reconstruction", reconstruction)]), 1);
     }
-    check(&scene("default", &[("render.estimator", "backward-difference")]), 1);
+    check(&scene("springs", &[("render.estimator", "backward-difference")]), 1);
 }
 
 #[test]

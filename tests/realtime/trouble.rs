@@ -30,7 +30,7 @@ fn the_key_of_these_tests_is_not_on_the_ticks_own_lane() {
 fn a_voice_that_faults_leaves_the_heap_alone() {
     for n_lanes in 1..=2 {
         let watch = trap::watch();
-        let scene = scene("default", &[]);
+        let scene = scene("springs", &[]);
         let mut keybed = keybed(&scene);
         play_all(&mut keybed, 4.0);
         let bus = BrokenSensor { keybed, key: ELSEWHERE, ticks: 1000..1500 };
@@ -44,7 +44,7 @@ fn a_voice_that_faults_leaves_the_heap_alone() {
 #[test]
 fn a_full_ring_drops_and_leaves_the_heap_alone() {
     let watch = trap::watch();
-    let scene = scene("default", &[]);
+    let scene = scene("springs", &[]);
     let mut bus = keybed(&scene);
     play_all(&mut bus, 4.0);
     let mut voices = voices(&scene);
@@ -61,7 +61,7 @@ fn a_voice_that_is_replaced_is_freed_outside_the_tick() {
     const CHANGES: [fn(BoxedVoice) -> VoiceChange; 2] =
         [VoiceChange::Succeed, VoiceChange::Replace];
     let watch = trap::watch();
-    let scene = scene("default", &[]);
+    let scene = scene("springs", &[]);
     let mut bus = keybed(&scene);
     play_all(&mut bus, 4.0);
     let mut stage = stage(&scene, bus, 2);
@@ -99,7 +99,7 @@ impl TickObserver for FreshTurns {
 fn a_voice_that_is_retuned_leaves_the_heap_alone() {
     for instrument in ["grand-springs", "grand-reduced", "spring-wall"] {
         let watch = trap::watch();
-        let scene = scene("default", &[("keys.instrument", instrument)]);
+        let scene = scene("springs", &[("keys.instrument", instrument)]);
         let mut bus = keybed(&scene);
         play_all(&mut bus, 4.0);
         let stage = Stage::of(voices(&scene), scene.tick_hz, bus, 1);
@@ -142,7 +142,7 @@ impl Voice for Delayed {
 #[test]
 fn a_lane_that_is_late_leaves_the_heap_alone() {
     let watch = trap::watch();
-    let scene = scene("default", &[]);
+    let scene = scene("springs", &[]);
     let mut bus = keybed(&scene);
     play_all(&mut bus, 4.0);
     let reached = Arc::new(AtomicU64::new(0));
@@ -182,7 +182,7 @@ fn the_trap_sees_the_threads_of_the_lanes() {
     }
     for n_lanes in 1..=2 {
         let watch = trap::watch();
-        let scene = scene("default", &[]);
+        let scene = scene("springs", &[]);
         let mut voices = voices(&scene);
         voices[ELSEWHERE].1 = Box::new(Hoarding(Vec::new()));
         mark_lanes(&mut voices, n_lanes, &WATCHED);

@@ -26,6 +26,7 @@ pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
 
 /// Returns a scene of ours with overrides, or why it is refused.
 pub fn try_scene(name: &str, overrides: &[(&str, &str)]) -> Result<Scene, String> {
+    cli::read_descriptions();
     let overrides: Vec<_> =
         overrides.iter().map(|(name, value)| (String::from(*name), String::from(*value))).collect();
     Scene::load(name, &overrides).map_err(|wrong| wrong.to_string())

@@ -25,7 +25,7 @@ use telemetry::request::Change;
 /// Runs a host without a pianist, and `clients` beside it; returns its report.
 fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load("default", &silent).expect("the default scene");
+    let scene = Scene::load("springs", &silent).expect("the default scene");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
     let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
     let path = socket(name);
@@ -116,7 +116,7 @@ fn values_change_while_the_host_runs_and_stand_in_its_scene() {
 fn nonsense_is_refused_with_the_reason_and_disturbs_nobody() {
     let report = beside_a_host("nonsense", |path| {
         let refused = |request: &Request| ask(path, request).expect_err("nonsense");
-        assert!(refused(&request("organ", None)).contains("no instrument \"organ\""));
+        assert!(refused(&request("theremin", None)).contains("no instrument \"theremin\""));
         assert!(refused(&request("spring-wall", Some("B4..C4"))).contains("backwards"));
         assert!(refused(&request("spring-wall", Some("H9"))).contains("is no note"));
         assert!(say(path, b"hello\n").contains("no request"));

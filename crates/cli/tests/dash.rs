@@ -110,7 +110,8 @@ fn the_window_learns_what_lets_it_in() {
     let folder = Folder::new("dash-token");
     let tokens = folder.write("tokens", "viewer see\nowner own\n");
     std::fs::set_permissions(tokens, Permissions::from_mode(0o600)).expect("a file");
-    let run = ["run", "--performance", "none", "--midi", "none", "--listen", "127.0.0.1:0"];
+    let run =
+        ["run", "springs", "--performance", "none", "--midi", "none", "--listen", "127.0.0.1:0"];
     let guarded = ["--tokens", "tokens", "--tls", "self-made"];
     let host = start(&folder, STAYS, &[&run[..], &guarded[..]].concat());
     eventually("a host", || folder.socket().exists().then_some(()));

@@ -35,7 +35,8 @@ struct Host<'a> {
 impl<'a> Host<'a> {
     /// Starts one with `arguments`, and waits until it answers.
     fn start(folder: &'a Folder, arguments: &[&str]) -> Self {
-        let silent = ["run", "--performance", "none", "--midi", "none", "--black-box", "none"];
+        let silent =
+            ["run", "springs", "--performance", "none", "--midi", "none", "--black-box", "none"];
         let letoff = Path::new(env!("CARGO_BIN_EXE_letoff"));
         let mut command = folder.command(letoff, &[&silent[..], arguments].concat());
         command.stdout(File::create(folder.join("report")).expect("a file"));
@@ -128,7 +129,7 @@ fn beyond_this_machine_only_with_tokens_and_tls() {
     tokens(&folder, "owner own\n");
     let refused = |options: &[&str], words: &[&str]| {
         // Not even a recording is begun.
-        let run = ["run", "--record", "a.mcap", "--duration", "1"];
+        let run = ["run", "springs", "--record", "a.mcap", "--duration", "1"];
         folder.refuses(&[&run[..], options].concat(), 2, words);
         assert!(!folder.join("a.mcap").exists(), "{options:?}");
     };
@@ -155,7 +156,7 @@ fn on_a_network_that_is_trusted_anybody_may_come() {
 #[test]
 fn all_mistakes_of_a_file_of_tokens_are_told_at_once() {
     let folder = Folder::new("tokens-bad");
-    let run = ["run", "--virtual-time", "--duration", "0.1", "--tokens", "tokens"];
+    let run = ["run", "springs", "--virtual-time", "--duration", "0.1", "--tokens", "tokens"];
     tokens(&folder, "viewer see\nadmin aaaa\nowner\n# ours\ntuner bb&bb\nowner see\n");
     let words = ["tokens: ", "line 2 is not", "line 3 is not", "line 5 has", "line 6 has"];
     folder.refuses(&run, 2, &words);
@@ -166,13 +167,13 @@ fn all_mistakes_of_a_file_of_tokens_are_told_at_once() {
     folder.refuses(&run, 2, &["tokens: nobody is named", "`owner SECRET`"]);
     tokens(&folder, &"owner x\n".repeat(10_000));
     folder.refuses(&run, 2, &["tokens: ", "longer than 64 KiB"]);
-    folder.refuses(&[&run[..5], &["nothing"]].concat(), 2, &["nothing: "]);
+    folder.refuses(&[&run[..6], &["nothing"]].concat(), 2, &["nothing: "]);
 }
 
 #[test]
 fn a_file_of_tokens_that_others_read_is_pointed_out() {
     let folder = Folder::new("tokens-mode");
-    let run = ["run", "--virtual-time", "--duration", "0.1", "--tokens", "tokens"];
+    let run = ["run", "springs", "--virtual-time", "--duration", "0.1", "--tokens", "tokens"];
     tokens(&folder, "owner own\n");
     let (code, _out, err) = folder.letoff(&run);
     assert_eq!((code, err.as_str()), (Some(0), ""));
@@ -217,7 +218,7 @@ fn only_pages_that_are_named_may_connect() {
         assert_eq!(knock(&[("Origin", foreign)]), Some(403), "{foreign}");
     }
     for none in ["null", "app.example", "https://app.example/", "*"] {
-        folder.refuses(&["run", "--origin", none], 2, &[none, "as https://app.example"]);
+        folder.refuses(&["run", "springs", "--origin", none], 2, &[none, "as https://app.example"]);
     }
 }
 
@@ -255,7 +256,7 @@ fn a_certificate_that_cannot_be_had_is_refused_in_a_sentence() {
     folder.write("cert.pem", "no certificate");
     folder.write("key.pem", "no key");
     let refused = |tls: &str, words: &[&str]| {
-        let run = ["run", "--performance", "none", "--midi", "none", "--duration", "1"];
+        let run = ["run", "springs", "--performance", "none", "--midi", "none", "--duration", "1"];
         folder.refuses(&[&run[..], &LOOPBACK, &["--tls", tls]].concat(), 2, words);
     };
     refused("cert.pem", &["--tls cert.pem", "CHAIN.pem,KEY.pem", "self-made"]);
@@ -346,7 +347,7 @@ fn an_address_that_is_taken_may_be_free_later() {
     let folder = Folder::new("taken");
     let taken = std::net::TcpListener::bind("127.0.0.1:0").expect("a port");
     let address = taken.local_addr().expect("an address").to_string();
-    let run = ["run", "--performance", "none", "--midi", "none", "--listen", &address];
+    let run = ["run", "springs", "--performance", "none", "--midi", "none", "--listen", &address];
     folder.refuses(&run, 1, &["cannot listen", &address]);
 }
 
@@ -425,7 +426,7 @@ fn another_user_of_this_machine_reads_writes_changes_and_stops_nothing() {
     };
     let (code, err) = letoff(&["stop"]);
     assert!(code == Some(1) && err.contains("user 65534's and no host of yours"), "{err}");
-    let run = ["run", "--performance", "none", "--midi", "none", "--duration", "0.1"];
+    let run = ["run", "springs", "--performance", "none", "--midi", "none", "--duration", "0.1"];
     let (_code, err) = letoff(&[&run[..], &LOOPBACK].concat());
     assert!(err.contains("belongs to user 65534"), "{err}");
     other.kill().and_then(|()| other.wait()).expect("it ends");

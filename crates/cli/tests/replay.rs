@@ -125,7 +125,7 @@ fn a_changed_bit_is_found_where_it_is() {
 fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     let file = folder("tuned").join("a.mcap");
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load("default", &silent).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = Scene::load("springs", &silent).unwrap_or_else(|wrong| unreachable!("{wrong}"));
     tuned(&scene, RunOptions { duration: Some(2.0), virtual_time: false }, &file);
     let messages = messages(&file);
     let is_kept = |message: &&Result<Update, String>| matches!(message, Ok(Update::Voice(voice)) if voice.kept);

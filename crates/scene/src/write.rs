@@ -198,7 +198,7 @@ mod tests {
             ("keys.0.parameters.restitution", "0.123456789012345678"),
         ];
         let changed = changed.map(|(name, value)| (name.to_owned(), value.to_owned()));
-        let scene = Scene::load("default", &changed).unwrap_or_else(|wrong| panic!("{wrong}"));
+        let scene = Scene::load("springs", &changed).unwrap_or_else(|wrong| panic!("{wrong}"));
         assert_eq!(facts(&again(&scene)), facts(&scene));
     }
 }

@@ -200,8 +200,8 @@ const fn heard(event: KeyEvent) -> NoteEventKind {
         }
         KeyEvent::Pressure { value, scope } => {
             let scope = match scope {
-                PressureScope::Channel => midi::PressureScope::Channel,
-                PressureScope::Key => midi::PressureScope::Key,
+                PressureScope::Channel => midi::PressureTarget::Channel,
+                PressureScope::Key => midi::PressureTarget::Key,
             };
             NoteEventKind::Pressure { value, scope }
         }

@@ -91,7 +91,7 @@ fn an_override_of_a_list_says_which_items_there_are() {
 #[test]
 fn a_wrong_link_is_named_as_it_was_typed() {
     let can = Address::parse("can:can0").unwrap();
-    let all = Scene::load_as_typed("default", &link_overrides(&[can.clone(), can])).unwrap_err();
+    let all = Scene::load_as_typed("springs", &link_overrides(&[can.clone(), can])).unwrap_err();
     assert_eq!(
         all.to_string(),
         "--link can:can0 --link can:can0: \"can0\" stands here twice; leave one of them out"

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::super::embedded::{EmbeddedFiles, INSTRUMENTS, SCENES};
+use super::super::embedded::INSTRUMENTS;
 use super::super::*;
 
 fn configs() -> PathBuf {
@@ -27,38 +27,6 @@ fn every_file_is_part_of_the_program() {
     check_embedded("scenes", "toml", scenes().collect());
     check_embedded("instruments", "toml", INSTRUMENTS.names().collect());
     check_embedded("performances", "mid", performances().collect());
-}
-
-#[track_caller]
-fn check_right(shelf: &EmbeddedFiles, kind: FileKind) {
-    for name in shelf.names() {
-        let path = configs().join(format!("{}s/{name}.toml", shelf.what));
-        match check_file(&path) {
-            Ok(found) => assert_eq!(found, kind, "{name}"),
-            Err(all) => panic!("{all}"),
-        }
-    }
-}
-
-#[test]
-fn every_scene_and_instrument_is_right() {
-    check_right(&SCENES, FileKind::Scene);
-    check_right(&INSTRUMENTS, FileKind::Instrument);
-}
-
-#[test]
-fn every_scene_loads_by_its_name() {
-    for name in scenes() {
-        let scene = Scene::load(name, &[]).unwrap();
-        assert_eq!(scene.name, name);
-        assert!(scene.keys.iter().all(Option::is_some), "{name} has silent keys");
-    }
-}
-
-#[test]
-fn every_instrument_is_listed() {
-    let listed: Vec<String> = instruments().into_iter().map(|listed| listed.name).collect();
-    assert_eq!(listed, INSTRUMENTS.names().collect::<Vec<_>>());
 }
 
 #[test]
