@@ -105,7 +105,7 @@ fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &C
 
 /// A tick of whole voices.
 fn voices(criterion: &mut Criterion) {
-    let scene = Scene::load("default", &[]).expect("a scene of ours");
+    let scene = Scene::load("springs", &[]).expect("a scene of ours");
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let voice = |(number, described)| {
         let positions = swing_of(number);

@@ -84,7 +84,7 @@ proptest! {
     }
 }
 
-/// The default scene with the performance at `path`.
+/// The scene `springs` with the performance at `path`.
 fn performed(path: &str) -> Scene {
     let overrides = [(String::from("pianist.performance"), String::from(path))];
     Scene::load("springs", &overrides).expect("the file is there")

@@ -218,7 +218,7 @@ impl TickObserver for Heard {
     }
 }
 
-/// The voices of the default scene on the keys of `keybed`.
+/// The voices of the scene `springs` on the keys of `keybed`.
 fn staged(keybed: Keybed<Armed>) -> Stage<Keybed<Armed>, Heard> {
     LATER.set(0);
     // Every tick is a little late, as any is.

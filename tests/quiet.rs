@@ -63,7 +63,7 @@ fn ticks(scene: &Scene, seconds: u32) -> u64 {
     u64::from(scene.tick_hz * seconds)
 }
 
-/// The default scene with `instrument` at `hz`, or why that is refused.
+/// The scene `springs` with `instrument` at `hz`, or why that is refused.
 fn with_instrument(instrument: &str, hz: &str, render: &[(&str, &str)]) -> Result<Scene, String> {
     let mut overrides = vec![("keys.instrument", instrument), ("tick_hz", hz)];
     overrides.extend(render);

@@ -109,7 +109,7 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
     assert_eq!(found, MOST);
 }
 
-/// The default scene's first 5 s: (derivatives, guards, events).
+/// The first 5 s of the scene `springs`: (derivatives, guards, events).
 ///
 /// They change when a model, a preset, the pianist or the numerics change. If you meant that,
 /// put in what the failing test prints, and say in the commit why it grew. They are the same
@@ -118,7 +118,7 @@ fn the_most_work_of_one_key_in_a_tick_is_as_committed() {
 const GOLDEN: (u64, u64, u64) = (831_648, 7_570, 178);
 
 #[test]
-fn the_default_scenes_first_seconds_take_the_committed_work() {
+fn the_first_seconds_of_the_scene_springs_take_the_committed_work() {
     let options = RunOptions { duration: Some(5.0), virtual_time: true };
     let session = RunSession::prepare(&scene("springs", &[]), options, &|_| {}).expect("a session");
     let report = session.run(&AtomicBool::new(false)).expect("a run");

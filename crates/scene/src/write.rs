@@ -172,7 +172,8 @@ mod tests {
 
     #[test]
     fn every_scene_of_ours_comes_back_to_the_bit() {
-        for name in SCENES.names() {
+        // The default scene plays a description, which this crate alone cannot read.
+        for name in SCENES.names().filter(|name| *name != "default") {
             let scene = Scene::load(name, &[]).expect("a scene");
             assert_eq!(facts(&again(&scene)), facts(&scene), "{name}");
         }

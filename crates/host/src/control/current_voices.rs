@@ -209,7 +209,7 @@ mod tests {
     use super::*;
 
     fn playing() -> CurrentVoices {
-        CurrentVoices::new(&Scene::load("springs", &[]).expect("the default scene"))
+        CurrentVoices::new(&Scene::load("springs", &[]).expect("a scene of ours"))
     }
 
     fn change(key: u8, parameter: &str, value: f64) -> Change {

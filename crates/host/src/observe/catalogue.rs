@@ -115,7 +115,7 @@ mod tests {
 
     #[test]
     fn instruments_have_a_value_for_each_parameter_on_each_key() {
-        let scene = Scene::load("springs", &[]).expect("the default scene");
+        let scene = Scene::load("springs", &[]).expect("a scene of ours");
         let catalogue = catalogue(&scene, &[]);
         assert!(!catalogue.instruments.is_empty());
         for it in &catalogue.instruments {
