@@ -14,7 +14,7 @@
 //! | [`builder`] | from a scene's values to a voice |
 
 mod aftertouch;
-mod audit;
+pub mod audit;
 pub mod builder;
 mod carried;
 pub mod damper;
