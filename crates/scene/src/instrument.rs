@@ -1,7 +1,7 @@
 //! An instrument: a model and a preset over the compass, with a title.
 
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use keyboard::KeyRange;
 use models::Preset;
@@ -68,6 +68,25 @@ impl Instrument {
         if is_whole { ALL.get_or_init(|| loaded) } else { SOME.get_or_init(|| loaded) }
     }
 
+    /// Returns the embedded instruments of `model`, in the same order; those of other models are
+    /// not read, which takes time where they are descriptions.
+    pub fn of_model(model: &ModelEntry) -> Vec<&'static Self> {
+        static READ: Mutex<Vec<&'static Instrument>> = Mutex::new(Vec::new());
+        let line = format!("model = \"{}\"", model.name);
+        let says = |name: &&str| INSTRUMENTS.find(name).is_some_and(|text| text.contains(&line));
+        let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = |name: &str| {
+            if let Some(known) = read.iter().find(|it| it.name == name) {
+                return Some(*known);
+            }
+            let loaded: &'static Self = Box::leak(Box::new(Self::load(name).ok()?));
+            read.push(loaded);
+            Some(loaded)
+        };
+        let all = INSTRUMENTS.names().filter(says).filter_map(&mut known);
+        all.filter(|it| it.voicing.model.is(model)).collect()
+    }
+
     /// Returns the model that every key has.
     pub const fn model(&self) -> &'static ModelEntry {
         self.voicing.model
@@ -126,10 +145,9 @@ impl Instrument {
 ///
 /// What is known of an instrument's stability is known of its model, too.
 pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<&'static Instrument> {
-    let all = || Instrument::embedded().iter();
-    let of_model = |it: &Instrument| it.voicing.model.is(model);
-    let same = |it: &Instrument| preset.is_some_and(|preset| it.voicing.preset.name == preset.name);
-    all().find(|it| of_model(it) && same(it)).or_else(|| all().find(|it| of_model(it)))
+    let all = Instrument::of_model(model);
+    let same = |it: &&Instrument| preset.is_some_and(|it_is| it.voicing.preset.name == it_is.name);
+    all.iter().copied().find(same).or_else(|| all.first().copied())
 }
 
 /// An embedded instrument as it is listed.

@@ -40,6 +40,6 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
     let wanted = bits(&voice.values);
-    let of_its_model = Instrument::embedded().iter().filter(|it| it.model().is(voice.model));
+    let of_its_model = Instrument::of_model(voice.model).into_iter();
     of_its_model.filter(|it| bits(&it.values(key)) == wanted).map(|it| it.name.clone()).next()
 }
