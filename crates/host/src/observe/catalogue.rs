@@ -13,7 +13,9 @@ use scene::{self, LinksConfig, Scene};
 /// Returns the catalogue of a host that runs `scene` and plays the models of `described`, which
 /// are no part of the program; when it began is not known yet.
 pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue {
-    let models = of_program().into_iter().chain(described.iter().copied());
+    let program = of_program(scene);
+    let instruments = instruments(&program);
+    let models = program.into_iter().chain(described.iter().copied());
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: scene.name.clone(),
@@ -21,7 +23,7 @@ pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue 
         force_limit: scene.render.force_limit,
         slew_limit: scene.render.slew_limit,
         models: models.map(model).collect(),
-        instruments: instruments(),
+        instruments,
         fingers: scene.links == LinksConfig::Simulated,
         scene_text: scene::written(scene),
         descriptions: described.iter().filter_map(|entry| description(entry)).collect(),
@@ -29,13 +31,13 @@ pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue 
     }
 }
 
-/// Returns the models that the program contains as Rust, then those of its instruments that come as
-/// descriptions, each once.
-fn of_program() -> Vec<&'static ModelEntry> {
+/// Returns the models that the program contains as Rust, then those that it has as descriptions and
+/// `scene` plays, each once: to derive the others would hold up the start.
+fn of_program(scene: &Scene) -> Vec<&'static ModelEntry> {
     let mut models: Vec<_> = catalogue::built_ins().collect();
-    for instrument in scene::Instrument::embedded() {
-        if !models.iter().any(|known| known.is(instrument.model())) {
-            models.push(instrument.model());
+    for voice in scene.keys.iter().flatten().filter(|voice| voice.model.file.is_none()) {
+        if !models.iter().any(|known| known.is(voice.model)) {
+            models.push(voice.model);
         }
     }
     models
@@ -95,18 +97,17 @@ fn parameter(it: &models::Parameter) -> Parameter {
     }
 }
 
-/// Returns every embedded instrument, with its values on every key.
-fn instruments() -> Vec<Instrument> {
+/// Returns the embedded instruments of `models`, with their values on every key.
+fn instruments(models: &[&'static ModelEntry]) -> Vec<Instrument> {
     let keys = || (0..=u8::MAX).take(KEYS);
-    scene::Instrument::embedded()
-        .iter()
-        .map(|it| Instrument {
-            values: keys().flat_map(|key| it.values(key)).collect(),
-            model: it.model().name.to_owned(),
-            doc: it.doc.clone(),
-            name: it.name.clone(),
-        })
-        .collect()
+    let all = models.iter().flat_map(|model| scene::Instrument::of_model(model));
+    all.map(|it| Instrument {
+        values: keys().flat_map(|key| it.values(key)).collect(),
+        model: it.model().name.to_owned(),
+        doc: it.doc.clone(),
+        name: it.name.clone(),
+    })
+    .collect()
 }
 
 #[cfg(test)]

@@ -60,9 +60,9 @@ unplugged() {
 	board 0 3
 	board 1 4
 	board 2 5
-	host unplugged $(way 0) $(way 1) $(way 2) --duration 12
+	host unplugged $(way 0) $(way 1) $(way 2) --duration 8
 	third=$(port 2)
-	sleep 7
+	sleep 5
 	unplug 2
 	sleep 1
 	plug 2
