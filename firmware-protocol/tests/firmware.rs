@@ -33,7 +33,7 @@ use tools::say;
 
 /// Where the key lies on its felt with no force and with 2 N down (um): 10.16 mm, and 33 um.
 const BOTTOM: i32 = 10_160;
-const PRESSED: i32 = BOTTOM + 33;
+const PRESSED: i32 = BOTTOM + 28;
 
 #[test]
 fn a_board_says_who_it_is_and_answers_a_request_once() {
@@ -141,7 +141,7 @@ fn forces_move_the_key_and_their_silence_lets_it_go_for_good() {
     check_silence(&mut board, &pressed);
     // Latched: answers are of no use any more.
     let last = board.hold(50, 2_000);
-    assert!((position(&last) - BOTTOM).abs() < 5 && last.header.flag, "{last:?}");
+    assert!(position(&last).abs() < 5 && last.header.flag, "{last:?}");
     let introduction = board.introduction();
     assert_eq!((introduction.safe, introduction.hello.safe_reason), (true, safe_reason::SILENCE));
     assert_eq!(board.counters().trips, 1);
@@ -169,7 +169,7 @@ fn check_silence(board: &mut Board, answered: &KeySamples) {
     let frames = (0..15).map(|_| board.samples()).collect::<Vec<_>>();
     let (still, gone) = (&frames[7], &frames[14]);
     assert!((position(still) - PRESSED).abs() < 5, "gone early: {still:?}");
-    assert!((position(gone) - BOTTOM).abs() < 5, "still there after 115 ms: {gone:?}");
+    assert!(position(gone) < BOTTOM, "still there after 115 ms: {gone:?}");
     assert!(gone.header.flag);
 }
 
@@ -182,8 +182,8 @@ fn an_emergency_stop_takes_every_force_away() {
     assert!((position(&pressed) - PRESSED).abs() < 5);
     board.answer(&pressed, -2_000);
     board.broadcast(Broadcast::EmergencyStop { reason: 1 });
-    let last = board.hold(20, -2_000);
-    assert!((position(&last) - BOTTOM).abs() < 5 && last.header.flag, "{last:?}");
+    let last = board.hold(50, -2_000);
+    assert!(position(&last).abs() < 5 && last.header.flag, "{last:?}");
     assert_eq!(board.introduction().hello.safe_reason, safe_reason::EMERGENCY_STOP);
     assert_eq!(board.counters().trips, 0);
     // No request brings it back.
@@ -226,8 +226,9 @@ fn a_spring_between_frames_holds_the_key_in_the_middle() {
     board.arm(ForcePacking::Force16Slope);
     let mut last = board.samples();
     for _ in 0..200 {
-        // Up when it is below 5 mm: 500 N/m and 4 N s/m, so K = −∂F/∂s and B are negative.
-        let force = |(um, speed): (i32, i32)| (um - 5_000) / 2 + speed * 8 / 10;
+        // Up when it is below 5 mm: 500 N/m and 4 N s/m, so K = −∂F/∂s and B are negative; and
+        // down with the 0.3 N of the return spring.
+        let force = |(um, speed): (i32, i32)| (um - 5_000) / 2 + speed * 8 / 10 - 300;
         let positions = last.positions.as_slice().iter().map(|counts| counts.get());
         let speeds = last.velocities.as_slice().iter().map(|speed| speed.get().into());
         let forces = positions.zip(speeds).map(force).map(Millinewtons::saturating);
