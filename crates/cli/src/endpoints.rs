@@ -8,8 +8,8 @@ use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, system, tell};
 use host::control::{
-    Answers, Clients, ControlServer, DescriptionWatch, RequestHandler, RunHandle, StreamSink,
-    serve, socket_path,
+    Answers, Clients, ControlServer, DescriptionWatch, ProgramListener, RequestHandler, RunHandle,
+    StreamSink, serve, socket_path,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
@@ -56,6 +56,16 @@ impl Endpoints {
     pub(super) fn watch(&self) -> Result<Option<DescriptionWatch>, Failure> {
         let requests = self.requests.as_ref().map(Arc::clone);
         requests.map(DescriptionWatch::start).transpose().map_err(system)
+    }
+
+    /// Listens for program changes, until what is returned is dropped; says so where that cannot
+    /// be.
+    pub(super) fn hear_programs(&self) -> Option<ProgramListener> {
+        let started = ProgramListener::start(self.requests.as_ref()?);
+        started.unwrap_or_else(|why| {
+            tell(&format!("program changes are not heard: {why}"));
+            None
+        })
     }
 
     /// Streams the telemetry of `session`.

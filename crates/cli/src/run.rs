@@ -17,7 +17,7 @@ use super::{Failure, live, print_json, system, tell};
 use host::control::RunHandle;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
-use host::session::{RunOptions, RunSession, SessionError};
+use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
 
 /// What `letoff run` takes.
@@ -92,15 +92,19 @@ impl RunArgs {
 
 /// Runs the host and prints its report.
 pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let scene = Scene::load_as_typed(args.scene(), &args.overrides())
+    let mut scene = Scene::load_as_typed(args.scene(), &args.overrides())
         .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
+    let fidelity = choose_fidelity(&mut scene, args.virtual_time)
+        .map_err(|error| Failure::Usage(error.to_string()))?;
+    fidelity.iter().for_each(|chosen| tell(&chosen.to_string()));
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
     let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
-    let Some(report) = perform(&scene, options, args, stream)? else {
+    let Some(mut report) = perform(&scene, options, args, stream)? else {
         tell("stopped before it began to play");
         return Ok(());
     };
+    report.fidelity = fidelity;
     if args.json {
         print_json(&report, out)?;
     } else {
@@ -192,6 +196,7 @@ async fn host(
     }
     endpoints.observe(&session);
     let _watch = if args.watch { endpoints.watch()? } else { None };
+    let _programs = endpoints.hear_programs();
     let counters = session.counters();
     let line = live::StatusLine::new(session.tick_hz(), session.ticks());
     log.draw_above(line.bar());

@@ -1,4 +1,4 @@
-//! Strikes and releases, sent as MIDI: what is sent when.
+//! Strikes and releases, sent as MIDI: what is sent when; and program changes that are heard.
 //!
 //! | what happened | what is sent, at the same time |
 //! |---|---|
@@ -17,6 +17,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod input;
 pub mod message;
 pub mod note;
 pub mod output;
@@ -25,6 +26,7 @@ pub mod player;
 pub mod schedule;
 pub mod velocity;
 
+pub use input::{ProgramChange, ProgramInput};
 pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
 pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};

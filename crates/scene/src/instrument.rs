@@ -7,16 +7,22 @@ use keyboard::KeyRange;
 use models::Preset;
 use models::catalogue::ModelEntry;
 use serde::Serialize;
+use toml_edit::{DocumentMut, Item};
 
 use super::document;
 use super::embedded::INSTRUMENTS;
+use super::fidelity::{Fidelity, read_levels};
 use super::figures;
 use super::needs::Needs;
+use super::quantity::Quantity;
 use super::read::TableReader;
 use super::report::MistakeList;
 use super::source::{SourceError, SourceText, refuse};
 use super::voicing::Voicing;
 use diagnostics::Diagnostics;
+
+/// A number of General MIDI, as its tables count.
+const PROGRAM: Quantity = Quantity { unit: "", range: (1.0, 128.0) };
 
 /// An instrument whose values were checked.
 #[derive(Clone, Debug)]
@@ -31,6 +37,11 @@ pub struct Instrument {
     pub needs: Needs,
     /// What `letoff lab piano` should measure: figures by name, lowest and highest value.
     pub figures: Vec<(String, (f64, f64))>,
+    /// Its number among the programs of General MIDI, 1 ..= 128, if it has one.
+    pub program: Option<u32>,
+    /// The instruments that render the same action with less work, names or paths; the most
+    /// faithful first.
+    pub levels: Vec<(Fidelity, String)>,
     /// The model, the preset, and what differs from it.
     pub voicing: Voicing,
 }
@@ -87,6 +98,16 @@ impl Instrument {
         all.filter(|it| it.voicing.model.is(model)).collect()
     }
 
+    /// Returns the name of the embedded instrument that is a program of General MIDI, 1 ..= 128, if
+    /// one is; nothing is read but the list.
+    pub fn of_program(program: u8) -> Option<&'static str> {
+        let line = format!("program = {program}");
+        let says = |name: &&str| {
+            INSTRUMENTS.find(name).is_some_and(|text| text.lines().any(|it| it == line))
+        };
+        INSTRUMENTS.names().find(says)
+    }
+
     /// Returns the model that every key has.
     pub const fn model(&self) -> &'static ModelEntry {
         self.voicing.model
@@ -129,6 +150,8 @@ impl Instrument {
         }
         let needs = Needs::read(report, reader);
         let figures = figures::read(report, reader);
+        let program = reader.whole(report, "program", PROGRAM);
+        let levels = read_levels(report, reader);
         let voicing = Voicing::read(report, reader);
         let Some(mut voicing) = voicing else {
             reader.take("parameters");
@@ -136,7 +159,16 @@ impl Instrument {
         };
         voicing.read_parameters(report, reader);
         voicing.refuse_unmet(report, reader.place, KeyRange::ALL);
-        Some(Self { name: source.name.clone(), title, doc, needs, figures, voicing })
+        Some(Self {
+            name: source.name.clone(),
+            title,
+            doc,
+            needs,
+            figures,
+            program,
+            levels,
+            voicing,
+        })
     }
 }
 
@@ -148,6 +180,25 @@ pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<&'
     let all = Instrument::of_model(model);
     let same = |it: &&Instrument| preset.is_some_and(|it_is| it.voicing.preset.name == it_is.name);
     all.iter().copied().find(same).or_else(|| all.first().copied())
+}
+
+/// What stands at the head of an embedded instrument's file, whose model was not read.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct InstrumentHead {
+    pub name: String,
+    pub doc: String,
+    /// Name of its model.
+    pub model: String,
+}
+
+/// Returns the heads of all embedded instruments, in the order in which they are listed.
+pub fn instrument_heads() -> Vec<InstrumentHead> {
+    let head = |name: &'static str| {
+        let file: DocumentMut = INSTRUMENTS.find(name)?.parse().ok()?;
+        let text = |key| file.get(key).and_then(Item::as_str).unwrap_or_default().to_owned();
+        Some(InstrumentHead { name: name.to_owned(), doc: text("doc"), model: text("model") })
+    };
+    INSTRUMENTS.names().filter_map(head).collect()
 }
 
 /// An embedded instrument as it is listed.

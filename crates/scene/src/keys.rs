@@ -5,8 +5,9 @@ use models::catalogue::ModelEntry;
 
 use super::document::{DocumentNode, TomlValue};
 use super::embedded::INSTRUMENTS;
+use super::fidelity::{AutoFidelity, Fidelity, FidelityLevel, WantedFidelity, read_wanted};
 use super::instrument::{Instrument, known_as};
-use super::needs::LoopSettings;
+use super::needs::{LoopSettings, Unmet};
 use super::read::{self, TableReader};
 use super::report::{Location, MistakeList};
 use super::source::{SourceError, SourceText};
@@ -28,7 +29,17 @@ impl KeyVoice {
     }
 }
 
-/// Reads the key ranges; one entry per key, none where it is silent.
+/// What `[[keys]]` says.
+pub(super) struct ReadKeys {
+    /// The voicing of each key; none where it is silent.
+    pub(super) voicings: Vec<Option<Voicing>>,
+    /// The ranges, in the order of the file.
+    pub(super) ranges: Vec<KeyRange>,
+    /// Those whose fidelity is to be chosen.
+    pub(super) auto: Vec<AutoFidelity>,
+}
+
+/// Reads the key ranges.
 ///
 /// Refuses instruments that are not stable `in_loop`, if there is one, and values that do not go
 /// together.
@@ -36,16 +47,16 @@ pub(super) fn read(
     report: &mut MistakeList<'_>,
     reader: &mut TableReader<'_>,
     in_loop: Option<LoopSettings<'_>>,
-) -> Vec<Option<Voicing>> {
-    let mut voices = vec![None; KEYS];
+) -> ReadKeys {
+    let mut read = ReadKeys { voicings: vec![None; KEYS], ranges: Vec::new(), auto: Vec::new() };
     let Some(entry) = reader.take("keys") else {
         let help = "add [[keys]] with a range and an instrument";
         report.miss(reader.place, "the scene has no keys", help);
-        return voices;
+        return read;
     };
     let TomlValue::List(ranges) = &entry.node.value else {
         read::wrong_type(report, "keys", &entry.node, "a list", "write it as [[keys]]");
-        return voices;
+        return read;
     };
     if ranges.is_empty() {
         let help = "add [[keys]] with a range and an instrument";
@@ -54,18 +65,20 @@ pub(super) fn read(
     let mut taken = Vec::new();
     let mut models: Vec<&ModelEntry> = Vec::new();
     for node in ranges {
-        let read = read_range(report, node, &mut taken, in_loop);
-        let Some((range, voicing)) = read else { continue };
+        let found = read_range(report, node, &mut taken, in_loop);
+        let Some((range, RangeVoicing { voicing, levels })) = found else { continue };
         refuse_namesake(report, node.place, voicing.model, &models);
         models.push(voicing.model);
         if in_loop.is_some() {
             voicing.refuse_unmet(report, node.place, range);
         }
         for key in range.numbers() {
-            voices[usize::from(key)] = Some(voicing.clone());
+            read.voicings[usize::from(key)] = Some(voicing.clone());
         }
+        read.ranges.push(range);
+        read.auto.extend(levels.map(|levels| AutoFidelity { keys: range, levels }));
     }
-    voices
+    read
 }
 
 /// Refuses a model at `place` that is called like another one of the scene.
@@ -81,6 +94,19 @@ fn refuse_namesake(
     }
 }
 
+/// The voicing that a range begins with.
+struct RangeVoicing {
+    voicing: Voicing,
+    /// What it is chosen from, where the scene leaves that to the host.
+    levels: Option<Vec<FidelityLevel>>,
+}
+
+impl From<Voicing> for RangeVoicing {
+    fn from(voicing: Voicing) -> Self {
+        Self { voicing, levels: None }
+    }
+}
+
 /// A range that was read, and where.
 type ReadRange = (KeyRange, Location);
 
@@ -90,7 +116,7 @@ fn read_range(
     node: &DocumentNode,
     taken: &mut Vec<ReadRange>,
     in_loop: Option<LoopSettings<'_>>,
-) -> Option<(KeyRange, Voicing)> {
+) -> Option<(KeyRange, RangeVoicing)> {
     let mut reader = TableReader::new(report, "[keys]", node)?;
     let range = read_bounds(report, &mut reader);
     if let Some(range) = range {
@@ -99,7 +125,11 @@ fn read_range(
     }
     let voicing = read_voicing(report, &mut reader, in_loop);
     let voicing = if let Some(mut voicing) = voicing {
-        voicing.read_parameters(report, &mut reader);
+        if voicing.levels.is_some() {
+            refuse_parameters(report, &mut reader);
+        } else {
+            voicing.voicing.read_parameters(report, &mut reader);
+        }
         Some(voicing)
     } else {
         reader.take("parameters");
@@ -156,12 +186,20 @@ fn refuse_overlap(report: &mut MistakeList<'_>, (range, place): ReadRange, taken
     }
 }
 
-/// Reads `instrument`, or `model` and `preset`.
+/// Refuses parameters of a model that is not chosen yet.
+fn refuse_parameters(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) {
+    if let Some(entry) = reader.take("parameters") {
+        let message = "parameters stand beside fidelity \"auto\", which chooses their model";
+        report.say(entry.place, message, "name the fidelity to which they belong");
+    }
+}
+
+/// Reads `instrument` and `fidelity`, or `model` and `preset`.
 fn read_voicing(
     report: &mut MistakeList<'_>,
     reader: &mut TableReader<'_>,
     in_loop: Option<LoopSettings<'_>>,
-) -> Option<Voicing> {
+) -> Option<RangeVoicing> {
     let model = reader.take("model");
     let preset = reader.take("preset");
     let Some(entry) = reader.take("instrument") else {
@@ -174,7 +212,11 @@ fn read_voicing(
         if let (Some(entry), Some(known)) = (model, known_as(voicing.model, named)) {
             refuse_unstable(report, entry.node.place, known, in_loop);
         }
-        return Some(voicing);
+        if let Some(entry) = reader.take("fidelity") {
+            let message = "\"fidelity\" stands beside a model, which is one fidelity";
+            report.say(entry.place, message, "leave it out, or name an instrument");
+        }
+        return Some(voicing.into());
     };
     for extra in [model, preset].into_iter().flatten() {
         let message =
@@ -182,15 +224,28 @@ fn read_voicing(
         report.say(extra.place, message, "keep one of the two");
     }
     let name = read::text(report, "instrument", &entry.node)?;
-    read_instrument(report, entry.node.place, &name, in_loop)
+    let place = entry.node.place;
+    let wanted = read_wanted(report, reader);
+    let instrument = read_instrument(report, place, &name)?;
+    match wanted {
+        WantedFidelity::Level(Fidelity::Full) => {
+            refuse_unstable(report, place, &instrument, in_loop);
+            Some(instrument.voicing.into())
+        }
+        WantedFidelity::Level(fidelity) => {
+            let level = read_level(report, place, &instrument, fidelity)?;
+            refuse_unstable(report, place, &level, in_loop);
+            Some(level.voicing.into())
+        }
+        WantedFidelity::Auto => auto(report, place, &instrument, in_loop),
+    }
 }
 
 fn read_instrument(
     report: &mut MistakeList<'_>,
     place: Location,
     name: &str,
-    in_loop: Option<LoopSettings<'_>>,
-) -> Option<Voicing> {
+) -> Option<Instrument> {
     let found = match SourceText::find(&INSTRUMENTS, name, report.folder(place)) {
         Ok(source) => Instrument::check(&source),
         Err(SourceError::Unreadable(diagnostics)) => Err(diagnostics),
@@ -199,16 +254,51 @@ fn read_instrument(
             return None;
         }
     };
-    match found {
-        Ok(instrument) => {
-            refuse_unstable(report, place, &instrument, in_loop);
-            Some(instrument.voicing)
-        }
-        Err(diagnostics) => {
-            report.absorb(diagnostics);
-            None
+    found.map_err(|diagnostics| report.absorb(diagnostics)).ok()
+}
+
+/// Reads the instrument that renders `instrument` at a lower `fidelity`.
+fn read_level(
+    report: &mut MistakeList<'_>,
+    place: Location,
+    instrument: &Instrument,
+    fidelity: Fidelity,
+) -> Option<Instrument> {
+    let found = instrument.levels.iter().find(|(known, _name)| *known == fidelity);
+    let Some((_fidelity, name)) = found else {
+        let known = instrument.levels.iter().map(|(known, _name)| known.name());
+        let known = known.chain([Fidelity::Full.name()]);
+        let refusal = format!("{} has no fidelity", instrument.name);
+        read::unknown(report, place, &refusal, fidelity.name(), known);
+        return None;
+    };
+    Instrument::load(name).map_err(|diagnostics| report.absorb(diagnostics)).ok()
+}
+
+/// Returns all levels of `instrument` that are stable `in_loop`, to be chosen from.
+fn auto(
+    report: &mut MistakeList<'_>,
+    place: Location,
+    instrument: &Instrument,
+    in_loop: Option<LoopSettings<'_>>,
+) -> Option<RangeVoicing> {
+    let mut levels = Vec::new();
+    let lower = instrument.levels.iter().map(|(fidelity, _name)| *fidelity);
+    for fidelity in std::iter::once(Fidelity::Full).chain(lower) {
+        let level = match fidelity {
+            Fidelity::Full => instrument.clone(),
+            lower => read_level(report, place, instrument, lower)?,
+        };
+        if unmet(&level, in_loop).is_none() {
+            let Instrument { name, voicing, .. } = level;
+            levels.push(FidelityLevel { fidelity, instrument: name, voicing });
         }
     }
+    let Some(first) = levels.first() else {
+        refuse_unstable(report, place, instrument, in_loop);
+        return None;
+    };
+    Some(RangeVoicing { voicing: first.voicing.clone(), levels: Some(levels) })
 }
 
 /// Reports an instrument at `place` that makes energy in the scene's loop.
@@ -218,8 +308,13 @@ fn refuse_unstable(
     instrument: &Instrument,
     in_loop: Option<LoopSettings<'_>>,
 ) {
-    let Some(LoopSettings { tick_hz, render }) = in_loop else { return };
-    if let Some(unmet) = instrument.needs.unmet(&instrument.name, tick_hz, render) {
+    if let Some(unmet) = unmet(instrument, in_loop) {
         report.say(place, unmet.lacks, unmet.help);
     }
+}
+
+/// Returns what the loop lacks for an instrument, if it lacks anything.
+fn unmet(instrument: &Instrument, in_loop: Option<LoopSettings<'_>>) -> Option<Unmet> {
+    let LoopSettings { tick_hz, render } = in_loop?;
+    instrument.needs.unmet(&instrument.name, tick_hz, render)
 }

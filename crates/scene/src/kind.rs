@@ -13,10 +13,12 @@ use descriptions::load_model;
 use diagnostics::Diagnostics;
 
 /// Names that only a scene has.
-const SCENE: [&str; 7] = ["tick_hz", "lanes", "render", "keys", "links", "midi", "pianist"];
+const SCENE: [&str; 8] =
+    ["tick_hz", "lanes", "budget", "render", "keys", "links", "midi", "pianist"];
 
 /// Names that only an instrument has.
-const INSTRUMENT: [&str; 6] = ["doc", "model", "preset", "offline", "stable", "parameters"];
+const INSTRUMENT: [&str; 9] =
+    ["doc", "model", "preset", "offline", "stable", "parameters", "figures", "fidelity", "program"];
 
 /// Names that only the description of a model has.
 const DESCRIPTION: [&str; 23] = [

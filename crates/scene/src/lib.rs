@@ -10,6 +10,7 @@
 //! |---|---|
 //! | `scene`, `render`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
+//! | `fidelity` | how much of an instrument's action is computed |
 //! | `kind` | whether a file is a scene or an instrument |
 //! | `embedded`, `source` | files that are part of the program, and files on the disk |
 //! | `document`, `read`, `quantity`, `setting`, `overrides` | the language of both kinds of file |
@@ -23,6 +24,7 @@
 
 mod document;
 mod embedded;
+mod fidelity;
 mod figures;
 mod instrument;
 mod keys;
@@ -44,7 +46,8 @@ mod write;
 mod tests;
 
 pub use embedded::{performances, scenes};
-pub use instrument::{Instrument, InstrumentInfo, instruments};
+pub use fidelity::{AutoFidelity, Fidelity, FidelityLevel};
+pub use instrument::{Instrument, InstrumentHead, InstrumentInfo, instrument_heads, instruments};
 pub use keys::KeyVoice;
 pub use kind::{FileKind, check_file, is_description};
 pub use links::{
@@ -52,7 +55,7 @@ pub use links::{
 };
 pub use needs::{Needs, Unmet};
 pub use render::{EstimatorName, InputReconstruction, Render};
-pub use scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
+pub use scene::{LaneCount, Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
 pub use source::Override;
 pub use voicing::Voicing;
 pub use write::written;

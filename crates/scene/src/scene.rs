@@ -2,11 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use keyboard::KeyRange;
 use midi::VelocityCurve;
 
 use super::document::{self, TomlValue};
 use super::embedded::{PERFORMANCES, SCENES};
-use super::keys::{self, KeyVoice};
+use super::fidelity::{AutoFidelity, FidelityLevel, known_instrument, read_budget};
+use super::keys::{self, KeyVoice, ReadKeys};
 use super::links::{self, LinksConfig, Rate};
 use super::needs::LoopSettings;
 use super::overrides;
@@ -41,6 +43,12 @@ pub struct Scene {
     pub keys: Vec<Option<KeyVoice>>,
     /// Where the values of each voice come from.
     pub voicings: Vec<Option<Voicing>>,
+    /// The key ranges, in the order of the file: MIDI's channels from 1 on.
+    pub ranges: Vec<KeyRange>,
+    /// Key ranges whose fidelity is to be chosen, see [`Scene::set_fidelity`].
+    pub auto: Vec<AutoFidelity>,
+    /// The share of each lane's time that all keys may take when they move at once.
+    pub budget: f64,
     /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
@@ -57,18 +65,35 @@ pub enum LaneCount {
     Count(usize),
 }
 
-/// The output of strikes, and their velocities.
-#[derive(Clone, PartialEq, Eq, Debug)]
+/// The output of strikes, and their velocities; and what program changes switch to.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Midi {
     /// The port or file.
     pub output: MidiOutput,
     /// The curve from hammer speeds to velocities.
     pub curve: VelocityCurve,
+    /// The port on which program changes are heard.
+    pub input: MidiInput,
+    /// The instruments of the programs from 1 on, names or paths; those of General MIDI if there
+    /// are none.
+    pub programs: Vec<String>,
+}
+
+/// A MIDI port to listen to.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub enum MidiInput {
+    #[default]
+    None,
+    /// A port of our own, to which other programs connect.
+    Virtual,
+    /// The first port whose name contains this.
+    Port(String),
 }
 
 /// A MIDI port or file.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub enum MidiOutput {
+    #[default]
     None,
     /// A port of our own, to which other programs connect.
     Virtual,
@@ -186,7 +211,8 @@ impl Scene {
             Stability::Required => Some(LoopSettings { tick_hz, render: &render }),
             Stability::Recorded => None,
         };
-        let voicings = keys::read(report, reader, in_loop);
+        let budget = read_budget(report, reader);
+        let ReadKeys { voicings, ranges, auto } = keys::read(report, reader, in_loop);
         let voice = |(key, voicing): (u8, &Option<Voicing>)| {
             voicing.as_ref().map(|voicing| KeyVoice::new(voicing, key))
         };
@@ -194,7 +220,30 @@ impl Scene {
         let links = links::read(report, reader, rate);
         let midi = read_midi(report, reader);
         let performance = read_pianist(report, reader);
-        Self { name, title, tick_hz, lanes, render, keys, voicings, links, midi, performance }
+        Self {
+            name,
+            title,
+            tick_hz,
+            lanes,
+            render,
+            keys,
+            voicings,
+            ranges,
+            auto,
+            budget,
+            links,
+            midi,
+            performance,
+        }
+    }
+
+    /// Gives the keys of `range` one of its levels.
+    pub fn set_fidelity(&mut self, range: KeyRange, level: &FidelityLevel) {
+        for key in range.numbers() {
+            let index = usize::from(key);
+            self.voicings[index] = Some(level.voicing.clone());
+            self.keys[index] = Some(KeyVoice::new(&level.voicing, key));
+        }
     }
 }
 
@@ -219,7 +268,7 @@ fn read_lanes(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Opt
 }
 
 fn read_midi(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Midi {
-    let mut midi = Midi { output: MidiOutput::None, curve: VelocityCurve::default() };
+    let mut midi = Midi::default();
     let Some(mut reader) = scene.table(report, "midi") else { return midi };
     if let Some((output, _)) = reader.text(report, "output") {
         midi.output = midi_output(output);
@@ -228,8 +277,32 @@ fn read_midi(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Midi 
     if let Some(curve) = reader.choice(report, "curve", "there is no velocity curve", &curves) {
         midi.curve = curve;
     }
+    if let Some((input, _)) = reader.text(report, "input") {
+        midi.input = match input.as_str() {
+            "none" => MidiInput::None,
+            "virtual" => MidiInput::Virtual,
+            _ => MidiInput::Port(input),
+        };
+    }
+    midi.programs = read_programs(report, &mut reader);
     reader.finish(report);
     midi
+}
+
+/// Reads the instruments of programs; each must be there.
+fn read_programs(report: &mut MistakeList<'_>, midi: &mut TableReader<'_>) -> Vec<String> {
+    let Some(entry) = midi.take("programs") else { return Vec::new() };
+    let TomlValue::List(nodes) = &entry.node.value else {
+        let help = "write the instruments of the programs from 1 on, as [\"grand\", \"organ\"]";
+        read::wrong_type(report, "programs", &entry.node, "a list", help);
+        return Vec::new();
+    };
+    let mut programs = Vec::new();
+    for node in nodes {
+        let name = read::text(report, "programs", node);
+        programs.extend(name.and_then(|name| known_instrument(report, node.place, &name)));
+    }
+    programs
 }
 
 fn midi_output(output: String) -> MidiOutput {

@@ -9,7 +9,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
-use super::scene::{LaneCount, Midi, MidiOutput, PerformanceSource, Scene};
+use super::scene::{LaneCount, Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
 
 /// Returns the text of `scene`; read again it is the same scene to the last bit.
 pub fn written(scene: &Scene) -> String {
@@ -49,6 +49,14 @@ fn midi(it: &Midi) -> Table {
         MidiOutput::File(path) => absolute(path),
     });
     table["curve"] = value(it.curve.name());
+    match &it.input {
+        MidiInput::None => {}
+        MidiInput::Virtual => table["input"] = value("virtual"),
+        MidiInput::Port(name) => table["input"] = value(name.as_str()),
+    }
+    if !it.programs.is_empty() {
+        table["programs"] = value(it.programs.iter().map(String::as_str).collect::<Array>());
+    }
     table
 }
 

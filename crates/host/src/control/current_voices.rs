@@ -136,7 +136,7 @@ impl CurrentVoices {
         self.changed[key].extend(changed);
     }
 
-    /// Returns the models that play and were read from files, each once.
+    /// Returns the models that play and are derived from descriptions, each once.
     pub(super) fn described(&self) -> Vec<&'static ModelEntry> {
         crate::observe::described(self.keys.iter().flatten().map(|voice| voice.model))
     }

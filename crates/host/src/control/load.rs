@@ -13,6 +13,7 @@ use models::catalogue::ModelEntry;
 use telemetry::{Log, Update, log};
 
 use super::RequestHandler;
+use super::current_voices::CurrentVoices;
 use super::description_states::{DescriptionStates, known_path};
 use crate::observe::{self, TelemetryMessage};
 
@@ -108,6 +109,18 @@ impl RequestHandler {
         let newest = described.into_iter().rev().filter_map(|model| Some((model.file?, model)));
         let newest = newest.filter(|(file, _model)| seen.insert(*file));
         newest.filter_map(|(file, model)| Some((file, states.contents(model)?))).collect()
+    }
+
+    /// Returns that message for a model that is to play beside those of `playing`; none if clients
+    /// know it.
+    pub(super) fn catalogue_with(
+        &self,
+        playing: &CurrentVoices,
+        model: &'static ModelEntry,
+    ) -> Option<TelemetryMessage> {
+        let played = playing.described();
+        let with = observe::described(played.iter().copied().chain([model]));
+        (played.len() < with.len()).then(|| self.catalogue(&with, &self.states()))
     }
 
     /// Returns the message that tells what there is now, with the models of `described`.

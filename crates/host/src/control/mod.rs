@@ -13,6 +13,8 @@
 //! on the same side (`load`, `watch`): if it is right, voices of the new version go on where those
 //! of the old one are, and if it is wrong nothing changes but what is told of it.
 //!
+//! A program change that is heard on a MIDI port is a request for an instrument (`programs`).
+//!
 //! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
 //! The socket listens before the rehearsal, so that a host that only prepares is stopped too.
 
@@ -26,6 +28,7 @@ mod key_port;
 mod load;
 mod new_voice;
 mod place;
+mod programs;
 mod request_handler;
 mod run_handle;
 mod server;
@@ -39,6 +42,7 @@ pub use fingers::{FingerOwner, FingerQueue};
 pub use folders::Folders;
 pub use key_port::{IdentifyTarget, Lights};
 pub use place::socket_path;
+pub use programs::ProgramListener;
 pub use request_handler::RequestHandler;
 pub use run_handle::RunHandle;
 pub use server::{Answers, Clients, ControlServer, serve};

@@ -127,7 +127,8 @@ impl RequestHandler {
         let voice = |key| NewVoice::anew(&instrument.voicing, key, &instrument.name);
         let voices: BTreeMap<_, _> = sounding.map(|key| (key, voice(key))).collect();
         let n = voices.len();
-        self.put_in(&mut playing, voices, None, who)?;
+        let catalogue = self.catalogue_with(&playing, instrument.model());
+        self.put_in(&mut playing, voices, catalogue, who)?;
         let text = format!("{n} keys are now {}", instrument.name);
         self.tell(&text, who);
         Ok(text)

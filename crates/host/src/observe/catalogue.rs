@@ -8,22 +8,20 @@ use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Description, DescriptionFile, Instrument, Model, Parameter};
 
 use super::model_probe::{modes, signals};
-use scene::{self, LinksConfig, Scene};
+use scene::{self, InstrumentHead, LinksConfig, Scene};
 
 /// Returns the catalogue of a host that runs `scene` and plays the models of `described`, which
-/// are no part of the program; when it began is not known yet.
+/// are no Rust; when it began is not known yet.
 pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue {
-    let program = of_program(scene);
-    let instruments = instruments(&program);
-    let models = program.into_iter().chain(described.iter().copied());
+    let models: Vec<_> = catalogue::built_ins().chain(described.iter().copied()).collect();
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: scene.name.clone(),
         tick_hz: scene.tick_hz,
         force_limit: scene.render.force_limit,
         slew_limit: scene.render.slew_limit,
-        models: models.map(model).collect(),
-        instruments,
+        instruments: instruments(&models),
+        models: models.into_iter().map(model).collect(),
         fingers: scene.links == LinksConfig::Simulated,
         scene_text: scene::written(scene),
         descriptions: described.iter().filter_map(|entry| description(entry)).collect(),
@@ -31,23 +29,13 @@ pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue 
     }
 }
 
-/// Returns the models that the program contains as Rust, then those that it has as descriptions and
-/// `scene` plays, each once: to derive the others would hold up the start.
-fn of_program(scene: &Scene) -> Vec<&'static ModelEntry> {
-    let mut models: Vec<_> = catalogue::built_ins().collect();
-    for voice in scene.keys.iter().flatten().filter(|voice| voice.model.file.is_none()) {
-        if !models.iter().any(|known| known.is(voice.model)) {
-            models.push(voice.model);
-        }
-    }
-    models
-}
-
-/// Returns those of `models` that were read from files, each once.
+/// Returns those of `models` that are derived from descriptions, each once.
 pub fn described(models: impl Iterator<Item = &'static ModelEntry>) -> Vec<&'static ModelEntry> {
     let mut described: Vec<&'static ModelEntry> = Vec::new();
-    for model in models.filter(|model| model.file.is_some()) {
-        if !described.iter().any(|known| known.is(model)) {
+    for model in models {
+        let is_known =
+            catalogue::built_ins().chain(described.iter().copied()).any(|it| it.is(model));
+        if !is_known {
             described.push(model);
         }
     }
@@ -97,17 +85,19 @@ fn parameter(it: &models::Parameter) -> Parameter {
     }
 }
 
-/// Returns the embedded instruments of `models`, with their values on every key.
+/// Returns all embedded instruments; those of `models` with their values on every key. The others
+/// are not read, since to derive their models would hold up the start.
 fn instruments(models: &[&'static ModelEntry]) -> Vec<Instrument> {
     let keys = || (0..=u8::MAX).take(KEYS);
-    let all = models.iter().flat_map(|model| scene::Instrument::of_model(model));
-    all.map(|it| Instrument {
-        values: keys().flat_map(|key| it.values(key)).collect(),
-        model: it.model().name.to_owned(),
-        doc: it.doc.clone(),
-        name: it.name.clone(),
-    })
-    .collect()
+    let known: Vec<_> =
+        models.iter().flat_map(|model| scene::Instrument::of_model(model)).collect();
+    let listed = |head: InstrumentHead| {
+        let known = known.iter().find(|it| it.name == head.name);
+        let values = known.map(|it| keys().flat_map(|key| it.values(key)).collect());
+        let InstrumentHead { name, doc, model } = head;
+        Instrument { name, model, doc, values: values.unwrap_or_default() }
+    };
+    scene::instrument_heads().into_iter().map(listed).collect()
 }
 
 #[cfg(test)]
@@ -121,8 +111,13 @@ mod tests {
         assert!(!catalogue.instruments.is_empty());
         for it in &catalogue.instruments {
             let model = catalogue.models.iter().find(|model| model.name == it.model);
-            let parameters = model.expect("a model that is listed").parameters.len();
+            let parameters = model.map_or(0, |model| model.parameters.len());
             assert_eq!(it.values.len(), KEYS * parameters, "{}", it.name);
         }
+        let has_values = |name: &str| {
+            catalogue.instruments.iter().any(|it| it.name == name && !it.values.is_empty())
+        };
+        assert!(has_values("grand-springs") && !has_values("organ"));
+        assert!(catalogue.instruments.iter().any(|it| it.name == "organ"), "listed all the same");
     }
 }

@@ -8,12 +8,14 @@ use serde::Serialize;
 use voice::AuditReport;
 
 mod board_line;
+mod fidelity;
 mod link_line;
 mod note_report;
 mod step_counts;
 
 pub use board_line::BoardLine;
 pub(crate) use board_line::{muted_keys, stage_words};
+pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
 pub use note_report::{ErrorQuantiles, NoteReport, NoteShortfall, UnplayedNotes};
@@ -68,6 +70,8 @@ pub struct RunReport {
     pub midi: MidiReport,
     /// The recording, if there was one.
     pub recording: Option<RecordingReport>,
+    /// What key ranges got that left their fidelity to the host.
+    pub fidelity: Vec<ChosenFidelity>,
 }
 
 /// The outcome of a recording.

@@ -1,5 +1,6 @@
 //! One run of the host: prepared from a scene, run in real or virtual time, reported.
 
+mod fidelity;
 mod key_source;
 mod key_transport;
 mod measured;
@@ -41,6 +42,7 @@ use realtime::thread::DEFAULT_PRIORITY;
 use realtime::wake_fd::WakeFd;
 use scene::{LaneCount, LinksConfig as SceneLinks, Scene};
 
+pub use fidelity::choose_fidelity;
 pub use pianist::PianistProgress;
 
 /// The reason why a run could not be prepared or finished.
@@ -364,6 +366,7 @@ impl PreparedRun {
                 ..self.midi.clone()
             },
             recording: None,
+            fidelity: Vec::new(),
         }
     }
 }

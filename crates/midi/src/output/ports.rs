@@ -4,8 +4,8 @@ use midir::{MidiOutput, MidiOutputPort};
 
 use super::Unavailable;
 
-/// The name of this client towards other programs, and that of its virtual port.
-pub(super) const CLIENT: &str = "letoff";
+/// The name of this client towards other programs, and that of its virtual ports.
+pub(crate) const CLIENT: &str = "letoff";
 
 pub(super) fn open() -> Result<MidiOutput, Unavailable> {
     look_for_sequencer()?;
@@ -14,7 +14,7 @@ pub(super) fn open() -> Result<MidiOutput, Unavailable> {
 
 /// ALSA says on stderr only why it does not start, so its device is looked at first.
 #[cfg(target_os = "linux")]
-fn look_for_sequencer() -> Result<(), Unavailable> {
+pub(crate) fn look_for_sequencer() -> Result<(), Unavailable> {
     use std::io::ErrorKind;
 
     let opened = std::fs::OpenOptions::new().read(true).write(true).open("/dev/snd/seq");
@@ -27,7 +27,7 @@ fn look_for_sequencer() -> Result<(), Unavailable> {
 }
 
 #[cfg(not(target_os = "linux"))]
-fn look_for_sequencer() -> Result<(), Unavailable> {
+pub(crate) fn look_for_sequencer() -> Result<(), Unavailable> {
     Ok(())
 }
 

@@ -146,7 +146,7 @@ impl fmt::Debug for System {
     }
 }
 
-fn refused(port: &str, reason: &str) -> Unavailable {
+pub(crate) fn refused(port: &str, reason: &str) -> Unavailable {
     Unavailable::Refused { port: port.to_owned(), reason: reason.to_owned() }
 }
 

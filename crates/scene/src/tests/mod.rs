@@ -1,6 +1,7 @@
 //! The whole way, from a text to a scene or to what is said of it.
 
 mod any_input;
+mod fidelity;
 mod mistakes;
 mod shipped;
 mod values;

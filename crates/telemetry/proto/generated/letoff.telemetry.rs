@@ -527,7 +527,7 @@ pub struct Instrument {
     pub model: ::prost::alloc::string::String,
     #[prost(string, tag = "3")]
     pub doc: ::prost::alloc::string::String,
-    /// Key by key, one value for each parameter.
+    /// Key by key, one value for each parameter; none while its model is not among the models.
     #[prost(double, repeated, tag = "4")]
     pub values: ::prost::alloc::vec::Vec<f64>,
 }

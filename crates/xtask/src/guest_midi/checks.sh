@@ -129,6 +129,24 @@ terminated() {
 	verdict terminated "SIGTERM while a chord is held ends its notes" $? "$before held; $heard"
 }
 
+# A program change as the bytes of a cable: the first key range of the scene gets a harpsichord.
+programs() {
+	play programs --set "midi.input=VirMIDI 0-2" --duration 12
+	within 20 grep -q "simulated keys" programs.err
+	printf '\300\006' >/dev/snd/midiC0D2
+	within 5 grep -q "program change 7 on channel 1: 1 keys are now harpsichord" programs.err
+	heard=$?
+	printf '\303\177' >/dev/snd/midiC0D2
+	within 5 grep -q "program change 128 on channel 4 changes nothing: no instrument" programs.err
+	[ $? = 0 ] && [ $heard = 0 ]
+	heard=$?
+	kill -TERM "$host"
+	wait "$host"
+	[ $? = 0 ] && [ $heard = 0 ]
+	verdict programs "a program change switches the keys of its channel" $? \
+		"$(grep "program change" programs.err | tr '\n' ' ')"
+}
+
 absent() {
 	letoff run /scene.toml --midi pianoteq --duration 5 >absent.out 2>absent.err
 	code=$?
@@ -171,6 +189,7 @@ virtual
 through
 raw
 terminated
+programs
 absent
 back later "a synthesizer that is started again after 3 s is connected again" 3
 back soon "a synthesizer that is started again at once is connected again" 0

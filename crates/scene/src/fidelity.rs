@@ -1,0 +1,121 @@
+//! `fidelity`: how much of an instrument's action is computed, said by a scene or chosen at start.
+//!
+//! An instrument's file names the instruments that render the same action with less work; each is
+//! an instrument of its own.
+
+use keyboard::KeyRange;
+
+use super::embedded::INSTRUMENTS;
+use super::quantity::Quantity;
+use super::read::TableReader;
+use super::report::{Location, MistakeList};
+use super::source::{SourceError, SourceText};
+use super::voicing::Voicing;
+
+/// Share of each lane's time.
+const BUDGET: Quantity = Quantity { unit: "1", range: (1e-3, 1.0) };
+const DEFAULT_BUDGET: f64 = 0.5;
+
+/// How much of an action is computed, the most first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum Fidelity {
+    /// Every part of the action.
+    Full,
+    /// Key and hammer, with let-off, check and repetition.
+    Reduced,
+    /// Key and hammer on two springs: the paper's model B.
+    Springs,
+    /// A force for each depth of the key.
+    Map,
+}
+
+impl Fidelity {
+    const ALL: [Self; 4] = [Self::Full, Self::Reduced, Self::Springs, Self::Map];
+
+    /// Returns its name in scenes and instruments.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Reduced => "reduced",
+            Self::Springs => "springs",
+            Self::Map => "map",
+        }
+    }
+}
+
+/// An instrument at one fidelity.
+#[derive(Clone, Debug)]
+pub struct FidelityLevel {
+    pub fidelity: Fidelity,
+    /// The instrument that renders it.
+    pub instrument: String,
+    pub voicing: Voicing,
+}
+
+/// Keys whose fidelity is chosen when a run begins; until then they have the first level.
+#[derive(Clone, Debug)]
+pub struct AutoFidelity {
+    pub keys: KeyRange,
+    /// All that there are, the most faithful first; never empty.
+    pub levels: Vec<FidelityLevel>,
+}
+
+/// What a scene says of a range's fidelity.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum WantedFidelity {
+    Level(Fidelity),
+    /// As much as the budget allows.
+    Auto,
+}
+
+/// Reads the share of each lane's time that all keys may take when they move at once.
+pub(super) fn read_budget(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> f64 {
+    scene.number(report, "budget", BUDGET).unwrap_or(DEFAULT_BUDGET)
+}
+
+/// Reads the instruments that render the one of this file with less work.
+pub(super) fn read_levels(
+    report: &mut MistakeList<'_>,
+    instrument: &mut TableReader<'_>,
+) -> Vec<(Fidelity, String)> {
+    let Some(mut reader) = instrument.table(report, "fidelity") else { return Vec::new() };
+    let mut levels = Vec::new();
+    for fidelity in Fidelity::ALL.into_iter().skip(1) {
+        let Some((name, place)) = reader.text(report, fidelity.name()) else { continue };
+        levels.extend(known_instrument(report, place, &name).map(|known| (fidelity, known)));
+    }
+    reader.finish(report);
+    levels
+}
+
+/// Returns the name of an instrument that is part of the program, or the path of the file that is
+/// there.
+pub(super) fn known_instrument(
+    report: &mut MistakeList<'_>,
+    place: Location,
+    name: &str,
+) -> Option<String> {
+    if INSTRUMENTS.find(name).is_some() {
+        return Some(name.to_owned());
+    }
+    let folder = report.folder(place).to_owned();
+    if let Err(SourceError::Unknown((message, help))) =
+        SourceText::find(&INSTRUMENTS, name, &folder)
+    {
+        report.say(place, message, help);
+        return None;
+    }
+    let path = folder.join(name);
+    Some(std::path::absolute(&path).unwrap_or(path).display().to_string())
+}
+
+/// Reads what a scene says of a range's fidelity; all of it without a word.
+pub(super) fn read_wanted(
+    report: &mut MistakeList<'_>,
+    range: &mut TableReader<'_>,
+) -> WantedFidelity {
+    let named = Fidelity::ALL.map(|it| (it.name(), WantedFidelity::Level(it)));
+    let all: Vec<_> = named.into_iter().chain([("auto", WantedFidelity::Auto)]).collect();
+    let wanted = range.choice(report, "fidelity", "there is no fidelity", &all);
+    wanted.unwrap_or(WantedFidelity::Level(Fidelity::Full))
+}
