@@ -13,7 +13,7 @@
 
 /* version and lengths */
 #define LETOFF_VERSION_MAJOR 2u
-#define LETOFF_VERSION_MINOR 0u
+#define LETOFF_VERSION_MINOR 1u
 #define LETOFF_SCHEMA_HASH UINT64_C(0xA16B0DCDB2218FD9)
 #define LETOFF_MAX_FRAME 64u
 #define LETOFF_MAX_WIRE 68u
@@ -786,13 +786,15 @@ static inline bool letoff_counters_take(struct letoff_counters *record, const ui
 }
 
 /* finger */
-#define LETOFF_FINGER_LEN 18u
+#define LETOFF_FINGER_LEN 26u
 #define LETOFF_FINGER_SLOT_AT 0u
 #define LETOFF_FINGER_TOUCH_AT 1u
 #define LETOFF_FINGER_START_US_AT 2u
 #define LETOFF_FINGER_RELEASE_US_AT 6u
 #define LETOFF_FINGER_SPEED_AT 10u
 #define LETOFF_FINGER_HOLD_AT 14u
+#define LETOFF_FINGER_FROM_AT 18u
+#define LETOFF_FINGER_LIFT_AT 22u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
 #define LETOFF_FINGER_FIELDS(ONE, MANY) \
@@ -801,7 +803,9 @@ static inline bool letoff_counters_take(struct letoff_counters *record, const ui
     ONE(start_us) \
     ONE(release_us) \
     ONE(speed) \
-    ONE(hold)
+    ONE(hold) \
+    ONE(from) \
+    ONE(lift)
 
 struct letoff_finger {
     uint8_t slot;
@@ -810,6 +814,8 @@ struct letoff_finger {
     uint32_t release_us;
     uint32_t speed;
     uint32_t hold;
+    uint32_t from;
+    uint32_t lift;
 };
 
 /* Writes the record; returns its length, or 0 if there is no room. */
@@ -824,6 +830,8 @@ static inline size_t letoff_finger_put(const struct letoff_finger *record, uint8
     letoff_put(bytes + 6, record->release_us, 4);
     letoff_put(bytes + 10, record->speed, 4);
     letoff_put(bytes + 14, record->hold, 4);
+    letoff_put(bytes + 18, record->from, 4);
+    letoff_put(bytes + 22, record->lift, 4);
     return LETOFF_FINGER_LEN;
 }
 
@@ -839,6 +847,8 @@ static inline bool letoff_finger_take(struct letoff_finger *record, const uint8_
     record->release_us = (uint32_t)letoff_take(bytes + 6, 4);
     record->speed = (uint32_t)letoff_take(bytes + 10, 4);
     record->hold = (uint32_t)letoff_take(bytes + 14, 4);
+    record->from = (uint32_t)letoff_take(bytes + 18, 4);
+    record->lift = (uint32_t)letoff_take(bytes + 22, 4);
     return true;
 }
 

@@ -173,9 +173,11 @@ proptest! {
         id in any::<u8>(),
         slot in any::<u8>(),
         times in uniform4(any::<u32>()),
+        depth_and_lift in any::<(u32, u32)>(),
     ) {
         let [start_us, release_us, speed, hold] = times;
-        let finger = Finger { slot, touch: 1, start_us, release_us, speed, hold };
+        let (from, lift) = depth_and_lift;
+        let finger = Finger { slot, touch: 1, start_us, release_us, speed, hold, from, lift };
         let mut bytes = [0xAA; MAX_FRAME];
         let n = encode_request(board, id, Operation::Finger, &finger, &mut bytes);
         let request = AcyclicRequest::decode(&bytes[..can::padded(n)]).expect("a request");

@@ -315,7 +315,9 @@ fn a_finger_presses_its_key_and_lets_it_go() {
     board.stream(4_000);
     let now = board.get::<_, Pong>(Operation::Ping, &Nothing).board_us;
     let (start_us, release_us) = (now.wrapping_add(500_000), now.wrapping_add(900_000));
-    let struck = Finger { slot: 0, touch: 1, start_us, release_us, speed: 500_000, hold: 15_160 };
+    let (speed, hold) = (500_000, 15_160);
+    let struck =
+        Finger { slot: 0, touch: 1, start_us, release_us, speed, hold, from: 0, lift: 50_000 };
     board.get::<_, Nothing>(Operation::Finger, &struck);
     let forgotten = Finger { slot: 1, ..struck };
     board.get::<_, Nothing>(Operation::Finger, &forgotten);
@@ -356,6 +358,8 @@ fn no_more_gestures_are_taken_than_there_is_room_for() {
         release_us: far,
         speed: 1,
         hold: 1,
+        from: 0,
+        lift: 0,
     };
     let taken =
         (0..100).take_while(|i| board.ask(Operation::Finger, &gesture(*i)).0 == Status::Done);

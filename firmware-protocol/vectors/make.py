@@ -194,6 +194,7 @@ COUNTERS = [
 ]
 FINGER = [
     ("slot", 1), ("touch", 1), ("start_us", 4), ("release_us", 4), ("speed", 4), ("hold", 4),
+    ("from", 4), ("lift", 4),
 ]
 
 
@@ -285,8 +286,8 @@ def all_broadcasts():
     yield broadcast("broadcast_stop", "emergency stop", 1, reason, bytes([0xDE, 0xAD, 9]))
     time = {"host_us": 0xFEDCBA98}
     yield broadcast("broadcast_time", "bus time", 2, time, little(0xFEDCBA98, 4))
-    version = {"major": 2, "minor": 0}
-    yield broadcast("broadcast_who", "who is there?", 3, version, bytes([2, 0]))
+    version = {"major": 2, "minor": 1}
+    yield broadcast("broadcast_who", "who is there?", 3, version, bytes([2, 1]))
 
 
 def all_requests():
@@ -308,7 +309,7 @@ def all_requests():
     yield request("request_read_log", "read the log", 9, 9, 10, [("line", 2)], [513])
     yield request("request_light", "show yourself", 10, 10, 11, [("seconds", 1)], [5])
     yield request("request_counters", "what was counted?", 11, 254, 12)
-    values = [3, 1, 4000000000, 4000123456, 1500000, 15160]
+    values = [3, 1, 4000000000, 4000123456, 1500000, 15160, 4321, 123456]
     yield request("request_finger", "a gesture", 14, 255, 13, FINGER, values)
 
 

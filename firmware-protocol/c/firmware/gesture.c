@@ -1,9 +1,10 @@
 #include "gesture.h"
 
-/* Height of a lifted finger [m], and the time that lifting takes. */
+/* Height of a lifted finger [m], and the time that lifting takes: usual, least and most [us]. */
 #define LIFT_HEIGHT 10e-3f
-#define LIFT_TIME 50e-3f
-#define LIFT_TIME_US 50000
+#define LIFT_US 50000u
+#define LEAST_LIFT_US 10000u
+#define MOST_LIFT_US 1000000u
 /* Height from which a struck gesture starts [m]. */
 #define STRIKE_HEIGHT 20e-3f
 /* Parts of the way within which a gesture gains its speed. */
@@ -18,6 +19,14 @@
 #define SLOWEST 1e-3f
 #define FASTEST 20.0f
 #define SHALLOWEST 1e-3f
+/* Of the hold depth: deepest start; of the usual run-up: the least. */
+#define DEEPEST 0.6f
+#define LEAST_RUN_UP 0.1f
+/* How much deeper than its key's bottom a finger is held [m]. */
+#define PUSH 5e-3f
+/* Speeds from which a finger braces itself, and at which it is as stiff as it gets [m/s]. */
+#define BRACED_FROM 3.0f
+#define BRACED_TO 6.0f
 
 static float clamp(float x, float least, float most)
 {
@@ -45,21 +54,35 @@ static float quintic_slope(float x)
     return 30.0f * hump * hump;
 }
 
+static uint32_t lift_us(const struct letoff_finger *gesture)
+{
+    uint32_t lift = gesture->lift == 0u ? LIFT_US : gesture->lift;
+    return lift < LEAST_LIFT_US ? LEAST_LIFT_US : MOST_LIFT_US < lift ? MOST_LIFT_US : lift;
+}
+
 void stroke_of(struct stroke *stroke, const struct letoff_finger *gesture)
 {
     float speed = clamp(1e-6f * (float)gesture->speed, SLOWEST, FASTEST);
     float hold = 1e-6f * (float)gesture->hold;
     stroke->hold = hold < SHALLOWEST ? SHALLOWEST : hold;
     stroke->speed = speed;
-    stroke->from = gesture->touch == TOUCH_STRUCK ? -STRIKE_HEIGHT : 0.0f;
-    float way = gesture->touch == TOUCH_STRUCK ? STRUCK_RUN_UP * STRIKE_HEIGHT
-                                               : PRESSED_RUN_UP * stroke->hold;
+    stroke->from = clamp(1e-6f * (float)gesture->from, 0.0f, DEEPEST * stroke->hold);
+    /* What is left of the way to the key's bottom: the run-up shrinks with its square. */
+    float bottom = stroke->hold - PUSH < SHALLOWEST ? SHALLOWEST : stroke->hold - PUSH;
+    float part = 1.0f - stroke->from / bottom;
+    float way = PRESSED_RUN_UP * stroke->hold * clamp(part * part, LEAST_RUN_UP, 1.0f);
+    if (gesture->touch == TOUCH_STRUCK) {
+        stroke->from = -STRIKE_HEIGHT;
+        way = STRUCK_RUN_UP * STRIKE_HEIGHT;
+    }
     stroke->run_up = 2.0f * way / speed;
     stroke->per_run_up = 1.0f / stroke->run_up;
     stroke->overshoot = OVERSHOOT * speed / (speed + OVERSHOOT_SPEED);
     stroke->cruise = (stroke->hold - stroke->from) / speed - 0.5f * stroke->run_up;
     stroke->brake = 2.0f * stroke->overshoot / speed;
     stroke->per_brake = 1.0f / stroke->brake;
+    stroke->per_lift = 1e6f / (float)lift_us(gesture);
+    stroke->braced = clamp((speed - BRACED_FROM) * (1.0f / (BRACED_TO - BRACED_FROM)), 0.0f, 1.0f);
 }
 
 static struct command running_up(const struct stroke *stroke, float x)
@@ -118,9 +141,9 @@ struct command gesture_command(const struct stroke *stroke, float elapsed, float
     if (lifting <= 0.0f) {
         return command;
     }
-    float x = clamp(lifting * (1.0f / LIFT_TIME), 0.0f, 1.0f);
+    float x = clamp(lifting * stroke->per_lift, 0.0f, 1.0f);
     float lifted = quintic(x);
-    float rate = quintic_slope(x) * (1.0f / LIFT_TIME);
+    float rate = quintic_slope(x) * stroke->per_lift;
     float way = -LIFT_HEIGHT - command.position;
     command.position += lifted * way;
     command.velocity = command.velocity * (1.0f - lifted) + rate * way;
@@ -142,7 +165,7 @@ uint32_t gesture_lift_off(const struct letoff_finger *gesture)
 
 bool gesture_is_over(const struct letoff_finger *gesture, uint32_t now_us)
 {
-    return 0 <= from_to(gesture_lift_off(gesture) + LIFT_TIME_US, now_us);
+    return 0 <= from_to(gesture_lift_off(gesture) + lift_us(gesture), now_us);
 }
 
 static bool has_started(const struct letoff_finger *gesture, uint32_t now_us)

@@ -26,6 +26,9 @@ struct stroke {
     float cruise;
     float brake;
     float per_brake;
+    float per_lift;
+    /* How far the finger is braced for forte, 0 to 1. */
+    float braced;
 };
 
 void stroke_of(struct stroke *stroke, const struct letoff_finger *gesture);

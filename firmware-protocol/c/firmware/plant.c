@@ -22,6 +22,9 @@
 #define TIP_MASS 6e-3f
 #define TIP_DAMPING 4.0f
 #define TIP_STIFFNESS 400.0f
+/* How many times as stiff, and as damped, a braced finger is. */
+#define BRACED_STIFFNESS 3.25f
+#define BRACED_DAMPING 1.75f
 #define PULP_STIFFNESS 4e3f
 #define PULP_DAMPING 3.0f
 #define AWAY (-20e-3f)
@@ -131,7 +134,8 @@ static void begin(struct plant_key *key, const struct letoff_finger *gesture, ui
 {
     bool other = !key->playing || key->gesture.start_us != gesture->start_us;
     bool changed = other || key->gesture.speed != gesture->speed ||
-                   key->gesture.hold != gesture->hold || key->gesture.touch != gesture->touch;
+                   key->gesture.hold != gesture->hold || key->gesture.touch != gesture->touch ||
+                   key->gesture.from != gesture->from || key->gesture.lift != gesture->lift;
     key->gesture = *gesture;
     if (changed) {
         stroke_of(&key->stroke, gesture);
@@ -157,9 +161,12 @@ static float contact(const struct plant_key *key)
 
 static void step_finger(struct plant_key *key, struct command command, float push)
 {
-    const float per_inertia = 1.0f / (TIP_MASS + H * (TIP_DAMPING + H * TIP_STIFFNESS));
-    float muscle = TIP_STIFFNESS * (command.position - key->tip) + TIP_DAMPING * command.velocity;
-    key->tip_velocity = (TIP_MASS * key->tip_velocity + H * (muscle - push)) * per_inertia;
+    float braced = key->stroke.braced;
+    float stiffness = TIP_STIFFNESS * (1.0f + braced * (BRACED_STIFFNESS - 1.0f));
+    float damping = TIP_DAMPING * (1.0f + braced * (BRACED_DAMPING - 1.0f));
+    float muscle = stiffness * (command.position - key->tip) + damping * command.velocity;
+    float impulse = TIP_MASS * key->tip_velocity + H * (muscle - push);
+    key->tip_velocity = impulse / (TIP_MASS + H * (damping + H * stiffness));
     key->tip += H * key->tip_velocity;
 }
 

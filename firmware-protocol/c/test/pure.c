@@ -278,8 +278,8 @@ static void gestures_are_played_by_their_start_and_then_forgotten(void)
 {
     static struct plant_key key;
     uint32_t start = UINT32_MAX - 100000u;
-    struct letoff_finger late = {0, TOUCH_PRESSED, start + 400000u, start + 600000u, 300000, 15160};
-    struct letoff_finger early = {0, TOUCH_STRUCK, start, start + 200000u, 500000, 15160};
+    struct letoff_finger late = {0, TOUCH_PRESSED, start + 400000u, start + 600000u, 300000, 15160, 0, 0};
+    struct letoff_finger early = {0, TOUCH_STRUCK, start, start + 200000u, 500000, 15160, 0, 0};
     CHECK(gestures_add(&key.gestures, &late) && gestures_add(&key.gestures, &early));
     CHECK(gestures_now(&key.gestures, start - 1u) == NULL);
     CHECK(gestures_now(&key.gestures, start)->touch == TOUCH_STRUCK);
@@ -298,11 +298,27 @@ static void gestures_are_played_by_their_start_and_then_forgotten(void)
     CHECK(plant_is_still(&key, 0.5f, start + 900000u));
 }
 
+static void a_finger_starts_where_its_key_is_and_lifts_in_its_time(void)
+{
+    struct letoff_finger gesture = {0, TOUCH_PRESSED, 0, 300000, 500000, 15160, 5000, 200000};
+    struct stroke stroke;
+    stroke_of(&stroke, &gesture);
+    CHECK(near(gesture_command(&stroke, 0.0f, -0.3f).position, 5e-3f, 1e-9f));
+    CHECK(!gesture_is_over(&gesture, 499999u) && gesture_is_over(&gesture, 500000u));
+    CHECK(near(gesture_command(&stroke, 0.5f, 0.2f).position, -0.01f, 1e-6f));
+    /* Half of the way between where it is held and where it is lifted to. */
+    CHECK(near(gesture_command(&stroke, 0.4f, 0.1f).position, 0.5f * (15.16e-3f - 0.01f), 1e-6f));
+    CHECK(stroke.braced == 0.0f);
+    gesture.speed = 4500000;
+    stroke_of(&stroke, &gesture);
+    CHECK(near(stroke.braced, 0.5f, 1e-6f));
+}
+
 static void a_gesture_is_smooth_where_its_parts_meet(void)
 {
     for (uint8_t touch = 0; touch < 2; touch++) {
         for (uint32_t speed = 20000; speed < 3000000; speed += 97001) {
-            struct letoff_finger gesture = {0, touch, 0, 250000, speed, 15160};
+            struct letoff_finger gesture = {0, touch, 0, 250000, speed, 15160, 0, 0};
             struct stroke stroke;
             stroke_of(&stroke, &gesture);
             struct command last = gesture_command(&stroke, 0.0f, -0.25f);
@@ -347,6 +363,7 @@ int main(void)
     multicast_forces_need_a_bus_time_and_feed_together();
     a_key_at_rest_stays_and_a_pressed_one_reaches_its_felt();
     gestures_are_played_by_their_start_and_then_forgotten();
+    a_finger_starts_where_its_key_is_and_lifts_in_its_time();
     a_gesture_is_smooth_where_its_parts_meet();
     the_log_keeps_its_last_lines();
     printf("%d failures\n", failures);

@@ -16,6 +16,10 @@ record! {
         speed: u32,
         /// How deep it holds the key (um).
         hold: u32,
+        /// Depth at which a pressed finger starts (um): where its key is then.
+        from: u32,
+        /// Time that lifting takes (us); 0 is the usual one, 50 ms.
+        lift: u32,
     }
 }
 

@@ -42,6 +42,8 @@ impl GestureQueue {
             release_us: clock.board_us(at(release))?,
             speed: micro(gesture.speed),
             hold: micro(gesture.hold),
+            from: micro(gesture.from),
+            lift: micro(gesture.lift),
         })
     }
 

@@ -268,7 +268,8 @@ impl SimulatedBoard {
             touch,
             speed: f64::from(wanted.speed) * 1e-6,
             hold: f64::from(wanted.hold) * 1e-6,
-            ..Gesture::USUAL
+            from: f64::from(wanted.from) * 1e-6,
+            lift: if wanted.lift == 0 { Gesture::LIFT } else { f64::from(wanted.lift) * 1e-6 },
         });
         Ok(Nothing)
     }
