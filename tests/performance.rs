@@ -1,6 +1,7 @@
 //! What the virtual pianist plays is what comes out, whole runs in virtual time.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -62,11 +63,89 @@ fn every_instrument_runs_on_all_keys_without_a_fault() {
 }
 
 #[test]
+fn hard_passages_are_played_on_every_preset() {
+    cli::read_descriptions();
+    let presets = [
+        "grand",
+        "upright",
+        "viennese",
+        "harpsichord",
+        "organ",
+        "clavichord",
+        "celesta",
+        "rhodes",
+        "hammond",
+        "synth",
+    ];
+    for preset in presets {
+        check_hard(preset);
+    }
+}
+
+/// Asserts that what `preset` can play of the hard passages is played, that the rest is named, and
+/// that no note goes on.
+#[track_caller]
+fn check_hard(preset: &str) {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    let [piece, output] =
+        ["hard", "hard-played"].map(|it| folder.join(format!("{it}-{preset}.mid")));
+    // Of repetitions at 12/s some actions play every second only.
+    fs::write(&piece, file(&hard())).expect("a file");
+    let text = |path: &PathBuf| path.to_str().expect("a path that is text").to_owned();
+    let (piece, output) = (text(&piece), text(&output));
+    let changes =
+        [("keys.instrument", preset), ("pianist.performance", &piece), ("midi.output", &output)];
+    let report = run(&scene("springs", &changes), 7.0);
+    check_healthy(&report);
+    let notes = report.notes.as_ref().expect("a pianist");
+    let left_out = notes.shortfalls.iter().filter(|it| it.is_left_out).count();
+    assert_eq!((notes.missed, notes.extra), (left_out, 0), "{preset}: {notes:?}");
+    assert!(notes.played == hard().len() && left_out <= 12, "{preset}: {notes:?}");
+    let bytes = fs::read(&output).expect("the MIDI file");
+    let (ons, hanging) = sounded(&bytes);
+    assert_eq!((ons, hanging), (notes.struck, 0), "{preset}: {notes:?}");
+}
+
+/// Repetitions at 12/s, a trill at 14/s, notes as soft as can be written, and a key that is
+/// released for 25 ms only, all on two keys.
+fn hard() -> Vec<HardNote> {
+    let repeated = (0..8).map(|i| (60, 500 + 83 * i, 540 + 83 * i, 60));
+    let trill = (0..16).map(|i| (60 + 2 * (i % 2), 1600 + 71 * u32::from(i), 70));
+    let trill = trill.map(|(key, at, velocity)| (key, at, at + 64, velocity));
+    let soft = (0..2).map(|i| (60 + 2 * i, 2900 + 120 * u32::from(i), 3500, 1));
+    let half_released = (0..4).map(|i| (62, 4000 + 250 * i, 4225 + 250 * i, 50));
+    repeated.chain(trill).chain(soft).chain(half_released).collect()
+}
+
+/// Key, onset and end (ms), velocity.
+type HardNote = (u8, u32, u32, u8);
+
+/// How many notes begin in a MIDI file, and how many of them do not end.
+fn sounded(bytes: &[u8]) -> (usize, usize) {
+    let (mut ons, mut on) = (0, BTreeSet::new());
+    for event in Smf::parse(bytes).expect("a MIDI file").tracks.iter().flatten() {
+        let TrackEventKind::Midi { message, .. } = event.kind else { continue };
+        match message {
+            MidiMessage::NoteOn { key, .. } => {
+                ons += 1;
+                on.insert(key);
+            }
+            MidiMessage::NoteOff { key, .. } => {
+                on.remove(&key);
+            }
+            _ => {}
+        }
+    }
+    (ons, on.len())
+}
+
+#[test]
 fn what_the_keys_cannot_do_is_left_out_and_named() {
     // Twenty in a second, which no key can do, and one long after.
     let onsets: Vec<u32> = (0..16).map(|i| 50 * i).chain([4000]).collect();
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("repeated.mid");
-    fs::write(&path, repeated(&onsets)).expect("a file");
+    let notes: Vec<HardNote> = onsets.iter().map(|at| (60, *at, at + 40, 40)).collect();
+    fs::write(&path, file(&notes)).expect("a file");
     let piece = path.to_str().expect("a path that is text");
     let report = run(&scene("springs", &[("pianist.performance", piece)]), 7.0);
     check_healthy(&report);
@@ -82,20 +161,24 @@ fn what_the_keys_cannot_do_is_left_out_and_named() {
     assert!(said.contains(&first), "{said}");
 }
 
-/// A file in which C4 is struck at each of `onsets` (ms), softly and short.
-fn repeated(onsets: &[u32]) -> Vec<u8> {
-    let message = |velocity: u8| TrackEventKind::Midi {
-        channel: u4::new(0),
-        message: MidiMessage::NoteOn { key: u7::new(60), vel: u7::new(velocity) },
-    };
+/// A file of `notes`, with the sustain pedal down from 2 s to 3 s.
+fn file(notes: &[HardNote]) -> Vec<u8> {
+    let on =
+        |key: u8, velocity: u8| MidiMessage::NoteOn { key: u7::new(key), vel: u7::new(velocity) };
+    let pedal =
+        |value: u8| MidiMessage::Controller { controller: u7::new(64), value: u7::new(value) };
+    let mut events = vec![(2000, pedal(127)), (3000, pedal(0))];
+    for &(key, from, to, velocity) in notes {
+        events.extend([(from, on(key, velocity)), (to, on(key, 0))]);
+    }
+    events.sort_by_key(|(at, _message)| *at);
     let mut track = Vec::new();
     let mut now = 0;
-    for onset in onsets {
+    for (at, message) in events {
         // At the usual tempo, 500 ticks a quarter are a thousandth of a second each.
-        for (at, velocity) in [(*onset, 40), (onset + 40, 0)] {
-            track.push(TrackEvent { delta: u28::new(at - now), kind: message(velocity) });
-            now = at;
-        }
+        let kind = TrackEventKind::Midi { channel: u4::new(0), message };
+        track.push(TrackEvent { delta: u28::new(at - now), kind });
+        now = at;
     }
     let kind = TrackEventKind::Meta(MetaMessage::EndOfTrack);
     track.push(TrackEvent { delta: u28::new(0), kind });
