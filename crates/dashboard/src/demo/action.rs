@@ -38,6 +38,7 @@ pub(super) fn parameters() -> Vec<Parameter> {
         min,
         max,
         doc: doc.into(),
+        ..Parameter::default()
     };
     list.into_iter().map(parameter).collect()
 }

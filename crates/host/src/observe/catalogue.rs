@@ -82,6 +82,7 @@ fn parameter(it: &models::Parameter) -> Parameter {
         min: it.range.0,
         max: it.range.1,
         doc: it.doc.to_owned(),
+        title: it.title.to_owned(),
     }
 }
 

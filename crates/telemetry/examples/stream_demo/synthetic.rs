@@ -142,6 +142,7 @@ pub(crate) fn catalogue() -> Update {
         min,
         max,
         doc: doc.to_owned(),
+        ..Parameter::default()
     });
     let signal = Signal { name: "hammer".to_owned(), unit: "m".to_owned(), ..Signal::default() };
     let model = Model {

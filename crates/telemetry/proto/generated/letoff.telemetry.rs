@@ -517,6 +517,9 @@ pub struct Parameter {
     /// What it is, in one line.
     #[prost(string, tag = "5")]
     pub doc: ::prost::alloc::string::String,
+    /// What a technician calls it; empty where that is its name.
+    #[prost(string, tag = "6")]
+    pub title: ::prost::alloc::string::String,
 }
 /// Values for a model's parameters, graded over the compass.
 #[derive(Clone, PartialEq, ::prost::Message)]

@@ -6,7 +6,7 @@ mod steps;
 
 use eframe::egui::{Button, ComboBox, Context, RichText, ScrollArea, Slider, TextEdit, Ui};
 use serde::{Deserialize, Serialize};
-use telemetry::Request;
+use telemetry::{Parameter, Request};
 
 use super::nothing_ui;
 use crate::app_state::AppState;
@@ -17,6 +17,9 @@ use crate::{names, theme};
 /// Width that the slider between A and B takes with its name (points).
 const MORPH: f32 = 150.0;
 
+/// Parameters of which more can be looked for by a part of their names.
+const MANY: usize = 20;
+
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
@@ -24,6 +27,9 @@ pub(super) struct View {
     link: LinkedKeys,
     /// Name of the next snapshot.
     name: String,
+    /// Part of the names of the parameters that are shown.
+    #[serde(skip)]
+    find: String,
     /// Where a scene or a preset is written to.
     file: String,
     /// Place between A (0) and B (1).
@@ -41,6 +47,10 @@ impl super::View for View {
         let key = state.view.selected;
         self.head_ui(ui, state, key);
         self.compare_ui(ui, &mut state.tuner);
+        if MANY < state.store.parameters(key).len() {
+            let find = TextEdit::singleline(&mut self.find).hint_text("find a parameter");
+            ui.add(find.desired_width(160.0));
+        }
         ui.separator();
         if state.store.parameters(key).is_empty() {
             nothing_ui(ui, "Nothing of this key can be changed.");
@@ -121,7 +131,11 @@ impl View {
     fn parameters_ui(&self, ui: &mut Ui, state: &mut AppState, key: u8) {
         let range = state.range();
         let AppState { store, tuner, .. } = state;
-        for parameter in store.parameters(key) {
+        let found = self.find.trim().to_lowercase();
+        let is_found = |it: &&Parameter| {
+            [&it.name, &it.title].iter().any(|text| text.to_lowercase().contains(&found))
+        };
+        for parameter in store.parameters(key).iter().filter(is_found) {
             let usual = parameter::usual(store, key, &parameter.name);
             let moved = parameter::parameter_ui(ui, tuner, key, (parameter, usual));
             if let Some(value) = moved {

@@ -18,10 +18,10 @@ const DECADES: f64 = 30.0;
 const REACH: f64 = 8.0;
 
 /// Points of a parameter's name; a longer one is cut.
-const NAME: f32 = 70.0;
+const NAME: f32 = 110.0;
 
 /// Points that everything beside the slider takes in one line.
-const BESIDE: f32 = 292.0;
+const BESIDE: f32 = 332.0;
 
 /// Points of the shortest slider.
 const SHORTEST: f32 = 54.0;
@@ -47,6 +47,11 @@ impl<'a> ParameterRow<'a> {
         Some(Self { parameter, value, usual, is_changed, is_locked })
     }
 
+    /// Returns what a technician calls it, or else its name.
+    fn label(&self) -> &'a str {
+        label(self.parameter)
+    }
+
     /// Returns the range of the slider.
     fn travel(&self) -> RangeInclusive<f64> {
         travel(self.parameter, self.usual.unwrap_or(self.value))
@@ -63,7 +68,6 @@ pub(super) fn parameter_ui(
     parameter: (&Parameter, Option<f64>),
 ) -> Option<f64> {
     let row = ParameterRow::new(tuner, key, parameter)?;
-    let name = &row.parameter.name;
     let room = ui.available_width();
     let is_narrow = room < BESIDE + SHORTEST;
     let mut moved = None;
@@ -74,13 +78,13 @@ pub(super) fn parameter_ui(
         }
         moved = moved.or(number_ui(ui, &row)).or(reset_ui(ui, &row));
         if !is_narrow {
-            lock_ui(ui, tuner, key, name);
+            lock_ui(ui, tuner, key, &row);
         }
     });
     if is_narrow {
         ui.horizontal(|ui| {
             moved = moved.or(slider_ui(ui, &row, room - 70.0));
-            lock_ui(ui, tuner, key, name);
+            lock_ui(ui, tuner, key, &row);
         });
     }
     moved
@@ -88,13 +92,14 @@ pub(super) fn parameter_ui(
 
 fn name_ui(ui: &mut Ui, row: &ParameterRow<'_>) {
     let mark = if row.is_changed { theme::ORANGE } else { ui.visuals().text_color() };
-    let name = RichText::new(&row.parameter.name).color(mark).strong();
+    let name = RichText::new(row.label()).color(mark).strong();
     let layout = Layout::left_to_right(Align::Center);
     let name = ui.allocate_ui_with_layout(vec2(NAME, 18.0), layout, |ui| {
         ui.set_min_width(NAME);
         ui.add(Label::new(name).truncate())
     });
-    name.inner.on_hover_text(&row.parameter.doc);
+    let Parameter { name: symbol, doc, .. } = row.parameter;
+    name.inner.on_hover_text(format!("{symbol}: {doc}"));
 }
 
 fn slider_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) -> Option<f64> {
@@ -105,13 +110,13 @@ fn slider_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) -> Option<f64> {
     let slider = Slider::new(&mut value, travel).show_value(false).logarithmic(is_wide);
     // A value that was typed beyond the slider's end stays what it is.
     let slider = slider.clamping(SliderClamping::Edits);
-    let slid = ui.add_enabled(!row.is_locked, slider).accessible_name(&row.parameter.name);
+    let slid = ui.add_enabled(!row.is_locked, slider).accessible_name(row.label());
     slid.changed().then_some(value)
 }
 
 /// Draws the value as a number to type; returns it if it was changed.
 fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
-    let Parameter { name, unit, min, max, .. } = row.parameter;
+    let Parameter { unit, min, max, .. } = row.parameter;
     let mut value = row.value;
     let travel = row.travel();
     let speed = (travel.end() - travel.start()) / 500.0;
@@ -119,7 +124,7 @@ fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let drag = drag.custom_formatter(|value, _| unit::exact(value)).suffix(unit::suffix(unit));
     let drag = drag.update_while_editing(false);
     let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([92.0, 18.0], drag)).inner;
-    let is_changed = typed.accessible_name(format!("{name} value")).changed();
+    let is_changed = typed.accessible_name(format!("{} value", row.label())).changed();
     // A field that is left as it was has not been given the digits that it does not show.
     (is_changed && unit::exact(value) != unit::exact(row.value)).then_some(value)
 }
@@ -128,24 +133,30 @@ fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
 fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let can_go_back = row.is_changed && !row.is_locked;
     let reset = ui.add_enabled(can_go_back, Button::new("Reset").small());
-    let reset = reset.accessible_name(format!("reset {}", row.parameter.name));
+    let reset = reset.accessible_name(format!("reset {}", row.label()));
     let hint = row.usual.map(|it| unit::text(it, &row.parameter.unit)).unwrap_or_default();
     let reset = reset.on_hover_text(format!("As the instrument has it: {hint}"));
     if reset.clicked() { row.usual } else { None }
 }
 
 /// Draws the lock, and whether an answer is on its way.
-fn lock_ui(ui: &mut Ui, tuner: &mut Tuner, key: u8, name: &str) {
+fn lock_ui(ui: &mut Ui, tuner: &mut Tuner, key: u8, row: &ParameterRow<'_>) {
+    let name = &row.parameter.name;
     let mut locked = tuner.is_locked(name);
     let lock = ui
         .checkbox(&mut locked, RichText::new("lock").small())
-        .accessible_name(format!("lock {name}"));
+        .accessible_name(format!("lock {}", row.label()));
     if lock.on_hover_text("Locked: nothing changes it.").clicked() {
         tuner.toggle_lock(name);
     }
     if tuner.is_asked(key, name) {
         ui.weak("…");
     }
+}
+
+/// Returns what a technician calls a parameter, or else its name.
+pub(super) fn label(parameter: &Parameter) -> &str {
+    if parameter.title.is_empty() { &parameter.name } else { &parameter.title }
 }
 
 /// Returns the range of a slider: what a model can stand is far more than a hand wants, near what
