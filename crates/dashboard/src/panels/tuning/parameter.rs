@@ -17,8 +17,8 @@ const DECADES: f64 = 30.0;
 /// How many times larger or smaller than usual a slider makes a value.
 const REACH: f64 = 8.0;
 
-/// Points of a parameter's name; a longer one is cut.
-const NAME: f32 = 110.0;
+/// Points of a parameter's name, in one line and in two; a longer one is cut.
+const NAMES: (f32, f32) = (110.0, 70.0);
 
 /// Points that everything beside the slider takes in one line.
 const BESIDE: f32 = 332.0;
@@ -72,7 +72,7 @@ pub(super) fn parameter_ui(
     let is_narrow = room < BESIDE + SHORTEST;
     let mut moved = None;
     ui.horizontal(|ui| {
-        name_ui(ui, &row);
+        name_ui(ui, &row, if is_narrow { NAMES.1 } else { NAMES.0 });
         if !is_narrow {
             moved = moved.or(slider_ui(ui, &row, room - BESIDE));
         }
@@ -90,12 +90,12 @@ pub(super) fn parameter_ui(
     moved
 }
 
-fn name_ui(ui: &mut Ui, row: &ParameterRow<'_>) {
+fn name_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) {
     let mark = if row.is_changed { theme::ORANGE } else { ui.visuals().text_color() };
     let name = RichText::new(row.label()).color(mark).strong();
     let layout = Layout::left_to_right(Align::Center);
-    let name = ui.allocate_ui_with_layout(vec2(NAME, 18.0), layout, |ui| {
-        ui.set_min_width(NAME);
+    let name = ui.allocate_ui_with_layout(vec2(width, 18.0), layout, |ui| {
+        ui.set_min_width(width);
         ui.add(Label::new(name).truncate())
     });
     let Parameter { name: symbol, doc, .. } = row.parameter;
