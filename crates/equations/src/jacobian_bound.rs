@@ -18,20 +18,23 @@ pub(crate) fn fastest<const N: usize>(rows: &[[f64; N]; N], entries: u64, rounds
     /// How far an entry falls back at the most in one round.
     const FLOOR: f64 = 1e-6;
     let has = |index: usize| entries >> (index & 63) & 1 == 1;
+    // What no entry reaches is not looked at.
+    let count = (u64::BITS - entries.leading_zeros()) as usize;
     let mut v = [1.0; N];
     let mut least = f64::INFINITY;
     for _ in 0..rounds {
-        let ratio: [f64; N] = core::array::from_fn(|i| {
-            let row = rows[i].iter().zip(&v).enumerate().filter(|(j, _)| has(*j));
+        let mut ratio = [0.0; N];
+        for (i, (ratio, row)) in ratio.iter_mut().zip(rows).enumerate().take(count) {
+            let row = row.iter().zip(&v).enumerate().take(count).filter(|(j, _)| has(*j));
             let sum: f64 = row.map(|(_, (a, v))| a.abs() * v).sum();
-            if has(i) { sum / v[i] } else { 0.0 }
-        });
+            *ratio = if has(i) { sum / v[i] } else { 0.0 };
+        }
         let most = ratio.iter().fold(0.0, |most: f64, it| if *it > most { *it } else { most });
         least = least.min(most);
         if most <= 0.0 {
             break;
         }
-        for (v, ratio) in v.iter_mut().zip(&ratio) {
+        for (v, ratio) in v.iter_mut().zip(&ratio).take(count) {
             *v *= pode::math::sqrt((ratio / most).max(FLOOR));
         }
     }

@@ -208,11 +208,13 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         if count == N {
             return out;
         }
-        let flat = out.as_flattened();
-        let entry = |row: usize, column: usize| {
-            if row < count && column < count { flat[row * count + column] } else { 0.0 }
-        };
-        core::array::from_fn(|row| core::array::from_fn(|column| entry(row, column)))
+        let mut rows = [[0.0; N]; N];
+        for (row, entries) in
+            rows.iter_mut().zip(out.as_flattened().chunks_exact(count.max(1))).take(count)
+        {
+            row[..count].copy_from_slice(entries);
+        }
+        rows
     }
 }
 

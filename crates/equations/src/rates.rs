@@ -37,12 +37,18 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     ) -> f64 {
         /// Without a rate of its own a step looks so far ahead (s).
         const AHEAD: f64 = 1e-3;
-        let step = |x: &[f64; N]| RADIANS / fastest(&jacobian(x), u64::MAX, ROUNDS_AT);
+        let entries = all_of(self.table().states.len());
+        let step = |x: &[f64; N]| RADIANS / fastest(&jacobian(x), entries, ROUNDS_AT);
         let own = longest.min(step(x));
         let moved = x.plus(own.min(AHEAD), &rates);
         let later = moved_head(x, &moved, self.table().coordinates);
         own.min(step(&later))
     }
+}
+
+/// A bit for each of the first `count` entries.
+fn all_of(count: usize) -> u64 {
+    u64::MAX.checked_shr(u64::BITS - u32::try_from(count).unwrap_or(u64::BITS)).unwrap_or(0)
 }
 
 /// The first `count` entries of `moved` with the others of `x`.

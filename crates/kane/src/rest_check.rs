@@ -65,7 +65,7 @@ fn fault(
         return None;
     }
     match (table.states.len(), table.constants) {
-        (..=12, ..=256) => fault_of::<12, 256>(table, functions, ranges, case),
+        (..=16, ..=384) => fault_of::<16, 384>(table, functions, ranges, case),
         _ => fault_of::<32, 2048>(table, functions, ranges, case),
     }
 }

@@ -66,10 +66,10 @@ type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 pub enum LoadedModel {
     /// Up to 4 states and 192 constants, without contacts.
     Small(SmallModel),
-    /// Up to 12 states and 256 constants, without contacts.
-    Medium(Loaded<12, 256>),
-    /// Up to 12 states and 256 constants, with contacts.
-    MediumWithContacts(Contacting<12, 256>),
+    /// Up to 16 states and 384 constants, without contacts.
+    Medium(Loaded<16, 384>),
+    /// Up to 16 states and 384 constants, with contacts.
+    MediumWithContacts(Contacting<16, 384>),
     /// Up to 32 states and 512 constants, with contacts or without.
     Large(Contacting<32, 512>),
 }
@@ -91,9 +91,9 @@ impl LoadedModel {
             return Err(DoesNotLoad::Contacts(contacts));
         } else if contacts == 0 && fits((4, 192)) {
             Self::Small(Loaded::new(table, functions, &[])?)
-        } else if contacts == 0 && fits((12, 256)) {
+        } else if contacts == 0 && fits((16, 384)) {
             Self::Medium(Loaded::new(table, functions, &[])?)
-        } else if fits((12, 256)) {
+        } else if fits((16, 384)) {
             Self::MediumWithContacts(WithContacts::new(Loaded::new(table, functions, &[])?)?)
         } else {
             Self::Large(WithContacts::new(Loaded::new(table, functions, &[])?)?)

@@ -151,9 +151,12 @@ struct Builder<'a> {
 impl Visitor for Builder<'_> {
     type Output = Result<AnyVoice, BuildError>;
 
-    /// One voice type for all models of a size, whatever their method: another model compiles
-    /// nothing.
+    /// One voice type for all models of a size with the usual method, and one with any other:
+    /// another model compiles nothing.
     fn visit<M: Playable>(self, model: M) -> Self::Output {
+        if let Any::Rk4(rk4) = self.render.stepper {
+            return Rk4Builder { rk4, builder: self }.visit(model);
+        }
         let model = model.with_values(self.values);
         let by_need = stepper::ByNeed::new(self.render.error_budget, self.h);
         let asked = self.render.stepper;
