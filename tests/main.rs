@@ -8,6 +8,7 @@ mod bad_input;
 mod configs;
 mod descriptions;
 mod faults;
+mod fit;
 mod grand;
 mod late_samples;
 #[path = "stage/letoff.rs"]

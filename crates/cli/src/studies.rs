@@ -10,6 +10,7 @@ use lab::certificates::{CertificateChoice, CertificateReport, LOOKS, try_certifi
 use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
 use lab::scenario::SCENARIOS;
 
+use super::fit::{self, FitArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
 use super::{Failure, print_json};
@@ -31,6 +32,8 @@ pub enum StudyCommand {
     Certificates(CertificatesArgs),
     /// Touch, timing, check, repetition and energy of an instrument, beside measured grands.
     Piano(PianoArgs),
+    /// An instrument from a measured action: its parameters, with how well they are known.
+    Fit(FitArgs),
 }
 
 /// What `letoff lab certificates` takes.
@@ -111,6 +114,7 @@ pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
         StudyCommand::Accuracy(args) => accuracy(args, out),
         StudyCommand::Certificates(args) => certificates(args, out),
         StudyCommand::Piano(args) => piano::run(args, out),
+        StudyCommand::Fit(args) => fit::run(args, out),
     }
 }
 

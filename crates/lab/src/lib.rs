@@ -7,7 +7,10 @@
 //! accuracy/   runs each with every method and step, judges it, times it
 //! report/     what was measured, as CSV, SVG and one HTML page
 //! piano/      an instrument beside measured grands
-//! plot/       pictures as SVG, for simulate, piano and report
+//! fit/        an instrument from a measured action
+//! parallel.rs work on all processors
+//! random.rs   random numbers that a seed repeats
+//! plot/       pictures as SVG, for simulate, piano, fit and report
 //! ```
 //!
 //! `scenario` does not know `accuracy`, `accuracy` does not know `report`, and none of them knows
@@ -21,8 +24,11 @@
 
 pub mod accuracy;
 pub mod certificates;
+pub mod fit;
+mod parallel;
 pub mod piano;
 mod plot;
+mod random;
 pub mod report;
 pub mod scenario;
 pub mod simulate;

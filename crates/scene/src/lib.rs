@@ -26,6 +26,7 @@ mod document;
 mod embedded;
 mod fidelity;
 mod figures;
+mod fitted;
 mod instrument;
 mod keys;
 mod kind;
@@ -47,6 +48,7 @@ mod tests;
 
 pub use embedded::{performances, scenes};
 pub use fidelity::{AutoFidelity, Fidelity, FidelityLevel};
+pub use fitted::{FittedValues, fitted_text};
 pub use instrument::{Instrument, InstrumentHead, InstrumentInfo, instrument_heads, instruments};
 pub use keys::KeyVoice;
 pub use kind::{FileKind, check_file, is_description};

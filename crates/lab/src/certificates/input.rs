@@ -3,7 +3,7 @@
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use pode::{Motion, Signal};
 
-use super::random::SeededRandom;
+use crate::random::SeededRandom;
 
 /// How the input moves.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -19,7 +19,6 @@
 mod guard;
 mod input;
 mod orbit;
-mod random;
 mod system;
 #[cfg(test)]
 mod tests;

@@ -5,9 +5,9 @@ use pode::{Advance, Cap, Limits, Simulator, Tick};
 
 use super::input::{Input, InputKind};
 use super::orbit::{NegativePlace, OrbitWatch, SeenPiece};
-use super::random::SeededRandom;
 use super::system::OscillatorSystem;
 use super::{CertificateChoice, CertificateReport, CertificateViolation, MOST_DESCRIBED};
+use crate::random::SeededRandom;
 
 /// Ticks of one system.
 const TICKS: u64 = 40;

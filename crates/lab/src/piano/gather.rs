@@ -1,10 +1,5 @@
 //! All that is measured of one instrument.
 
-use std::sync::Mutex;
-use std::sync::PoisonError;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
-
 use super::again::{quickest, return_time};
 use super::drive::StrokeTouch;
 use super::figure::{Figure, MeasuredFigures};
@@ -12,6 +7,7 @@ use super::grands::{StrokeTime, speeds};
 use super::slope::{self, ForceCurve};
 use super::stroke::{Miss, Stroke, durations, play, softest};
 use super::subject::PianoSubject;
+use crate::parallel::in_parallel;
 
 /// The key that stands for the others, C4.
 const MIDDLE: u8 = 39;
@@ -113,27 +109,6 @@ fn run(subject: &PianoSubject<'_>, job: &Job) -> JobOutcome {
         Job::Repetition(part) => JobOutcome::Repetition(part, quickest(subject, MIDDLE, part)),
         Job::Return => JobOutcome::Return(return_time(subject, MIDDLE)),
     }
-}
-
-/// What `work` makes of each job, in their order.
-fn in_parallel(jobs: &[Job], work: &(dyn Fn(&Job) -> JobOutcome + Sync)) -> Vec<JobOutcome> {
-    let next = AtomicUsize::new(0);
-    let done = Mutex::new(Vec::new());
-    let take = || {
-        let place = next.fetch_add(1, Ordering::Relaxed);
-        jobs.get(place).map(|job| (place, job))
-    };
-    let help = || {
-        while let Some((place, job)) = take() {
-            let outcome = work(job);
-            done.lock().unwrap_or_else(PoisonError::into_inner).push((place, outcome));
-        }
-    };
-    let processors = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| (0..processors).for_each(|_| drop(scope.spawn(help))));
-    let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
-    done.sort_by_key(|(place, _)| *place);
-    done.into_iter().map(|(_, done)| done).collect()
 }
 
 fn gather(subject: &PianoSubject<'_>, done: Vec<JobOutcome>) -> Examination {

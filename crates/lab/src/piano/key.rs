@@ -12,32 +12,32 @@ const METHOD: (&str, f64) = ("tsitouras5", 1e-8);
 
 /// What a key shows at an instant.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct ActionSample {
+pub(crate) struct ActionSample {
     /// Time (s).
-    pub(super) t: f64,
+    pub(crate) t: f64,
     /// Travel of the key's front (m).
-    pub(super) travel: f64,
+    pub(crate) travel: f64,
     /// Height of what strikes above its rest (m), if the model tells.
-    pub(super) head: Option<f64>,
+    pub(crate) head: Option<f64>,
     /// Force of the action on it (N), if the model tells.
-    pub(super) push: Option<f64>,
+    pub(crate) push: Option<f64>,
     /// Force on the finger (N), up positive.
-    pub(super) force: f64,
+    pub(crate) force: f64,
 }
 
 /// What strikes meets what sounds.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct StringContact {
+pub(crate) struct StringContact {
     /// Time (s).
-    pub(super) t: f64,
+    pub(crate) t: f64,
     /// Its speed (m/s).
-    pub(super) speed: f64,
+    pub(crate) speed: f64,
     /// Whether it sounds at this speed.
-    pub(super) sounds: bool,
+    pub(crate) sounds: bool,
 }
 
 /// A key with its action, driven by position.
-pub(super) trait DrivenKey {
+pub(crate) trait DrivenKey {
     /// Advances by `h` (s); `input` is the front's motion in metres at a part of it, 0 to 1.
     ///
     /// Returns false where the model fails.
@@ -57,8 +57,8 @@ pub(super) trait DrivenKey {
 }
 
 /// Makes a key at rest with these `values` of its parameters.
-pub(super) struct Opener<'a> {
-    pub(super) values: &'a [f64],
+pub(crate) struct Opener<'a> {
+    pub(crate) values: &'a [f64],
 }
 
 impl Visitor for Opener<'_> {

@@ -21,5 +21,6 @@ mod subject;
 
 pub use figure::{Figure, figure_names};
 pub use gather::{Examination, JOBS, examine};
+pub(crate) use key::Opener;
 pub use sheet::{SHEET, write_sheet};
 pub use subject::PianoSubject;

@@ -29,6 +29,7 @@ use self::check::{Start, TickClock};
 pub use self::error::{SimulateError, SimulateMistake};
 pub use self::input::InputMistake;
 use self::input::InputSignal;
+pub(crate) use self::input::InputTable;
 use self::output::OutputFiles;
 
 /// Simulates what `args` ask for; the summary goes to `out`.

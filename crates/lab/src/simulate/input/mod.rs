@@ -10,7 +10,7 @@ use pode::Motion;
 
 use self::expression::Expression;
 pub use self::mistake::InputMistake;
-use self::table::InputTable;
+pub(crate) use self::table::InputTable;
 use super::args::SimulateArgs;
 
 /// The input's name: the only one that every model has.

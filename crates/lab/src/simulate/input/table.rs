@@ -17,7 +17,7 @@ const MOST_MISTAKES: usize = 10;
 
 /// Samples of s with what goes on between them.
 #[derive(Clone, PartialEq, Debug)]
-pub(in super::super) struct InputTable {
+pub(crate) struct InputTable {
     /// Start (s) and coefficients of each interval.
     pieces: Vec<(f64, [f64; 4])>,
     /// First and last sample: (t, s).
@@ -45,7 +45,7 @@ impl InputTable {
     }
 
     /// Through `samples` (t, s), at least two with increasing t.
-    pub(in super::super) fn through(samples: &[(f64, f64)], how: Reconstruct) -> Self {
+    pub(crate) fn through(samples: &[(f64, f64)], how: Reconstruct) -> Self {
         let knots = Knots::new(samples);
         let mut pieces: Vec<_> = match how {
             Reconstruct::Hold => samples.iter().map(|(t, s)| (*t, [*s, 0.0, 0.0, 0.0])).collect(),
@@ -60,7 +60,7 @@ impl InputTable {
     }
 
     /// s and its rates at `t` (s).
-    pub(super) fn at(&self, t: f64) -> Motion {
+    pub(crate) fn at(&self, t: f64) -> Motion {
         let (start, piece) = self.piece_at(t);
         motion(piece, t - start)
     }

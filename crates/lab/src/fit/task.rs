@@ -1,0 +1,104 @@
+//! What is to be fitted, and all strokes for any values.
+
+use descriptions::unmet;
+use models::ModelEntry;
+use nalgebra_of_lm::DVector;
+
+use super::data::MeasuredStroke;
+use super::driven::DrivenStroke;
+use crate::parallel::in_parallel;
+use crate::random::SeededRandom;
+
+/// An instrument's key, and the strokes to which it is fitted.
+#[derive(Clone, Copy, Debug)]
+pub struct FitSubject<'a> {
+    /// Name of the instrument, for reports.
+    pub name: &'a str,
+    /// The model of the key.
+    pub model: &'static ModelEntry,
+    /// Its values, one per parameter, from which the search begins.
+    pub values: &'a [f64],
+    /// Places of the parameters that may change.
+    pub fitted: &'a [usize],
+    /// The strokes that were measured.
+    pub strokes: &'a [MeasuredStroke],
+    /// Standard deviation of the measured forces (N); none if it is to be estimated.
+    pub force_noise: Option<f64>,
+}
+
+/// How often the travel's noise is drawn anew: its part of an interval is then known to a fifth.
+const SHAKEN: u64 = 12;
+
+/// The strokes, ready to be followed by a key with any values.
+pub(super) struct FitTask<'a> {
+    pub(super) model: &'static ModelEntry,
+    pub(super) strokes: Vec<DrivenStroke>,
+    /// Called after each stroke that was simulated.
+    progress: &'a (dyn Fn() + Sync),
+}
+
+/// Differences of all rows from the measured forces, each over its noise.
+pub(super) type Differences = DVector<f64>;
+
+impl<'a> FitTask<'a> {
+    pub(super) fn new(subject: &FitSubject<'_>, progress: &'a (dyn Fn() + Sync)) -> Self {
+        let strokes = subject.strokes.iter();
+        let strokes = strokes.map(|it| DrivenStroke::new(it, subject.force_noise)).collect();
+        Self { model: subject.model, strokes, progress }
+    }
+
+    /// Range of a parameter.
+    pub(super) fn range(&self, place: usize) -> (f64, f64) {
+        self.model.parameters[place].range
+    }
+
+    /// How many rows are compared.
+    pub(super) fn rows(&self) -> usize {
+        self.strokes.iter().map(DrivenStroke::rows).sum()
+    }
+
+    /// Forces of each stroke (N) for each set of values; none where the model fails or the values
+    /// are none that it allows. On all processors.
+    pub(super) fn forces(&self, sets: &[Vec<f64>]) -> Vec<Option<Vec<Vec<f64>>>> {
+        let count = self.strokes.len();
+        let jobs: Vec<_> =
+            sets.iter().flat_map(|set| self.strokes.iter().map(move |it| (set, it))).collect();
+        let done = in_parallel(&jobs, &|(values, stroke)| {
+            let is_allowed = unmet(self.model, values).is_empty();
+            let found = is_allowed.then(|| stroke.follow(self.model, values)).flatten();
+            (self.progress)();
+            found
+        });
+        done.chunks(count.max(1)).map(|it| it.iter().cloned().collect()).collect()
+    }
+
+    /// The differences for each set of values.
+    pub(super) fn differences(&self, sets: &[Vec<f64>]) -> Vec<Option<Differences>> {
+        let all = |found: Vec<Vec<f64>>| {
+            let strokes = self.strokes.iter().zip(&found);
+            let rows = strokes.flat_map(|(stroke, forces)| stroke.differences(forces));
+            DVector::from_vec(rows.collect())
+        };
+        self.forces(sets).into_iter().map(|found| found.map(all)).collect()
+    }
+
+    /// Changes of the differences with `values` had the noise of the travel been another, some times.
+    pub(super) fn shaken(&self, values: &[f64], now: &Differences) -> Vec<Differences> {
+        if !self.strokes.iter().any(DrivenStroke::is_noisy) {
+            return Vec::new();
+        }
+        let shaken = |seed: u64| {
+            let mut random = SeededRandom::new(seed, 0);
+            let strokes = self.strokes.iter().map(|it| it.shaken(&mut random)).collect();
+            Self { model: self.model, strokes, progress: self.progress }
+        };
+        let tasks: Vec<_> = (0..SHAKEN).map(shaken).collect();
+        let found = in_parallel(&tasks, &|task| task.differences_of(values));
+        found.into_iter().flatten().map(|it| it - now).collect()
+    }
+
+    /// The differences for one set of values.
+    pub(super) fn differences_of(&self, values: &[f64]) -> Option<Differences> {
+        self.differences(&[values.to_vec()]).pop().flatten()
+    }
+}
