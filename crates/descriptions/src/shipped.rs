@@ -12,6 +12,8 @@ macro_rules! shipped {
 /// in `configs/models`.
 pub(crate) const SHIPPED: &[(&str, &str)] = shipped![
     "grand",
+    "grand-two-mass",
+    "grand-map",
     "upright",
     "viennese",
     "harpsichord",

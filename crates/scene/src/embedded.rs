@@ -49,6 +49,8 @@ pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
         "rhodes",
         "hammond",
         "synth",
+        "grand-two-mass",
+        "grand-map",
         "grand-springs",
         "grand-rigid",
         "grand-reduced",

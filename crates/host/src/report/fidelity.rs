@@ -13,7 +13,7 @@ pub struct ChosenFidelity {
     pub instrument: String,
     /// The share of each lane's time that the range takes when all its keys move.
     pub share: f64,
-    /// The levels above, which would take this share of all keys' budget.
+    /// The levels above it.
     pub refused: Vec<RefusedFidelity>,
 }
 
@@ -21,7 +21,7 @@ pub struct ChosenFidelity {
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct RefusedFidelity {
     pub fidelity: &'static str,
-    /// The same share.
+    /// The share of each lane's time that it would take.
     pub share: f64,
 }
 
