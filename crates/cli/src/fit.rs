@@ -92,11 +92,14 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let outcome = fit(&subject, &progress);
     bar.finish_and_clear();
     let outcome = outcome.map_err(Failure::Running)?;
-    let text = text(args, &job, &outcome)?;
+    // What was found is not lost where the values do not go together on another key.
+    let text = text(args, &job, &outcome);
     let file = format!("{}-fitted.toml", instrument.name);
-    let written = write_fit(&args.out, &outcome, (&file, &text));
+    let fitted = text.as_ref().ok().map(|text| (file.as_str(), text.as_str()));
+    let written = write_fit(&args.out, &outcome, fitted);
     written.map_err(|error| Failure::Running(error.to_string()))?;
-    tell(args, &outcome, &file, out)
+    tell(args, &outcome, fitted.map(|(file, _text)| file), out)?;
+    text.map(drop)
 }
 
 /// Returns what is asked for, or every mistake in a sentence of its own.
@@ -184,7 +187,8 @@ fn text(args: &FitArgs, job: &FitJob, outcome: &FitOutcome) -> Result<String, Fa
     fitted_text(&args.instrument, &fitted).map_err(|wrong| {
         let wrong = descriptions::rendered(&wrong);
         Failure::Running(format!(
-            "with the fitted values it is no instrument on all keys:\n{wrong}"
+            "with the fitted values it is no instrument on all keys, so none was written: fit fewer \
+             parameters, or change the others\n{wrong}"
         ))
     })
 }
@@ -192,7 +196,7 @@ fn text(args: &FitArgs, job: &FitJob, outcome: &FitOutcome) -> Result<String, Fa
 fn tell(
     args: &FitArgs,
     found: &FitOutcome,
-    file: &str,
+    file: Option<&str>,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     if args.json {
@@ -217,6 +221,8 @@ fn tell(
     for remark in &found.remarks {
         writeln!(out, "{remark}")?;
     }
-    let [page, file] = [SHEET, file].map(|it| args.out.join(it));
-    Ok(writeln!(out, "{}\n{}", page.display(), file.display())?)
+    for file in std::iter::once(SHEET).chain(file) {
+        writeln!(out, "{}", args.out.join(file).display())?;
+    }
+    Ok(())
 }

@@ -2,6 +2,8 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use models::Playable;
+use models::catalogue::{self, Visitor};
 use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
@@ -33,7 +35,8 @@ pub(super) fn rehearse(
     let technique = Technique::default();
     let score = load(piece)?;
     let keys = keys_of(builder, key_source)?;
-    let (score, unplayed) = within(score, duration, technique.lead_in, &keys);
+    let (mut score, unplayed) = within(score, duration, technique.lead_in, &keys);
+    without_dynamics(&mut score, scene);
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
         let keys = keys.lock().unwrap_or_else(PoisonError::into_inner);
@@ -57,6 +60,30 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
         }
     };
     score.map_err(|error| failed(&name, error.to_string()))
+}
+
+/// Has keys without dynamics played with an even touch, however their notes are written: nobody
+/// strikes an organ harder for a louder tone.
+fn without_dynamics(score: &mut Score, scene: &Scene) {
+    /// The velocity of that touch.
+    const EVEN: u8 = 64;
+    for note in &mut score.notes {
+        let voice = scene.keys[usize::from(note.key)].as_ref();
+        if voice.is_some_and(|voice| catalogue::visit(voice.model, HasOneVelocity) == Some(true)) {
+            note.velocity = EVEN;
+        }
+    }
+}
+
+/// Asks a model whether all its notes have one velocity.
+struct HasOneVelocity;
+
+impl Visitor for HasOneVelocity {
+    type Output = bool;
+
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
+        model.midi().velocity.is_some()
+    }
 }
 
 /// Returns one key of every voice that has a motor, at rest.

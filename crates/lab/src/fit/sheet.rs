@@ -16,15 +16,15 @@ const HOW: &str = "The front of the key is driven as it was measured, and its fo
     Intervals are of 95 %: they take the differences that remain for noise, whose neighbours may be \
     alike, and the model for linear within them.";
 
-/// Writes the page, its charts, the parameters as CSV, and `instrument`, the text of the
-/// instrument's file, under the name `file` into `folder`.
+/// Writes the page, its charts, the parameters as CSV, and the instrument, a file's name and text
+/// if there is one, into `folder`.
 ///
 /// # Errors
 /// When a file cannot be written; those that could are complete.
 pub fn write_fit(
     folder: &Path,
     outcome: &FitOutcome,
-    (file, instrument): (&str, &str),
+    instrument: Option<(&str, &str)>,
 ) -> Result<(), DiskError> {
     let charts: Vec<_> = outcome.strokes.iter().map(charts).collect();
     for (number, pair) in charts.iter().enumerate() {
@@ -33,17 +33,23 @@ pub fn write_fit(
         }
     }
     write_file(&folder.join("parameters.csv"), &csv(outcome))?;
-    write_file(&folder.join(file), instrument)?;
+    if let Some((file, text)) = instrument {
+        write_file(&folder.join(file), text)?;
+    }
+    let file = instrument.map(|(file, _text)| file);
     write_file(&folder.join(SHEET), &page(outcome, &charts, file))
 }
 
-fn page(outcome: &FitOutcome, charts: &[[Chart; 2]], file: &str) -> String {
+fn page(outcome: &FitOutcome, charts: &[[Chart; 2]], file: Option<&str>) -> String {
+    let place = file.map_or_else(
+        || "With these values it is no instrument on all keys, so none was written.".to_owned(),
+        |file| format!("The instrument is in <code>{}</code>.", escape(file)),
+    );
     let title = format!("{}, fitted", escape(&outcome.instrument));
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <title>Letoff: {title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <h1>{title}</h1>\n<p class=\"read\">{HOW} The instrument is in <code>{}</code>.</p>\n",
-        escape(file)
+         <h1>{title}</h1>\n<p class=\"read\">{HOW} {place}</p>\n",
     );
     let rows: Vec<_> = outcome.parameters.iter().map(cells).collect();
     page += &table(&["parameter", "name", "before", "fitted", "95 % interval"], &rows);
