@@ -8,6 +8,7 @@ mod bad_input;
 mod configs;
 mod descriptions;
 mod faults;
+mod fidelity;
 mod fit;
 mod grand;
 mod late_samples;

@@ -11,7 +11,7 @@ use lab::piano::SHEET;
 use models::ModelEntry;
 use scene::{FittedValues, Instrument, fitted_text};
 
-use super::progress::bar;
+use super::progress::counter;
 use super::{Failure, print_json};
 
 /// Speed of a static curve that may be stated (m/s).
@@ -74,8 +74,8 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let prepared = lab::report::prepare(&args.out);
     prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))?;
     let FitJob { instrument, key, fitted, strokes } = &job;
-    let bar = bar(0);
-    bar.set_message(instrument.name.clone());
+    let runs = counter();
+    runs.set_message(instrument.name.clone());
     let subject = FitSubject {
         name: &instrument.name,
         model: instrument.model(),
@@ -84,13 +84,8 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
         strokes,
         force_noise: args.noise,
     };
-    // How many runs it takes is known when it is done.
-    let progress = || {
-        bar.inc_length(1);
-        bar.inc(1);
-    };
-    let outcome = fit(&subject, &progress);
-    bar.finish_and_clear();
+    let outcome = fit(&subject, &|| runs.inc(1));
+    runs.finish_and_clear();
     let outcome = outcome.map_err(Failure::Running)?;
     // What was found is not lost where the values do not go together on another key.
     let text = text(args, &job, &outcome);

@@ -1,4 +1,4 @@
-//! A bar for long work.
+//! Bars and counts for long work.
 
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -9,4 +9,12 @@ pub(super) fn bar(runs: usize) -> ProgressBar {
     let style = ProgressStyle::with_template(TEMPLATE);
     let style = style.unwrap_or_else(|_broken| ProgressStyle::default_bar());
     ProgressBar::new(runs as u64).with_style(style)
+}
+
+/// Returns a count of runs of which nobody knows how many there will be.
+pub(super) fn counter() -> ProgressBar {
+    const TEMPLATE: &str = "{msg:14} {spinner} {pos} runs {elapsed}";
+    let style = ProgressStyle::with_template(TEMPLATE);
+    let style = style.unwrap_or_else(|_broken| ProgressStyle::default_spinner());
+    ProgressBar::new_spinner().with_style(style)
 }

@@ -139,21 +139,4 @@ mod tests {
         assert_eq!(costliest(&shares, |at, _| at != 0), Some(1));
         assert_eq!(costliest(&shares, |_, _| false), None);
     }
-
-    #[test]
-    fn a_budget_for_all_leaves_the_highest_and_none_the_lowest() {
-        let scene = |budget: &str| {
-            let with = [
-                ("keys.0.fidelity", "auto"),
-                ("keys.0.instrument", "grand-springs"),
-                ("budget", budget),
-            ];
-            let with = with.map(|(name, value)| (name.to_owned(), value.to_owned()));
-            Scene::load("springs", &with).expect("a scene of ours")
-        };
-        let chosen = |budget| choose_fidelity(&mut scene(budget), false).expect("voices");
-        let first = |budget| chosen(budget)[0].fidelity;
-        assert_eq!([first("1"), first("0.001")], ["full", "map"]);
-        assert_eq!(choose_fidelity(&mut scene("0.001"), true).expect("voices"), []);
-    }
 }

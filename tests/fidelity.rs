@@ -1,0 +1,41 @@
+//! Fidelities: what a budget leaves of an action.
+
+use host::session::choose_fidelity;
+use scene::Scene;
+
+use crate::stage::scene;
+
+/// One octave of the grand, as much of it as `budget` of one lane allows.
+fn octave(budget: &str) -> Scene {
+    cli::read_descriptions();
+    let changes = [
+        ("keys.0.instrument", "grand"),
+        ("keys.0.range", "C4..B4"),
+        ("keys.0.fidelity", "auto"),
+        ("budget", budget),
+        ("lanes", "1"),
+    ];
+    scene("springs", &changes)
+}
+
+#[test]
+fn a_budget_for_all_leaves_the_highest_and_none_the_lowest() {
+    for (budget, fidelity, model, refused) in
+        [("1", "full", "grand", 0), ("0.001", "map", "grand-map", 3)]
+    {
+        let mut scene = octave(budget);
+        let chosen = choose_fidelity(&mut scene, false).expect("voices");
+        assert_eq!((chosen[0].fidelity, chosen[0].refused.len()), (fidelity, refused));
+        let played = scene.keys.iter().flatten().map(|voice| voice.model.name);
+        assert!(played.clone().all(|name| name == model) && played.count() == 12);
+        let said = chosen[0].to_string();
+        assert!(said.starts_with("C4 to B4 play grand"), "{said}");
+    }
+}
+
+#[test]
+fn without_a_deadline_nothing_is_left_out() {
+    let mut scene = octave("0.001");
+    assert_eq!(choose_fidelity(&mut scene, true).expect("voices"), []);
+    assert!(scene.keys.iter().flatten().all(|voice| voice.model.name == "grand"));
+}
