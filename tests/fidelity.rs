@@ -24,7 +24,7 @@ fn a_budget_for_all_leaves_the_highest_and_none_the_lowest() {
         [("1", "full", "grand", 0), ("0.001", "map", "grand-map", 3)]
     {
         let mut scene = octave(budget);
-        let chosen = choose_fidelity(&mut scene, false).expect("voices");
+        let chosen = choose_fidelity(&mut scene).expect("voices");
         assert_eq!((chosen[0].fidelity, chosen[0].refused.len()), (fidelity, refused));
         let played = scene.keys.iter().flatten().map(|voice| voice.model.name);
         assert!(played.clone().all(|name| name == model) && played.count() == 12);
@@ -34,8 +34,7 @@ fn a_budget_for_all_leaves_the_highest_and_none_the_lowest() {
 }
 
 #[test]
-fn without_a_deadline_nothing_is_left_out() {
-    let mut scene = octave("0.001");
-    assert_eq!(choose_fidelity(&mut scene, true).expect("voices"), []);
+fn before_it_is_chosen_nothing_is_left_out() {
+    let scene = octave("0.001");
     assert!(scene.keys.iter().flatten().all(|voice| voice.model.name == "grand"));
 }

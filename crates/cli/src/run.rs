@@ -94,9 +94,14 @@ impl RunArgs {
 pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut scene = Scene::load_as_typed(args.scene(), &args.overrides())
         .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
-    let fidelity = choose_fidelity(&mut scene, args.virtual_time)
-        .map_err(|error| Failure::Usage(error.to_string()))?;
-    fidelity.iter().for_each(|chosen| tell(&chosen.to_string()));
+    let fidelity = if args.virtual_time {
+        Vec::new()
+    } else {
+        choose_fidelity(&mut scene).map_err(|error| Failure::Usage(error.to_string()))?
+    };
+    for chosen in &fidelity {
+        tell(&chosen.to_string());
+    }
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
     let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;

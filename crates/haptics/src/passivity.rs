@@ -10,18 +10,16 @@ pub struct EnergyBound {
 }
 
 impl EnergyBound {
-    /// Way of a key's front from rest to bottom \[m\].
-    const DIP: f64 = 10e-3;
-
     /// Power that sampling and rounding may make at a key \[W\].
     ///
     /// Instruments that come to rest make less than 5 mW for as long as they are played
     /// (measured, 500 Hz to 10 kHz); the slowest loop that did not makes 30 mW.
     const LEAK: f64 = 20e-3;
 
-    /// The bound of a key whose force is at most `limit` \[N\]: what it does over the whole dip.
-    pub fn of_force_limit(limit: f64) -> Self {
-        Self { stored: limit * Self::DIP, leak: Self::LEAK }
+    /// The bound of a key whose force is at most `limit` \[N\]: what that does over the whole `dip`
+    /// \[m\] of the key's front.
+    pub fn of_force_limit(limit: f64, dip: f64) -> Self {
+        Self { stored: limit * dip, leak: Self::LEAK }
     }
 }
 
@@ -139,7 +137,7 @@ mod tests {
 
     #[test]
     fn a_key_that_its_motor_bangs_is_caught_within_a_stroke() {
-        let mut observer = PassivityObserver::new(EnergyBound::of_force_limit(25.0), H);
+        let mut observer = PassivityObserver::new(EnergyBound::of_force_limit(25.0, 10e-3), H);
         let mut position = 0.0;
         // 25 N along with the motion: 10 Hz over 10 mm.
         let caught = (0..2000).find(|&tick| {

@@ -5,7 +5,7 @@ use core::ops::Add;
 use crate::input::Signal;
 use crate::model::Model;
 use crate::state::State as _;
-use crate::watch::{Event, Piece, Watch};
+use crate::watch::{Event, EventCause, Piece, Watch};
 
 /// Energy and powers of a model at one instant, or a part of them.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -72,23 +72,35 @@ pub trait Energetic: Model {
     }
 }
 
-/// Sums of energy (J) since the start: supplied − dissipated + jumps = stored.
+/// Sums of energy (J) since the start:
+/// supplied − dissipated + jumps + sampling + integration = stored.
+///
+/// What a finger does to a model whose input is sampled is `supplied + sampling`: the input moves
+/// as it is continued between two samples, and jumps to where it is at each.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct EnergyAudit {
     /// Work done by what drives the input.
     pub supplied: f64,
     /// Taken by dampers and friction.
     pub dissipated: f64,
-    /// Change at events: what impacts took (negative) or reset maps added.
+    /// Change at events: what impacts took (negative) or reset maps added, and what the input did
+    /// while many impacts were taken in one move.
     pub jumps: f64,
-    /// Change of the stored energy, over pieces and events.
+    /// Change where the input jumps between two ticks, with what is slaved to it.
+    pub sampling: f64,
+    /// What the method added or took: the integration error, as energy.
+    pub integration: f64,
+    /// Change of the stored energy.
     pub stored: f64,
+    /// Energy stored at the end of what was audited last, if there was any.
+    pub level: Option<f64>,
 }
 
 impl EnergyAudit {
-    /// What the sums leave unexplained: the integration error, as energy (J).
+    /// What the sums leave unexplained (J): rounding.
     pub fn residual(&self) -> f64 {
-        self.stored - (self.supplied - self.dissipated + self.jumps)
+        let known = self.supplied - self.dissipated + self.jumps + self.sampling;
+        self.stored - (known + self.integration)
     }
 
     /// Adds another audit's sums.
@@ -96,7 +108,23 @@ impl EnergyAudit {
         self.supplied += other.supplied;
         self.dissipated += other.dissipated;
         self.jumps += other.jumps;
+        self.sampling += other.sampling;
+        self.integration += other.integration;
         self.stored += other.stored;
+    }
+
+    /// Forgets the level: state or parameters are set anew, by nobody's work.
+    pub const fn forget(&mut self) {
+        self.level = None;
+    }
+
+    /// Goes on at the level `energy` (J); returns how far that is above where the audit was.
+    #[inline]
+    fn rise_to(&mut self, energy: f64) -> f64 {
+        let rise = self.level.map_or(0.0, |level| energy - level);
+        self.stored += rise;
+        self.level = Some(energy);
+        rise
     }
 
     /// Adds a piece, where the state alone gives the balances `start` and `end` at its ends.
@@ -114,17 +142,29 @@ impl EnergyAudit {
         let middle = model.balance_of_state(mode, &x) + model.balance_of_input(mode, &x, &input);
         let end = end + model.balance_of_input(mode, &piece.end, &piece.inputs[1]);
         let h = piece.duration();
-        self.supplied += h * mean(start.supplied, middle.supplied, end.supplied);
-        self.dissipated += h * mean(start.dissipated, middle.dissipated, end.dissipated);
-        self.stored += end.energy - start.energy;
+        let supplied = h * mean(start.supplied, middle.supplied, end.supplied);
+        let dissipated = h * mean(start.dissipated, middle.dissipated, end.dissipated);
+        self.supplied += supplied;
+        self.dissipated += dissipated;
+        let jump = self.rise_to(start.energy);
+        // Within a tick a state is only put back on its constraints.
+        let before = if piece.theta.0 == 0.0 { &mut self.sampling } else { &mut self.integration };
+        *before += jump;
+        self.integration += self.rise_to(end.energy) - (supplied - dissipated);
     }
 
     /// Adds what an event changes.
     fn add_event<M: Energetic>(&mut self, model: &M, event: &Event<'_, M>) {
         let energy = |(mode, x): &(M::Mode, M::State)| model.energy(*mode, x, &event.input);
-        let jump = energy(&event.after) - energy(&event.before);
-        self.jumps += jump;
-        self.stored += jump;
+        let jump = self.rise_to(energy(&event.before));
+        let before = match event.cause {
+            EventCause::Guard(_) if event.theta == 0.0 => &mut self.sampling,
+            EventCause::Guard(_) => &mut self.integration,
+            // Many impacts in one move, over which the input goes on.
+            EventCause::Impacts(_) | EventCause::Settled => &mut self.jumps,
+        };
+        *before += jump;
+        self.jumps += self.rise_to(energy(&event.after));
     }
 }
 
@@ -178,6 +218,7 @@ impl<M: Energetic> Auditor<M> {
     /// Forgets the last state's balance: the model's parameters have changed.
     pub const fn forget(&mut self) {
         self.mode = None;
+        self.sums.forget();
     }
 }
 

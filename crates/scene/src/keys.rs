@@ -285,9 +285,10 @@ fn auto(
     let mut levels = Vec::new();
     let lower = instrument.levels.iter().map(|(fidelity, _name)| *fidelity);
     for fidelity in std::iter::once(Fidelity::Full).chain(lower) {
-        let level = match fidelity {
-            Fidelity::Full => instrument.clone(),
-            lower => read_level(report, place, instrument, lower)?,
+        let level = if fidelity == Fidelity::Full {
+            instrument.clone()
+        } else {
+            read_level(report, place, instrument, fidelity)?
         };
         if unmet(&level, in_loop).is_none() {
             let Instrument { name, voicing, .. } = level;

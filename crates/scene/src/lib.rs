@@ -8,7 +8,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | `scene`, `render`, `keys`, `links` | the scene, a file per table |
+//! | `scene`, `render`, `rig`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
 //! | `fidelity` | how much of an instrument's action is computed |
 //! | `kind` | whether a file is a scene or an instrument |
@@ -37,6 +37,7 @@ mod quantity;
 mod read;
 mod render;
 mod report;
+mod rig;
 mod scene;
 mod setting;
 mod source;
@@ -57,6 +58,7 @@ pub use links::{
 };
 pub use needs::{Needs, Unmet};
 pub use render::{EstimatorName, InputReconstruction, Render};
+pub use rig::{FingerName, Rig};
 pub use scene::{LaneCount, Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
 pub use source::Override;
 pub use voicing::Voicing;

@@ -1,15 +1,13 @@
 //! `[render]`: the settings by which a voice is computed, and the limits of its force.
 
+use super::quantity::Quantity;
+use super::read::TableReader;
+use super::report::{Location, MistakeList};
+use super::setting::{NamedValues, settings};
 use haptics::Kalman;
 use pode::input::Reconstruction as Samples;
 use pode::stepper::{self, Any};
 use pode::{Limits, Stepper as _};
-use toml_edit::{Table, value};
-
-use super::quantity::Quantity;
-use super::read::TableReader;
-use super::report::{Location, MistakeList};
-use super::setting::{NamedValues, TableSetting as _};
 
 /// Rates of the tick.
 pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
@@ -62,41 +60,9 @@ pub(super) const RECONSTRUCTIONS: NamedValues<InputReconstruction> = NamedValues
     all: || InputReconstruction::ALL.map(|all| (all.name(), all)).into(),
 };
 
-/// Declares the settings of `[render]` once, each as `name: type = default, how;`, for the struct,
-/// its defaults, its reader and its writer.
-macro_rules! render {
-    ($($(#[$doc:meta])* $name:ident: $type:ty = $default:expr, $how:expr;)+) => {
-        /// The settings by which a voice is computed, and the limits of its force.
-        #[derive(Clone, Copy, PartialEq, Debug)]
-        pub struct Render {
-            $($(#[$doc])* pub $name: $type,)+
-        }
-
-        impl Default for Render {
-            fn default() -> Self {
-                Self { $($name: $default,)+ }
-            }
-        }
-
-        impl Render {
-            /// Takes over what `reader` has.
-            fn read_all(&mut self, report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) {
-                $(if let Some(read) = $how.read(report, reader, stringify!($name)) {
-                    self.$name = read;
-                })+
-            }
-
-            /// Returns the table `render`.
-            pub(super) fn written(&self) -> Table {
-                let mut table = Table::new();
-                $(table[stringify!($name)] = value($how.written(&self.$name));)+
-                table
-            }
-        }
-    };
-}
-
-render! {
+settings! {
+    /// The settings by which a voice is computed, and the limits of its force.
+    pub struct Render;
     stepper: Any = Any::default(), STEPPERS;
     /// Relative error per radian of a mode's fastest motion that `by-need` may make.
     error_budget: f64 = stepper::ByNeed::BUDGET, ERROR_BUDGET;

@@ -16,6 +16,7 @@ use super::quantity::Quantity;
 use super::read::{self, TableReader};
 use super::render::{self, Render, TICK_HZ};
 use super::report::{Location, MistakeList};
+use super::rig::{self, Rig};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use super::voicing::Voicing;
 use diagnostics::Diagnostics;
@@ -39,6 +40,8 @@ pub struct Scene {
     pub lanes: LaneCount,
     /// The settings by which voices are computed.
     pub render: Render,
+    /// What the keys are made of.
+    pub rig: Rig,
     /// The voice of each of the 88 keys; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
     /// Where the values of each voice come from.
@@ -207,6 +210,7 @@ impl Scene {
         let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
         let lanes = read_lanes(report, reader).unwrap_or(LaneCount::Auto);
         let render = render::read(report, reader, tick_hz);
+        let rig = rig::read(report, reader);
         let in_loop = match stability {
             Stability::Required => Some(LoopSettings { tick_hz, render: &render }),
             Stability::Recorded => None,
@@ -226,6 +230,7 @@ impl Scene {
             tick_hz,
             lanes,
             render,
+            rig,
             keys,
             voicings,
             ranges,

@@ -60,3 +60,48 @@ impl<T: Copy + PartialEq> TableSetting<T> for NamedValues<T> {
         named.map_or("", |(name, _it)| name).into()
     }
 }
+
+/// Declares the settings of a table once, each as `name: type = default, how;`, for the struct, its
+/// defaults, its reader and its writer.
+macro_rules! settings {
+    (
+        $(#[$about:meta])* pub struct $settings:ident;
+        $($(#[$doc:meta])* $name:ident: $type:ty = $default:expr, $how:expr;)+
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, PartialEq, Debug)]
+        pub struct $settings {
+            $($(#[$doc])* pub $name: $type,)+
+        }
+
+        impl Default for $settings {
+            fn default() -> Self {
+                Self { $($name: $default,)+ }
+            }
+        }
+
+        impl $settings {
+            /// Takes over what `reader` has.
+            fn read_all(
+                &mut self,
+                report: &mut $crate::report::MistakeList<'_>,
+                reader: &mut $crate::read::TableReader<'_>,
+            ) {
+                use $crate::setting::TableSetting as _;
+                $(if let Some(read) = $how.read(report, reader, stringify!($name)) {
+                    self.$name = read;
+                })+
+            }
+
+            /// Returns the settings as a table.
+            pub(super) fn written(&self) -> toml_edit::Table {
+                use $crate::setting::TableSetting as _;
+                let mut table = toml_edit::Table::new();
+                $(table[stringify!($name)] = toml_edit::value($how.written(&self.$name));)+
+                table
+            }
+        }
+    };
+}
+
+pub(super) use settings;

@@ -21,6 +21,7 @@ pub fn written(scene: &Scene) -> String {
         LaneCount::Count(count) => value(i64::try_from(count).unwrap_or(1)),
     };
     document["render"] = Item::Table(scene.render.written());
+    document["rig"] = Item::Table(scene.rig.written());
     document["links"] = Item::Table(links(&scene.links));
     document["midi"] = Item::Table(midi(&scene.midi));
     if let Some(source) = &scene.performance {

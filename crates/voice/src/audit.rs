@@ -5,16 +5,17 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use pode::EnergyAudit;
 use serde::Serialize;
 
-/// Four numbers that one voice writes and any thread reads, without waiting.
+/// Numbers that one voice writes and any thread reads, without waiting.
 ///
 /// Readers may see sums of two neighbouring ticks; they are read when the run is over.
 #[derive(Debug, Default)]
-pub struct AuditCell([AtomicU64; 4]);
+pub struct AuditCell([AtomicU64; 6]);
 
 impl AuditCell {
     /// Writes the present sums; wait-free.
     pub fn publish(&self, audit: &EnergyAudit) {
-        let sums = [audit.supplied, audit.dissipated, audit.jumps, audit.stored];
+        let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } = *audit;
+        let sums = [supplied, dissipated, jumps, sampling, integration, stored];
         for (cell, sum) in self.0.iter().zip(sums) {
             cell.store(sum.to_bits(), Ordering::Relaxed);
         }
@@ -22,9 +23,10 @@ impl AuditCell {
 
     /// Reads the newest sums.
     pub fn read(&self) -> EnergyAudit {
-        let [supplied, dissipated, jumps, stored] =
-            [0, 1, 2, 3].map(|i| f64::from_bits(self.0[i].load(Ordering::Relaxed)));
-        EnergyAudit { supplied, dissipated, jumps, stored }
+        let [supplied, dissipated, jumps, sampling, integration, stored] =
+            std::array::from_fn(|i| f64::from_bits(self.0[i].load(Ordering::Relaxed)));
+        let level = None;
+        EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, level }
     }
 }
 
@@ -36,9 +38,13 @@ pub struct AuditReport {
     /// Taken by dampers and friction inside the models.
     pub dissipated: f64,
     pub jumps: f64,
+    /// Made where the inputs jump from one sample to the next.
+    pub sampling: f64,
+    /// Made by the integration's error.
+    pub integration: f64,
     /// Change of what the models store.
     pub stored: f64,
-    /// What these leave unexplained: integration error.
+    /// What these leave unexplained: rounding.
     pub residual: f64,
 }
 
@@ -48,6 +54,8 @@ impl From<EnergyAudit> for AuditReport {
             supplied: audit.supplied,
             dissipated: audit.dissipated,
             jumps: audit.jumps,
+            sampling: audit.sampling,
+            integration: audit.integration,
             stored: audit.stored,
             residual: audit.residual(),
         }

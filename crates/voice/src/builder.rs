@@ -49,13 +49,13 @@ pub struct VoiceBuilder<'a> {
 }
 
 impl<'a> VoiceBuilder<'a> {
-    /// Returns a builder for `scene`, on the simulated keybed's default rig.
+    /// Returns a builder for `scene`, on the scene's rig.
     ///
     /// # Errors
     /// If the scene's rate cannot be kept.
     pub fn new(scene: &'a Scene) -> Result<Self, BuildError> {
         let period = Period::from_hz(scene.tick_hz).ok_or(BuildError::Rate(scene.tick_hz))?;
-        Ok(Self { scene, period, rig: RigParameters::default() })
+        Ok(Self { scene, period, rig: scene.rig.parameters() })
     }
 
     /// Returns the period of ticks.
@@ -63,7 +63,7 @@ impl<'a> VoiceBuilder<'a> {
         self.period
     }
 
-    /// Returns what every key of the simulated keybed is made of.
+    /// Returns what every key is made of.
     pub const fn rig(&self) -> RigParameters {
         self.rig
     }
@@ -103,7 +103,7 @@ impl<'a> VoiceBuilder<'a> {
             render: &self.scene.render,
             values: &voice.values,
             h,
-            quantum: self.rig.quantum,
+            rig: self.rig,
             cell,
             slopes: slopes(&self.scene.links),
             revision,
@@ -141,8 +141,7 @@ struct Builder<'a> {
     render: &'a Render,
     values: &'a [f64],
     h: f64,
-    /// Encoder step (m).
-    quantum: f64,
+    rig: RigParameters,
     cell: Arc<AuditCell>,
     slopes: SlopeOutput,
     revision: u32,
@@ -190,10 +189,10 @@ impl Visitor for Rk4Builder<'_> {
 
 impl Builder<'_> {
     fn fittings(self, scale: f64) -> Result<VoiceSettings, BuildError> {
-        let Self { render, h, quantum, cell, slopes, revision, .. } = self;
+        let Self { render, h, rig, cell, slopes, revision, .. } = self;
         let estimator = match render.estimator {
             EstimatorName::Kalman => {
-                AnyEstimator::Kalman(Kalman::new(h, quantum, render.jerk_density))
+                AnyEstimator::Kalman(Kalman::new(h, rig.quantum, render.jerk_density))
             }
             EstimatorName::BackwardDifference => {
                 AnyEstimator::BackwardDifference(BackwardDifference::new(h))
@@ -210,7 +209,8 @@ impl Builder<'_> {
         };
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
-        Ok(VoiceSettings { input, gate, limits, cell, h, slopes, revision })
+        let dip = rig.key.bottom_stop.position;
+        Ok(VoiceSettings { input, gate, limits, cell, h, dip, slopes, revision })
     }
 }
 

@@ -64,6 +64,8 @@ pub struct VoiceSettings {
     pub cell: Arc<AuditCell>,
     /// Tick (s).
     pub h: f64,
+    /// Way of the key from rest to bottom (m).
+    pub dip: f64,
     /// Whether the boards render slopes.
     pub slopes: SlopeOutput,
     /// Its number among all voices of a run.
@@ -83,10 +85,10 @@ pub enum SlopeOutput {
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Returns a voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
-        let VoiceSettings { input, gate, limits, cell, h, slopes, revision } = fittings;
+        let VoiceSettings { input, gate, limits, cell, h, dip, slopes, revision } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
-        let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit()), h);
+        let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit(), dip), h);
         let entry = model.entry();
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
@@ -124,13 +126,13 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
-    /// Returns whether the model accounts for the energy that it gained or lost since `before`, but
-    /// for less than the strongest force does over [`LONGEST_WAY`].
+    /// Returns whether the integration has made or lost less energy since `before` than the
+    /// strongest force does over [`LONGEST_WAY`].
     ///
     /// Energies are the same at the finger and in the model, whatever its input is measured in.
     fn is_explained(&self, before: &EnergyAudit) -> bool {
         let most = self.gate.limit() * LONGEST_WAY;
-        (self.auditor.sums.residual() - before.residual()).abs() <= most
+        (self.auditor.sums.integration - before.integration).abs() <= most
     }
 
     /// Tells the pressure on the key, of an instrument that has one.
@@ -177,6 +179,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         } else {
             // A model that diverges must neither play notes nor spoil the sums.
             self.auditor.sums = sums;
+            self.auditor.forget();
             turn.events.clear();
             if let Some((at, event)) = damped {
                 turn.events.push(at, event);
@@ -219,6 +222,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let input = self.memory.input.reset(sample.position);
         let (mode, state) = self.simulator.model().at_rest(&input);
         self.simulator.place(mode, state);
+        self.auditor.forget();
         self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
         self.passivity.reset();
         self.rest = RestDetector::new(self.h);
@@ -403,6 +407,7 @@ mod tests {
             limits: Limits::default(),
             cell: Arc::default(),
             h,
+            dip: 10e-3,
             slopes: SlopeOutput::Unused,
             revision: 0,
         };

@@ -131,7 +131,7 @@ fn check(chain: &Chain) -> u32 {
     }
     all_completed(&ticks);
     assert!(audit.dissipated > -1e-12 && audit.jumps.abs() < 1e-9, "{audit:?}");
-    close("residual", audit.residual(), 0.0, 1e-7 * (1.0 + audit.supplied.abs()));
+    close("residual", audit.integration, 0.0, 1e-7 * (1.0 + audit.supplied.abs()));
     ticks.iter().map(|tick| tick.work.events).sum()
 }
 

@@ -43,6 +43,11 @@ impl KeyFront {
         Self { parameters, position, velocity }
     }
 
+    /// Returns the way from rest to bottom (m).
+    pub const fn dip(&self) -> f64 {
+        self.parameters.bottom_stop.position
+    }
+
     /// Returns the position (m).
     pub const fn position(&self) -> f64 {
         self.position

@@ -1,7 +1,7 @@
 //! The motor and its amplifier: a held command becomes a force, late and rounded off.
 
-/// Longest delay of a command, in substeps: 3 ms at 50 µs.
-pub const MAX_DELAY_STEPS: usize = 60;
+/// Longest delay of a command, in substeps: 10 ms at 50 µs.
+pub const MAX_DELAY_STEPS: usize = 200;
 
 /// Distance to the command (N) at which the lag is over: far below what any drive resolves.
 const SETTLED: f64 = 1e-9;

@@ -144,6 +144,11 @@ impl KeyRig {
         self.encoder.quantum()
     }
 
+    /// Returns the way of the key's front from rest to bottom (m).
+    pub const fn dip(&self) -> f64 {
+        self.key.dip()
+    }
+
     /// Returns the true position of the key's front (m), down positive.
     pub const fn position(&self) -> f64 {
         self.key.position()

@@ -45,8 +45,13 @@ pub struct MeasurementPoint {
 impl KeyCalibration {
     /// Returns a key that was never measured, with a displacement of `quantum` (m) for each count.
     pub fn nominal(quantum: f64) -> Self {
+        Self::of_travel(quantum, USUAL_TRAVEL)
+    }
+
+    /// Returns the same for a key that goes down by `travel` (m).
+    pub fn of_travel(quantum: f64, travel: f64) -> Self {
         let rest = Counts::default();
-        let bottom = Counts::saturating(nearest(USUAL_TRAVEL / quantum));
+        let bottom = Counts::saturating(nearest(travel / quantum));
         Self { rest, quantum, gain: 1.0, bottom, friction: 0.0 }
     }
 

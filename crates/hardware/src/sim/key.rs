@@ -86,7 +86,7 @@ impl Plant {
 
     /// Returns how this key's encoder reads.
     pub(super) fn calibration(&self) -> KeyCalibration {
-        let nominal = KeyCalibration::nominal(self.rig.quantum());
+        let nominal = KeyCalibration::of_travel(self.rig.quantum(), self.rig.dip());
         let shifted = |it: Counts| Counts::saturating(it.get().saturating_add(self.offset));
         let (rest, bottom) = (shifted(nominal.rest), shifted(nominal.bottom));
         KeyCalibration { rest, bottom, ..nominal }

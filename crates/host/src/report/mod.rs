@@ -220,8 +220,8 @@ impl fmt::Display for RunReport {
         let e = &self.energy_audit;
         writeln!(
             f,
-            "  energy      supplied {:.4} J, dissipated {:.4} J, impacts {:.4} J, stored {:.4} J, unexplained {:.1e} J",
-            e.supplied, e.dissipated, e.jumps, e.stored, e.residual
+            "  energy      supplied {:.4} J, dissipated {:.4} J, impacts {:.4} J, sampling {:.4} J, integration {:.1e} J, stored {:.4} J",
+            e.supplied, e.dissipated, e.jumps, e.sampling, e.integration, e.stored
         )?;
         writeln!(
             f,

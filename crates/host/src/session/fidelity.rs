@@ -25,17 +25,14 @@ const DEPTH: f64 = 10.5e-3;
 /// Gives each range of `scene` that leaves it to the host the highest fidelity with which all keys
 /// together keep the scene's budget, or else the lowest; says what each has got.
 ///
-/// Times voices on the calling thread. Without a deadline, `in_virtual_time`, nothing is timed and
-/// every range keeps its highest, so that two runs are alike.
+/// Times voices on the calling thread. Without it every range has its highest: so it is in virtual
+/// time, where there is no deadline and two runs are alike.
 ///
 /// # Errors
 /// If a voice is refused.
-pub fn choose_fidelity(
-    scene: &mut Scene,
-    in_virtual_time: bool,
-) -> Result<Vec<ChosenFidelity>, BuildError> {
+pub fn choose_fidelity(scene: &mut Scene) -> Result<Vec<ChosenFidelity>, BuildError> {
     let ranges = std::mem::take(&mut scene.auto);
-    if in_virtual_time || ranges.is_empty() {
+    if ranges.is_empty() {
         return Ok(Vec::new());
     }
     let is_auto = |key: usize| {

@@ -2,6 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use haptics::Gesture;
 use models::Playable;
 use models::catalogue::{self, Visitor};
 use performance::{Performance, Pianist, Score, Technique, read};
@@ -32,7 +33,7 @@ pub(super) fn rehearse(
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<RehearsedPiece>, SessionError> {
     let Some(piece) = &scene.performance else { return Ok(None) };
-    let technique = Technique::default();
+    let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
     let score = load(piece)?;
     let keys = keys_of(builder, key_source)?;
     let (mut score, unplayed) = within(score, duration, technique.lead_in, &keys);

@@ -29,7 +29,7 @@ pub(super) struct ObservedRun<M: Model> {
     pub(super) samples: Vec<Option<FoundSamples<M::State>>>,
     /// Of every tick, until the end or the first fault.
     pub(super) work: Vec<Work>,
-    /// Energy that the audit leaves unexplained (J).
+    /// Energy that the method made (J).
     pub(super) residual: f64,
     /// Where and why the run did not go on as it should (s).
     pub(super) trouble: Option<(f64, String)>,
@@ -56,7 +56,7 @@ pub(super) fn observe<S: Scenario>(job: &RunJob<'_, S, Any>) -> ObservedRun<S::M
         entered: log.entered,
         samples: samples.found,
         work: work(job),
-        residual: log.audit.residual(),
+        residual: log.audit.integration,
         trouble,
     }
 }

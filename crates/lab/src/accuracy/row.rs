@@ -17,7 +17,7 @@ pub struct StudyRow {
     /// Work of the run, the same on every machine.
     pub counts: EvaluationCounts,
     pub times: Times,
-    /// Energy that the audit leaves unexplained (J).
+    /// Energy that the method made (J).
     pub energy_residual: f64,
 }
 

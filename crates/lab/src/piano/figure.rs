@@ -60,7 +60,7 @@ pub(super) const NAMES: [(&str, &str); 34] = [
 /// Names and titles of the figures of energy.
 pub(super) const ENERGY: [(&str, &str); 2] = [
     ("cycle_work", "least work of the finger over a closed cycle [mJ]"),
-    ("energy_residual", "energy left unexplained, of the work [1]"),
+    ("energy_residual", "energy made by the integration, of the work [1]"),
 ];
 
 /// The figures that were measured, with what is expected of each.

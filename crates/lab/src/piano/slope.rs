@@ -17,7 +17,7 @@ pub(super) struct ForceCurve {
     pub(super) speed: f64,
     pub(super) down: Vec<(f64, f64)>,
     pub(super) up: Vec<(f64, f64)>,
-    /// Work over the whole cycle, and what the audit leaves unexplained of it (J).
+    /// Work over the whole cycle, and what the integration made of it (J).
     pub(super) work: f64,
     pub(super) residual: f64,
 }
@@ -57,7 +57,7 @@ pub(super) fn measure(subject: &PianoSubject<'_>, key: u8, speed: f64) -> Option
         }
     }
     let audit = driven.audit();
-    Some(ForceCurve { speed, down, up, work: audit.supplied, residual: audit.residual() })
+    Some(ForceCurve { speed, down, up, work: audit.supplied, residual: audit.integration })
 }
 
 impl ForceCurve {

@@ -21,8 +21,9 @@ use super::plot::Plot;
 const SLOPES: [&str; 2] = ["readout_per_s", "readout_per_s_dot"];
 
 /// Columns of the energy audit since the start (J): what is stored more than then is supplied
-/// − dissipated + jumps.
-const ENERGIES: [&str; 4] = ["E_supplied", "E_dissipated", "E_jumps", "E_stored"];
+/// − dissipated + jumps + sampling + integration.
+const ENERGIES: [&str; 6] =
+    ["E_supplied", "E_dissipated", "E_jumps", "E_sampling", "E_integration", "E_stored"];
 
 /// Room for rows before they are written to the disk (bytes).
 const BUFFER: usize = 1 << 16;
@@ -88,8 +89,8 @@ impl OutputFiles {
         sheet.numbers(self.outputs.get(..shown).unwrap_or(&self.outputs));
         let slopes = model.slopes(mode, state, input);
         sheet.numbers(&[slopes.per_position, slopes.per_rate]);
-        let EnergyAudit { supplied, dissipated, jumps, stored } = *audit;
-        sheet.numbers(&[supplied, dissipated, jumps, stored]);
+        let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } = *audit;
+        sheet.numbers(&[supplied, dissipated, jumps, sampling, integration, stored]);
         sheet.end()
     }
 

@@ -173,7 +173,8 @@ impl SimulationReport {
     fn json(&self) -> Value {
         let state: Map<_, _> =
             self.state.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect();
-        let EnergyAudit { supplied, dissipated, jumps, stored } = self.audit;
+        let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } =
+            self.audit;
         json!({
             "model": self.model,
             "method": self.method,
@@ -185,6 +186,8 @@ impl SimulationReport {
                 "supplied": supplied,
                 "dissipated": dissipated,
                 "jumps": jumps,
+                "sampling": sampling,
+                "integration": integration,
                 "stored": stored,
                 "residual": self.audit.residual(),
             },
@@ -226,7 +229,8 @@ impl SimulationReport {
         let state: Vec<_> =
             self.state.iter().map(|(name, value)| format!("{name} = {value:.6e}")).collect();
         let state = if state.is_empty() { "no state".to_owned() } else { state.join(", ") };
-        let EnergyAudit { supplied, dissipated, jumps, stored } = self.audit;
+        let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } =
+            self.audit;
         format!(
             "{} with {}: {} at t = {:?} s\n\
              work    {ticks} ticks of {:?} s, {steps} steps, {events} events; evaluations: \
@@ -235,7 +239,7 @@ impl SimulationReport {
              far it is from the true one; not known of {unknown}\n{choices}{}\
              final   mode {}, {state}\n\
              energy  supplied {supplied:.6e} J, dissipated {dissipated:.6e} J, jumps {jumps:.6e} J, \
-             stored {stored:.6e} J, residual {:.1e} J",
+             sampling {sampling:.6e} J, integration {integration:.1e} J, stored {stored:.6e} J",
             self.model,
             self.method,
             self.outcome(),
@@ -246,7 +250,6 @@ impl SimulationReport {
             evaluations.readouts,
             self.remarks(),
             self.mode,
-            self.audit.residual(),
         )
     }
 }

@@ -54,7 +54,7 @@ pub struct Gesture {
 
 impl Gesture {
     /// Hold depth for the default key and finger (m): dip and 2 N at 400 N/m.
-    pub const HOLD: f64 = 10.16e-3 + stroke::PUSH;
+    pub const HOLD: f64 = Self::hold_of(10.16e-3);
 
     /// Height above the key to which a finger is lifted (m) (estimate).
     pub const LIFT_HEIGHT: f64 = 10e-3;
@@ -73,6 +73,11 @@ impl Gesture {
         hold: Self::HOLD,
         lift: Self::LIFT,
     };
+
+    /// Returns the depth to which the default finger holds a key with a way of `dip` (m).
+    pub const fn hold_of(dip: f64) -> f64 {
+        dip + stroke::PUSH
+    }
 
     /// Returns the commanded position at `t` (s), in metres, down positive.
     ///

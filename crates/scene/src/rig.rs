@@ -1,0 +1,184 @@
+//! `[rig]`: what the keys are made of, and who plays them.
+
+use haptics::RigParameters;
+use haptics::plant::{
+    Felt, FingerParameters, KeyParameters, MAX_DELAY_STEPS, MAX_SUBSTEP, MotorParameters,
+};
+
+use super::quantity::Quantity;
+use super::read::TableReader;
+use super::report::MistakeList;
+use super::setting::{NamedValues, TableSetting as _, settings};
+
+const WAY: Quantity = Quantity { unit: "m", range: (1e-3, 0.2) };
+const MASS: Quantity = Quantity { unit: "kg", range: (1e-3, 10.0) };
+const DAMPING: Quantity = Quantity { unit: "N·s/m", range: (0.0, 1e3) };
+const FRICTION: Quantity = Quantity { unit: "N", range: (0.0, 20.0) };
+const RETURN: Quantity = Quantity { unit: "N", range: (-20.0, 20.0) };
+const FELT: Quantity = Quantity { unit: "N/m", range: (100.0, 1e6) };
+/// A finer step than a nanometre is noise, and one of a centimetre is a key's whole way.
+const ENCODER_STEP: Quantity = Quantity { unit: "m", range: (1e-9, 1e-2) };
+const MOTOR_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 1e3) };
+const BANDWIDTH: Quantity = Quantity { unit: "Hz", range: (1.0, 1e5) };
+const DELAY: Quantity = Quantity { unit: "s", range: (0.0, MAX_DELAY_STEPS as f64 * MAX_SUBSTEP) };
+
+const FINGERS: NamedValues<FingerName> = NamedValues {
+    refusal: "there is no finger",
+    all: || FingerName::ALL.map(|all| (all.name(), all)).into(),
+};
+
+const KINDS: NamedValues<RigKind> = NamedValues {
+    refusal: "there is no rig",
+    all: || vec![("keybed", RigKind::Keybed), ("paper", RigKind::Paper)],
+};
+
+/// Rigs whose values are known.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum RigKind {
+    /// The playable simulated keybed.
+    Keybed,
+    /// The apparatus of the paper's section 6.
+    Paper,
+}
+
+/// A corner of what fingers do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FingerName {
+    Ordinary,
+    Stiff,
+    Limp,
+}
+
+impl FingerName {
+    const ALL: [Self; 3] = [Self::Ordinary, Self::Stiff, Self::Limp];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Ordinary => "ordinary",
+            Self::Stiff => "stiff",
+            Self::Limp => "limp",
+        }
+    }
+
+    const fn parameters(self) -> FingerParameters {
+        match self {
+            Self::Ordinary => FingerParameters::ORDINARY,
+            Self::Stiff => FingerParameters::STIFF,
+            Self::Limp => FingerParameters::LIMP,
+        }
+    }
+}
+
+settings! {
+    /// What a key, its encoder, its motor and the finger on it are made of.
+    ///
+    /// Simulated keys are made so. Of keys on boards it is what is said of them, for the estimator
+    /// and for what is predicted of their loop.
+    pub struct Rig;
+    /// Way of the key's front from rest to bottom (m).
+    dip: f64 = usual().key.bottom_stop.position, WAY;
+    /// Moving mass at the front (kg).
+    mass: f64 = usual().key.mass, MASS;
+    /// Viscous damping (N s/m).
+    damping: f64 = usual().key.damping, DAMPING;
+    /// Friction while the key moves (N).
+    friction: f64 = usual().key.coulomb, FRICTION;
+    /// Friction that holds the key at rest (N); at least `friction` is used.
+    stiction: f64 = usual().key.stiction, FRICTION;
+    /// Force that brings the key up (N).
+    return_force: f64 = usual().key.weight, RETURN;
+    /// Stiffness of the felts at both ends (N/m).
+    felt_stiffness: f64 = usual().key.bottom_stop.stiffness, FELT;
+    /// Damping of the felts (N s/m).
+    felt_damping: f64 = usual().key.bottom_stop.damping, DAMPING;
+    /// Way of one count (m).
+    encoder_step: f64 = usual().quantum, ENCODER_STEP;
+    /// Largest force of the motor (N).
+    motor_limit: f64 = usual().motor.limit, MOTOR_LIMIT;
+    /// Bandwidth of the motor's current loop (Hz).
+    motor_bandwidth: f64 = usual().motor.bandwidth / core::f64::consts::TAU, BANDWIDTH;
+    /// Time from a force's arrival to its effect (s).
+    delay: f64 = 0.0, DELAY;
+    finger: FingerName = FingerName::Ordinary, FINGERS;
+}
+
+/// The simulated keybed's usual key.
+fn usual() -> RigParameters {
+    RigParameters::default()
+}
+
+impl Rig {
+    /// Returns the apparatus of the paper: 3 inches for 45 degrees, an encoder of 50 lines an inch.
+    ///
+    /// The paper gives no more of it than that; the rest is estimated, so that it renders springs up
+    /// to 100 N/m and dashpots up to 1 N s/m, as theirs did.
+    pub fn paper() -> Self {
+        Self {
+            dip: 76.2e-3,
+            // A paddle and a voice coil.
+            mass: 0.15,
+            damping: 1.0,
+            friction: 0.05,
+            stiction: 0.06,
+            return_force: 0.2,
+            felt_stiffness: 5e3,
+            felt_damping: 20.0,
+            encoder_step: 25.4e-3 / 50.0,
+            motor_limit: 15.0,
+            motor_bandwidth: 200.0,
+            ..Self::default()
+        }
+    }
+
+    /// Returns what keys of this rig are made of.
+    pub fn parameters(&self) -> RigParameters {
+        let felt = |position| Felt {
+            position,
+            stiffness: self.felt_stiffness,
+            damping: self.felt_damping,
+        };
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 200")]
+        let delay_steps = (self.delay / MAX_SUBSTEP).round() as usize;
+        RigParameters {
+            key: KeyParameters {
+                mass: self.mass,
+                damping: self.damping,
+                coulomb: self.friction,
+                stiction: self.stiction,
+                weight: self.return_force,
+                // Where what brings it up leaves the key at 0.
+                rest_stop: felt(self.return_force.max(0.0) / self.felt_stiffness),
+                bottom_stop: felt(self.dip),
+            },
+            motor: MotorParameters {
+                limit: self.motor_limit,
+                bandwidth: core::f64::consts::TAU * self.motor_bandwidth,
+                delay_steps,
+            },
+            finger: self.finger.parameters(),
+            quantum: self.encoder_step,
+        }
+    }
+}
+
+/// Reads the table `rig`; the usual keybed for what is not there.
+pub(super) fn read(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Rig {
+    let Some(mut reader) = scene.table(report, "rig") else { return Rig::default() };
+    let mut rig = match KINDS.read(report, &mut reader, "kind") {
+        Some(RigKind::Paper) => Rig::paper(),
+        Some(RigKind::Keybed) | None => Rig::default(),
+    };
+    rig.read_all(report, &mut reader);
+    reader.finish(report);
+    rig
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_usual_rig_is_that_of_the_simulated_keybed() {
+        assert_eq!(Rig::default().parameters(), RigParameters::default());
+    }
+}
