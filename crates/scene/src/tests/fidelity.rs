@@ -1,5 +1,6 @@
 //! Fidelities, and instruments by number.
 
+use super::super::embedded::INSTRUMENTS;
 use super::*;
 
 fn with(line: &str) -> String {
@@ -47,7 +48,7 @@ fn programs_are_those_of_general_midi_and_no_number_is_given_twice() {
     assert_eq!(Instrument::of_program(7), Some("harpsichord"));
     assert_eq!(Instrument::of_program(128), None);
     let heads = instrument_heads();
-    let text = |name: &str| super::embedded::INSTRUMENTS.find(name).unwrap_or_default();
+    let text = |name: &str| INSTRUMENTS.find(name).unwrap_or_default();
     let numbers = heads.iter().filter_map(|it| {
         text(&it.name).lines().find_map(|line| line.strip_prefix("program = ")).map(str::to_owned)
     });
