@@ -123,12 +123,14 @@ fn check(chain: &Chain) -> u32 {
     let model = WithContacts::new(*chain).unwrap();
     let (mode, x) = model.start((), &[0.0; 6], &Clock(0.0));
     let mut it = Simulator::new(model, Rk4, Limits::default(), mode, x).without_readout();
-    let (mut audit, mut ticks) = (EnergyAudit::default(), vec![]);
-    for n in 0..400 {
+    let mut audit = EnergyAudit::default();
+    let ticks = (0..400).map(|n| {
         let t = f64::from(n) * h;
-        ticks.push(it.advance(h, &|theta: f64| Clock(t + theta * h), &mut audit));
+        let tick = it.advance(h, &|theta: f64| Clock(t + theta * h), &mut audit);
         obeys_coulomb(&it, t + h);
-    }
+        tick
+    });
+    let ticks: Vec<_> = ticks.collect();
     all_completed(&ticks);
     assert!(audit.dissipated > -1e-12 && audit.jumps.abs() < 1e-9, "{audit:?}");
     close("residual", audit.integration, 0.0, 1e-7 * (1.0 + audit.supplied.abs()));
