@@ -118,7 +118,7 @@ fn hard() -> Vec<HardNote> {
 }
 
 /// Key, onset and end (ms), velocity.
-type HardNote = (u8, u32, u32, u8);
+pub(crate) type HardNote = (u8, u32, u32, u8);
 
 /// How many notes begin in a MIDI file, and how many of them do not end.
 fn sounded(bytes: &[u8]) -> (usize, usize) {
@@ -158,7 +158,7 @@ fn what_the_keys_cannot_do_is_left_out_and_named() {
 }
 
 /// A file of `notes`, with the sustain pedal down from 2 s to 3 s.
-fn file(notes: &[HardNote]) -> Vec<u8> {
+pub(crate) fn file(notes: &[HardNote]) -> Vec<u8> {
     let on =
         |key: u8, velocity: u8| MidiMessage::NoteOn { key: u7::new(key), vel: u7::new(velocity) };
     let pedal =

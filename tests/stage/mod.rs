@@ -8,7 +8,7 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 use firmware_protocol::key::KeyIndex;
-use haptics::{Gesture, RigParameters, Touch};
+use haptics::{Gesture, Touch};
 use hardware::sim::keybed::SimulatedKeybed;
 use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use scene::Scene;
@@ -50,7 +50,7 @@ pub fn audited(scene: &Scene, audits: &[Arc<AuditCell>; KEYS]) -> Vec<(usize, Bo
 /// A keybed at rest for `scene`.
 pub fn keybed(scene: &Scene) -> SimulatedKeybed {
     let period = 1.0 / f64::from(scene.tick_hz);
-    SimulatedKeybed::new(period, RigParameters::default()).expect("a possible period")
+    SimulatedKeybed::new(period, scene.rig.parameters()).expect("a possible period")
 }
 
 /// Lanes with their threads, if there is more than one.

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::stable::check_stability;
 use super::{Failure, print_json};
-use scene::check_file;
+use scene::{FileKind, check_file};
 
 /// What `letoff check` takes.
 #[derive(Clone, Debug, Args)]
@@ -26,6 +27,16 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
     let mut wrong = Vec::new();
     for file in &args.files {
         match check_file(file) {
+            Ok(FileKind::Scene) => match check_stability(file) {
+                Ok(_) if args.json => {}
+                Ok(ranges) => {
+                    writeln!(out, "{}: a good scene", file.display())?;
+                    for range in ranges {
+                        writeln!(out, "  {range}")?;
+                    }
+                }
+                Err(diagnostics) => wrong.push(diagnostics),
+            },
             Ok(_) if args.json => {}
             Ok(kind) => writeln!(out, "{}: a good {}", file.display(), kind.name())?,
             Err(diagnostics) => wrong.push(diagnostics),

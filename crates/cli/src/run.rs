@@ -11,6 +11,7 @@ use super::arguments::seconds;
 use super::endpoints::Endpoints;
 use super::log::StderrLog;
 use super::signals::Signals;
+use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_json, system, tell};
@@ -102,6 +103,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     for chosen in &fidelity {
         tell(&chosen.to_string());
     }
+    refuse_unstable(&scene)?;
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
     let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;

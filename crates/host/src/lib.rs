@@ -24,3 +24,4 @@ pub mod replay;
 pub mod report;
 pub mod session;
 pub mod simulated;
+pub mod stability;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use haptics::Gesture;
+use haptics::{Gesture, RigParameters};
 use hardware::sim::key::SimulatedKey;
 use performance::{PlayOutcome, Rehearsal, Strike};
 use scene::KeyVoice;
@@ -85,10 +85,48 @@ impl RehearsedKey {
         key: usize,
         voice: &KeyVoice,
     ) -> Result<Self, RehearsalError> {
+        Self::on_rig(builder, (key, voice), builder.rig())
+    }
+
+    /// Returns the same on another rig.
+    ///
+    /// # Errors
+    /// If the voice or the keybed are refused.
+    pub fn on_rig(
+        builder: &VoiceBuilder<'_>,
+        (key, voice): (usize, &KeyVoice),
+        rig: RigParameters,
+    ) -> Result<Self, RehearsalError> {
         let period = builder.period();
-        let sim = SimulatedKey::new(period.as_secs_f64(), builder.rig())?;
+        let sim = SimulatedKey::new(period.as_secs_f64(), rig)?;
         let voice = builder.voice(voice, Arc::default())?;
         Ok(Self::new(key, sim, voice, (period, builder.slew_limit())))
+    }
+
+    /// Takes the gestures that are played from now on instead of those before.
+    pub fn take(&mut self, gestures: Vec<Gesture>) {
+        self.key.play(gestures);
+    }
+
+    /// Returns the start of the next tick (s).
+    pub fn now(&self) -> f64 {
+        self.tick as f64 * self.period
+    }
+
+    /// Returns the position of the key's front (m), down positive.
+    pub fn position(&self) -> f64 {
+        self.key.rig().position()
+    }
+
+    /// Runs the next tick; returns what the voice did in it.
+    pub fn step(&mut self) -> VoiceOutput {
+        let mut turn = VoiceOutput::default();
+        let sample = self.key.receive(self.tick);
+        self.slot.tick(self.tick, &sample, &mut turn);
+        let force = self.gate.apply(&turn, &sample);
+        self.key.send(force, &self.gate.slope(&turn));
+        self.tick += 1;
+        turn
     }
 
     fn note(&self, (at, event): &(Moment, KeyEvent), outcome: &mut PlayOutcome) {
@@ -123,21 +161,16 @@ impl fmt::Debug for RehearsedKey {
 
 impl Rehearsal for RehearsedKey {
     fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome {
-        self.key.play(gestures.to_vec());
+        self.take(gestures.to_vec());
         let mut outcome = PlayOutcome::default();
-        let mut turn = VoiceOutput::default();
-        while (self.tick as f64) * self.period < until {
-            let sample = self.key.receive(self.tick);
-            self.slot.tick(self.tick, &sample, &mut turn);
-            let force = self.gate.apply(&turn, &sample);
-            self.key.send(force, &self.gate.slope(&turn));
+        while self.now() < until {
+            let turn = self.step();
             turn.events.as_slice().iter().for_each(|it| self.note(it, &mut outcome));
-            self.tick += 1;
         }
         outcome
     }
 
     fn depth(&self) -> f64 {
-        self.key.rig().position()
+        self.position()
     }
 }

@@ -23,6 +23,9 @@ const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 /// The range from a key that hardly moves to one that is hammered.
 pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
+/// A gain of the other sign would turn a spring into a push.
+const GAIN: Quantity = Quantity { unit: "1", range: (1e-3, 1e3) };
+
 /// A finger holds about 100 N for a moment, and no keyboard needs it to.
 const FORCE_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 100.0) };
 
@@ -77,6 +80,10 @@ settings! {
     jerk_density: f64 = Kalman::KEY_JERK_DENSITY, JERK_DENSITY;
     /// The continuation of that motion over the tick.
     reconstruction: InputReconstruction = InputReconstruction::Estimate, RECONSTRUCTIONS;
+    /// Times what the model's key moves as the player's does: 1 on a key as long as the model's.
+    motion_gain: f64 = 1.0, GAIN;
+    /// Times the model's force that the motor gives.
+    force_gain: f64 = 1.0, GAIN;
     /// Largest force (N).
     force_limit: f64 = 25.0, FORCE_LIMIT;
     /// Fastest change of force (N/s).

@@ -15,7 +15,7 @@ use scheduler::values::MAX_VALUES;
 
 use crate::audit::AuditCell;
 use crate::input::{AnyEstimator, InputPath};
-use crate::rendered_key::{RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
+use crate::rendered_key::{Gains, RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
 use scene::{EstimatorName, InputReconstruction, KeyVoice, LinksConfig, Render, Scene};
 
 /// A voice of any model.
@@ -207,10 +207,12 @@ impl Builder<'_> {
             event_tolerance: render.event_tolerance,
             ..Limits::default()
         };
+        let scale = scale * render.motion_gain;
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
         let dip = rig.key.bottom_stop.position;
-        Ok(VoiceSettings { input, gate, limits, cell, h, dip, slopes, revision })
+        let gains = Gains { motion: render.motion_gain, force: render.force_gain };
+        Ok(VoiceSettings { input, gains, gate, limits, cell, h, dip, slopes, revision })
     }
 }
 

@@ -32,6 +32,7 @@ pub trait RehearsableVoice: Voice + Send {
 pub struct RenderedKey<M: Playable, T: Stepper> {
     simulator: Simulator<M, T>,
     memory: KeyMemory,
+    gains: Gains,
     gate: ForceGate,
     pressure: PressureTracker,
     rest: RestDetector,
@@ -58,6 +59,7 @@ const LONGEST_WAY: f64 = 0.02;
 pub struct VoiceSettings {
     /// From samples to the model's input.
     pub input: InputPath,
+    pub gains: Gains,
     pub gate: ForceGate,
     pub limits: Limits,
     /// Where the energy audit is published.
@@ -70,6 +72,22 @@ pub struct VoiceSettings {
     pub slopes: SlopeOutput,
     /// Its number among all voices of a run.
     pub revision: u32,
+}
+
+/// Between a key and its model, beyond the model's own scale.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Gains {
+    /// Times the key's motion.
+    pub motion: f64,
+    /// Times the model's force.
+    pub force: f64,
+}
+
+impl Default for Gains {
+    /// The key is the model's own.
+    fn default() -> Self {
+        Self { motion: 1.0, force: 1.0 }
+    }
 }
 
 /// Whether a voice works out how its force goes on between two ticks.
@@ -85,7 +103,7 @@ pub enum SlopeOutput {
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Returns a voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
-        let VoiceSettings { input, gate, limits, cell, h, dip, slopes, revision } = fittings;
+        let VoiceSettings { input, gains, gate, limits, cell, h, dip, slopes, revision } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
         let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit(), dip), h);
@@ -93,6 +111,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
             memory: KeyMemory { entry, input, damper },
+            gains,
             gate,
             pressure: PressureTracker::default(),
             rest: RestDetector::new(h),
@@ -108,6 +127,16 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
+    /// Model input per metre at the key's front.
+    fn scale(&self) -> f64 {
+        self.simulator.model().input_per_metre() * self.gains.motion
+    }
+
+    /// Newtons at the key's front for one of the model's readout.
+    fn per_readout(&self) -> f64 {
+        self.simulator.model().input_per_metre() * self.gains.force
+    }
+
     /// Returns how the mean force of a tick without events goes on around the middle of that
     /// tick, at whose start the newest sample was `late` (s).
     ///
@@ -116,10 +145,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     fn slope(&self, middle: &Motion, late: f64) -> KeySlope {
         let model = self.simulator.model();
         let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
-        let scale = model.input_per_metre();
+        let (per_metre, scale) = (self.per_readout(), self.scale());
         KeySlope {
-            stiffness: -slopes.per_position * scale * scale,
-            damping: -slopes.per_rate * scale * scale,
+            stiffness: -slopes.per_position * per_metre * scale,
+            damping: -slopes.per_rate * per_metre * scale,
             position: middle.position / scale,
             velocity: middle.rate / scale,
             ahead: late + 0.5 * self.h,
@@ -156,8 +185,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let mut watch = (&mut self.auditor, &mut strikes);
         let done = self.simulator.advance(self.h, &signal, &mut watch);
         self.signal = signal;
-        let per_metre = self.simulator.model().input_per_metre();
-        let gated = self.gate.apply(done.mean_readout * per_metre, self.h);
+        let gated = self.gate.apply(done.mean_readout * self.per_readout(), self.h);
         turn.force = gated.force;
         let is_free = gated.finite && !gated.limited && !gated.slewed && done.work.events == 0;
         if self.slopes == SlopeOutput::Rendered && is_free {
@@ -248,7 +276,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let mut seen = VoiceObservation::default();
         before.observe(&mut seen);
         let model = self.simulator.model();
-        let input = input.with_scale(model.input_per_metre());
+        let input = input.with_scale(self.scale());
         // It has not begun: it is at rest, as it was built.
         let structure = seen.snapshot.structure();
         let Some(mode) = same_mode(model, entry, structure) else { return false };
@@ -403,6 +431,7 @@ mod tests {
         let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
         let fittings = VoiceSettings {
             input: InputPath::new(estimator, None, -5.0, h),
+            gains: Gains::default(),
             gate: ForceGate::new(25.0, 2e4).unwrap(),
             limits: Limits::default(),
             cell: Arc::default(),

@@ -18,6 +18,7 @@ use super::description_states::DescriptionStates;
 use super::new_voice::{NewVoice, VoiceHandover};
 use super::{Answer, Answers, FingerOwner, Folders, RunHandle};
 use crate::observe::{self, Origin, TelemetryMessage};
+use crate::stability::examine_keys;
 use keyboard::KeyRange;
 
 /// All keys of a keyboard, as a range is typed.
@@ -122,6 +123,7 @@ impl RequestHandler {
             return Err(format!("{}; {}", unmet.lacks, unmet.help));
         }
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
+        self.refuse_unstable(&instrument, range)?;
         let mut playing = self.playing();
         let sounding = range.numbers().filter(|key| playing.keys[usize::from(*key)].is_some());
         let voice = |key| NewVoice::anew(&instrument.voicing, key, &instrument.name);
@@ -132,6 +134,18 @@ impl RequestHandler {
         let text = format!("{n} keys are now {}", instrument.name);
         self.tell(&text, who);
         Ok(text)
+    }
+
+    /// Tries `instrument` on some keys of `range`, as they are, beside the tick.
+    fn refuse_unstable(&self, instrument: &Instrument, range: KeyRange) -> Result<(), String> {
+        let mut scene = self.scene.clone();
+        for key in range.numbers() {
+            scene.keys[usize::from(key)] = Some(KeyVoice::new(&instrument.voicing, key));
+        }
+        let first = range.numbers().next().map_or(0, usize::from);
+        let keys = first..first + range.numbers().count();
+        let found = examine_keys(&scene, keys).map_err(|it| it.to_string())?;
+        found.unstable.map_or(Ok(()), |it| Err(it.to_string()))
     }
 
     /// Sends `voices` to their keys, after `catalogue`, if there is another one.

@@ -1,0 +1,41 @@
+//! Refuses scenes whose keys would not be stable.
+
+use std::path::Path;
+
+use diagnostics::{Diagnostic, Diagnostics};
+use host::stability::{RangeStability, examine};
+use scene::Scene;
+
+use super::Failure;
+
+/// Tries the keys of `scene`, and refuses it with a sentence for each range that is not stable.
+pub(super) fn refuse_unstable(scene: &Scene) -> Result<(), Failure> {
+    let ranges = examine(scene).map_err(|error| Failure::Usage(error.to_string()))?;
+    let unstable: Vec<_> =
+        ranges.iter().filter_map(|it| it.unstable.as_ref()).map(ToString::to_string).collect();
+    if unstable.is_empty() { Ok(()) } else { Err(Failure::Usage(unstable.join("\nletoff: "))) }
+}
+
+/// Tries the keys of the scene in `file`, which is a good one; returns what was found of each range,
+/// with its margin, or what is wrong.
+pub(super) fn check_stability(file: &Path) -> Result<Vec<RangeStability>, Diagnostics> {
+    let scene = Scene::load(&file.display().to_string(), &[])?;
+    let wrong = |message: String, help: String| Diagnostic {
+        file: file.display().to_string(),
+        line: None,
+        column: None,
+        message,
+        help,
+    };
+    let refused = |error: host::rehearsal::RehearsalError| {
+        Diagnostics::new(vec![wrong(error.to_string(), "change the scene".to_owned())])
+    };
+    let ranges = examine(&scene).map_err(refused)?;
+    let unstable: Vec<_> = ranges.iter().filter_map(|it| it.unstable.as_ref()).collect();
+    if !unstable.is_empty() {
+        let all = unstable.iter().map(|it| wrong(it.what(), it.help())).collect();
+        return Err(Diagnostics::new(all));
+    }
+    let with_margin = |it: RangeStability| it.with_margin(&scene).map_err(refused);
+    ranges.into_iter().map(with_margin).collect()
+}

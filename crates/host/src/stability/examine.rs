@@ -1,0 +1,182 @@
+//! Trials of a whole scene.
+
+use std::fmt;
+use std::ops::Range;
+
+use keyboard::{KeyIndex, KeyRange};
+use scene::{KeyVoice, Scene};
+use serde::Serialize;
+use voice::VoiceBuilder;
+
+use super::remedy::{Remedy, nearest};
+use super::trial::{FINGERS, Trial};
+use crate::rehearsal::RehearsalError;
+
+/// Keys of a range that are tried: instruments are graded evenly over the compass.
+const TRIED: usize = 5;
+
+/// Gains of the force that are tried beyond the scene's own.
+const GAINS: [f64; 8] = [1.1, 1.25, 1.4, 1.6, 2.0, 2.5, 3.2, 4.0];
+
+/// What trials say of the keys of one range.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct RangeStability {
+    /// The keys, as A0..C8.
+    pub keys: String,
+    /// The model that they play.
+    pub model: &'static str,
+    /// The first key that is not stable; none if all that were tried are.
+    pub unstable: Option<UnstableKey>,
+    /// How many times its force a key may have and is still stable, as far as it was tried; none
+    /// where nobody asked, or where it is not stable.
+    pub gain_margin: Option<f64>,
+}
+
+/// A key that is not stable, and what would make it so.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct UnstableKey {
+    pub key: String,
+    pub model: &'static str,
+    /// What it does.
+    pub does: &'static str,
+    /// The finger under which it does so.
+    pub finger: &'static str,
+    pub tick_hz: u32,
+    /// The rig's delay (s).
+    pub delay: f64,
+    /// The nearest settings with which it is stable.
+    pub remedy: Option<Remedy>,
+}
+
+impl UnstableKey {
+    /// Returns what is wrong, without the remedy.
+    pub fn what(&self) -> String {
+        let Self { key, model, does, finger, tick_hz, delay, .. } = self;
+        let delay = if 0.0 < *delay {
+            format!(" and {:.2} ms of delay", 1e3 * delay)
+        } else {
+            String::new()
+        };
+        format!("{key} with {model} {does} under {finger} finger at {tick_hz} Hz{delay}")
+    }
+
+    /// Returns what to do about it.
+    pub fn help(&self) -> String {
+        match &self.remedy {
+            Some(remedy) => {
+                format!("set {remedy} for the whole scene, or choose another instrument")
+            }
+            None => "choose another instrument, or a rig with less delay".to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for UnstableKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}; {}", self.what(), self.help())
+    }
+}
+
+impl fmt::Display for RangeStability {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(unstable) = &self.unstable {
+            return unstable.fmt(f);
+        }
+        write!(f, "{} with {} stable", self.keys, self.model)?;
+        match self.gain_margin {
+            Some(margin) => write!(f, ", up to {margin} times its force"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Tries some keys of every range of `scene`.
+///
+/// # Errors
+/// If voices or the keybed are refused.
+pub fn examine(scene: &Scene) -> Result<Vec<RangeStability>, RehearsalError> {
+    ranges(scene).into_iter().map(|keys| examine_keys(scene, keys)).collect()
+}
+
+/// Tries some keys of a range, which all have a voice of one model.
+///
+/// # Errors
+/// If voices or the keybed are refused.
+pub fn examine_keys(scene: &Scene, keys: Range<usize>) -> Result<RangeStability, RehearsalError> {
+    let builder = VoiceBuilder::new(scene)?;
+    let name = |key: usize| {
+        let index = u8::try_from(key).ok().and_then(KeyIndex::new);
+        index.map_or_else(String::new, |it| it.to_string())
+    };
+    let voices: Vec<_> = tried(&keys).filter_map(|key| Some((key, voice(scene, key)?))).collect();
+    let model = voices.first().map_or("", |(_key, voice)| voice.model.name);
+    let mut unstable = None;
+    for (key, voice) in &voices {
+        let Some((finger, found)) = Trial::of(&builder, (*key, voice)).worst()? else { continue };
+        let remedy = nearest(scene, &voices, *key)?;
+        unstable = Some(UnstableKey {
+            key: name(*key),
+            model,
+            does: found.what(),
+            finger: FINGERS[finger].0,
+            tick_hz: scene.tick_hz,
+            delay: scene.rig.delay,
+            remedy,
+        });
+        break;
+    }
+    let keys = format!("{}..{}", name(keys.start), name(keys.end.saturating_sub(1)));
+    Ok(RangeStability { keys, model, unstable, gain_margin: None })
+}
+
+impl RangeStability {
+    /// Returns the same with its gain margin, of the key in the middle of the range.
+    ///
+    /// # Errors
+    /// If voices or the keybed are refused.
+    pub fn with_margin(mut self, scene: &Scene) -> Result<Self, RehearsalError> {
+        let keys = KeyRange::parse(&self.keys).ok();
+        let middle = keys.and_then(|keys| {
+            let numbers: Vec<_> = keys.numbers().map(usize::from).collect();
+            numbers.get(numbers.len() / 2).copied()
+        });
+        let Some(key) = middle.filter(|_| self.unstable.is_none()) else { return Ok(self) };
+        let Some(voice) = voice(scene, key) else { return Ok(self) };
+        let mut margin = 1.0;
+        for gain in GAINS {
+            let mut louder = scene.clone();
+            louder.render.force_gain *= gain;
+            let builder = VoiceBuilder::new(&louder)?;
+            if Trial::of(&builder, (key, voice)).worst()?.is_some() {
+                break;
+            }
+            margin = gain;
+        }
+        self.gain_margin = Some(margin);
+        Ok(self)
+    }
+}
+
+fn voice(scene: &Scene, key: usize) -> Option<&KeyVoice> {
+    scene.keys.get(key)?.as_ref()
+}
+
+/// Ranges of neighbouring keys that play one model.
+fn ranges(scene: &Scene) -> Vec<Range<usize>> {
+    let model = |key: usize| voice(scene, key).map(|it| it.model.name);
+    let mut ranges: Vec<Range<usize>> = Vec::new();
+    for key in (0..scene.keys.len()).filter(|key| model(*key).is_some()) {
+        match ranges.last_mut() {
+            Some(last) if last.end == key && model(key) == model(last.start) => last.end += 1,
+            _ => ranges.push(key..key + 1),
+        }
+    }
+    ranges
+}
+
+/// The keys that are tried of `keys`, first and last among them.
+fn tried(keys: &Range<usize>) -> impl Iterator<Item = usize> {
+    let (start, last) = (keys.start, keys.len().saturating_sub(1));
+    let parts = TRIED.min(keys.len());
+    (0..parts).map(move |part| start + last * part / (parts - 1).max(1))
+}

@@ -1,0 +1,72 @@
+//! The nearest settings with which a key is stable.
+
+use std::fmt;
+
+use scene::{EstimatorName, KeyVoice, Scene};
+use serde::Serialize;
+use voice::VoiceBuilder;
+
+use super::trial::Trial;
+use crate::rehearsal::RehearsalError;
+
+/// Rates that boards can keep (Hz).
+const RATES: [u32; 6] = [250, 500, 1000, 2000, 4000, 10_000];
+
+/// Densities of jerk from a slow filter to a quick one (m²/s⁵).
+const DENSITIES: [f64; 5] = [10.0, 300.0, 1e4, 1e5, 1e6];
+
+/// Settings that make keys stable.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct Remedy {
+    pub tick_hz: Option<u32>,
+    pub jerk_density: Option<f64>,
+}
+
+impl fmt::Display for Remedy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rate = self.tick_hz.map(|hz| format!("tick_hz={hz}"));
+        let density = self.jerk_density.map(|it| format!("render.jerk_density={it}"));
+        let all: Vec<_> = rate.into_iter().chain(density).collect();
+        f.write_str(&all.join(" and "))
+    }
+}
+
+/// Returns the settings nearest to those of `scene` with which all of `voices` are stable: the same
+/// rate with another filter, or the next faster rate; `key` is the one that is not stable now.
+pub(super) fn nearest(
+    scene: &Scene,
+    voices: &[(usize, &KeyVoice)],
+    key: usize,
+) -> Result<Option<Remedy>, RehearsalError> {
+    for remedy in candidates(scene) {
+        let mut other = scene.clone();
+        other.tick_hz = remedy.tick_hz.unwrap_or(scene.tick_hz);
+        other.render.jerk_density = remedy.jerk_density.unwrap_or(scene.render.jerk_density);
+        let builder = VoiceBuilder::new(&other)?;
+        // The worst first: most candidates are out by it.
+        let worst = voices.iter().filter(|it| it.0 == key);
+        let rest = voices.iter().filter(|it| it.0 != key);
+        let mut is_stable = true;
+        for voice in worst.chain(rest) {
+            is_stable = is_stable && Trial::of(&builder, *voice).worst()?.is_none();
+        }
+        if is_stable {
+            return Ok(Some(remedy));
+        }
+    }
+    Ok(None)
+}
+
+/// Other settings, the nearest first.
+fn candidates(scene: &Scene) -> Vec<Remedy> {
+    let faster = RATES.into_iter().filter(|hz| scene.tick_hz < *hz).map(Some);
+    let densities = || {
+        let is_kalman = scene.render.estimator == EstimatorName::Kalman;
+        let others = DENSITIES.into_iter().filter(move |_| is_kalman).map(Some);
+        std::iter::once(None).chain(others)
+    };
+    let all = std::iter::once(None)
+        .chain(faster)
+        .flat_map(|tick_hz| densities().map(move |jerk_density| Remedy { tick_hz, jerk_density }));
+    all.skip(1).collect()
+}

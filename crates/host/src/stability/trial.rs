@@ -1,0 +1,181 @@
+//! One key under one finger: is its loop stable while it is played, and quiet afterwards?
+
+use haptics::plant::{Gesture, Touch};
+use haptics::{FingerParameters, RigParameters};
+use scene::KeyVoice;
+use scheduler::motion::KeyEvent;
+use scheduler::voice::VoiceFault;
+use voice::VoiceBuilder;
+
+use crate::rehearsal::{RehearsalError, RehearsedKey};
+
+/// What shows that a key's loop is not stable.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Instability {
+    /// Its voice fails.
+    Fault(VoiceFault),
+    /// It sounds with nobody at it.
+    Untouched,
+    /// It sounds again and again while a finger holds it.
+    Chatters,
+    /// Its motor goes on shaking it when the finger is gone.
+    Shakes,
+}
+
+impl Instability {
+    /// Returns what the key does, as the end of a sentence that begins with its name.
+    pub const fn what(self) -> &'static str {
+        match self {
+            Self::Fault(VoiceFault::MakesEnergy) => "makes energy",
+            Self::Fault(_) => "fails while it is played",
+            Self::Untouched => "sounds with nobody at it",
+            Self::Chatters => "sounds again and again while it is held",
+            Self::Shakes => "shakes when it is let go",
+        }
+    }
+}
+
+/// The corners of what fingers do, with their names.
+pub(super) const FINGERS: [(&str, FingerParameters); 3] = [
+    ("an ordinary", FingerParameters::ORDINARY),
+    ("a stiff", FingerParameters::STIFF),
+    ("a limp", FingerParameters::LIMP),
+];
+
+/// Time before the first stroke, in which nobody is there (s).
+const UNTOUCHED: f64 = 0.1;
+
+/// Strokes of a trial: start and release (s), speed (m/s), touch.
+const STROKES: [(f64, f64, f64, Touch); 3] = [
+    (UNTOUCHED, 0.25, 0.2, Touch::Pressed),
+    (0.45, 0.6, 1.0, Touch::Pressed),
+    (0.8, 0.95, 2.5, Touch::Struck),
+];
+
+/// Length of a trial (s).
+const LENGTH: f64 = 1.6;
+
+/// The end of a trial, in two halves of which a key is compared (s).
+const QUIET: f64 = 0.3;
+
+/// What is left of a swing in the second half, of that in the first, if it dies away.
+const DYING: f64 = 0.8;
+
+/// Strikes of one stroke beyond which it is a chatter: a pendulum on a cart bounces that often.
+const CHATTER: usize = 6;
+
+/// Mean speed of a key that shakes (m/s): one at rest does not move at all, and one that is still
+/// on its way up does not change its direction.
+const SHAKING: f64 = 2e-3;
+
+/// A key that is to be tried.
+#[derive(Clone, Copy, Debug)]
+pub struct Trial<'a> {
+    builder: &'a VoiceBuilder<'a>,
+    key: (usize, &'a KeyVoice),
+}
+
+impl<'a> Trial<'a> {
+    /// Returns the trial of a key of the builder's scene, with its voice.
+    pub const fn of(builder: &'a VoiceBuilder<'a>, key: (usize, &'a KeyVoice)) -> Self {
+        Self { builder, key }
+    }
+
+    /// Tries all fingers; returns the first under which the key is not stable, by its place in
+    /// [`FINGERS`], and what shows it.
+    ///
+    /// # Errors
+    /// If the voice or the keybed are refused.
+    pub fn worst(&self) -> Result<Option<(usize, Instability)>, RehearsalError> {
+        for (place, (_name, finger)) in FINGERS.into_iter().enumerate() {
+            let rig = RigParameters { finger, ..self.builder.rig() };
+            if let Some(found) = self.on_rig(rig)? {
+                return Ok(Some((place, found)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Tries the key on `rig`.
+    fn on_rig(&self, rig: RigParameters) -> Result<Option<Instability>, RehearsalError> {
+        let key = RehearsedKey::on_rig(self.builder, self.key, rig)?;
+        Ok(play(key, Gesture::hold_of(rig.key.bottom_stop.position)))
+    }
+}
+
+/// Plays the strokes on a key that is held at the depth `hold` (m).
+fn play(mut key: RehearsedKey, hold: f64) -> Option<Instability> {
+    let gesture = |(start, release, speed, touch)| Gesture {
+        start,
+        release,
+        touch,
+        speed,
+        hold,
+        ..Gesture::USUAL
+    };
+    key.take(STROKES.map(gesture).into());
+    let mut seen = Seen::default();
+    while key.now() < LENGTH {
+        if let Some(found) = seen.tick(&mut key) {
+            return Some(found);
+        }
+    }
+    seen.shakes().then_some(Instability::Shakes)
+}
+
+/// Ways of a key, up and down (m).
+#[derive(Clone, Copy, Debug, Default)]
+struct Swing {
+    up: f64,
+    down: f64,
+}
+
+impl Swing {
+    /// Way to and fro (m): a key that is on its way up has none.
+    const fn to_and_fro(self) -> f64 {
+        2.0 * self.up.min(self.down)
+    }
+}
+
+/// What was seen of a key since its trial began.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    /// Strikes since the stroke that is or was played last began.
+    strikes: usize,
+    stroke: usize,
+    /// How the key moved in both halves of the trial's end.
+    end: [Swing; 2],
+    position: f64,
+}
+
+impl Seen {
+    /// Goes on by a tick; returns what shows that the key is not stable.
+    fn tick(&mut self, key: &mut RehearsedKey) -> Option<Instability> {
+        let now = key.now();
+        let turn = key.step();
+        let fault = turn.fault.map(Instability::Fault);
+        let struck = |it: &&(_, KeyEvent)| matches!(it.1, KeyEvent::Strike { .. });
+        let strikes = turn.events.as_slice().iter().filter(struck).count();
+        let stroke = STROKES.iter().filter(|it| it.0 <= now).count();
+        self.strikes = if stroke == self.stroke { self.strikes + strikes } else { strikes };
+        self.stroke = stroke;
+        let position = key.position();
+        if LENGTH - QUIET <= now {
+            let half = &mut self.end[usize::from(LENGTH - 0.5 * QUIET <= now)];
+            let moved = position - self.position;
+            half.down += moved.max(0.0);
+            half.up -= moved.min(0.0);
+        }
+        self.position = position;
+        let is_alone = now < UNTOUCHED || LENGTH - QUIET <= now;
+        let alone = (is_alone && 0 < strikes).then_some(Instability::Untouched);
+        let chatters = (CHATTER < self.strikes).then_some(Instability::Chatters);
+        fault.or(alone).or(chatters)
+    }
+
+    /// Tells whether the key went to and fro at the end, and that does not die away.
+    fn shakes(&self) -> bool {
+        let [first, second] = self.end.map(Swing::to_and_fro);
+        (0.5 * SHAKING * QUIET).max(DYING * first) < second
+    }
+}
