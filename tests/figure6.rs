@@ -8,6 +8,11 @@ use crate::letoff::{check_words, folder, run};
 /// The figure in the README.
 const SHOWN: &str = "crates/lab/src/figure6/figure6.svg";
 
+/// A file of ours.
+fn committed(path: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a file of ours")
+}
+
 /// All text of a picture.
 fn texts(svg: &str) -> Vec<&str> {
     let rests = svg.split("<text").skip(1).filter_map(|it| it.split_once('>'));
@@ -31,8 +36,14 @@ fn the_experiment_writes_its_report_and_the_figure_that_the_readme_shows() {
     assert!(file("figure6-real-time.svg").contains("each in 2 ms"));
     let json: serde_json::Value = serde_json::from_str(&file("figure6.json")).expect("JSON");
     assert_eq!(json, report);
-    let shown = Path::new(env!("CARGO_MANIFEST_DIR")).join(SHOWN);
-    let shown = fs::read_to_string(shown).expect("the figure");
+    let readme = committed("crates/lab/README.md");
+    for (reading, name) in ["2 ms in 7 ms", "2 ms in 2 ms"].into_iter().enumerate() {
+        let time = |index: usize| report["readings"][reading]["events"][index]["paper"].as_f64();
+        let times = (0..5).filter_map(time).map(|t| format!(" {t:.3} s |")).collect::<String>();
+        let row = format!("| {name} |{times}");
+        assert!(readme.contains(&row), "{row}");
+    }
+    let shown = committed(SHOWN);
     assert_eq!(texts(&shown), texts(&file("figure6.svg")));
 }
 

@@ -77,20 +77,20 @@ pub struct ClosedLoop {
 }
 
 /// A rig, a hand and a model in one loop.
-struct Servo<S> {
+struct Servo<'a, S> {
     rig: KeyRig,
     path: HandPath<S>,
     pace: Pace,
-    model: SampledModel,
+    model: SampledModel<'a>,
     /// Force that is commanded (N).
     force: f64,
     /// Position at which the encoder began to count (m).
     zero: f64,
 }
 
-impl<S: Fn(f64) -> Motion + Copy> Servo<S> {
+impl<'a, S: Fn(f64) -> Motion + Copy> Servo<'a, S> {
     /// The loop before the hand has come, with the model at rest.
-    fn new(model: SmallModel, pace: Pace, cycles: usize, stroke: S) -> Self {
+    fn new(model: &'a SmallModel, pace: Pace, cycles: usize, stroke: S) -> Self {
         let expected =
             located(model, (STEP, cycles), |tick, theta| stroke((tick as f64 + theta) * STEP));
         let path = HandPath {
@@ -153,7 +153,7 @@ impl<S: Fn(f64) -> Motion + Copy> Servo<S> {
 
 /// Runs the closed loop until the model's time `until` (s), under a hand that is to make `stroke`.
 pub(super) fn closed_loop(
-    model: SmallModel,
+    model: &SmallModel,
     pace: Pace,
     until: f64,
     stroke: impl Fn(f64) -> Motion + Copy,

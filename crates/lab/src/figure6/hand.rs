@@ -121,11 +121,12 @@ impl<S: Fn(f64) -> Motion> HandPath<S> {
         let (force, slope) = self.expected(t * self.time_scale);
         let grip = force + HANDLE.mass * acceleration + HANDLE.damping * velocity;
         let muscle = grip + HAND.mass * acceleration;
+        let place = self.lever * stroke.position;
         let gives = grip / HAND.pulp_stiffness + muscle / HAND.stiffness;
         let gives_rate =
             slope * self.time_scale * (1.0 / HAND.pulp_stiffness + 1.0 / HAND.stiffness);
         MuscleCommand {
-            position: LEVEL * way + self.lever * stroke.position + gives,
+            position: LEVEL * way + place + gives,
             velocity: LEVEL * rate / APPROACH + velocity + gives_rate,
         }
     }

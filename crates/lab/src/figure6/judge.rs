@@ -142,7 +142,7 @@ pub(super) fn compare(
     let (model, ..) = scenario.start();
     let ticks = steps(scenario.plan().until);
     let judged = |kind| {
-        let run = run(kind, model, ticks, |t| scenario.input(t));
+        let run = run(kind, &model, ticks, |t| scenario.input(t));
         judge(kind, &run, scenario.reference(), truth, |mode| mode_name(&model, mode))
     };
     StepKind::ALL.map(judged).into()
@@ -154,7 +154,12 @@ pub(super) fn steps(until: f64) -> usize {
     (until / STEP).round() as usize
 }
 
-fn run(kind: StepKind, model: SmallModel, ticks: usize, input: impl Fn(f64) -> Motion) -> ModelRun {
+fn run(
+    kind: StepKind,
+    model: &SmallModel,
+    ticks: usize,
+    input: impl Fn(f64) -> Motion,
+) -> ModelRun {
     let sample = |tick: usize, back: f64| input((tick as f64 - back) * STEP).position;
     let span = (STEP, ticks);
     match kind {

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::closed_loop::{ClosedLoop, Pace, RigRow, closed_loop};
 use super::judge::{StepErrors, Truth, compare, truth};
 use super::model_run::{ModelRun, RunEvent};
-use crate::scenario::{BadFile, Scenario, figure_6};
+use crate::scenario::{BadFile, Scenario as _, figure_6};
 
 /// All that is in the report.
 #[derive(Clone, PartialEq, Debug)]
@@ -28,11 +28,12 @@ pub struct Figure6 {
 ///
 /// # Errors
 /// When the reference, which is part of the program, cannot be read.
+#[expect(clippy::large_stack_frames, reason = "once for a study")]
 pub fn figure6(pace: Pace) -> Result<Figure6, BadFile> {
     let stroke = figure_6()?;
     let (model, ..): (SmallModel, _, _) = stroke.start();
     let until = stroke.plan().until;
-    let run = |pace| closed_loop(model, pace, until, |t| stroke.input(t));
+    let run = |pace| closed_loop(&model, pace, until, |t| stroke.input(t));
     let truth = truth(&stroke);
     Ok(Figure6 {
         slow_motion: run(pace),

@@ -10,8 +10,8 @@ use super::model_run::{Mode, ModelRun, ModelState, RunEvent, mode_name, row, sti
 
 /// A model that is stepped as the paper did it.
 #[derive(Clone, Debug)]
-pub(super) struct SampledModel {
-    model: SmallModel,
+pub(super) struct SampledModel<'a> {
+    model: &'a SmallModel,
     /// Length of a step (s).
     step: f64,
     mode: Mode,
@@ -21,11 +21,11 @@ pub(super) struct SampledModel {
     run: ModelRun,
 }
 
-impl SampledModel {
+impl<'a> SampledModel<'a> {
     /// The model at rest under s = 0, for steps of `step` (s).
-    pub(super) fn new(model: SmallModel, step: f64) -> Self {
+    pub(super) fn new(model: &'a SmallModel, step: f64) -> Self {
         let (mode, state) = model.at_rest(&still(0.0));
-        let run = ModelRun::new(&model, (mode, state), 0.0);
+        let run = ModelRun::new(model, (mode, state), 0.0);
         Self { model, step, mode, state, made: 0.0, run }
     }
 
@@ -47,7 +47,7 @@ impl SampledModel {
         }
         self.made += self.model.energy(self.mode, &self.state, &input) - energy;
         self.run.made = self.run.made.max(self.made.abs());
-        let row = row(&self.model, t, (self.mode, &self.state), s);
+        let row = row(self.model, t, (self.mode, &self.state), s);
         self.run.rows.push(row);
         self.force()
     }
@@ -80,7 +80,7 @@ impl SampledModel {
     /// more, though the hammer was beyond it already. `[GC93]` §5.1
     fn switch(&mut self, guard: GuardSpec, t: f64, s: f64) {
         let reset = self.model.reset(self.mode, guard.id, &self.state, &still(s));
-        let [from, to] = [self.mode, reset.mode].map(|mode| mode_name(&self.model, mode));
+        let [from, to] = [self.mode, reset.mode].map(|mode| mode_name(self.model, mode));
         self.run.events.push(RunEvent { t, guard: guard.name, from, to });
         let ([hammer, key, ..], [.., u_hammer, u_key]) = (self.state, reset.state);
         (self.mode, self.state) = (reset.mode, [hammer, key, u_hammer, u_key]);

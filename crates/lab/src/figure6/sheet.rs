@@ -87,11 +87,10 @@ fn page(
     );
     for ((_, it), (_, svg)) in readings(figure).into_iter().zip(drawn) {
         let title = format!("{} model seconds a second: {}", short(it.pace.time_scale()), pace(it));
-        page += &format!("<h2>{}</h2>\n<figure>\n{svg}</figure>\n", escape(&title));
+        page += &["<h2>", &escape(&title), "</h2>\n<figure>\n", svg, "</figure>\n"].concat();
         page += &times(it);
     }
-    page += &format!("<p>{STORY}</p>\n");
-    page += &format!("<h2>How wrong the step is</h2>\n<p class=\"read\">{ERRORS}</p>\n");
+    page += &["<p>", STORY, "</p>\n<h2>How wrong the step is</h2>\n<p>", ERRORS, "</p>\n"].concat();
     page += &error_table(figure);
     for (_, chart) in charts {
         page += &["<figure>\n", &chart.svg(), "</figure>\n"].concat();

@@ -105,12 +105,12 @@ fn errors_are_those_that_an_independent_study_stated() {
     assert!(located.iter().all(|it| it.energy_made < 1e-3 * paper.energy_made));
 }
 
-/// Model B of the `paper` set with its equations written out: mode B1 while `together`.
-fn derivative(together: bool, [h, k, hh, kk]: [f64; 4], s: f64) -> [f64; 4] {
+/// Model B of the `paper` set with its equations written out, with `k2` (N/m) between the two.
+fn derivative(k2: f64, [h, k, hh, kk]: [f64; 4], s: f64) -> [f64; 4] {
     let d = k - h;
     let q4 = (0.4 * d.sin() - 0.05 * h.cos() + 0.1 * h.sin()) / d.cos();
     let q3 = (0.4 - 0.1 * k.cos() - 0.05 * k.sin()) / d.cos();
-    let spring = if together { 15.0 * q4 } else { 0.0 };
+    let spring = k2 * q4;
     let hammer = -0.01 * 9.81 * h.cos() + spring * q3 / d.cos();
     let key = 6.2 * (s - k) - 6.5 * 9.81 * 0.002 * k.cos() - spring * (0.4 + q4 * d.tan());
     [hh, kk, hammer / 0.01, key / 0.01625]
@@ -125,7 +125,8 @@ fn the_sampled_step_is_that_of_a_loop_written_from_the_equations() {
     let mut x = [-0.278_754_077_512_648_9, -0.039_795_659_751_103_18, 0.0, 0.0];
     let (mut together, mut switches) = (true, Vec::new());
     for row in &it.rows[1..] {
-        let f = |x| derivative(together, x, row.s);
+        let k2 = if together { 15.0 } else { 0.0 };
+        let f = |x| derivative(k2, x, row.s);
         let before = x[0];
         let k1 = f(x);
         let k2 = f(add(x, 0.5 * STEP, k1));
