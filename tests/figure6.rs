@@ -34,6 +34,7 @@ fn the_experiment_writes_its_report_and_the_figure_that_the_readme_shows() {
     assert!(file("events.csv").contains("figure6-real-time,string,B2,B2,"));
     assert!(file("index.html").contains("all 12") && file("event-errors.svg").contains("<circle"));
     assert!(file("figure6-real-time.svg").contains("each in 2 ms"));
+    assert!(file("figure6-beside.svg").contains("same samples, located"));
     let json: serde_json::Value = serde_json::from_str(&file("figure6.json")).expect("JSON");
     assert_eq!(json, report);
     let readme = committed("crates/lab/README.md");

@@ -220,7 +220,7 @@ fn judge(
     }
 }
 
-/// The largest magnitude.
+/// Largest magnitude of `values`, 0 of none.
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |largest, value| value.abs().max(largest))
 }

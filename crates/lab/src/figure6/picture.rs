@@ -46,7 +46,7 @@ const SHADES: [Color; 2] = [Color(253, 236, 205), Color(222, 235, 247)];
 const SWITCH: Stroke = Stroke::new(INK, 1.6);
 /// Where values are zero.
 const ZERO: Stroke = Stroke::new(INK, 0.75).faint(0.6);
-/// Width of curves.
+/// Width of the curves (pixels).
 const WIDTH: f64 = 1.9;
 /// The mode in which hammer and key are together.
 const TOGETHER: &str = "B1";
@@ -127,15 +127,16 @@ struct Figure<'a> {
 }
 
 impl Figure<'_> {
-    /// Axes of forces (N) and of the gap (mm), with their zeros at one height.
+    /// Axes of forces (N) and of the gap (mm), which begins at zero and at the forces' zero.
     fn force_axes(&self) -> [Axis; 2] {
         /// Highest gap, as a part of the room above zero.
         const GAP: f64 = 0.85;
         let forces = roomy(extent(self.run, &FORCES, 0));
         let (_, gap) = extent(self.run, &FORCES, 1);
         let per_newton = gap.max(1.0) / (GAP * forces.end.max(1.0));
-        let gaps = per_newton * forces.start..per_newton * forces.end;
-        [forces, gaps].map(|range| Axis::linear(&range, (UPPER.1, UPPER.0)))
+        let gaps = 0.0..per_newton * forces.end;
+        let forces = Axis::linear(&forces, (UPPER.1, UPPER.0));
+        [forces, Axis::linear(&gaps, (forces.place(0.0), UPPER.0))]
     }
 
     /// Epochs as (start, end, mode), with their times (s).
@@ -222,14 +223,17 @@ impl Figure<'_> {
             canvas.line(&[a, b, c, d, a], Stroke::new(INK, 0.75));
             // Both panels have one axis of time, and only forces have a second axis.
             if top < LOWER.0 {
-                edge(&axes[1], PanelSide::Right).draw_axis(canvas);
+                let panel = [panel[0], (SPAN.1, axes[1].place(0.0))];
+                let right = edge(&axes[1], PanelSide::Right);
+                PanelEdge { panel, wanted: 0.5 * NUMBERS, ..right }.draw_axis(canvas);
             } else {
                 edge(&self.time, PanelSide::Below).draw_axis(canvas);
             }
         }
         let middle = |(top, bottom)| f64::midpoint(top, bottom);
         canvas.text("force [N]", (TITLES[0], middle(UPPER)), TEXT, Anchor::Upright);
-        canvas.text("gap [mm]", (TITLES[1], middle(UPPER)), TEXT, Anchor::Upright);
+        let gaps = (UPPER.0, forces[1].place(0.0));
+        canvas.text("gap [mm]", (TITLES[1], middle(gaps)), TEXT, Anchor::Upright);
         canvas.text("angle [rad]", (TITLES[0], middle(LOWER)), TEXT, Anchor::Upright);
         let below = (f64::midpoint(SPAN.0, SPAN.1), LOWER.1 + 38.0);
         canvas.text("model time t [s]", below, TEXT, Anchor::Middle);

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::closed_loop::{ClosedLoop, RigRow};
 use super::hand;
 use super::judge::StepErrors;
-use super::model_run::RunRow;
+use super::model_run::{ModelRun, RunRow};
 use super::outcome::{EventTimes, Figure6, event_times};
 use super::picture;
 use crate::piano::SHEET;
@@ -27,6 +27,11 @@ const ERRORS: &str = "The stroke of the reference, without a hand in a loop, aga
     states of an independent program: how wrong is each way to step it with RK4 at 2 ms? Forces and \
     stored energies are compared every 10 ms, where no event is within 5 ms. Energy made is what \
     nobody had put in, or what was lost, at its largest.";
+
+/// What the chart of the loop compares.
+const BESIDE: &str = "The first figure's gesture once more: the force under the samples as they were \
+    taken, against that under the way of the handle between them. What both have in common is the \
+    encoder, whose line is 0.3 N, and the input that is held.";
 
 /// What the paper's text says of its figure.
 const STORY: &str = "The paper's text: held still for 0.3 s, thrown, free, caught at 0.9 s, thrown \
@@ -78,7 +83,7 @@ fn pace(it: &ClosedLoop) -> String {
 fn page(
     figure: &Figure6,
     drawn: &[(&'static str, String); 2],
-    charts: &[(&'static str, Chart); 2],
+    charts: &[(&'static str, Chart); 3],
 ) -> String {
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -92,10 +97,12 @@ fn page(
     }
     page += &["<p>", STORY, "</p>\n<h2>How wrong the step is</h2>\n<p>", ERRORS, "</p>\n"].concat();
     page += &error_table(figure);
-    for (_, chart) in charts {
+    let [beside, errors @ ..] = charts;
+    for (_, chart) in errors {
         page += &["<figure>\n", &chart.svg(), "</figure>\n"].concat();
     }
-    page += "<h2>Rig and hand</h2>\n";
+    page += &["<h2>In the loop</h2>\n<p class=\"read\">", BESIDE, "</p>\n<figure>\n"].concat();
+    page += &[&beside.1.svg(), "</figure>\n<h2>Rig and hand</h2>\n"].concat();
     page += &rig_table();
     page + "</body>\n</html>\n"
 }
@@ -211,8 +218,8 @@ fn errors(figure: &Figure6) -> String {
     text
 }
 
-/// Errors of event times and of forces over time.
-fn charts(figure: &Figure6) -> [(&'static str, Chart); 2] {
+/// The gesture in three ways, and errors of event times and of forces over time.
+fn charts(figure: &Figure6) -> [(&'static str, Chart); 3] {
     let truth = &figure.truth.events;
     let event_errors = |it: &StepErrors| {
         it.events.iter().zip(truth).map(|(error, (t, _))| (*t, error.abs())).collect()
@@ -223,6 +230,7 @@ fn charts(figure: &Figure6) -> [(&'static str, Chart); 2] {
         errors.filter(|it| it.1 > LEAST).collect()
     };
     [
+        ("figure6-beside", beside(&figure.slow_motion)),
         (
             "event-errors",
             chart(
@@ -244,6 +252,27 @@ fn charts(figure: &Figure6) -> [(&'static str, Chart); 2] {
             ),
         ),
     ]
+}
+
+/// The force on the hand, less that under the handle's own way with located events.
+fn beside(it: &ClosedLoop) -> Chart {
+    let ways = [("the paper's step", &it.paper), ("same samples, located", &it.located)];
+    let curve = |(index, (name, run)): (usize, (&str, &ModelRun))| {
+        let pairs = run.rows.iter().zip(&it.exact.rows);
+        ChartCurve {
+            name: name.to_owned(),
+            stroke: Stroke::new(CURVES[(index + 1) % CURVES.len()], 1.2),
+            look: CurveLook::Line,
+            points: pairs.map(|(row, exact)| (row.t, row.f_ku - exact.f_ku)).collect(),
+        }
+    };
+    Chart {
+        title: "Force on the hand, less that of the handle's own way",
+        x_title: "model time t [s]",
+        y_title: "difference [N]",
+        scales: Scales::Linear,
+        curves: ways.into_iter().enumerate().map(curve).collect(),
+    }
 }
 
 /// Smallest error of a force that is drawn (N).
