@@ -9,6 +9,7 @@ mod configs;
 mod descriptions;
 mod faults;
 mod fidelity;
+mod figure6;
 mod fit;
 mod grand;
 mod late_samples;

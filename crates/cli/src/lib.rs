@@ -13,6 +13,7 @@ mod child_program;
 mod dash;
 mod devices;
 mod endpoints;
+mod figure6;
 mod fit;
 mod instruments;
 mod live;

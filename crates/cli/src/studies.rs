@@ -10,6 +10,7 @@ use lab::certificates::{CertificateChoice, CertificateReport, LOOKS, try_certifi
 use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
 use lab::scenario::SCENARIOS;
 
+use super::figure6::{self, Figure6Args};
 use super::fit::{self, FitArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
@@ -32,6 +33,8 @@ pub enum StudyCommand {
     Certificates(CertificatesArgs),
     /// Touch, timing, check, repetition and energy of an instrument, beside measured grands.
     Piano(PianoArgs),
+    /// The paper's experiment and its figure 6, at the paper's rates, and how wrong its step was.
+    Figure6(Figure6Args),
     /// An instrument from a measured action: its parameters, with how well they are known.
     Fit(FitArgs),
 }
@@ -114,6 +117,7 @@ pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
         StudyCommand::Accuracy(args) => accuracy(args, out),
         StudyCommand::Certificates(args) => certificates(args, out),
         StudyCommand::Piano(args) => piano::run(args, out),
+        StudyCommand::Figure6(args) => figure6::run(args, out),
         StudyCommand::Fit(args) => fit::run(args, out),
     }
 }

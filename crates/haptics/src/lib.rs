@@ -18,7 +18,7 @@
 //! | tick, substep | one period of the control loop; the plant's own fixed part of it |
 //! | stuck | at exactly zero velocity, held there by stiction |
 //! | felt | a unilateral spring and damper that stops the key |
-//! | pulp | the soft fingertip; it pushes and never pulls |
+//! | pulp | the soft fingertip; it pushes, and pulls only where the finger grips its key |
 //! | gesture | what a finger's muscle commands over time: one stroke and its release |
 
 #![forbid(unsafe_code)]
@@ -32,6 +32,6 @@ pub use estimate::{BackwardDifference, Estimator, Kalman, KeyMotion};
 pub use limits::{ForceGate, Gated, LimitError};
 pub use passivity::{EnergyBound, PassivityObserver};
 pub use plant::{
-    Encoder, Felt, Finger, FingerParameters, Gesture, KeyFront, KeyParameters, KeyRig, Motor,
-    MotorParameters, RigParameters, Touch,
+    Encoder, Felt, Finger, FingerParameters, Gesture, Grasp, KeyFront, KeyParameters, KeyRig,
+    Motor, MotorParameters, MuscleCommand, RigParameters, Touch,
 };

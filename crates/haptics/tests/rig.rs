@@ -1,6 +1,10 @@
 //! One key under a finger and a motor: what happens in playing, tick by tick.
 
-use haptics::{FingerParameters, Gesture, KeyParameters, KeyRig, RigParameters, Touch};
+use core::f64::consts::TAU;
+
+use haptics::{
+    FingerParameters, Gesture, Grasp, KeyParameters, KeyRig, MuscleCommand, RigParameters, Touch,
+};
 use proptest::prelude::*;
 
 /// Period of the tick (s).
@@ -221,4 +225,35 @@ proptest! {
             prop_assert!((-4e-3..14.2e-3).contains(&rig.position()), "{}", rig.position());
         }
     }
+}
+
+#[test]
+fn a_hand_that_grips_leads_the_key_along_a_path_both_ways() {
+    let grips = FingerParameters { grasp: Grasp::Grips, ..FingerParameters::STIFF };
+    // A slow swing around the middle of the dip, 4 mm to both sides, after a second at rest there.
+    let path = |t: f64| {
+        let phase = TAU * (t - 1.0).max(0.0);
+        let velocity = if t < 1.0 { 0.0 } else { 4e-3 * TAU * phase.cos() };
+        MuscleCommand { position: 5e-3 + 4e-3 * phase.sin(), velocity }
+    };
+    let led = |finger: FingerParameters| {
+        let mut rig = KeyRig::new(RigParameters { finger, ..RigParameters::default() });
+        let mut astray = 0.0_f64;
+        let mut pulled = 0.0_f64;
+        for tick in 0..3000 {
+            let t = f64::from(tick) * PERIOD;
+            rig.follow(t, PERIOD, -1.0, path);
+            if 1.0 < t {
+                astray = astray.max((rig.position() - path(t + PERIOD).position).abs());
+                pulled = pulled.min(rig.finger_force());
+            }
+        }
+        (astray, pulled)
+    };
+    // The motor pulls down by 1 N, the return spring up by 0.3 N; friction and damping, 0.13 N, are
+    // with one in turn. On muscle and pulp in series the key is behind by what is left.
+    let (astray, pulled) = led(grips);
+    assert!(astray < 0.85 / 981.0 && pulled < -0.5, "{astray} m, {pulled} N");
+    // A finger that lies on it follows it to the bottom and never pulls.
+    assert!(led(FingerParameters::STIFF).1 >= 0.0);
 }

@@ -8,6 +8,7 @@
 //! report/     what was measured, as CSV, SVG and one HTML page
 //! piano/      an instrument beside measured grands
 //! fit/        an instrument from a measured action
+//! figure6/    the paper's experiment at the paper's rates, and how wrong its step was
 //! parallel.rs work on all processors
 //! random.rs   random numbers that a seed repeats
 //! plot/       pictures as SVG, for simulate, piano, fit and report
@@ -24,6 +25,7 @@
 
 pub mod accuracy;
 pub mod certificates;
+pub mod figure6;
 pub mod fit;
 mod parallel;
 pub mod piano;

@@ -12,6 +12,16 @@ const BRACED: (f64, f64) = (3.0, 6.0);
 const BRACED_STIFFNESS: f64 = 1300.0 / 400.0;
 const BRACED_DAMPING: f64 = 7.0 / 4.0;
 
+/// How a finger holds its key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grasp {
+    /// It lies on the key: it pushes and never pulls.
+    Pushes,
+    /// It holds the key on both sides, as the hand in the paper's experiment did: it pushes and
+    /// pulls. `[GC93]` §6
+    Grips,
+}
+
 /// Constants of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FingerParameters {
@@ -25,12 +35,20 @@ pub struct FingerParameters {
     pub pulp_stiffness: f64,
     /// Damping of the pulp (N s/m).
     pub pulp_damping: f64,
+    /// Whether it can pull, too.
+    pub grasp: Grasp,
 }
 
 impl FingerParameters {
     /// An ordinary finger; an estimate, ± 50 %, the pulp too.
-    pub const ORDINARY: Self =
-        Self { mass: 6e-3, damping: 4.0, stiffness: 400.0, pulp_stiffness: 4e3, pulp_damping: 3.0 };
+    pub const ORDINARY: Self = Self {
+        mass: 6e-3,
+        damping: 4.0,
+        stiffness: 400.0,
+        pulp_stiffness: 4e3,
+        pulp_damping: 3.0,
+        grasp: Grasp::Pushes,
+    };
 
     /// The stiff corner of what fingers do; an estimate.
     pub const STIFF: Self = Self { damping: 7.0, stiffness: 1300.0, ..Self::ORDINARY };
@@ -108,15 +126,20 @@ impl Finger {
     }
 
     /// Returns the contact force with a key that is at `position` (m) and moves with
-    /// `velocity` (m/s), in newtons: up on the finger, down on the key, never negative.
+    /// `velocity` (m/s), in newtons: up on the finger, down on the key, negative only where the
+    /// finger grips and pulls the key up.
     pub fn contact(&self, position: f64, velocity: f64) -> f64 {
+        let FingerParameters { pulp_stiffness, pulp_damping, grasp, .. } = self.braced;
         let depth = self.position - position;
-        if depth <= 0.0 {
+        if grasp == Grasp::Pushes && depth <= 0.0 {
             return 0.0;
         }
         let rate = self.velocity - velocity;
-        let FingerParameters { pulp_stiffness, pulp_damping, .. } = self.braced;
-        (pulp_stiffness * depth + pulp_damping * rate).max(0.0)
+        let force = pulp_stiffness * depth + pulp_damping * rate;
+        match grasp {
+            Grasp::Pushes => force.max(0.0),
+            Grasp::Grips => force,
+        }
     }
 
     /// Advances by one substep `h` (s) towards the commanded `position` (m) and `velocity`
@@ -153,6 +176,18 @@ mod tests {
         assert_eq!(finger.contact(0.0, 10.0).to_bits(), 0.0_f64.to_bits());
         // 4000 N/m · 0.1 mm.
         assert!((finger.contact(0.0, 0.0) - 0.4).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_hand_that_grips_pulls_as_it_pushes() {
+        let gripping = FingerParameters { grasp: Grasp::Grips, ..FingerParameters::ORDINARY };
+        let mut hand = Finger::new(gripping);
+        for (position, velocity) in [(1e-4, 0.3), (-1e-4, -0.3), (-1e-4, 0.0)] {
+            hand.place(MuscleCommand { position, velocity }, 0.0);
+            // 4000 N/m and 3 N s/m, on either side.
+            let expected = 4e3 * position + 3.0 * velocity;
+            assert!((hand.contact(0.0, 0.0) - expected).abs() < 1e-15);
+        }
     }
 
     #[test]

@@ -15,8 +15,8 @@ mod smooth;
 
 pub use encoder::Encoder;
 pub use felt::Felt;
-pub use finger::{Finger, FingerParameters};
-pub use gesture::{Gesture, Touch};
+pub use finger::{Finger, FingerParameters, Grasp};
+pub use gesture::{Gesture, MuscleCommand, Touch};
 pub use key::{KeyFront, KeyParameters};
 pub use motor::{MAX_DELAY_STEPS, Motor, MotorParameters};
 pub use rig::{KeyRig, MAX_SUBSTEP, MAX_SUBSTEPS, RigParameters};

@@ -3,7 +3,7 @@
 use super::encoder::Encoder;
 use super::felt::Felt;
 use super::finger::{Finger, FingerParameters};
-use super::gesture::Gesture;
+use super::gesture::{Gesture, MuscleCommand};
 use super::key::{KeyFront, KeyParameters};
 use super::motor::{Motor, MotorParameters};
 
@@ -73,6 +73,17 @@ impl Default for RigParameters {
     }
 }
 
+/// What leads the finger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Playing {
+    /// Nothing: it is away.
+    Nothing,
+    /// A gesture, by its start (s).
+    Gesture(f64),
+    /// A path of its own.
+    Path,
+}
+
 /// A simulated key under a finger and a force, stepped tick by tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeyRig {
@@ -80,8 +91,7 @@ pub struct KeyRig {
     encoder: Encoder,
     motor: Motor,
     finger: Finger,
-    /// Start of the gesture that the finger plays (s); none while it is away.
-    playing: Option<f64>,
+    playing: Playing,
     /// Force between finger and key (N).
     contact: f64,
     /// How hard a weight lies on the key's front besides (N).
@@ -100,7 +110,7 @@ impl KeyRig {
             encoder: Encoder::new(parameters.quantum),
             motor: Motor::new(parameters.motor),
             finger: Finger::new(parameters.finger),
-            playing: None,
+            playing: Playing::Nothing,
             contact: 0.0,
             weight: 0.0,
         }
@@ -117,15 +127,21 @@ impl KeyRig {
     /// A number of substeps that depends on `h` only: one per [`MAX_SUBSTEP`] or part of it,
     /// at most [`MAX_SUBSTEPS`].
     pub fn advance(&mut self, t: f64, h: f64, force: f64, gesture: Option<&Gesture>) {
-        self.motor.command(force);
-        if !h.is_finite() || h <= 0.0 {
-            return;
-        }
-        let substeps = substeps(h);
-        let substep = h / f64::from(substeps);
-        for i in 0..substeps {
-            self.step(t + f64::from(i) * substep, substep, gesture);
-        }
+        self.tick((t, h), force, |rig, t, h| match gesture {
+            Some(gesture) if gesture.is_active(t) => rig.play(t, h, gesture),
+            _ => rig.rest(),
+        });
+    }
+
+    /// Advances by one tick as [`Self::advance`] does, under a finger whose muscle is commanded by
+    /// `path`, a function of time (s); who held the key by something else before lets go, and this
+    /// finger is placed where the path is.
+    ///
+    /// # Real-time
+    ///
+    /// As [`Self::advance`], with two calls of `path` for each substep at most.
+    pub fn follow(&mut self, t: f64, h: f64, force: f64, path: impl Fn(f64) -> MuscleCommand) {
+        self.tick((t, h), force, |rig, t, h| rig.lead(t, h, &path));
     }
 
     /// Lays a weight on the key's front from now on, which presses with `newtons` wherever the
@@ -164,7 +180,8 @@ impl KeyRig {
         self.motor.force()
     }
 
-    /// Returns the force of the key on the finger (N), up positive, never negative.
+    /// Returns the force of the key on the finger (N), up positive; negative only where the finger
+    /// grips.
     pub const fn finger_force(&self) -> f64 {
         self.contact
     }
@@ -174,38 +191,60 @@ impl KeyRig {
     /// Then [`Self::advance`] with the same force and no active gesture changes nothing, and
     /// may be left out.
     pub fn is_still(&self) -> bool {
-        self.playing.is_none()
+        self.playing == Playing::Nothing
             && self.motor.is_settled()
             && self.key.holds(self.motor.force() - self.weight)
     }
 
-    /// One substep from `t` to `t + h` (s).
-    fn step(&mut self, t: f64, h: f64, gesture: Option<&Gesture>) {
-        let finger = match gesture {
-            Some(gesture) if gesture.is_active(t) => self.play(t, h, gesture),
-            _ => self.rest(),
-        };
-        self.contact = finger + self.weight;
-        let motor = self.motor.step(h);
-        self.key.step(motor - self.contact, h);
+    /// One tick from `t` that lasts `h` (s): `touch` moves the finger over each substep, and
+    /// returns the contact force during it (N).
+    fn tick(&mut self, (t, h): (f64, f64), force: f64, touch: impl Fn(&mut Self, f64, f64) -> f64) {
+        self.motor.command(force);
+        if !h.is_finite() || h <= 0.0 {
+            return;
+        }
+        let substeps = substeps(h);
+        let substep = h / f64::from(substeps);
+        for i in 0..substeps {
+            let finger = touch(self, t + f64::from(i) * substep, substep);
+            self.contact = finger + self.weight;
+            let motor = self.motor.step(substep);
+            self.key.step(motor - self.contact, substep);
+        }
     }
 
     /// Moves the finger along its gesture; returns the contact force during it (N).
     fn play(&mut self, t: f64, h: f64, gesture: &Gesture) -> f64 {
-        if self.playing.is_none_or(|start| start - gesture.start != 0.0) {
-            self.playing = Some(gesture.start);
+        let is_here =
+            matches!(self.playing, Playing::Gesture(start) if start - gesture.start == 0.0);
+        if !is_here {
+            self.playing = Playing::Gesture(gesture.start);
             self.finger.place(gesture.command(t), gesture.speed);
         }
+        self.press(h, gesture.command(t + h))
+    }
+
+    /// Moves the finger along its path; returns the contact force during it (N).
+    fn lead(&mut self, t: f64, h: f64, path: impl Fn(f64) -> MuscleCommand) -> f64 {
+        if self.playing != Playing::Path {
+            self.playing = Playing::Path;
+            self.finger.place(path(t), 0.0);
+        }
+        self.press(h, path(t + h))
+    }
+
+    /// Moves the finger over `h` (s), to where it is commanded at its end; returns the contact
+    /// force during it (N).
+    fn press(&mut self, h: f64, command: MuscleCommand) -> f64 {
         let contact = self.finger.contact(self.key.position(), self.key.velocity());
-        let command = gesture.command(t + h);
         self.finger.step(command.position, command.velocity, contact, h);
         contact
     }
 
     /// Takes the finger away; returns the contact force of none (N).
-    const fn rest(&mut self) -> f64 {
-        if self.playing.is_some() {
-            self.playing = None;
+    fn rest(&mut self) -> f64 {
+        if self.playing != Playing::Nothing {
+            self.playing = Playing::Nothing;
             self.finger.leave();
         }
         0.0

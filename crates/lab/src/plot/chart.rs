@@ -26,6 +26,20 @@ pub(crate) enum Scales {
     Logarithmic,
     /// Logarithmic across, linear up.
     SemiLogarithmic,
+    /// Linear across, logarithmic up.
+    LogarithmicUp,
+}
+
+impl Scales {
+    /// Whether values lie linearly across and up.
+    const fn are_linear(self) -> [bool; 2] {
+        match self {
+            Self::Linear => [true, true],
+            Self::Logarithmic => [false, false],
+            Self::SemiLogarithmic => [false, true],
+            Self::LogarithmicUp => [true, false],
+        }
+    }
 }
 
 /// A curve of a chart.
@@ -95,10 +109,8 @@ impl Chart {
         };
         let x = points().map(|it| it.0).collect();
         let y = points().map(|it| it.1).collect();
-        [
-            axis(self.scales == Scales::Linear, x, across),
-            axis(self.scales != Scales::Logarithmic, y, up),
-        ]
+        let [x_linear, y_linear] = self.scales.are_linear();
+        [axis(x_linear, x, across), axis(y_linear, y, up)]
     }
 }
 
@@ -135,7 +147,9 @@ mod tests {
 
     #[test]
     fn a_chart_has_its_curves_titles_and_names() {
-        for scales in [Scales::Linear, Scales::Logarithmic, Scales::SemiLogarithmic] {
+        for scales in
+            [Scales::Linear, Scales::Logarithmic, Scales::SemiLogarithmic, Scales::LogarithmicUp]
+        {
             let curve = ChartCurve {
                 name: "a grand".to_owned(),
                 stroke: Stroke::new(INK, 1.5),

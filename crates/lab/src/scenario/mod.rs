@@ -21,6 +21,7 @@ pub use reference::{ExpectedEvent, Reference, ReferenceSample};
 
 use core::fmt::Debug;
 
+use models::registry::SmallModel;
 use pode::{Energetic, Model, Resets};
 
 use self::ball::BallScenario;
@@ -34,6 +35,14 @@ pub(crate) const MS: f64 = 1e-3;
 
 /// Steps (s) over which a stroke of a key is studied: all divide 5 ms.
 const TICKS: &[f64] = &[5.0 * MS, 2.5 * MS, 1.0 * MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS];
+
+/// The stroke of the paper's figure 6 on model B, with what is right.
+///
+/// # Errors
+/// When its reference cannot be read.
+pub(crate) fn figure_6() -> Result<impl Scenario<Model = SmallModel> + 'static, BadFile> {
+    stroke::figure_6()
+}
 
 /// A model that can be studied.
 pub trait Studied: Resets + Energetic + Copy + PartialEq + Debug {}

@@ -2,7 +2,7 @@
 
 mod stroke;
 
-pub(super) use stroke::MuscleCommand;
+pub use stroke::MuscleCommand;
 
 use super::smooth::{quintic, quintic_slope};
 use stroke::StrokeProfile;

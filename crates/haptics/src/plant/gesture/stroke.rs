@@ -57,11 +57,11 @@ const SETTLE: f64 = 80e-3;
 
 /// What a muscle commands at one instant, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::plant) struct MuscleCommand {
+pub struct MuscleCommand {
     /// Position (m).
-    pub(in crate::plant) position: f64,
+    pub position: f64,
     /// Velocity (m/s).
-    pub(in crate::plant) velocity: f64,
+    pub velocity: f64,
 }
 
 /// One way down: its depths (m) and how long each part of it takes (s).

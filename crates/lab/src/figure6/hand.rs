@@ -1,0 +1,154 @@
+//! The hand of the experiment, and the rig that it holds.
+//!
+//! What the paper says of its rig: a position encoder of 50 lines per inch, about 3 inches of
+//! travel for 45° of the manipulandum, voice-coil motors, a hand that holds the key "on both top
+//! and bottom". All else is an estimate (E), chosen so that the story of figure 6 can be told.
+
+use core::f64::consts::TAU;
+
+use haptics::{
+    Felt, FingerParameters, Grasp, KeyParameters, MotorParameters, MuscleCommand, RigParameters,
+};
+use pode::Motion;
+
+/// Displacement of one line of the encoder (m): 50 lines per inch. `[GC93]` §6
+pub(super) const LINE: f64 = 25.4e-3 / 50.0;
+
+/// Travel of the handle (m): about 3 inches for 45°. `[GC93]` §6
+pub(super) const TRAVEL: f64 = 76.2e-3;
+
+/// Where the manipulandum is level (m), from the upper stop (E).
+const LEVEL: f64 = 25.4e-3;
+
+/// How long the hand takes to bring the handle there, and how long it then waits (s of the hand).
+const APPROACH: f64 = 0.7;
+const WAIT: f64 = 0.8;
+
+/// How long before the model's time 0 the hand begins (s of the hand).
+pub(super) const LEAD_IN: f64 = APPROACH + WAIT;
+
+/// A stop of the handle (E): rubber.
+const fn stop(position: f64) -> Felt {
+    Felt { position, stiffness: 20e3, damping: 30.0 }
+}
+
+/// The handle on its linear bearings (E): a coil, its carriage, a grip.
+const HANDLE: KeyParameters = KeyParameters {
+    mass: 0.15,
+    // Bearings, and eddy currents in the coil's former.
+    damping: 30.0,
+    coulomb: 0.2,
+    stiction: 0.25,
+    weight: 0.0,
+    rest_stop: stop(0.0),
+    bottom_stop: stop(TRAVEL),
+};
+
+/// A voice coil as a large disk drive has it, and its amplifier (E).
+const MOTOR: MotorParameters =
+    MotorParameters { limit: 40.0, bandwidth: TAU * 100.0, delay_steps: 0 };
+
+/// A hand and forearm that hold the handle between thumb and fingers (E).
+/// A hand and forearm that hold the handle between thumb and fingers (E).
+const HAND: FingerParameters = FingerParameters {
+    mass: 0.2,
+    damping: 30.0,
+    stiffness: 1500.0,
+    pulp_stiffness: 10e3,
+    pulp_damping: 20.0,
+    grasp: Grasp::Grips,
+};
+
+/// The rig of the paper's experiment.
+pub(super) const RIG: RigParameters =
+    RigParameters { key: HANDLE, motor: MOTOR, finger: HAND, quantum: LINE };
+
+/// A constant of rig or hand, for reports.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RigValue {
+    pub(super) title: &'static str,
+    pub(super) value: f64,
+    pub(super) unit: &'static str,
+    /// Where it is from.
+    pub(super) source: &'static str,
+}
+
+/// Returns the constants of rig and hand with their sources.
+pub(super) fn values() -> Vec<RigValue> {
+    const PAPER: &str = "the paper, section 6";
+    const ESTIMATE: &str = "estimate";
+    let value = |title, value, unit, source| RigValue { title, value, unit, source };
+    vec![
+        value("line of the encoder", 1e3 * LINE, "mm", PAPER),
+        value("travel of the handle, for 45°", 1e3 * TRAVEL, "mm", PAPER),
+        value("moving mass of the handle", HANDLE.mass, "kg", ESTIMATE),
+        value("damping of the handle", HANDLE.damping, "N·s/m", ESTIMATE),
+        value("friction of the handle, moving", HANDLE.coulomb, "N", ESTIMATE),
+        value("friction of the handle, at rest", HANDLE.stiction, "N", ESTIMATE),
+        value("largest force of the motor", MOTOR.limit, "N", ESTIMATE),
+        value("bandwidth of the motor's current", MOTOR.bandwidth / TAU, "Hz", ESTIMATE),
+        value("mass of the hand", HAND.mass, "kg", ESTIMATE),
+        value("stiffness of the muscle", HAND.stiffness, "N/m", ESTIMATE),
+        value("damping of the muscle", HAND.damping, "N·s/m", ESTIMATE),
+        value("stiffness of the grip", HAND.pulp_stiffness, "N/m", ESTIMATE),
+        value("damping of the grip", HAND.pulp_damping, "N·s/m", ESTIMATE),
+    ]
+}
+
+/// What the muscle of a practised hand commands: the way to the level place, then the stroke, and
+/// before it what its own spring gives way under the force that it expects.
+#[derive(Clone, Debug)]
+pub(super) struct HandPath<S> {
+    /// The stroke in model time: an angle with its rates (rad).
+    pub(super) stroke: S,
+    /// Force that is expected from the model (N), at multiples of `step` from 0 on.
+    pub(super) expected: Vec<f64>,
+    /// Model time between them (s).
+    pub(super) step: f64,
+    /// The finger's lever (m).
+    pub(super) lever: f64,
+    /// Model seconds per second of the hand.
+    pub(super) time_scale: f64,
+}
+
+impl<S: Fn(f64) -> Motion> HandPath<S> {
+    /// The command at `t` (s of the hand), which is 0 where the model's time is.
+    pub(super) fn command(&self, t: f64) -> MuscleCommand {
+        let (way, rate) = approach((t + LEAD_IN) / APPROACH);
+        let stroke = (self.stroke)(t * self.time_scale);
+        let velocity = self.lever * self.time_scale * stroke.rate;
+        let acceleration = self.lever * self.time_scale * self.time_scale * stroke.acceleration;
+        let (force, slope) = self.expected(t * self.time_scale);
+        let grip = force + HANDLE.mass * acceleration + HANDLE.damping * velocity;
+        let muscle = grip + HAND.mass * acceleration;
+        let place = self.lever * stroke.position;
+        let gives = grip / HAND.pulp_stiffness + muscle / HAND.stiffness;
+        let gives_rate =
+            slope * self.time_scale * (1.0 / HAND.pulp_stiffness + 1.0 / HAND.stiffness);
+        MuscleCommand {
+            position: LEVEL * way + place + gives,
+            velocity: LEVEL * rate / APPROACH + velocity + gives_rate,
+        }
+    }
+
+    /// The force that is expected at the model's time `t` (s), in N, and its slope (N/s); before 0
+    /// it is that at 0.
+    fn expected(&self, t: f64) -> (f64, f64) {
+        let place = (t / self.step).max(0.0);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+        let index = place as usize;
+        match self.expected.get(index..) {
+            Some([from, to, ..]) if t >= 0.0 => {
+                (from + (place - index as f64) * (to - from), (to - from) / self.step)
+            }
+            Some([force, ..]) => (*force, 0.0),
+            _ => (self.expected.last().copied().unwrap_or(0.0), 0.0),
+        }
+    }
+}
+
+/// A smooth way from 0 to 1 while `x` goes there, and its slope.
+fn approach(x: f64) -> (f64, f64) {
+    let x = x.clamp(0.0, 1.0);
+    (x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x))
+}

@@ -1,0 +1,156 @@
+//! The experiment in both readings, and the comparison with the reference.
+
+use models::registry::SmallModel;
+use pode::{Guarded as _, Motion};
+use serde::Serialize;
+
+use super::closed_loop::{ClosedLoop, Pace, RigRow, closed_loop};
+use super::judge::{StepErrors, Truth, compare, truth};
+use super::model_run::{ModelRun, RunEvent};
+use crate::scenario::{BadFile, Scenario as _, figure_6};
+
+/// All that is in the report.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Figure6 {
+    /// Model time is slower than the hand's, as the paper had it.
+    pub slow_motion: ClosedLoop,
+    /// Model time is the hand's.
+    pub real_time: ClosedLoop,
+    /// Angle of the hammer at the string (rad).
+    pub string: f64,
+    /// What is right under the exact stroke.
+    pub truth: Truth,
+    /// How wrong each way to step is there.
+    pub errors: Vec<StepErrors>,
+}
+
+/// Runs the paper's experiment: with `pace`, and with model time that is the hand's.
+///
+/// # Errors
+/// When the reference, which is part of the program, cannot be read.
+#[expect(clippy::large_stack_frames, reason = "once for a study")]
+pub fn figure6(pace: Pace) -> Result<Figure6, BadFile> {
+    let stroke = figure_6()?;
+    let (model, ..): (SmallModel, _, _) = stroke.start();
+    let until = stroke.plan().until;
+    let run = |pace| closed_loop(&model, pace, until, |t| stroke.input(t));
+    let truth = truth(&stroke);
+    Ok(Figure6 {
+        slow_motion: run(pace),
+        real_time: run(Pace::SAME),
+        string: string_angle(&model),
+        errors: compare(&stroke, &truth),
+        truth,
+    })
+}
+
+/// The angle of the hammer at the string (rad).
+fn string_angle(model: &SmallModel) -> f64 {
+    let input = Motion::default();
+    let (mode, state) = model.at_rest(&input);
+    let string = model.guards(mode).iter().find(|spec| spec.name == STRING);
+    // The guard is the angle that is left.
+    string.map_or(f64::NAN, |spec| state[0] + model.guard(mode, spec.id, &state, &input).value)
+}
+
+/// Name of the guard at the string.
+pub(super) const STRING: &str = "string";
+
+/// The report for programs.
+#[derive(Debug, Serialize)]
+pub struct Figure6Summary<'a> {
+    readings: [ReadingSummary<'a>; 2],
+    reference: &'a Truth,
+    errors: &'a [StepErrors],
+}
+
+/// One reading of the experiment.
+#[derive(Debug, Serialize)]
+struct ReadingSummary<'a> {
+    name: &'static str,
+    /// Model seconds per second of the hand.
+    time_scale: f64,
+    /// From one sample to the next (s of the hand).
+    servo: f64,
+    events: Vec<EventTimes<'a>>,
+    /// Whether located events, and the exact way, come in the same order as the paper's step has
+    /// them.
+    same_sequence: [bool; 2],
+    /// Largest energy that nobody had put in, by the paper's step (J).
+    energy_made: f64,
+    /// Lowest and highest force of the motor (N).
+    motor: (f64, f64),
+    /// Lowest and highest force on the hand (N).
+    hand: (f64, f64),
+}
+
+/// An event of the paper's step, and when the same gesture has it in better ways.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub(super) struct EventTimes<'a> {
+    pub(super) guard: &'a str,
+    pub(super) from: &'a str,
+    pub(super) to: &'a str,
+    /// Time of the end of the step in which it was seen (s).
+    pub(super) paper: f64,
+    /// Time under the same samples with located events (s), while the order is the same.
+    pub(super) located: Option<f64>,
+    /// Time under the handle's own way (s), while the order is the same.
+    pub(super) exact: Option<f64>,
+}
+
+impl Figure6 {
+    /// Returns the main figures, for programs.
+    pub fn summary(&self) -> Figure6Summary<'_> {
+        let readings =
+            [("slow-motion", &self.slow_motion), ("real-time", &self.real_time)].map(reading);
+        Figure6Summary { readings, reference: &self.truth, errors: &self.errors }
+    }
+}
+
+fn reading<'a>((name, it): (&'static str, &'a ClosedLoop)) -> ReadingSummary<'a> {
+    let is_same = |run: &ModelRun| {
+        common(&it.paper, run) == it.paper.events.len() && run.events.len() == it.paper.events.len()
+    };
+    let range = |forces: fn(&RigRow) -> f64| {
+        let ends = it.rig.iter().map(|row| (forces(row), forces(row)));
+        let ends = ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
+        ends.unwrap_or_default()
+    };
+    ReadingSummary {
+        name,
+        time_scale: it.pace.time_scale(),
+        servo: it.pace.servo(),
+        events: event_times(it),
+        same_sequence: [&it.located, &it.exact].map(is_same),
+        energy_made: it.paper.made,
+        motor: range(|row| row.motor),
+        hand: range(|row| row.hand),
+    }
+}
+
+/// The events of the paper's step with their times in the other two ways.
+pub(super) fn event_times(it: &ClosedLoop) -> Vec<EventTimes<'_>> {
+    let times = |run: &ModelRun| -> Vec<f64> {
+        run.events.iter().take(common(&it.paper, run)).map(|event| event.t).collect()
+    };
+    let (located, exact) = (times(&it.located), times(&it.exact));
+    let event = |(index, event): (usize, &RunEvent)| EventTimes {
+        guard: event.guard,
+        from: event.from,
+        to: event.to,
+        paper: event.t,
+        located: located.get(index).copied(),
+        exact: exact.get(index).copied(),
+    };
+    it.paper.events.iter().enumerate().map(event).collect()
+}
+
+/// How many first events two runs have in the same order and near each other.
+fn common(one: &ModelRun, other: &ModelRun) -> usize {
+    /// Farther apart, two are not the same bounce (s).
+    const NEAR: f64 = 50e-3;
+    let is_same = |(a, b): &(&RunEvent, &RunEvent)| {
+        (a.guard, a.to) == (b.guard, b.to) && (a.t - b.t).abs() < NEAR
+    };
+    one.events.iter().zip(&other.events).take_while(is_same).count()
+}

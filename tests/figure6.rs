@@ -1,0 +1,64 @@
+//! `letoff lab figure6`: the paper's experiment as people run it.
+
+use std::fs;
+use std::path::Path;
+
+use crate::letoff::{check_words, folder, run};
+
+/// The figure in the README.
+const SHOWN: &str = "crates/lab/src/figure6/figure6.svg";
+
+/// A file of ours.
+fn committed(path: &str) -> String {
+    fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).expect("a file of ours")
+}
+
+/// All text of a picture.
+fn texts(svg: &str) -> Vec<&str> {
+    let rests = svg.split("<text").skip(1).filter_map(|it| it.split_once('>'));
+    rests.filter_map(|(_, rest)| rest.split_once('<')).map(|(text, _)| text.trim()).collect()
+}
+
+#[test]
+fn the_experiment_writes_its_report_and_the_figure_that_the_readme_shows() {
+    let folder = folder("figure6");
+    let said = run(&folder, &["lab", "figure6", "--out", "out", "--json"]);
+    assert_eq!((said.code, said.err.as_str()), (Some(0), ""), "{said:?}");
+    let report = said.report();
+    let event = |index: usize| &report["readings"][0]["events"][index];
+    assert_eq!(event(3)["guard"], "string", "{report}");
+    assert!((event(4)["paper"].as_f64().expect("a time") - 1.5).abs() < 0.04, "{report}");
+    let file = |name: &str| fs::read_to_string(folder.join("out").join(name)).expect("a file");
+    assert_eq!(file("figure6.csv").lines().count(), 1502);
+    assert_eq!(file("errors.csv").lines().count(), 6);
+    assert!(file("events.csv").contains("figure6-real-time,string,B2,B2,"));
+    assert!(file("index.html").contains("all 12") && file("event-errors.svg").contains("<circle"));
+    assert!(file("figure6-real-time.svg").contains("each in 2 ms"));
+    assert!(file("figure6-beside.svg").contains("same samples, located"));
+    let json: serde_json::Value = serde_json::from_str(&file("figure6.json")).expect("JSON");
+    assert_eq!(json, report);
+    let readme = committed("crates/lab/README.md");
+    for (reading, name) in ["2 ms in 7 ms", "2 ms in 2 ms"].into_iter().enumerate() {
+        let time = |index: usize| report["readings"][reading]["events"][index]["paper"].as_f64();
+        let times = (0..5).filter_map(time).map(|t| format!(" {t:.3} s |")).collect::<String>();
+        let row = format!("| {name} |{times}");
+        assert!(readme.contains(&row), "{row}");
+    }
+    let shown = committed(SHOWN);
+    assert_eq!(texts(&shown), texts(&file("figure6.svg")));
+}
+
+#[test]
+fn another_pace_has_its_servo_and_what_is_wrong_is_told_in_a_sentence() {
+    let folder = folder("figure6-wrong");
+    let said = run(&folder, &["lab", "figure6", "--time-scale", "0.5", "--json"]);
+    assert_eq!(said.report()["readings"][0]["servo"], 4e-3, "{said:?}");
+    let said = run(&folder, &["lab", "figure6", "--time-scale", "3", "--out", "out"]);
+    assert_eq!((said.code, said.lines().len()), (Some(2), 1), "{said:?}");
+    check_words(&said, &["--time-scale 3 is not from 0.1 to 1"]);
+    assert!(!folder.join("out").exists());
+    fs::write(folder.join("file"), "").expect("a file");
+    let said = run(&folder, &["lab", "figure6", "--out", "file/in"]);
+    assert_eq!((said.code, said.lines().len()), (Some(2), 1), "{said:?}");
+    check_words(&said, &["cannot write file/in", "choose another --out"]);
+}
