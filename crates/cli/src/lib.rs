@@ -26,6 +26,7 @@ mod recover;
 mod replay;
 mod run;
 mod signals;
+mod stability;
 mod stop;
 mod streaming;
 mod studies;

@@ -13,6 +13,7 @@ use lab::scenario::SCENARIOS;
 use super::fit::{self, FitArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
+use super::stability::{self, StabilityArgs};
 use super::{Failure, print_json};
 use diagnostics::{choice, quoted};
 
@@ -34,6 +35,8 @@ pub enum StudyCommand {
     Piano(PianoArgs),
     /// An instrument from a measured action: its parameters, with how well they are known.
     Fit(FitArgs),
+    /// Where a virtual wall or an instrument is stable on a key: maps, beside theory.
+    Stability(Box<StabilityArgs>),
 }
 
 /// What `letoff lab certificates` takes.
@@ -115,6 +118,7 @@ pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
         StudyCommand::Certificates(args) => certificates(args, out),
         StudyCommand::Piano(args) => piano::run(args, out),
         StudyCommand::Fit(args) => fit::run(args, out),
+        StudyCommand::Stability(args) => stability::run(args, out),
     }
 }
 

@@ -8,9 +8,10 @@
 //! report/     what was measured, as CSV, SVG and one HTML page
 //! piano/      an instrument beside measured grands
 //! fit/        an instrument from a measured action
+//! stability/  where a wall or an instrument is stable on a key
 //! parallel.rs work on all processors
 //! random.rs   random numbers that a seed repeats
-//! plot/       pictures as SVG, for simulate, piano, fit and report
+//! plot/       pictures as SVG, for simulate, piano, fit, stability and report
 //! ```
 //!
 //! `scenario` does not know `accuracy`, `accuracy` does not know `report`, and none of them knows
@@ -32,3 +33,4 @@ mod random;
 pub mod report;
 pub mod scenario;
 pub mod simulate;
+pub mod stability;
