@@ -53,7 +53,7 @@ impl StabilityQuestion {
             LoopValues::ideal(&rig, PERIOD, jerk)
         };
         let model = voices.as_ref().map(|it| it.model);
-        set_values(args, model.is_some(), &mut values, &mut mistakes);
+        set_values(args, model, &mut values, &mut mistakes);
         let known = model.map_or(&[][..], |it| it.parameters);
         let mut chosen = Vec::new();
         for text in &args.set {
@@ -62,7 +62,7 @@ impl StabilityQuestion {
                 Err(wrong) => mistakes.push(format!("--set {wrong}")),
             }
         }
-        let estimators = estimators(args, model.is_some(), &mut mistakes);
+        let estimators = estimators(args, model, &mut mistakes);
         let base = LoopPoint { values, parameters };
         let usual = usual_axes(model);
         let mut axis = |option: &str, text: &Option<String>, usual: &str| {
@@ -121,7 +121,7 @@ fn subject(args: &StabilityArgs) -> Result<Subject, String> {
 /// Takes over the values of the loop that are given.
 fn set_values(
     args: &StabilityArgs,
-    is_voice: bool,
+    model: Option<&ModelEntry>,
     values: &mut LoopValues,
     mistakes: &mut Vec<String>,
 ) {
@@ -139,7 +139,7 @@ fn set_values(
     ];
     for (what, text) in given {
         let (Some(text), entry) = (text, what.entry()) else { continue };
-        if is_voice && is_of_walls(what) {
+        if model.is_some() && is_of_walls(what) {
             mistakes.push(format!("--{} is of walls; an instrument has none", entry.name));
             continue;
         }
@@ -154,14 +154,11 @@ fn set_values(
             mistakes.push(format!("--{} {value} is not from {low} to {high} {unit}", entry.name));
         }
     }
-    if let Some(name) = &args.finger {
-        match FINGERS.iter().position(|it| it == name) {
-            Some(number) => values.set(LoopQuantity::Finger, number as f64),
-            None => {
-                let help = choice(name, FINGERS);
-                mistakes.push(format!("--finger {} is none: {help}", quoted(name)));
-            }
-        }
+    let Some(name) = &args.finger else { return };
+    if let Some(number) = FINGERS.iter().position(|it| it == name) {
+        values.set(LoopQuantity::Finger, number as f64);
+    } else {
+        mistakes.push(format!("--finger {} is none: {}", quoted(name), choice(name, FINGERS)));
     }
 }
 
@@ -195,12 +192,16 @@ fn in_range(parameter: &Parameter, value: f64) -> Result<f64, String> {
 /// The estimators that were named; for a wall that of the theory, for an instrument all.
 fn estimators(
     args: &StabilityArgs,
-    is_voice: bool,
+    model: Option<&ModelEntry>,
     mistakes: &mut Vec<String>,
 ) -> Vec<LoopEstimator> {
     let all = LoopEstimator::ALL;
     if args.estimator.is_empty() {
-        return if is_voice { all.to_vec() } else { vec![LoopEstimator::BackwardDifference] };
+        return if model.is_some() {
+            all.to_vec()
+        } else {
+            vec![LoopEstimator::BackwardDifference]
+        };
     }
     let mut found = Vec::new();
     for name in &args.estimator {

@@ -117,11 +117,11 @@ mod tests {
     /// Windows of 100 samples of a motion that changes by `factor` per sample.
     fn windows(factor: f64, force: f64) -> [WindowSums; 4] {
         let mut windows = [WindowSums::default(); 4];
-        let mut velocity = 0.1;
+        let mut velocity = 0.1_f64;
         for window in &mut windows {
-            for sample in 0..100 {
-                velocity *= factor;
-                window.enter(if sample % 2 == 0 { velocity } else { -velocity }, force * velocity);
+            for _sample in 0..100 {
+                velocity *= -factor;
+                window.enter(velocity, force * velocity);
             }
         }
         windows
@@ -156,7 +156,9 @@ mod tests {
     #[test]
     fn a_key_that_never_moves_is_at_rest() {
         let mut windows = [WindowSums::default(); 4];
-        windows.iter_mut().for_each(|it| it.enter(0.0, 0.3));
+        for window in &mut windows {
+            window.enter(0.0, 0.3);
+        }
         assert_eq!(judge(&windows), LoopVerdict::Rests);
     }
 }

@@ -8,7 +8,6 @@ use serde::Serialize;
 use super::axis::{LoopPoint, MapAxis};
 use super::contour::{UnitPlace, zero_lines};
 use super::judge::LoopVerdict;
-use super::quantity::LoopQuantity;
 use super::theory::{StabilityTheory, theories};
 use super::trial::{KeyTravel, LoopKnock, run};
 use super::voice::{LoopEstimator, TrialVoice, VoiceOrder, wall};
@@ -16,6 +15,9 @@ use crate::parallel::in_parallel;
 
 /// Halvings of the way between a place that is stable and its neighbour that is not.
 const HALVINGS: u32 = 10;
+
+/// The same for a theory, which costs next to nothing.
+const THEORY_HALVINGS: u32 = 40;
 
 /// Places of a column in which a theory's boundary is looked for.
 const LOOKS: u32 = 400;
@@ -126,13 +128,10 @@ impl StabilityStudy<'_> {
             return mistakes;
         }
         // A loop's values are bounded by ranges and by ratios of two of them: corners are worst.
-        for (x, y) in [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)] {
-            for mistake in self.point((x, y)).values.mistakes() {
-                if !mistakes.contains(&mistake) {
-                    mistakes.push(mistake);
-                }
-            }
-        }
+        let corners = [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)];
+        mistakes = corners.iter().flat_map(|it| self.point(*it).values.mistakes()).collect();
+        mistakes.sort();
+        mistakes.dedup();
         if let StabilitySubject::Voice(make) = self.subject
             && mistakes.is_empty()
         {
@@ -174,16 +173,19 @@ impl StabilityStudy<'_> {
         let places: Vec<_> = (0..across).collect();
         let crossings = in_parallel(&places, &|x| self.crossings(estimator, *x, &columns[*x]));
         let theories = match self.subject {
-            StabilitySubject::Wall => theories(estimator, self.is_rounded()),
+            StabilitySubject::Wall => self.theories(estimator),
             StabilitySubject::Voice(_) => Vec::new(),
         };
         let theories = in_parallel(&theories, &|theory| self.line(*theory));
         StabilityMap { estimator, columns, crossings, theories }
     }
 
-    /// Whether the encoder has steps anywhere in the map.
-    fn is_rounded(&self) -> bool {
-        self.point((1.0, 1.0)).values.get(LoopQuantity::EncoderStep) > 0.0
+    /// What theory says of the wall, as far as the map has what it needs.
+    fn theories(&self, estimator: LoopEstimator) -> Vec<StabilityTheory> {
+        let most = self.point((1.0, 1.0)).values;
+        let mut theories = theories(estimator);
+        theories.retain(|it| it.needs.is_none_or(|needs| most.get(needs) > 0.0));
+        theories
     }
 
     /// Where a column goes from stable to unstable or back.
@@ -195,16 +197,13 @@ impl StabilityStudy<'_> {
             if is_stable(pair[0]) == is_stable(pair[1]) {
                 continue;
             }
-            let (mut low, mut high) = ((y as f64 + 0.5) / up, (y as f64 + 1.5) / up);
             let halvings = if self.axes[1].names().is_some() { 0 } else { HALVINGS };
-            for _ in 0..halvings {
-                let middle = 0.5 * (low + high);
-                let verdict = self.verdict(estimator, &self.point((x_part, middle)));
-                let end =
-                    if is_stable(verdict) == is_stable(pair[0]) { &mut low } else { &mut high };
-                *end = middle;
-            }
-            found.push(self.axes[1].value(0.5 * (low + high)));
+            let is_low = |part: f64| {
+                let verdict = self.verdict(estimator, &self.point((x_part, part)));
+                is_stable(verdict) == is_stable(pair[0])
+            };
+            let ends = ((y as f64 + 0.5) / up, (y as f64 + 1.5) / up);
+            found.push(self.axes[1].value(between(ends, halvings, &is_low)));
         }
         found
     }
@@ -231,14 +230,19 @@ impl StabilityStudy<'_> {
             if pair[0] == pair[1] {
                 continue;
             }
-            let (mut low, mut high) = (part(look), part(look + 1));
-            for _ in 0..40 {
-                let middle = 0.5 * (low + high);
-                let end = if is_inside(middle) == pair[0] { &mut low } else { &mut high };
-                *end = middle;
-            }
-            found.push(self.axes[1].value(0.5 * (low + high)));
+            let is_low = |y: f64| is_inside(y) == pair[0];
+            let crossing = between((part(look), part(look + 1)), THEORY_HALVINGS, &is_low);
+            found.push(self.axes[1].value(crossing));
         }
         found
     }
+}
+
+/// Where between two ends it is no more as at the low one, after so many halvings of the way.
+fn between((mut low, mut high): (f64, f64), halvings: u32, is_low: &dyn Fn(f64) -> bool) -> f64 {
+    for _ in 0..halvings {
+        let middle = 0.5 * (low + high);
+        *(if is_low(middle) { &mut low } else { &mut high }) = middle;
+    }
+    0.5 * (low + high)
 }

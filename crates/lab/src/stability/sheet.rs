@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::axis::{AxisTarget, MapAxis};
+use super::judge::LoopVerdict;
 use super::map::{StabilityMap, StabilityStudy, StabilitySubject, VerdictCounts};
 use super::picture::{axis_title, svg};
 use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
@@ -133,28 +134,33 @@ fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f
 fn settings_lines(study: &StabilityStudy<'_>, estimator: LoopEstimator) -> Vec<String> {
     /// Most characters of a line.
     const LONGEST: usize = 120;
-    let mut lines = vec![String::new()];
     let told = settings(study)
         .filter(|it| it.0 != "jerk-density" || estimator == LoopEstimator::Kalman)
         .map(|(name, value, _)| setting(name, value));
+    let mut lines: Vec<Vec<String>> = vec![Vec::new()];
+    let mut length = 0;
     for part in study.chosen.iter().cloned().chain(told) {
+        length += part.len() + 2;
         match lines.last_mut() {
-            Some(line) if line.is_empty() => *line = part,
-            Some(line) if line.len() + part.len() < LONGEST => *line += &format!(", {part}"),
-            _ => lines.push(part),
+            Some(line) if length <= LONGEST => line.push(part),
+            _ => {
+                length = part.len();
+                lines.push(vec![part]);
+            }
         }
     }
-    lines
+    lines.iter().map(|line| line.join(", ")).collect()
 }
 
 /// A quantity of a loop in words.
 fn setting(name: &str, value: f64) -> String {
-    let name_of_finger = FINGERS.iter().zip(0_u8..).find(|it| f64::from(it.1) == value);
     let shown = LoopQuantity::named(name).map(|it| it.entry().shown);
     let (unit, per) = shown.unwrap_or(("", 1.0));
     match name {
         "finger" => {
-            format!("{} finger", name_of_finger.map_or("no", |it| it.0).replace("none", "no"))
+            let near = |it: &(&&str, u8)| (f64::from(it.1) - value).abs() < 0.5;
+            let found = FINGERS.iter().zip(0_u8..).find(near);
+            format!("finger {}", found.map_or("none", |it| it.0))
         }
         "bandwidth" if value == 0.0 => "no lag of the motor".to_owned(),
         "encoder-step" if value == 0.0 => "no steps of the encoder".to_owned(),
@@ -165,10 +171,20 @@ fn setting(name: &str, value: f64) -> String {
 
 /// A number with up to four digits.
 fn rounded(value: f64) -> String {
-    if value == 0.0 || !(1e-3..1e6).contains(&value.abs()) {
-        return if value == 0.0 { "0".to_owned() } else { format!("{value:.3e}") };
+    let size = value.abs();
+    if value == 0.0 {
+        return "0".to_owned();
     }
-    let digits = (3 - value.abs().log10().floor() as i32).max(0) as usize;
+    let digits = match size {
+        1e-3..0.01 => 6,
+        0.01..0.1 => 5,
+        0.1..1.0 => 4,
+        1.0..10.0 => 3,
+        10.0..100.0 => 2,
+        100.0..1000.0 => 1,
+        1000.0..1e5 => 0,
+        _ => return format!("{value:.3e}"),
+    };
     let text = format!("{value:.digits$}");
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -209,35 +225,40 @@ fn column(axis: &MapAxis) -> String {
 
 fn cells_csv(study: &StabilityStudy<'_>, maps: &[StabilityMap]) -> String {
     let [across, up] = [0, 1].map(|axis| column(&study.axes[axis]));
-    let mut text = format!("estimator,{across},{up},verdict\n");
-    for map in maps {
-        for (x, cells) in map.columns.iter().enumerate() {
-            for (y, verdict) in cells.iter().enumerate() {
-                let along = study.axes[0].value(study.middle(0, x));
-                let above = study.axes[1].value(study.middle(1, y));
-                let name = map.estimator.name();
-                text += &format!("{name},{along},{above},{}\n", verdict.title());
-            }
-        }
-    }
-    text
+    let header = format!("estimator,{across},{up},verdict\n");
+    let value = |axis: usize, cell| study.axes[axis].value(study.middle(axis, cell));
+    let line = |estimator: LoopEstimator, x, (y, verdict): (usize, &LoopVerdict)| {
+        let name = estimator.name();
+        format!("{name},{},{},{}\n", value(0, x), value(1, y), verdict.title())
+    };
+    let columns = maps
+        .iter()
+        .flat_map(|map| map.columns.iter().enumerate().map(|(x, cells)| (map.estimator, x, cells)));
+    let lines = columns.flat_map(|(estimator, x, cells)| {
+        cells.iter().enumerate().map(move |cell| line(estimator, x, cell))
+    });
+    std::iter::once(header).chain(lines).collect()
 }
 
 fn boundary_csv(study: &StabilityStudy<'_>, summary: &StabilitySummary) -> String {
     let [across, up] = [0, 1].map(|axis| column(&study.axes[axis]));
-    let mut text = format!("estimator,{across},boundary,{up}\n");
-    for map in &summary.maps {
-        for row in &map.boundary {
-            let measured = [("measured", &row.measured)];
-            let theory = row.theory.iter().map(|(name, all)| (*name, all));
-            for (name, all) in measured.into_iter().chain(theory) {
-                for value in all {
-                    text += &format!("{},{},{name},{value}\n", map.estimator, row.x);
-                }
-            }
-        }
+    let header = format!("estimator,{across},boundary,{up}\n");
+    let rows = summary
+        .maps
+        .iter()
+        .flat_map(|map| map.boundary.iter().flat_map(|row| row.lines(map.estimator)));
+    std::iter::once(header).chain(rows).collect()
+}
+
+impl BoundaryRow {
+    /// A line of the table for each place of the boundary, measured and by theory.
+    fn lines(&self, estimator: &str) -> Vec<String> {
+        let measured = [("measured", &self.measured)];
+        let theory = self.theory.iter().map(|(name, all)| (*name, all));
+        let named = measured.into_iter().chain(theory);
+        let places = named.flat_map(|(name, all)| all.iter().map(move |it| (name, it)));
+        places.map(|(name, value)| format!("{estimator},{},{name},{value}\n", self.x)).collect()
     }
-    text
 }
 
 /// What a reader must know before looking at a map.
@@ -257,7 +278,8 @@ fn page(study: &StabilityStudy<'_>, summary: &StabilitySummary, pictures: &[Stri
         escape(&title),
     );
     for (map, picture) in summary.maps.iter().zip(pictures) {
-        page += &format!("<h2>Velocity by {}</h2>\n<figure>\n{picture}</figure>\n", map.estimator);
+        page += &["<h2>Velocity by ", map.estimator, "</h2>\n<figure>\n", picture].concat();
+        page += "</figure>\n";
         page += &boundary_table(study, map);
     }
     page + "</body>\n</html>\n"

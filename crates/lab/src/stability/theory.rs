@@ -17,7 +17,9 @@ pub struct StabilityTheory {
     pub name: &'static str,
     /// What it says, with its source.
     pub title: &'static str,
-    pub(super) margin: TheoryMargin,
+    margin: TheoryMargin,
+    /// What must be above zero for it to say more than others do.
+    pub(super) needs: Option<LoopQuantity>,
 }
 
 /// `[CS97]`, with delay `[HA14]`.
@@ -25,6 +27,7 @@ const PASSIVE: StabilityTheory = StabilityTheory {
     name: "colgate_schenkel",
     title: "passive: b > K (T/2 + d) + |B| [CS97]",
     margin: |values| values.get(LoopQuantity::DeviceDamping) - wall(values).passive_damping(),
+    needs: None,
 };
 
 /// `[AO05]`, for a wall without damping.
@@ -40,6 +43,7 @@ const ROUNDED: StabilityTheory = StabilityTheory {
         let most = device.passive_stiffness(values.get(LoopQuantity::Period));
         most - values.get(LoopQuantity::Stiffness)
     },
+    needs: Some(LoopQuantity::EncoderStep),
 };
 
 /// `[GS09]`, for heavy keys.
@@ -50,6 +54,7 @@ const LINEAR: StabilityTheory = StabilityTheory {
         let damping = values.get(LoopQuantity::DeviceDamping);
         wall(values).linear_stiffness(damping) - values.get(LoopQuantity::Stiffness)
     },
+    needs: None,
 };
 
 /// The exact poles of what is linear of the loop, alone on its key.
@@ -62,16 +67,15 @@ const POLES: StabilityTheory = StabilityTheory {
         // A pole that is not found is none that can be drawn.
         1.0 - spectral_radius(&wall(values), mass, damping).unwrap_or(f64::INFINITY)
     },
+    needs: None,
 };
 
-/// Returns what theory says of walls with this estimator, around `base`; rounding counts where
-/// `is_rounded`.
-pub(super) fn theories(estimator: LoopEstimator, is_rounded: bool) -> Vec<StabilityTheory> {
-    if estimator != LoopEstimator::BackwardDifference {
-        return Vec::new();
+/// Returns what theory says of walls with this estimator.
+pub(super) fn theories(estimator: LoopEstimator) -> Vec<StabilityTheory> {
+    match estimator {
+        LoopEstimator::BackwardDifference => vec![PASSIVE, ROUNDED, LINEAR, POLES],
+        LoopEstimator::Kalman => Vec::new(),
     }
-    let rounded = is_rounded.then_some(ROUNDED);
-    [Some(PASSIVE), rounded, Some(LINEAR), Some(POLES)].into_iter().flatten().collect()
 }
 
 impl StabilityTheory {
