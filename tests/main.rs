@@ -20,6 +20,7 @@ mod readme;
 mod references;
 mod rooms;
 mod sources;
+mod stability;
 mod stage;
 mod watch;
 mod wording;

@@ -12,7 +12,7 @@ use scene::Instrument;
 
 use super::StabilityArgs;
 use super::quantities::{quantity, range};
-use super::voices::VoiceMaker;
+use super::voices::InstrumentVoices;
 
 /// What a wall is called.
 const WALL: &str = "wall";
@@ -30,7 +30,7 @@ const SPRINGS: [&str; 2] = ["k1", "k2"];
 pub(super) struct StabilityQuestion {
     name: String,
     /// Who makes the voices; none for a wall.
-    pub(super) voices: Option<VoiceMaker>,
+    pub(super) voices: Option<InstrumentVoices>,
     pub(super) estimators: Vec<LoopEstimator>,
     rig: RigParameters,
     base: LoopPoint,
@@ -44,7 +44,8 @@ impl StabilityQuestion {
     pub(super) fn new(args: &StabilityArgs) -> Result<Self, Vec<String>> {
         let (name, voices, mut parameters) = subject(args).map_err(|wrong| vec![wrong])?;
         let mut mistakes = Vec::new();
-        let rig = voices.as_ref().map_or_else(|| Ok(RigParameters::default()), VoiceMaker::rig);
+        let rig =
+            voices.as_ref().map_or_else(|| Ok(RigParameters::default()), InstrumentVoices::rig);
         let rig = rig.map_err(|wrong| vec![wrong])?;
         let jerk = Kalman::KEY_JERK_DENSITY;
         let mut values = if voices.is_some() {
@@ -78,8 +79,10 @@ impl StabilityQuestion {
         if !mistakes.is_empty() {
             return Err(mistakes);
         }
+        // A boundary is found from below to above, where names have nothing between them.
+        let axes = if y.names().is_some() { [y, x] } else { [x, y] };
         let cells = usize::from(args.cells);
-        Ok(Self { name, voices, estimators, rig, base, chosen, axes: [x, y], cells })
+        Ok(Self { name, voices, estimators, rig, base, chosen, axes, cells })
     }
 
     /// Returns the study of `subject`.
@@ -97,9 +100,9 @@ impl StabilityQuestion {
 }
 
 /// Name of the subject, who makes its voices, and the values of its parameters.
-type Subject = (String, Option<VoiceMaker>, Vec<f64>);
+type AskedSubject = (String, Option<InstrumentVoices>, Vec<f64>);
 
-fn subject(args: &StabilityArgs) -> Result<Subject, String> {
+fn subject(args: &StabilityArgs) -> Result<AskedSubject, String> {
     if args.what == WALL {
         return Ok((WALL.to_owned(), None, Vec::new()));
     }
@@ -115,7 +118,7 @@ fn subject(args: &StabilityArgs) -> Result<Subject, String> {
     };
     let values = instrument.values(key.number());
     let name = format!("{} on {key}", instrument.name);
-    Ok((name, Some(VoiceMaker::new(instrument.model())?), values))
+    Ok((name, Some(InstrumentVoices::new(instrument.model())?), values))
 }
 
 /// Takes over the values of the loop that are given.

@@ -24,7 +24,7 @@ use ask::StabilityQuestion;
   letoff lab stability --out report
   letoff lab stability --x stiffness --y damping --period '0.25 ms' --delay '1 ms' --out report
   letoff lab stability --x 'encoder-step=1 um..1 mm' --y friction --stiffness '5 kN/m' --out report
-  letoff lab stability --x period --y finger --damping 5 --out report
+  letoff lab stability --x finger --y period --damping 5 --out report
   letoff lab stability --what grand-springs --x k1 --y k2 --period '2 ms' --out report
   letoff lab stability --what key-hammer-rigid --x period --y jerk-density=0.1..1e6 --estimator kalman --out report
 
@@ -35,7 +35,8 @@ whose velocity is a backward difference.
 
 Axes: stiffness, damping (of the wall), period, delay, encoder-step, friction, mass, device-damping,
 bandwidth (of the motor), jerk-density (of the Kalman filter), finger; and parameters of the model.
-Numbers are in SI units, or with a unit, as '1 ms' and '50 gf'. An axis over a decade is logarithmic.
+Numbers are in SI units, or with a unit, as '1 ms' and '50 gf'. An axis over a decade is logarithmic;
+fingers always stand from left to right.
 
 Exit codes: 0 done; 1 a map without any stable cell, or a file that could not be written; 2 wrong
 usage.")]

@@ -15,12 +15,12 @@ const RATES: (f64, f64) = (100.0, 10_000.0);
 
 /// Makes voices of one model, rendered as scenes do it by default.
 #[derive(Debug)]
-pub(super) struct VoiceMaker {
+pub(super) struct InstrumentVoices {
     pub(super) model: &'static ModelEntry,
     scene: Scene,
 }
 
-impl VoiceMaker {
+impl InstrumentVoices {
     /// Returns a maker of voices of `model`.
     pub(super) fn new(model: &'static ModelEntry) -> Result<Self, String> {
         let scene = Scene::load("springs", &[]).map_err(|wrong| descriptions::rendered(&wrong))?;

@@ -1,7 +1,7 @@
 //! Where a function of two variables is zero: lines from square to square, joined.
 
 /// A place in the unit square.
-pub(super) type UnitPlace = (f64, f64);
+pub(super) type MapPlace = (f64, f64);
 
 /// Squares along each side.
 const SQUARES: usize = 96;
@@ -11,7 +11,7 @@ const SQUARES: usize = 96;
 /// In each square of a grid the zeros on the edges are joined, interpolated between the corners;
 /// where all four edges have one, the two that are nearest. Neighbours share the place on their
 /// edge to the last bit, by which the pieces are put together.
-pub(super) fn zero_lines(margin: &dyn Fn(UnitPlace) -> f64) -> Vec<Vec<UnitPlace>> {
+pub(super) fn zero_lines(margin: &dyn Fn(MapPlace) -> f64) -> Vec<Vec<MapPlace>> {
     let at = |place: usize| place as f64 / SQUARES as f64;
     let row = |y: usize| (0..=SQUARES).map(|x| margin((at(x), at(y)))).collect::<Vec<_>>();
     let mut pieces = Vec::new();
@@ -33,7 +33,7 @@ pub(super) fn zero_lines(margin: &dyn Fn(UnitPlace) -> f64) -> Vec<Vec<UnitPlace
 }
 
 /// The pieces of a line within a square with these corners, around it.
-fn pieces_of(corners: &[(UnitPlace, f64); 4]) -> Vec<[UnitPlace; 2]> {
+fn pieces_of(corners: &[(MapPlace, f64); 4]) -> Vec<[MapPlace; 2]> {
     let edges = (0..4).filter_map(|it| zero(corners[it], corners[(it + 1) % 4]));
     let zeros: Vec<_> = edges.collect();
     match *zeros.as_slice() {
@@ -44,7 +44,7 @@ fn pieces_of(corners: &[(UnitPlace, f64); 4]) -> Vec<[UnitPlace; 2]> {
 }
 
 /// The zero between two corners, if their signs differ.
-fn zero(a: (UnitPlace, f64), b: (UnitPlace, f64)) -> Option<UnitPlace> {
+fn zero(a: (MapPlace, f64), b: (MapPlace, f64)) -> Option<MapPlace> {
     // In one order, whichever square asks.
     let (a, b) = if a.0 < b.0 { (a, b) } else { (b, a) };
     let differ = (a.1 > 0.0) != (b.1 > 0.0);
@@ -54,7 +54,7 @@ fn zero(a: (UnitPlace, f64), b: (UnitPlace, f64)) -> Option<UnitPlace> {
 }
 
 /// Puts pieces together that end where another begins.
-fn joined(mut pieces: Vec<[UnitPlace; 2]>) -> Vec<Vec<UnitPlace>> {
+fn joined(mut pieces: Vec<[MapPlace; 2]>) -> Vec<Vec<MapPlace>> {
     let mut lines = Vec::new();
     while let Some([a, b]) = pieces.pop() {
         let mut line = vec![a, b];
@@ -70,7 +70,7 @@ fn joined(mut pieces: Vec<[UnitPlace; 2]>) -> Vec<Vec<UnitPlace>> {
 }
 
 /// Takes out the piece that has an end at `end`, and returns its other one.
-fn take_from(pieces: &mut Vec<[UnitPlace; 2]>, end: UnitPlace) -> Option<UnitPlace> {
+fn take_from(pieces: &mut Vec<[MapPlace; 2]>, end: MapPlace) -> Option<MapPlace> {
     let found = pieces.iter().position(|it| it.contains(&end))?;
     let [a, b] = pieces.swap_remove(found);
     Some(if a == end { b } else { a })

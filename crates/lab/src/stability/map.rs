@@ -6,7 +6,7 @@ use haptics::RigParameters;
 use serde::Serialize;
 
 use super::axis::{LoopPoint, MapAxis};
-use super::contour::{UnitPlace, zero_lines};
+use super::contour::{MapPlace, zero_lines};
 use super::judge::LoopVerdict;
 use super::theory::{StabilityTheory, theories};
 use super::trial::{KeyTravel, LoopKnock, run};
@@ -44,7 +44,7 @@ impl fmt::Debug for StabilitySubject<'_> {
     }
 }
 
-/// What is studied.
+/// What is put on which key, and what of it a map changes.
 #[derive(Clone, Debug)]
 pub struct StabilityStudy<'a> {
     /// Its name in the report.
@@ -61,7 +61,7 @@ pub struct StabilityStudy<'a> {
     pub cells: usize,
 }
 
-/// One map.
+/// The map of one estimator: verdicts of its cells, and the boundary between them.
 #[derive(Clone, Debug)]
 pub struct StabilityMap {
     pub estimator: LoopEstimator,
@@ -77,7 +77,7 @@ pub struct StabilityMap {
 pub struct TheoryLine {
     pub theory: StabilityTheory,
     /// Its boundary, in parts of both axes.
-    pub lines: Vec<Vec<UnitPlace>>,
+    pub lines: Vec<Vec<MapPlace>>,
     /// Where it crosses each column.
     pub crossings: Vec<Vec<f64>>,
 }
@@ -111,7 +111,7 @@ impl StabilityStudy<'_> {
     }
 
     /// Returns the place of a cell in the map, or what would be between cells.
-    pub fn point(&self, (x, y): UnitPlace) -> LoopPoint {
+    pub fn point(&self, (x, y): MapPlace) -> LoopPoint {
         let [along, up] = &self.axes;
         self.base.clone().with(along, along.value(x)).with(up, up.value(y))
     }
@@ -210,7 +210,7 @@ impl StabilityStudy<'_> {
 
     /// What a theory says of the map.
     fn line(&self, theory: StabilityTheory) -> TheoryLine {
-        let margin = |place: UnitPlace| theory.margin(&self.point(place));
+        let margin = |place: MapPlace| theory.margin(&self.point(place));
         let across = self.axes[0].cells(self.cells);
         let crossings = (0..across).map(|x| self.theory_crossings(&margin, self.middle(0, x)));
         let crossings = crossings.collect();
@@ -218,7 +218,7 @@ impl StabilityStudy<'_> {
     }
 
     /// Where a theory's boundary crosses the column at a part of the first axis.
-    fn theory_crossings(&self, margin: &dyn Fn(UnitPlace) -> f64, x: f64) -> Vec<f64> {
+    fn theory_crossings(&self, margin: &dyn Fn(MapPlace) -> f64, x: f64) -> Vec<f64> {
         if self.axes[1].names().is_some() {
             return Vec::new();
         }

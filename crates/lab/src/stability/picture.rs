@@ -160,7 +160,8 @@ fn draw_legend(canvas: &mut Canvas, map: &StabilityMap) {
     let middle = legend::draw_name(canvas, at, "boundary, by bisection");
     canvas.circle(middle, MARK, INK, Stroke::new(INK, 0.5));
     at.1 += legend::ROW;
-    for (line, color) in map.theories.iter().zip(LINES) {
+    let drawn = map.theories.iter().zip(LINES).filter(|it| !it.0.lines.is_empty());
+    for (line, color) in drawn {
         legend::draw_row(canvas, at, theory_stroke(color), line.theory.title);
         at.1 += legend::ROW;
     }

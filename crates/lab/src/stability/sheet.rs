@@ -133,7 +133,7 @@ fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f
 /// The same in lines for people, of what counts for an estimator.
 fn settings_lines(study: &StabilityStudy<'_>, estimator: LoopEstimator) -> Vec<String> {
     /// Most characters of a line.
-    const LONGEST: usize = 120;
+    const LONGEST: usize = 130;
     let told = settings(study)
         .filter(|it| it.0 != "jerk-density" || estimator == LoopEstimator::Kalman)
         .map(|(name, value, _)| setting(name, value));
@@ -183,13 +183,21 @@ fn rounded(value: f64) -> String {
         10.0..100.0 => 2,
         100.0..1000.0 => 1,
         1000.0..1e5 => 0,
-        _ => return format!("{value:.3e}"),
+        _ => {
+            let text = format!("{value:.3e}");
+            let (number, power) = text.split_once('e').unwrap_or((&text, "0"));
+            return format!("{}e{power}", short(number));
+        }
     };
-    let text = format!("{value:.digits$}");
+    short(&format!("{value:.digits$}"))
+}
+
+/// A number without zeros at its end that say nothing.
+fn short(text: &str) -> String {
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
-        text
+        text.to_owned()
     }
 }
 
@@ -305,4 +313,23 @@ fn boundary_table(study: &StabilityStudy<'_>, map: &MapSummary) -> String {
     let rows = map.boundary.iter().step_by(step).filter(|it| !it.measured.is_empty());
     let rows: Vec<Vec<HtmlCell>> = rows.map(row).collect();
     if rows.is_empty() { String::new() } else { table(&header, &rows) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_as_short_as_four_digits_are() {
+        let found = [0.0, 1e5, 40.0, 0.25, 1.0 / 3.0, 12_345.6, 2e-7, -1.5].map(rounded);
+        assert_eq!(found, ["0", "1e5", "40", "0.25", "0.3333", "12346", "2e-7", "-1.5"]);
+    }
+
+    #[test]
+    fn a_ratio_is_of_the_columns_that_have_both() {
+        let all = ratio(vec![1.2, 0.9, 1.0]).unwrap();
+        assert_eq!(all.columns, 3);
+        assert!((all.least - 0.9).abs() < 1e-12 && (all.median - 1.0).abs() < 1e-12);
+        assert!(ratio(Vec::new()).is_none());
+    }
 }

@@ -13,7 +13,7 @@ pub(super) type TheoryMargin = fn(&LoopValues) -> f64;
 /// A theory of where a wall is stable.
 #[derive(Clone, Copy, Debug)]
 pub struct StabilityTheory {
-    /// Name in tables.
+    /// Name in tables and JSON.
     pub name: &'static str,
     /// What it says, with its source.
     pub title: &'static str,

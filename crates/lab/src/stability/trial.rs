@@ -70,7 +70,7 @@ pub(super) enum KeyTravel {
 }
 
 /// A key between its encoder and its motor.
-struct Plant {
+struct TrialPlant {
     rig: KeyRig,
     finger: Option<Gesture>,
     /// Step (s), steps of a period, and of the delay.
@@ -84,7 +84,7 @@ struct Plant {
     now: u64,
 }
 
-impl Plant {
+impl TrialPlant {
     fn new(base: &RigParameters, travel: KeyTravel, values: &LoopValues) -> Self {
         let get = |quantity| values.get(quantity);
         let period = get(LoopQuantity::Period);
@@ -182,7 +182,7 @@ pub(super) fn run(
     knock: &LoopKnock,
     voice: &mut dyn TrialVoice,
 ) -> LoopVerdict {
-    let mut plant = Plant::new(base, travel, values);
+    let mut plant = TrialPlant::new(base, travel, values);
     let [settle, pressed, window] = knock.ticks(values.get(LoopQuantity::Period));
     let begin = settle + pressed;
     let mut before = WindowSums::default();
