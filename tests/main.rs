@@ -23,6 +23,7 @@ mod rooms;
 mod sources;
 mod stability;
 mod stage;
+mod trials;
 mod watch;
 mod wording;
 mod work;

@@ -27,6 +27,7 @@ mod recover;
 mod replay;
 mod run;
 mod signals;
+mod stability;
 mod stable;
 mod stop;
 mod streaming;

@@ -14,6 +14,7 @@ use super::figure6::{self, Figure6Args};
 use super::fit::{self, FitArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
+use super::stability::{self, StabilityArgs};
 use super::{Failure, print_json};
 use diagnostics::{choice, quoted};
 
@@ -37,6 +38,8 @@ pub enum StudyCommand {
     Figure6(Figure6Args),
     /// An instrument from a measured action: its parameters, with how well they are known.
     Fit(FitArgs),
+    /// Where a virtual wall or an instrument is stable on a key: maps, beside theory.
+    Stability(Box<StabilityArgs>),
 }
 
 /// What `letoff lab certificates` takes.
@@ -119,6 +122,7 @@ pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
         StudyCommand::Piano(args) => piano::run(args, out),
         StudyCommand::Figure6(args) => figure6::run(args, out),
         StudyCommand::Fit(args) => fit::run(args, out),
+        StudyCommand::Stability(args) => stability::run(args, out),
     }
 }
 

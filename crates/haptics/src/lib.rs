@@ -1,8 +1,9 @@
 //! What the hand feels, seen from both sides of the key.
 //!
 //! [`estimate`] turns quantised positions into motion, [`limits`] is the last gate a force
-//! passes, [`passivity`] tells a key that makes energy, and [`plant`] is the other side: a simulated key with its encoder, its motor and
-//! a finger, for running without hardware and for rehearsing a performance.
+//! passes, [`passivity`] tells a key that makes energy, [`stability`] how stiff a sampled wall may
+//! be, and [`plant`] is the other side: a simulated key with its encoder, its motor and a finger,
+//! for running without hardware and for rehearsing a performance.
 //!
 //! **Signs.** A position is the displacement of the key's front (m), *down positive*, zero
 //! at rest. A force is what the finger feels (N), *up positive*: it decreases the position.
@@ -27,6 +28,7 @@ pub mod estimate;
 pub mod limits;
 pub mod passivity;
 pub mod plant;
+pub mod stability;
 
 pub use estimate::{BackwardDifference, Estimator, Kalman, KeyMotion};
 pub use limits::{ForceGate, Gated, LimitError};
@@ -35,3 +37,4 @@ pub use plant::{
     Encoder, Felt, Finger, FingerParameters, Gesture, Grasp, KeyFront, KeyParameters, KeyRig,
     Motor, MotorParameters, MuscleCommand, RigParameters, Touch,
 };
+pub use stability::{RoundedDevice, SampledWall};

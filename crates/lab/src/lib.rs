@@ -9,9 +9,10 @@
 //! piano/      an instrument beside measured grands
 //! fit/        an instrument from a measured action
 //! figure6/    the paper's experiment at the paper's rates, and how wrong its step was
+//! stability/  where a wall or an instrument is stable on a key
 //! parallel.rs work on all processors
 //! random.rs   random numbers that a seed repeats
-//! plot/       pictures as SVG, for simulate, piano, fit and report
+//! plot/       pictures as SVG, for simulate, piano, fit, stability and report
 //! ```
 //!
 //! `scenario` does not know `accuracy`, `accuracy` does not know `report`, and none of them knows
@@ -34,3 +35,4 @@ mod random;
 pub mod report;
 pub mod scenario;
 pub mod simulate;
+pub mod stability;

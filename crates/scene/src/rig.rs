@@ -47,16 +47,19 @@ pub enum FingerName {
     Ordinary,
     Stiff,
     Limp,
+    /// A hand that holds the key on both sides.
+    Grip,
 }
 
 impl FingerName {
-    const ALL: [Self; 3] = [Self::Ordinary, Self::Stiff, Self::Limp];
+    const ALL: [Self; 4] = [Self::Ordinary, Self::Stiff, Self::Limp, Self::Grip];
 
     const fn name(self) -> &'static str {
         match self {
             Self::Ordinary => "ordinary",
             Self::Stiff => "stiff",
             Self::Limp => "limp",
+            Self::Grip => "grip",
         }
     }
 
@@ -65,6 +68,7 @@ impl FingerName {
             Self::Ordinary => FingerParameters::ORDINARY,
             Self::Stiff => FingerParameters::STIFF,
             Self::Limp => FingerParameters::LIMP,
+            Self::Grip => FingerParameters::GRIP,
         }
     }
 }
@@ -108,25 +112,23 @@ fn usual() -> RigParameters {
 }
 
 impl Rig {
-    /// Returns the apparatus of the paper: 3 inches for 45 degrees, an encoder of 50 lines an inch.
-    ///
-    /// The paper gives no more of it than that; the rest is estimated, so that it renders springs up
-    /// to 100 N/m and dashpots up to 1 N s/m, as theirs did.
-    pub fn paper() -> Self {
+    /// Returns the apparatus of the paper.
+    pub const fn paper() -> Self {
+        let RigParameters { key, motor, quantum, .. } = RigParameters::PAPER;
         Self {
-            dip: 76.2e-3,
-            // A paddle and a voice coil.
-            mass: 0.15,
-            damping: 1.0,
-            friction: 0.05,
-            stiction: 0.06,
-            return_force: 0.2,
-            felt_stiffness: 5e3,
-            felt_damping: 20.0,
-            encoder_step: 25.4e-3 / 50.0,
-            motor_limit: 15.0,
-            motor_bandwidth: 200.0,
-            ..Self::default()
+            dip: key.bottom_stop.position,
+            mass: key.mass,
+            damping: key.damping,
+            friction: key.coulomb,
+            stiction: key.stiction,
+            return_force: key.weight,
+            felt_stiffness: key.bottom_stop.stiffness,
+            felt_damping: key.bottom_stop.damping,
+            encoder_step: quantum,
+            motor_limit: motor.limit,
+            motor_bandwidth: motor.bandwidth / core::f64::consts::TAU,
+            delay: 0.0,
+            finger: FingerName::Grip,
         }
     }
 
@@ -137,7 +139,7 @@ impl Rig {
             stiffness: self.felt_stiffness,
             damping: self.felt_damping,
         };
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 200")]
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 160")]
         let delay_steps = (self.delay / MAX_SUBSTEP).round() as usize;
         RigParameters {
             key: KeyParameters {
@@ -178,7 +180,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_usual_rig_is_that_of_the_simulated_keybed() {
+    fn rigs_are_those_of_the_simulated_keybed_and_of_the_paper() {
         assert_eq!(Rig::default().parameters(), RigParameters::default());
+        assert_eq!(Rig::paper().parameters(), RigParameters::PAPER);
     }
 }

@@ -53,6 +53,16 @@ impl FingerParameters {
     /// The stiff corner of what fingers do; an estimate.
     pub const STIFF: Self = Self { damping: 7.0, stiffness: 1300.0, ..Self::ORDINARY };
 
+    /// A hand and forearm that hold a handle between thumb and fingers; an estimate.
+    pub const GRIP: Self = Self {
+        mass: 0.2,
+        damping: 30.0,
+        stiffness: 1500.0,
+        pulp_stiffness: 10e3,
+        pulp_damping: 20.0,
+        grasp: Grasp::Grips,
+    };
+
     /// The limp corner of what fingers do; an estimate.
     pub const LIMP: Self = Self { damping: 0.3, stiffness: 20.0, ..Self::ORDINARY };
 

@@ -1,7 +1,7 @@
 //! The motor and its amplifier: a held command becomes a force, late and rounded off.
 
-/// Longest delay of a command, in substeps: 10 ms at 50 µs.
-pub const MAX_DELAY_STEPS: usize = 200;
+/// Longest delay of a command, in substeps: 8 ms at 50 µs, two ticks at 250 Hz.
+pub const MAX_DELAY_STEPS: usize = 160;
 
 /// Distance to the command (N) at which the lag is over: far below what any drive resolves.
 const SETTLED: f64 = 1e-9;

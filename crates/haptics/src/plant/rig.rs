@@ -26,6 +26,35 @@ pub struct RigParameters {
     pub quantum: f64,
 }
 
+impl RigParameters {
+    /// The rig of the paper's section 6: an encoder of 50 lines an inch, about 3 inches for 45
+    /// degrees, voice coils, a hand that holds the key "on both top and bottom". `[GC93]`
+    ///
+    /// The rest is estimated (E).
+    pub const PAPER: Self = Self {
+        // E: a coil, its carriage and a grip on linear bearings.
+        key: KeyParameters {
+            mass: 0.15,
+            // E: bearings, and eddy currents in the coil's former.
+            damping: 30.0,
+            coulomb: 0.2,
+            stiction: 0.25,
+            weight: 0.0,
+            // E: rubber.
+            rest_stop: Felt { position: 0.0, stiffness: 20e3, damping: 30.0 },
+            bottom_stop: Felt { position: 76.2e-3, stiffness: 20e3, damping: 30.0 },
+        },
+        // E: a voice coil as a large disk drive has it, and its amplifier.
+        motor: MotorParameters {
+            limit: 40.0,
+            bandwidth: core::f64::consts::TAU * 100.0,
+            delay_steps: 0,
+        },
+        finger: FingerParameters::GRIP,
+        quantum: 25.4e-3 / 50.0,
+    };
+}
+
 impl Default for RigParameters {
     /// Confidence as in piano-facts: S read in a secondary source, C computed, E estimated.
     fn default() -> Self {

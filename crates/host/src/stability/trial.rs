@@ -168,7 +168,7 @@ impl Seen {
             half.up -= moved.min(0.0);
         }
         self.position = position;
-        let is_alone = now < UNTOUCHED || LENGTH - QUIET <= now;
+        let is_alone = !(UNTOUCHED..LENGTH - QUIET).contains(&now);
         let alone = (is_alone && 0 < strikes).then_some(Instability::Untouched);
         let chatters = (CHATTER < self.strikes).then_some(Instability::Chatters);
         fault.or(alone).or(chatters)

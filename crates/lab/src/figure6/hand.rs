@@ -1,21 +1,26 @@
 //! The hand of the experiment, and the rig that it holds.
 //!
-//! What the paper says of its rig: a position encoder of 50 lines per inch, about 3 inches of
-//! travel for 45° of the manipulandum, voice-coil motors, a hand that holds the key "on both top
-//! and bottom". All else is an estimate (E), chosen so that the story of figure 6 can be told.
+//! The rig is [`RigParameters::PAPER`]; how the hand moves is an estimate (E), chosen so that the
+//! story of figure 6 can be told.
 
 use core::f64::consts::TAU;
 
-use haptics::{
-    Felt, FingerParameters, Grasp, KeyParameters, MotorParameters, MuscleCommand, RigParameters,
-};
+use haptics::{FingerParameters, KeyParameters, MotorParameters, MuscleCommand, RigParameters};
 use pode::Motion;
 
-/// Displacement of one line of the encoder (m): 50 lines per inch. `[GC93]` §6
-pub(super) const LINE: f64 = 25.4e-3 / 50.0;
+/// The rig of the paper's experiment.
+pub(super) const RIG: RigParameters = RigParameters::PAPER;
 
-/// Travel of the handle (m): about 3 inches for 45°. `[GC93]` §6
-pub(super) const TRAVEL: f64 = 76.2e-3;
+/// Displacement of one line of the encoder (m).
+pub(super) const LINE: f64 = RIG.quantum;
+
+/// Travel of the handle (m).
+pub(super) const TRAVEL: f64 = RIG.key.bottom_stop.position;
+
+/// Its parts.
+const HANDLE: KeyParameters = RIG.key;
+const MOTOR: MotorParameters = RIG.motor;
+const HAND: FingerParameters = RIG.finger;
 
 /// Where the manipulandum is level (m), from the upper stop (E).
 const LEVEL: f64 = 25.4e-3;
@@ -26,42 +31,6 @@ const WAIT: f64 = 0.8;
 
 /// How long before the model's time 0 the hand begins (s of the hand).
 pub(super) const LEAD_IN: f64 = APPROACH + WAIT;
-
-/// A stop of the handle (E): rubber.
-const fn stop(position: f64) -> Felt {
-    Felt { position, stiffness: 20e3, damping: 30.0 }
-}
-
-/// The handle on its linear bearings (E): a coil, its carriage, a grip.
-const HANDLE: KeyParameters = KeyParameters {
-    mass: 0.15,
-    // Bearings, and eddy currents in the coil's former.
-    damping: 30.0,
-    coulomb: 0.2,
-    stiction: 0.25,
-    weight: 0.0,
-    rest_stop: stop(0.0),
-    bottom_stop: stop(TRAVEL),
-};
-
-/// A voice coil as a large disk drive has it, and its amplifier (E).
-const MOTOR: MotorParameters =
-    MotorParameters { limit: 40.0, bandwidth: TAU * 100.0, delay_steps: 0 };
-
-/// A hand and forearm that hold the handle between thumb and fingers (E).
-/// A hand and forearm that hold the handle between thumb and fingers (E).
-const HAND: FingerParameters = FingerParameters {
-    mass: 0.2,
-    damping: 30.0,
-    stiffness: 1500.0,
-    pulp_stiffness: 10e3,
-    pulp_damping: 20.0,
-    grasp: Grasp::Grips,
-};
-
-/// The rig of the paper's experiment.
-pub(super) const RIG: RigParameters =
-    RigParameters { key: HANDLE, motor: MOTOR, finger: HAND, quantum: LINE };
 
 /// A constant of rig or hand, for reports.
 #[derive(Clone, Copy, Debug)]

@@ -42,6 +42,12 @@ impl Axis {
         Self { scale: AxisScale::Logarithmic, ends: logarithmic::ends(values), places }
     }
 
+    /// Returns a logarithmic axis over `range` of values above zero, without room at its ends.
+    pub(crate) fn decades(range: &Range<f64>, places: (f64, f64)) -> Self {
+        let ends = (logarithmic::log(range.start), logarithmic::log(range.end));
+        Self { scale: AxisScale::Logarithmic, ends, places }
+    }
+
     /// Returns where `value` is (pixels).
     pub(crate) fn place(&self, value: f64) -> f64 {
         let (value, (low, high)) = match self.scale {

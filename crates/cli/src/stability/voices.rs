@@ -1,0 +1,81 @@
+//! Voices of instruments for closed loops in simulation.
+
+use std::sync::Arc;
+
+use haptics::RigParameters;
+use lab::stability::{LoopEstimator, LoopQuantity, TrialAnswer, TrialVoice, VoiceOrder};
+use models::ModelEntry;
+use scene::{EstimatorName, KeyVoice, Scene};
+use scheduler::motion::KeySample;
+use scheduler::voice::{VoiceFault, VoiceOutput};
+use voice::{AnyVoice, VoiceBuilder};
+
+/// Rates that a voice can have (Hz), as in scenes.
+const RATES: (f64, f64) = (100.0, 10_000.0);
+
+/// Makes voices of one model, rendered as scenes do it by default.
+#[derive(Debug)]
+pub(super) struct InstrumentVoices {
+    pub(super) model: &'static ModelEntry,
+    scene: Scene,
+}
+
+impl InstrumentVoices {
+    /// Returns a maker of voices of `model`.
+    pub(super) fn new(model: &'static ModelEntry) -> Result<Self, String> {
+        let scene = Scene::load("springs", &[]).map_err(|wrong| descriptions::rendered(&wrong))?;
+        Ok(Self { model, scene })
+    }
+
+    /// Returns the key on which its voices play.
+    pub(super) fn rig(&self) -> Result<RigParameters, String> {
+        let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
+        Ok(builder.rig())
+    }
+
+    /// Returns the voice that is ordered, at rest.
+    pub(super) fn make(&self, order: &VoiceOrder<'_>) -> Result<Box<dyn TrialVoice>, String> {
+        let hz = (1.0 / order.values.get(LoopQuantity::Period)).round();
+        if !(RATES.0..=RATES.1).contains(&hz) {
+            return Err(format!("a voice runs at {} to {} Hz, not at {hz}", RATES.0, RATES.1));
+        }
+        let mut scene = self.scene.clone();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "in range")]
+        {
+            scene.tick_hz = hz as u32;
+        }
+        scene.render.estimator = match order.estimator {
+            LoopEstimator::BackwardDifference => EstimatorName::BackwardDifference,
+            LoopEstimator::Kalman => EstimatorName::Kalman,
+        };
+        scene.render.jerk_density = order.values.get(LoopQuantity::JerkDensity);
+        let key = KeyVoice { model: self.model, values: order.parameters.to_vec() };
+        let builder = VoiceBuilder::new(&scene).map_err(|error| error.to_string())?;
+        let voice = builder.voice(&key, Arc::default()).map_err(|error| error.to_string())?;
+        Ok(Box::new(TriedVoice { voice, turn: VoiceOutput::default(), is_new: true }))
+    }
+}
+
+/// A voice that is knocked.
+struct TriedVoice {
+    voice: AnyVoice,
+    turn: VoiceOutput,
+    is_new: bool,
+}
+
+impl TrialVoice for TriedVoice {
+    fn answer(&mut self, tick: u64, position: f64) -> TrialAnswer {
+        let sample = KeySample::fresh(position);
+        if self.is_new {
+            self.voice.reset(&sample);
+            self.is_new = false;
+        }
+        self.turn.begin();
+        self.voice.tick(tick, &sample, &mut self.turn);
+        match self.turn.fault {
+            None => TrialAnswer::Force(self.turn.force),
+            Some(VoiceFault::MakesEnergy) => TrialAnswer::Muted,
+            Some(_) => TrialAnswer::Failed,
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The boundaries that theory draws into a map of a wall.
+
+use haptics::{RoundedDevice, SampledWall};
+
+use super::axis::LoopPoint;
+use super::poles::spectral_radius;
+use super::quantity::{LoopQuantity, LoopValues};
+use super::voice::LoopEstimator;
+
+/// A boundary: above zero inside of it, below zero outside.
+pub(super) type TheoryMargin = fn(&LoopValues) -> f64;
+
+/// A theory of where a wall is stable.
+#[derive(Clone, Copy, Debug)]
+pub struct StabilityTheory {
+    /// Name in tables and JSON.
+    pub name: &'static str,
+    /// What it says, with its source.
+    pub title: &'static str,
+    margin: TheoryMargin,
+    /// What must be above zero for it to say more than others do.
+    pub(super) needs: Option<LoopQuantity>,
+}
+
+/// `[CS97]`, with delay `[HA14]`.
+const PASSIVE: StabilityTheory = StabilityTheory {
+    name: "colgate_schenkel",
+    title: "passive: b > K (T/2 + d) + |B| [CS97]",
+    margin: |values| values.get(LoopQuantity::DeviceDamping) - wall(values).passive_damping(),
+    needs: None,
+};
+
+/// `[AO05]`, for a wall without damping.
+const ROUNDED: StabilityTheory = StabilityTheory {
+    name: "abbott_okamura",
+    title: "K < min(2 b/T, 2 f/Δ) [AO05]",
+    margin: |values| {
+        let device = RoundedDevice {
+            damping: values.get(LoopQuantity::DeviceDamping),
+            coulomb: values.get(LoopQuantity::Friction),
+            quantum: values.get(LoopQuantity::EncoderStep),
+        };
+        let most = device.passive_stiffness(values.get(LoopQuantity::Period));
+        most - values.get(LoopQuantity::Stiffness)
+    },
+    needs: Some(LoopQuantity::EncoderStep),
+};
+
+/// `[GS09]`, for heavy keys.
+const LINEAR: StabilityTheory = StabilityTheory {
+    name: "gil",
+    title: "K < (b + B) / (T/2 + d) [GS09]",
+    margin: |values| {
+        let damping = values.get(LoopQuantity::DeviceDamping);
+        wall(values).linear_stiffness(damping) - values.get(LoopQuantity::Stiffness)
+    },
+    needs: None,
+};
+
+/// The exact poles of what is linear of the loop, alone on its key.
+const POLES: StabilityTheory = StabilityTheory {
+    name: "poles",
+    title: "poles of key and wall, exact",
+    margin: |values| {
+        let [mass, damping] =
+            [LoopQuantity::Mass, LoopQuantity::DeviceDamping].map(|it| values.get(it));
+        // A pole that is not found is none that can be drawn.
+        1.0 - spectral_radius(&wall(values), mass, damping).unwrap_or(f64::INFINITY)
+    },
+    needs: None,
+};
+
+/// Returns what theory says of walls with this estimator.
+pub(super) fn theories(estimator: LoopEstimator) -> Vec<StabilityTheory> {
+    match estimator {
+        LoopEstimator::BackwardDifference => vec![PASSIVE, ROUNDED, LINEAR, POLES],
+        LoopEstimator::Kalman => Vec::new(),
+    }
+}
+
+impl StabilityTheory {
+    /// Returns the margin at a place: above zero inside of the boundary.
+    pub fn margin(&self, point: &LoopPoint) -> f64 {
+        (self.margin)(&point.values)
+    }
+}
+
+fn wall(values: &LoopValues) -> SampledWall {
+    SampledWall {
+        stiffness: values.get(LoopQuantity::Stiffness),
+        damping: values.get(LoopQuantity::Damping),
+        period: values.get(LoopQuantity::Period),
+        delay: values.get(LoopQuantity::Delay),
+    }
+}
