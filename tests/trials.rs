@@ -111,7 +111,8 @@ fn tried(name: &str, hz: u32, delay: u32, piece: &str) -> Outcome {
 fn check(outcomes: &[Outcome]) {
     let is_wrong = |it: &&Outcome| !it.is_predicted();
     let wrong: Vec<_> = outcomes.iter().filter(is_wrong).collect();
-    let missed: Vec<_> = wrong.iter().filter(|it| it.refused.is_none()).collect();
+    let missed: Vec<_> =
+        wrong.iter().filter(|it| it.refused.is_none()).map(|it| &it.what).collect();
     assert!(missed.is_empty(), "called stable: {missed:#?}");
     assert!(
         20 * wrong.len() <= outcomes.len(),
