@@ -94,7 +94,7 @@ fn what_cannot_be_studied_is_said_in_one_sentence() {
         (&["--finger", "thumb"], &["--finger \"thumb\" is none"]),
         (&["--estimator", "kalmann"], &["--estimator \"kalmann\" is none: use \"kalman\""]),
         (&["--what", "grnd"], &["grnd"]),
-        (&["--what", "grand-springs", "--stiffness", "5"], &["--stiffness is of walls"]),
+        (&["--what", "grand-springs", "--damping", "-5"], &["a coupling's damping is -5 N·s/m"]),
         (&["--what", "grand-springs", "--set", "k9=1"], &["there is no parameter \"k9\""]),
         (&["--what", "grand-springs", "--key", "H4"], &["--key \"H4\" is no key"]),
     ] {

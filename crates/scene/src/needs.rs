@@ -4,7 +4,8 @@ use super::document::DocumentNode;
 use super::quantity::number;
 use super::read::{self, TableReader};
 use super::render::{
-    ESTIMATORS, EstimatorName, InputReconstruction, JERK_DENSITY, RECONSTRUCTIONS, Render, TICK_HZ,
+    COUPLING_STIFFNESS, ESTIMATORS, EstimatorName, InputReconstruction, JERK_DENSITY,
+    RECONSTRUCTIONS, Render, TICK_HZ,
 };
 use super::report::MistakeList;
 use super::setting::TableSetting as _;
@@ -33,6 +34,8 @@ struct Stable {
     min_jerk_density: Option<f64>,
     /// Quickest Kalman filter (m²/s⁵).
     max_jerk_density: Option<f64>,
+    /// Stiffest coupling between the player's key and the model's, without which it is none (N/m).
+    max_coupling_stiffness: Option<f64>,
 }
 
 /// The settings that a scene lacks, and the remedy.
@@ -99,6 +102,11 @@ impl Stable {
             reconstruction: RECONSTRUCTIONS.read(report, &mut reader, "reconstruction"),
             min_jerk_density: reader.number(report, "min_jerk_density", JERK_DENSITY),
             max_jerk_density: reader.number(report, "max_jerk_density", JERK_DENSITY),
+            max_coupling_stiffness: reader.number(
+                report,
+                "max_coupling_stiffness",
+                COUPLING_STIFFNESS,
+            ),
         };
         reader.finish(report);
         Some(stable)
@@ -133,7 +141,19 @@ impl Stable {
         };
         let slow = self.min_jerk_density.filter(|least| kalman && render.jerk_density < *least);
         let quick = self.max_jerk_density.filter(|most| kalman && *most < render.jerk_density);
+        let coupling = render.coupling_stiffness;
+        let coupled =
+            self.max_coupling_stiffness.filter(|most| coupling <= 0.0 || *most < coupling);
+        let coupled = coupled.map(|most| Lack {
+            needed: format!(
+                "a coupling_stiffness of at most {}, not {}",
+                number(most),
+                if coupling <= 0.0 { "none".to_owned() } else { number(coupling) }
+            ),
+            setting: format!("render.coupling_stiffness={}", number(most)),
+        });
         [
+            coupled,
             rate,
             estimator,
             reconstruction,
@@ -152,6 +172,7 @@ impl Stable {
             self.reconstruction.map(|it| format!("reconstruction {}", it.name())),
             self.min_jerk_density.map(|it| format!("jerk_density >= {}", number(it))),
             self.max_jerk_density.map(|it| format!("jerk_density <= {}", number(it))),
+            self.max_coupling_stiffness.map(|it| format!("coupling_stiffness <= {}", number(it))),
         ];
         parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }

@@ -23,6 +23,10 @@ const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 /// The range from a key that hardly moves to one that is hammered.
 pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
+pub(super) const COUPLING_STIFFNESS: Quantity = Quantity { unit: "N/m", range: (0.0, 1e6) };
+
+const COUPLING_DAMPING: Quantity = Quantity { unit: "N·s/m", range: (0.0, 1e3) };
+
 /// A gain of the other sign would turn a spring into a push.
 const GAIN: Quantity = Quantity { unit: "1", range: (1e-3, 1e3) };
 
@@ -80,6 +84,10 @@ settings! {
     jerk_density: f64 = Kalman::KEY_JERK_DENSITY, JERK_DENSITY;
     /// The continuation of that motion over the tick.
     reconstruction: InputReconstruction = InputReconstruction::Estimate, RECONSTRUCTIONS;
+    /// Stiffness between the player's key and the model's (N/m); 0 for none, the same key.
+    coupling_stiffness: f64 = 0.0, COUPLING_STIFFNESS;
+    /// Damping between them (N s/m).
+    coupling_damping: f64 = 0.0, COUPLING_DAMPING;
     /// Times what the model's key moves as the player's does: 1 on a key as long as the model's.
     motion_gain: f64 = 1.0, GAIN;
     /// Times the model's force that the motor gives.

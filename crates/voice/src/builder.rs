@@ -14,6 +14,7 @@ use scheduler::time::Period;
 use scheduler::values::MAX_VALUES;
 
 use crate::audit::AuditCell;
+use crate::coupling::{Coupling, CouplingConstants};
 use crate::input::{AnyEstimator, InputPath};
 use crate::rendered_key::{Gains, RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
 use scene::{EstimatorName, InputReconstruction, KeyVoice, LinksConfig, Render, Scene};
@@ -211,8 +212,13 @@ impl Builder<'_> {
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
         let dip = rig.key.bottom_stop.position;
+        let constants = CouplingConstants {
+            stiffness: render.coupling_stiffness,
+            damping: render.coupling_damping,
+        };
+        let coupling = (0.0 < constants.stiffness).then(|| Coupling::new(constants));
         let gains = Gains { motion: render.motion_gain, force: render.force_gain };
-        Ok(VoiceSettings { input, gains, gate, limits, cell, h, dip, slopes, revision })
+        Ok(VoiceSettings { input, coupling, gains, gate, limits, cell, h, dip, slopes, revision })
     }
 }
 

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`rendered_key`] | the voice: estimate, advance, read out, limit |
 //! | [`input`] | from a key's samples to the motion of the model's input |
+//! | [`coupling`] | a spring and a damper between the player's key and the model's |
 //! | [`damper`] | when the key lifts and drops its damper |
 //! | `aftertouch` | the force on a key that is held down, as pressure |
 //! | [`audit`] | where a voice publishes its energy audit |
@@ -17,6 +18,7 @@ mod aftertouch;
 pub mod audit;
 pub mod builder;
 mod carried;
+pub mod coupling;
 pub mod damper;
 pub mod input;
 #[cfg(test)]

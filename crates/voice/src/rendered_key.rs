@@ -18,6 +18,7 @@ use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 use crate::aftertouch::PressureTracker;
 use crate::audit::AuditCell;
 use crate::carried::{KeyMemory, carry, same_mode};
+use crate::coupling::{CoupledTick, Coupling};
 use crate::damper::DamperTracker;
 use crate::input::{Followed, InputPath};
 
@@ -32,6 +33,7 @@ pub trait RehearsableVoice: Voice + Send {
 pub struct RenderedKey<M: Playable, T: Stepper> {
     simulator: Simulator<M, T>,
     memory: KeyMemory,
+    coupling: Option<Coupling>,
     gains: Gains,
     gate: ForceGate,
     pressure: PressureTracker,
@@ -59,6 +61,8 @@ const LONGEST_WAY: f64 = 0.02;
 pub struct VoiceSettings {
     /// From samples to the model's input.
     pub input: InputPath,
+    /// Between the player's key and the model's, if there is one.
+    pub coupling: Option<Coupling>,
     pub gains: Gains,
     pub gate: ForceGate,
     pub limits: Limits,
@@ -103,7 +107,8 @@ pub enum SlopeOutput {
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Returns a voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
-        let VoiceSettings { input, gains, gate, limits, cell, h, dip, slopes, revision } = fittings;
+        let VoiceSettings { input, coupling, gains, gate, limits, cell, h, dip, slopes, revision } =
+            fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
         let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit(), dip), h);
@@ -111,6 +116,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
             memory: KeyMemory { entry, input, damper },
+            coupling,
             gains,
             gate,
             pressure: PressureTracker::default(),
@@ -143,12 +149,19 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// # Real-time
     /// At most four readouts.
     fn slope(&self, middle: &Motion, late: f64) -> KeySlope {
-        let model = self.simulator.model();
-        let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
-        let (per_metre, scale) = (self.per_readout(), self.scale());
+        let scale = self.scale();
+        let (stiffness, damping) = if let Some(coupling) = &self.coupling {
+            let constants = coupling.constants();
+            (constants.stiffness * self.gains.force, constants.damping * self.gains.force)
+        } else {
+            let model = self.simulator.model();
+            let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
+            let per_slope = self.per_readout() * scale;
+            (slopes.per_position * per_slope, slopes.per_rate * per_slope)
+        };
         KeySlope {
-            stiffness: -slopes.per_position * per_metre * scale,
-            damping: -slopes.per_rate * per_metre * scale,
+            stiffness: -stiffness,
+            damping: -damping,
             position: middle.position / scale,
             velocity: middle.rate / scale,
             ahead: late + 0.5 * self.h,
@@ -162,6 +175,14 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     fn is_explained(&self, before: &EnergyAudit) -> bool {
         let most = self.gate.limit() * LONGEST_WAY;
         (self.auditor.sums.integration - before.integration).abs() <= most
+    }
+
+    /// Moves the model's key over the tick in which the player's moves as `key`, if they are coupled.
+    fn coupled(&mut self, key: &Cubic) -> Option<CoupledTick> {
+        let scale = self.scale();
+        let simulator = &self.simulator;
+        let played = (simulator.model(), simulator.mode(), simulator.state());
+        Some(self.coupling.as_mut()?.follow(played, key, scale, self.h))
     }
 
     /// Tells the pressure on the key, of an instrument that has one.
@@ -180,12 +201,19 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             turn.events.push(at, event);
         }
         let (before, sums) = (*self.simulator.state(), self.auditor.sums);
+        let coupled = self.coupled(&signal);
+        let moved = coupled.map_or(signal, |it| it.signal);
         let events = &mut turn.events;
-        let mut strikes = Strikes { tick, events, switches: &mut self.switches };
+        let mut strikes = Strikes { tick, events, switches: &mut self.switches, impulse: 0.0 };
         let mut watch = (&mut self.auditor, &mut strikes);
-        let done = self.simulator.advance(self.h, &signal, &mut watch);
-        self.signal = signal;
-        let gated = self.gate.apply(done.mean_readout * self.per_readout(), self.h);
+        let done = self.simulator.advance(self.h, &moved, &mut watch);
+        let impulse = strikes.impulse;
+        if let Some(coupling) = &mut self.coupling {
+            coupling.strike(impulse);
+        }
+        self.signal = moved;
+        let readout = coupled.map_or(done.mean_readout, |it| it.force);
+        let gated = self.gate.apply(readout * self.per_readout(), self.h);
         turn.force = gated.force;
         let is_free = gated.finite && !gated.limited && !gated.slewed && done.work.events == 0;
         if self.slopes == SlopeOutput::Rendered && is_free {
@@ -249,6 +277,9 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     fn reset(&mut self, sample: &KeySample) {
         let input = self.memory.input.reset(sample.position);
         let (mode, state) = self.simulator.model().at_rest(&input);
+        if let Some(coupling) = &mut self.coupling {
+            coupling.place(&input);
+        }
         self.simulator.place(mode, state);
         self.auditor.forget();
         self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
@@ -284,6 +315,9 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         carry(state.as_mut(), model.entry(), (entry, &seen.snapshot));
         let (mode, state) = model.begin(mode, &state, &input.newest());
         self.memory.damper = damper.with_damper(model.damper());
+        if let Some(coupling) = &mut self.coupling {
+            coupling.place(&input.newest());
+        }
         self.memory.input = input;
         self.simulator.place(mode, state);
         true
@@ -366,12 +400,15 @@ struct Strikes<'a> {
     tick: u64,
     events: &'a mut Events,
     switches: &'a mut Switches,
+    /// What events took from the model's key so far (readout s).
+    impulse: f64,
 }
 
 impl<M: Playable> Watch<M> for Strikes<'_> {
     fn piece<S: Signal<Motion>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
 
     fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.impulse += event.impulse;
         let guard =
             if let pode::EventCause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
         self.switches.push(Switch {
@@ -431,6 +468,7 @@ mod tests {
         let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
         let fittings = VoiceSettings {
             input: InputPath::new(estimator, None, -5.0, h),
+            coupling: None,
             gains: Gains::default(),
             gate: ForceGate::new(25.0, 2e4).unwrap(),
             limits: Limits::default(),

@@ -142,10 +142,6 @@ fn set_values(
     ];
     for (what, text) in given {
         let (Some(text), entry) = (text, what.entry()) else { continue };
-        if model.is_some() && is_of_walls(what) {
-            mistakes.push(format!("--{} is of walls; an instrument has none", entry.name));
-            continue;
-        }
         match quantity(text, entry.unit) {
             Ok(value) => values.set(what, value),
             Err(wrong) => mistakes.push(format!("--{} {wrong}", entry.name)),
@@ -163,10 +159,6 @@ fn set_values(
     } else {
         mistakes.push(format!("--finger {} is none: {}", quoted(name), choice(name, FINGERS)));
     }
-}
-
-const fn is_of_walls(quantity: LoopQuantity) -> bool {
-    matches!(quantity, LoopQuantity::Stiffness | LoopQuantity::Damping)
 }
 
 /// Takes over one value of the model, written as name=value.
@@ -238,9 +230,8 @@ fn axis(text: &str, model: Option<&ModelEntry>, base: &LoopPoint) -> Result<MapA
         let value = base.parameters.get(place).copied().unwrap_or_default();
         return of_parameter((place, parameter), value, ends);
     }
-    let fits = |it: &LoopQuantity| model.is_none() || !is_of_walls(*it);
-    let Some(found) = LoopQuantity::named(name).filter(fits) else {
-        let quantities = QUANTITIES.iter().filter(|it| fits(&it.quantity)).map(|it| it.name);
+    let Some(found) = LoopQuantity::named(name) else {
+        let quantities = QUANTITIES.iter().map(|it| it.name);
         let names: Vec<_> = quantities.chain(parameters.iter().map(|it| it.name)).collect();
         return Err(format!("there is no axis {}: {}", quoted(name), choice(name, names)));
     };

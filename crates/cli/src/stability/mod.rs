@@ -26,6 +26,7 @@ use ask::StabilityQuestion;
   letoff lab stability --x 'encoder-step=1 um..1 mm' --y friction --stiffness '5 kN/m' --out report
   letoff lab stability --x finger --y period --damping 5 --out report
   letoff lab stability --what grand-springs --x k1 --y k2 --period '2 ms' --out report
+  letoff lab stability --what grand-rigid --x stiffness=200..20000 --y damping=1..200 --out report
   letoff lab stability --what key-hammer-rigid --x period --y jerk-density=0.1..1e6 --estimator kalman --out report
 
 Each cell of a map is one closed loop: the key rests, is knocked once by a weight that is laid on it
@@ -33,8 +34,9 @@ and taken away, and is left alone. A wall is F = K x + B v on a key that moves f
 instrument the key has its felts, its return spring and its motor. Theory is drawn into maps of walls
 whose velocity is a backward difference.
 
-Axes: stiffness, damping (of the wall), period, delay, encoder-step, friction, mass, device-damping,
-bandwidth (of the motor), jerk-density (of the Kalman filter), finger; and parameters of the model.
+Axes: stiffness and damping, of the wall or of the coupling between an instrument and its key, which
+a stiffness of 0 leaves out; period, delay, encoder-step, friction, mass, device-damping, bandwidth
+(of the motor), jerk-density (of the Kalman filter), finger; and parameters of the model.
 Numbers are in SI units, or with a unit, as '1 ms' and '50 gf'. An axis over a decade is logarithmic;
 fingers always stand from left to right.
 
@@ -56,7 +58,7 @@ pub struct StabilityArgs {
     /// How the velocity is found: backward-difference or kalman, a map for each.
     #[arg(long, value_name = "NAME", num_args = 1..)]
     pub estimator: Vec<String>,
-    /// Stiffness K of the wall (N/m).
+    /// Stiffness K of the wall, or of the coupling of an instrument (N/m).
     #[arg(long, value_name = "N/m", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
     /// Damping B of the wall (N s/m).

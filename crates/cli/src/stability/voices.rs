@@ -13,6 +13,9 @@ use voice::{AnyVoice, VoiceBuilder};
 /// Rates that a voice can have (Hz), as in scenes.
 const RATES: (f64, f64) = (100.0, 10_000.0);
 
+/// Step of an encoder without one, for a filter that asks (m).
+const FINEST_STEP: f64 = 1e-9;
+
 /// Makes voices of one model, rendered as scenes do it by default.
 #[derive(Debug)]
 pub(super) struct InstrumentVoices {
@@ -48,6 +51,13 @@ impl InstrumentVoices {
             LoopEstimator::BackwardDifference => EstimatorName::BackwardDifference,
             LoopEstimator::Kalman => EstimatorName::Kalman,
         };
+        let damping = order.values.get(LoopQuantity::Damping);
+        if damping < 0.0 {
+            return Err(format!("a coupling's damping is {damping} N·s/m; give at least 0"));
+        }
+        scene.render.coupling_stiffness = order.values.get(LoopQuantity::Stiffness);
+        scene.render.coupling_damping = damping;
+        scene.rig.encoder_step = order.values.get(LoopQuantity::EncoderStep).max(FINEST_STEP);
         scene.render.jerk_density = order.values.get(LoopQuantity::JerkDensity);
         let key = KeyVoice { model: self.model, values: order.parameters.to_vec() };
         let builder = VoiceBuilder::new(&scene).map_err(|error| error.to_string())?;

@@ -64,7 +64,7 @@ const QUIET: f64 = 0.3;
 const SHAKING: f64 = 4e-3;
 
 /// The same of a key that begins to, and how much more it is than in the first half.
-const GROWING: (f64, f64) = (0.3e-3, 1.25);
+const GROWING: (f64, f64) = (1.5e-3, 1.25);
 
 /// Strikes of one stroke beyond which it is a chatter: a pendulum on a cart bounces that often.
 const CHATTER: usize = 6;

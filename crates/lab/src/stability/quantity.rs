@@ -49,7 +49,7 @@ pub const QUANTITIES: [QuantityEntry; 11] = [
     QuantityEntry {
         quantity: Stiffness,
         name: "stiffness",
-        title: "stiffness of the wall K",
+        title: "stiffness K",
         unit: "N/m",
         shown: ("kN/m", 1e-3),
         range: (0.0, 1e8),
@@ -58,7 +58,7 @@ pub const QUANTITIES: [QuantityEntry; 11] = [
     QuantityEntry {
         quantity: Damping,
         name: "damping",
-        title: "damping of the wall B",
+        title: "damping B",
         unit: "N*s/m",
         shown: ("N·s/m", 1.0),
         range: (-1e3, 1e4),
@@ -180,6 +180,8 @@ impl LoopValues {
     /// Returns the loop of a voice on `rig`, as it is, with no finger.
     pub fn of_rig(rig: &RigParameters, period: f64, jerk_density: f64) -> Self {
         let mut values = Self::ideal(rig, period, jerk_density);
+        // Without a coupling.
+        values.set(Stiffness, 0.0);
         values.set(EncoderStep, rig.quantum);
         values.set(Friction, rig.key.coulomb);
         let bandwidth = rig.motor.bandwidth / core::f64::consts::TAU;

@@ -123,10 +123,7 @@ fn ratio(mut all: Vec<f64>) -> Option<BoundaryRatio> {
 fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f64, &'static str)> {
     let is_axis =
         |quantity| study.axes.iter().any(|it| it.target == AxisTarget::Quantity(quantity));
-    let is_of_walls = |it| matches!(it, LoopQuantity::Stiffness | LoopQuantity::Damping);
-    let is_wall = matches!(study.subject, StabilitySubject::Wall);
-    let counts = move |it: LoopQuantity| !is_axis(it) && (is_wall || !is_of_walls(it));
-    let counted = QUANTITIES.iter().filter(move |it| counts(it.quantity));
+    let counted = QUANTITIES.iter().filter(move |it| !is_axis(it.quantity));
     counted.map(|it| (it.name, study.base.values.get(it.quantity), it.unit))
 }
 
