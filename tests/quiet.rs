@@ -162,12 +162,13 @@ fn a_scene_is_asked_for_what_its_instrument_needs_in_one_sentence() {
         with_instrument(instrument, hz, render).expect_err("refused")
     };
     let why = refused("grand-rigid", "1000", &[]);
-    let expected = "grand-rigid needs tick_hz of at least 4000, not 1000, and jerk_density of at \
-        most 10, not 100000, or its keys make energy when they are left alone; set tick_hz=4000 \
-        and render.jerk_density=10 for the whole scene, or choose another instrument";
+    let expected = "grand-rigid needs a coupling_stiffness of at most 2000, not none, and a \
+        coupling_damping of at least 20, not 0, or its keys make energy when they are left alone; \
+        set render.coupling_stiffness=2000 and render.coupling_damping=20 for the whole scene, or \
+        choose another instrument";
     assert!(why.contains(expected), "{why}");
     let why = refused("paper-rigid", "4000", &[]);
-    assert!(why.contains("paper-rigid is for letoff simulate only"), "{why}");
+    assert!(why.contains("paper-rigid needs a coupling_stiffness of at most 200"), "{why}");
     // One of several ways is enough, and the nearest is told.
     assert!(with_instrument("grand-reduced", "4000", &[("render.jerk_density", "10")]).is_ok());
     let why = refused("grand-reduced", "1000", &[("render.jerk_density", "10")]);

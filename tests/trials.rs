@@ -9,9 +9,10 @@ use hardware::sim::keybed::SimulatedKeybed;
 use host::session::{RunOptions, RunSession};
 use host::stability::examine;
 use scene::{Scene, instruments};
+use scheduler::port::{FinishedTick, TickObserver};
 
 use crate::performance::{HardNote, file};
-use crate::stage::{self, Stage, keybed, play_all, voices};
+use crate::stage::{self, Stage, keybed, play_all, scene, try_scene, voices};
 
 /// What one loop does.
 #[derive(Clone, Debug)]
@@ -99,8 +100,7 @@ fn positions(bus: &SimulatedKeybed) -> Vec<f64> {
 /// What is said of a loop, and what it does.
 fn tried(name: &str, hz: u32, delay: u32, piece: &str) -> Outcome {
     let scene = scene_of(name, hz, delay, piece);
-    let found = examine(&scene).expect("trials");
-    let refused = found.iter().find_map(|it| it.unstable.as_ref()).map(ToString::to_string);
+    let refused = unstable(&scene);
     let failed = played(&scene).or_else(|| rings(&scene));
     Outcome { what: format!("{name} at {hz} Hz, {delay} ticks late"), refused, failed }
 }
@@ -134,6 +134,78 @@ fn what_is_said_of_a_loop_is_what_it_does() {
     let outcomes: Vec<_> = outcomes.collect();
     assert!(outcomes.iter().filter(|it| it.refused.is_none()).count() >= 2, "{outcomes:#?}");
     check(&outcomes);
+}
+
+#[test]
+fn rigid_bodies_play_a_piece_behind_a_coupling_and_not_without() {
+    let rigid = scene("rigid", &[]);
+    assert_eq!(unstable(&rigid), None);
+    let options = RunOptions { duration: Some(20.0), virtual_time: true };
+    let session = RunSession::prepare(&rigid, options, &|_| {}).expect("a session");
+    let report = session.run(&AtomicBool::new(false)).expect("a run");
+    let notes = report.notes.as_ref().expect("notes");
+    assert_eq!((notes.struck, notes.extra, report.faults), (notes.played, 0, 0), "{notes:?}");
+    assert!(80 < notes.played && notes.velocity_error.p99 <= 2.0, "{notes:?}");
+    let without = unstable(&scene_of("grand-rigid", 1000, 0, "none")).expect("not stable");
+    assert!(without.contains("key-hammer-rigid"), "{without}");
+}
+
+#[test]
+fn the_paper_s_rigid_model_is_stable_on_its_rig_behind_a_coupling_only() {
+    cli::read_descriptions();
+    let on_rig = |coupling: &str| {
+        let text = format!(
+            "tick_hz = 150\n[rig]\nkind = \"paper\"\n[render]\n{coupling}[[keys]]\n\
+             range = \"A0..C8\"\ninstrument = \"paper-rigid\"\n"
+        );
+        unstable(&Scene::from_text("paper", text).expect("a good scene"))
+    };
+    assert!(on_rig("").is_some_and(|why| why.contains("at 150 Hz")));
+    assert_eq!(on_rig("coupling_stiffness = 200\ncoupling_damping = 10\n"), None);
+}
+
+#[test]
+fn untouched_every_instrument_rests_within_two_seconds() {
+    cli::read_descriptions();
+    for instrument in instruments() {
+        let changes = [("keys.instrument", instrument.name.as_str())];
+        let Ok(scene) = try_scene("springs", &changes) else { continue };
+        let mut stage = Stage::new(&scene, keybed(&scene)).watched_by(Restless::default());
+        for _ in 0..2 * scene.tick_hz {
+            stage.tick();
+        }
+        stage.observer = Restless::default();
+        for _ in 0..scene.tick_hz / 2 {
+            stage.tick();
+        }
+        let Restless { derivatives, events, awake } = stage.observer;
+        assert_eq!((derivatives, events, awake), (0, 0, 0), "{}", instrument.name);
+    }
+}
+
+/// What voices did that should rest.
+#[derive(Debug, Default)]
+struct Restless {
+    derivatives: u32,
+    events: u32,
+    /// Turns in which one was not idle.
+    awake: usize,
+}
+
+impl TickObserver for Restless {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
+        for turn in seen.turns {
+            self.derivatives += turn.work.derivatives;
+            self.events += turn.work.events;
+            self.awake += usize::from(!turn.idle);
+        }
+    }
+}
+
+/// Returns what is said of the first key of `scene` that is not stable.
+fn unstable(scene: &Scene) -> Option<String> {
+    let found = examine(scene).expect("trials");
+    found.iter().find_map(|it| it.unstable.as_ref()).map(ToString::to_string)
 }
 
 /// All instruments at six rates with three delays; takes half an hour.

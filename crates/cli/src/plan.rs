@@ -8,6 +8,7 @@ use firmware_protocol::frame::key_samples::SamplePacking;
 use hardware::plan::{BusPlan, BusVerdict, Proposal};
 use serde::Serialize;
 
+use super::stable::refuse_unstable;
 use super::target::SceneTarget;
 use super::{Failure, print_json};
 use host::boards::planning::{self, NoPlan};
@@ -68,7 +69,7 @@ struct Proposed {
     links: Option<usize>,
 }
 
-/// Prints the plan of every link; fails if one is refused.
+/// Prints the plan of every link; fails if one is refused, or if keys are not stable at this rate.
 pub(super) fn run(args: &PlanArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let (tick_hz, boards) = args.target.boards()?;
     let plans = planning::assumed(&boards, tick_hz);
@@ -79,7 +80,10 @@ pub(super) fn run(args: &PlanArgs, out: &mut dyn Write) -> Result<(), Failure> {
         print(&rows, out)?;
     }
     let refused = planning::sentences(plans.iter().flatten(), BusVerdict::Refused);
-    if refused.is_empty() { Ok(()) } else { Err(Failure::Usage(refused.join("\nletoff: "))) }
+    if !refused.is_empty() {
+        return Err(Failure::Usage(refused.join("\nletoff: ")));
+    }
+    refuse_unstable(&args.target.load()?)
 }
 
 fn rows(boards: &Boards, plans: &[Result<BusPlan, NoPlan>]) -> Vec<PlanRow> {

@@ -28,10 +28,15 @@ impl SceneTarget {
         link_overrides(&self.links).into_iter().chain(set).collect()
     }
 
+    /// Returns the scene.
+    pub(super) fn load(&self) -> Result<Scene, Failure> {
+        Scene::load_as_typed(&self.scene, &self.overrides())
+            .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))
+    }
+
     /// Returns the scene's rate (Hz), and its boards.
     pub(super) fn boards(&self) -> Result<(u32, Boards), Failure> {
-        let scene = Scene::load_as_typed(&self.scene, &self.overrides())
-            .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
+        let scene = self.load()?;
         match scene.links {
             LinksConfig::Boards(boards) if !boards.buses.is_empty() => Ok((scene.tick_hz, boards)),
             LinksConfig::Boards(_) | LinksConfig::Simulated => Err(Failure::Usage(format!(

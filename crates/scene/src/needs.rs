@@ -4,8 +4,8 @@ use super::document::DocumentNode;
 use super::quantity::number;
 use super::read::{self, TableReader};
 use super::render::{
-    COUPLING_STIFFNESS, ESTIMATORS, EstimatorName, InputReconstruction, JERK_DENSITY,
-    RECONSTRUCTIONS, Render, TICK_HZ,
+    COUPLING_DAMPING, COUPLING_STIFFNESS, ESTIMATORS, EstimatorName, InputReconstruction,
+    JERK_DENSITY, RECONSTRUCTIONS, Render, TICK_HZ,
 };
 use super::report::MistakeList;
 use super::setting::TableSetting as _;
@@ -36,6 +36,8 @@ struct Stable {
     max_jerk_density: Option<f64>,
     /// Stiffest coupling between the player's key and the model's, without which it is none (N/m).
     max_coupling_stiffness: Option<f64>,
+    /// Least damping of that coupling (N s/m).
+    min_coupling_damping: Option<f64>,
 }
 
 /// The settings that a scene lacks, and the remedy.
@@ -107,6 +109,7 @@ impl Stable {
                 "max_coupling_stiffness",
                 COUPLING_STIFFNESS,
             ),
+            min_coupling_damping: reader.number(report, "min_coupling_damping", COUPLING_DAMPING),
         };
         reader.finish(report);
         Some(stable)
@@ -152,8 +155,18 @@ impl Stable {
             ),
             setting: format!("render.coupling_stiffness={}", number(most)),
         });
+        let damping = render.coupling_damping;
+        let damped = self.min_coupling_damping.filter(|least| damping < *least).map(|least| Lack {
+            needed: format!(
+                "a coupling_damping of at least {}, not {}",
+                number(least),
+                number(damping)
+            ),
+            setting: format!("render.coupling_damping={}", number(least)),
+        });
         [
             coupled,
+            damped,
             rate,
             estimator,
             reconstruction,
@@ -173,6 +186,7 @@ impl Stable {
             self.min_jerk_density.map(|it| format!("jerk_density >= {}", number(it))),
             self.max_jerk_density.map(|it| format!("jerk_density <= {}", number(it))),
             self.max_coupling_stiffness.map(|it| format!("coupling_stiffness <= {}", number(it))),
+            self.min_coupling_damping.map(|it| format!("coupling_damping >= {}", number(it))),
         ];
         parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }

@@ -25,7 +25,7 @@ pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1
 
 pub(super) const COUPLING_STIFFNESS: Quantity = Quantity { unit: "N/m", range: (0.0, 1e6) };
 
-const COUPLING_DAMPING: Quantity = Quantity { unit: "N·s/m", range: (0.0, 1e3) };
+pub(super) const COUPLING_DAMPING: Quantity = Quantity { unit: "N·s/m", range: (0.0, 1e3) };
 
 /// A gain of the other sign would turn a spring into a push.
 const GAIN: Quantity = Quantity { unit: "1", range: (1e-3, 1e3) };

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::axis::{AxisTarget, MapAxis};
 use super::judge::LoopVerdict;
-use super::map::{StabilityMap, StabilityStudy, StabilitySubject, VerdictCounts};
+use super::map::{StabilityMap, StabilityStudy, VerdictCounts};
 use super::picture::{axis_title, svg};
 use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
 use super::voice::LoopEstimator;
