@@ -54,7 +54,7 @@ impl StabilityQuestion {
             LoopValues::ideal(&rig, PERIOD, jerk)
         };
         let model = voices.as_ref().map(|it| it.model);
-        set_values(args, model, &mut values, &mut mistakes);
+        set_values(args, &mut values, &mut mistakes);
         let known = model.map_or(&[][..], |it| it.parameters);
         let mut chosen = Vec::new();
         for text in &args.set {
@@ -122,12 +122,7 @@ fn subject(args: &StabilityArgs) -> Result<AskedSubject, String> {
 }
 
 /// Takes over the values of the loop that are given.
-fn set_values(
-    args: &StabilityArgs,
-    model: Option<&ModelEntry>,
-    values: &mut LoopValues,
-    mistakes: &mut Vec<String>,
-) {
+fn set_values(args: &StabilityArgs, values: &mut LoopValues, mistakes: &mut Vec<String>) {
     let given = [
         (LoopQuantity::Stiffness, &args.stiffness),
         (LoopQuantity::Damping, &args.damping),
