@@ -165,7 +165,7 @@ fn the_paper_s_rigid_model_is_stable_on_its_rig_behind_a_coupling_only() {
 }
 
 #[test]
-fn untouched_every_instrument_rests_within_two_seconds() {
+fn untouched_every_instrument_with_a_damper_sleeps_within_two_seconds() {
     cli::read_descriptions();
     for instrument in instruments() {
         let changes = [("keys.instrument", instrument.name.as_str())];
@@ -179,7 +179,10 @@ fn untouched_every_instrument_rests_within_two_seconds() {
             stage.tick();
         }
         let Restless { derivatives, events, awake } = stage.observer;
-        assert_eq!((derivatives, events, awake), (0, 0, 0), "{}", instrument.name);
+        // The paper's springs have no damper: their hammer of a metre swings by 0.4 mm for ever.
+        let sleeps = instrument.name != "paper-springs";
+        assert!(events == 0 && sleeps == (awake == 0), "{}: {awake}", instrument.name);
+        assert!(!sleeps || derivatives == 0, "{}: {derivatives}", instrument.name);
     }
 }
 

@@ -4,9 +4,9 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::SystemTime;
 
+use certificates::{CertificateChoice, CertificateReport, LOOKS, try_certificates};
 use clap::{Args, Subcommand};
 use lab::accuracy::{Effort, METHODS, SequenceVerdict, StudyChoice, UnknownName, measure};
-use lab::certificates::{CertificateChoice, CertificateReport, LOOKS, try_certificates};
 use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
 use lab::scenario::SCENARIOS;
 

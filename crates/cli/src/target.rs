@@ -28,7 +28,7 @@ impl SceneTarget {
         link_overrides(&self.links).into_iter().chain(set).collect()
     }
 
-    /// Returns the scene.
+    /// Reads the scene with what overrides it.
     pub(super) fn load(&self) -> Result<Scene, Failure> {
         Scene::load_as_typed(&self.scene, &self.overrides())
             .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))

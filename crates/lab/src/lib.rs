@@ -3,7 +3,6 @@
 //! ```text
 //! simulate/   one model under one input: trajectory, events, picture, summary
 //! scenario/   problems with known answers: models, inputs, references
-//! certificates/  random systems, and whether a certain step hides a crossing
 //! accuracy/   runs each with every method and step, judges it, times it
 //! report/     what was measured, as CSV, SVG and one HTML page
 //! piano/      an instrument beside measured grands
@@ -11,7 +10,6 @@
 //! figure6/    the paper's experiment at the paper's rates, and how wrong its step was
 //! stability/  where a wall or an instrument is stable on a key
 //! parallel.rs work on all processors
-//! random.rs   random numbers that a seed repeats
 //! plot/       pictures as SVG, for simulate, piano, fit, stability and report
 //! ```
 //!
@@ -25,13 +23,11 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
-pub mod certificates;
 pub mod figure6;
 pub mod fit;
 mod parallel;
 pub mod piano;
 mod plot;
-mod random;
 pub mod report;
 pub mod scenario;
 pub mod simulate;

@@ -52,7 +52,7 @@ impl Coupling {
         Self { constants, position: 0.0, rate: 0.0, impulse: 0.0 }
     }
 
-    /// Returns its constants.
+    /// Returns the spring and the damper.
     pub const fn constants(&self) -> CouplingConstants {
         self.constants
     }

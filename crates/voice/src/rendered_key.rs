@@ -38,6 +38,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     gate: ForceGate,
     pressure: PressureTracker,
     rest: RestDetector,
+    swing: SwingDetector<M::State>,
     auditor: Auditor<M>,
     passivity: PassivityObserver,
     cell: Arc<AuditCell>,
@@ -121,6 +122,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             gate,
             pressure: PressureTracker::default(),
             rest: RestDetector::new(h),
+            swing: SwingDetector::new(state, h),
             auditor: Auditor::default(),
             passivity,
             cell,
@@ -243,9 +245,11 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
         self.press(tick, turn);
         self.rest.observe(sample.position, turn.force);
-        if moves(self.coordinates, (&before, self.simulator.state()), self.h) {
-            self.rest.still = 0;
-        }
+        let state = *self.simulator.state();
+        let moves = moves(self.coordinates, (&before, &state), self.h);
+        self.rest.calm = if moves { 0 } else { self.rest.calm.saturating_add(1) };
+        self.swing.observe(self.coordinates, &state, turn.force);
+        self.rest.swings_little = self.swing.is_small();
     }
 }
 
@@ -343,8 +347,12 @@ where
 struct RestDetector {
     position: f64,
     force: f64,
-    /// Ticks for which neither key nor model has moved.
+    /// Ticks for which the key has not moved.
     still: u32,
+    /// Ticks for which the model has not.
+    calm: u32,
+    /// Whether the model has moved too little for long to be felt.
+    swings_little: bool,
     /// So many of them are rest.
     patience: u32,
 }
@@ -357,7 +365,7 @@ impl RestDetector {
     fn new(h: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 200")]
         let patience = (Self::PATIENCE / h).round().clamp(1.0, 1e6) as u32;
-        Self { position: 0.0, force: 0.0, still: 0, patience }
+        Self { position: 0.0, force: 0.0, still: 0, calm: 0, swings_little: false, patience }
     }
 
     fn observe(&mut self, position: f64, force: f64) {
@@ -369,8 +377,55 @@ impl RestDetector {
 
     /// The force to hold if the voice sleeps and the key is still at `position` (m).
     fn force_at(&self, position: f64) -> Option<f64> {
-        let asleep = self.still >= self.patience;
+        let rests = self.patience <= self.calm || self.swings_little;
+        let asleep = self.patience <= self.still && rests;
         (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
+    }
+}
+
+/// Whether a model has moved for so long by so little that nobody feels it, however it moves: one
+/// without any damper swings for ever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct SwingDetector<S> {
+    /// Where it was when it last moved by more than a little, and the force then (N).
+    state: S,
+    force: f64,
+    /// Ticks since then, and how many of them are long.
+    ticks: u32,
+    long: u32,
+}
+
+impl<S: State> SwingDetector<S> {
+    /// How long it may not move by more than a little (s): twice the period of the slowest key.
+    const LONG: f64 = 0.5;
+    /// Motion of a coordinate that is little (rad or m): a tenth of a millimetre at the end of a
+    /// hammer of a metre.
+    const LITTLE: f64 = 1e-4;
+    /// Change of force that no finger feels (N).
+    const UNFELT: f64 = 10e-3;
+
+    /// Begins to look at a model in `state`, in ticks of `h` (s).
+    fn new(state: S, h: f64) -> Self {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "50 to 5000")]
+        let long = (Self::LONG / h).round().clamp(1.0, 1e6) as u32;
+        Self { state, force: 0.0, ticks: 0, long }
+    }
+
+    fn observe(&mut self, coordinates: usize, state: &S, force: f64) {
+        let pairs = state.entries().iter().zip(self.state.entries()).take(coordinates);
+        let mut is_near = (force - self.force).abs() <= Self::UNFELT;
+        for (now, then) in pairs {
+            is_near &= (now - then).abs() <= Self::LITTLE;
+        }
+        if is_near {
+            self.ticks = self.ticks.saturating_add(1);
+        } else {
+            (self.state, self.force, self.ticks) = (*state, force, 0);
+        }
+    }
+
+    const fn is_small(&self) -> bool {
+        self.long <= self.ticks
     }
 }
 

@@ -9,7 +9,7 @@ use serde::Serialize;
 use voice::VoiceBuilder;
 
 use super::remedy::{Remedy, nearest};
-use super::trial::{FINGERS, Trial};
+use super::trial::{FINGERS, KeyTrial};
 use crate::rehearsal::RehearsalError;
 
 /// Keys of a range that are tried: instruments are graded evenly over the compass.
@@ -37,7 +37,7 @@ pub struct RangeStability {
 pub struct UnstableKey {
     pub key: String,
     pub model: &'static str,
-    /// What it does.
+    /// What the key does that shows it.
     pub does: &'static str,
     /// The finger under which it does so.
     pub finger: &'static str,
@@ -112,7 +112,9 @@ pub fn examine_keys(scene: &Scene, keys: Range<usize>) -> Result<RangeStability,
     let model = voices.first().map_or("", |(_key, voice)| voice.model.name);
     let mut unstable = None;
     for (key, voice) in &voices {
-        let Some((finger, found)) = Trial::of(&builder, (*key, voice)).worst()? else { continue };
+        let Some((finger, found)) = KeyTrial::of(&builder, (*key, voice)).worst()? else {
+            continue;
+        };
         let remedy = nearest(scene, &voices, *key)?;
         unstable = Some(UnstableKey {
             key: name(*key),
@@ -147,7 +149,7 @@ impl RangeStability {
             let mut louder = scene.clone();
             louder.render.force_gain *= gain;
             let builder = VoiceBuilder::new(&louder)?;
-            if Trial::of(&builder, (key, voice)).worst()?.is_some() {
+            if KeyTrial::of(&builder, (key, voice)).worst()?.is_some() {
                 break;
             }
             margin = gain;

@@ -10,4 +10,4 @@ mod remedy;
 mod trial;
 
 pub use examine::{RangeStability, UnstableKey, examine, examine_keys};
-pub use trial::{Instability, Trial};
+pub use trial::{Instability, KeyTrial};

@@ -6,7 +6,7 @@ use scene::{EstimatorName, KeyVoice, Scene};
 use serde::Serialize;
 use voice::VoiceBuilder;
 
-use super::trial::Trial;
+use super::trial::KeyTrial;
 use crate::rehearsal::RehearsalError;
 
 /// Rates that boards can keep (Hz).
@@ -48,7 +48,7 @@ pub(super) fn nearest(
         let rest = voices.iter().filter(|it| it.0 != key);
         let mut is_stable = true;
         for voice in worst.chain(rest) {
-            is_stable = is_stable && Trial::of(&builder, *voice).worst()?.is_none();
+            is_stable = is_stable && KeyTrial::of(&builder, *voice).worst()?.is_none();
         }
         if is_stable {
             return Ok(Some(remedy));

@@ -12,7 +12,7 @@ use crate::rehearsal::{RehearsalError, RehearsedKey};
 /// What shows that a key's loop is not stable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Instability {
-    /// Its voice fails.
+    /// Its voice fails while somebody plays it.
     Fault(VoiceFault),
     /// It sounds with nobody at it.
     Untouched,
@@ -71,12 +71,12 @@ const CHATTER: usize = 6;
 
 /// A key that is to be tried.
 #[derive(Clone, Copy, Debug)]
-pub struct Trial<'a> {
+pub struct KeyTrial<'a> {
     builder: &'a VoiceBuilder<'a>,
     key: (usize, &'a KeyVoice),
 }
 
-impl<'a> Trial<'a> {
+impl<'a> KeyTrial<'a> {
     /// Returns the trial of a key of the builder's scene, with its voice.
     pub const fn of(builder: &'a VoiceBuilder<'a>, key: (usize, &'a KeyVoice)) -> Self {
         Self { builder, key }
@@ -115,7 +115,7 @@ fn play(mut key: RehearsedKey, hold: f64) -> Option<Instability> {
         ..Gesture::USUAL
     };
     key.take(STROKES.map(gesture).into());
-    let mut seen = Seen::default();
+    let mut seen = TrialLog::default();
     while key.now() < LENGTH {
         if let Some(found) = seen.tick(&mut key) {
             return Some(found);
@@ -140,7 +140,7 @@ impl Swing {
 
 /// What was seen of a key since its trial began.
 #[derive(Clone, Copy, Debug, Default)]
-struct Seen {
+struct TrialLog {
     /// Strikes since the stroke that is or was played last began.
     strikes: usize,
     stroke: usize,
@@ -149,7 +149,7 @@ struct Seen {
     position: f64,
 }
 
-impl Seen {
+impl TrialLog {
     /// Goes on by a tick; returns what shows that the key is not stable.
     fn tick(&mut self, key: &mut RehearsedKey) -> Option<Instability> {
         let now = key.now();

@@ -17,7 +17,7 @@ pub(super) const LINE: f64 = RIG.quantum;
 /// Travel of the handle (m).
 pub(super) const TRAVEL: f64 = RIG.key.bottom_stop.position;
 
-/// Its parts.
+/// The parts of the rig.
 const HANDLE: KeyParameters = RIG.key;
 const MOTOR: MotorParameters = RIG.motor;
 const HAND: FingerParameters = RIG.finger;

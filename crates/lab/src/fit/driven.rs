@@ -5,8 +5,8 @@ use models::{ModelEntry, catalogue};
 use super::data::MeasuredStroke;
 use super::smooth::{EXACT, noise, smoothed};
 use crate::piano::Opener;
-use crate::random::SeededRandom;
 use crate::simulate::{InputTable, Reconstruct};
+use certificates::SeededRandom;
 
 /// Longest tick (s).
 const TICK: f64 = 1e-3;

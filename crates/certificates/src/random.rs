@@ -2,11 +2,11 @@
 
 /// The generator `SplitMix64`.
 #[derive(Clone, Debug)]
-pub(crate) struct SeededRandom(u64);
+pub struct SeededRandom(u64);
 
 impl SeededRandom {
     /// The numbers of one system.
-    pub(crate) const fn new(seed: u64, system: u64) -> Self {
+    pub const fn new(seed: u64, system: u64) -> Self {
         let mut random = Self(seed ^ system.wrapping_mul(0xD134_2543_DE82_EF95));
         random.next();
         random
@@ -20,29 +20,29 @@ impl SeededRandom {
     }
 
     /// A number from `lo` to `hi`.
-    pub(crate) fn between(&mut self, lo: f64, hi: f64) -> f64 {
+    pub fn between(&mut self, lo: f64, hi: f64) -> f64 {
         let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         lo + part * (hi - lo)
     }
 
     /// A number from `lo` to `hi`, both positive, whose logarithm is spread evenly.
-    pub(crate) fn spread(&mut self, lo: f64, hi: f64) -> f64 {
+    pub fn spread(&mut self, lo: f64, hi: f64) -> f64 {
         self.between(lo.ln(), hi.ln()).exp()
     }
 
     /// A number of mean 0 and variance 1 whose distribution is nearly Gaussian: a sum of twelve.
-    pub(crate) fn gaussian(&mut self) -> f64 {
+    pub fn gaussian(&mut self) -> f64 {
         (0..12).map(|_| self.between(-0.5, 0.5)).sum()
     }
 
     /// A whole number below `n`.
     #[expect(clippy::cast_possible_truncation, reason = "below n")]
-    pub(crate) const fn below(&mut self, n: usize) -> usize {
+    pub const fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize
     }
 
     /// True once in `n` times.
-    pub(crate) const fn once_in(&mut self, n: usize) -> bool {
+    pub const fn once_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
     }
 }

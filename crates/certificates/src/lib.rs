@@ -15,10 +15,12 @@
 //! orbit    follows what is computed, and looks at the guards
 //! trial    one system from its start to its end
 //! ```
+#![forbid(unsafe_code)]
 
 mod guard;
 mod input;
 mod orbit;
+mod random;
 mod system;
 #[cfg(test)]
 mod tests;
@@ -27,6 +29,7 @@ mod trial;
 use serde::Serialize;
 
 pub use orbit::LOOKS;
+pub use random::SeededRandom;
 use trial::Trial;
 
 /// Violations that are described in a report; all are counted.
