@@ -9,7 +9,7 @@ use serde::Serialize;
 use voice::VoiceBuilder;
 
 use super::remedy::{Remedy, nearest};
-use super::trial::{FINGERS, KeyTrial};
+use super::trial::KeyTrial;
 use crate::rehearsal::RehearsalError;
 
 /// Keys of a range that are tried: instruments are graded evenly over the compass.
@@ -120,7 +120,7 @@ pub fn examine_keys(scene: &Scene, keys: Range<usize>) -> Result<RangeStability,
             key: name(*key),
             model,
             does: found.what(),
-            finger: FINGERS[finger].0,
+            finger,
             tick_hz: scene.tick_hz,
             delay: scene.rig.delay,
             remedy,

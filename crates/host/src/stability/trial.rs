@@ -1,7 +1,7 @@
 //! One key under one finger: is its loop stable while it is played, and quiet afterwards?
 
 use haptics::plant::{Gesture, Touch};
-use haptics::{FingerParameters, RigParameters};
+use haptics::{FingerParameters, Grasp, RigParameters};
 use scene::KeyVoice;
 use scheduler::motion::KeyEvent;
 use scheduler::voice::VoiceFault;
@@ -36,7 +36,7 @@ impl Instability {
 }
 
 /// The corners of what fingers do, with their names.
-pub(super) const FINGERS: [(&str, FingerParameters); 3] = [
+const FINGERS: [(&str, FingerParameters); 3] = [
     ("an ordinary", FingerParameters::ORDINARY),
     ("a stiff", FingerParameters::STIFF),
     ("a limp", FingerParameters::LIMP),
@@ -58,13 +58,13 @@ const LENGTH: f64 = 1.6;
 /// The end of a trial, in two halves of which a key is compared (s).
 const QUIET: f64 = 0.3;
 
-/// Way to and fro of a key that shakes, in half of [`QUIET`] (m): the paper's springs, which have no
-/// damper, move theirs by 2.4 mm for as long as their hammer hops, and loops that make energy by 5.5
-/// and more.
-const SHAKING: f64 = 4e-3;
+/// Way to and fro of a key that shakes, in half of [`QUIET`], as a part of its dip: the paper's
+/// springs, which have no damper, move a key of 10 mm by 2.4 for as long as their hammer hops, and
+/// loops that make energy by 5.5 and more.
+const SHAKING: f64 = 0.4;
 
 /// The same of a key that begins to, and how much more it is than in the first half.
-const GROWING: (f64, f64) = (1.5e-3, 1.25);
+const GROWING: (f64, f64) = (0.15, 1.25);
 
 /// Strikes of one stroke beyond which it is a chatter: a pendulum on a cart bounces that often.
 const CHATTER: usize = 6;
@@ -82,16 +82,21 @@ impl<'a> KeyTrial<'a> {
         Self { builder, key }
     }
 
-    /// Tries all fingers; returns the first under which the key is not stable, by its place in
-    /// [`FINGERS`], and what shows it.
+    /// Tries all fingers, or the hand if one grips the key; returns the name of the first under
+    /// which the key is not stable, and what shows it.
     ///
     /// # Errors
     /// If the voice or the keybed are refused.
-    pub fn worst(&self) -> Result<Option<(usize, Instability)>, RehearsalError> {
-        for (place, (_name, finger)) in FINGERS.into_iter().enumerate() {
+    pub fn worst(&self) -> Result<Option<(&'static str, Instability)>, RehearsalError> {
+        let hand = self.builder.rig().finger;
+        let hands = match hand.grasp {
+            Grasp::Pushes => FINGERS.to_vec(),
+            Grasp::Grips => vec![("a gripping", hand)],
+        };
+        for (name, finger) in hands {
             let rig = RigParameters { finger, ..self.builder.rig() };
             if let Some(found) = self.on_rig(rig)? {
-                return Ok(Some((place, found)));
+                return Ok(Some((name, found)));
             }
         }
         Ok(None)
@@ -100,12 +105,13 @@ impl<'a> KeyTrial<'a> {
     /// Tries the key on `rig`.
     fn on_rig(&self, rig: RigParameters) -> Result<Option<Instability>, RehearsalError> {
         let key = RehearsedKey::on_rig(self.builder, self.key, rig)?;
-        Ok(play(key, Gesture::hold_of(rig.key.bottom_stop.position)))
+        Ok(play(key, rig.key.bottom_stop.position))
     }
 }
 
-/// Plays the strokes on a key that is held at the depth `hold` (m).
-fn play(mut key: RehearsedKey, hold: f64) -> Option<Instability> {
+/// Plays the strokes on a key with a way of `dip` (m).
+fn play(mut key: RehearsedKey, dip: f64) -> Option<Instability> {
+    let hold = Gesture::hold_of(dip);
     let gesture = |(start, release, speed, touch)| Gesture {
         start,
         release,
@@ -121,7 +127,7 @@ fn play(mut key: RehearsedKey, hold: f64) -> Option<Instability> {
             return Some(found);
         }
     }
-    seen.shakes().then_some(Instability::Shakes)
+    seen.shakes(dip).then_some(Instability::Shakes)
 }
 
 /// Ways of a key, up and down (m).
@@ -174,9 +180,10 @@ impl TrialLog {
         fault.or(alone).or(chatters)
     }
 
-    /// Tells whether the key went to and fro at the end, and that does not die away.
-    fn shakes(&self) -> bool {
-        let [first, second] = self.end.map(Swing::to_and_fro);
+    /// Tells whether a key with a way of `dip` (m) went to and fro at the end, and that does not die
+    /// away.
+    fn shakes(&self, dip: f64) -> bool {
+        let [first, second] = self.end.map(|it| it.to_and_fro() / dip);
         SHAKING < second || GROWING.0.max(GROWING.1 * first) < second
     }
 }

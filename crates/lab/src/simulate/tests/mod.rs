@@ -104,7 +104,7 @@ fn the_trajectory_has_a_row_per_tick_and_a_shorter_last_one() {
     simulate(&["bouncing-ball", "--until", "0.35", "--step", "0.1", "--out", &out]).expect("a run");
     let table = Columns::read(&out);
     let names = "t mode y v s guard_floor guard_lift F gap readout_per_s readout_per_s_dot \
-                 E_supplied E_dissipated E_jumps E_stored";
+                 E_supplied E_dissipated E_jumps E_sampling E_integration E_stored";
     assert_eq!(table.names.join(" "), names);
     let step = 0.1;
     assert_eq!(table.numbers("t"), [0.0, step, 2.0 * step, 3.0 * step, 0.35]);

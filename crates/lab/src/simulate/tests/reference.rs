@@ -155,7 +155,7 @@ fn the_columns_of_model_b_are_these() {
         trajectory.names.join(","),
         "t,mode,theta_h,theta_k,theta_h_dot,theta_k_dot,s,guard_release,guard_string,guard_land,\
          F_KH,T_KU,gap,q4,q3,readout_per_s,readout_per_s_dot,\
-         E_supplied,E_dissipated,E_jumps,E_stored"
+         E_supplied,E_dissipated,E_jumps,E_sampling,E_integration,E_stored"
     );
     assert_eq!(
         events.names.join(","),
