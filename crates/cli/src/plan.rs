@@ -71,8 +71,8 @@ struct Proposed {
 
 /// Prints the plan of every link; fails if one is refused, or if keys are not stable at this rate.
 pub(super) fn run(args: &PlanArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let (tick_hz, boards) = args.target.boards()?;
-    let plans = planning::assumed(&boards, tick_hz);
+    let (scene, boards) = args.target.boards()?;
+    let plans = planning::assumed(&boards, scene.tick_hz);
     let rows = rows(&boards, &plans);
     if args.json {
         print_json(&rows, out)?;
@@ -83,7 +83,7 @@ pub(super) fn run(args: &PlanArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if !refused.is_empty() {
         return Err(Failure::Usage(refused.join("\nletoff: ")));
     }
-    refuse_unstable(&args.target.load()?)
+    refuse_unstable(&scene)
 }
 
 fn rows(boards: &Boards, plans: &[Result<BusPlan, NoPlan>]) -> Vec<PlanRow> {

@@ -34,16 +34,19 @@ impl SceneTarget {
             .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))
     }
 
-    /// Returns the scene's rate (Hz), and its boards.
-    pub(super) fn boards(&self) -> Result<(u32, Boards), Failure> {
+    /// Returns the scene, and its boards.
+    pub(super) fn boards(&self) -> Result<(Scene, Boards), Failure> {
         let scene = self.load()?;
-        match scene.links {
-            LinksConfig::Boards(boards) if !boards.buses.is_empty() => Ok((scene.tick_hz, boards)),
-            LinksConfig::Boards(_) | LinksConfig::Simulated => Err(Failure::Usage(format!(
-                "the scene {:?} has no boards: give --link serial:PORT or --link can:INTERFACE, \
-                 or a scene whose [links] have some",
-                scene.name
-            ))),
-        }
+        let boards = match &scene.links {
+            LinksConfig::Boards(boards) if !boards.buses.is_empty() => boards.clone(),
+            LinksConfig::Boards(_) | LinksConfig::Simulated => {
+                return Err(Failure::Usage(format!(
+                    "the scene {:?} has no boards: give --link serial:PORT or --link can:INTERFACE, \
+                     or a scene whose [links] have some",
+                    scene.name
+                )));
+            }
+        };
+        Ok((scene, boards))
     }
 }

@@ -10,6 +10,7 @@
 //! figure6/    the paper's experiment at the paper's rates, and how wrong its step was
 //! stability/  where a wall or an instrument is stable on a key
 //! parallel.rs work on all processors
+//! digits.rs   numbers as people write them
 //! plot/       pictures as SVG, for simulate, piano, fit, stability and report
 //! ```
 //!
@@ -23,6 +24,7 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
+mod digits;
 pub mod figure6;
 pub mod fit;
 mod parallel;

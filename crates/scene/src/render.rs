@@ -1,13 +1,14 @@
 //! `[render]`: the settings by which a voice is computed, and the limits of its force.
 
-use super::quantity::Quantity;
-use super::read::TableReader;
-use super::report::{Location, MistakeList};
-use super::setting::{NamedValues, settings};
 use haptics::Kalman;
 use pode::input::Reconstruction as Samples;
 use pode::stepper::{self, Any};
 use pode::{Limits, Stepper as _};
+
+use super::quantity::Quantity;
+use super::read::TableReader;
+use super::report::{Location, MistakeList};
+use super::setting::{NamedValues, settings};
 
 /// Rates of the tick.
 pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };

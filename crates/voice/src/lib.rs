@@ -10,6 +10,7 @@
 //! | [`coupling`] | a spring and a damper between the player's key and the model's |
 //! | [`damper`] | when the key lifts and drops its damper |
 //! | `aftertouch` | the force on a key that is held down, as pressure |
+//! | `rest` | when a voice sleeps |
 //! | [`audit`] | where a voice publishes its energy audit |
 //! | `carried` | what of a voice goes on in the one that takes its place |
 //! | [`builder`] | from a scene's values to a voice |
@@ -24,6 +25,7 @@ pub mod input;
 #[cfg(test)]
 mod loaded;
 pub mod rendered_key;
+mod rest;
 
 pub use audit::{AuditCell, AuditReport};
 pub use builder::{AnyVoice, BuildError, VoiceBuilder};

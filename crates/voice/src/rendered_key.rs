@@ -7,8 +7,8 @@ use haptics::{EnergyBound, ForceGate, PassivityObserver};
 use models::{Playable, hammer_speed};
 use pode::input::Cubic;
 use pode::{
-    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, State, Stepper,
-    Watch,
+    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, State as _,
+    Stepper, Watch,
 };
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Loudness, Moment};
 use scheduler::observation::{Switch, Switches, VoiceObservation};
@@ -21,6 +21,7 @@ use crate::carried::{KeyMemory, carry, same_mode};
 use crate::coupling::{CoupledTick, Coupling};
 use crate::damper::DamperTracker;
 use crate::input::{Followed, InputPath};
+use crate::rest::RestDetector;
 
 /// A voice that can be copied, for rehearsals.
 pub trait RehearsableVoice: Voice + Send {
@@ -37,8 +38,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     gains: Gains,
     gate: ForceGate,
     pressure: PressureTracker,
-    rest: RestDetector,
-    swing: SwingDetector<M::State>,
+    rest: RestDetector<M::State>,
     auditor: Auditor<M>,
     passivity: PassivityObserver,
     cell: Arc<AuditCell>,
@@ -121,8 +121,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             gains,
             gate,
             pressure: PressureTracker::default(),
-            rest: RestDetector::new(h),
-            swing: SwingDetector::new(state, h),
+            rest: RestDetector::new(state, h),
             auditor: Auditor::default(),
             passivity,
             cell,
@@ -244,12 +243,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             }
         }
         self.press(tick, turn);
-        self.rest.observe(sample.position, turn.force);
-        let state = *self.simulator.state();
-        let moves = moves(self.coordinates, (&before, &state), self.h);
-        self.rest.calm = if moves { 0 } else { self.rest.calm.saturating_add(1) };
-        self.swing.observe(self.coordinates, &state, turn.force);
-        self.rest.swings_little = self.swing.is_small();
+        let moved = (&before, self.simulator.state());
+        self.rest.observe((sample.position, turn.force), self.coordinates, moved);
     }
 }
 
@@ -288,7 +283,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.auditor.forget();
         self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
         self.passivity.reset();
-        self.rest = RestDetector::new(self.h);
+        self.rest = RestDetector::new(*self.simulator.state(), self.h);
     }
 
     fn retune(&mut self, values: &ModelValues) -> bool {
@@ -300,7 +295,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
-        self.rest = RestDetector::new(self.h);
+        self.rest = RestDetector::new(*self.simulator.state(), self.h);
         self.passivity.reset();
         true
     }
@@ -340,114 +335,6 @@ where
     fn copy(&self) -> Box<dyn RehearsableVoice> {
         Box::new(Self { cell: Arc::default(), ..self.clone() })
     }
-}
-
-/// Whether a voice has come to rest, so that its equations can be skipped.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct RestDetector {
-    position: f64,
-    force: f64,
-    /// Ticks for which the key has not moved.
-    still: u32,
-    /// Ticks for which the model has not.
-    calm: u32,
-    /// Whether the model has moved too little for long to be felt.
-    swings_little: bool,
-    /// So many of them are rest.
-    patience: u32,
-}
-
-impl RestDetector {
-    /// Time without any movement after which a voice sleeps (s).
-    const PATIENCE: f64 = 20e-3;
-
-    /// Nothing is known to be still; ticks take `h` (s).
-    fn new(h: f64) -> Self {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "2 to 200")]
-        let patience = (Self::PATIENCE / h).round().clamp(1.0, 1e6) as u32;
-        Self { position: 0.0, force: 0.0, still: 0, calm: 0, swings_little: false, patience }
-    }
-
-    fn observe(&mut self, position: f64, force: f64) {
-        // Bits, not a tolerance: the encoder says whether the key has moved.
-        let same = self.position.to_bits() == position.to_bits();
-        self.still = if same { self.still.saturating_add(1) } else { 0 };
-        (self.position, self.force) = (position, force);
-    }
-
-    /// The force to hold if the voice sleeps and the key is still at `position` (m).
-    fn force_at(&self, position: f64) -> Option<f64> {
-        let rests = self.patience <= self.calm || self.swings_little;
-        let asleep = self.patience <= self.still && rests;
-        (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
-    }
-}
-
-/// Whether a model has moved for so long by so little that nobody feels it, however it moves: one
-/// without any damper swings for ever.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct SwingDetector<S> {
-    /// Where it was when it last moved by more than a little, and the force then (N).
-    state: S,
-    force: f64,
-    /// Ticks since then, and how many of them are long.
-    ticks: u32,
-    long: u32,
-}
-
-impl<S: State> SwingDetector<S> {
-    /// How long it may not move by more than a little (s): twice the period of the slowest key.
-    const LONG: f64 = 0.5;
-    /// Motion of a coordinate that is little (rad or m): a tenth of a millimetre at the end of a
-    /// hammer of a metre.
-    const LITTLE: f64 = 1e-4;
-    /// Change of force that no finger feels (N).
-    const UNFELT: f64 = 10e-3;
-
-    /// Begins to look at a model in `state`, in ticks of `h` (s).
-    fn new(state: S, h: f64) -> Self {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "50 to 5000")]
-        let long = (Self::LONG / h).round().clamp(1.0, 1e6) as u32;
-        Self { state, force: 0.0, ticks: 0, long }
-    }
-
-    fn observe(&mut self, coordinates: usize, state: &S, force: f64) {
-        let pairs = state.entries().iter().zip(self.state.entries()).take(coordinates);
-        let mut is_near = (force - self.force).abs() <= Self::UNFELT;
-        for (now, then) in pairs {
-            is_near &= (now - then).abs() <= Self::LITTLE;
-        }
-        if is_near {
-            self.ticks = self.ticks.saturating_add(1);
-        } else {
-            (self.state, self.force, self.ticks) = (*state, force, 0);
-        }
-    }
-
-    const fn is_small(&self) -> bool {
-        self.long <= self.ticks
-    }
-}
-
-/// Speed of a coordinate that counts as none (m/s or rad/s): a millimetre takes two seconds.
-///
-/// A part that swings at 5 Hz is this fast where its acceleration is [`STILL_ACCELERATION`].
-const STILL_SPEED: f64 = 5e-4;
-
-/// Rate of a speed that counts as none (m/s² or rad/s²): of a hammer it means 0.1 mN at the
-/// finger, a tenth of what the wire resolves.
-const STILL_ACCELERATION: f64 = 2e-2;
-
-/// Whether a coordinate or a speed changed from `before` to `after`, `h` (s) later, by what
-/// counts as motion.
-///
-/// Both are asked by their rate: how far something moves in a tick says nothing of how fast it
-/// moves. One that is at the end of a swing has no speed, and one in the middle no acceleration.
-fn moves<S: State>(coordinates: usize, (before, after): (&S, &S), h: f64) -> bool {
-    let pairs = before.entries().iter().zip(after.entries()).enumerate();
-    let limit = |index| if index < coordinates { STILL_SPEED } else { STILL_ACCELERATION };
-    // What is no number counts as motion.
-    pairs.map(|(index, (a, b))| (b - a).abs() <= limit(index) * h).any(|is_still| !is_still)
 }
 
 /// Turns the guard that sounds into a strike, and notes changes of mode.
@@ -503,20 +390,6 @@ mod tests {
 
     use super::super::input::AnyEstimator;
     use super::*;
-
-    #[test]
-    fn slow_motion_is_no_rest_at_any_rate() {
-        for h in [1e-2, 1e-3, 1e-4] {
-            let after = |speed: f64, acceleration: f64| {
-                moves(1, (&[0.0, speed], &[speed * h, speed + acceleration * h]), h)
-            };
-            assert!(after(20e-3, 0.0), "20 mm/s in ticks of {h} s");
-            assert!(after(1e-3, 0.0), "1 mm/s in ticks of {h} s");
-            assert!(after(0.0, 0.05), "0.05 m/s² in ticks of {h} s");
-            assert!(!after(1e-4, 0.01), "0.1 mm/s in ticks of {h} s");
-            assert!(after(f64::NAN, 0.0));
-        }
-    }
 
     /// A ball that weighs nothing, on a key that is not touched.
     fn weightless(h: f64) -> RenderedKey<BouncingBall, pode::stepper::Rk4> {

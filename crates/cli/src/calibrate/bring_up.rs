@@ -41,11 +41,11 @@ pub(super) fn find(
     chosen: Option<PathBuf>,
     operator: &Operator,
 ) -> Result<Ready, Failure> {
-    let (_tick_hz, scene) = target.boards()?;
-    let folder = chosen.or_else(|| folder(&scene)).ok_or_else(|| {
+    let (_scene, asked) = target.boards()?;
+    let folder = chosen.or_else(|| folder(&asked)).ok_or_else(|| {
         Failure::Usage("there is no home for calibration files; give --folder".into())
     })?;
-    let lines = open_all(&scene.buses).map_err(Failure::Running)?;
+    let lines = open_all(&asked.buses).map_err(Failure::Running)?;
     let mut keybed =
         Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US).map_err(refused)?;
     keybed.keep(|found| only.is_none_or(|number| found.board.number() == number));
@@ -60,7 +60,7 @@ pub(super) fn find(
         .collect();
     if let (true, Some(number)) = (boards.is_empty(), only) {
         let links: Vec<_> =
-            scene.buses.iter().map(|bus| format!("--link {}", bus.address)).collect();
+            asked.buses.iter().map(|bus| format!("--link {}", bus.address)).collect();
         return Err(Failure::Usage(format!(
             "no board has the number {number}; `letoff devices --boards {}` lists those there are",
             links.join(" ")

@@ -61,7 +61,7 @@ pub struct StabilityArgs {
     /// Stiffness K of the wall, or of the coupling of an instrument (N/m).
     #[arg(long, value_name = "N/m", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
-    /// Damping B of the wall (N s/m).
+    /// Damping B of the wall, or of the coupling of an instrument (N s/m).
     #[arg(long, value_name = "N*s/m", allow_hyphen_values = true)]
     pub damping: Option<String>,
     /// Period of the loop (s); 1 ms if not given.

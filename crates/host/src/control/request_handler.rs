@@ -142,9 +142,7 @@ impl RequestHandler {
         for key in range.numbers() {
             scene.keys[usize::from(key)] = Some(KeyVoice::new(&instrument.voicing, key));
         }
-        let first = range.numbers().next().map_or(0, usize::from);
-        let keys = first..first + range.numbers().count();
-        let found = examine_keys(&scene, keys).map_err(|it| it.to_string())?;
+        let found = examine_keys(&scene, range).map_err(|it| it.to_string())?;
         found.unstable.map_or(Ok(()), |it| Err(it.to_string()))
     }
 

@@ -1,11 +1,9 @@
 //! Trials of a whole scene.
 
 use std::fmt;
-use std::ops::Range;
 
 use keyboard::{KeyIndex, KeyRange};
 use scene::{KeyVoice, Scene};
-use serde::Serialize;
 use voice::VoiceBuilder;
 
 use super::remedy::{Remedy, nearest};
@@ -13,16 +11,15 @@ use super::trial::KeyTrial;
 use crate::rehearsal::RehearsalError;
 
 /// Keys of a range that are tried: instruments are graded evenly over the compass.
-const TRIED: usize = 5;
+const TRIED: u8 = 5;
 
 /// Gains of the force that are tried beyond the scene's own.
 const GAINS: [f64; 8] = [1.1, 1.25, 1.4, 1.6, 2.0, 2.5, 3.2, 4.0];
 
 /// What trials say of the keys of one range.
-#[derive(Clone, PartialEq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct RangeStability {
-    /// The keys, as A0..C8.
-    pub keys: String,
+    pub keys: KeyRange,
     /// The model that they play.
     pub model: &'static str,
     /// The first key that is not stable; none if all that were tried are.
@@ -33,9 +30,9 @@ pub struct RangeStability {
 }
 
 /// A key that is not stable, and what would make it so.
-#[derive(Clone, PartialEq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct UnstableKey {
-    pub key: String,
+    pub key: KeyIndex,
     pub model: &'static str,
     /// What the key does that shows it.
     pub does: &'static str,
@@ -82,7 +79,8 @@ impl fmt::Display for RangeStability {
         if let Some(unstable) = &self.unstable {
             return unstable.fmt(f);
         }
-        write!(f, "{} with {} stable", self.keys, self.model)?;
+        let (first, last) = (self.keys.first(), self.keys.last());
+        write!(f, "{first}..{last} with {} stable", self.model)?;
         match self.gain_margin {
             Some(margin) => write!(f, ", up to {margin} times its force"),
             None => Ok(()),
@@ -102,22 +100,18 @@ pub fn examine(scene: &Scene) -> Result<Vec<RangeStability>, RehearsalError> {
 ///
 /// # Errors
 /// If voices or the keybed are refused.
-pub fn examine_keys(scene: &Scene, keys: Range<usize>) -> Result<RangeStability, RehearsalError> {
+pub fn examine_keys(scene: &Scene, keys: KeyRange) -> Result<RangeStability, RehearsalError> {
     let builder = VoiceBuilder::new(scene)?;
-    let name = |key: usize| {
-        let index = u8::try_from(key).ok().and_then(KeyIndex::new);
-        index.map_or_else(String::new, |it| it.to_string())
-    };
-    let voices: Vec<_> = tried(&keys).filter_map(|key| Some((key, voice(scene, key)?))).collect();
+    let voices: Vec<_> = tried(keys).filter_map(|key| Some((key, voice(scene, key)?))).collect();
     let model = voices.first().map_or("", |(_key, voice)| voice.model.name);
     let mut unstable = None;
     for (key, voice) in &voices {
-        let Some((finger, found)) = KeyTrial::of(&builder, (*key, voice)).worst()? else {
+        let Some((finger, found)) = KeyTrial::of(&builder, (key.index(), voice)).worst()? else {
             continue;
         };
         let remedy = nearest(scene, &voices, *key)?;
         unstable = Some(UnstableKey {
-            key: name(*key),
+            key: *key,
             model,
             does: found.what(),
             finger,
@@ -127,7 +121,6 @@ pub fn examine_keys(scene: &Scene, keys: Range<usize>) -> Result<RangeStability,
         });
         break;
     }
-    let keys = format!("{}..{}", name(keys.start), name(keys.end.saturating_sub(1)));
     Ok(RangeStability { keys, model, unstable, gain_margin: None })
 }
 
@@ -137,19 +130,18 @@ impl RangeStability {
     /// # Errors
     /// If voices or the keybed are refused.
     pub fn with_margin(mut self, scene: &Scene) -> Result<Self, RehearsalError> {
-        let keys = KeyRange::parse(&self.keys).ok();
-        let middle = keys.and_then(|keys| {
-            let numbers: Vec<_> = keys.numbers().map(usize::from).collect();
-            numbers.get(numbers.len() / 2).copied()
-        });
-        let Some(key) = middle.filter(|_| self.unstable.is_none()) else { return Ok(self) };
-        let Some(voice) = voice(scene, key) else { return Ok(self) };
+        let Some(key) = KeyIndex::new(self.keys.first().number() + len(self.keys) / 2) else {
+            return Ok(self);
+        };
+        let Some(voice) = voice(scene, key).filter(|_| self.unstable.is_none()) else {
+            return Ok(self);
+        };
         let mut margin = 1.0;
         for gain in GAINS {
             let mut louder = scene.clone();
             louder.render.force_gain *= gain;
             let builder = VoiceBuilder::new(&louder)?;
-            if KeyTrial::of(&builder, (key, voice)).worst()?.is_some() {
+            if KeyTrial::of(&builder, (key.index(), voice)).worst()?.is_some() {
                 break;
             }
             margin = gain;
@@ -159,26 +151,38 @@ impl RangeStability {
     }
 }
 
-fn voice(scene: &Scene, key: usize) -> Option<&KeyVoice> {
-    scene.keys.get(key)?.as_ref()
+fn voice(scene: &Scene, key: KeyIndex) -> Option<&KeyVoice> {
+    scene.keys.get(key.index())?.as_ref()
 }
 
 /// Ranges of neighbouring keys that play one model.
-fn ranges(scene: &Scene) -> Vec<Range<usize>> {
-    let model = |key: usize| voice(scene, key).map(|it| it.model.name);
-    let mut ranges: Vec<Range<usize>> = Vec::new();
-    for key in (0..scene.keys.len()).filter(|key| model(*key).is_some()) {
-        match ranges.last_mut() {
-            Some(last) if last.end == key && model(key) == model(last.start) => last.end += 1,
-            _ => ranges.push(key..key + 1),
+fn ranges(scene: &Scene) -> Vec<KeyRange> {
+    let model = |key: KeyIndex| voice(scene, key).map(|it| it.model.name);
+    let mut ranges: Vec<KeyRange> = Vec::new();
+    for key in KeyIndex::all().filter(|key| model(*key).is_some()) {
+        let longer = ranges.last().and_then(|last| {
+            let is_next = last.last().number() + 1 == key.number();
+            let goes_on = is_next && model(key) == model(last.first());
+            KeyRange::new(last.first(), key).filter(|_| goes_on)
+        });
+        match (ranges.last_mut(), longer) {
+            (Some(last), Some(longer)) => *last = longer,
+            _ => ranges.extend(KeyRange::new(key, key)),
         }
     }
     ranges
 }
 
 /// The keys that are tried of `keys`, first and last among them.
-fn tried(keys: &Range<usize>) -> impl Iterator<Item = usize> {
-    let (start, last) = (keys.start, keys.len().saturating_sub(1));
-    let parts = TRIED.min(keys.len());
-    (0..parts).map(move |part| start + last * part / (parts - 1).max(1))
+fn tried(keys: KeyRange) -> impl Iterator<Item = KeyIndex> {
+    let (start, steps) = (keys.first().number(), len(keys) - 1);
+    let parts = TRIED.min(len(keys));
+    let places = (0..parts)
+        .map(move |part| u16::from(steps) * u16::from(part) / u16::from((parts - 1).max(1)));
+    places.filter_map(move |place| KeyIndex::new(start + u8::try_from(place).ok()?))
+}
+
+/// How many keys there are in a range.
+const fn len(keys: KeyRange) -> u8 {
+    keys.last().number() - keys.first().number() + 1
 }

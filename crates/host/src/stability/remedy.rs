@@ -2,8 +2,8 @@
 
 use std::fmt;
 
+use keyboard::KeyIndex;
 use scene::{EstimatorName, KeyVoice, Scene};
-use serde::Serialize;
 use voice::VoiceBuilder;
 
 use super::trial::KeyTrial;
@@ -16,7 +16,7 @@ const RATES: [u32; 6] = [250, 500, 1000, 2000, 4000, 10_000];
 const DENSITIES: [f64; 5] = [10.0, 300.0, 1e4, 1e5, 1e6];
 
 /// Settings that make keys stable.
-#[derive(Clone, PartialEq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Remedy {
     pub tick_hz: Option<u32>,
     pub jerk_density: Option<f64>,
@@ -35,8 +35,8 @@ impl fmt::Display for Remedy {
 /// rate with another filter, or the next faster rate; `key` is the one that is not stable now.
 pub(super) fn nearest(
     scene: &Scene,
-    voices: &[(usize, &KeyVoice)],
-    key: usize,
+    voices: &[(KeyIndex, &KeyVoice)],
+    key: KeyIndex,
 ) -> Result<Option<Remedy>, RehearsalError> {
     for remedy in candidates(scene) {
         let mut other = scene.clone();
@@ -46,15 +46,23 @@ pub(super) fn nearest(
         // The worst first: most candidates are out by it.
         let worst = voices.iter().filter(|it| it.0 == key);
         let rest = voices.iter().filter(|it| it.0 != key);
-        let mut is_stable = true;
-        for voice in worst.chain(rest) {
-            is_stable = is_stable && KeyTrial::of(&builder, *voice).worst()?.is_none();
-        }
-        if is_stable {
+        if are_stable(&builder, worst.chain(rest))? {
             return Ok(Some(remedy));
         }
     }
     Ok(None)
+}
+
+fn are_stable<'a>(
+    builder: &VoiceBuilder<'_>,
+    voices: impl Iterator<Item = &'a (KeyIndex, &'a KeyVoice)>,
+) -> Result<bool, RehearsalError> {
+    for (key, voice) in voices {
+        if KeyTrial::of(builder, (key.index(), voice)).worst()?.is_some() {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// Other settings, the nearest first.

@@ -9,10 +9,12 @@ use super::judge::StepErrors;
 use super::model_run::{ModelRun, RunRow};
 use super::outcome::{EventTimes, Figure6, event_times};
 use super::picture;
+use crate::digits::trimmed;
 use crate::piano::SHEET;
 use crate::plot::chart::{Chart, ChartCurve, CurveLook, Scales};
 use crate::plot::color::{CURVES, Stroke};
 use crate::report::page::{HtmlCell, STYLE, escape, table};
+use crate::report::text::duration;
 use crate::report::{DiskError, write_file};
 
 /// What a reader must know before looking at the figure.
@@ -74,10 +76,8 @@ fn draw(figure: &Figure6, it: &ClosedLoop) -> String {
 
 /// How model time goes by, in words.
 fn pace(it: &ClosedLoop) -> String {
-    let servo = 1e3 * it.pace.servo();
-    let servo = format!("{servo:.3}");
-    let servo = servo.trim_end_matches('0').trim_end_matches('.');
-    format!("steps of 2 ms of model time, each in {servo} ms of the hand's")
+    let servo = duration(it.pace.servo());
+    format!("steps of 2 ms of model time, each in {servo} of the hand's")
 }
 
 fn page(
@@ -169,8 +169,7 @@ fn rig_table() -> String {
 
 /// Four digits, as short as can be.
 fn short(value: f64) -> String {
-    let text = format!("{value:.4}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    trimmed(&format!("{value:.4}")).to_owned()
 }
 
 fn trajectory(it: &ClosedLoop) -> String {

@@ -12,7 +12,7 @@ mod peers;
 mod plot;
 mod summary;
 mod table;
-mod text;
+pub(crate) mod text;
 
 use std::path::Path;
 use std::time::SystemTime;

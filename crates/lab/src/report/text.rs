@@ -1,6 +1,7 @@
 //! Numbers and times in sentences and tables.
 
 use crate::accuracy::{MethodKind, StudyRow};
+use crate::digits::trimmed;
 
 /// A positive number with two digits, as short as can be; the unit comes from the column.
 pub(super) fn short(value: f64) -> String {
@@ -28,7 +29,7 @@ pub(super) fn exponent(value: f64) -> String {
 }
 
 /// A length of time (s) in the unit that suits it.
-pub(super) fn duration(seconds: f64) -> String {
+pub(crate) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
         ..1e-9 => (seconds * 1e12, "ps"),
         1e-9..1e-6 => (seconds * 1e9, "ns"),
@@ -37,9 +38,7 @@ pub(super) fn duration(seconds: f64) -> String {
         _ => (seconds, "s"),
     };
     // What the multiplication rounded is no digit of the number.
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    format!("{text} {unit}")
+    format!("{} {unit}", trimmed(&format!("{value:.3}")))
 }
 
 /// What makes one run of a series another than the next: step, tolerance or budget.

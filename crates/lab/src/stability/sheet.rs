@@ -11,6 +11,7 @@ use super::map::{StabilityMap, StabilityStudy, VerdictCounts};
 use super::picture::{axis_title, svg};
 use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
 use super::voice::LoopEstimator;
+use crate::digits::trimmed;
 use crate::report::page::{HtmlCell, STYLE, escape, table};
 use crate::report::{DiskError, PAGE, write_file};
 
@@ -183,19 +184,10 @@ fn rounded(value: f64) -> String {
         _ => {
             let text = format!("{value:.3e}");
             let (number, power) = text.split_once('e').unwrap_or((&text, "0"));
-            return format!("{}e{power}", short(number));
+            return format!("{}e{power}", trimmed(number));
         }
     };
-    short(&format!("{value:.digits$}"))
-}
-
-/// A number without zeros at its end that say nothing.
-fn short(text: &str) -> String {
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text.to_owned()
-    }
+    trimmed(&format!("{value:.digits$}")).to_owned()
 }
 
 /// Writes the maps of a study into `folder`: map.csv, boundary.csv, a picture for each, and a page.

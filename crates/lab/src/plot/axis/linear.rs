@@ -1,5 +1,7 @@
 //! The round numbers of a linear axis.
 
+use crate::digits::trimmed;
+
 /// Below this part of a range, what is left of zero is rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -25,8 +27,7 @@ fn number(value: f64, size: f64) -> String {
     if !(1e-3..1e5).contains(&size) {
         return if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") };
     }
-    let text = format!("{value:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    trimmed(&format!("{value:.6}")).to_owned()
 }
 
 #[cfg(test)]
