@@ -30,7 +30,10 @@ pub mod passivity;
 pub mod plant;
 pub mod stability;
 
-pub use estimate::{BackwardDifference, Estimator, Kalman, KeyMotion};
+pub use estimate::{
+    AnyEstimator, BackwardDifference, Estimator, EstimatorName, EstimatorSettings, Kalman,
+    KeyMotion,
+};
 pub use limits::{ForceGate, Gated, LimitError};
 pub use passivity::{EnergyBound, PassivityObserver};
 pub use plant::{

@@ -1,11 +1,13 @@
 //! `[[stable]]`: with which rate and estimator an instrument is stable in a loop with its key.
 
+use haptics::EstimatorName;
+
 use super::document::DocumentNode;
 use super::quantity::number;
 use super::read::{self, TableReader};
 use super::render::{
-    COUPLING_DAMPING, COUPLING_STIFFNESS, ESTIMATORS, EstimatorName, InputReconstruction,
-    JERK_DENSITY, RECONSTRUCTIONS, Render, TICK_HZ,
+    COUPLING_DAMPING, COUPLING_STIFFNESS, ESTIMATORS, InputReconstruction, JERK_DENSITY,
+    RECONSTRUCTIONS, Render, TICK_HZ,
 };
 use super::report::MistakeList;
 use super::setting::TableSetting as _;

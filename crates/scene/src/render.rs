@@ -1,6 +1,6 @@
 //! `[render]`: the settings by which a voice is computed, and the limits of its force.
 
-use haptics::Kalman;
+use haptics::{EstimatorName, EstimatorSettings, Kalman};
 use pode::input::Reconstruction as Samples;
 use pode::stepper::{self, Any};
 use pode::{Limits, Stepper as _};
@@ -23,6 +23,11 @@ const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 
 /// The range from a key that hardly moves to one that is hammered.
 pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
+
+/// Slower than a finger's slowest stroke nothing is felt.
+const CUTOFF: Quantity = Quantity { unit: "Hz", range: (1.0, 1e4) };
+
+const JERK_LIMIT: Quantity = Quantity { unit: "m/s³", range: (1.0, 1e9) };
 
 pub(super) const COUPLING_STIFFNESS: Quantity = Quantity { unit: "N/m", range: (0.0, 1e6) };
 
@@ -83,6 +88,10 @@ settings! {
     /// Power density of the jerk that the Kalman filter reckons with (m²/s⁵): the smaller,
     /// the smoother and slower. Rigid models need it small, see key_hammer_rigid's README.
     jerk_density: f64 = Kalman::KEY_JERK_DENSITY, JERK_DENSITY;
+    /// Cutoff of the low pass of `filtered-difference` (Hz).
+    cutoff: f64 = EstimatorSettings::KEY_CUTOFF, CUTOFF;
+    /// Largest jerk of a key that `levant` reckons with (m/s³).
+    jerk_limit: f64 = EstimatorSettings::KEY_JERK_LIMIT, JERK_LIMIT;
     /// The continuation of that motion over the tick.
     reconstruction: InputReconstruction = InputReconstruction::Estimate, RECONSTRUCTIONS;
     /// Stiffness between the player's key and the model's (N/m); 0 for none, the same key.
@@ -97,28 +106,6 @@ settings! {
     force_limit: f64 = 25.0, FORCE_LIMIT;
     /// Fastest change of force (N/s).
     slew_limit: f64 = 2e4, SLEW_LIMIT;
-}
-
-/// An estimator of `haptics`.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum EstimatorName {
-    /// A Kalman filter of position, velocity and acceleration.
-    Kalman,
-    /// Differences of the newest positions.
-    BackwardDifference,
-}
-
-impl EstimatorName {
-    /// Every estimator, the default first.
-    pub const ALL: [Self; 2] = [Self::Kalman, Self::BackwardDifference];
-
-    /// Returns its name in scenes.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Kalman => "kalman",
-            Self::BackwardDifference => "backward-difference",
-        }
-    }
 }
 
 /// The continuation of the key's motion between two samples.

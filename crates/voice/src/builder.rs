@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
-use haptics::{BackwardDifference, ForceGate, Kalman, RigParameters};
+use haptics::{AnyEstimator, EstimatorSettings, ForceGate, RigParameters};
 use models::catalogue::{self, ModelEntry, Visitor};
 use models::registry::SmallModel;
 use models::{Playable, built_in};
@@ -15,9 +15,9 @@ use scheduler::values::MAX_VALUES;
 
 use crate::audit::AuditCell;
 use crate::coupling::{Coupling, CouplingConstants};
-use crate::input::{AnyEstimator, InputPath};
+use crate::input::InputPath;
 use crate::rendered_key::{Gains, RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
-use scene::{EstimatorName, InputReconstruction, KeyVoice, LinksConfig, Render, Scene};
+use scene::{InputReconstruction, KeyVoice, LinksConfig, Render, Scene};
 
 /// A voice of any model.
 pub type AnyVoice = Box<dyn RehearsableVoice>;
@@ -191,14 +191,14 @@ impl Visitor for Rk4Builder<'_> {
 impl Builder<'_> {
     fn fittings(self, scale: f64) -> Result<VoiceSettings, BuildError> {
         let Self { render, h, rig, cell, slopes, revision, .. } = self;
-        let estimator = match render.estimator {
-            EstimatorName::Kalman => {
-                AnyEstimator::Kalman(Kalman::new(h, rig.quantum, render.jerk_density))
-            }
-            EstimatorName::BackwardDifference => {
-                AnyEstimator::BackwardDifference(BackwardDifference::new(h))
-            }
+        let settings = EstimatorSettings {
+            period: h,
+            quantum: rig.quantum,
+            jerk_density: render.jerk_density,
+            cutoff: render.cutoff,
+            jerk_limit: render.jerk_limit,
         };
+        let estimator = AnyEstimator::new(render.estimator, &settings);
         let reconstruction = match render.reconstruction {
             InputReconstruction::Estimate => None,
             InputReconstruction::Samples(kind) => Some(kind),

@@ -1,34 +1,9 @@
 //! From samples to a model's input: estimate, then continue over the tick.
 
-use haptics::{BackwardDifference, Estimator as _, Kalman, KeyMotion};
+use haptics::{AnyEstimator, Estimator as _, KeyMotion};
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use scheduler::motion::KeySample;
 use scheduler::safety::MAX_EXTRAPOLATED;
-
-/// Which estimator of a key's motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum AnyEstimator {
-    /// First and second backward differences.
-    BackwardDifference(BackwardDifference),
-    Kalman(Kalman),
-}
-
-impl AnyEstimator {
-    #[inline]
-    fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
-        match self {
-            Self::BackwardDifference(it) => it.update(position, elapsed),
-            Self::Kalman(it) => it.update(position, elapsed),
-        }
-    }
-
-    fn reset(&mut self, position: f64) {
-        match self {
-            Self::BackwardDifference(it) => it.reset(position),
-            Self::Kalman(it) => it.reset(position),
-        }
-    }
-}
 
 /// How the motion goes on over the tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -182,6 +157,7 @@ impl InputPath {
 
 #[cfg(test)]
 mod tests {
+    use haptics::Kalman;
     use pode::Signal as _;
 
     use super::*;

@@ -386,9 +386,8 @@ const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
 #[cfg(test)]
 mod tests {
     use hand_written::BouncingBall;
-    use haptics::Kalman;
+    use haptics::{AnyEstimator, Kalman};
 
-    use super::super::input::AnyEstimator;
     use super::*;
 
     /// A ball that weighs nothing, on a key that is not touched.

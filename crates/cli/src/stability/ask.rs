@@ -1,11 +1,11 @@
 //! What was asked for, once all of it is right.
 
 use diagnostics::{choice, quoted};
-use haptics::{Kalman, RigParameters};
+use haptics::{EstimatorName, Kalman, RigParameters};
 use keyboard::KeyIndex;
 use lab::stability::{
-    AxisTarget, FINGERS, LoopEstimator, LoopPoint, LoopQuantity, LoopValues, MapAxis, QUANTITIES,
-    StabilityStudy, StabilitySubject,
+    AxisTarget, FINGERS, LoopPoint, LoopQuantity, LoopValues, MapAxis, QUANTITIES, StabilityStudy,
+    StabilitySubject,
 };
 use models::{ModelEntry, Parameter};
 use scene::Instrument;
@@ -31,7 +31,7 @@ pub(super) struct StabilityQuestion {
     name: String,
     /// Who makes the voices; none for a wall.
     pub(super) voices: Option<InstrumentVoices>,
-    pub(super) estimators: Vec<LoopEstimator>,
+    pub(super) estimators: Vec<EstimatorName>,
     rig: RigParameters,
     base: LoopPoint,
     chosen: Vec<String>,
@@ -184,13 +184,13 @@ fn estimators(
     args: &StabilityArgs,
     model: Option<&ModelEntry>,
     mistakes: &mut Vec<String>,
-) -> Vec<LoopEstimator> {
-    let all = LoopEstimator::ALL;
+) -> Vec<EstimatorName> {
+    let all = EstimatorName::ALL;
     if args.estimator.is_empty() {
         return if model.is_some() {
-            all.to_vec()
+            vec![EstimatorName::BackwardDifference, EstimatorName::Kalman]
         } else {
-            vec![LoopEstimator::BackwardDifference]
+            vec![EstimatorName::BackwardDifference]
         };
     }
     let mut found = Vec::new();
@@ -199,7 +199,7 @@ fn estimators(
             Some(estimator) if found.contains(&estimator) => {}
             Some(estimator) => found.push(estimator),
             None => {
-                let help = choice(name, all.map(LoopEstimator::name));
+                let help = choice(name, all.map(EstimatorName::name));
                 mistakes.push(format!("--estimator {} is none: {help}", quoted(name)));
             }
         }

@@ -8,10 +8,10 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use haptics::EstimatorName;
 use lab::report::PAGE;
 use lab::stability::{
-    LoopEstimator, StabilityMap, StabilityStudy, StabilitySubject, StabilitySummary, VoiceOrder,
-    write_maps,
+    StabilityMap, StabilityStudy, StabilitySubject, StabilitySummary, VoiceOrder, write_maps,
 };
 
 use super::progress::bar;
@@ -144,7 +144,7 @@ pub(super) fn run(args: &StabilityArgs, out: &mut dyn Write) -> Result<(), Failu
     )))
 }
 
-fn measure(study: &StabilityStudy<'_>, estimators: &[LoopEstimator]) -> Vec<StabilityMap> {
+fn measure(study: &StabilityStudy<'_>, estimators: &[EstimatorName]) -> Vec<StabilityMap> {
     let bar = bar(study.runs() * estimators.len());
     let maps = estimators.iter().map(|estimator| {
         bar.set_message(estimator.name());

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use haptics::RigParameters;
-use lab::stability::{LoopEstimator, LoopQuantity, TrialAnswer, TrialVoice, VoiceOrder};
+use lab::stability::{LoopQuantity, TrialAnswer, TrialVoice, VoiceOrder};
 use models::ModelEntry;
-use scene::{EstimatorName, KeyVoice, Scene};
+use scene::{KeyVoice, Scene};
 use scheduler::motion::KeySample;
 use scheduler::voice::{VoiceFault, VoiceOutput};
 use voice::{AnyVoice, VoiceBuilder};
@@ -47,10 +47,7 @@ impl InstrumentVoices {
         {
             scene.tick_hz = hz as u32;
         }
-        scene.render.estimator = match order.estimator {
-            LoopEstimator::BackwardDifference => EstimatorName::BackwardDifference,
-            LoopEstimator::Kalman => EstimatorName::Kalman,
-        };
+        scene.render.estimator = order.estimator;
         let damping = order.values.get(LoopQuantity::Damping);
         if damping < 0.0 {
             return Err(format!("a coupling's damping is {damping} N·s/m; give at least 0"));

@@ -4,11 +4,19 @@
 //! unless some were lost, late or skipped. It takes every position at its word: what the key does
 //! after the newest sample is the caller's business.
 
+mod adaptive_window;
 mod backward_difference;
+mod choice;
+mod filtered_difference;
 mod kalman;
+mod levant;
 
+pub use adaptive_window::AdaptiveWindow;
 pub use backward_difference::BackwardDifference;
+pub use choice::{AnyEstimator, EstimatorName, EstimatorSettings};
+pub use filtered_difference::FilteredDifference;
 pub use kalman::Kalman;
+pub use levant::Levant;
 
 /// Motion of a key's front at the latest sample, down positive.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -47,7 +55,7 @@ pub trait Estimator {
     ///
     /// # Real-time
     ///
-    /// A fixed number of multiplications; no allocation, no loop.
+    /// A bounded number of operations; no allocation.
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion;
 
     /// Forgets the past: the key rests at `position` (m).

@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use haptics::EstimatorName;
 use keyboard::KeyIndex;
-use scene::{EstimatorName, KeyVoice, Scene};
+use scene::{KeyVoice, Scene};
 use voice::VoiceBuilder;
 
 use super::trial::KeyTrial;

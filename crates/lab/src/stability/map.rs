@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use haptics::RigParameters;
+use haptics::{EstimatorName, RigParameters};
 use serde::Serialize;
 
 use super::axis::{LoopPoint, MapAxis};
@@ -10,7 +10,7 @@ use super::contour::{MapPlace, zero_lines};
 use super::judge::LoopVerdict;
 use super::theory::{StabilityTheory, theories};
 use super::trial::{KeyTravel, LoopKnock, run};
-use super::voice::{LoopEstimator, TrialVoice, VoiceOrder, wall};
+use super::voice::{TrialVoice, VoiceOrder, wall};
 use crate::parallel::in_parallel;
 
 /// Halvings of the way between a place that is stable and its neighbour that is not.
@@ -64,7 +64,7 @@ pub struct StabilityStudy<'a> {
 /// The map of one estimator: verdicts of its cells, and the boundary between them.
 #[derive(Clone, Debug)]
 pub struct StabilityMap {
-    pub estimator: LoopEstimator,
+    pub estimator: EstimatorName,
     /// The verdict of each cell, column by column, from the lowest values.
     pub columns: Vec<Vec<LoopVerdict>>,
     /// Along the second axis, where each column goes from stable to unstable or back.
@@ -136,7 +136,7 @@ impl StabilityStudy<'_> {
             && mistakes.is_empty()
         {
             let point = self.point((0.5, 0.5));
-            let estimator = LoopEstimator::Kalman;
+            let estimator = EstimatorName::Kalman;
             let order =
                 VoiceOrder { values: &point.values, estimator, parameters: &point.parameters };
             mistakes.extend(make(&order).err());
@@ -145,7 +145,7 @@ impl StabilityStudy<'_> {
     }
 
     /// Runs the loop at a place; a voice that cannot be made fails.
-    pub fn verdict(&self, estimator: LoopEstimator, point: &LoopPoint) -> LoopVerdict {
+    pub fn verdict(&self, estimator: EstimatorName, point: &LoopPoint) -> LoopVerdict {
         let LoopPoint { values, parameters } = point;
         let order = VoiceOrder { values, estimator, parameters };
         let (voice, travel, knock) = match self.subject {
@@ -160,7 +160,7 @@ impl StabilityStudy<'_> {
 
     /// Runs the loop at every place, and between those whose verdicts differ; `done` is called
     /// after each cell.
-    pub fn measure(&self, estimator: LoopEstimator, done: &(dyn Fn() + Sync)) -> StabilityMap {
+    pub fn measure(&self, estimator: EstimatorName, done: &(dyn Fn() + Sync)) -> StabilityMap {
         let [across, up] = [0, 1].map(|axis| self.axes[axis].cells(self.cells));
         let cells: Vec<_> = (0..across).flat_map(|x| (0..up).map(move |y| (x, y))).collect();
         let verdicts = in_parallel(&cells, &|(x, y)| {
@@ -181,7 +181,7 @@ impl StabilityStudy<'_> {
     }
 
     /// What theory says of the wall, as far as the map has what it needs.
-    fn theories(&self, estimator: LoopEstimator) -> Vec<StabilityTheory> {
+    fn theories(&self, estimator: EstimatorName) -> Vec<StabilityTheory> {
         let most = self.point((1.0, 1.0)).values;
         let mut theories = theories(estimator);
         theories.retain(|it| it.needs.is_none_or(|needs| most.get(needs) > 0.0));
@@ -189,7 +189,7 @@ impl StabilityStudy<'_> {
     }
 
     /// Where a column goes from stable to unstable or back.
-    fn crossings(&self, estimator: LoopEstimator, x: usize, column: &[LoopVerdict]) -> Vec<f64> {
+    fn crossings(&self, estimator: EstimatorName, x: usize, column: &[LoopVerdict]) -> Vec<f64> {
         let is_stable = |it: LoopVerdict| it == LoopVerdict::Rests;
         let [x_part, up] = [self.middle(0, x), self.axes[1].cells(self.cells) as f64];
         let mut found = Vec::new();

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use haptics::EstimatorName;
 use serde::Serialize;
 
 use super::axis::{AxisTarget, MapAxis};
@@ -10,7 +11,6 @@ use super::judge::LoopVerdict;
 use super::map::{StabilityMap, StabilityStudy, VerdictCounts};
 use super::picture::{axis_title, svg};
 use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
-use super::voice::LoopEstimator;
 use crate::digits::trimmed;
 use crate::report::page::{HtmlCell, STYLE, escape, table};
 use crate::report::{DiskError, PAGE, write_file};
@@ -129,11 +129,11 @@ fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f
 }
 
 /// The same in lines for people, of what counts for an estimator.
-fn settings_lines(study: &StabilityStudy<'_>, estimator: LoopEstimator) -> Vec<String> {
+fn settings_lines(study: &StabilityStudy<'_>, estimator: EstimatorName) -> Vec<String> {
     /// Most characters of a line.
     const LONGEST: usize = 130;
     let told = settings(study)
-        .filter(|it| it.0 != "jerk-density" || estimator == LoopEstimator::Kalman)
+        .filter(|it| it.0 != "jerk-density" || estimator == EstimatorName::Kalman)
         .map(|(name, value, _)| setting(name, value));
     let mut lines: Vec<Vec<String>> = vec![Vec::new()];
     let mut length = 0;
@@ -224,7 +224,7 @@ fn cells_csv(study: &StabilityStudy<'_>, maps: &[StabilityMap]) -> String {
     let [across, up] = [0, 1].map(|axis| column(&study.axes[axis]));
     let header = format!("estimator,{across},{up},verdict\n");
     let value = |axis: usize, cell| study.axes[axis].value(study.middle(axis, cell));
-    let line = |estimator: LoopEstimator, x, (y, verdict): (usize, &LoopVerdict)| {
+    let line = |estimator: EstimatorName, x, (y, verdict): (usize, &LoopVerdict)| {
         let name = estimator.name();
         format!("{name},{},{},{}\n", value(0, x), value(1, y), verdict.title())
     };

@@ -1,6 +1,6 @@
 //! Measured boundaries beside theory, and reports.
 
-use haptics::{RigParameters, SampledWall};
+use haptics::{EstimatorName, RigParameters, SampledWall};
 
 use super::*;
 use crate::parallel::in_parallel;
@@ -32,7 +32,7 @@ fn with(mut values: LoopValues, changes: &[(LoopQuantity, f64)]) -> LoopValues {
 
 fn verdict(values: LoopValues) -> LoopVerdict {
     let study = study(values);
-    study.verdict(LoopEstimator::BackwardDifference, &study.base)
+    study.verdict(EstimatorName::BackwardDifference, &study.base)
 }
 
 /// The stiffness (N/m) at which the loop stops coming to rest, between a stable one and one that
@@ -142,7 +142,7 @@ fn a_map_is_in_its_files_with_its_axes_units_and_lines() {
     std::fs::create_dir_all(&folder).unwrap();
     let mut study = study(ideal(1e-3));
     study.cells = 6;
-    let map = study.measure(LoopEstimator::BackwardDifference, &|| {});
+    let map = study.measure(EstimatorName::BackwardDifference, &|| {});
     let counts = map.counts();
     assert_eq!(counts.rests + counts.rings + counts.makes_energy + counts.fails, 36);
     assert!(counts.rests > 5 && counts.makes_energy > 5, "{counts:?}");
@@ -176,7 +176,7 @@ fn verdict_of(make: VoiceMaker<'_>) -> LoopVerdict {
     let rig = RigParameters::default();
     let mut study = study(LoopValues::of_rig(&rig, 1e-3, 1e5));
     study.subject = StabilitySubject::Voice(make);
-    study.verdict(LoopEstimator::Kalman, &study.base)
+    study.verdict(EstimatorName::Kalman, &study.base)
 }
 
 #[test]

@@ -1,11 +1,10 @@
 //! The boundaries that theory draws into a map of a wall.
 
-use haptics::{RoundedDevice, SampledWall};
+use haptics::{EstimatorName, RoundedDevice, SampledWall};
 
 use super::axis::LoopPoint;
 use super::poles::spectral_radius;
 use super::quantity::{LoopQuantity, LoopValues};
-use super::voice::LoopEstimator;
 
 /// A boundary: above zero inside of it, below zero outside.
 pub(super) type TheoryMargin = fn(&LoopValues) -> f64;
@@ -71,10 +70,13 @@ const POLES: StabilityTheory = StabilityTheory {
 };
 
 /// Returns what theory says of walls with this estimator.
-pub(super) fn theories(estimator: LoopEstimator) -> Vec<StabilityTheory> {
+pub(super) fn theories(estimator: EstimatorName) -> Vec<StabilityTheory> {
     match estimator {
-        LoopEstimator::BackwardDifference => vec![PASSIVE, ROUNDED, LINEAR, POLES],
-        LoopEstimator::Kalman => Vec::new(),
+        EstimatorName::BackwardDifference => vec![PASSIVE, ROUNDED, LINEAR, POLES],
+        EstimatorName::Kalman
+        | EstimatorName::FilteredDifference
+        | EstimatorName::AdaptiveWindow
+        | EstimatorName::Levant => Vec::new(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What answers the key: a wall, or the voice of a model.
 
-use haptics::{BackwardDifference, Estimator, Kalman};
+use haptics::{AnyEstimator, Estimator as _, EstimatorName, EstimatorSettings};
 
 use super::quantity::{FINEST_STEP, LoopQuantity, LoopValues};
 
@@ -21,31 +21,11 @@ pub enum TrialAnswer {
     Failed,
 }
 
-/// From positions to velocity.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum LoopEstimator {
-    BackwardDifference,
-    Kalman,
-}
-
-impl LoopEstimator {
-    /// Every estimator, that of the theory first.
-    pub const ALL: [Self; 2] = [Self::BackwardDifference, Self::Kalman];
-
-    /// Returns its name on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::BackwardDifference => "backward-difference",
-            Self::Kalman => "kalman",
-        }
-    }
-}
-
 /// What a voice is made for.
 #[derive(Clone, Copy, Debug)]
 pub struct VoiceOrder<'a> {
     pub values: &'a LoopValues,
-    pub estimator: LoopEstimator,
+    pub estimator: EstimatorName,
     /// One value per parameter of the model; none for a wall.
     pub parameters: &'a [f64],
 }
@@ -55,7 +35,7 @@ struct RenderedWall {
     stiffness: f64,
     damping: f64,
     period: f64,
-    estimator: Box<dyn Estimator>,
+    estimator: AnyEstimator,
 }
 
 impl TrialVoice for RenderedWall {
@@ -69,14 +49,15 @@ impl TrialVoice for RenderedWall {
 pub(super) fn wall(order: &VoiceOrder<'_>) -> Box<dyn TrialVoice> {
     let get = |quantity| order.values.get(quantity);
     let period = get(LoopQuantity::Period);
-    let estimator: Box<dyn Estimator> = match order.estimator {
-        LoopEstimator::BackwardDifference => Box::new(BackwardDifference::new(period)),
-        LoopEstimator::Kalman => {
-            // One that has no steps is as good as the finest.
-            let quantum = get(LoopQuantity::EncoderStep).max(FINEST_STEP);
-            Box::new(Kalman::new(period, quantum, get(LoopQuantity::JerkDensity)))
-        }
+    let settings = EstimatorSettings {
+        period,
+        // One that has no steps is as good as the finest.
+        quantum: get(LoopQuantity::EncoderStep).max(FINEST_STEP),
+        jerk_density: get(LoopQuantity::JerkDensity),
+        cutoff: EstimatorSettings::KEY_CUTOFF,
+        jerk_limit: EstimatorSettings::KEY_JERK_LIMIT,
     };
+    let estimator = AnyEstimator::new(order.estimator, &settings);
     let (stiffness, damping) = (get(LoopQuantity::Stiffness), get(LoopQuantity::Damping));
     Box::new(RenderedWall { stiffness, damping, period, estimator })
 }

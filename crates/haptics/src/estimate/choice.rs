@@ -1,0 +1,120 @@
+//! One of the estimators, chosen by name.
+
+use super::Levant;
+use super::{AdaptiveWindow, BackwardDifference, Estimator, FilteredDifference, Kalman, KeyMotion};
+
+/// Names of estimators.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum EstimatorName {
+    /// A Kalman filter of position, velocity and acceleration.
+    Kalman,
+    /// Differences of the newest positions.
+    BackwardDifference,
+    /// Differences behind a low pass.
+    FilteredDifference,
+    /// Differences over as many positions as lie on a line.
+    AdaptiveWindow,
+    /// A sliding-mode differentiator.
+    Levant,
+}
+
+impl EstimatorName {
+    /// Every estimator, the usual one first.
+    pub const ALL: [Self; 5] = [
+        Self::Kalman,
+        Self::BackwardDifference,
+        Self::FilteredDifference,
+        Self::AdaptiveWindow,
+        Self::Levant,
+    ];
+
+    /// Returns its name in scenes and on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Kalman => "kalman",
+            Self::BackwardDifference => "backward-difference",
+            Self::FilteredDifference => "filtered-difference",
+            Self::AdaptiveWindow => "adaptive-window",
+            Self::Levant => "levant",
+        }
+    }
+}
+
+/// Constants of estimators; each takes those that it needs.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct EstimatorSettings {
+    /// Time between two samples that are neither late nor early (s).
+    pub period: f64,
+    /// Way of one count (m).
+    pub quantum: f64,
+    /// Power density of the key's jerk (m²/s⁵), see [`Kalman::new`].
+    pub jerk_density: f64,
+    /// Of the low pass (Hz), see [`FilteredDifference::new`].
+    pub cutoff: f64,
+    /// Largest jerk (m/s³), see [`Levant::new`].
+    pub jerk_limit: f64,
+}
+
+impl EstimatorSettings {
+    /// Cutoff below which a finger moves a key (Hz).
+    pub const KEY_CUTOFF: f64 = 100.0;
+
+    /// Jerk of a key that is struck (m/s³): 100 m/s² within 5 ms (estimate).
+    pub const KEY_JERK_LIMIT: f64 = 2e4;
+}
+
+/// An estimator of any kind.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a tick owns its estimator without a heap")]
+pub enum AnyEstimator {
+    Kalman(Kalman),
+    BackwardDifference(BackwardDifference),
+    FilteredDifference(FilteredDifference),
+    AdaptiveWindow(AdaptiveWindow),
+    Levant(Levant),
+}
+
+impl AnyEstimator {
+    /// Creates the estimator called `name`, at rest at zero.
+    ///
+    /// # Panics
+    ///
+    /// Unless all constants that it needs are finite and positive.
+    pub fn new(name: EstimatorName, settings: &EstimatorSettings) -> Self {
+        let EstimatorSettings { period, quantum, jerk_density, cutoff, jerk_limit } = *settings;
+        match name {
+            EstimatorName::Kalman => Self::Kalman(Kalman::new(period, quantum, jerk_density)),
+            EstimatorName::BackwardDifference => {
+                Self::BackwardDifference(BackwardDifference::new(period))
+            }
+            EstimatorName::FilteredDifference => {
+                Self::FilteredDifference(FilteredDifference::new(cutoff))
+            }
+            EstimatorName::AdaptiveWindow => Self::AdaptiveWindow(AdaptiveWindow::new(quantum)),
+            EstimatorName::Levant => Self::Levant(Levant::new(jerk_limit)),
+        }
+    }
+}
+
+impl Estimator for AnyEstimator {
+    #[inline]
+    fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
+        match self {
+            Self::Kalman(it) => it.update(position, elapsed),
+            Self::BackwardDifference(it) => it.update(position, elapsed),
+            Self::FilteredDifference(it) => it.update(position, elapsed),
+            Self::AdaptiveWindow(it) => it.update(position, elapsed),
+            Self::Levant(it) => it.update(position, elapsed),
+        }
+    }
+
+    fn reset(&mut self, position: f64) {
+        match self {
+            Self::Kalman(it) => it.reset(position),
+            Self::BackwardDifference(it) => it.reset(position),
+            Self::FilteredDifference(it) => it.reset(position),
+            Self::AdaptiveWindow(it) => it.reset(position),
+            Self::Levant(it) => it.reset(position),
+        }
+    }
+}
