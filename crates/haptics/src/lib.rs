@@ -1,7 +1,7 @@
 //! What the hand feels, seen from both sides of the key.
 //!
 //! [`estimate`] turns quantised positions into motion, [`limits`] is the last gate a force
-//! passes, [`passivity`] tells a key that makes energy, [`stability`] how stiff a sampled wall may
+//! passes, [`passivity`] tells a key that makes energy and keeps one from it, [`stability`] how stiff a sampled wall may
 //! be, and [`plant`] is the other side: a simulated key with its encoder, its motor and a finger,
 //! for running without hardware and for rehearsing a performance.
 //!
@@ -35,7 +35,7 @@ pub use estimate::{
     KeyMotion,
 };
 pub use limits::{ForceGate, Gated, LimitError};
-pub use passivity::{EnergyBound, PassivityObserver};
+pub use passivity::{EnergyBound, PassivityController, PassivityObserver};
 pub use plant::{
     Encoder, Felt, Finger, FingerParameters, Gesture, Grasp, KeyFront, KeyParameters, KeyRig,
     Motor, MotorParameters, MuscleCommand, RigParameters, Touch,

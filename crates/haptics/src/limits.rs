@@ -96,6 +96,11 @@ impl ForceGate {
         self.force
     }
 
+    /// Goes on from `force` (N), which was sent in place of what passed: nearer to zero.
+    pub const fn go_on_from(&mut self, force: f64) {
+        self.force = force;
+    }
+
     /// Largest change within `period` (s), in newtons.
     fn reach(&self, period: f64) -> f64 {
         if period.is_finite() && 0.0 < period { self.slew * period } else { 0.0 }

@@ -57,7 +57,7 @@ pub use links::{
     BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
 };
 pub use needs::{Needs, Unmet};
-pub use render::{InputReconstruction, Render};
+pub use render::{InputReconstruction, PassivityMode, Render};
 pub use rig::{FingerName, Rig};
 pub use scene::{LaneCount, Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
 pub use source::Override;

@@ -36,6 +36,14 @@ pub(super) const COUPLING_DAMPING: Quantity = Quantity { unit: "N·s/m", range: 
 /// A gain of the other sign would turn a spring into a push.
 const GAIN: Quantity = Quantity { unit: "1", range: (1e-3, 1e3) };
 
+/// More than a joule is a hammer's blow.
+const ENERGY_TANK: Quantity = Quantity { unit: "J", range: (0.0, 1.0) };
+
+const PASSIVITY_MODES: NamedValues<PassivityMode> = NamedValues {
+    refusal: "there is no passivity",
+    all: || PassivityMode::ALL.map(|all| (all.name(), all)).into(),
+};
+
 /// A finger holds about 100 N for a moment, and no keyboard needs it to.
 const FORCE_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 100.0) };
 
@@ -102,10 +110,37 @@ settings! {
     motion_gain: f64 = 1.0, GAIN;
     /// Times the model's force that the motor gives.
     force_gain: f64 = 1.0, GAIN;
+    /// What is done about energy that a key makes.
+    passivity: PassivityMode = PassivityMode::Observe, PASSIVITY_MODES;
+    /// Energy that a controlled key may give back before it got any (J): the smaller, the softer
+    /// slow keys begin.
+    energy_tank: f64 = 1e-3, ENERGY_TANK;
     /// Largest force (N).
     force_limit: f64 = 25.0, FORCE_LIMIT;
     /// Fastest change of force (N/s).
     slew_limit: f64 = 2e4, SLEW_LIMIT;
+}
+
+/// What is done about a key that gives back more energy than it got.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PassivityMode {
+    /// It is muted when it gave back more than any action stores.
+    Observe,
+    /// No force is sent that could.
+    Control,
+}
+
+impl PassivityMode {
+    /// Both, the usual one first.
+    pub const ALL: [Self; 2] = [Self::Observe, Self::Control];
+
+    /// Returns its name in scenes.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Observe => "observe",
+            Self::Control => "control",
+        }
+    }
 }
 
 /// The continuation of the key's motion between two samples.

@@ -3,7 +3,10 @@
 use std::sync::Arc;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
-use haptics::{AnyEstimator, EstimatorSettings, ForceGate, RigParameters};
+use haptics::{
+    AnyEstimator, EnergyBound, EstimatorSettings, ForceGate, PassivityController,
+    PassivityObserver, RigParameters,
+};
 use models::catalogue::{self, ModelEntry, Visitor};
 use models::registry::SmallModel;
 use models::{Playable, built_in};
@@ -17,7 +20,7 @@ use crate::audit::AuditCell;
 use crate::coupling::{Coupling, CouplingConstants};
 use crate::input::InputPath;
 use crate::rendered_key::{Gains, RehearsableVoice, RenderedKey, SlopeOutput, VoiceSettings};
-use scene::{InputReconstruction, KeyVoice, LinksConfig, Render, Scene};
+use scene::{InputReconstruction, KeyVoice, LinksConfig, PassivityMode, Render, Scene};
 
 /// A voice of any model.
 pub type AnyVoice = Box<dyn RehearsableVoice>;
@@ -212,13 +215,31 @@ impl Builder<'_> {
         let input = InputPath::new(estimator, reconstruction, scale, h);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
         let dip = rig.key.bottom_stop.position;
+        let bound = EnergyBound::of_force_limit(gate.limit(), dip);
+        let passivity = PassivityObserver::new(bound, h);
+        let controller = match render.passivity {
+            PassivityMode::Observe => None,
+            PassivityMode::Control => Some(PassivityController::new(render.energy_tank, dip, h)),
+        };
         let constants = CouplingConstants {
             stiffness: render.coupling_stiffness,
             damping: render.coupling_damping,
         };
         let coupling = (0.0 < constants.stiffness).then(|| Coupling::new(constants));
         let gains = Gains { motion: render.motion_gain, force: render.force_gain };
-        Ok(VoiceSettings { input, coupling, gains, gate, limits, cell, h, dip, slopes, revision })
+        Ok(VoiceSettings {
+            input,
+            coupling,
+            gains,
+            gate,
+            passivity,
+            controller,
+            limits,
+            cell,
+            h,
+            slopes,
+            revision,
+        })
     }
 }
 

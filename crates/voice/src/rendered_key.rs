@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use haptics::{EnergyBound, ForceGate, PassivityObserver};
+use haptics::{ForceGate, PassivityController, PassivityObserver};
 use models::{Playable, hammer_speed};
 use pode::input::Cubic;
 use pode::{
@@ -41,6 +41,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     rest: RestDetector<M::State>,
     auditor: Auditor<M>,
     passivity: PassivityObserver,
+    controller: Option<PassivityController>,
     cell: Arc<AuditCell>,
     /// Tick (s).
     h: f64,
@@ -66,13 +67,14 @@ pub struct VoiceSettings {
     pub coupling: Option<Coupling>,
     pub gains: Gains,
     pub gate: ForceGate,
+    pub passivity: PassivityObserver,
+    /// What keeps the key passive, if something does.
+    pub controller: Option<PassivityController>,
     pub limits: Limits,
     /// Where the energy audit is published.
     pub cell: Arc<AuditCell>,
     /// Tick (s).
     pub h: f64,
-    /// Way of the key from rest to bottom (m).
-    pub dip: f64,
     /// Whether the boards render slopes.
     pub slopes: SlopeOutput,
     /// Its number among all voices of a run.
@@ -108,11 +110,9 @@ pub enum SlopeOutput {
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Returns a voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
-        let VoiceSettings { input, coupling, gains, gate, limits, cell, h, dip, slopes, revision } =
-            fittings;
+        let VoiceSettings { input, coupling, gains, gate, limits, cell, h, slopes, .. } = fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
-        let passivity = PassivityObserver::new(EnergyBound::of_force_limit(gate.limit(), dip), h);
         let entry = model.entry();
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
@@ -123,12 +123,13 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             pressure: PressureTracker::default(),
             rest: RestDetector::new(state, h),
             auditor: Auditor::default(),
-            passivity,
+            passivity: fittings.passivity,
+            controller: fittings.controller,
             cell,
             h,
             coordinates: entry.coordinates,
             slopes,
-            revision,
+            revision: fittings.revision,
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
             switches: Switches::default(),
         }
@@ -194,6 +195,32 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
     }
 
+    /// Returns as much of `force` (N) as keeps the key passive, which is at `position` (m).
+    fn passive(&mut self, tick: u64, position: f64, force: f64) -> f64 {
+        let Some(controller) = &mut self.controller else { return force };
+        controller.follow(tick, position);
+        let passive = controller.limit(tick, position, force);
+        self.gate.go_on_from(passive);
+        passive
+    }
+
+    /// Tells the controller what the model took since `before`, as energy at the finger.
+    fn account(&mut self, before: &EnergyAudit) {
+        let Some(controller) = &mut self.controller else { return };
+        let EnergyAudit { dissipated, jumps, stored, .. } = self.auditor.sums;
+        let lost = (dissipated - before.dissipated) - (jumps - before.jumps);
+        let per_energy = self.gains.force / self.gains.motion;
+        controller.take(per_energy * (stored - before.stored), per_energy * lost);
+    }
+
+    /// Forgets what energy went where: another action, or another hand.
+    fn forget_energy(&mut self) {
+        self.passivity.reset();
+        if let Some(controller) = &mut self.controller {
+            controller.reset();
+        }
+    }
+
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let is_passive = self.passivity.is_passive(tick, sample.position);
         let Followed { signal, position, late } = self.memory.input.follow(tick, sample);
@@ -215,8 +242,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         self.signal = moved;
         let readout = coupled.map_or(done.mean_readout, |it| it.force);
         let gated = self.gate.apply(readout * self.per_readout(), self.h);
-        turn.force = gated.force;
-        let is_free = gated.finite && !gated.limited && !gated.slewed && done.work.events == 0;
+        turn.force = self.passive(tick, sample.position, gated.force);
+        self.account(&sums);
+        let is_whole = gated.finite && !gated.limited && !gated.slewed;
+        let is_free = is_whole && turn.force == gated.force && done.work.events == 0;
         if self.slopes == SlopeOutput::Rendered && is_free {
             turn.slope = self.slope(&signal.at(0.5), late);
         }
@@ -282,7 +311,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.simulator.place(mode, state);
         self.auditor.forget();
         self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
-        self.passivity.reset();
+        self.forget_energy();
         self.rest = RestDetector::new(*self.simulator.state(), self.h);
     }
 
@@ -296,7 +325,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
         self.rest = RestDetector::new(*self.simulator.state(), self.h);
-        self.passivity.reset();
+        self.forget_energy();
         true
     }
 
@@ -386,7 +415,7 @@ const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
 #[cfg(test)]
 mod tests {
     use hand_written::BouncingBall;
-    use haptics::{AnyEstimator, Kalman};
+    use haptics::{AnyEstimator, EnergyBound, Kalman};
 
     use super::*;
 
@@ -398,10 +427,11 @@ mod tests {
             coupling: None,
             gains: Gains::default(),
             gate: ForceGate::new(25.0, 2e4).unwrap(),
+            passivity: PassivityObserver::new(EnergyBound::of_force_limit(25.0, 10e-3), h),
+            controller: None,
             limits: Limits::default(),
             cell: Arc::default(),
             h,
-            dip: 10e-3,
             slopes: SlopeOutput::Unused,
             revision: 0,
         };

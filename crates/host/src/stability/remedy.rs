@@ -4,7 +4,7 @@ use std::fmt;
 
 use haptics::EstimatorName;
 use keyboard::KeyIndex;
-use scene::{KeyVoice, Scene};
+use scene::{KeyVoice, PassivityMode, Scene};
 use voice::VoiceBuilder;
 
 use super::trial::KeyTrial;
@@ -21,13 +21,15 @@ const DENSITIES: [f64; 5] = [10.0, 300.0, 1e4, 1e5, 1e6];
 pub struct Remedy {
     pub tick_hz: Option<u32>,
     pub jerk_density: Option<f64>,
+    pub passivity: Option<PassivityMode>,
 }
 
 impl fmt::Display for Remedy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rate = self.tick_hz.map(|hz| format!("tick_hz={hz}"));
         let density = self.jerk_density.map(|it| format!("render.jerk_density={it}"));
-        let all: Vec<_> = rate.into_iter().chain(density).collect();
+        let passivity = self.passivity.map(|it| format!("render.passivity={}", it.name()));
+        let all: Vec<_> = rate.into_iter().chain(density).chain(passivity).collect();
         f.write_str(&all.join(" and "))
     }
 }
@@ -43,6 +45,7 @@ pub(super) fn nearest(
         let mut other = scene.clone();
         other.tick_hz = remedy.tick_hz.unwrap_or(scene.tick_hz);
         other.render.jerk_density = remedy.jerk_density.unwrap_or(scene.render.jerk_density);
+        other.render.passivity = remedy.passivity.unwrap_or(scene.render.passivity);
         let builder = VoiceBuilder::new(&other)?;
         // The worst first: most candidates are out by it.
         let worst = voices.iter().filter(|it| it.0 == key);
@@ -68,6 +71,12 @@ fn are_stable<'a>(
 
 /// Other settings, the nearest first.
 fn candidates(scene: &Scene) -> Vec<Remedy> {
+    let is_controlled = scene.render.passivity == PassivityMode::Control;
+    let control = (!is_controlled).then_some(Remedy {
+        tick_hz: None,
+        jerk_density: None,
+        passivity: Some(PassivityMode::Control),
+    });
     let faster = RATES.into_iter().filter(|hz| scene.tick_hz < *hz).map(Some);
     let densities = || {
         let is_kalman = scene.render.estimator == EstimatorName::Kalman;
@@ -76,6 +85,7 @@ fn candidates(scene: &Scene) -> Vec<Remedy> {
     };
     let all = std::iter::once(None)
         .chain(faster)
-        .flat_map(|tick_hz| densities().map(move |jerk_density| Remedy { tick_hz, jerk_density }));
-    all.skip(1).collect()
+        .flat_map(|tick_hz| densities().map(move |jerk_density| (tick_hz, jerk_density)));
+    let all = all.map(|(tick_hz, jerk_density)| Remedy { tick_hz, jerk_density, passivity: None });
+    control.into_iter().chain(all.skip(1)).collect()
 }
