@@ -19,7 +19,7 @@ mod setting;
 use std::sync::Arc;
 
 use criterion::Criterion;
-use haptics::{Kalman, RigParameters};
+use haptics::{AnyEstimator, Kalman, RigParameters};
 use models::registry::SmallModel;
 use models::{Described as _, built_in};
 use pode::input::Cubic;
@@ -29,7 +29,7 @@ use scene::Scene;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
-use voice::input::{AnyEstimator, InputPath};
+use voice::input::InputPath;
 use voice::{AnyVoice, VoiceBuilder};
 
 /// Tick (s).

@@ -108,6 +108,7 @@ impl<'a> VoiceBuilder<'a> {
             values: &voice.values,
             h,
             rig: self.rig,
+            delay: self.scene.rig.delay,
             cell,
             slopes: slopes(&self.scene.links),
             revision,
@@ -146,6 +147,8 @@ struct Builder<'a> {
     values: &'a [f64],
     h: f64,
     rig: RigParameters,
+    /// From a force's arrival to its effect (s).
+    delay: f64,
     cell: Arc<AuditCell>,
     slopes: SlopeOutput,
     revision: u32,
@@ -193,7 +196,7 @@ impl Visitor for Rk4Builder<'_> {
 
 impl Builder<'_> {
     fn fittings(self, scale: f64) -> Result<VoiceSettings, BuildError> {
-        let Self { render, h, rig, cell, slopes, revision, .. } = self;
+        let Self { render, h, rig, delay, cell, slopes, revision, .. } = self;
         let settings = EstimatorSettings {
             period: h,
             quantum: rig.quantum,
@@ -217,9 +220,14 @@ impl Builder<'_> {
         let dip = rig.key.bottom_stop.position;
         let bound = EnergyBound::of_force_limit(gate.limit(), dip);
         let passivity = PassivityObserver::new(bound, h);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some ticks")]
+        let late = (delay / h).round() as usize;
         let controller = match render.passivity {
             PassivityMode::Observe => None,
-            PassivityMode::Control => Some(PassivityController::new(render.energy_tank, dip, h)),
+            PassivityMode::Control => {
+                let controller = PassivityController::new(render.energy_tank, dip, h);
+                Some(controller.with_delay(late))
+            }
         };
         let constants = CouplingConstants {
             stiffness: render.coupling_stiffness,

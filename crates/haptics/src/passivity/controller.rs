@@ -3,6 +3,9 @@
 /// Largest acceleration of a key's front (m/s²): that of a hard blow on a key of 50 g.
 const ACCELERATION: f64 = 300.0;
 
+/// Most ticks by which a force may be late.
+const MOST_LATE: usize = 8;
+
 /// Keeps account of the energy that a key and its action exchange, and forces within what it allows.
 ///
 /// An action takes as much from the hand as it stores and loses by its equations; its motor gives
@@ -35,8 +38,12 @@ pub struct PassivityController {
     stored: f64,
     /// What it took in the last tick \[J\].
     taken: f64,
-    /// The last tick, position \[m\] and force \[N\] from then on.
-    last: Option<(u64, f64, f64)>,
+    /// The last tick, and the position at its start \[m\].
+    last: Option<(u64, f64)>,
+    /// Forces of the newest ticks \[N\], the newest first.
+    forces: [f64; MOST_LATE + 1],
+    /// Ticks after which a force acts.
+    late: usize,
     /// Way in the tick before \[m\].
     moved: f64,
 }
@@ -45,8 +52,25 @@ impl PassivityController {
     /// Creates a controller of ticks of `period` \[s\] for a key with a way of `dip` \[m\], that
     /// may give back `tank` \[J\] more than its action stores.
     pub const fn new(tank: f64, dip: f64, period: f64) -> Self {
-        let reach = ACCELERATION * period * period;
-        Self { tank, dip, reach, deficit: 0.0, stored: 0.0, taken: 0.0, last: None, moved: 0.0 }
+        Self {
+            tank,
+            dip,
+            reach: ACCELERATION * period * period,
+            deficit: 0.0,
+            stored: 0.0,
+            taken: 0.0,
+            last: None,
+            forces: [0.0; MOST_LATE + 1],
+            late: 0,
+            moved: 0.0,
+        }
+    }
+
+    /// Returns the same for forces that act `late` ticks after they were sent; [`MOST_LATE`] at
+    /// most are counted.
+    #[must_use]
+    pub fn with_delay(self, late: usize) -> Self {
+        Self { late: late.min(MOST_LATE), ..self }
     }
 
     /// Goes on to `tick`, when the key is at `position` \[m\]: counts the work of the last force.
@@ -55,9 +79,10 @@ impl PassivityController {
     /// Six operations.
     pub fn follow(&mut self, tick: u64, position: f64) {
         self.moved = 0.0;
-        if let Some((_, before, force)) = self.last.filter(|(last, ..)| last + 1 == tick) {
+        if let Some((_, before)) = self.last.filter(|(last, _)| last + 1 == tick) {
             self.moved = position - before;
-            self.deficit = (self.deficit + self.taken - force * self.moved).max(0.0);
+            let supplied = self.forces[self.late] * self.moved;
+            self.deficit = (self.deficit + self.taken - supplied).max(0.0);
         }
     }
 
@@ -75,7 +100,9 @@ impl PassivityController {
         let most = self.credit().max(0.0);
         let is_within = force.abs() * longest <= most;
         let limited = if is_within { force } else { (most / longest).copysign(force) };
-        self.last = Some((tick, position, limited));
+        self.last = Some((tick, position));
+        self.forces.rotate_right(1);
+        self.forces[0] = limited;
         limited
     }
 
@@ -89,7 +116,8 @@ impl PassivityController {
 
     /// Forgets all that was seen: another action, another finger, or a gap.
     pub const fn reset(&mut self) {
-        *self = Self { deficit: 0.0, stored: 0.0, taken: 0.0, last: None, moved: 0.0, ..*self };
+        let Self { tank, dip, late, reach, .. } = *self;
+        *self = Self { late, reach, ..Self::new(tank, dip, 0.0) };
     }
 
     /// Returns the energy that may be given back now \[J\].
