@@ -15,6 +15,7 @@ mod grand;
 mod late_samples;
 #[path = "stage/letoff.rs"]
 mod letoff;
+mod passive;
 mod performance;
 mod quiet;
 mod readme;

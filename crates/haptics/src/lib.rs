@@ -24,12 +24,14 @@
 
 #![forbid(unsafe_code)]
 
+pub mod device;
 pub mod estimate;
 pub mod limits;
 pub mod passivity;
 pub mod plant;
 pub mod stability;
 
+pub use device::DeviceCompensation;
 pub use estimate::{
     AnyEstimator, BackwardDifference, Estimator, EstimatorName, EstimatorSettings, Kalman,
     KeyMotion,

@@ -7,7 +7,7 @@ use super::quantity::number;
 use super::read::{self, TableReader};
 use super::render::{
     COUPLING_DAMPING, COUPLING_STIFFNESS, ESTIMATORS, InputReconstruction, JERK_DENSITY,
-    RECONSTRUCTIONS, Render, TICK_HZ,
+    PassivityMode, RECONSTRUCTIONS, Render, TICK_HZ,
 };
 use super::report::MistakeList;
 use super::setting::TableSetting as _;
@@ -70,6 +70,10 @@ impl Needs {
                 lacks: format!("{name} is for letoff simulate only: {why}"),
                 help: "choose another instrument".to_owned(),
             });
+        }
+        // The tables were measured without a controller; trials say what one can do.
+        if render.passivity == PassivityMode::Control {
+            return None;
         }
         let lacking = self.stable.iter().map(|it| it.lacking(tick_hz, render));
         let nearest = lacking.min_by_key(Vec::len).filter(|lacking| !lacking.is_empty())?;

@@ -39,6 +39,11 @@ const GAIN: Quantity = Quantity { unit: "1", range: (1e-3, 1e3) };
 /// More than a joule is a hammer's blow.
 const ENERGY_TANK: Quantity = Quantity { unit: "J", range: (0.0, 1.0) };
 
+/// A way takes some milliseconds at most, and no estimate reaches farther.
+const LEAD: Quantity = Quantity { unit: "s", range: (0.0, 8e-3) };
+
+const COMPENSATION: Quantity = Quantity { unit: "1", range: (0.0, 1.0) };
+
 const PASSIVITY_MODES: NamedValues<PassivityMode> = NamedValues {
     refusal: "there is no passivity",
     all: || PassivityMode::ALL.map(|all| (all.name(), all)).into(),
@@ -110,6 +115,13 @@ settings! {
     motion_gain: f64 = 1.0, GAIN;
     /// Times the model's force that the motor gives.
     force_gain: f64 = 1.0, GAIN;
+    /// How long after the tick its force acts, beyond its own hold (s): estimated motion is
+    /// continued as far.
+    lead: f64 = 0.0, LEAD;
+    /// Part of the key's own mass that is taken off what its finger feels.
+    inertia_compensation: f64 = 0.0, COMPENSATION;
+    /// Part of the key's own friction, damping and weight that is.
+    friction_compensation: f64 = 0.0, COMPENSATION;
     /// What is done about energy that a key makes.
     passivity: PassivityMode = PassivityMode::Observe, PASSIVITY_MODES;
     /// Energy that a controlled key may give back before it got any (J): the smaller, the softer

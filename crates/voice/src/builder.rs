@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{
-    AnyEstimator, EnergyBound, EstimatorSettings, ForceGate, PassivityController,
-    PassivityObserver, RigParameters,
+    AnyEstimator, DeviceCompensation, EnergyBound, EstimatorSettings, ForceGate,
+    PassivityController, PassivityObserver, RigParameters,
 };
 use models::catalogue::{self, ModelEntry, Visitor};
 use models::registry::SmallModel;
@@ -215,7 +215,7 @@ impl Builder<'_> {
             ..Limits::default()
         };
         let scale = scale * render.motion_gain;
-        let input = InputPath::new(estimator, reconstruction, scale, h);
+        let input = InputPath::new(estimator, reconstruction, scale, h).with_lead(render.lead);
         let gate = ForceGate::new(render.force_limit, render.slew_limit)?;
         let dip = rig.key.bottom_stop.position;
         let bound = EnergyBound::of_force_limit(gate.limit(), dip);
@@ -234,11 +234,15 @@ impl Builder<'_> {
             damping: render.coupling_damping,
         };
         let coupling = (0.0 < constants.stiffness).then(|| Coupling::new(constants));
+        let parts = (render.inertia_compensation, render.friction_compensation);
+        let device =
+            (parts != (0.0, 0.0)).then(|| DeviceCompensation::new(rig.key, parts.0, parts.1));
         let gains = Gains { motion: render.motion_gain, force: render.force_gain };
         Ok(VoiceSettings {
             input,
             coupling,
             gains,
+            device,
             gate,
             passivity,
             controller,

@@ -31,6 +31,8 @@ pub struct Coupling {
     rate: f64,
     /// What events of the last tick took from the model's key (readout s).
     impulse: f64,
+    /// Energy in the spring (J).
+    stored: f64,
 }
 
 /// A tick of a coupled key.
@@ -40,6 +42,8 @@ pub(crate) struct CoupledTick {
     pub(crate) signal: Cubic,
     /// Force of the coupling (readout).
     pub(crate) force: f64,
+    /// What the spring stores more than a tick before (J).
+    pub(crate) stored: f64,
 }
 
 /// Least inertia of a model's key (readout per acceleration): one without any would follow its
@@ -49,7 +53,7 @@ const LEAST_INERTIA: f64 = 1e-9;
 impl Coupling {
     /// Returns a coupling at rest.
     pub const fn new(constants: CouplingConstants) -> Self {
-        Self { constants, position: 0.0, rate: 0.0, impulse: 0.0 }
+        Self { constants, position: 0.0, rate: 0.0, impulse: 0.0, stored: 0.0 }
     }
 
     /// Returns the spring and the damper.
@@ -59,7 +63,8 @@ impl Coupling {
 
     /// Puts the model's key where the player's is, which moves as `key` says.
     pub(crate) const fn place(&mut self, key: &Motion) {
-        (self.position, self.rate, self.impulse) = (key.position, key.rate, 0.0);
+        let Motion { position, rate, .. } = *key;
+        *self = Self { position, rate, ..Self::new(self.constants) };
     }
 
     /// Takes note of an impulse of an event on the model's key (readout s).
@@ -98,6 +103,9 @@ impl Coupling {
         let signal = Cubic::ballistic(self.position, self.rate, acceleration, h);
         self.rate += h * acceleration;
         self.position += h * self.rate - 0.5 * h * h * acceleration;
-        CoupledTick { signal, force: still + inertia * acceleration }
+        let stretch = end.position - self.position;
+        let before = core::mem::replace(&mut self.stored, 0.5 * stiffness * stretch * stretch);
+        let force = still + inertia * acceleration;
+        CoupledTick { signal, force, stored: self.stored - before }
     }
 }

@@ -23,6 +23,8 @@ pub struct InputPath {
     scale: f64,
     /// Tick (s).
     h: f64,
+    /// How long before its effect a force is worked out (s).
+    lead: f64,
     /// The motion at the newest sample.
     last: KeyMotion,
     /// The tick that was asked for last, if there was one.
@@ -62,7 +64,14 @@ impl InputPath {
             Continuation::Samples(kind, Reconstructor::new(kind, 0.0, h))
         });
         let last = KeyMotion::at_rest(0.0);
-        Self { estimator, continuation, scale, h, last, tick: None, since: 0.0 }
+        Self { estimator, continuation, scale, h, lead: 0.0, last, tick: None, since: 0.0 }
+    }
+
+    /// Returns the same for forces that act `lead` (s) after the tick: estimated motion is
+    /// continued as far.
+    #[must_use]
+    pub const fn with_lead(self, lead: f64) -> Self {
+        Self { lead, ..self }
     }
 
     /// Returns a path that goes on from the same samples, for a model whose input is `scale` per
@@ -143,12 +152,11 @@ impl InputPath {
             (motion, motion.position)
         };
         let signal = match &mut self.continuation {
-            Continuation::Estimate => Cubic::ballistic(
-                motion.position * self.scale,
-                motion.velocity * self.scale,
-                motion.acceleration * self.scale,
-                self.h,
-            ),
+            Continuation::Estimate => {
+                let KeyMotion { position, velocity, acceleration } = motion.after(self.lead);
+                let scale = self.scale;
+                Cubic::ballistic(position * scale, velocity * scale, acceleration * scale, self.h)
+            }
             Continuation::Samples(_, reconstructor) => reconstructor.push(position * self.scale),
         };
         Followed { signal, position, late: self.ahead() }

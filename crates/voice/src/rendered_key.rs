@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use haptics::{ForceGate, PassivityController, PassivityObserver};
+use haptics::{DeviceCompensation, ForceGate, KeyMotion, PassivityController, PassivityObserver};
 use models::{Playable, hammer_speed};
 use pode::input::Cubic;
 use pode::{
@@ -36,6 +36,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     memory: KeyMemory,
     coupling: Option<Coupling>,
     gains: Gains,
+    device: Option<DeviceCompensation>,
     gate: ForceGate,
     pressure: PressureTracker,
     rest: RestDetector<M::State>,
@@ -66,6 +67,8 @@ pub struct VoiceSettings {
     /// Between the player's key and the model's, if there is one.
     pub coupling: Option<Coupling>,
     pub gains: Gains,
+    /// What is taken off the device's own mechanics, if something is.
+    pub device: Option<DeviceCompensation>,
     pub gate: ForceGate,
     pub passivity: PassivityObserver,
     /// What keeps the key passive, if something does.
@@ -110,7 +113,8 @@ pub enum SlopeOutput {
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Returns a voice at rest with its key up.
     pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
-        let VoiceSettings { input, coupling, gains, gate, limits, cell, h, slopes, .. } = fittings;
+        let VoiceSettings { input, coupling, gains, device, gate, limits, cell, h, slopes, .. } =
+            fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
         let entry = model.entry();
@@ -119,6 +123,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             memory: KeyMemory { entry, input, damper },
             coupling,
             gains,
+            device,
             gate,
             pressure: PressureTracker::default(),
             rest: RestDetector::new(state, h),
@@ -187,6 +192,17 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         Some(self.coupling.as_mut()?.follow(played, key, scale, self.h))
     }
 
+    /// Returns what is taken off the resistance of the device itself (N) while its key moves so.
+    fn compensation(&self, key: &Motion) -> f64 {
+        let Some(device) = &self.device else { return 0.0 };
+        let scale = self.scale();
+        device.force(&KeyMotion {
+            position: key.position / scale,
+            velocity: key.rate / scale,
+            acceleration: key.acceleration / scale,
+        })
+    }
+
     /// Tells the pressure on the key, of an instrument that has one.
     fn press(&mut self, tick: u64, turn: &mut VoiceOutput) {
         let Some(table) = self.simulator.model().midi().pressure else { return };
@@ -204,13 +220,20 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         passive
     }
 
-    /// Tells the controller what the model took since `before`, as energy at the finger.
-    fn account(&mut self, before: &EnergyAudit) {
-        let Some(controller) = &mut self.controller else { return };
+    /// Tells the controller what the model took since `before`, and its coupling in this tick
+    /// (J), as energy at the finger.
+    fn account(&mut self, before: &EnergyAudit, coupling: f64) {
         let EnergyAudit { dissipated, jumps, stored, .. } = self.auditor.sums;
         let lost = (dissipated - before.dissipated) - (jumps - before.jumps);
         let per_energy = self.gains.force / self.gains.motion;
-        controller.take(per_energy * (stored - before.stored), per_energy * lost);
+        self.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
+    }
+
+    /// Tells the controller what is stored and lost in this tick \[J\].
+    const fn take(&mut self, stored: f64, lost: f64) {
+        if let Some(controller) = &mut self.controller {
+            controller.take(stored, lost);
+        }
     }
 
     /// Forgets what energy went where: another action, or another hand.
@@ -241,9 +264,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
         self.signal = moved;
         let readout = coupled.map_or(done.mean_readout, |it| it.force);
-        let gated = self.gate.apply(readout * self.per_readout(), self.h);
+        let force = readout * self.per_readout() + self.compensation(&signal.at(0.5));
+        let gated = self.gate.apply(force, self.h);
         turn.force = self.passive(tick, sample.position, gated.force);
-        self.account(&sums);
+        self.account(&sums, coupled.map_or(0.0, |it| it.stored));
         let is_whole = gated.finite && !gated.limited && !gated.slewed;
         let is_free = is_whole && turn.force == gated.force && done.work.events == 0;
         if self.slopes == SlopeOutput::Rendered && is_free {
@@ -282,7 +306,8 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.switches.clear();
         if let Some(force) = self.rest.force_at(sample.position) {
             self.memory.input.go_on(tick, sample);
-            (turn.force, turn.idle) = (force, true);
+            (turn.force, turn.idle) = (self.passive(tick, sample.position, force), true);
+            self.take(0.0, 0.0);
         } else if sample.position.is_finite() && sample.taken.is_finite() {
             self.advance(tick, sample, turn);
         } else {
@@ -426,6 +451,7 @@ mod tests {
             input: InputPath::new(estimator, None, -5.0, h),
             coupling: None,
             gains: Gains::default(),
+            device: None,
             gate: ForceGate::new(25.0, 2e4).unwrap(),
             passivity: PassivityObserver::new(EnergyBound::of_force_limit(25.0, 10e-3), h),
             controller: None,

@@ -1,0 +1,58 @@
+//! The device's own inertia, friction and weight, taken off what the finger feels.
+
+use crate::estimate::KeyMotion;
+use crate::plant::KeyParameters;
+
+/// Speed at which half of the dry friction is taken off (m/s): below it, the estimate's noise would
+/// turn the force to and fro.
+const SLIDING: f64 = 5e-3;
+
+/// A force that takes part of a key's own mechanics off what its finger feels.
+///
+/// The finger moves the key's mass against its friction, damping and weight as well as the action.
+/// What is taken off comes from the motor, by an estimate that is late: it makes energy wherever
+/// the estimate is wrong, and the loop is stable with a smaller action.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeviceCompensation {
+    key: KeyParameters,
+    /// Parts of its inertia, and of its friction, damping and weight.
+    inertia: f64,
+    losses: f64,
+}
+
+impl DeviceCompensation {
+    /// Takes the part `inertia` off the mass of `key`, and the part `losses` off its dry friction,
+    /// damping and weight, each `0 ..= 1`.
+    pub const fn new(key: KeyParameters, inertia: f64, losses: f64) -> Self {
+        Self { key, inertia, losses }
+    }
+
+    /// Returns the force on the finger, up positive, for a key that moves so \[N\].
+    ///
+    /// # Real-time
+    /// A dozen operations.
+    pub fn force(&self, motion: &KeyMotion) -> f64 {
+        let KeyParameters { mass, damping, coulomb, weight, .. } = self.key;
+        let KeyMotion { velocity, acceleration, .. } = *motion;
+        let friction = coulomb * velocity / (velocity.abs() + SLIDING);
+        let lost = damping * velocity + friction + weight;
+        -self.inertia * mass * acceleration - self.losses * lost
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plant::RigParameters;
+
+    #[test]
+    fn a_whole_compensation_is_what_the_key_itself_resists_with() {
+        let key = RigParameters::default().key;
+        let motion = KeyMotion { position: 3e-3, velocity: 2.0, acceleration: -7.0 };
+        let force = DeviceCompensation::new(key, 1.0, 1.0).force(&motion);
+        let resistance = key.mass * -7.0 + key.damping * 2.0 + key.coulomb + key.weight;
+        // Of the dry friction, what is missing at 2 m/s.
+        assert!((force + resistance).abs() < key.coulomb * SLIDING / 2.0, "{force}");
+        assert_eq!(DeviceCompensation::new(key, 0.0, 0.0).force(&motion), 0.0);
+    }
+}
