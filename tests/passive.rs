@@ -19,6 +19,9 @@ const DIP: f64 = 10e-3;
 /// What a key may hand out beyond what it was given (J).
 const TANK: f64 = 1e-6;
 
+/// Of a hundred thousand sums of up to 0.1 J.
+const ROUNDING: f64 = 1e-12;
+
 /// Largest acceleration of strokes and tremor together (m/s²): a little less than that for which
 /// [`haptics::PassivityController`] is built.
 const ACCELERATION: f64 = 290.0;
@@ -88,6 +91,18 @@ fn handed_out(voice: &mut AnyVoice, way: &ClosedWay, tick: &mut u64) -> f64 {
     energy
 }
 
+/// Returns the forces (N) of `way` from rest.
+fn forces(voice: &mut AnyVoice, way: &ClosedWay) -> Vec<f64> {
+    voice.reset(&KeySample::fresh(0.0));
+    let ticks = 0..(way.length / H) as u64;
+    let force = |tick: u64| {
+        let mut turn = VoiceOutput::default();
+        voice.tick(tick, &KeySample::fresh(way.at(tick as f64 * H)), &mut turn);
+        turn.force
+    };
+    ticks.map(force).collect()
+}
+
 /// What the closed ways of one instrument hand out.
 #[derive(Clone, Debug)]
 struct Outcome {
@@ -98,23 +113,27 @@ struct Outcome {
     most: f64,
 }
 
-fn outcome(instrument: &str, passivity: PassivityMode, ways: usize) -> Outcome {
+/// Middle C of `instrument`, as a recording has it: stable or not.
+fn middle_c(instrument: &str, passivity: PassivityMode, tank: f64) -> AnyVoice {
     let text = format!(
-        "lanes = 1\n[render]\npassivity = \"{}\"\nenergy_tank = {TANK:e}\n[[keys]]\n\
+        "lanes = 1\n[render]\npassivity = \"{}\"\nenergy_tank = {tank:e}\n[[keys]]\n\
          range = \"A0..C8\"\ninstrument = \"{instrument}\"\n[pianist]\nperformance = \"none\"\n",
         passivity.name()
     );
     let scene = Scene::from_text("cycles", text).expect("a good scene");
     let key = scene.keys[39].as_ref().expect("a voice");
-    let mut voice =
-        VoiceBuilder::new(&scene).expect("a rate").voice(key, Arc::default()).expect("a model");
+    VoiceBuilder::new(&scene).expect("a rate").voice(key, Arc::default()).expect("a model")
+}
+
+fn outcome(instrument: &str, passivity: PassivityMode, ways: usize) -> Outcome {
+    let mut voice = middle_c(instrument, passivity, TANK);
     let mut tick = 0;
     let energies = (0..ways as u64).map(|number| {
         handed_out(&mut voice, &ClosedWay::random(&mut SeededRandom::new(18, number)), &mut tick)
     });
     let outcome = Outcome { instrument: instrument.to_owned(), over: 0, most: f64::MIN };
     energies.fold(outcome, |so_far, energy| Outcome {
-        over: so_far.over + usize::from(TANK < energy),
+        over: so_far.over + usize::from(TANK + ROUNDING < energy),
         most: so_far.most.max(energy),
         ..so_far
     })
@@ -129,11 +148,37 @@ fn outcomes(passivity: PassivityMode, ways: usize) -> Vec<Outcome> {
 #[test]
 fn no_closed_way_hands_out_more_than_the_tank_while_the_controller_is_on() {
     for Outcome { instrument, over, most } in outcomes(PassivityMode::Control, 200) {
-        assert!(over == 0 && most <= TANK, "{instrument}: {over} ways, {most:e} J");
+        assert!(over == 0, "{instrument}: {over} ways, {most:e} J");
     }
     // The test would find it: a held force gives energy back without the controller.
     let without = outcomes(PassivityMode::Observe, 200);
     assert!(without.iter().filter(|it| 0 < it.over).count() > without.len() / 2, "{without:#?}");
+}
+
+#[test]
+fn the_controller_leaves_the_forces_of_ordinary_strokes_nearly_as_they_are() {
+    cli::read_descriptions();
+    // Soft to loud, as people play: 5.8 times 9.5 mm in the square of 60 to 15 ms.
+    let stroke = |lasts: f64| ClosedWay {
+        strokes: vec![
+            (0.0, lasts, 0.0, 0.95 * DIP),
+            (lasts, 0.2, 0.95 * DIP, 0.95 * DIP),
+            (lasts + 0.2, 0.05, 0.95 * DIP, 0.0),
+        ],
+        length: lasts + 0.25,
+        tremor: (0.0, 1.0),
+    };
+    for instrument in instruments() {
+        let voices = PassivityMode::ALL.map(|mode| middle_c(&instrument.name, mode, 1e-3));
+        let [free, limited] = voices.map(|mut voice| {
+            let ways = [0.06, 0.03, 0.015].map(stroke);
+            ways.map(|way| forces(&mut voice, &way)).concat()
+        });
+        let size = |forces: &[f64]| forces.iter().map(|it| it.abs()).sum::<f64>();
+        let cut: Vec<_> = free.iter().zip(&limited).map(|(free, limited)| free - limited).collect();
+        let share = size(&cut) / size(&free).max(f64::MIN_POSITIVE);
+        assert!(share <= 0.03, "{}: {share} is cut", instrument.name);
+    }
 }
 
 /// As many ways as `WAYS` says, a million if it says nothing.

@@ -223,17 +223,11 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Tells the controller what the model took since `before`, and its coupling in this tick
     /// (J), as energy at the finger.
     fn account(&mut self, before: &EnergyAudit, coupling: f64) {
+        let Some(controller) = &mut self.controller else { return };
         let EnergyAudit { dissipated, jumps, stored, .. } = self.auditor.sums;
         let lost = (dissipated - before.dissipated) - (jumps - before.jumps);
         let per_energy = self.gains.force / self.gains.motion;
-        self.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
-    }
-
-    /// Tells the controller what is stored and lost in this tick \[J\].
-    const fn take(&mut self, stored: f64, lost: f64) {
-        if let Some(controller) = &mut self.controller {
-            controller.take(stored, lost);
-        }
+        controller.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
     }
 
     /// Forgets what energy went where: another action, or another hand.
@@ -307,7 +301,9 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         if let Some(force) = self.rest.force_at(sample.position) {
             self.memory.input.go_on(tick, sample);
             (turn.force, turn.idle) = (self.passive(tick, sample.position, force), true);
-            self.take(0.0, 0.0);
+            if let Some(controller) = &mut self.controller {
+                controller.take(0.0, 0.0);
+            }
         } else if sample.position.is_finite() && sample.taken.is_finite() {
             self.advance(tick, sample, turn);
         } else {
