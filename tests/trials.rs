@@ -1,5 +1,6 @@
 //! What is said beforehand of a loop, and what it does when a piece is played.
 
+use std::fmt;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
@@ -21,7 +22,30 @@ struct Outcome {
     /// Why it is refused, if it is.
     refused: Option<String>,
     /// Why it should have been, if it should.
-    failed: Option<String>,
+    failed: Option<Failure>,
+}
+
+/// What goes wrong while a loop plays.
+#[derive(Clone, Debug)]
+enum Failure {
+    /// So many notes are extra.
+    Extra(usize),
+    /// So many faults, of a key that makes energy; or it goes on shaking, so much (m).
+    MakesEnergy(u64, f64),
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { what, refused, failed } = self;
+        let refused = refused.as_deref().unwrap_or("not refused");
+        match failed {
+            None => write!(f, "{what}: {refused}, plays"),
+            Some(Failure::Extra(notes)) => write!(f, "{what}: {refused}, {notes} extra notes"),
+            Some(Failure::MakesEnergy(faults, shaken)) => {
+                write!(f, "{what}: {refused}, {faults} faults, shakes by {shaken:.3} m")
+            }
+        }
+    }
 }
 
 impl Outcome {
@@ -79,26 +103,27 @@ fn own_extra(scene: &Scene) -> usize {
 }
 
 /// Plays the piece, and rests; returns what goes wrong.
-fn fails(scene: &Scene) -> Option<String> {
+fn fails(scene: &Scene) -> Option<Failure> {
     let (extra, faults) = played(scene);
-    let wrong = || format!("{extra} extra notes, {faults} faults");
-    if 0 < faults || 0 < extra && own_extra(scene) < extra {
-        return Some(wrong());
+    let shaking = rings(scene);
+    if 0 < faults || shaking.is_some() {
+        return Some(Failure::MakesEnergy(faults, shaking.unwrap_or_default()));
     }
-    rings(scene)
+    (0 < extra && own_extra(scene) < extra).then_some(Failure::Extra(extra))
 }
 
 /// The same under a finger of either corner, as trials have them.
-fn fails_under_other_fingers(scene: &Scene) -> Option<String> {
+fn fails_under_other_fingers(scene: &Scene) -> Option<Failure> {
     [FingerName::Stiff, FingerName::Limp].into_iter().find_map(|finger| {
         let mut other = scene.clone();
         other.rig.finger = finger;
-        Some(format!("{finger:?}: {}", fails(&other)?))
+        fails(&other)
     })
 }
 
-/// Plays all keys at once and leaves them alone; returns whether some of them go on for ever.
-fn rings(scene: &Scene) -> Option<String> {
+/// Plays all keys at once and leaves them alone; returns how much they move (m) if some of them go
+/// on for ever.
+fn rings(scene: &Scene) -> Option<f64> {
     let mut bus = keybed(scene);
     play_all(&mut bus, 1.0);
     let all = voices(scene).into_iter().step_by(8).collect();
@@ -116,7 +141,7 @@ fn rings(scene: &Scene) -> Option<String> {
     run(4);
     let (first, second) = (run(1), run(1));
     // Eleven voices, each by as much as a trial lets pass.
-    (0.15 < second && 0.8 * first < second).then(|| format!("{second:.3} m in half a second"))
+    (0.15 < second && 0.8 * first < second).then_some(second)
 }
 
 fn positions(bus: &SimulatedKeybed) -> Vec<f64> {
@@ -134,20 +159,18 @@ fn tried(name: &str, hz: u32, delay: u32, piece: &str) -> Outcome {
 }
 
 /// Asserts that of `outcomes` as many are predicted as is promised, and that none that was called
-/// stable fails.
+/// stable makes energy. A hammer without a check may strike twice in the most stable of loops.
 #[track_caller]
 fn check(outcomes: &[Outcome]) {
     let is_wrong = |it: &&Outcome| !it.is_predicted();
-    let wrong: Vec<_> = outcomes.iter().filter(is_wrong).collect();
+    let makes_energy = |it: &&Outcome| matches!(it.failed, Some(Failure::MakesEnergy(..)));
+    let told = |it: &Outcome| it.to_string();
+    let wrong = outcomes.iter().filter(is_wrong);
     let missed: Vec<_> =
-        wrong.iter().filter(|it| it.refused.is_none()).map(|it| &it.what).collect();
+        wrong.clone().filter(|it| it.refused.is_none()).filter(makes_energy).map(told).collect();
     assert!(missed.is_empty(), "called stable: {missed:#?}");
-    assert!(
-        20 * wrong.len() <= outcomes.len(),
-        "{} of {}: {wrong:#?}",
-        wrong.len(),
-        outcomes.len()
-    );
+    let (wrong, all): (Vec<_>, _) = (wrong.map(told).collect(), outcomes.len());
+    assert!(20 * wrong.len() <= all, "{} of {all}: {wrong:#?}", wrong.len());
 }
 
 #[test]
@@ -250,7 +273,7 @@ fn every_loop_does_what_is_said_of_it() {
         for instrument in instruments() {
             for delay in 0..3 {
                 let outcome = tried(&instrument.name, hz, delay, &piece);
-                println!("{outcome:?}");
+                println!("{outcome}");
                 outcomes.push(outcome);
             }
         }
