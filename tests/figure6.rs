@@ -3,7 +3,12 @@
 use std::fs;
 use std::path::Path;
 
+use haptics::HandCommand;
+use scheduler::motion::KeyEvent;
+use scheduler::port::{FinishedTick, TickObserver};
+
 use crate::letoff::{check_words, folder, run};
+use crate::stage::{self, Stage, key, keybed};
 
 /// The figure in the README.
 const SHOWN: &str = "crates/lab/src/figure6/figure6.svg";
@@ -61,4 +66,49 @@ fn another_pace_has_its_servo_and_what_is_wrong_is_told_in_a_sentence() {
     let said = run(&folder, &["lab", "figure6", "--out", "file/in"]);
     assert_eq!((said.code, said.lines().len()), (Some(2), 1), "{said:?}");
     check_words(&said, &["cannot write file/in", "choose another --out"]);
+}
+
+/// Leads middle C of `scene` to each depth (parts of its dip) for so long (s); returns how many
+/// events and strikes there were after each.
+fn thrown<const N: usize>(scene: &str, depths: [(f64, f64); N]) -> [(u32, usize); N] {
+    let scene = stage::scene(scene, &[]);
+    let mut stage = Stage::new(&scene, keybed(&scene)).watched_by(Hammer::default());
+    depths.map(|(depth, seconds)| {
+        stage.bus.press(key(MIDDLE_C), HandCommand::Grip(depth));
+        for _ in 0..(seconds * f64::from(scene.tick_hz)) as u32 {
+            stage.tick();
+        }
+        let Hammer { events, strikes } = std::mem::take(&mut stage.observer);
+        (events, strikes)
+    })
+}
+
+/// Number of middle C.
+const MIDDLE_C: usize = 39;
+
+/// What the hammer of middle C did.
+#[derive(Debug, Default)]
+struct Hammer {
+    events: u32,
+    strikes: usize,
+}
+
+impl TickObserver for Hammer {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
+        let turn = &seen.turns[MIDDLE_C];
+        self.events += turn.work.events;
+        let is_strike = |it: &&(_, KeyEvent)| matches!(it.1, KeyEvent::Strike { .. });
+        self.strikes += turn.events.as_slice().iter().filter(is_strike).count();
+    }
+}
+
+#[test]
+fn a_hand_throws_and_catches_the_hammer_on_the_paper_s_rig_and_on_a_key() {
+    for scene in ["paper-rig", "springs"] {
+        let way = [(0.0, 0.3), (0.4, 0.3), (0.0, 0.6), (1.0, 0.5)];
+        let [held, soft, _back, hard] = thrown(scene, way);
+        assert_eq!(held, (0, 0), "{scene}: held still");
+        assert!(0 < soft.0 && soft.1 == 0, "{scene}: thrown and caught, {soft:?}");
+        assert!(0 < hard.1, "{scene}: thrown against the string, {hard:?}");
+    }
 }

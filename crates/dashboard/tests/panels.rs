@@ -596,6 +596,24 @@ fn a_key_is_pressed_with_the_mouse_as_hard_as_it_is_far_out() {
 }
 
 #[test]
+fn a_key_is_held_where_the_mouse_drags_it_and_let_go_with_the_mouse() {
+    let mut window = open(Pane::Keyboard, Behind::Live);
+    window.click("Grip");
+    let key = window.rect("press C4");
+    let at = |part: f32| key.center_top() + vec2(0.0, key.height() * part);
+    window.press_at(at(0.5));
+    window.settle();
+    assert_eq!(window.asked().last(), Some(&Request::Grip { key: C4, depth: Some(0.5) }));
+    // Above the key its front is pulled up.
+    window.harness.hover_at(at(-0.2));
+    window.settle();
+    assert_eq!(window.asked().last(), Some(&Request::Grip { key: C4, depth: Some(-0.48) }));
+    window.harness.drop_at(at(-0.2));
+    window.settle();
+    assert_eq!(window.asked().last(), Some(&Request::Grip { key: C4, depth: None }));
+}
+
+#[test]
 fn the_computer_keyboard_plays_only_when_it_is_asked_to() {
     let mut window = open(Pane::Keyboard, Behind::Live);
     window.harness.key_down(Key::D);

@@ -39,7 +39,7 @@ pub use estimate::{
 pub use limits::{ForceGate, Gated, LimitError};
 pub use passivity::{EnergyBound, PassivityController, PassivityObserver};
 pub use plant::{
-    Encoder, Felt, Finger, FingerParameters, Gesture, Grasp, KeyFront, KeyParameters, KeyRig,
-    Motor, MotorParameters, MuscleCommand, RigParameters, Touch,
+    Encoder, Felt, Finger, FingerParameters, Gesture, Grasp, HandCommand, KeyFront, KeyParameters,
+    KeyRig, Motor, MotorParameters, MuscleCommand, RigParameters, Touch,
 };
 pub use stability::{RoundedDevice, SampledWall};

@@ -31,7 +31,7 @@ macro_rules! configs {
 /// The scenes that are part of the program.
 pub(super) const SCENES: EmbeddedFiles = EmbeddedFiles {
     what: "scene",
-    files: configs!(include_str, "scenes", ".toml": "default", "springs", "bach", "paper", "mixed", "fast", "rigid"),
+    files: configs!(include_str, "scenes", ".toml": "default", "springs", "bach", "paper", "paper-rig", "mixed", "fast", "rigid"),
 };
 
 /// The instruments that are part of the program.

@@ -30,6 +30,13 @@ pub enum Request {
         /// Force of the finger (N).
         newtons: f64,
     },
+    /// Holds a simulated key with a hand that grips it, pushes and pulls.
+    Grip {
+        /// Number of the key, 0 (A0) to 87 (C8).
+        key: u8,
+        /// Where the hand leads it, as a part of its dip; none lets go.
+        depth: Option<f64>,
+    },
     /// Lets a board show its light.
     Identify {
         /// Number of the line, in the order of the scene.

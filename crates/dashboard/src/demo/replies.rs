@@ -20,6 +20,10 @@ impl Demo {
                 Ok(Reply::Stopped { text, told: 8, boards: 8 })
             }
             Request::Press { key, newtons } => self.press(key, newtons),
+            // A hand of 400 N/m on a key of 10 mm.
+            Request::Grip { key, depth } => {
+                self.press(key, 4.0 * depth.unwrap_or_default().max(0.0))
+            }
             Request::Identify { line, board } => {
                 self.send_board(&format!("board {board} of line {line} shows its light"));
                 Ok(done("It shows its light."))

@@ -50,17 +50,54 @@ pub(super) struct View {
     /// Force of the computer keyboard, and of the mouse at a key's front (N).
     #[serde(skip)]
     newtons: f64,
-    /// Forces on the pressed keys (N).
+    /// Whether the mouse grips keys instead of pressing them.
     #[serde(skip)]
-    pressed: BTreeMap<u8, f64>,
+    grips: bool,
+    /// What is done to keys.
+    #[serde(skip)]
+    pressed: BTreeMap<u8, Hand>,
     /// Whether the panel was drawn since [`View::release_if_hidden`].
     #[serde(skip)]
     is_shown: bool,
 }
 
+/// What a finger or hand does to a key.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Hand {
+    /// It presses (N).
+    Presses(f64),
+    /// It leads the key to a depth, as a part of its dip.
+    Grips(f64),
+}
+
+impl Hand {
+    /// Returns the request for it on `key`.
+    const fn request(self, key: u8) -> Request {
+        match self {
+            Self::Presses(newtons) => Request::Press { key, newtons },
+            Self::Grips(depth) => Request::Grip { key, depth: Some(depth) },
+        }
+    }
+
+    /// Returns the request that ends it.
+    const fn lets_go(self, key: u8) -> Request {
+        match self {
+            Self::Presses(_) => Request::Press { key, newtons: 0.0 },
+            Self::Grips(_) => Request::Grip { key, depth: None },
+        }
+    }
+}
+
 impl Default for View {
     fn default() -> Self {
-        Self { plays: false, lowest: 27, newtons: 6.0, pressed: BTreeMap::new(), is_shown: false }
+        Self {
+            plays: false,
+            lowest: 27,
+            newtons: 6.0,
+            grips: false,
+            pressed: BTreeMap::new(),
+            is_shown: false,
+        }
     }
 }
 
@@ -103,6 +140,8 @@ impl View {
         ui.horizontal_wrapped(|ui| {
             ui.toggle_value(&mut self.plays, "Computer keyboard plays")
                 .on_hover_text("A S D F … are white keys, W E T Y U … black ones.");
+            ui.toggle_value(&mut self.grips, "Grip")
+                .on_hover_text("The mouse holds a key, and throws and catches its hammer.");
             let newtons =
                 DragValue::new(&mut self.newtons).speed(0.05).range(0.5..=20.0).suffix(" N");
             ui.add(newtons).on_hover_text("How hard, at a key's front.").accessible_name("newtons");
@@ -121,8 +160,8 @@ impl View {
         self.lowest..=(self.lowest + SPAN - 1).min(names::LAST)
     }
 
-    /// Draws the keys; returns the forces with which the mouse presses them (N).
-    fn keys_ui(&self, ui: &mut Ui) -> BTreeMap<u8, f64> {
+    /// Draws the keys; returns what the mouse does to them.
+    fn keys_ui(&self, ui: &mut Ui) -> BTreeMap<u8, Hand> {
         let size = vec2(ui.available_width(), (ui.available_height()).clamp(60.0, 200.0));
         let (area, _) = ui.allocate_exact_size(size, Sense::hover());
         let mut pressed = BTreeMap::new();
@@ -133,15 +172,25 @@ impl View {
             if let Some(at) =
                 response.interact_pointer_pos().filter(|_| response.is_pointer_button_down_on())
             {
-                let depth = f64::from(((at.y - rect.top()) / rect.height()).clamp(0.1, 1.0));
-                pressed.insert(key, (self.newtons * depth * 10.0).round() / 10.0);
+                pressed.insert(key, self.hand(f64::from((at.y - rect.top()) / rect.height())));
             }
         }
         pressed
     }
 
-    /// Returns the keys that the computer keyboard presses, and their forces (N).
-    fn played(&self, ui: &Ui) -> impl Iterator<Item = (u8, f64)> {
+    /// Returns what the mouse does to a key at `place`, 0 at its back and 1 at its front.
+    fn hand(&self, place: f64) -> Hand {
+        if self.grips {
+            // A little more than the whole way, so that a key is also pulled up.
+            let depth = (1.4 * place - 0.2).clamp(-1.0, 2.0);
+            Hand::Grips((100.0 * depth).round() / 100.0)
+        } else {
+            Hand::Presses((self.newtons * place.clamp(0.1, 1.0) * 10.0).round() / 10.0)
+        }
+    }
+
+    /// Returns the keys that the computer keyboard presses, and how.
+    fn played(&self, ui: &Ui) -> impl Iterator<Item = (u8, Hand)> {
         // A key with Ctrl is a shortcut and no note.
         let held = ui.input(|input| {
             let is_shortcut = input.modifiers.command || input.modifiers.ctrl;
@@ -149,7 +198,7 @@ impl View {
         });
         let (lowest, newtons) = (self.lowest, self.newtons);
         let played = (0..).zip(held).filter(|(_, is_held)| *is_held);
-        played.map(move |(i, _)| ((lowest + i).min(names::LAST), newtons))
+        played.map(move |(i, _)| ((lowest + i).min(names::LAST), Hand::Presses(newtons)))
     }
 
     fn key_ui(&self, ui: &Ui, key: u8, rect: Rect) -> Response {
@@ -170,7 +219,8 @@ impl View {
         painter.rect_stroke(rect, 2.0, edge, StrokeKind::Inside);
         let letter = ROW.get(usize::from(key - self.lowest)).filter(|_| self.plays);
         let text = match (pressed, letter) {
-            (Some(newtons), _) => format!("{newtons:.1} N"),
+            (Some(Hand::Presses(newtons)), _) => format!("{newtons:.1} N"),
+            (Some(Hand::Grips(depth)), _) => format!("{:.0} %", 100.0 * depth),
             (None, Some(letter)) => letter.symbol_or_name().to_owned(),
             (None, None) if key % 12 == 3 => names::name(key),
             (None, None) => return response,
@@ -182,14 +232,14 @@ impl View {
     }
 
     /// Asks the host for the keys that were pressed, pressed otherwise, or released.
-    fn send(&mut self, state: &mut AppState, pressed: BTreeMap<u8, f64>) {
+    fn send(&mut self, state: &mut AppState, pressed: BTreeMap<u8, Hand>) {
         let before = std::mem::replace(&mut self.pressed, pressed);
-        for key in before.keys().filter(|key| !self.pressed.contains_key(key)) {
-            state.ask(Request::Press { key: *key, newtons: 0.0 });
+        for (key, hand) in before.iter().filter(|(key, _)| !self.pressed.contains_key(key)) {
+            state.ask(hand.lets_go(*key));
         }
-        for (key, newtons) in &self.pressed {
-            if before.get(key).is_none_or(|old| 0.05 < (old - newtons).abs()) {
-                state.ask(Request::Press { key: *key, newtons: *newtons });
+        for (key, hand) in &self.pressed {
+            if before.get(key) != Some(hand) {
+                state.ask(hand.request(*key));
             }
         }
     }

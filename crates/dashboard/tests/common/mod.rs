@@ -231,6 +231,7 @@ impl TestWindow {
             Request::UseInstrument { .. }
             | Request::Stop {}
             | Request::Press { .. }
+            | Request::Grip { .. }
             | Request::Identify { .. }
             | Request::Load { .. }
             | Request::Scene {}

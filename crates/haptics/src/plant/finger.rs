@@ -22,6 +22,20 @@ pub enum Grasp {
     Grips,
 }
 
+/// What a hand does to a key while no gesture is played on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HandCommand {
+    /// It lies on the key with so much (N); with 0 it is away.
+    Weight(f64),
+    /// It grips the key and leads it to this depth, as a part of the key's dip.
+    Grip(f64),
+}
+
+impl HandCommand {
+    /// The hand is away.
+    pub const AWAY: Self = Self::Weight(0.0);
+}
+
 /// Constants of a finger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FingerParameters {

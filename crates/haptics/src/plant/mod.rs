@@ -15,7 +15,7 @@ mod smooth;
 
 pub use encoder::Encoder;
 pub use felt::Felt;
-pub use finger::{Finger, FingerParameters, Grasp};
+pub use finger::{Finger, FingerParameters, Grasp, HandCommand};
 pub use gesture::{Gesture, MuscleCommand, Touch};
 pub use key::{KeyFront, KeyParameters};
 pub use motor::{MAX_DELAY_STEPS, Motor, MotorParameters};

@@ -2,7 +2,7 @@
 
 use super::encoder::Encoder;
 use super::felt::Felt;
-use super::finger::{Finger, FingerParameters};
+use super::finger::{Finger, FingerParameters, Grasp, HandCommand};
 use super::gesture::{Gesture, MuscleCommand};
 use super::key::{KeyFront, KeyParameters};
 use super::motor::{Motor, MotorParameters};
@@ -111,6 +111,8 @@ enum Playing {
     Gesture(f64),
     /// A path of its own.
     Path,
+    /// The hand that holds the key, see [`KeyRig::hold`].
+    Hand,
 }
 
 /// A simulated key under a finger and a force, stepped tick by tick.
@@ -120,6 +122,10 @@ pub struct KeyRig {
     encoder: Encoder,
     motor: Motor,
     finger: Finger,
+    /// What the finger is made of when no hand is there.
+    own: FingerParameters,
+    /// Where a hand holds the key (m).
+    held: Option<f64>,
     playing: Playing,
     /// Force between finger and key (N).
     contact: f64,
@@ -139,6 +145,8 @@ impl KeyRig {
             encoder: Encoder::new(parameters.quantum),
             motor: Motor::new(parameters.motor),
             finger: Finger::new(parameters.finger),
+            own: parameters.finger,
+            held: None,
             playing: Playing::Nothing,
             contact: 0.0,
             weight: 0.0,
@@ -156,10 +164,26 @@ impl KeyRig {
     /// A number of substeps that depends on `h` only: one per [`MAX_SUBSTEP`] or part of it,
     /// at most [`MAX_SUBSTEPS`].
     pub fn advance(&mut self, t: f64, h: f64, force: f64, gesture: Option<&Gesture>) {
-        self.tick((t, h), force, |rig, t, h| match gesture {
-            Some(gesture) if gesture.is_active(t) => rig.play(t, h, gesture),
-            _ => rig.rest(),
+        self.tick((t, h), force, |rig, t, h| match (rig.held, gesture) {
+            (Some(place), _) => rig.lead_hand(h, place),
+            (None, Some(gesture)) if gesture.is_active(t) => rig.play(t, h, gesture),
+            (None, _) => rig.rest(),
         });
+    }
+
+    /// Holds the key from now on with a hand that grips it where it is and leads it to `place`
+    /// (m, down positive), up to twice the dip from its rest; no gesture is played meanwhile.
+    /// Without a place, or with one that is no number, it lets go.
+    fn hold(&mut self, place: Option<f64>) {
+        let most = 2.0 * self.dip();
+        let place = place.filter(|it| it.is_finite()).map(|it| it.clamp(-most, most));
+        if place.is_some() != self.held.is_some() {
+            let hand =
+                if self.own.grasp == Grasp::Grips { self.own } else { FingerParameters::GRIP };
+            self.finger = Finger::new(if place.is_some() { hand } else { self.own });
+            self.playing = Playing::Nothing;
+        }
+        self.held = place;
     }
 
     /// Advances by one tick as [`Self::advance`] does, under a finger whose muscle is commanded by
@@ -171,6 +195,16 @@ impl KeyRig {
     /// As [`Self::advance`], with two calls of `path` for each substep at most.
     pub fn follow(&mut self, t: f64, h: f64, force: f64, path: impl Fn(f64) -> MuscleCommand) {
         self.tick((t, h), force, |rig, t, h| rig.lead(t, h, &path));
+    }
+
+    /// Lets a hand do this from now on instead of what it did before.
+    pub fn command(&mut self, hand: HandCommand) {
+        let (newtons, place) = match hand {
+            HandCommand::Weight(newtons) => (newtons, None),
+            HandCommand::Grip(depth) => (0.0, Some(depth * self.dip())),
+        };
+        self.lay(newtons);
+        self.hold(place);
     }
 
     /// Lays a weight on the key's front from now on, which presses with `newtons` wherever the
@@ -221,6 +255,7 @@ impl KeyRig {
     /// may be left out.
     pub fn is_still(&self) -> bool {
         self.playing == Playing::Nothing
+            && self.held.is_none()
             && self.motor.is_settled()
             && self.key.holds(self.motor.force() - self.weight)
     }
@@ -260,6 +295,16 @@ impl KeyRig {
             self.finger.place(path(t), 0.0);
         }
         self.press(h, path(t + h))
+    }
+
+    /// Moves the hand towards `place` (m); returns the force between it and the key (N).
+    fn lead_hand(&mut self, h: f64, place: f64) -> f64 {
+        if self.playing != Playing::Hand {
+            self.playing = Playing::Hand;
+            let here = MuscleCommand { position: self.key.position(), velocity: 0.0 };
+            self.finger.place(here, 0.0);
+        }
+        self.press(h, MuscleCommand { position: place, velocity: 0.0 })
     }
 
     /// Moves the finger over `h` (s), to where it is commanded at its end; returns the contact
@@ -312,6 +357,30 @@ mod tests {
         rig.lay(f64::NAN);
         live(&mut rig, 10);
         assert!(rig.position().is_finite());
+    }
+
+    #[test]
+    fn a_hand_leads_a_key_down_and_up_against_a_force_and_lets_go() {
+        let mut rig = KeyRig::new(RigParameters::default());
+        let live = |rig: &mut KeyRig, force: f64| {
+            for tick in 0..1000 {
+                rig.advance(f64::from(tick) * 1e-3, 1e-3, force, None);
+            }
+            rig.position()
+        };
+        let up = live(&mut rig, 0.0);
+        rig.hold(Some(4e-3));
+        // The muscle gives way by the force over its stiffness, and the pulp by as much of its own.
+        let FingerParameters { stiffness, pulp_stiffness, .. } = FingerParameters::GRIP;
+        let parameters = RigParameters::default().key;
+        for force in [3.0, -3.0] {
+            let given = (force + parameters.weight) * (1.0 / stiffness + 1.0 / pulp_stiffness);
+            let stuck = parameters.stiction * (1.0 / stiffness + 1.0 / pulp_stiffness);
+            let place = live(&mut rig, force);
+            assert!((place - (4e-3 - given)).abs() <= stuck, "{place} under {force}");
+        }
+        rig.hold(Some(f64::INFINITY));
+        assert!((live(&mut rig, 0.0) - up).abs() < 1e-4 && rig.is_still(), "it was let go");
     }
 
     #[test]

@@ -5,7 +5,7 @@
 
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::quantity::Counts;
-use haptics::plant::{Gesture, KeyRig, RigParameters};
+use haptics::plant::{Gesture, HandCommand, KeyRig, RigParameters};
 use scheduler::motion::{KeySample, KeySlope, Moment};
 
 use super::force_interlock::{ForceDecision, ForceInterlock};
@@ -46,9 +46,9 @@ impl Plant {
         self.current = 0;
     }
 
-    /// Presses on the key with a weight (N); 0 takes it away.
-    pub(super) fn press(&mut self, newtons: f64) {
-        self.rig.lay(newtons);
+    /// Lets a hand press on the key or grip it from now on.
+    pub(super) fn press(&mut self, hand: HandCommand) {
+        self.rig.command(hand);
     }
 
     /// Adds a gesture to those that wait, and forgets those that are over.

@@ -4,7 +4,7 @@
 //! the forces held over tick n; the plants move when the next `receive` comes.
 
 use firmware_protocol::key::{BoardId, KeyIndex, PerKey};
-use haptics::plant::{Gesture, KeyRig, RigParameters};
+use haptics::plant::{Gesture, HandCommand, KeyRig, RigParameters};
 use links::faulty::{FaultCounts, FaultPlan, Faults};
 use links::framed::Framing;
 use links::loopback::Loopback;
@@ -24,11 +24,11 @@ use crate::topology;
 /// Frames that a wire holds: those of one tick, and what faults repeat or delay into it.
 const WIRE_CAPACITY: usize = 8;
 
-/// Weights that may wait to press on keys.
+/// Commands for hands that may wait.
 const MOST_PRESS_REQUESTS: usize = 256;
 
-/// Weights that one tick takes at most.
-const MOST_WEIGHTS: usize = 16;
+/// Commands that one tick takes at most.
+const MOST_HANDS: usize = 16;
 
 /// Eight simulated boards and the host's end of their wires.
 #[derive(Debug)]
@@ -38,8 +38,8 @@ pub struct SimulatedKeybed {
     lines: Vec<SimulatedLine>,
     /// Times that boards were armed again, if they are when they are found safe.
     rearmed: Option<u64>,
-    /// Weights that shall press on keys (N).
-    weights: Option<Consumer<(KeyIndex, f64)>>,
+    /// What hands shall do to keys.
+    hands: Option<Consumer<(KeyIndex, HandCommand)>>,
     monitor: Option<LinkMonitor>,
 }
 
@@ -74,7 +74,7 @@ impl SimulatedKeybed {
             })
             .collect();
         let bus = Box::new(KeybedBus::new(&terms));
-        Ok(Self { bus, lines, rearmed: None, weights: None, monitor: None })
+        Ok(Self { bus, lines, rearmed: None, hands: None, monitor: None })
     }
 
     /// Plays `gestures` on `key` from now on instead of those before.
@@ -82,19 +82,19 @@ impl SimulatedKeybed {
         self.lines[BoardId::of(key).index()].board.play(BoardId::slot_of(key), gestures);
     }
 
-    /// Presses on `key` with a weight of `newtons` from now on; 0 takes it away.
+    /// Lets a hand press on `key` or grip it from now on.
     ///
     /// # Real-time
     /// One assignment.
-    pub fn press(&mut self, key: KeyIndex, newtons: f64) {
-        self.lines[BoardId::of(key).index()].board.press(BoardId::slot_of(key), newtons);
+    pub fn press(&mut self, key: KeyIndex, hand: HandCommand) {
+        self.lines[BoardId::of(key).index()].board.press(BoardId::slot_of(key), hand);
     }
 
-    /// Returns where weights (N) for keys are given while ticks run, as in [`Self::press`]; not
+    /// Returns where commands for hands are given while ticks run, as in [`Self::press`]; not
     /// for the tick.
-    pub fn press_requests(&mut self) -> Producer<(KeyIndex, f64)> {
-        let (requests, weights) = RingBuffer::new(MOST_PRESS_REQUESTS);
-        self.weights = Some(weights);
+    pub fn press_requests(&mut self) -> Producer<(KeyIndex, HandCommand)> {
+        let (requests, hands) = RingBuffer::new(MOST_PRESS_REQUESTS);
+        self.hands = Some(hands);
         requests
     }
 
@@ -169,10 +169,10 @@ impl SimulatedKeybed {
 }
 
 impl SimulatedKeybed {
-    fn take_weights(&mut self) {
-        for _ in 0..MOST_WEIGHTS {
-            let Some(Ok((key, newtons))) = self.weights.as_mut().map(Consumer::pop) else { break };
-            self.press(key, newtons);
+    fn take_hands(&mut self) {
+        for _ in 0..MOST_HANDS {
+            let Some(Ok((key, hand))) = self.hands.as_mut().map(Consumer::pop) else { break };
+            self.press(key, hand);
         }
     }
 
@@ -208,7 +208,7 @@ impl KeyBus for SimulatedKeybed {
     /// # Real-time
     /// One tick of 88 plants for each tick since the last call, at most 256; no heap.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
-        self.take_weights();
+        self.take_hands();
         self.bus.begin(tick);
         for (index, SimulatedLine { board, wire, faults, framing, .. }) in
             self.lines.iter_mut().enumerate()

@@ -114,6 +114,7 @@ const fn command(request: &Request) -> &'static str {
         Request::Where {}
         | Request::Set { .. }
         | Request::Press { .. }
+        | Request::Grip { .. }
         | Request::Identify { .. }
         | Request::Scene {}
         | Request::Record { .. } => "letoff dash",

@@ -3,39 +3,45 @@
 use std::collections::BTreeMap;
 
 use firmware_protocol::key::KeyIndex;
+use haptics::HandCommand;
 use rtrb::Producer;
 
 /// The connection of a client of the stream; none for the control socket, where each request is a
 /// connection of its own and a key stays pressed until it is released.
 pub type FingerOwner = Option<u64>;
 
-/// Sends the forces of simulated fingers into the tick.
+/// Sends what simulated hands do into the tick.
 ///
 /// One place of the ring is kept free for each key that is pressed, so that a release never fails.
 #[derive(Debug)]
 pub struct FingerQueue {
-    weights: Producer<(KeyIndex, f64)>,
+    hands: Producer<(KeyIndex, HandCommand)>,
     /// The keys that are pressed, with the owner of the last press.
     pressed: BTreeMap<u8, (KeyIndex, FingerOwner)>,
 }
 
 impl FingerQueue {
-    /// Returns a queue into `weights`, with no key pressed.
-    pub const fn new(weights: Producer<(KeyIndex, f64)>) -> Self {
-        Self { weights, pressed: BTreeMap::new() }
+    /// Returns a queue into `hands`, with no key pressed.
+    pub const fn new(hands: Producer<(KeyIndex, HandCommand)>) -> Self {
+        Self { hands, pressed: BTreeMap::new() }
     }
 
-    /// Presses `key` with `newtons` for `by`; 0 releases it.
+    /// Presses `key` or grips it for `by`; no weight releases it.
     ///
     /// # Errors
     /// If too much is waiting, in a sentence.
-    pub fn press(&mut self, key: KeyIndex, newtons: f64, by: FingerOwner) -> Result<(), String> {
-        if newtons == 0.0 {
+    pub fn press(
+        &mut self,
+        key: KeyIndex,
+        hand: HandCommand,
+        by: FingerOwner,
+    ) -> Result<(), String> {
+        if hand == HandCommand::AWAY {
             self.release(key);
             return Ok(());
         }
         let n_others = self.pressed.len() - usize::from(self.pressed.contains_key(&key.number()));
-        if self.weights.slots() < n_others + 2 || self.weights.push((key, newtons)).is_err() {
+        if self.hands.slots() < n_others + 2 || self.hands.push((key, hand)).is_err() {
             return Err("too many keys are pressed at once; try again".to_owned());
         }
         self.pressed.insert(key.number(), (key, by));
@@ -55,7 +61,7 @@ impl FingerQueue {
     fn release(&mut self, key: KeyIndex) {
         if self.pressed.remove(&key.number()).is_some() {
             // Its place was kept free; a ring without a run has no reader.
-            let _kept = self.weights.push((key, 0.0));
+            let _kept = self.hands.push((key, HandCommand::AWAY));
         }
     }
 }
@@ -65,44 +71,48 @@ mod tests {
     use super::*;
     use rtrb::{Consumer, RingBuffer};
 
-    fn fingers(room: usize) -> (FingerQueue, Consumer<(KeyIndex, f64)>) {
-        let (weights, laid) = RingBuffer::new(room);
-        (FingerQueue::new(weights), laid)
+    fn fingers(room: usize) -> (FingerQueue, Consumer<(KeyIndex, HandCommand)>) {
+        let (hands, laid) = RingBuffer::new(room);
+        (FingerQueue::new(hands), laid)
     }
+
+    const AWAY: HandCommand = HandCommand::AWAY;
 
     fn key(number: u8) -> KeyIndex {
         KeyIndex::new(number).expect("a key")
     }
 
-    fn all(laid: &mut Consumer<(KeyIndex, f64)>) -> Vec<(u8, f64)> {
-        std::iter::from_fn(|| laid.pop().ok()).map(|(key, n)| (key.number(), n)).collect()
+    fn all(laid: &mut Consumer<(KeyIndex, HandCommand)>) -> Vec<(u8, HandCommand)> {
+        std::iter::from_fn(|| laid.pop().ok()).map(|(key, hand)| (key.number(), hand)).collect()
     }
 
     #[test]
     fn the_fingers_of_a_client_that_goes_are_taken_away_and_no_others() {
         let (mut fingers, mut laid) = fingers(16);
         for (number, by) in [(1, Some(7)), (2, Some(8)), (3, None), (4, Some(7)), (4, Some(8))] {
-            fingers.press(key(number), 2.0, by).expect("room");
+            fingers.press(key(number), HandCommand::Grip(0.5), by).expect("room");
         }
         all(&mut laid);
         fingers.leave(7);
-        assert_eq!(all(&mut laid), [(1, 0.0)], "key 4 is client 8's by now");
+        assert_eq!(all(&mut laid), [(1, AWAY)], "key 4 is client 8's by now");
         fingers.leave(7);
         assert_eq!(all(&mut laid), []);
         fingers.leave(8);
-        assert_eq!(all(&mut laid), [(2, 0.0), (4, 0.0)]);
+        assert_eq!(all(&mut laid), [(2, AWAY), (4, AWAY)]);
     }
 
     #[test]
     fn there_is_always_room_to_let_go() {
         let (mut fingers, mut laid) = fingers(8);
-        let pressed = (0..8).filter(|n| fingers.press(key(*n), 1.0, Some(1)).is_ok()).count();
+        let pressed = (0..8)
+            .filter(|n| fingers.press(key(*n), HandCommand::Weight(1.0), Some(1)).is_ok())
+            .count();
         assert_eq!(pressed, 4, "half of the ring is kept for letting go");
         for _ in 0..100 {
-            fingers.press(key(9), 0.0, Some(2)).expect("nobody presses it");
+            fingers.press(key(9), AWAY, Some(2)).expect("nobody presses it");
         }
         fingers.leave(1);
         let all = all(&mut laid);
-        assert_eq!(all[4..], [(0, 0.0), (1, 0.0), (2, 0.0), (3, 0.0)]);
+        assert_eq!(all[4..], [(0, AWAY), (1, AWAY), (2, AWAY), (3, AWAY)]);
     }
 }

@@ -1,6 +1,7 @@
 //! The way to the keys of a run: fingers on simulated ones, lights on real ones.
 
 use firmware_protocol::key::KeyIndex;
+use haptics::HandCommand;
 use hardware::rt::board_supervisor::LIGHT_S;
 use rtrb::Producer;
 
@@ -46,21 +47,38 @@ impl std::fmt::Display for IdentifyTarget {
 /// Largest force of a finger: its weight and a blow with it (N).
 const HARDEST: f64 = 50.0;
 
+/// How far up and down a hand that grips a key pulls it, as parts of its dip.
+const HIGHEST: f64 = -1.0;
+const DEEPEST: f64 = 2.0;
+
 impl KeyPort {
-    /// Presses a simulated key with `newtons` for `by`; 0 releases it.
+    /// Presses a simulated key or grips it for `by`; no weight releases it.
     ///
     /// # Errors
     /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
-    pub(super) fn press(&mut self, key: u8, newtons: f64, by: FingerOwner) -> Result<(), String> {
+    pub(super) fn press(
+        &mut self,
+        key: u8,
+        hand: HandCommand,
+        by: FingerOwner,
+    ) -> Result<(), String> {
         let key =
             KeyIndex::new(key).ok_or_else(|| format!("there is no key {key}, give 0 to 87"))?;
-        if !(0.0..=HARDEST).contains(&newtons) {
-            return Err(format!("a key is pressed with 0 to {HARDEST} N, not {newtons}"));
+        match hand {
+            HandCommand::Weight(newtons) if !(0.0..=HARDEST).contains(&newtons) => {
+                return Err(format!("a key is pressed with 0 to {HARDEST} N, not {newtons}"));
+            }
+            HandCommand::Grip(depth) if !(HIGHEST..=DEEPEST).contains(&depth) => {
+                return Err(format!(
+                    "a hand holds a key at {HIGHEST} to {DEEPEST} times its dip, not {depth}"
+                ));
+            }
+            HandCommand::Weight(_) | HandCommand::Grip(_) => {}
         }
         match self {
             Self::Closed => Err(NOT_RUNNING.into()),
             Self::Boards(_) => Err("these keys are real: press them yourself".into()),
-            Self::Simulated(fingers) => fingers.press(key, newtons, by),
+            Self::Simulated(fingers) => fingers.press(key, hand, by),
         }
     }
 
@@ -116,7 +134,7 @@ mod tests {
             "board 3 on can1 (link 1) is asked to show its light for 10 s"
         );
         assert_eq!(shown.pop(), Ok(1));
-        let refused = port.press(3, 1.0, None).unwrap_err();
+        let refused = port.press(3, HandCommand::Weight(1.0), None).unwrap_err();
         assert!(refused.contains("real"), "{refused}");
     }
 }

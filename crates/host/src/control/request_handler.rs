@@ -5,6 +5,7 @@ use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+use haptics::HandCommand;
 use realtime::pool::{BoxedVoice, VoiceChange};
 use scene::{Instrument, KeyVoice, Scene, is_description, written};
 use scheduler::values::ModelValues;
@@ -73,8 +74,15 @@ impl RequestHandler {
             Request::Load { description, keys } => self.load(description, keys.as_deref(), who)?,
             Request::Stop {} => return self.stop(who),
             Request::Press { key, newtons } => {
-                self.run.press(*key, *newtons, by)?;
+                self.run.press(*key, HandCommand::Weight(*newtons), by)?;
                 format!("key {key} is pressed with {newtons} N")
+            }
+            Request::Grip { key, depth } => {
+                self.run.press(*key, depth.map_or(HandCommand::AWAY, HandCommand::Grip), by)?;
+                match depth {
+                    Some(depth) => format!("key {key} is held at {depth} times its dip"),
+                    None => format!("key {key} is let go"),
+                }
             }
             Request::Identify { line, board } => self.run.identify(*line, *board)?,
             Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
@@ -228,6 +236,7 @@ impl RequestHandler {
             | Request::Set { .. }
             | Request::Stop {}
             | Request::Press { .. }
+            | Request::Grip { .. }
             | Request::Identify { .. }
             | Request::Scene {}
             | Request::Where {} => request,

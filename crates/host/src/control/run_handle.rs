@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use firmware_protocol::key::KeyIndex;
+use haptics::HandCommand;
 use pode::EnergyAudit;
 use realtime::pool::{VoiceChange, VoiceSwaps};
 use rtrb::Producer;
@@ -84,16 +85,16 @@ impl RunHandle {
     }
 
     /// Lets simulated keys be pressed.
-    pub fn lend_fingers(&self, weights: Producer<(KeyIndex, f64)>) {
-        *lock(&self.keys) = KeyPort::Simulated(FingerQueue::new(weights));
+    pub fn lend_fingers(&self, hands: Producer<(KeyIndex, HandCommand)>) {
+        *lock(&self.keys) = KeyPort::Simulated(FingerQueue::new(hands));
     }
 
-    /// Presses a simulated key with `newtons` for `by`; 0 releases it.
+    /// Presses a simulated key or grips it for `by`; no weight releases it.
     ///
     /// # Errors
     /// If there is no such key, or it is a real one, or too much is waiting, in a sentence.
-    pub fn press(&self, key: u8, newtons: f64, by: FingerOwner) -> Result<(), String> {
-        lock(&self.keys).press(key, newtons, by)
+    pub fn press(&self, key: u8, hand: HandCommand, by: FingerOwner) -> Result<(), String> {
+        lock(&self.keys).press(key, hand, by)
     }
 
     /// Releases all keys that the client with this connection has pressed.

@@ -147,7 +147,7 @@ fn a_scene_that_is_not_there_is_answered_with_those_that_are() {
     assert_eq!(
         said("papr"),
         "papr: there is no scene \"papr\"; use \"paper\", the nearest of default, springs, \
-         bach, paper, mixed, fast, rigid, or a path to a file of yours"
+         bach, paper, paper-rig, mixed, fast, rigid, or a path to a file of yours"
     );
     let folder = std::env::current_dir().unwrap();
     let expected = format!(

@@ -67,6 +67,7 @@ impl Backend for Synthetic {
             Request::Press { key, newtons } => Ok(done(format!("key {key} feels {newtons} N"))),
             Request::Scene {} => Ok(Reply::Scene { toml: "tick_hz = 1000\n".to_owned() }),
             Request::Stop {} => Ok(done("no force on any key".to_owned())),
+            Request::Grip { key, .. } => Ok(done(format!("key {key} is held"))),
             Request::Identify { .. }
             | Request::Load { .. }
             | Request::Record { .. }

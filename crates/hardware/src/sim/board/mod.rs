@@ -20,7 +20,7 @@ use firmware_protocol::frame::{FrameKind, Header, board_of};
 use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::version::PROTOCOL_VERSION;
 use firmware_protocol::{key, schema};
-use haptics::plant::{Gesture, KeyRig, RigParameters};
+use haptics::plant::{Gesture, HandCommand, KeyRig, RigParameters};
 use links::{Link, RecvError};
 use serde::Serialize;
 
@@ -186,10 +186,10 @@ impl SimulatedBoard {
         }
     }
 
-    /// Presses on the key in `slot` with a weight (N); 0 takes it away.
-    pub fn press(&mut self, slot: usize, newtons: f64) {
+    /// Lets a hand press on the key in `slot` or grip it from now on.
+    pub fn press(&mut self, slot: usize, hand: HandCommand) {
         if let Some(key) = self.keys.get_mut(slot) {
-            key.press(newtons);
+            key.press(hand);
         }
     }
 

@@ -11,6 +11,7 @@ pub enum Service {
     UseInstrument,
     Stop,
     Press,
+    Grip,
     Identify,
     Scene,
     Record,
@@ -19,10 +20,11 @@ pub enum Service {
 
 impl Service {
     /// Every service, in the order of their numbers.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::UseInstrument,
         Self::Stop,
         Self::Press,
+        Self::Grip,
         Self::Identify,
         Self::Scene,
         Self::Record,
@@ -37,6 +39,7 @@ impl Service {
             Request::UseInstrument { .. } => Some(Self::UseInstrument),
             Request::Stop {} => Some(Self::Stop),
             Request::Press { .. } => Some(Self::Press),
+            Request::Grip { .. } => Some(Self::Grip),
             Request::Identify { .. } => Some(Self::Identify),
             Request::Scene {} => Some(Self::Scene),
             Request::Record { .. } => Some(Self::Record),
@@ -54,6 +57,7 @@ impl Service {
             Self::Scene => 5,
             Self::Record => 6,
             Self::Load => 7,
+            Self::Grip => 9,
         }
     }
 
@@ -68,6 +72,7 @@ impl Service {
             Self::UseInstrument => "use_instrument",
             Self::Stop => "stop",
             Self::Press => "press",
+            Self::Grip => "grip",
             Self::Identify => "identify",
             Self::Scene => "scene",
             Self::Record => "record",
@@ -133,6 +138,16 @@ impl Service {
                     "newtons": {"type": "number"},
                 }),
                 json!(["key", "newtons"]),
+            ),
+            Self::Grip => (
+                json!({
+                    "key": {"type": "integer", "minimum": 0, "maximum": 87},
+                    "depth": {
+                        "type": ["number", "null"],
+                        "description": "as a part of the dip; lets go without",
+                    },
+                }),
+                json!(["key"]),
             ),
             Self::Identify => (
                 json!({
@@ -230,6 +245,7 @@ mod tests {
             Request::UseInstrument { instrument: "grand".to_owned(), keys: None },
             Request::Stop {},
             Request::Press { key: 39, newtons: 2.5 },
+            Request::Grip { key: 39, depth: Some(0.5) },
             Request::Identify { line: 1, board: 2 },
             Request::Scene {},
             Request::Record { file: Some("a.mcap".to_owned()) },

@@ -161,7 +161,7 @@ impl Parts {
 
     fn ask(&self, request: Request) -> Result<Reply, String> {
         self.who.role.check(&request)?;
-        if !matches!(request, Request::Press { .. }) {
+        if !matches!(request, Request::Press { .. } | Request::Grip { .. }) {
             return self.state.backend.ask(request, &self.who);
         }
         // Held until it is done: a key that is pressed after its client has gone stays pressed.
