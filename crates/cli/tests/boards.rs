@@ -81,6 +81,34 @@ fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
 }
 
 #[test]
+fn what_a_key_renders_is_said_beside_the_theory_and_no_file_is_written() {
+    let board = Board::start(make(3, 2));
+    let (link, folder) = (board.link(), folder("range"));
+    let name = folder.display().to_string();
+    let range = ["calibrate", "--range", "--link", &link, "--folder", &name];
+    let said = letoff(&[&range[..], &["--key", "G3", "--json"]].concat());
+    assert!(said.status.success(), "{}", text(&said.stderr));
+    let found: Value = serde_json::from_slice(&said.stdout).expect("JSON");
+    assert_eq!(found["key"], "G3");
+    let spring = &found["objects"][0];
+    assert!(spring["object"] == "spring" && spring["unit"] == "N/m", "{found}");
+    // Of 1 N·s/m at 1 kHz without delay, by the theory: 2 kN/m, and this link has some.
+    assert!(spring["passive"].as_f64().is_some_and(|it| it < 2e3), "{found}");
+    assert!(!folder.exists());
+    for (wrong, advice) in [
+        (["--key", "A0"], "no board has the key A0; `letoff devices --boards"),
+        (["--key", "H9"], "`H9` is no key: give a note from A0 to C8"),
+        (["--weight", "50"], "cannot be used with"),
+        (["--board", "9"], "no board has the number 9"),
+    ] {
+        let said = letoff(&[&range[..], &wrong].concat());
+        assert_eq!(said.status.code(), Some(2), "{said:?}");
+        assert!(text(&said.stderr).contains(advice), "{said:?}");
+    }
+    assert!(board.stop().board().is_safe());
+}
+
+#[test]
 fn a_key_that_jams_is_named_and_the_other_board_gets_its_file() {
     let mut jams = make(0, 1);
     jams.rig.key.stiction = 3.0;

@@ -76,6 +76,15 @@ impl SampledWall {
         (damping + self.damping) / (0.5 * self.period + self.delay)
     }
 
+    /// Returns the mass (kg) up to which a mass is passive without delay on a device with `damping`
+    /// (N s/m), rendered by second differences each `period` (s): b T / 2.
+    ///
+    /// The criterion of `[CS97]` with H(z) = M ((z − 1) / (T z))² demands
+    /// −(2 M / T) sin(θ/2) sin(3 θ/2), which is largest, 2 M / T, at half the sampling rate.
+    pub fn passive_mass(damping: f64, period: f64) -> f64 {
+        0.5 * damping * period
+    }
+
     fn whole_periods(&self) -> f64 {
         (self.delay / self.period).round()
     }
@@ -152,6 +161,19 @@ mod tests {
                 assert!((ours - theirs).abs() < 1e-9 * (1.0 + theirs.abs()), "{wall:?}: {theta}");
             }
         }
+    }
+
+    #[test]
+    fn the_largest_passive_mass_is_that_of_the_criterion_in_complex_numbers() {
+        let mass = SampledWall::passive_mass(1.0, T);
+        let demand = |theta: f64| {
+            let difference = (1.0 - theta.cos(), theta.sin());
+            let cube = product(difference, product(difference, difference));
+            0.5 * T / (1.0 - theta.cos()) * mass / (T * T) * cube.0
+        };
+        let angles = (1..=3001).map(|it| PI * f64::from(it) / 3001.0);
+        let sup = angles.map(demand).fold(f64::NEG_INFINITY, f64::max);
+        assert!((sup - 1.0).abs() < 1e-9, "{sup}");
     }
 
     #[test]

@@ -9,7 +9,11 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::plant::RigParameters;
-use hardware::calibrate::{self, Bench, CalibrationFault, Rested, Travelled};
+use haptics::{AnyEstimator, BackwardDifference, SampledWall};
+use hardware::calibrate::range::MOST_FORCE;
+use hardware::calibrate::{
+    self, Bench, CalibrationFault, RangeMeasurement, RangeTerms, RangedObject, Rested, Travelled,
+};
 use hardware::calibration::KeyCalibration;
 use hardware::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
@@ -137,6 +141,25 @@ fn a_key_that_jams_is_refused_and_its_neighbour_is_not_felt() {
     assert!(fault.to_string().contains("does not move under 1.5 N"), "{fault}");
     drop(bench.release());
     assert!(board.stop().rig(0).expect("a key").position().abs() < 1e-6);
+}
+
+#[test]
+fn a_spring_is_raised_on_a_board_s_key_and_its_force_is_gone_afterwards() {
+    let (mut bench, board) = bench(make(1));
+    let rested = rested(&mut bench, key(0));
+    let travelled = Travelled { bottom: 10.16e-3, friction: 0.12, float: 0.3 };
+    let estimator = AnyEstimator::BackwardDifference(BackwardDifference::new(1e-3));
+    let terms = RangeTerms { period: 1e-3, limit: MOST_FORCE, estimator };
+    let spring = RangeMeasurement::new(RangedObject::Spring, terms, &rested, &travelled);
+    let found = tried(|| bench.range(key(0), spring)).expect("a range");
+    // A link and a busy host are a delay, and only make it less: 2 b / T, and friction.
+    let free = SampledWall { stiffness: 0.0, damping: 0.0, period: 1e-3, delay: 0.0 };
+    let most = 1.6 * free.linear_stiffness(1.0);
+    assert!(found.good.is_some_and(|it| (20.0..most).contains(&it)), "{found:?}");
+    drop(bench.release());
+    std::thread::sleep(std::time::Duration::from_millis(150));
+    let board = board.stop();
+    assert!(board.is_safe() && board.rig(0).expect("a key").position() < 0.5e-3);
 }
 
 #[test]

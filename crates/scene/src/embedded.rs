@@ -59,6 +59,9 @@ pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
         "bouncing-ball",
         "cart-pendulum",
         "spring-wall",
+        "spring",
+        "dashpot",
+        "mass",
     ),
 };
 

@@ -4,19 +4,21 @@ use std::path::PathBuf;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
+use firmware_protocol::key::KeyIndex;
 use hardware::calibrate::Bench;
 use hardware::calibration::file;
-use hardware::keybed::{Calibrated, FoundBoard, Keybed, Offline, Terms, WantedBoards};
+use hardware::keybed::{Calibrated, FoundBoard, Identified, Keybed, Offline, Terms, WantedBoards};
 use hardware::refusal::{BoardName, Refusals};
 
 use super::Endings;
 use super::operator::Operator;
 use crate::Failure;
 use crate::target::SceneTarget;
-use host::boards::{PATIENCE_US, folder, now_us, open_all, unmeasured};
+use host::boards::{PATIENCE_US, calibration, folder, now_us, open_all, unmeasured};
+use scene::{Boards, Scene};
 
 /// Exchanges a second: more would load slow buses, and say no more.
-const HZ: u32 = 500;
+pub(super) const HZ: u32 = 500;
 /// Forces are valid for as long as they can be: the system may be late (ms).
 const VALID_MS: u8 = firmware_protocol::acyclic::arm::LONGEST_VALID_MS;
 
@@ -34,6 +36,15 @@ pub(super) struct Ready {
     pub(super) keybed: Keybed<Calibrated>,
 }
 
+/// A key that is measured, whose board is not armed yet.
+pub(super) struct ReadyKey {
+    pub(super) scene: Scene,
+    pub(super) found: FoundBoard,
+    pub(super) name: BoardName,
+    pub(super) key: KeyIndex,
+    pub(super) keybed: Keybed<Calibrated>,
+}
+
 /// Finds the boards that are meant, until the operator has agreed to the files.
 pub(super) fn find(
     target: &SceneTarget,
@@ -45,10 +56,7 @@ pub(super) fn find(
     let folder = chosen.or_else(|| folder(&asked)).ok_or_else(|| {
         Failure::Usage("there is no home for calibration files; give --folder".into())
     })?;
-    let lines = open_all(&asked.buses).map_err(Failure::Running)?;
-    let mut keybed =
-        Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US).map_err(refused)?;
-    keybed.keep(|found| only.is_none_or(|number| found.board.number() == number));
+    let keybed = identified(&asked, only)?;
     let boards: Vec<_> = keybed
         .boards()
         .iter()
@@ -58,14 +66,6 @@ pub(super) fn find(
             file: file::path(&folder, found.uid()),
         })
         .collect();
-    if let (true, Some(number)) = (boards.is_empty(), only) {
-        let links: Vec<_> =
-            asked.buses.iter().map(|bus| format!("--link {}", bus.address)).collect();
-        return Err(Failure::Usage(format!(
-            "no board has the number {number}; `letoff devices --boards {}` lists those there are",
-            links.join(" ")
-        )));
-    }
     let there: Vec<_> = boards.iter().map(|it| it.file.clone()).filter(|it| it.exists()).collect();
     operator.may_overwrite(&there)?;
     let wanted = WantedBoards { hz: HZ, ..WantedBoards::default() };
@@ -74,10 +74,67 @@ pub(super) fn find(
     Ok(Ready { boards, keybed })
 }
 
-/// Arms `keybed`, whose measurements end as `endings` say.
-pub(super) fn arm(keybed: Keybed<Calibrated>, endings: &Endings) -> Result<Box<Bench>, Failure> {
+/// Finds the board whose key is measured, of those that are meant: the first, or the one that has
+/// `key`; how its keys read is known.
+pub(super) fn find_key(
+    target: &SceneTarget,
+    only: Option<u8>,
+    chosen: Option<PathBuf>,
+    key: Option<KeyIndex>,
+) -> Result<ReadyKey, Failure> {
+    let (scene, mut asked) = target.boards()?;
+    asked.calibration = chosen.or(asked.calibration);
+    let mut keybed = identified(&asked, only)?;
+    let has = |found: &FoundBoard, key: KeyIndex| {
+        let keys = found.keys();
+        (keys.first..keys.first.saturating_add(keys.n)).contains(&key.number())
+    };
+    let found = keybed.boards().iter().find(|found| key.is_none_or(|key| has(found, key)));
+    let Some(found) = found.copied() else {
+        return Err(nobody(&asked, &key.map_or_else(String::new, |key| format!("key {key}"))));
+    };
+    let key = key.or_else(|| KeyIndex::new(found.keys().first));
+    let key = key.ok_or_else(|| nobody(&asked, "key"))?;
+    let name = keybed.name(&found);
+    keybed.keep(|it| it.uid() == found.uid());
+    let wanted = WantedBoards { hz: scene.tick_hz, ..WantedBoards::default() };
+    let keybed = keybed
+        .calibrate(&wanted, |found, name| calibration(found, name, &asked))
+        .map_err(refused)?;
+    Ok(ReadyKey { scene, found, name, key, keybed })
+}
+
+/// Opens the links, and finds the boards on them, `only` the one with this number.
+fn identified(asked: &Boards, only: Option<u8>) -> Result<Keybed<Identified>, Failure> {
+    let lines = open_all(&asked.buses).map_err(Failure::Running)?;
+    let mut keybed =
+        Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US).map_err(refused)?;
+    keybed.keep(|found| only.is_none_or(|number| found.board.number() == number));
+    match only {
+        Some(number) if keybed.boards().is_empty() => {
+            Err(nobody(asked, &format!("number {number}")))
+        }
+        Some(_) | None => Ok(keybed),
+    }
+}
+
+/// Says that no board has `what`.
+fn nobody(asked: &Boards, what: &str) -> Failure {
+    let links: Vec<_> = asked.buses.iter().map(|bus| format!("--link {}", bus.address)).collect();
+    Failure::Usage(format!(
+        "no board has the {what}; `letoff devices --boards {}` lists those there are",
+        links.join(" ")
+    ))
+}
+
+/// Arms `keybed`, whose measurements end as `endings` say, to exchange `hz` times a second.
+pub(super) fn arm(
+    keybed: Keybed<Calibrated>,
+    hz: u32,
+    endings: &Endings,
+) -> Result<Box<Bench>, Failure> {
     let terms = Terms {
-        period_us: u16::try_from(1_000_000 / HZ).unwrap_or(u16::MAX),
+        period_us: u16::try_from(1_000_000 / hz).unwrap_or(u16::MAX),
         samples: SamplePacking::default(),
         forces: ForcePacking::default(),
         valid_ms: VALID_MS,

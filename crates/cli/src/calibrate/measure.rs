@@ -119,7 +119,7 @@ fn key(
 }
 
 /// Measures again what was interrupted.
-fn again<T>(
+pub(super) fn again<T>(
     mut measure: impl FnMut() -> Result<T, CalibrationFault>,
 ) -> Result<T, CalibrationFault> {
     let mut outcome = measure();

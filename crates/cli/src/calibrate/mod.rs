@@ -1,11 +1,13 @@
 //! `letoff calibrate`: how the keys of boards read and push, measured and written down.
 //!
 //! The keys move by themselves: down with 1.5 N at most, and up again, one after the other; with
-//! a weight, once more with twice its force and 0.5 N at most.
+//! a weight, once more with twice its force and 0.5 N at most. With `--range` one key renders a
+//! spring, a dashpot and a mass with 8 N at most.
 
 mod bring_up;
 mod measure;
 mod operator;
+mod range;
 mod table;
 mod write;
 
@@ -15,6 +17,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+use firmware_protocol::key::KeyIndex;
 use hardware::calibrate::{Ending, WEIGHTS};
 use hardware::keybed::{Armed, Keybed};
 
@@ -32,9 +35,18 @@ use host::control::EmergencyStop;
 #[command(after_help = "Examples:
   letoff calibrate --link serial:/dev/ttyACM0
   letoff calibrate my-scene.toml --board 3 --weight 50
+  letoff calibrate --range --key C4 --link can:can0
 
 Nobody may touch the keys meanwhile: each goes down and up by itself, with 1.5 N
 at most; with --weight, once more with twice the weight's force and 0.5 N at most.
+
+With --range one key goes down and up, and then renders a spring, a dashpot and a
+mass at the scene's tick_hz and with its estimator, with 8 N at most. Each is raised
+by a quarter at a time; a pulse of the motor sets the key in motion, and nobody has
+to touch it. Where it does not come to rest it is let go in the same tick, and the
+value before is tried again. A finger that rests on the key makes more stable.
+No file is written.
+
 `letoff stop` takes the force away at once; Ctrl-C ends it and disarms all boards.")]
 pub struct CalibrateArgs {
     /// Whose keys shall be measured.
@@ -52,10 +64,23 @@ pub struct CalibrateArgs {
     /// Measures motors by a weight of so many grams, which is put on each key.
     #[arg(long, value_name = "GRAMS", value_parser = grams, allow_negative_numbers = true)]
     pub weight: Option<f64>,
+    /// Says what the rig can render instead: a spring, a dashpot and a mass are raised on one key
+    /// until it shakes.
+    #[arg(long, conflicts_with_all = ["weight", "yes"])]
+    pub range: bool,
+    /// The key for --range, as C4; without it, the first of the first board.
+    #[arg(long, value_name = "KEY", requires = "range", value_parser = note)]
+    pub key: Option<KeyIndex>,
     /// Where the files shall be; without it, where `links.calibration` of the scene says, or in
     /// the user's own folder.
     #[arg(long, value_name = "DIR")]
     pub folder: Option<PathBuf>,
+}
+
+fn note(text: &str) -> Result<KeyIndex, String> {
+    text.parse().map_err(|_error| {
+        format!("`{text}` is no key: give a note from A0 to C8, or a MIDI number from 21 to 108")
+    })
 }
 
 fn grams(text: &str) -> Result<f64, String> {
@@ -88,14 +113,26 @@ impl Endings {
 
 /// Measures, writes, and prints a table.
 pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.map_err(system)?;
-    let Some(record) = runtime.block_on(attended(args))? else {
-        // The blocked thread is not waited for: no board is armed.
-        runtime.shutdown_background();
-        return Err(Failure::Running("stopped before any board was armed".into()));
+    if args.range {
+        return range::run(args, out);
+    }
+    let operator = Operator::new(args);
+    if args.weight.is_some() {
+        operator.must_be_there("--weight")?;
+    }
+    let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
+    let (find, weight) = (move || bring_up::find(&target, only, folder, &operator), args.weight);
+    let measure = move |Ready { boards, keybed }, endings: &Endings| {
+        let mut record = CalibrationRecord::default();
+        let bench = bring_up::arm(keybed, bring_up::HZ, endings)?;
+        match measure::all(&boards, bench, weight, &mut record) {
+            // Boards that were stopped are left alone.
+            (_stopped, Some(Ending::AtOnce)) => {}
+            (keybed, Some(Ending::Gently) | None) => record.tell(keybed),
+        }
+        Ok(record)
     };
-    let CalibrationRecord { written, wrong, .. } = record;
+    let CalibrationRecord { written, wrong, .. } = attended(find, measure)?;
     if args.json {
         print_json(&written, out)?;
     } else {
@@ -104,41 +141,44 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }
 
-/// Measures and writes, until it is stopped; nothing if that was before any board was armed.
-async fn attended(args: &CalibrateArgs) -> Result<Option<CalibrationRecord>, Failure> {
-    let operator = Operator::new(args);
-    if args.weight.is_some() {
-        operator.must_be_there("--weight")?;
-    }
+/// Does `find`, which arms no board, and `measure` with what it found, on threads that signals and
+/// `letoff stop` end.
+fn attended<F: Send + 'static, M: Send + 'static>(
+    find: impl FnOnce() -> Result<F, Failure> + Send + 'static,
+    measure: impl FnOnce(F, &Endings) -> Result<M, Failure> + Send + 'static,
+) -> Result<M, Failure> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(system)?;
+    let Some(measured) = runtime.block_on(measured(find, measure))? else {
+        // The blocked thread is not waited for: no board is armed.
+        runtime.shutdown_background();
+        return Err(Failure::Running("stopped before any board was armed".into()));
+    };
+    Ok(measured)
+}
+
+/// The same; nothing if it was stopped before any board was armed.
+async fn measured<F: Send + 'static, M: Send + 'static>(
+    find: impl FnOnce() -> Result<F, Failure> + Send + 'static,
+    measure: impl FnOnce(F, &Endings) -> Result<M, Failure> + Send + 'static,
+) -> Result<Option<M>, Failure> {
     let mut signals = Signals::new().map_err(system)?;
     let endings = Endings::default();
     let clients = endpoints::listen(Arc::clone(&endings.emergency));
-    let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
-    let find = move || bring_up::find(&target, only, folder, &operator);
     let Some(found) = signals.unless_stopped(&endings.emergency, find).await? else {
         clients.leave().await;
         return Ok(None);
     };
-    let Ready { boards, keybed } = found?;
-    let (its_endings, weight) = (endings.clone(), args.weight);
-    let mut measuring = tokio::task::spawn_blocking(move || {
-        let mut record = CalibrationRecord::default();
-        let bench = bring_up::arm(keybed, &its_endings)?;
-        match measure::all(&boards, bench, weight, &mut record) {
-            // Boards that were stopped are left alone.
-            (_stopped, Some(Ending::AtOnce)) => {}
-            (keybed, Some(Ending::Gently) | None) => record.tell(keybed),
-        }
-        Ok(record)
-    });
-    let record = loop {
+    let (found, its_endings) = (found?, endings.clone());
+    let mut measuring = tokio::task::spawn_blocking(move || measure(found, &its_endings));
+    let measured = loop {
         tokio::select! {
-            record = &mut measuring => break record,
+            measured = &mut measuring => break measured,
             () = signals.next() => endings.is_over.store(true, Ordering::Release),
         }
     };
     clients.leave().await;
-    record.map_err(panicked)?.map(Some)
+    measured.map_err(panicked)?.map(Some)
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "fits map_err")]

@@ -7,7 +7,10 @@ use links::pause;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
-use super::{Balance, CalibrationFault, Next, RestMeasurement, Rested, Travelled, TripMeasurement};
+use super::{
+    Balance, CalibrationFault, Next, RangeFound, RangeMeasurement, RestMeasurement, Rested,
+    Travelled, TripMeasurement,
+};
 use crate::keybed::{Armed, Keybed};
 
 /// A key of which nothing was heard for so long is given up (us).
@@ -165,6 +168,22 @@ impl Bench {
         self.work(key, |t, position| balance.advance(t, position))
     }
 
+    /// Raises an object on `key`; its force is gone at once, whatever ends it.
+    ///
+    /// # Errors
+    /// What is wrong with the key.
+    pub fn range(
+        &mut self,
+        key: KeyIndex,
+        mut measurement: RangeMeasurement,
+    ) -> Result<RangeFound, CalibrationFault> {
+        // A position that is taken twice looks like a stop and a jump.
+        let found = self.push(key, 0, |t, position| measurement.advance(t, position));
+        self.forces[key.index()] = 0.0;
+        self.exchange();
+        found
+    }
+
     /// Keeps the boards armed, without forces, until `is_over` or the end of measurements.
     pub fn wait(&mut self, mut is_over: impl FnMut() -> bool) {
         while self.ending.is_none() && !is_over() {
@@ -176,11 +195,23 @@ impl Bench {
     fn work<T>(
         &mut self,
         key: KeyIndex,
+        advance: impl FnMut(f64, f64) -> Result<Next<T>, CalibrationFault>,
+    ) -> Result<T, CalibrationFault> {
+        let outcome = self.push(key, STALE_US, advance);
+        self.let_go(key);
+        outcome
+    }
+
+    /// The same with positions that are at most so old (us), and without letting go.
+    fn push<T>(
+        &mut self,
+        key: KeyIndex,
+        oldest_us: u64,
         mut advance: impl FnMut(f64, f64) -> Result<Next<T>, CalibrationFault>,
     ) -> Result<T, CalibrationFault> {
         let armings = self.armings(key);
         let mut heard = self.keybed.now_us();
-        let outcome = loop {
+        loop {
             self.exchange();
             if self.ending.is_some() {
                 break Err(CalibrationFault::Stopped);
@@ -192,16 +223,14 @@ impl Bench {
             if heard + SILENT_US < now {
                 break Err(CalibrationFault::Silent { seconds: SILENT_US as f64 * 1e-6 });
             }
-            let Some(position) = self.position(key) else { continue };
+            let Some(position) = self.position_within(key, oldest_us) else { continue };
             heard = now;
             match advance(self.seconds(), position) {
                 Ok(Next::Push(push)) => self.forces[key.index()] = -push,
                 Ok(Next::Done(done)) => break Ok(done),
                 Err(fault) => break Err(fault),
             }
-        };
-        self.let_go(key);
-        outcome
+        }
     }
 
     /// Takes the force from `key`, gently.
@@ -250,9 +279,14 @@ impl Bench {
 
     /// Returns where `key` is, if that is known (m).
     fn position(&self, key: KeyIndex) -> Option<f64> {
+        self.position_within(key, STALE_US)
+    }
+
+    /// The same, if it is at most so old (us).
+    fn position_within(&self, key: KeyIndex, oldest_us: u64) -> Option<f64> {
         let KeySample { position, age, .. } = self.samples[key.index()];
         let age_us = u64::from(age).saturating_mul(self.keybed.period_us());
-        (age_us <= STALE_US).then_some(position)
+        (age_us <= oldest_us).then_some(position)
     }
 
     /// Returns the host's clock (s).

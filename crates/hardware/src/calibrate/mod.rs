@@ -6,16 +6,18 @@
 //!           back: the bottom, and the friction as half the difference of the two pushes
 //! balance   the same with a known weight on it: by how much that moved the middle of the
 //!           two is what must be asked of the motor for the weight
+//! range     a spring, a dashpot and a mass on it, raised until it shakes: what can be rendered
 //! ```
 //!
-//! [`rest`], [`trip`] and [`balance`] take times and positions and give pushes, and know no
+//! [`rest`], [`trip`], [`balance`] and [`range`] take times and positions and give pushes, and know no
 //! board; [`mod@bench`] lets them work on the keys of armed boards. A push is down positive, and
-//! changes slowly, and only while the key stands still.
+//! but for a range it changes slowly, and only while the key stands still.
 
 pub mod balance;
 pub mod bench;
 
 mod key_push;
+pub mod range;
 pub mod rest;
 pub mod trip;
 
@@ -26,6 +28,7 @@ use crate::calibration::KeyCalibration;
 pub use crate::calibration::CalibrationFault;
 pub use balance::Balance;
 pub use bench::{Bench, Ending};
+pub use range::{RangeEnd, RangeFound, RangeMeasurement, RangeTerms, RangedObject};
 pub use rest::{RestMeasurement, Rested};
 pub use trip::{Travelled, TripMeasurement};
 

@@ -1,0 +1,251 @@
+//! What a rig can render: a spring, a dashpot and a mass that are raised until the key shakes.
+//!
+//! ```text
+//! raise     one of them, with its value; a pulse of the motor sets the key in motion. It comes
+//!           to rest: the value times 1.25
+//! let go    it does not: no force from that very exchange on, until the key stands still
+//! place     a soft spring brings it to the middle of its dip again, for a spring
+//! confirm   the value before, by the same pulse; if the key shakes again, the one before that
+//! ```
+//!
+//! The key is held in the middle of its dip by a constant push that carries its weight, and by the
+//! spring, whose rest is there. Nobody has to touch it; a finger that rests on it takes energy, and
+//! more is stable.
+
+mod level;
+mod object;
+#[cfg(test)]
+mod tests;
+
+use haptics::{AnyEstimator, EnergyBound, Estimator as _, PassivityObserver};
+
+use self::level::{Level, Verdict};
+use super::key_push::KeyPush;
+use super::{CalibrationFault, Next, Rested, Travelled};
+
+pub use object::RangedObject;
+
+/// Largest force that is tried (N).
+pub const MOST_FORCE: f64 = 8.0;
+/// From one value to the next (1).
+pub const STEP: f64 = 1.25;
+/// The pulse that sets the key in motion (N), and its length (s).
+const PULSE: (f64, f64) = (2.0, 8e-3);
+/// So many periods without a position are a pause of the host.
+const PAUSE: f64 = 3.0;
+/// A key that stood still so long has been let go (s).
+const LET_GO: f64 = 0.2;
+
+/// How the objects of a range are rendered.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RangeTerms {
+    /// Time between two exchanges (s).
+    pub period: f64,
+    /// Largest force (N).
+    pub limit: f64,
+    /// What makes motion of positions.
+    pub estimator: AnyEstimator,
+}
+
+/// What ended the raising of an object, at the value of which it happened.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum RangeEnd {
+    /// The key shook.
+    Shook(f64),
+    /// It asked for more than the largest force.
+    ForceLimit(f64),
+    /// Nothing: it is the largest value that is tried.
+    Highest,
+}
+
+/// What was found of one object.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RangeFound {
+    pub object: RangedObject,
+    /// The largest value with which the key came to rest, twice unless nothing ended it; none if
+    /// it shook with all.
+    pub good: Option<f64>,
+    pub end: RangeEnd,
+}
+
+/// What is being done.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum RangePhase {
+    Trying(Level),
+    LettingGo,
+    /// A soft spring brings the key to its middle.
+    Placing(Level),
+}
+
+/// The measurement of one object on one key.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RangeMeasurement {
+    object: RangedObject,
+    terms: RangeTerms,
+    key: KeyPush,
+    /// Middle and length of the key's way (m), and the push under which it floats (N).
+    middle: f64,
+    dip: f64,
+    float: f64,
+    phase: RangePhase,
+    value: f64,
+    end: Option<RangeEnd>,
+    observer: PassivityObserver,
+    /// The last position's time (s), and how many periods have passed.
+    last: Option<f64>,
+    tick: u64,
+}
+
+impl RangeMeasurement {
+    /// Returns the measurement of `object` on a key that rests and travels so.
+    pub fn new(
+        object: RangedObject,
+        terms: RangeTerms,
+        rested: &Rested,
+        travelled: &Travelled,
+    ) -> Self {
+        let dip = travelled.bottom - rested.position;
+        let bound = EnergyBound::of_force_limit(terms.limit, dip);
+        Self {
+            object,
+            key: KeyPush::new(rested.position, rested.spread),
+            middle: rested.position + 0.5 * dip,
+            dip,
+            float: travelled.float,
+            phase: RangePhase::Trying(Level::default()),
+            value: object.first(),
+            end: None,
+            observer: PassivityObserver::new(bound, terms.period),
+            last: None,
+            tick: 0,
+            terms,
+        }
+    }
+
+    /// Returns whether the key shook, and feels no force until it stands still.
+    pub fn is_letting_go(&self) -> bool {
+        self.phase == RangePhase::LettingGo
+    }
+
+    /// Takes where the key is at `t` (s, m); says how to push it, or what was found.
+    ///
+    /// # Errors
+    /// Its readings are not those of a key, or it does not come to rest.
+    pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<RangeFound>, CalibrationFault> {
+        let elapsed = self.elapse(t, position);
+        let seen = self.key.update(t, position);
+        // Nobody looked meanwhile: a jump is the host's doing then, and not the sensor's.
+        let paused = PAUSE * self.terms.period < elapsed;
+        if paused && matches!(seen, Err(CalibrationFault::Jumps { .. })) {
+            return Err(CalibrationFault::Interrupted);
+        }
+        seen?;
+        let motion = self.terms.estimator.update(position, elapsed);
+        let is_passive = self.observer.is_passive(self.tick, position);
+        let (RangePhase::Trying(mut level) | RangePhase::Placing(mut level)) = self.phase else {
+            return Ok(self.let_go());
+        };
+        let wanted = self.object.push(self.rendered(), &motion, self.middle);
+        let verdict = level.advance(t, position, self.dip);
+        if self.terms.limit < wanted.abs() {
+            level.limit(elapsed);
+        }
+        if !is_passive || verdict == Verdict::Shakes {
+            return Ok(self.lower(RangeEnd::Shook(self.value)));
+        }
+        let push = self.push(wanted, t, position, &level);
+        let found = match (verdict, &mut self.phase) {
+            (Verdict::Moves, RangePhase::Trying(it) | RangePhase::Placing(it)) => {
+                *it = level;
+                None
+            }
+            (Verdict::Rests, RangePhase::Trying(_)) if level.is_limited() => {
+                return Ok(self.lower(RangeEnd::ForceLimit(self.value)));
+            }
+            (Verdict::Rests, RangePhase::Trying(_)) => self.raise(),
+            (Verdict::Rests, RangePhase::Placing(_)) => {
+                self.begin(self.value);
+                None
+            }
+            (_, RangePhase::LettingGo) | (Verdict::Shakes, _) => None,
+        };
+        Ok(found.map_or(Next::Push(push), Next::Done))
+    }
+
+    /// Returns the value that is rendered: while the key is placed, at most as much as asks for a
+    /// quarter of the largest force.
+    fn rendered(&self) -> f64 {
+        match (self.phase, self.object) {
+            (RangePhase::Placing(_), RangedObject::Spring) => {
+                self.value.min(0.5 * self.terms.limit / self.dip)
+            }
+            (RangePhase::Placing(_) | RangePhase::Trying(_) | RangePhase::LettingGo, _) => {
+                self.value
+            }
+        }
+    }
+
+    /// Counts the periods since the last position; returns their time (s).
+    fn elapse(&mut self, t: f64, position: f64) -> f64 {
+        let Some(last) = self.last.replace(t) else {
+            self.terms.estimator.reset(position);
+            return self.terms.period;
+        };
+        let periods = ((t - last) / self.terms.period).round().max(1.0);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+        let whole = periods as u64;
+        self.tick += whole;
+        periods * self.terms.period
+    }
+
+    /// Returns the push on the key (N): what the object wants, what carries its weight, and the
+    /// pulse towards the middle.
+    fn push(&mut self, wanted: f64, t: f64, position: f64, level: &Level) -> f64 {
+        let limit = self.terms.limit;
+        let held = wanted.clamp(-limit, limit);
+        self.observer.hold(self.tick, position, -held);
+        let (force, length) = PULSE;
+        let has_pulse = matches!(self.phase, RangePhase::Trying(_)) && level.age(t) < length;
+        let pulse = if has_pulse { force.copysign(self.middle - level.began_at()) } else { 0.0 };
+        (held + self.float + pulse).clamp(-limit, limit)
+    }
+
+    /// Goes on to the next value; says what was found if there is none to be tried.
+    fn raise(&mut self) -> Option<RangeFound> {
+        let next = self.value * STEP;
+        if self.end.is_some() || self.object.most() < next {
+            let end = self.end.unwrap_or(RangeEnd::Highest);
+            return Some(RangeFound { object: self.object, good: Some(self.value), end });
+        }
+        self.begin(next);
+        None
+    }
+
+    /// Takes the force away, to go on with the value before, which is to be confirmed.
+    fn lower(&mut self, end: RangeEnd) -> Next<RangeFound> {
+        self.end = Some(end);
+        self.phase = RangePhase::LettingGo;
+        Next::Push(0.0)
+    }
+
+    /// Waits until the key stands still.
+    fn let_go(&mut self) -> Next<RangeFound> {
+        if LET_GO <= self.key.still_for() {
+            let lower = self.value / STEP;
+            // Rounding must not lose the first.
+            if lower < 0.99 * self.object.first() {
+                let end = self.end.unwrap_or(RangeEnd::Highest);
+                return Next::Done(RangeFound { object: self.object, good: None, end });
+            }
+            self.begin(lower);
+            self.phase = RangePhase::Placing(Level::default());
+        }
+        Next::Push(0.0)
+    }
+
+    fn begin(&mut self, value: f64) {
+        self.value = value;
+        self.phase = RangePhase::Trying(Level::default());
+        self.observer.reset();
+    }
+}
