@@ -12,6 +12,7 @@ mod fidelity;
 mod figure6;
 mod fit;
 mod grand;
+mod impedance;
 mod late_samples;
 #[path = "stage/letoff.rs"]
 mod letoff;

@@ -15,6 +15,7 @@ mod devices;
 mod endpoints;
 mod figure6;
 mod fit;
+mod impedance;
 mod instruments;
 mod live;
 mod log;

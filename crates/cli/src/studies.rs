@@ -12,6 +12,7 @@ use lab::scenario::SCENARIOS;
 
 use super::figure6::{self, Figure6Args};
 use super::fit::{self, FitArgs};
+use super::impedance::{self, ImpedanceArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
 use super::stability::{self, StabilityArgs};
@@ -40,6 +41,8 @@ pub enum StudyCommand {
     Fit(FitArgs),
     /// Where a virtual wall or an instrument is stable on a key: maps, beside theory.
     Stability(Box<StabilityArgs>),
+    /// The mechanical impedance of a mode, of a voice as it is rendered, or of a recorded stroke.
+    Impedance(Box<ImpedanceArgs>),
 }
 
 /// What `letoff lab certificates` takes.
@@ -123,6 +126,7 @@ pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
         StudyCommand::Figure6(args) => figure6::run(args, out),
         StudyCommand::Fit(args) => fit::run(args, out),
         StudyCommand::Stability(args) => stability::run(args, out),
+        StudyCommand::Impedance(args) => impedance::run(args, out),
     }
 }
 

@@ -24,12 +24,12 @@
 #![forbid(unsafe_code)]
 
 pub mod accuracy;
-mod digits;
+pub mod digits;
 pub mod figure6;
 pub mod fit;
-mod parallel;
+pub mod parallel;
 pub mod piano;
-mod plot;
+pub mod plot;
 pub mod report;
 pub mod scenario;
 pub mod simulate;

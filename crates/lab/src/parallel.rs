@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 /// What `work` makes of each job, in their order.
-pub(crate) fn in_parallel<J: Sync, O: Send>(jobs: &[J], work: &(dyn Fn(&J) -> O + Sync)) -> Vec<O> {
+pub fn in_parallel<J: Sync, O: Send>(jobs: &[J], work: &(dyn Fn(&J) -> O + Sync)) -> Vec<O> {
     let next = AtomicUsize::new(0);
     let done = Mutex::new(Vec::new());
     let take = || {

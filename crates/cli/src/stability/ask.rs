@@ -18,7 +18,7 @@ use super::voices::InstrumentVoices;
 const WALL: &str = "wall";
 
 /// Period of a loop if none is given (s).
-const PERIOD: f64 = 1e-3;
+pub(crate) const PERIOD: f64 = 1e-3;
 
 /// Axes of a wall and of an instrument that has no springs, if none are given.
 const WALL_AXES: [&str; 2] = ["stiffness", "damping"];
@@ -42,7 +42,7 @@ pub(super) struct StabilityQuestion {
 impl StabilityQuestion {
     /// Returns what is asked for, or every mistake in a sentence of its own.
     pub(super) fn new(args: &StabilityArgs) -> Result<Self, Vec<String>> {
-        let (name, voices, mut parameters) = subject(args).map_err(|wrong| vec![wrong])?;
+        let (name, voices, mut parameters) = subject(args)?;
         let mut mistakes = Vec::new();
         let rig =
             voices.as_ref().map_or_else(|| Ok(RigParameters::default()), InstrumentVoices::rig);
@@ -56,14 +56,10 @@ impl StabilityQuestion {
         let model = voices.as_ref().map(|it| it.model);
         set_values(args, &mut values, &mut mistakes);
         let known = model.map_or(&[][..], |it| it.parameters);
-        let mut chosen = Vec::new();
-        for text in &args.set {
-            match set_parameter(known, text, &mut parameters) {
-                Ok(()) => chosen.push(text.clone()),
-                Err(wrong) => mistakes.push(format!("--set {wrong}")),
-            }
-        }
-        let estimators = estimators(args, model, &mut mistakes);
+        let chosen = set_parameters(known, &args.set, &mut parameters, &mut mistakes);
+        let usual = [EstimatorName::BackwardDifference, EstimatorName::Kalman];
+        let usual = if model.is_some() { &usual[..] } else { &usual[..1] };
+        let estimators = estimators(&args.estimator, usual, &mut mistakes);
         let base = LoopPoint { values, parameters };
         let usual = usual_axes(model);
         let mut axis = |option: &str, text: &Option<String>, usual: &str| {
@@ -102,23 +98,37 @@ impl StabilityQuestion {
 /// Name of the subject, who makes its voices, and the values of its parameters.
 type AskedSubject = (String, Option<InstrumentVoices>, Vec<f64>);
 
-fn subject(args: &StabilityArgs) -> Result<AskedSubject, String> {
+fn subject(args: &StabilityArgs) -> Result<AskedSubject, Vec<String>> {
     if args.what == WALL {
         return Ok((WALL.to_owned(), None, Vec::new()));
     }
-    let key = args.key.parse::<KeyIndex>().map_err(|_no_key| {
-        let key = quoted(&args.key);
-        format!("--key {key} is no key; give one from A0 to C8, as C4 or F#3")
-    })?;
-    let of_model = models::catalogue::find(&args.what)
+    let (name, voices, values) = voices(&args.what, &args.key)?;
+    Ok((name, Some(voices), values))
+}
+
+/// Returns name, voices and parameters of an instrument or model on a key, or every mistake.
+pub(crate) fn voices(
+    what: &str,
+    key: &str,
+) -> Result<(String, InstrumentVoices, Vec<f64>), Vec<String>> {
+    let mut mistakes = Vec::new();
+    let key = key_named(key).map_err(|wrong| mistakes.push(wrong));
+    let of_model = models::catalogue::find(what)
         .and_then(|model| Instrument::of_model(model).first().copied().cloned());
-    let instrument = match Instrument::load(&args.what) {
-        Ok(instrument) => instrument,
-        Err(wrong) => of_model.ok_or_else(|| descriptions::rendered(&wrong))?,
-    };
+    let instrument = Instrument::load(what).or_else(|wrong| of_model.ok_or(wrong));
+    let instrument = instrument.map_err(|wrong| mistakes.push(descriptions::rendered(&wrong)));
+    let (Ok(key), Ok(instrument)) = (key, instrument) else { return Err(mistakes) };
     let values = instrument.values(key.number());
     let name = format!("{} on {key}", instrument.name);
-    Ok((name, Some(InstrumentVoices::new(instrument.model())?), values))
+    let voices = InstrumentVoices::new(instrument.model()).map_err(|wrong| vec![wrong])?;
+    Ok((name, voices, values))
+}
+
+/// Reads the name of a key.
+pub(crate) fn key_named(name: &str) -> Result<KeyIndex, String> {
+    name.parse().map_err(|_no_key| {
+        format!("--key {} is no key; give one from A0 to C8, as C4 or F#3", quoted(name))
+    })
 }
 
 /// Takes over the values of the loop that are given.
@@ -135,25 +145,51 @@ fn set_values(args: &StabilityArgs, values: &mut LoopValues, mistakes: &mut Vec<
         (LoopQuantity::Bandwidth, &args.bandwidth),
         (LoopQuantity::JerkDensity, &args.jerk_density),
     ];
-    for (what, text) in given {
-        let (Some(text), entry) = (text, what.entry()) else { continue };
-        match quantity(text, entry.unit) {
-            Ok(value) => values.set(what, value),
-            Err(wrong) => mistakes.push(format!("--{} {wrong}", entry.name)),
-        }
-        let (low, high) = entry.range;
-        let value = values.get(what);
-        if !(low..=high).contains(&value) {
-            let unit = entry.unit;
-            mistakes.push(format!("--{} {value} is not from {low} to {high} {unit}", entry.name));
-        }
-    }
+    set_quantities(&given, values, mistakes);
     let Some(name) = &args.finger else { return };
     if let Some(number) = FINGERS.iter().position(|it| it == name) {
         values.set(LoopQuantity::Finger, number as f64);
     } else {
         mistakes.push(format!("--finger {} is none: {}", quoted(name), choice(name, FINGERS)));
     }
+}
+
+/// Takes over what is given of these quantities.
+pub(crate) fn set_quantities(
+    given: &[(LoopQuantity, &Option<String>)],
+    values: &mut LoopValues,
+    mistakes: &mut Vec<String>,
+) {
+    for (what, text) in given {
+        let (Some(text), entry) = (text, what.entry()) else { continue };
+        match quantity(text, entry.unit) {
+            Ok(value) => values.set(*what, value),
+            Err(wrong) => mistakes.push(format!("--{} {wrong}", entry.name)),
+        }
+        let (low, high) = entry.range;
+        let value = values.get(*what);
+        if !(low..=high).contains(&value) {
+            let unit = entry.unit;
+            mistakes.push(format!("--{} {value} is not from {low} to {high} {unit}", entry.name));
+        }
+    }
+}
+
+/// Takes over values of the model, each written as name=value; returns those that are right.
+pub(crate) fn set_parameters(
+    known: &[Parameter],
+    given: &[String],
+    values: &mut [f64],
+    mistakes: &mut Vec<String>,
+) -> Vec<String> {
+    let mut chosen = Vec::new();
+    for text in given {
+        match set_parameter(known, text, values) {
+            Ok(()) => chosen.push(text.clone()),
+            Err(wrong) => mistakes.push(format!("--set {wrong}")),
+        }
+    }
+    chosen
 }
 
 /// Takes over one value of the model, written as name=value.
@@ -179,22 +215,18 @@ fn in_range(parameter: &Parameter, value: f64) -> Result<f64, String> {
     Err(format!("{name} = {value} is not from {low} to {high} {unit}"))
 }
 
-/// The estimators that were named; for a wall that of the theory, for an instrument all.
-fn estimators(
-    args: &StabilityArgs,
-    model: Option<&ModelEntry>,
+/// Returns the estimators that were named; the usual ones if none was.
+pub(crate) fn estimators(
+    named: &[String],
+    usual: &[EstimatorName],
     mistakes: &mut Vec<String>,
 ) -> Vec<EstimatorName> {
     let all = EstimatorName::ALL;
-    if args.estimator.is_empty() {
-        return if model.is_some() {
-            vec![EstimatorName::BackwardDifference, EstimatorName::Kalman]
-        } else {
-            vec![EstimatorName::BackwardDifference]
-        };
+    if named.is_empty() {
+        return usual.to_vec();
     }
     let mut found = Vec::new();
-    for name in &args.estimator {
+    for name in named {
         match all.into_iter().find(|it| it.name() == name) {
             Some(estimator) if found.contains(&estimator) => {}
             Some(estimator) => found.push(estimator),

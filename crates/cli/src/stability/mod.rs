@@ -1,8 +1,8 @@
 //! `letoff lab stability`: where a wall or an instrument is stable on a key.
 
-mod ask;
-mod quantities;
-mod voices;
+pub(super) mod ask;
+pub(super) mod quantities;
+pub(super) mod voices;
 
 use std::io::Write;
 use std::path::PathBuf;

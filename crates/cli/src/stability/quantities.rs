@@ -7,7 +7,7 @@ const LONGEST: usize = 40;
 
 /// Reads `text` as a number of `unit`: plain, in that unit, or with another of the same kind, as
 /// `1 ms` or `50 gf`.
-pub(super) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
+pub(crate) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
     let text = text.trim();
     let wanted = || if unit.is_empty() { String::new() } else { format!(", as 1.5 {unit}") };
     let Some((number, given)) = split(text) else {
@@ -23,7 +23,7 @@ pub(super) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
 }
 
 /// Reads `text` as two numbers with `..` between them.
-pub(super) fn range(text: &str, unit: &str) -> Result<(f64, f64), String> {
+pub(crate) fn range(text: &str, unit: &str) -> Result<(f64, f64), String> {
     let (low, high) = text
         .split_once("..")
         .ok_or_else(|| format!("{} is no range: write two values, as 1..10", quoted(text)))?;

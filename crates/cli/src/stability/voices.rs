@@ -18,26 +18,26 @@ const FINEST_STEP: f64 = 1e-9;
 
 /// Makes voices of one model, rendered as scenes do it by default.
 #[derive(Debug)]
-pub(super) struct InstrumentVoices {
-    pub(super) model: &'static ModelEntry,
+pub(crate) struct InstrumentVoices {
+    pub(crate) model: &'static ModelEntry,
     scene: Scene,
 }
 
 impl InstrumentVoices {
     /// Returns a maker of voices of `model`.
-    pub(super) fn new(model: &'static ModelEntry) -> Result<Self, String> {
+    pub(crate) fn new(model: &'static ModelEntry) -> Result<Self, String> {
         let scene = Scene::load("springs", &[]).map_err(|wrong| descriptions::rendered(&wrong))?;
         Ok(Self { model, scene })
     }
 
     /// Returns the key on which its voices play.
-    pub(super) fn rig(&self) -> Result<RigParameters, String> {
+    pub(crate) fn rig(&self) -> Result<RigParameters, String> {
         let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
         Ok(builder.rig())
     }
 
     /// Returns the voice that is ordered, at rest.
-    pub(super) fn make(&self, order: &VoiceOrder<'_>) -> Result<Box<dyn TrialVoice>, String> {
+    pub(crate) fn make(&self, order: &VoiceOrder<'_>) -> Result<Box<dyn TrialVoice>, String> {
         let hz = (1.0 / order.values.get(LoopQuantity::Period)).round();
         if !(RATES.0..=RATES.1).contains(&hz) {
             return Err(format!("a voice runs at {} to {} Hz, not at {hz}", RATES.0, RATES.1));

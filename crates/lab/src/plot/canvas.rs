@@ -6,11 +6,11 @@ use svg::{Document, Node};
 use super::color::{Color, INK, PAPER, Stroke};
 
 /// A place in pixels, from the upper left corner.
-pub(crate) type Pixel = (f64, f64);
+pub type Pixel = (f64, f64);
 
 /// How text stands to its place; its height is always centred there.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Anchor {
+pub enum Anchor {
     Start,
     Middle,
     End,
@@ -22,13 +22,13 @@ pub(crate) enum Anchor {
 
 /// A picture, and what has been drawn of it.
 #[derive(Debug)]
-pub(crate) struct Canvas {
+pub struct Canvas {
     document: Document,
 }
 
 impl Canvas {
     /// Returns an empty picture of a size (pixels), which is never shown wider than its page.
-    pub(crate) fn new((width, height): Pixel) -> Self {
+    pub fn new((width, height): Pixel) -> Self {
         let document = Document::new()
             .set("width", width.round())
             .set("height", height.round())
@@ -43,12 +43,12 @@ impl Canvas {
     }
 
     /// Returns the picture as SVG text.
-    pub(crate) fn into_svg(self) -> String {
+    pub fn into_svg(self) -> String {
         self.document.to_string() + "\n"
     }
 
     /// Draws a line through `places`.
-    pub(crate) fn line(&mut self, places: &[Pixel], stroke: Stroke) {
+    pub fn line(&mut self, places: &[Pixel], stroke: Stroke) {
         /// A dash and a gap (pixels).
         const DASHES: &str = "4.2 2.8";
         let mut line = Polyline::new().set("points", points(places)).set("fill", "none");
@@ -58,7 +58,7 @@ impl Canvas {
     }
 
     /// Fills the rectangle between two corners.
-    pub(crate) fn fill(&mut self, [a, b]: [Pixel; 2], color: Color) {
+    pub fn fill(&mut self, [a, b]: [Pixel; 2], color: Color) {
         let rectangle = Rectangle::new()
             .set("x", rounded(a.0.min(b.0)))
             .set("y", rounded(a.1.min(b.1)))
@@ -69,7 +69,7 @@ impl Canvas {
     }
 
     /// Draws a disc with an edge.
-    pub(crate) fn circle(&mut self, at: Pixel, radius: f64, fill: Color, edge: Stroke) {
+    pub fn circle(&mut self, at: Pixel, radius: f64, fill: Color, edge: Stroke) {
         let mut circle = Circle::new()
             .set("cx", rounded(at.0))
             .set("cy", rounded(at.1))
@@ -80,14 +80,14 @@ impl Canvas {
     }
 
     /// Draws a polygon with an edge.
-    pub(crate) fn polygon(&mut self, corners: &[Pixel], fill: Color, edge: Stroke) {
+    pub fn polygon(&mut self, corners: &[Pixel], fill: Color, edge: Stroke) {
         let mut polygon = Polygon::new().set("points", points(corners)).set("fill", fill.hex());
         outline(&mut polygon, edge);
         self.document.append(polygon);
     }
 
     /// Writes `text` of `size` (pixels).
-    pub(crate) fn text(&mut self, text: &str, at: Pixel, size: f64, anchor: Anchor) {
+    pub fn text(&mut self, text: &str, at: Pixel, size: f64, anchor: Anchor) {
         let (x, y) = (rounded(at.0), rounded(at.1));
         let (along, is_upward) = match anchor {
             Anchor::Start => ("start", false),

@@ -21,7 +21,7 @@ const NUMBERS: f64 = 8.0;
 
 /// How values lie on both axes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Scales {
+pub enum Scales {
     Linear,
     Logarithmic,
     /// Logarithmic across, linear up.
@@ -44,16 +44,16 @@ impl Scales {
 
 /// A curve of a chart.
 #[derive(Clone, Debug)]
-pub(crate) struct ChartCurve {
-    pub(crate) name: String,
-    pub(crate) stroke: Stroke,
-    pub(crate) look: CurveLook,
-    pub(crate) points: Vec<(f64, f64)>,
+pub struct ChartCurve {
+    pub name: String,
+    pub stroke: Stroke,
+    pub look: CurveLook,
+    pub points: Vec<(f64, f64)>,
 }
 
 /// How the points of a curve are joined.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum CurveLook {
+pub enum CurveLook {
     Line,
     /// A line with a mark at each point.
     Marked,
@@ -63,17 +63,17 @@ pub(crate) enum CurveLook {
 
 /// Curves, and what their axes are.
 #[derive(Clone, Debug)]
-pub(crate) struct Chart {
-    pub(crate) title: &'static str,
-    pub(crate) x_title: &'static str,
-    pub(crate) y_title: &'static str,
-    pub(crate) scales: Scales,
-    pub(crate) curves: Vec<ChartCurve>,
+pub struct Chart {
+    pub title: &'static str,
+    pub x_title: &'static str,
+    pub y_title: &'static str,
+    pub scales: Scales,
+    pub curves: Vec<ChartCurve>,
 }
 
 impl Chart {
     /// Draws it as SVG text.
-    pub(crate) fn svg(&self) -> String {
+    pub fn svg(&self) -> String {
         let mut canvas = Canvas::new(SIZE);
         let [(left, top), (right, bottom)] = PANEL;
         let [x, y] = self.axes();

@@ -2,14 +2,14 @@
 
 /// A colour: red, green and blue, 0 ..= 255.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Color(pub(crate) u8, pub(crate) u8, pub(crate) u8);
+pub struct Color(pub u8, pub u8, pub u8);
 
 /// Colour of text and axes.
-pub(crate) const INK: Color = Color(40, 40, 40);
-pub(crate) const PAPER: Color = Color(255, 255, 255);
+pub const INK: Color = Color(40, 40, 40);
+pub const PAPER: Color = Color(255, 255, 255);
 
 /// Colours of curves that differ for most eyes, after Okabe and Ito, without the yellow.
-pub(crate) const CURVES: [Color; 7] = [
+pub const CURVES: [Color; 7] = [
     Color(0, 114, 178),
     Color(213, 94, 0),
     Color(0, 158, 115),
@@ -21,7 +21,7 @@ pub(crate) const CURVES: [Color; 7] = [
 
 impl Color {
     /// Returns the colour as SVG reads it: `#28D0FF`.
-    pub(crate) fn hex(self) -> String {
+    pub fn hex(self) -> String {
         let Self(red, green, blue) = self;
         format!("#{red:02X}{green:02X}{blue:02X}")
     }
@@ -29,23 +29,24 @@ impl Color {
 
 /// How a line is drawn.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Stroke {
-    pub(crate) color: Color,
+pub struct Stroke {
+    pub color: Color,
     /// Width of the line (pixels).
-    pub(crate) width: f64,
+    pub width: f64,
     /// Part of what lies below that the line hides, 0 to 1.
-    pub(crate) opacity: f64,
-    pub(crate) is_dashed: bool,
+    pub opacity: f64,
+    pub is_dashed: bool,
 }
 
 impl Stroke {
     /// Returns a line without gaps of `width` (pixels).
-    pub(crate) const fn new(color: Color, width: f64) -> Self {
+    pub const fn new(color: Color, width: f64) -> Self {
         Self { color, width, opacity: 1.0, is_dashed: false }
     }
 
     /// Returns the same line, through which what lies below is seen.
-    pub(crate) const fn faint(self, opacity: f64) -> Self {
+    #[must_use]
+    pub const fn faint(self, opacity: f64) -> Self {
         Self { opacity, ..self }
     }
 }

@@ -19,7 +19,7 @@ const GRID: Stroke = Stroke::new(INK, 0.75).faint(0.15);
 
 /// The side of a panel at which an axis stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum PanelSide {
+pub enum PanelSide {
     Left,
     Right,
     Below,
@@ -27,18 +27,18 @@ pub(crate) enum PanelSide {
 
 /// An axis at a side of its panel.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PanelEdge<'a> {
-    pub(crate) axis: &'a Axis,
-    pub(crate) side: PanelSide,
+pub struct PanelEdge<'a> {
+    pub axis: &'a Axis,
+    pub side: PanelSide,
     /// Upper left and lower right corner of the panel.
-    pub(crate) panel: [Pixel; 2],
+    pub panel: [Pixel; 2],
     /// About how many numbers the axis has.
-    pub(crate) wanted: f64,
+    pub wanted: f64,
 }
 
 impl PanelEdge<'_> {
     /// Draws the lines of the grid across the panel.
-    pub(crate) fn draw_grid(&self, canvas: &mut Canvas) {
+    pub fn draw_grid(&self, canvas: &mut Canvas) {
         let [(left, top), (right, bottom)] = self.panel;
         for line in self.axis.lines(self.wanted) {
             let at = line.place;
@@ -51,7 +51,7 @@ impl PanelEdge<'_> {
     }
 
     /// Draws the axis with its ticks and numbers.
-    pub(crate) fn draw_axis(&self, canvas: &mut Canvas) {
+    pub fn draw_axis(&self, canvas: &mut Canvas) {
         let [(left, top), (right, bottom)] = self.panel;
         let ends = match self.side {
             PanelSide::Left => [(left, top), (left, bottom)],

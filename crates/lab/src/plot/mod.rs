@@ -6,9 +6,9 @@
 //! at a side of its panel, [`legend`] which curve is what. What is drawn stands in `report` and
 //! `simulate`.
 
-pub(crate) mod axis;
-pub(crate) mod canvas;
-pub(crate) mod chart;
-pub(crate) mod color;
-pub(crate) mod edge;
-pub(crate) mod legend;
+pub mod axis;
+pub mod canvas;
+pub mod chart;
+pub mod color;
+pub mod edge;
+pub mod legend;

@@ -7,7 +7,7 @@
 mod date;
 mod disk;
 mod machine;
-pub(crate) mod page;
+pub mod page;
 mod peers;
 mod plot;
 mod summary;
@@ -59,7 +59,10 @@ pub fn prepare(folder: &Path) -> Result<(), DiskError> {
 }
 
 /// Writes `text` to the file at `path`, which is complete or as it was before.
-pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), DiskError> {
+///
+/// # Errors
+/// When it cannot be written.
+pub fn write_file(path: &Path, text: &str) -> Result<(), DiskError> {
     disk::write(path, text)
 }
 

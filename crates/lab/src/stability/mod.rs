@@ -38,4 +38,4 @@ pub use poles::spectral_radius;
 pub use quantity::{FINGERS, LONGEST_DELAY, LoopQuantity, LoopValues, QUANTITIES, QuantityEntry};
 pub use sheet::{StabilitySummary, write_maps};
 pub use theory::StabilityTheory;
-pub use voice::{TrialAnswer, TrialVoice, VoiceOrder};
+pub use voice::{TrialAnswer, TrialVoice, VoiceOrder, wall};

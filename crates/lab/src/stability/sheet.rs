@@ -11,7 +11,7 @@ use super::judge::LoopVerdict;
 use super::map::{StabilityMap, StabilityStudy, VerdictCounts};
 use super::picture::{axis_title, svg};
 use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
-use crate::digits::trimmed;
+use crate::digits::rounded;
 use crate::report::page::{HtmlCell, STYLE, escape, table};
 use crate::report::{DiskError, PAGE, write_file};
 
@@ -167,29 +167,6 @@ fn setting(name: &str, value: f64) -> String {
     }
 }
 
-/// A number with up to four digits.
-fn rounded(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let digits = match size {
-        1e-3..0.01 => 6,
-        0.01..0.1 => 5,
-        0.1..1.0 => 4,
-        1.0..10.0 => 3,
-        10.0..100.0 => 2,
-        100.0..1000.0 => 1,
-        1000.0..1e5 => 0,
-        _ => {
-            let text = format!("{value:.3e}");
-            let (number, power) = text.split_once('e').unwrap_or((&text, "0"));
-            return format!("{}e{power}", trimmed(number));
-        }
-    };
-    trimmed(&format!("{value:.digits$}")).to_owned()
-}
-
 /// Writes the maps of a study into `folder`: map.csv, boundary.csv, a picture for each, and a page.
 ///
 /// # Errors
@@ -307,12 +284,6 @@ fn boundary_table(study: &StabilityStudy<'_>, map: &MapSummary) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_are_as_short_as_four_digits_are() {
-        let found = [0.0, 1e5, 40.0, 0.25, 1.0 / 3.0, 12_345.6, 2e-7, -1.5].map(rounded);
-        assert_eq!(found, ["0", "1e5", "40", "0.25", "0.3333", "12346", "2e-7", "-1.5"]);
-    }
 
     #[test]
     fn a_ratio_is_of_the_columns_that_have_both() {

@@ -46,7 +46,7 @@ impl TrialVoice for RenderedWall {
 }
 
 /// Returns a wall as it is rendered.
-pub(super) fn wall(order: &VoiceOrder<'_>) -> Box<dyn TrialVoice> {
+pub fn wall(order: &VoiceOrder<'_>) -> Box<dyn TrialVoice> {
     let get = |quantity| order.values.get(quantity);
     let period = get(LoopQuantity::Period);
     let settings = EstimatorSettings {

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// A linear or logarithmic axis from one place to another.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Axis {
+pub struct Axis {
     scale: AxisScale,
     /// The values at both ends; of a logarithmic axis their decimal logarithms.
     ends: (f64, f64),
@@ -23,33 +23,33 @@ enum AxisScale {
 
 /// A line of the grid.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) struct GridLine {
+pub struct GridLine {
     /// Where the line crosses its axis (pixels).
-    pub(crate) place: f64,
+    pub place: f64,
     /// The number beside the line; between two numbers of a long axis there are lines without.
-    pub(crate) label: Option<String>,
+    pub label: Option<String>,
 }
 
 impl Axis {
     /// Returns a linear axis over `range` between two places.
-    pub(crate) const fn linear(range: &Range<f64>, places: (f64, f64)) -> Self {
+    pub const fn linear(range: &Range<f64>, places: (f64, f64)) -> Self {
         Self { scale: AxisScale::Linear, ends: (range.start, range.end), places }
     }
 
     /// Returns a logarithmic axis over all of `values`, with room at both ends; over one decade
     /// around 1 if there are none.
-    pub(crate) fn logarithmic(values: impl Iterator<Item = f64>, places: (f64, f64)) -> Self {
+    pub fn logarithmic(values: impl Iterator<Item = f64>, places: (f64, f64)) -> Self {
         Self { scale: AxisScale::Logarithmic, ends: logarithmic::ends(values), places }
     }
 
     /// Returns a logarithmic axis over `range` of values above zero, without room at its ends.
-    pub(crate) fn decades(range: &Range<f64>, places: (f64, f64)) -> Self {
+    pub fn decades(range: &Range<f64>, places: (f64, f64)) -> Self {
         let ends = (logarithmic::log(range.start), logarithmic::log(range.end));
         Self { scale: AxisScale::Logarithmic, ends, places }
     }
 
     /// Returns where `value` is (pixels).
-    pub(crate) fn place(&self, value: f64) -> f64 {
+    pub fn place(&self, value: f64) -> f64 {
         let (value, (low, high)) = match self.scale {
             AxisScale::Linear => (value, self.ends),
             AxisScale::Logarithmic => (logarithmic::log(value), self.ends),
@@ -60,7 +60,7 @@ impl Axis {
     }
 
     /// Returns the lines of the grid, about `wanted` of them with a number.
-    pub(crate) fn lines(&self, wanted: f64) -> Vec<GridLine> {
+    pub fn lines(&self, wanted: f64) -> Vec<GridLine> {
         let ticks = match self.scale {
             AxisScale::Linear => linear::ticks(self.ends, wanted),
             AxisScale::Logarithmic => logarithmic::ticks(self.ends, wanted),

@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 
 /// `text` with its marks of HTML made harmless.
-pub(crate) fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// A cell of a table.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) enum HtmlCell {
+pub enum HtmlCell {
     /// Words, to the left.
     Words(String),
     /// A number, to the right.
@@ -19,7 +19,8 @@ pub(crate) enum HtmlCell {
 }
 
 impl HtmlCell {
-    pub(crate) fn words(text: &str) -> Self {
+    /// Returns a cell with these words.
+    pub fn words(text: &str) -> Self {
         Self::Words(text.to_owned())
     }
 
@@ -30,7 +31,7 @@ impl HtmlCell {
 }
 
 /// A table that can be scrolled sideways on its own.
-pub(crate) fn table(header: &[&str], rows: &[Vec<HtmlCell>]) -> String {
+pub fn table(header: &[&str], rows: &[Vec<HtmlCell>]) -> String {
     let mut text = "<div class=\"wide\"><table>\n<tr>".to_owned();
     for title in header {
         // Writing to a String cannot fail.

@@ -6,13 +6,13 @@ mod glance;
 mod html;
 mod runs;
 
-pub(crate) use html::{HtmlCell, escape, table};
+pub use html::{HtmlCell, escape, table};
 
 use super::{StudyReport, date};
 use crate::accuracy::MeasuredScenario;
 
 /// The style sheet of all pages.
-pub(crate) const STYLE: &str = include_str!("style.css");
+pub const STYLE: &str = include_str!("style.css");
 
 /// What a reader must know before looking at a plot.
 const HOW_TO_READ: &str = include_str!("how_to_read.html");
