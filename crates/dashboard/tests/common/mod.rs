@@ -233,6 +233,7 @@ impl TestWindow {
             | Request::Press { .. }
             | Request::Identify { .. }
             | Request::Load { .. }
+            | Request::Render { .. }
             | Request::Scene {}
             | Request::Where {}
             | Request::Record { .. } => None,

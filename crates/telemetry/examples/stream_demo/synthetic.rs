@@ -69,6 +69,7 @@ impl Backend for Synthetic {
             Request::Stop {} => Ok(done("no force on any key".to_owned())),
             Request::Identify { .. }
             | Request::Load { .. }
+            | Request::Render { .. }
             | Request::Record { .. }
             | Request::Where {} => Err("a synthetic host has neither boards nor files".to_owned()),
         }

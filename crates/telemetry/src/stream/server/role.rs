@@ -33,9 +33,11 @@ impl Role {
     pub const fn for_service(service: Service) -> Self {
         match service {
             Service::Stop => Self::Viewer,
-            Service::UseInstrument | Service::Load | Service::Press | Service::Identify => {
-                Self::Tuner
-            }
+            Service::UseInstrument
+            | Service::Load
+            | Service::Press
+            | Service::Identify
+            | Service::Render => Self::Tuner,
             Service::Scene | Service::Record => Self::Owner,
         }
     }
