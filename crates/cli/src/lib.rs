@@ -1,5 +1,5 @@
 //! The commands: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
-//! `instruments`, `model`, `stop`, `lab`.
+//! `instruments`, `model`, `set`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
 //! file.
@@ -27,6 +27,7 @@ mod record;
 mod recover;
 mod replay;
 mod run;
+mod set;
 mod signals;
 mod stability;
 mod stable;
@@ -82,6 +83,8 @@ pub enum Command {
     Instruments(instruments::InstrumentsArgs),
     /// Prints what follows from the description of a model, or writes one to start from.
     Model(model::ModelArgs),
+    /// Changes settings of the running host, for all keys: render.passivity=control.
+    Set(set::SetArgs),
     /// Takes all forces away at once, and ends the running host.
     Stop,
     /// Offline studies with reports.
@@ -153,6 +156,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Devices(args) => devices::run(args, out),
         Command::Instruments(args) => instruments::run(args, out),
         Command::Model(args) => model::run(args, out),
+        Command::Set(args) => set::run(args, out),
         Command::Stop => stop::run(out),
         Command::Lab(args) => studies::run(args, out),
     }

@@ -2,6 +2,8 @@
 
 #![expect(clippy::expect_used, reason = "helpers of tests")]
 
+mod common;
+
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -11,7 +13,7 @@ use host::session::{RunOptions, RunSession};
 use scene::Scene;
 use telemetry::Update;
 use telemetry::recording::Recording;
-use telemetry::request::Change;
+use telemetry::request::{Change, Setting};
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -162,6 +164,91 @@ fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
         });
         run.join().expect("no panic").expect("a report");
     });
+}
+
+/// Keys that are held while settings change.
+const HELD: std::ops::Range<u8> = 39..44;
+
+/// A run in real time, of a scene without a pianist, whose settings change while keys are held.
+fn changed_settings(scene: &Scene, file: &Path) {
+    use host::control::{Folders, Reply, Request, RequestHandler};
+    let session = RunSession::prepare(scene, RunOptions::default(), &|_| {}).expect("a session");
+    let (_recording, sink) = Recorded::begin(file).expect("a new file");
+    session.observe(sink);
+    let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
+    let ask = |request: &Request| loop {
+        match requests.answer(request, "test") {
+            Err(why) if why.contains("not running yet") => std::thread::yield_now(),
+            answer => return answer,
+        }
+    };
+    let set = |settings: &[(&str, &str)]| {
+        let setting = |it: &(&str, &str)| Setting { name: it.0.into(), value: it.1.into() };
+        ask(&Request::Render { settings: settings.iter().map(setting).collect() })
+    };
+    let written = || match ask(&Request::Scene {}) {
+        Ok(Reply::Scene { toml }) => toml,
+        other => unreachable!("{other:?}"),
+    };
+    let report = common::run_while(session, || {
+        for key in HELD {
+            ask(&Request::Press { key, newtons: 6.0 }).expect("pressed");
+        }
+        // Long after the strikes; a slow host strikes later, and rows count from then on.
+        std::thread::sleep(std::time::Duration::from_millis(700));
+        set(&[("render.passivity", "control")]).expect("stable");
+        set(&[("render.coupling_stiffness", "\"2 kN/m\""), ("render.coupling_damping", "4")])
+            .expect("stable");
+        set(&[("render.estimator", "filtered-difference")]).expect("stable");
+        let scene = written();
+        let said = ["\"control\"", "\"filtered-difference\"", "coupling_stiffness = 2000.0"];
+        assert!(said.iter().all(|it| scene.contains(it)), "{scene}");
+        let wrong = set(&[("render.lead", "\"1 ms\""), ("render.leads", "1"), ("lanes", "2")]);
+        let wrong = wrong.expect_err("wrong names");
+        assert!(wrong.contains("\"leads\"") && wrong.contains("\"lanes\" does not"), "{wrong}");
+        let unstable = set(&[("render.passivity", "observe"), ("render.force_gain", "50")]);
+        let unstable = unstable.expect_err("not stable");
+        assert!(unstable.contains("finger at 1000 Hz"), "{unstable}");
+        assert_eq!(written(), scene, "what is refused changes nothing");
+        set(&[("render.coupling_stiffness", "0"), ("render.passivity", "observe")])
+            .expect("stable");
+        std::thread::sleep(std::time::Duration::from_millis(300));
+    });
+    assert_eq!(report.faults, 0);
+}
+
+#[test]
+fn settings_that_change_while_keys_are_held_sound_no_note_and_make_no_step_of_force() {
+    let file = folder("settings").join("a.mcap");
+    let silent = [("pianist.performance".to_owned(), "none".to_owned())];
+    let scene = Scene::load("springs", &silent).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    changed_settings(&scene, &file);
+    let messages = messages(&file);
+    let strike = |it: &Result<Update, String>| match it {
+        Ok(Update::Event(it)) if it.kind() == telemetry::event::Kind::Strike => Some(it.tick),
+        Ok(_) | Err(_) => None,
+    };
+    let strikes: Vec<_> = messages.iter().filter_map(strike).collect();
+    assert_eq!(strikes.len(), HELD.len(), "each key was struck once");
+    // From then on a finger holds each key: what changes is blended in over 20 ms.
+    let held = strikes.into_iter().max().expect("a strike") + 500;
+    let mut last = [None::<f64>; 88];
+    let mut voices = std::collections::BTreeSet::new();
+    for message in &messages {
+        let Ok(Update::Block(block)) = message else { continue };
+        let last = &mut last[usize::try_from(block.key).expect("a key")];
+        let ticks = block.after.iter().map(|after| block.tick + u64::from(*after));
+        let rows = ticks.zip(&block.sent).zip(&block.revision);
+        for ((_tick, force), voice) in rows.filter(|((tick, _), _)| held <= *tick) {
+            let step = last.replace(*force).map_or(0.0, |last| (force - last).abs());
+            assert!(step < 1.0, "key {} at {force} N steps by {step} N", block.key);
+            voices.insert((block.key, *voice));
+        }
+    }
+    let n_voices = voices.iter().filter(|(key, _)| *key == u32::from(HELD.start)).count();
+    assert!(2 < n_voices, "{n_voices} voices were heard on a held key");
+    let replayed = replay(messages.into_iter(), |_| {}).expect("a replay");
+    assert_eq!(replayed.first_difference, None);
 }
 
 #[test]

@@ -11,6 +11,7 @@
 //! | `scene`, `render`, `rig`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
 //! | `fidelity` | how much of an instrument's action is computed |
+//! | `live` | settings that change while a host plays |
 //! | `kind` | whether a file is a scene or an instrument |
 //! | `embedded`, `source` | files that are part of the program, and files on the disk |
 //! | `document`, `read`, `quantity`, `setting`, `overrides` | the language of both kinds of file |
@@ -31,6 +32,7 @@ mod instrument;
 mod keys;
 mod kind;
 mod links;
+mod live;
 mod needs;
 mod overrides;
 mod quantity;

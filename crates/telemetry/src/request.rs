@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 pub enum Request {
     /// Sets parameters of voices: all of them or none.
     Set { changes: Vec<Change> },
+    /// Changes settings by which all voices are computed: all of them or none.
+    Render { settings: Vec<Setting> },
     /// Lets another instrument play a range of keys, as `C4..B5`; all without.
     UseInstrument {
         /// Name or file of the instrument.
@@ -63,6 +65,16 @@ pub struct Change {
     pub parameter: String,
     /// Value in the parameter's unit.
     pub value: f64,
+}
+
+/// A setting of a scene's table `render`.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Setting {
+    /// Its path, as `render.passivity`.
+    pub name: String,
+    /// The value as it stands in a scene, as `control` or `"400 N/m"`.
+    pub value: String,
 }
 
 impl Change {

@@ -275,6 +275,56 @@ mod tests {
         (0..300).map(force).collect()
     }
 
+    /// Where a key is that is pressed to its bottom in 60 ms and held there (m), in `tick` of 1 ms.
+    fn pressed(tick: u64) -> f64 {
+        let part = (tick as f64 / 60.0).min(1.0);
+        9e-3 * part * part * (3.0 - 2.0 * part)
+    }
+
+    /// Strikes of a pressed key whose voice is computed by other settings from each of these ticks
+    /// on.
+    fn strikes(renders: &[(u64, Render)]) -> usize {
+        let scene = Scene::load("springs", &[]).unwrap();
+        let key = scene.keys[39].as_ref().unwrap();
+        let voice = |render| {
+            let scene = Scene { render, ..scene.clone() };
+            VoiceBuilder::new(&scene).unwrap().voice(key, Arc::default()).unwrap()
+        };
+        let mut playing = voice(scene.render);
+        playing.reset(&KeySample::fresh(0.0));
+        let mut strikes = 0;
+        for tick in 0..600 {
+            for (_, render) in renders.iter().filter(|(at, _)| *at == tick) {
+                let mut next = voice(*render);
+                assert!(next.take_over(&*playing));
+                playing = next;
+            }
+            let mut turn = VoiceOutput::default();
+            playing.tick(tick, &KeySample::fresh(pressed(tick)), &mut turn);
+            assert_eq!(turn.fault, None, "tick {tick} of {renders:?}");
+            let is_strike = |it: &scheduler::motion::KeyEvent| {
+                matches!(it, scheduler::motion::KeyEvent::Strike { .. })
+            };
+            strikes += turn.events.as_slice().iter().filter(|(_, event)| is_strike(event)).count();
+        }
+        strikes
+    }
+
+    #[test]
+    fn settings_that_change_while_a_key_is_played_sound_no_other_note() {
+        let before = Scene::load("springs", &[]).unwrap().render;
+        assert_eq!(strikes(&[]), 1);
+        let control = Render { passivity: PassivityMode::Control, ..before };
+        let coupled = Render { coupling_stiffness: 2e3, coupling_damping: 4.0, ..control };
+        let levant = Render { estimator: haptics::EstimatorName::Levant, ..coupled };
+        let longer = Render { motion_gain: 1.2, ..before };
+        for at in (5..200).step_by(5) {
+            let all = [control, coupled, levant, before, longer, before];
+            let changes: Vec<_> = (0..).map(|n| at + 7 * n).zip(all).collect();
+            assert_eq!(strikes(&changes), 1, "from tick {at} on");
+        }
+    }
+
     #[test]
     fn a_retuned_voice_is_the_voice_that_is_built_with_those_values() {
         let scene = Scene::load("springs", &[]).unwrap();

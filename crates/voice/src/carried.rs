@@ -2,10 +2,13 @@
 
 use models::catalogue::ModelEntry;
 use models::{ModeCode, Playable};
+use pode::Motion;
 use scheduler::observation::ModelSnapshot;
 
+use crate::coupling::Coupling;
 use crate::damper::DamperTracker;
 use crate::input::InputPath;
+use crate::shift::InputShift;
 
 /// What a voice knows beyond its model's mode and state: its model, its key, and its damper.
 #[derive(Clone, Copy, Debug)]
@@ -16,6 +19,35 @@ pub struct KeyMemory {
     pub input: InputPath,
     /// Whether the key has lifted the damper.
     pub damper: DamperTracker,
+    /// Between the player's key and the model's, if there is one.
+    pub coupling: Option<Coupling>,
+    /// Between where the player's key puts the model's, and where it is after a change.
+    pub shift: InputShift,
+}
+
+impl KeyMemory {
+    /// Returns where the player's key puts the model's, or the coupling's end.
+    pub(crate) fn player(&self) -> Motion {
+        let newest = self.input.newest();
+        Motion { position: newest.position + self.shift.now(), ..newest }
+    }
+
+    /// Returns how the model's key moves.
+    pub(crate) fn key(&self) -> Motion {
+        self.coupling.map_or_else(|| self.player(), |it| it.key())
+    }
+
+    /// Goes on where the key of `before` is, the same model with other settings.
+    pub(crate) fn succeed(&mut self, before: &Self) {
+        self.input.succeed(&before.input);
+        let at = if self.coupling.is_some() { before.player() } else { before.key() };
+        self.shift = InputShift::new(at.position - self.input.newest().position);
+        match (&mut self.coupling, &before.coupling) {
+            (Some(own), Some(before)) => own.succeed(before),
+            (Some(own), None) => own.place(&at),
+            (None, _) => {}
+        }
+    }
 }
 
 /// Takes over into `state`, of the model of `own`, what the model of `entry` as it was `seen` has by

@@ -67,6 +67,23 @@ impl Coupling {
         *self = Self { position, rate, ..Self::new(self.constants) };
     }
 
+    /// Goes on where the coupling `before` was.
+    pub(crate) fn succeed(&mut self, before: &Self) {
+        // The same way between the keys is another energy in another spring.
+        let stiffer = self.constants.stiffness / before.constants.stiffness;
+        *self = Self { constants: self.constants, stored: before.stored * stiffer, ..*before };
+    }
+
+    /// Returns how the model's key moves.
+    pub(crate) fn key(&self) -> Motion {
+        Motion { position: self.position, rate: self.rate, ..Motion::default() }
+    }
+
+    /// Returns the energy in the spring (J).
+    pub(crate) const fn stored(&self) -> f64 {
+        self.stored
+    }
+
     /// Takes note of an impulse of an event on the model's key (readout s).
     pub(crate) fn strike(&mut self, impulse: f64) {
         self.impulse += impulse;

@@ -49,6 +49,9 @@ const NEWS: f64 = 1e-3;
 /// How far motion is continued from a sample, or taken back from one that was early (ticks).
 const MOST_AHEAD: f64 = 1.0;
 
+/// Ticks of motion that an estimator is shown which takes the place of another.
+const SHOWN: u32 = 16;
+
 /// After so long without a sample nothing is known of a key's motion (s): a stroke takes as long.
 const FORGOTTEN: f64 = 10e-3;
 
@@ -74,17 +77,40 @@ impl InputPath {
         Self { lead, ..self }
     }
 
-    /// Returns a path that goes on from the same samples, for a model whose input is `scale` per
-    /// metre.
-    #[must_use]
-    pub fn with_scale(self, scale: f64) -> Self {
-        let mut continuation = self.continuation;
-        if let Continuation::Samples(kind, reconstructor) = &mut continuation
-            && scale.to_bits() != self.scale.to_bits()
-        {
-            *reconstructor = Reconstructor::new(*kind, self.last.position * scale, self.h);
+    /// Goes on from the samples of `before`.
+    ///
+    /// What estimates motion goes on with what it knows if it is set as the one before was;
+    /// another one is shown the motion that the one before saw last.
+    ///
+    /// # Real-time
+    /// At most [`SHOWN`] updates of an estimator.
+    pub fn succeed(&mut self, before: &Self) {
+        let Self { last, tick, since, .. } = *before;
+        (self.last, self.tick, self.since) = (last, tick, since);
+        if is_set_as(self.estimator, before.estimator) {
+            self.estimator = before.estimator;
+        } else {
+            self.show(&last);
         }
-        Self { continuation, scale, ..self }
+        let is_same_scale = self.scale.to_bits() == before.scale.to_bits();
+        if let Continuation::Samples(kind, reconstructor) = &mut self.continuation {
+            *reconstructor = match before.continuation {
+                Continuation::Samples(same, known) if is_same_scale && same == *kind => known,
+                Continuation::Samples(..) | Continuation::Estimate => {
+                    Reconstructor::new(*kind, last.position * self.scale, self.h)
+                }
+            };
+        }
+    }
+
+    /// Shows the estimator a key that has come to `motion`.
+    fn show(&mut self, motion: &KeyMotion) {
+        let at = |ticks: u32| motion.after(-f64::from(ticks) * self.h).position;
+        self.estimator.reset(at(SHOWN));
+        for ticks in (0..SHOWN).rev() {
+            let position = at(ticks);
+            self.estimator.update(position, self.h);
+        }
     }
 
     /// Returns the input at the newest sample.
@@ -163,9 +189,16 @@ impl InputPath {
     }
 }
 
+/// Whether two estimators are the same, but for what they saw.
+fn is_set_as(mut one: AnyEstimator, mut other: AnyEstimator) -> bool {
+    one.reset(0.0);
+    other.reset(0.0);
+    one == other
+}
+
 #[cfg(test)]
 mod tests {
-    use haptics::Kalman;
+    use haptics::{EstimatorName, EstimatorSettings, Kalman};
     use pode::Signal as _;
 
     use super::*;
@@ -223,6 +256,30 @@ mod tests {
         let seen = path.follow(100, &KeySample { taken: -20.0, ..KeySample::fresh(position) });
         let back = position - seen.position;
         assert!((0.0..=1.1 * 0.5 * H).contains(&back), "{back} m");
+    }
+
+    #[test]
+    fn another_estimator_goes_on_with_the_speed_that_was_known() {
+        let settings = EstimatorSettings {
+            period: H,
+            quantum: 1e-6,
+            jerk_density: 1e5,
+            cutoff: EstimatorSettings::KEY_CUTOFF,
+            jerk_limit: EstimatorSettings::KEY_JERK_LIMIT,
+        };
+        for name in EstimatorName::ALL {
+            let mut before = path();
+            moved(&mut before, 0.5, 100, 0.0);
+            let mut next = InputPath::new(AnyEstimator::new(name, &settings), None, 2.0, H);
+            next.succeed(&before);
+            let seen = next.follow(100, &KeySample::fresh(0.5 * 100.0 * H)).signal.at(0.0);
+            // A low pass of 100 Hz knows a speed after 16 ms to 1 in 20000.
+            assert!((seen.rate - 1.0).abs() < 0.01, "{name:?}: {seen:?}");
+            assert!((seen.position - 0.1).abs() < 1e-4, "{name:?}: {seen:?}");
+            let mut same = path();
+            same.succeed(&before);
+            assert_eq!(same, before, "what is set alike goes on to the last bit");
+        }
     }
 
     #[test]

@@ -26,6 +26,7 @@ pub mod input;
 mod loaded;
 pub mod rendered_key;
 mod rest;
+mod shift;
 
 pub use audit::{AuditCell, AuditReport};
 pub use builder::{AnyVoice, BuildError, VoiceBuilder};

@@ -22,6 +22,7 @@ use crate::coupling::{CoupledTick, Coupling};
 use crate::damper::DamperTracker;
 use crate::input::{Followed, InputPath};
 use crate::rest::RestDetector;
+use crate::shift::InputShift;
 
 /// A voice that can be copied, for rehearsals.
 pub trait RehearsableVoice: Voice + Send {
@@ -34,7 +35,6 @@ pub trait RehearsableVoice: Voice + Send {
 pub struct RenderedKey<M: Playable, T: Stepper> {
     simulator: Simulator<M, T>,
     memory: KeyMemory,
-    coupling: Option<Coupling>,
     gains: Gains,
     device: Option<DeviceCompensation>,
     gate: ForceGate,
@@ -44,6 +44,8 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     passivity: PassivityObserver,
     controller: Option<PassivityController>,
     cell: Arc<AuditCell>,
+    /// What the model stores at rest with its key up (J).
+    at_rest: f64,
     /// Tick (s).
     h: f64,
     /// How many leading entries of the state are coordinates.
@@ -118,10 +120,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
         let entry = model.entry();
+        let at_rest = model.energy(mode, &state, &Motion::default());
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
-            memory: KeyMemory { entry, input, damper },
-            coupling,
+            memory: KeyMemory { entry, input, damper, coupling, shift: InputShift::default() },
             gains,
             device,
             gate,
@@ -131,6 +133,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             passivity: fittings.passivity,
             controller: fittings.controller,
             cell,
+            at_rest,
             h,
             coordinates: entry.coordinates,
             slopes,
@@ -157,7 +160,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// At most four readouts.
     fn slope(&self, middle: &Motion, late: f64) -> KeySlope {
         let scale = self.scale();
-        let (stiffness, damping) = if let Some(coupling) = &self.coupling {
+        let (stiffness, damping) = if let Some(coupling) = &self.memory.coupling {
             let constants = coupling.constants();
             (constants.stiffness * self.gains.force, constants.damping * self.gains.force)
         } else {
@@ -189,7 +192,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let scale = self.scale();
         let simulator = &self.simulator;
         let played = (simulator.model(), simulator.mode(), simulator.state());
-        Some(self.coupling.as_mut()?.follow(played, key, scale, self.h))
+        Some(self.memory.coupling.as_mut()?.follow(played, key, scale, self.h))
     }
 
     /// Returns what is taken off the resistance of the device itself (N) while its key moves so.
@@ -230,17 +233,30 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         controller.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
     }
 
-    /// Forgets what energy went where: another action, or another hand.
-    fn forget_energy(&mut self) {
+    /// Forgets what energy went where, but for what is stored now: another action, or another
+    /// hand.
+    fn begin_account(&mut self) {
         self.passivity.reset();
+        let stored = self.stored();
         if let Some(controller) = &mut self.controller {
             controller.reset();
+            controller.take(stored, 0.0);
         }
+    }
+
+    /// Returns what the action stores beyond its rest, as energy at the finger (J).
+    fn stored(&self) -> f64 {
+        let simulator = &self.simulator;
+        let (model, mode, state) = (simulator.model(), simulator.mode(), simulator.state());
+        let in_model = model.energy(mode, state, &self.memory.key()) - self.at_rest;
+        let in_coupling = self.memory.coupling.map_or(0.0, |it| it.stored());
+        (in_model + in_coupling) * self.gains.force / self.gains.motion
     }
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let is_passive = self.passivity.is_passive(tick, sample.position);
         let Followed { signal, position, late } = self.memory.input.follow(tick, sample);
+        let signal = self.memory.shift.follow(signal, self.h);
         let damped = self.memory.damper.follow(tick, position, self.h);
         if let Some((at, event)) = damped {
             turn.events.push(at, event);
@@ -253,7 +269,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let mut watch = (&mut self.auditor, &mut strikes);
         let done = self.simulator.advance(self.h, &moved, &mut watch);
         let impulse = strikes.impulse;
-        if let Some(coupling) = &mut self.coupling {
+        if let Some(coupling) = &mut self.memory.coupling {
             coupling.strike(impulse);
         }
         self.signal = moved;
@@ -263,7 +279,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         turn.force = self.passive(tick, sample.position, gated.force);
         self.account(&sums, coupled.map_or(0.0, |it| it.stored));
         let is_whole = gated.finite && !gated.limited && !gated.slewed;
-        let is_free = is_whole && turn.force == gated.force && done.work.events == 0;
+        let is_free =
+            is_whole && turn.force.to_bits() == gated.force.to_bits() && done.work.events == 0;
         if self.slopes == SlopeOutput::Rendered && is_free {
             turn.slope = self.slope(&signal.at(0.5), late);
         }
@@ -326,13 +343,14 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     fn reset(&mut self, sample: &KeySample) {
         let input = self.memory.input.reset(sample.position);
         let (mode, state) = self.simulator.model().at_rest(&input);
-        if let Some(coupling) = &mut self.coupling {
+        self.memory.shift = InputShift::default();
+        if let Some(coupling) = &mut self.memory.coupling {
             coupling.place(&input);
         }
         self.simulator.place(mode, state);
         self.auditor.forget();
         self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
-        self.forget_energy();
+        self.begin_account();
         self.rest = RestDetector::new(*self.simulator.state(), self.h);
     }
 
@@ -341,34 +359,45 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         if !values.are_of(model.entry().name) {
             return false;
         }
-        self.simulator.set_model(model.with_values(values.as_slice()));
+        let model = model.with_values(values.as_slice());
+        if self.controller.is_some() {
+            let (mode, state) = model.at_rest(&Motion::default());
+            self.at_rest = model.energy(mode, &state, &Motion::default());
+        }
+        self.simulator.set_model(model);
         self.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
         self.rest = RestDetector::new(*self.simulator.state(), self.h);
-        self.forget_energy();
+        self.begin_account();
         true
     }
 
     fn take_over(&mut self, before: &dyn Voice) -> bool {
         let memory = before.memory().and_then(|it| it.downcast_ref::<KeyMemory>());
-        let Some(&KeyMemory { entry, input, damper }) = memory else { return false };
+        let Some(memory @ &KeyMemory { entry, damper, .. }) = memory else { return false };
         let mut seen = VoiceObservation::default();
         before.observe(&mut seen);
         let model = self.simulator.model();
-        let input = input.with_scale(self.scale());
         // It has not begun: it is at rest, as it was built.
         let structure = seen.snapshot.structure();
         let Some(mode) = same_mode(model, entry, structure) else { return false };
         let mut state = *self.simulator.state();
         carry(state.as_mut(), model.entry(), (entry, &seen.snapshot));
-        let (mode, state) = model.begin(mode, &state, &input.newest());
         self.memory.damper = damper.with_damper(model.damper());
-        if let Some(coupling) = &mut self.coupling {
-            coupling.place(&input.newest());
+        if model.entry().is(entry) {
+            self.memory.succeed(memory);
+        } else {
+            // What another version calls its input may be something else.
+            self.memory.input.succeed(&memory.input);
+            let newest = self.memory.input.newest();
+            if let Some(coupling) = &mut self.memory.coupling {
+                coupling.place(&newest);
+            }
         }
-        self.memory.input = input;
+        let (mode, state) = self.simulator.model().begin(mode, &state, &self.memory.key());
         self.simulator.place(mode, state);
+        self.begin_account();
         true
     }
 

@@ -13,6 +13,9 @@ impl Demo {
             Request::UseInstrument { instrument, keys } => {
                 self.use_instrument(&instrument, keys.as_deref())
             }
+            Request::Render { settings } => {
+                Ok(done(&format!("{} settings changed.", settings.len())))
+            }
             Request::Load { description, .. } => Err(format!("There is no {description} here.")),
             Request::Stop {} => {
                 self.is_stopped = true;

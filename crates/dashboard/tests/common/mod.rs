@@ -234,6 +234,7 @@ impl TestWindow {
             | Request::Grip { .. }
             | Request::Identify { .. }
             | Request::Load { .. }
+            | Request::Render { .. }
             | Request::Scene {}
             | Request::Where {}
             | Request::Record { .. } => None,

@@ -65,7 +65,6 @@ impl EstimatorSettings {
 
 /// An estimator of any kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a tick owns its estimator without a heap")]
 pub enum AnyEstimator {
     Kalman(Kalman),
     BackwardDifference(BackwardDifference),

@@ -125,7 +125,7 @@ impl PassivityController {
     /// Forgets all that was seen: another action, another finger, or a gap.
     pub const fn reset(&mut self) {
         let Self { tank, dip, late, reach, .. } = *self;
-        *self = Self { late, reach, ..Self::new(tank, dip, 0.0) };
+        *self = Self { reach, late, ..Self::new(tank, dip, 0.0) };
     }
 
     /// Returns the energy that the hand may get now \[J\].

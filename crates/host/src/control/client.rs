@@ -111,6 +111,7 @@ const fn command(request: &Request) -> &'static str {
         Request::Stop {} => "letoff stop",
         Request::UseInstrument { .. } => "letoff instruments use NAME",
         Request::Load { .. } => "letoff model load FILE",
+        Request::Render { .. } => "letoff set NAME=VALUE",
         Request::Where {}
         | Request::Set { .. }
         | Request::Press { .. }

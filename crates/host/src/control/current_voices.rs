@@ -13,11 +13,13 @@ use super::description_states::known_path;
 use super::new_voice::{NewVoice, VoiceHandover};
 use crate::observe::instrument_of;
 use diagnostics::{choice, quoted};
-use scene::{KeyVoice, Scene, Voicing};
+use scene::{KeyVoice, Render, Scene, Voicing};
 
 /// The voice that plays on each key.
 #[derive(Clone, Debug)]
 pub(super) struct CurrentVoices {
+    /// The settings by which they are computed.
+    pub(super) render: Render,
     pub(super) keys: Vec<Option<KeyVoice>>,
     /// The names of their instruments, as far as they are known.
     pub(super) instruments: Vec<Option<String>>,
@@ -37,7 +39,12 @@ impl CurrentVoices {
         let of = |(key, voice): (u8, &Option<KeyVoice>)| instrument_of(key, voice.as_ref()?);
         let instruments = (0..).zip(&keys).map(of).collect();
         let changed = vec![BTreeMap::new(); keys.len()];
-        Self { keys, instruments, voicings: scene.voicings.clone(), changed }
+        Self { render: scene.render, keys, instruments, voicings: scene.voicings.clone(), changed }
+    }
+
+    /// Returns the same voices, computed by other settings.
+    pub(super) fn computed_by(&self, render: Render) -> Self {
+        Self { render, ..self.clone() }
     }
 
     /// Returns the voices of all keys that `changes` touch, with their new values.
@@ -121,6 +128,7 @@ impl CurrentVoices {
                     self.changed[key].clear();
                 }
                 VoiceHandover::Version(voicing) => self.voicings[key] = Some(voicing),
+                VoiceHandover::Settings => {}
             }
             self.keys[key] = Some(voice);
         }

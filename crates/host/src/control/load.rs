@@ -10,6 +10,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use descriptions::{FileContents, rendered, try_load};
 use keyboard::KeyRange;
 use models::catalogue::ModelEntry;
+use scene::{Render, Scene};
 use telemetry::{Log, Update, log};
 
 use super::RequestHandler;
@@ -68,7 +69,7 @@ impl RequestHandler {
         if !described.iter().any(|known| known.is(model)) {
             described.push(model);
         }
-        let catalogue = self.catalogue(&described, &states);
+        let catalogue = self.catalogue(playing.render, &described, &states);
         self.put_in(&mut playing, voices, Some(catalogue), who).map_err(LoadError::Refused)?;
         *self.states() = states;
         let version = observe::version(model);
@@ -86,7 +87,7 @@ impl RequestHandler {
         }
         let mut states = self.states();
         states.note_read(path, contents, mistakes);
-        self.run.tell(self.catalogue(&playing.described(), &states));
+        self.run.tell(self.catalogue(playing.render, &playing.described(), &states));
         let text = format!("{path} is wrong, and the version before it plays on:\n{mistakes}");
         let entry = Log { level: log::Level::Error.into(), text };
         self.run.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
@@ -97,7 +98,7 @@ impl RequestHandler {
         let playing = self.playing();
         let mut states = self.states();
         states.is_watched = true;
-        self.run.tell(self.catalogue(&playing.described(), &states));
+        self.run.tell(self.catalogue(playing.render, &playing.described(), &states));
     }
 
     /// Returns the files of the descriptions that play, each with what stood in them when they
@@ -120,16 +121,17 @@ impl RequestHandler {
     ) -> Option<TelemetryMessage> {
         let played = playing.described();
         let with = observe::described(played.iter().copied().chain([model]));
-        (played.len() < with.len()).then(|| self.catalogue(&with, &self.states()))
+        (played.len() < with.len()).then(|| self.catalogue(playing.render, &with, &self.states()))
     }
 
     /// Returns the message that tells what there is now, with the models of `described`.
-    fn catalogue(
+    pub(super) fn catalogue(
         &self,
+        render: Render,
         described: &[&'static ModelEntry],
         states: &DescriptionStates,
     ) -> TelemetryMessage {
-        let mut catalogue = observe::catalogue(&self.scene, described);
+        let mut catalogue = observe::catalogue(&Scene { render, ..self.scene.clone() }, described);
         states.complete(&mut catalogue.descriptions);
         TelemetryMessage::Catalogue(Box::new(catalogue))
     }

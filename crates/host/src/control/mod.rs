@@ -13,6 +13,9 @@
 //! on the same side (`load`, `watch`): if it is right, voices of the new version go on where those
 //! of the old one are, and if it is wrong nothing changes but what is told of it.
 //!
+//! Settings of `[render]` change the same way (`render_settings`): they are tried first, and voices that
+//! are computed by them go on where the others are.
+//!
 //! A program change that is heard on a MIDI port is a request for an instrument (`programs`).
 //!
 //! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
@@ -29,6 +32,7 @@ mod load;
 mod new_voice;
 mod place;
 mod programs;
+mod render_settings;
 mod request_handler;
 mod run_handle;
 mod server;

@@ -16,6 +16,8 @@ pub(super) enum VoiceHandover {
     Values,
     /// It begins at rest, as the voicing of what is called so says.
     Anew(Voicing, String),
+    /// Other settings of `[render]` compute it, and it goes on where the old one is.
+    Settings,
     /// It is of another version of the model's description, and goes on where the old one is.
     Version(Voicing),
 }

@@ -68,6 +68,7 @@ impl RequestHandler {
     fn answer_to(&self, request: &Request, who: &str, by: FingerOwner) -> Answer {
         let done = match request {
             Request::Set { changes } => self.set(changes, who)?,
+            Request::Render { settings } => self.change_settings(settings, who)?,
             Request::UseInstrument { instrument, keys } => {
                 self.switch(instrument, keys.as_deref(), who)?
             }
@@ -94,7 +95,12 @@ impl RequestHandler {
 
     /// Returns the scene as it sounds now.
     fn written(&self) -> String {
-        written(&Scene { keys: self.playing().keys.clone(), ..self.scene.clone() })
+        written(&self.scene_of(&self.playing()))
+    }
+
+    /// Returns the scene with the settings and voices of `playing`.
+    pub(super) fn scene_of(&self, playing: &CurrentVoices) -> Scene {
+        Scene { render: playing.render, keys: playing.keys.clone(), ..self.scene.clone() }
     }
 
     fn whereabouts(&self) -> Answer {
@@ -126,8 +132,8 @@ impl RequestHandler {
             return self.load(name, keys.or(Some(ALL_KEYS)), who);
         }
         let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
-        let Scene { tick_hz, render, .. } = &self.scene;
-        if let Some(unmet) = instrument.needs.unmet(&instrument.name, *tick_hz, render) {
+        let render = self.playing().render;
+        if let Some(unmet) = instrument.needs.unmet(&instrument.name, self.scene.tick_hz, &render) {
             return Err(format!("{}; {}", unmet.lacks, unmet.help));
         }
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
@@ -146,7 +152,7 @@ impl RequestHandler {
 
     /// Tries `instrument` on some keys of `range`, as they are, beside the tick.
     fn refuse_unstable(&self, instrument: &Instrument, range: KeyRange) -> Result<(), String> {
-        let mut scene = self.scene.clone();
+        let mut scene = self.scene_of(&self.playing());
         for key in range.numbers() {
             scene.keys[usize::from(key)] = Some(KeyVoice::new(&instrument.voicing, key));
         }
@@ -162,16 +168,18 @@ impl RequestHandler {
         catalogue: Option<TelemetryMessage>,
         who: &str,
     ) -> Result<(), String> {
+        let scene = self.scene_of(playing);
+        let builder = VoiceBuilder::new(&scene).map_err(|error| error.to_string())?;
         let mut changes = Vec::new();
         let mut messages: Vec<_> = catalogue.into_iter().collect();
         for (key, new) in &voices {
             let index = usize::from(*key);
             let revision = self.run.new_revision();
-            changes.push((index, self.change(new, revision)?));
+            changes.push((index, self.change(&builder, new, revision)?));
             // Values that are changed are still that instrument's.
             let (instrument, kept) = match &new.handover {
                 VoiceHandover::Anew(_voicing, name) => (Some(name), false),
-                VoiceHandover::Values | VoiceHandover::Version(_) => {
+                VoiceHandover::Values | VoiceHandover::Version(_) | VoiceHandover::Settings => {
                     (playing.instruments[index].as_ref(), true)
                 }
             };
@@ -185,16 +193,22 @@ impl RequestHandler {
     }
 
     /// Builds what the voice of a key becomes.
-    fn change(&self, new: &NewVoice, revision: u32) -> Result<VoiceChange, String> {
+    fn change(
+        &self,
+        builder: &VoiceBuilder<'_>,
+        new: &NewVoice,
+        revision: u32,
+    ) -> Result<VoiceChange, String> {
         let built = || {
-            let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
             let built = builder.numbered(&new.voice, self.run.new_cell(), revision);
             built.map(|voice| voice as BoxedVoice).map_err(|error| error.to_string())
         };
         match &new.handover {
             VoiceHandover::Values => retuning(&new.voice, revision),
             VoiceHandover::Anew(..) => built().map(VoiceChange::Replace),
-            VoiceHandover::Version(_) => built().map(VoiceChange::Succeed),
+            VoiceHandover::Version(_) | VoiceHandover::Settings => {
+                built().map(VoiceChange::Succeed)
+            }
         }
     }
 
@@ -234,6 +248,7 @@ impl RequestHandler {
             }
             Request::Record { file: None }
             | Request::Set { .. }
+            | Request::Render { .. }
             | Request::Stop {}
             | Request::Press { .. }
             | Request::Grip { .. }

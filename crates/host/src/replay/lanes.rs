@@ -12,7 +12,7 @@ use scheduler::voice::VoiceOutput;
 use super::ReplayError;
 use super::feed::{KeyTick, LaneStatus};
 use realtime::pool::{LateResult, PanicGuard};
-use scene::{KeyVoice, Scene};
+use scene::{KeyVoice, Render, Scene};
 use voice::{AnyVoice, VoiceBuilder};
 
 /// A voice of the recording.
@@ -21,11 +21,15 @@ pub(super) struct RecordedVoice {
     pub(super) voice: KeyVoice,
     /// Whether it takes over the state of the one before.
     pub(super) kept: bool,
+    /// The settings by which it is computed.
+    pub(super) render: Render,
 }
 
 /// A key's voice, and what of it has not been seen.
 struct ReplaySlot {
     slot: Slot<PanicGuard>,
+    /// The settings by which its voice is computed.
+    render: Render,
     revision: u32,
     /// Ticks in which its lane was not done.
     pending: Vec<(u64, KeySample)>,
@@ -67,6 +71,7 @@ impl ReplayLanes {
             let voice = build(&self.scene, &recorded, revision)?;
             *slot = Some(ReplaySlot {
                 slot: Slot::new(key, PanicGuard::new(voice)),
+                render: recorded.render,
                 revision,
                 pending: Vec::new(),
                 late: LateResult::default(),
@@ -84,7 +89,8 @@ impl ReplayLanes {
 
 fn build(scene: &Scene, recorded: &RecordedVoice, revision: u32) -> Result<AnyVoice, ReplayError> {
     let failed = |error: voice::BuildError| ReplayError::Voice(error.to_string());
-    let builder = VoiceBuilder::new(scene).map_err(failed)?;
+    let scene = Scene { render: recorded.render, ..scene.clone() };
+    let builder = VoiceBuilder::new(&scene).map_err(failed)?;
     builder.numbered(&recorded.voice, std::sync::Arc::default(), revision).map_err(failed)
 }
 
@@ -117,10 +123,13 @@ impl ReplaySlot {
         scene: &Scene,
     ) -> Result<(), ReplayError> {
         let KeyVoice { model, values } = &recorded.voice;
-        let values = ModelValues::new(model.name, revision, values).filter(|_| recorded.kept);
+        let values = ModelValues::new(model.name, revision, values);
+        let is_set_as = self.render == recorded.render;
+        self.render = recorded.render;
+        let values = values.filter(|_| recorded.kept && is_set_as);
         if !values.is_some_and(|values| self.slot.retune(&values)) {
             let voice = PanicGuard::new(build(scene, recorded, revision)?);
-            // What keeps a state and is no voice of the same model is one of another version.
+            // What keeps a state and takes no values is of another version, or computed otherwise.
             let put_in = if recorded.kept { Slot::succeed } else { Slot::replace };
             let _old = put_in(&mut self.slot, voice);
         }

@@ -22,7 +22,7 @@ use crate::session::{MonitoredOutput, Watchers, nowhere};
 use realtime::clock;
 use realtime::run::scheduler;
 use realtime::wake_fd::WakeFd;
-use scene::{KeyVoice, Scene};
+use scene::{KeyVoice, Render, Scene};
 
 /// What a replay came to.
 #[derive(Clone, PartialEq, Debug, Serialize)]
@@ -90,8 +90,16 @@ pub fn replay(
     Ok(replay.ok_or(ReplayError::NoCatalogue)?.finish())
 }
 
+/// Returns the recorded scene.
+fn scene_of(catalogue: &Catalogue) -> Result<Scene, ReplayError> {
+    let scene = Scene::from_text("recording", catalogue.scene_text.clone());
+    scene.map_err(|wrong| ReplayError::Scene(wrong.to_string()))
+}
+
 struct Replay {
     scene: Scene,
+    /// The settings by which voices are computed that are told of next.
+    render: Render,
     versions: RecordedVersions,
     scheduler: Box<scheduler::tick::Scheduler>,
     timetable: Timetable,
@@ -157,8 +165,7 @@ impl Replay {
     fn begin(catalogue: &Catalogue) -> Result<Box<Self>, ReplayError> {
         let mut versions = RecordedVersions::default();
         versions.learn(catalogue)?;
-        let scene = Scene::from_text("recording", catalogue.scene_text.clone())
-            .map_err(|wrong| ReplayError::Scene(wrong.to_string()))?;
+        let scene = scene_of(catalogue)?;
         let period = Period::from_hz(scene.tick_hz)
             .ok_or_else(|| ReplayError::Scene(format!("no tick has {} Hz", scene.tick_hz)))?;
         let timetable = Timetable::new(Nanos::ZERO, period);
@@ -196,6 +203,7 @@ impl Replay {
             feed: Feed::new(),
             bus: ReplayBus { samples: [KeySample::default(); KEYS] },
             lanes: ReplayLanes::new(scene.clone()),
+            render: scene.render,
             scene,
             versions,
             watchers: Watchers { publisher, recorder: tap },
@@ -269,7 +277,10 @@ impl Replay {
                 self.pump.pump();
                 self.comparison.window(self.last, &self.said);
             }
-            Update::Catalogue(catalogue) => self.versions.learn(catalogue)?,
+            Update::Catalogue(catalogue) => {
+                self.versions.learn(catalogue)?;
+                self.render = scene_of(catalogue)?.render;
+            }
             Update::Overview(_)
             | Update::State(..)
             | Update::Deadlines(_)
@@ -294,7 +305,7 @@ impl Replay {
         let key = u8::try_from(message.key).unwrap_or(u8::MAX);
         // Whoever hears is there as long as this is.
         let _heard = self.told.send(voice(key, &played, origin));
-        let part = RecordedVoice { voice: played, kept: message.kept };
+        let part = RecordedVoice { voice: played, kept: message.kept, render: self.render };
         self.lanes.learn(message.key, message.revision, part)
     }
 

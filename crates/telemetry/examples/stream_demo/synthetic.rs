@@ -70,6 +70,7 @@ impl Backend for Synthetic {
             Request::Grip { key, .. } => Ok(done(format!("key {key} is held"))),
             Request::Identify { .. }
             | Request::Load { .. }
+            | Request::Render { .. }
             | Request::Record { .. }
             | Request::Where {} => Err("a synthetic host has neither boards nor files".to_owned()),
         }

@@ -16,11 +16,12 @@ pub enum Service {
     Scene,
     Record,
     Load,
+    Render,
 }
 
 impl Service {
     /// Every service, in the order of their numbers.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::UseInstrument,
         Self::Stop,
         Self::Press,
@@ -29,6 +30,7 @@ impl Service {
         Self::Scene,
         Self::Record,
         Self::Load,
+        Self::Render,
     ];
 
     /// Returns the service by which `request` travels; none if it is of parameters.
@@ -44,6 +46,7 @@ impl Service {
             Request::Scene {} => Some(Self::Scene),
             Request::Record { .. } => Some(Self::Record),
             Request::Load { .. } => Some(Self::Load),
+            Request::Render { .. } => Some(Self::Render),
         }
     }
 
@@ -57,6 +60,7 @@ impl Service {
             Self::Scene => 5,
             Self::Record => 6,
             Self::Load => 7,
+            Self::Render => 8,
             Self::Grip => 9,
         }
     }
@@ -77,6 +81,7 @@ impl Service {
             Self::Scene => "scene",
             Self::Record => "record",
             Self::Load => "load",
+            Self::Render => "render",
         }
     }
 
@@ -172,6 +177,9 @@ impl Service {
                 }),
                 json!(["description"]),
             ),
+            Self::Render => {
+                (json!({"settings": {"type": "array", "items": setting()}}), json!(["settings"]))
+            }
         };
         json!({
             "type": "object",
@@ -180,6 +188,18 @@ impl Service {
             "additionalProperties": false,
         })
     }
+}
+
+/// Returns the JSON schema of a setting.
+fn setting() -> Value {
+    json!({
+        "type": "object",
+        "properties": {
+            "name": {"type": "string", "description": "as render.passivity"},
+            "value": {"type": "string", "description": "as in a scene"},
+        },
+        "required": ["name", "value"],
+    })
 }
 
 /// Returns the JSON schema of a reply.
@@ -239,8 +259,10 @@ impl ServiceSchema {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::request::Setting;
 
     fn requests() -> Vec<Request> {
+        let passivity = Setting { name: "render.passivity".into(), value: "control".into() };
         vec![
             Request::UseInstrument { instrument: "grand".to_owned(), keys: None },
             Request::Stop {},
@@ -250,6 +272,7 @@ mod tests {
             Request::Scene {},
             Request::Record { file: Some("a.mcap".to_owned()) },
             Request::Load { description: "a.toml".to_owned(), keys: None },
+            Request::Render { settings: vec![passivity] },
         ]
     }
 

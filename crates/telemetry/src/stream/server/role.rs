@@ -37,7 +37,8 @@ impl Role {
             | Service::Load
             | Service::Press
             | Service::Grip
-            | Service::Identify => Self::Tuner,
+            | Service::Identify
+            | Service::Render => Self::Tuner,
             Service::Scene | Service::Record => Self::Owner,
         }
     }

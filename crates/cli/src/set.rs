@@ -1,0 +1,25 @@
+//! `letoff set`: other settings of `[render]` while the host plays.
+
+use std::io::Write;
+
+use clap::Args;
+
+use super::{Failure, arguments, ask};
+use host::control::Request;
+use telemetry::request::Setting;
+
+/// Settings for the running host.
+#[derive(Debug, Args)]
+pub struct SetArgs {
+    /// Settings as a scene has them: render.passivity=control, render.coupling_stiffness="400 N/m".
+    #[arg(value_name = "NAME=VALUE", required = true, value_parser = arguments::assignment)]
+    settings: Vec<(String, String)>,
+}
+
+/// Asks the running host to compute its voices by other settings.
+pub(super) fn run(args: &SetArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let setting =
+        |(name, value): &(String, String)| Setting { name: name.clone(), value: value.clone() };
+    let settings = args.settings.iter().map(setting).collect();
+    ask::ask(&Request::Render { settings }, Failure::Usage, out)
+}

@@ -1,0 +1,79 @@
+//! Settings of `[render]` that change while the host plays.
+//!
+//! They are checked as a scene's are, tried on simulated keys as an instrument is, and voices are
+//! built with them, all beside the tick. Each voice then goes on where the one before it is.
+
+use std::collections::BTreeSet;
+
+use scene::{Instrument, Render};
+use telemetry::request::Setting;
+
+use super::RequestHandler;
+use super::current_voices::CurrentVoices;
+use super::new_voice::{NewVoice, VoiceHandover};
+use crate::stability::examine;
+
+impl RequestHandler {
+    /// Computes all voices by `settings` from now on.
+    ///
+    /// # Errors
+    /// All that is wrong with them, or which key is not stable with them, in a sentence each.
+    pub(super) fn change_settings(
+        &self,
+        settings: &[Setting],
+        who: &str,
+    ) -> Result<String, String> {
+        let tried = {
+            let playing = self.playing();
+            let render = self.changed(&playing, settings)?;
+            playing.computed_by(render)
+        };
+        self.refuse_unstable_settings(&tried)?;
+        let mut playing = self.playing();
+        if self.changed(&playing, settings)? != tried.render {
+            return Err("other settings were changed meanwhile; try again".to_owned());
+        }
+        let mut next = playing.computed_by(tried.render);
+        let voices = (0..).zip(&playing.keys).filter_map(|(key, voice)| {
+            let voice = voice.clone()?;
+            Some((key, NewVoice { voice, handover: VoiceHandover::Settings }))
+        });
+        let catalogue = self.catalogue(tried.render, &playing.described(), &self.states());
+        self.put_in(&mut next, voices.collect(), Some(catalogue), who)?;
+        *playing = next;
+        let named = |it: &Setting| format!("{}={}", it.name, it.value);
+        let text = settings.iter().map(named).collect::<Vec<_>>().join(" ");
+        self.tell(&text, who);
+        Ok(text)
+    }
+
+    /// Returns the settings of `playing` with `settings`.
+    fn changed(&self, playing: &CurrentVoices, settings: &[Setting]) -> Result<Render, String> {
+        let named = |it: &Setting| (it.name.clone(), it.value.clone());
+        let changes: Vec<_> = settings.iter().map(named).collect();
+        let changed = playing.render.changed(self.scene.tick_hz, &changes);
+        changed.map_err(|wrong| {
+            let said = wrong.into_vec().into_iter();
+            let said = said.map(|it| format!("{}: {}; {}", it.file, it.message, it.help));
+            said.collect::<Vec<_>>().join("\n")
+        })
+    }
+
+    /// Refuses settings with which an instrument is known not to be stable, or a key is not as
+    /// trials find.
+    fn refuse_unstable_settings(&self, tried: &CurrentVoices) -> Result<(), String> {
+        let scene = self.scene_of(tried);
+        let names: BTreeSet<_> = tried.instruments.iter().flatten().collect();
+        for name in names {
+            // What is no instrument by its name was read from a file that has another name now.
+            let Ok(instrument) = Instrument::load(name) else { continue };
+            if let Some(unmet) = instrument.needs.unmet(name, scene.tick_hz, &scene.render) {
+                return Err(format!("{}; {}", unmet.lacks, unmet.help));
+            }
+        }
+        let found = examine(&scene).map_err(|it| it.to_string())?;
+        let unstable: Vec<_> = found.into_iter().filter_map(|range| range.unstable).collect();
+        let said: Vec<_> = unstable.iter().map(ToString::to_string).collect();
+        if said.is_empty() { Ok(()) } else { Err(said.join("\n")) }
+    }
+}

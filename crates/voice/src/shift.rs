@@ -1,0 +1,69 @@
+//! A model's key that other settings would put elsewhere goes there slowly.
+
+use pode::input::Cubic;
+use pode::{Motion, Signal as _};
+
+/// From where a model's key was to where it belongs (s): slower than a hammer could be thrown by.
+const FADE: f64 = 0.3;
+
+/// The way between a model's key and where the player's would put it, after a change.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct InputShift {
+    /// That way at the change (model input).
+    whole: f64,
+    /// What is left of it, 1 to 0.
+    left: f64,
+}
+
+impl InputShift {
+    /// Returns the shift by `way` (model input), which begins to go.
+    pub(crate) const fn new(way: f64) -> Self {
+        Self { whole: way, left: 1.0 }
+    }
+
+    /// Returns what is left (model input).
+    pub(crate) fn now(&self) -> f64 {
+        self.whole * self.left
+    }
+
+    /// Returns the motion `key` over a tick of `h` (s), shifted.
+    ///
+    /// # Real-time
+    /// One evaluation of the motion, where something is left.
+    pub(crate) fn follow(&mut self, key: Cubic, h: f64) -> Cubic {
+        let before = self.now();
+        if before == 0.0 {
+            return key;
+        }
+        self.left = (self.left - h / FADE).max(0.0);
+        let Motion { position, rate, acceleration, jerk } = key.at(0.0);
+        let moved = h * rate + self.now() - before;
+        Cubic::new(
+            [position + before, moved, h * h * acceleration / 2.0, h * h * h * jerk / 6.0],
+            h,
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shift_goes_evenly_and_leaves_the_motion_as_it_is() {
+        let h = 1e-3;
+        let mut shift = InputShift::new(2e-3);
+        for tick in 0..320_u32 {
+            let key = Cubic::ballistic(0.1, 0.5, -3.0, h);
+            let moved = shift.follow(key, h);
+            for theta in [0.0, 0.5, 1.0] {
+                let left = (1.0 - (f64::from(tick) + theta) / 300.0).max(0.0);
+                let way = moved.at(theta).position - key.at(theta).position;
+                // Three hundred subtractions of numbers below 1.
+                assert!((way - 2e-3 * left).abs() < 1e-14, "tick {tick}: {way}");
+            }
+        }
+        let key = Cubic::ballistic(0.1, 0.5, -3.0, h);
+        assert_eq!(shift.follow(key, h), key);
+    }
+}
