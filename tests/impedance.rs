@@ -58,6 +58,8 @@ fn a_voice_is_as_passive_as_its_walls_damper_less_what_the_delay_takes() {
 #[test]
 fn a_recorded_stroke_has_the_impedance_of_the_voice_where_it_is_coherent() {
     let folder = folder("impedance-recording");
+    // A recording of an earlier test is not written over.
+    let _none = fs::remove_file(folder.join("a.mcap"));
     let recorded = ["record", "a.mcap", "--virtual-time", "--duration", "8"];
     assert_eq!(run(&folder, &recorded).code, Some(0));
     let range = ["--key", "F#3", "--frequency", "250..440", "--points", "12"];

@@ -17,9 +17,10 @@ const ROWS: usize = 16;
 const HOW: &str = "Z = F/v at the key's front: the force on the finger over the finger's velocity. \
     A damper is level at 0°, a spring falls at −90°, a mass rises at +90°. Where Re Z is below zero, \
     shaded, the key is not passive: a finger that shakes it there gets work out of it. \
-    Peaks of Re Z are cut at the edge of their panel. A mode is linearised, with exact input. A voice is shaken by a small sinusoid tick by tick, and its force is \
-    held and delayed. A recorded stroke is a cross-spectrum. Below a \
-    coherence of 0.5, and within three standard errors of zero, Re Z is not judged.";
+    Peaks of Re Z are cut at the edge of their panel. A mode is linearised, with exact input. A voice \
+    is shaken by a small sinusoid tick by tick, and its force is held and delayed. A recorded stroke \
+    is a cross-spectrum. Below a coherence of 0.5, and within three standard errors of zero, Re Z is \
+    not judged.";
 
 /// The figures of a study, for programs.
 #[derive(Clone, PartialEq, Debug, Serialize)]
