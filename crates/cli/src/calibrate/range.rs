@@ -60,7 +60,7 @@ struct ModelRow {
     renders: Option<f64>,
 }
 
-/// Measures and prints.
+/// Raises the objects on the key that `args` mean, and says what it can render.
 pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
     let key = args.key;

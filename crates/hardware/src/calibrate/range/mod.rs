@@ -12,14 +12,14 @@
 //! spring, whose rest is there. Nobody has to touch it; a finger that rests on it takes energy, and
 //! more is stable.
 
-mod level;
 mod object;
 #[cfg(test)]
 mod tests;
+mod tried_value;
 
 use haptics::{AnyEstimator, EnergyBound, Estimator as _, PassivityObserver};
 
-use self::level::{Level, Verdict};
+use self::tried_value::{TriedValue, Verdict};
 use super::key_push::KeyPush;
 use super::{CalibrationFault, Next, Rested, Travelled};
 
@@ -50,7 +50,7 @@ pub struct RangeTerms {
 /// What ended the raising of an object, at the value of which it happened.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RangeEnd {
-    /// The key shook.
+    /// It did not come to rest, or gave back more energy than it got.
     Shook(f64),
     /// It asked for more than the largest force.
     ForceLimit(f64),
@@ -71,10 +71,10 @@ pub struct RangeFound {
 /// What is being done.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum RangePhase {
-    Trying(Level),
+    Trying(TriedValue),
     LettingGo,
     /// A soft spring brings the key to its middle.
-    Placing(Level),
+    Placing(TriedValue),
 }
 
 /// The measurement of one object on one key.
@@ -112,7 +112,7 @@ impl RangeMeasurement {
             middle: rested.position + 0.5 * dip,
             dip,
             float: travelled.float,
-            phase: RangePhase::Trying(Level::default()),
+            phase: RangePhase::Trying(TriedValue::default()),
             value: object.first(),
             end: None,
             observer: PassivityObserver::new(bound, terms.period),
@@ -142,24 +142,24 @@ impl RangeMeasurement {
         seen?;
         let motion = self.terms.estimator.update(position, elapsed);
         let is_passive = self.observer.is_passive(self.tick, position);
-        let (RangePhase::Trying(mut level) | RangePhase::Placing(mut level)) = self.phase else {
+        let (RangePhase::Trying(mut tried) | RangePhase::Placing(mut tried)) = self.phase else {
             return Ok(self.let_go());
         };
         let wanted = self.object.push(self.rendered(), &motion, self.middle);
-        let verdict = level.advance(t, position, self.dip);
+        let verdict = tried.advance(t, position, self.dip);
         if self.terms.limit < wanted.abs() {
-            level.limit(elapsed);
+            tried.limit(elapsed);
         }
         if !is_passive || verdict == Verdict::Shakes {
             return Ok(self.lower(RangeEnd::Shook(self.value)));
         }
-        let push = self.push(wanted, t, position, &level);
+        let push = self.push(wanted, t, position, &tried);
         let found = match (verdict, &mut self.phase) {
             (Verdict::Moves, RangePhase::Trying(it) | RangePhase::Placing(it)) => {
-                *it = level;
+                *it = tried;
                 None
             }
-            (Verdict::Rests, RangePhase::Trying(_)) if level.is_limited() => {
+            (Verdict::Rests, RangePhase::Trying(_)) if tried.is_limited() => {
                 return Ok(self.lower(RangeEnd::ForceLimit(self.value)));
             }
             (Verdict::Rests, RangePhase::Trying(_)) => self.raise(),
@@ -200,13 +200,13 @@ impl RangeMeasurement {
 
     /// Returns the push on the key (N): what the object wants, what carries its weight, and the
     /// pulse towards the middle.
-    fn push(&mut self, wanted: f64, t: f64, position: f64, level: &Level) -> f64 {
+    fn push(&mut self, wanted: f64, t: f64, position: f64, tried: &TriedValue) -> f64 {
         let limit = self.terms.limit;
         let held = wanted.clamp(-limit, limit);
         self.observer.hold(self.tick, position, -held);
         let (force, length) = PULSE;
-        let has_pulse = matches!(self.phase, RangePhase::Trying(_)) && level.age(t) < length;
-        let pulse = if has_pulse { force.copysign(self.middle - level.began_at()) } else { 0.0 };
+        let has_pulse = matches!(self.phase, RangePhase::Trying(_)) && tried.age(t) < length;
+        let pulse = if has_pulse { force.copysign(self.middle - tried.began_at()) } else { 0.0 };
         (held + self.float + pulse).clamp(-limit, limit)
     }
 
@@ -238,14 +238,14 @@ impl RangeMeasurement {
                 return Next::Done(RangeFound { object: self.object, good: None, end });
             }
             self.begin(lower);
-            self.phase = RangePhase::Placing(Level::default());
+            self.phase = RangePhase::Placing(TriedValue::default());
         }
         Next::Push(0.0)
     }
 
     fn begin(&mut self, value: f64) {
         self.value = value;
-        self.phase = RangePhase::Trying(Level::default());
+        self.phase = RangePhase::Trying(TriedValue::default());
         self.observer.reset();
     }
 }

@@ -25,7 +25,7 @@ pub(super) enum Verdict {
 
 /// One value that is tried.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub(super) struct Level {
+pub(super) struct TriedValue {
     /// Time (s) and place (m) of the first look.
     began: Option<(f64, f64)>,
     /// Blocks that are over.
@@ -39,7 +39,7 @@ pub(super) struct Level {
     limited: f64,
 }
 
-impl Level {
+impl TriedValue {
     /// Takes where the key is at `t` (s, m), whose way is `dip` (m).
     pub(super) fn advance(&mut self, t: f64, position: f64, dip: f64) -> Verdict {
         let (began, _) = *self.began.get_or_insert_with(|| {
