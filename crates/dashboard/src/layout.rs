@@ -11,8 +11,14 @@ pub(crate) type Layout = Tree<Pane>;
 /// Panels above the others.
 const ABOVE: &[Pane] = &[Pane::Overview];
 /// Panels in the largest tile.
-const MIDDLE: &[Pane] =
-    &[Pane::Scope(0), Pane::Descriptions, Pane::Deadlines, Pane::Links, Pane::Timeline];
+const MIDDLE: &[Pane] = &[
+    Pane::Scope(0),
+    Pane::Passivity,
+    Pane::Descriptions,
+    Pane::Deadlines,
+    Pane::Links,
+    Pane::Timeline,
+];
 const LEFT: &[Pane] = &[Pane::Mechanism, Pane::Phase, Pane::Keyboard];
 const RIGHT: &[Pane] = &[Pane::Tuning, Pane::Instruments];
 /// Panels below those at the left; one that is named nowhere stands behind them.

@@ -63,7 +63,7 @@ pub(super) fn catalogue(began: u64) -> Catalogue {
 }
 
 pub(super) fn scene_text() -> String {
-    "title = \"Demonstration\"\ntick_hz = 1000\n\n[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n".into()
+    "title = \"Demonstration\"\ntick_hz = 1000\n\n[render]\nestimator = \"kalman\"\ncoupling_stiffness = 0.0\ncoupling_damping = 0.0\nforce_gain = 1.0\nlead = 0.0\npassivity = \"observe\"\nenergy_tank = 0.001\n\n[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n".into()
 }
 
 fn instruments() -> Vec<Instrument> {

@@ -12,6 +12,7 @@ mod log;
 mod mechanism;
 mod midi;
 mod overview;
+mod passivity;
 mod phase;
 pub(crate) mod scope;
 mod timeline;
@@ -80,6 +81,7 @@ panels! {
     Overview: overview, "Keys";
     Mechanism: mechanism, "Mechanism";
     Phase: phase, "Force and travel";
+    Passivity: passivity, "Passivity";
     Tuning: tuning, "Tuning";
     Instruments: instruments, "Instruments";
     Descriptions: descriptions, "Descriptions";
