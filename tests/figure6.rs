@@ -68,14 +68,14 @@ fn another_pace_has_its_servo_and_what_is_wrong_is_told_in_a_sentence() {
     check_words(&said, &["cannot write file/in", "choose another --out"]);
 }
 
-/// Leads middle C of `scene` to each depth (parts of its dip) for so long (s); returns how many
+/// Leads middle C of `scene` to each depth (parts of its dip) for so long (tenths of a second); returns how many
 /// events and strikes there were after each.
-fn thrown<const N: usize>(scene: &str, depths: [(f64, f64); N]) -> [(u32, usize); N] {
+fn thrown<const N: usize>(scene: &str, depths: [(f64, u32); N]) -> [(u32, usize); N] {
     let scene = stage::scene(scene, &[]);
     let mut stage = Stage::new(&scene, keybed(&scene)).watched_by(Hammer::default());
-    depths.map(|(depth, seconds)| {
+    depths.map(|(depth, tenths)| {
         stage.bus.press(key(MIDDLE_C), HandCommand::Grip(depth));
-        for _ in 0..(seconds * f64::from(scene.tick_hz)) as u32 {
+        for _ in 0..scene.tick_hz * tenths / 10 {
             stage.tick();
         }
         let Hammer { events, strikes } = std::mem::take(&mut stage.observer);
@@ -105,7 +105,7 @@ impl TickObserver for Hammer {
 #[test]
 fn a_hand_throws_and_catches_the_hammer_on_the_paper_s_rig_and_on_a_key() {
     for scene in ["paper-rig", "springs"] {
-        let way = [(0.0, 0.3), (0.4, 0.3), (0.0, 0.6), (1.0, 0.5)];
+        let way = [(0.0, 3), (0.4, 3), (0.0, 6), (1.0, 5)];
         let [held, soft, _back, hard] = thrown(scene, way);
         assert_eq!(held, (0, 0), "{scene}: held still");
         assert!(0 < soft.0 && soft.1 == 0, "{scene}: thrown and caught, {soft:?}");

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::{Failure, arguments, ask};
 use host::control::Request;
-use telemetry::request::Setting;
+use telemetry::request::RenderSetting;
 
 /// Settings for the running host.
 #[derive(Debug, Args)]
@@ -18,8 +18,10 @@ pub struct SetArgs {
 
 /// Asks the running host to compute its voices by other settings.
 pub(super) fn run(args: &SetArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let setting =
-        |(name, value): &(String, String)| Setting { name: name.clone(), value: value.clone() };
+    let setting = |(name, value): &(String, String)| RenderSetting {
+        name: name.clone(),
+        value: value.clone(),
+    };
     let settings = args.settings.iter().map(setting).collect();
     ask::ask(&Request::Render { settings }, Failure::Usage, out)
 }

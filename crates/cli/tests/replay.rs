@@ -13,7 +13,7 @@ use host::session::{RunOptions, RunSession};
 use scene::Scene;
 use telemetry::Update;
 use telemetry::recording::Recording;
-use telemetry::request::{Change, Setting};
+use telemetry::request::{Change, RenderSetting};
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -183,7 +183,7 @@ fn changed_settings(scene: &Scene, file: &Path) {
         }
     };
     let set = |settings: &[(&str, &str)]| {
-        let setting = |it: &(&str, &str)| Setting { name: it.0.into(), value: it.1.into() };
+        let setting = |it: &(&str, &str)| RenderSetting { name: it.0.into(), value: it.1.into() };
         ask(&Request::Render { settings: settings.iter().map(setting).collect() })
     };
     let written = || match ask(&Request::Scene {}) {
@@ -196,6 +196,12 @@ fn changed_settings(scene: &Scene, file: &Path) {
         }
         // Long after the strikes; a slow host strikes later, and rows count from then on.
         std::thread::sleep(std::time::Duration::from_millis(700));
+        let margin = |key| match ask(&Request::Margin { key }) {
+            Ok(Reply::Done { text }) => text,
+            other => format!("{other:?}"),
+        };
+        assert!(margin(39).contains("stable, up to "), "{}", margin(39));
+        assert!(margin(88).contains("no voice plays key 88"), "{}", margin(88));
         set(&[("render.passivity", "control")]).expect("stable");
         set(&[("render.coupling_stiffness", "\"2 kN/m\""), ("render.coupling_damping", "4")])
             .expect("stable");

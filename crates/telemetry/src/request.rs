@@ -9,7 +9,7 @@ pub enum Request {
     /// Sets parameters of voices: all of them or none.
     Set { changes: Vec<Change> },
     /// Changes settings by which all voices are computed: all of them or none.
-    Render { settings: Vec<Setting> },
+    Render { settings: Vec<RenderSetting> },
     /// Lets another instrument play a range of keys, as `C4..B5`; all without.
     UseInstrument {
         /// Name or file of the instrument.
@@ -38,6 +38,11 @@ pub enum Request {
         key: u8,
         /// Where the hand leads it, as a part of its dip; none lets go.
         depth: Option<f64>,
+    },
+    /// Tries how many times its force a key may have and is still stable, as it plays now.
+    Margin {
+        /// Number of the key, 0 (A0) to 87 (C8).
+        key: u8,
     },
     /// Lets a board show its light.
     Identify {
@@ -70,7 +75,7 @@ pub struct Change {
 /// A setting of a scene's table `render`.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Setting {
+pub struct RenderSetting {
     /// Its path, as `render.passivity`.
     pub name: String,
     /// The value as it stands in a scene, as `control` or `"400 N/m"`.

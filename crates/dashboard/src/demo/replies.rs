@@ -23,6 +23,7 @@ impl Demo {
                 Ok(Reply::Stopped { text, told: 8, boards: 8 })
             }
             Request::Press { key, newtons } => self.press(key, newtons),
+            Request::Margin { .. } => Ok(done("C4 is stable, up to 2 times its force")),
             // A hand of 400 N/m on a key of 10 mm.
             Request::Grip { key, depth } => {
                 self.press(key, 4.0 * depth.unwrap_or_default().max(0.0))

@@ -9,7 +9,7 @@ use eframe::egui::{Button, DragValue, Grid, ScrollArea, TextEdit, TextStyle, Ui}
 use egui_plot::{Corner, HLine, Legend, Line, Plot, PlotPoints};
 use serde::{Deserialize, Serialize};
 use telemetry::Request;
-use telemetry::request::Setting;
+use telemetry::request::RenderSetting;
 
 use super::nothing_ui;
 use crate::app_state::AppState;
@@ -65,6 +65,13 @@ impl super::View for View {
                 .on_hover_text("How much time is seen.")
                 .accessible_name("seconds of energy");
             lamp_ui(ui, fault, &energy, bound);
+            if ui
+                .button("Margin")
+                .on_hover_text("Tries how many times its force this key may have, beside the run.")
+                .clicked()
+            {
+                state.ask(Request::Margin { key });
+            }
         });
         ui.columns(2, |columns| {
             let [left, right] = columns else { return };
@@ -93,7 +100,7 @@ impl View {
             .clicked()
         {
             let typed = std::mem::take(&mut self.typed).into_iter();
-            let setting = |(name, value)| Setting { name: format!("render.{name}"), value };
+            let setting = |(name, value)| RenderSetting { name: format!("render.{name}"), value };
             state.ask(Request::Render { settings: typed.map(setting).collect() });
         }
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {

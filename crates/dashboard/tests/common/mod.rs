@@ -235,6 +235,7 @@ impl TestWindow {
             | Request::Identify { .. }
             | Request::Load { .. }
             | Request::Render { .. }
+            | Request::Margin { .. }
             | Request::Scene {}
             | Request::Where {}
             | Request::Record { .. } => None,

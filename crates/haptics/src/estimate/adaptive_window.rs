@@ -18,14 +18,14 @@ pub struct AdaptiveWindow {
     /// Way of one count (m).
     quantum: f64,
     /// The newest samples, the newest first.
-    past: [Sample; LONGEST],
+    past: [TimedPosition; LONGEST],
     /// How many of them there are.
     len: usize,
 }
 
 /// A position and what was made of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Sample {
+struct TimedPosition {
     /// How long before the newest sample it was taken (s).
     ago: f64,
     position: f64,
@@ -40,20 +40,21 @@ impl AdaptiveWindow {
     /// Unless `quantum` is finite and positive.
     pub fn new(quantum: f64) -> Self {
         assert_positive(quantum, "quantum");
-        Self { quantum, past: [Sample::default(); LONGEST], len: 1 }
+        Self { quantum, past: [TimedPosition::default(); LONGEST], len: 1 }
     }
 
     /// Returns the oldest sample whose line to the newest passes all between them, and its slope.
     ///
     /// # Real-time
     /// At most 105 comparisons.
-    fn longest_line(&self) -> (Sample, f64) {
+    fn longest_line(&self) -> (TimedPosition, f64) {
         let newest = self.past[0].position;
         let mut found = (self.past[0], 0.0);
         for n in 1..self.len {
             let end = self.past[n];
             let slope = (newest - end.position) / end.ago;
-            let is_on = |it: &Sample| (newest - slope * it.ago - it.position).abs() <= self.quantum;
+            let is_on =
+                |it: &TimedPosition| (newest - slope * it.ago - it.position).abs() <= self.quantum;
             if !self.past[1..n].iter().all(is_on) {
                 break;
             }
@@ -70,14 +71,14 @@ impl Estimator for AdaptiveWindow {
         for old in &mut self.past[1..] {
             old.ago += elapsed;
         }
-        self.past[0] = Sample { ago: 0.0, position, velocity: 0.0 };
+        self.past[0] = TimedPosition { ago: 0.0, position, velocity: 0.0 };
         let (end, velocity) = self.longest_line();
         self.past[0].velocity = velocity;
         KeyMotion { position, velocity, acceleration: (velocity - end.velocity) / end.ago }
     }
 
     fn reset(&mut self, position: f64) {
-        self.past = [Sample { ago: 0.0, position, velocity: 0.0 }; LONGEST];
+        self.past = [TimedPosition { ago: 0.0, position, velocity: 0.0 }; LONGEST];
         self.len = 1;
     }
 }

@@ -3,7 +3,7 @@
 use super::Levant;
 use super::{AdaptiveWindow, BackwardDifference, Estimator, FilteredDifference, Kalman, KeyMotion};
 
-/// Names of estimators.
+/// The estimators among which scenes and commands choose.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum EstimatorName {
     /// A Kalman filter of position, velocity and acceleration.
@@ -14,7 +14,7 @@ pub enum EstimatorName {
     FilteredDifference,
     /// Differences over as many positions as lie on a line.
     AdaptiveWindow,
-    /// A sliding-mode differentiator.
+    /// Velocity and acceleration that slide along the positions, for keys of bounded jerk.
     Levant,
 }
 

@@ -116,6 +116,7 @@ const fn command(request: &Request) -> &'static str {
         | Request::Set { .. }
         | Request::Press { .. }
         | Request::Grip { .. }
+        | Request::Margin { .. }
         | Request::Identify { .. }
         | Request::Scene {}
         | Request::Record { .. } => "letoff dash",

@@ -5,13 +5,14 @@
 
 use std::collections::BTreeSet;
 
+use keyboard::{KeyIndex, KeyRange};
 use scene::{Instrument, Render};
-use telemetry::request::Setting;
+use telemetry::request::RenderSetting;
 
 use super::RequestHandler;
 use super::current_voices::CurrentVoices;
 use super::new_voice::{NewVoice, VoiceHandover};
-use crate::stability::examine;
+use crate::stability::{examine, examine_keys};
 
 impl RequestHandler {
     /// Computes all voices by `settings` from now on.
@@ -20,7 +21,7 @@ impl RequestHandler {
     /// All that is wrong with them, or which key is not stable with them, in a sentence each.
     pub(super) fn change_settings(
         &self,
-        settings: &[Setting],
+        settings: &[RenderSetting],
         who: &str,
     ) -> Result<String, String> {
         let tried = {
@@ -41,15 +42,33 @@ impl RequestHandler {
         let catalogue = self.catalogue(tried.render, &playing.described(), &self.states());
         self.put_in(&mut next, voices.collect(), Some(catalogue), who)?;
         *playing = next;
-        let named = |it: &Setting| format!("{}={}", it.name, it.value);
+        let named = |it: &RenderSetting| format!("{}={}", it.name, it.value);
         let text = settings.iter().map(named).collect::<Vec<_>>().join(" ");
         self.tell(&text, who);
         Ok(text)
     }
 
+    /// Tries `key` as it plays now; returns how many times its force it may have.
+    ///
+    /// # Errors
+    /// If there is no such key, or none that plays, in a sentence.
+    pub(super) fn margin(&self, key: u8) -> Result<String, String> {
+        let scene = self.scene_of(&self.playing());
+        let is_played = scene.keys.get(usize::from(key)).is_some_and(Option::is_some);
+        let index = KeyIndex::new(key).filter(|_| is_played);
+        let range = index.and_then(|key| KeyRange::new(key, key));
+        let range = range.ok_or_else(|| format!("no voice plays key {key}"))?;
+        let found = examine_keys(&scene, range).and_then(|found| found.with_margin(&scene));
+        found.map(|it| it.to_string()).map_err(|it| it.to_string())
+    }
+
     /// Returns the settings of `playing` with `settings`.
-    fn changed(&self, playing: &CurrentVoices, settings: &[Setting]) -> Result<Render, String> {
-        let named = |it: &Setting| (it.name.clone(), it.value.clone());
+    fn changed(
+        &self,
+        playing: &CurrentVoices,
+        settings: &[RenderSetting],
+    ) -> Result<Render, String> {
+        let named = |it: &RenderSetting| (it.name.clone(), it.value.clone());
         let changes: Vec<_> = settings.iter().map(named).collect();
         let changed = playing.render.changed(self.scene.tick_hz, &changes);
         changed.map_err(|wrong| {

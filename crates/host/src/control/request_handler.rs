@@ -85,6 +85,7 @@ impl RequestHandler {
                     None => format!("key {key} is let go"),
                 }
             }
+            Request::Margin { key } => self.margin(*key)?,
             Request::Identify { line, board } => self.run.identify(*line, *board)?,
             Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
             Request::Where {} => return self.whereabouts(),
@@ -252,6 +253,7 @@ impl RequestHandler {
             | Request::Stop {}
             | Request::Press { .. }
             | Request::Grip { .. }
+            | Request::Margin { .. }
             | Request::Identify { .. }
             | Request::Scene {}
             | Request::Where {} => request,

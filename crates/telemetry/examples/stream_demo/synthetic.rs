@@ -71,6 +71,7 @@ impl Backend for Synthetic {
             Request::Identify { .. }
             | Request::Load { .. }
             | Request::Render { .. }
+            | Request::Margin { .. }
             | Request::Record { .. }
             | Request::Where {} => Err("a synthetic host has neither boards nor files".to_owned()),
         }

@@ -12,6 +12,7 @@ pub enum Service {
     Stop,
     Press,
     Grip,
+    Margin,
     Identify,
     Scene,
     Record,
@@ -21,11 +22,12 @@ pub enum Service {
 
 impl Service {
     /// Every service, in the order of their numbers.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::UseInstrument,
         Self::Stop,
         Self::Press,
         Self::Grip,
+        Self::Margin,
         Self::Identify,
         Self::Scene,
         Self::Record,
@@ -42,6 +44,7 @@ impl Service {
             Request::Stop {} => Some(Self::Stop),
             Request::Press { .. } => Some(Self::Press),
             Request::Grip { .. } => Some(Self::Grip),
+            Request::Margin { .. } => Some(Self::Margin),
             Request::Identify { .. } => Some(Self::Identify),
             Request::Scene {} => Some(Self::Scene),
             Request::Record { .. } => Some(Self::Record),
@@ -62,6 +65,7 @@ impl Service {
             Self::Load => 7,
             Self::Render => 8,
             Self::Grip => 9,
+            Self::Margin => 10,
         }
     }
 
@@ -77,6 +81,7 @@ impl Service {
             Self::Stop => "stop",
             Self::Press => "press",
             Self::Grip => "grip",
+            Self::Margin => "margin",
             Self::Identify => "identify",
             Self::Scene => "scene",
             Self::Record => "record",
@@ -128,6 +133,7 @@ impl Service {
 
     /// Returns the JSON schema of a request's fields.
     fn fields(self) -> Value {
+        let key = json!({"type": "integer", "minimum": 0, "maximum": 87});
         let (properties, required) = match self {
             Self::UseInstrument => (
                 json!({
@@ -137,16 +143,15 @@ impl Service {
                 json!(["instrument"]),
             ),
             Self::Stop | Self::Scene => (json!({}), json!([])),
-            Self::Press => (
-                json!({
-                    "key": {"type": "integer", "minimum": 0, "maximum": 87},
-                    "newtons": {"type": "number"},
-                }),
-                json!(["key", "newtons"]),
-            ),
+            Self::Press => {
+                (json!({"key": key, "newtons": {"type": "number"}}), json!(["key", "newtons"]))
+            }
+            Self::Margin => {
+                (json!({"key": {"type": "integer", "minimum": 0, "maximum": 87}}), json!(["key"]))
+            }
             Self::Grip => (
                 json!({
-                    "key": {"type": "integer", "minimum": 0, "maximum": 87},
+                    "key": key,
                     "depth": {
                         "type": ["number", "null"],
                         "description": "as a part of the dip; lets go without",
@@ -259,15 +264,16 @@ impl ServiceSchema {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::request::Setting;
+    use crate::request::RenderSetting;
 
     fn requests() -> Vec<Request> {
-        let passivity = Setting { name: "render.passivity".into(), value: "control".into() };
+        let passivity = RenderSetting { name: "render.passivity".into(), value: "control".into() };
         vec![
             Request::UseInstrument { instrument: "grand".to_owned(), keys: None },
             Request::Stop {},
             Request::Press { key: 39, newtons: 2.5 },
             Request::Grip { key: 39, depth: Some(0.5) },
+            Request::Margin { key: 39 },
             Request::Identify { line: 1, board: 2 },
             Request::Scene {},
             Request::Record { file: Some("a.mcap".to_owned()) },

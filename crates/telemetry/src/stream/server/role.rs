@@ -37,6 +37,7 @@ impl Role {
             | Service::Load
             | Service::Press
             | Service::Grip
+            | Service::Margin
             | Service::Identify
             | Service::Render => Self::Tuner,
             Service::Scene | Service::Record => Self::Owner,
