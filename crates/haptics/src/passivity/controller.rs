@@ -14,13 +14,14 @@ const KEPT: f64 = 0.75;
 ///
 /// An action takes what it stores and loses by its equations; its motor takes from the hand force
 /// times way, of a force that is held and late. The difference is made or lost by sampling. The
-/// *credit* is what the hand may get: what it gave and did not get back, but no more than the action
-/// stores and the tank holds, less what sampling made in the newest ticks. A force that is held over a tick gives energy to the hand if the key
-/// moves along with it. How far it can move is bounded: by what it moved in the tick before and the
-/// largest acceleration, and by the key's ends. So the largest force is known of which not even the
-/// longest way gives back more than there is, and a larger one is cut to it: over any way at all the
-/// hand gets no more than the tank beyond what it gave, if the key keeps within that acceleration
-/// and the motor renders what it is told in time.
+/// *credit* is what the hand may get: what it gave and did not get back, but no more than the
+/// action stores and the tank holds, less what sampling made in the newest ticks. A force that is
+/// held over a tick gives energy to the hand if the key moves along with it. How far it can move is
+/// bounded: by what it moved in the tick before and the largest acceleration, and by the key's
+/// ends. So the largest force is known of which not even the longest way gives back more than there
+/// is, and a larger one is cut to it: over any way at all the hand gets no more than the tank
+/// beyond what it gave, if the key keeps within that acceleration and the motor renders what it is
+/// told in time.
 ///
 /// A spring that begins slowly needs the tank: a small one makes its first millimetre soft.
 ///
