@@ -83,7 +83,7 @@ impl InputPath {
     /// another one is shown the motion that the one before saw last.
     ///
     /// # Real-time
-    /// At most [`SHOWN`] updates of an estimator.
+    /// At most 16 updates of an estimator.
     pub fn succeed(&mut self, before: &Self) {
         let Self { last, tick, since, .. } = *before;
         (self.last, self.tick, self.since) = (last, tick, since);
