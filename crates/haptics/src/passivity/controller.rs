@@ -74,7 +74,7 @@ impl PassivityController {
         }
     }
 
-    /// Returns the same for forces that act `late` ticks after they were sent; [`MOST_LATE`] at
+    /// Returns the same for forces that act `late` ticks after they were sent; eight at
     /// most are counted.
     #[must_use]
     pub fn with_delay(self, late: usize) -> Self {
