@@ -11,6 +11,7 @@
 //! | readout | the mean force |
 //! | audit | the energy audit |
 //! | voice | force limits, damper, passivity, events, rest |
+//! | controlled | the passivity controller |
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
 
 #[path = "setting/mod.rs"]
@@ -25,7 +26,7 @@ use models::{Described as _, built_in};
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};
-use scene::Scene;
+use scene::{PassivityMode, Scene};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
@@ -47,7 +48,8 @@ fn main() {
     keys(&mut criterion, "audit", |key, signal| {
         key.felt += key.simulator.advance(H, signal, &mut key.auditor).mean_readout;
     });
-    voices(&mut criterion);
+    voices(&mut criterion, "voice", PassivityMode::Observe);
+    voices(&mut criterion, "controlled", PassivityMode::Control);
     criterion.final_summary();
 }
 
@@ -103,9 +105,10 @@ fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &C
     criterion.bench_function(&format!("tick_parts/{name}"), |bencher| bencher.iter(&mut next));
 }
 
-/// A tick of whole voices.
-fn voices(criterion: &mut Criterion) {
-    let scene = Scene::load("springs", &[]).expect("a scene of ours");
+/// A tick of whole voices, with an observer of what they make or a controller.
+fn voices(criterion: &mut Criterion, name: &str, passivity: PassivityMode) {
+    let set = [("render.passivity".to_owned(), passivity.name().to_owned())];
+    let scene = Scene::load("springs", &set).expect("a scene of ours");
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let voice = |(number, described)| {
         let positions = swing_of(number);
@@ -124,5 +127,5 @@ fn voices(criterion: &mut Criterion) {
         (tick, place) = (tick + 1, (place + 1) % TICKS);
     };
     (0..8 * TICKS).for_each(|_| next());
-    criterion.bench_function("tick_parts/voice", |bencher| bencher.iter(&mut next));
+    criterion.bench_function(&format!("tick_parts/{name}"), |bencher| bencher.iter(&mut next));
 }

@@ -110,7 +110,7 @@ impl PassivityController {
         let is_within = force.abs() * longest <= most;
         let limited = if is_within { force } else { (most / longest).copysign(force) };
         self.last = Some((tick, position));
-        self.forces.rotate_right(1);
+        self.forces[..=self.late].rotate_right(1);
         self.forces[0] = limited;
         limited
     }
