@@ -22,7 +22,7 @@ use hardware::sim::key::SimulatedKey;
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
 use realtime::wake_fd::WakeFd;
-use scheduler::motion::{KEYS, KeyEvent, KeySample, KeySlope};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
 use scheduler::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
 use scheduler::slot::Slot;
@@ -248,8 +248,7 @@ fn just_before_a_strike() -> (Slot<Copied>, u64, f64) {
         let (sample, before) = (key.receive(tick), slot.clone());
         slot.tick(tick, &sample, &mut turn);
         key.send(turn.force, &turn.slope);
-        let is_strike = |(_, event): &(_, KeyEvent)| matches!(event, KeyEvent::Strike { .. });
-        if turn.events.as_slice().iter().any(is_strike) {
+        if 0 < turn.events.strikes() {
             return (before, tick, sample.position);
         }
     }

@@ -19,7 +19,6 @@ use hardware::rt::plausible::Implausible;
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use links::loopback::Loopback;
 use links::{Link, RecvError, SendError};
-use scheduler::motion::KeyEvent;
 use scheduler::port::{FinishedTick, TickObserver};
 
 use crate::stage::{Stage, scene, stroke};
@@ -210,9 +209,7 @@ impl TickObserver for Heard {
     fn observe(&mut self, seen: &FinishedTick<'_>) {
         for turn in seen.turns {
             self.faults += u32::from(turn.fault.is_some());
-            let events = turn.events.as_slice().iter();
-            let strikes = events.filter(|(_, it)| matches!(it, KeyEvent::Strike { .. })).count();
-            self.strikes += u32::try_from(strikes).expect("few");
+            self.strikes += u32::try_from(turn.events.strikes()).expect("few");
         }
         self.force = seen.forces.iter().fold(self.force, |most, it| it.abs().max(most));
     }

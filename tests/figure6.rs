@@ -4,7 +4,6 @@ use std::fs;
 use std::path::Path;
 
 use haptics::HandCommand;
-use scheduler::motion::KeyEvent;
 use scheduler::port::{FinishedTick, TickObserver};
 
 use crate::letoff::{check_words, folder, run};
@@ -97,8 +96,7 @@ impl TickObserver for Hammer {
     fn observe(&mut self, seen: &FinishedTick<'_>) {
         let turn = &seen.turns[MIDDLE_C];
         self.events += turn.work.events;
-        let is_strike = |it: &&(_, KeyEvent)| matches!(it.1, KeyEvent::Strike { .. });
-        self.strikes += turn.events.as_slice().iter().filter(is_strike).count();
+        self.strikes += turn.events.strikes();
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use realtime::pool::BoxedVoice;
 use scene::{Scene, instruments};
-use scheduler::motion::{KEYS, KeyEvent};
+use scheduler::motion::KEYS;
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 
@@ -44,8 +44,7 @@ impl TickObserver for Listener {
             }
             self.faults += usize::from(turn.fault.is_some());
             if self.from <= seen.tick {
-                let struck = |event: &&(_, KeyEvent)| matches!(event.1, KeyEvent::Strike { .. });
-                self.strikes += turn.events.as_slice().iter().filter(struck).count();
+                self.strikes += turn.events.strikes();
                 self.loudest = self.loudest.max(seen.forces[key].abs());
             }
         }

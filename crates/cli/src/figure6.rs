@@ -7,7 +7,7 @@ use clap::Args;
 use lab::figure6::{ClosedLoop, Figure6, Pace, TIME_SCALES, figure6, write_figure6};
 use lab::piano::SHEET;
 
-use super::{Failure, print_json};
+use super::{Failure, prepare_report, print_json, print_page};
 
 /// What `letoff lab figure6` takes.
 #[derive(Clone, Debug, Args)]
@@ -44,10 +44,7 @@ pub(super) fn run(args: &Figure6Args, out: &mut dyn Write) -> Result<(), Failure
         );
         return Err(Failure::Usage(sentence));
     };
-    if let Some(folder) = &args.out {
-        let prepared = lab::report::prepare(folder);
-        prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))?;
-    }
+    prepare_report(args.out.as_deref())?;
     let figure = figure6(pace).map_err(|error| Failure::Running(error.to_string()))?;
     if let Some(folder) = &args.out {
         write_figure6(folder, &figure).map_err(|error| Failure::Running(error.to_string()))?;
@@ -66,8 +63,7 @@ fn tell(args: &Figure6Args, figure: &Figure6, out: &mut dyn Write) -> Result<(),
         let [event, force, energy] = errors.map(|it| format!("{it:.1e}"));
         writeln!(out, "  {:54} {event:>10} {force:>10} {energy:>10}", it.kind.title())?;
     }
-    let page = args.out.as_deref().map(|folder| folder.join(SHEET)).unwrap_or_default();
-    Ok(writeln!(out, "{}", page.display())?)
+    print_page(args.out.as_deref(), SHEET, out)
 }
 
 /// The events of a reading in a line.

@@ -12,7 +12,8 @@ use models::ModelEntry;
 use scene::{FittedValues, Instrument, fitted_text};
 
 use super::progress::counter;
-use super::{Failure, print_json};
+use super::stability::ask::key_named;
+use super::{Failure, prepare_report, print_json};
 
 /// Speed of a static curve that may be stated (m/s).
 const SPEEDS: (f64, f64) = (1e-5, 1.0);
@@ -71,8 +72,7 @@ struct FitJob {
 /// Fits what was asked for, and writes the instrument and its report.
 pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let job = check(args).map_err(|mistakes| Failure::Usage(mistakes.join("\n")))?;
-    let prepared = lab::report::prepare(&args.out);
-    prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))?;
+    prepare_report(Some(&args.out))?;
     let FitJob { instrument, key, fitted, strokes } = &job;
     let runs = counter();
     runs.set_message(instrument.name.clone());
@@ -102,10 +102,7 @@ fn check(args: &FitArgs) -> Result<FitJob, Vec<String>> {
     let mut mistakes = Vec::new();
     let instrument = Instrument::load(&args.instrument)
         .map_err(|wrong| mistakes.push(descriptions::rendered(&wrong)));
-    let key = args.key.parse::<KeyIndex>().map_err(|_no_key| {
-        let key = quoted(&args.key);
-        mistakes.push(format!("--key {key} is no key; give one from A0 to C8, as C4 or F#3"));
-    });
+    let key = key_named(&args.key).map_err(|wrong| mistakes.push(wrong));
     if !(SPEEDS.0..=SPEEDS.1).contains(&(1e-3 * args.speed)) {
         let speed = args.speed;
         mistakes

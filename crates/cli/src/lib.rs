@@ -38,6 +38,7 @@ mod target;
 mod tokens;
 
 use std::io::{self, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -174,6 +175,18 @@ fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
             Failure::Running(text)
         }
     })
+}
+
+/// Creates the folder of a report, if one is asked for, before anything is measured for it.
+fn prepare_report(folder: Option<&Path>) -> Result<(), Failure> {
+    let prepared = folder.map_or(Ok(()), lab::report::prepare);
+    prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))
+}
+
+/// Prints where the page of a report is, in the folder that was asked for.
+fn print_page(folder: Option<&Path>, page: &str, out: &mut dyn Write) -> Result<(), Failure> {
+    let page = folder.map(|folder| folder.join(page)).unwrap_or_default();
+    Ok(writeln!(out, "{}", page.display())?)
 }
 
 /// Prints `value` as JSON.

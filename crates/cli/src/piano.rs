@@ -13,7 +13,7 @@ use scene::Instrument;
 use serde::Serialize;
 
 use super::progress::bar;
-use super::{Failure, print_json};
+use super::{Failure, prepare_report, print_json};
 
 /// What `letoff lab piano` takes.
 #[derive(Clone, Debug, Args)]
@@ -59,10 +59,7 @@ pub(super) fn run(args: &PianoArgs, out: &mut dyn Write) -> Result<(), Failure> 
     let instruments = [Some(&args.instrument), args.beside.as_ref()];
     let instruments = instruments.into_iter().flatten().map(|it| load(it));
     let instruments = instruments.collect::<Result<Vec<_>, _>>()?;
-    if let Some(folder) = &args.out {
-        let prepared = lab::report::prepare(folder);
-        prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))?;
-    }
+    prepare_report(args.out.as_deref())?;
     let bar = bar(JOBS * instruments.len());
     let examined: Vec<_> = instruments.iter().map(|it| measure(it, &bar)).collect();
     bar.finish_and_clear();

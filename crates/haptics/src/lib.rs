@@ -1,8 +1,8 @@
 //! What the hand feels, seen from both sides of the key.
 //!
 //! [`estimate`] turns quantised positions into motion, [`limits`] is the last gate a force
-//! passes, [`passivity`] tells a key that makes energy and keeps one from it, [`stability`] how stiff a sampled wall may
-//! be, and [`plant`] is the other side: a simulated key with its encoder, its motor and a finger,
+//! passes, [`passivity`] tells a key that makes energy and keeps one from it, [`swing`] one that
+//! shakes, [`stability`] how stiff a sampled wall may be, and [`plant`] is the other side: a simulated key with its encoder, its motor and a finger,
 //! for running without hardware and for rehearsing a performance.
 //!
 //! **Signs.** A position is the displacement of the key's front (m), *down positive*, zero
@@ -30,6 +30,7 @@ pub mod limits;
 pub mod passivity;
 pub mod plant;
 pub mod stability;
+pub mod swing;
 
 pub use device::DeviceCompensation;
 pub use estimate::{
@@ -43,3 +44,4 @@ pub use plant::{
     KeyRig, Motor, MotorParameters, MuscleCommand, RigParameters, Touch,
 };
 pub use stability::{RoundedDevice, SampledWall};
+pub use swing::Swing;

@@ -12,9 +12,9 @@ use pode::stepper::Any;
 use pode::{Advance, Limits, Motion, Silent, Simulator};
 
 use crate::curve::{ImpedanceCurve, ImpedancePoint};
+use crate::sampled::{APPROACH, smooth};
 
-/// Time for the way down, and at rest there (s).
-const APPROACH: f64 = 0.5;
+/// Time at rest after the way down (s).
 const REST: f64 = 1.0;
 /// Ticks in which the key is pressed (s).
 const TICK: f64 = 1e-3;
@@ -157,7 +157,7 @@ fn approach(to: f64, t: f64) -> Motion {
     let x = (t / APPROACH).clamp(0.0, 1.0);
     let speed = to / APPROACH;
     Motion {
-        position: to * x * x * (3.0 - 2.0 * x),
+        position: to * smooth(x),
         rate: speed * 6.0 * x * (1.0 - x),
         acceleration: speed / APPROACH * if x < 1.0 { 6.0 - 12.0 * x } else { 0.0 },
         jerk: 0.0,

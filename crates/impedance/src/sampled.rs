@@ -8,7 +8,7 @@
 use std::f64::consts::{PI, TAU};
 
 use lab::parallel::in_parallel;
-use lab::stability::{LoopQuantity, TrialAnswer, TrialVoice, VoiceMaker, VoiceOrder};
+use lab::stability::{LoopQuantity, LoopValues, TrialAnswer, TrialVoice, VoiceMaker, VoiceOrder};
 use nalgebra_of_lm::{Complex, Matrix3, Vector3};
 
 use crate::curve::{ImpedanceCurve, ImpedancePoint};
@@ -17,7 +17,7 @@ use crate::curve::{ImpedanceCurve, ImpedancePoint};
 const HIGHEST: f64 = 0.45;
 
 /// Time for the way down, and at rest there (s).
-const APPROACH: f64 = 0.5;
+pub(crate) const APPROACH: f64 = 0.5;
 const REST: f64 = 2.0;
 /// Least time and fewest cycles until the sinusoid is steady, and of what is measured then.
 const STEADY: (f64, f64) = (0.5, 4.0);
@@ -36,6 +36,12 @@ pub struct ForceHold {
 }
 
 impl ForceHold {
+    /// Returns how a loop with these values holds its force.
+    pub const fn of(values: &LoopValues) -> Self {
+        let (period, delay) = (LoopQuantity::Period, LoopQuantity::Delay);
+        Self { period: values.get(period), delay: values.get(delay) }
+    }
+
     /// Returns what is felt at `frequency` (Hz), over what the voice says.
     pub fn at(&self, frequency: f64) -> Complex<f64> {
         let half = PI * frequency * self.period;
@@ -85,20 +91,15 @@ impl ShakenVoice<'_> {
         });
         let points = points.into_iter().collect::<Result<Vec<_>, _>>()?;
         let name = format!("voice, {}", self.order.estimator.name());
-        let ForceHold { period, delay } = self.held();
+        let ForceHold { period, delay } = ForceHold::of(self.order.values);
         let [period, delay] = [period, delay].map(|it| 1e3 * it);
         let remark = format!("force held for {period} ms, {delay} ms late");
         Ok(ImpedanceCurve { name, remark, points })
     }
 
-    fn held(&self) -> ForceHold {
-        let get = |quantity| self.order.values.get(quantity);
-        ForceHold { period: get(LoopQuantity::Period), delay: get(LoopQuantity::Delay) }
-    }
-
     /// The impedance at one frequency (Hz).
     fn at(&self, frequency: f64) -> Result<ImpedancePoint, String> {
-        let held = self.held();
+        let held = ForceHold::of(self.order.values);
         let omega = TAU * frequency;
         let amplitude = self.amplitude.min(GENTLE / (omega * omega));
         let mut voice = (self.maker)(&self.order)?;
@@ -137,7 +138,7 @@ fn answer(voice: &mut dyn TrialVoice, tick: u64, position: f64) -> Result<f64, &
 }
 
 /// From 0 at 0 to 1 at 1, level at both ends.
-fn smooth(x: f64) -> f64 {
+pub(crate) fn smooth(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)
 }

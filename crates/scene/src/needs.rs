@@ -1,5 +1,7 @@
 //! `[[stable]]`: with which rate and estimator an instrument is stable in a loop with its key.
 
+use std::fmt;
+
 use haptics::EstimatorName;
 
 use super::document::DocumentNode;
@@ -48,6 +50,12 @@ pub struct Unmet {
     /// The need, and the value of the scene.
     pub lacks: String,
     pub help: String,
+}
+
+impl fmt::Display for Unmet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}; {}", self.lacks, self.help)
+    }
 }
 
 impl Needs {

@@ -1,6 +1,6 @@
 //! `[render]`: the settings by which a voice is computed, and the limits of its force.
 
-use haptics::{EstimatorName, EstimatorSettings, Kalman};
+use haptics::{AnyEstimator, EstimatorName, EstimatorSettings, Kalman};
 use pode::input::Reconstruction as Samples;
 use pode::stepper::{self, Any};
 use pode::{Limits, Stepper as _};
@@ -131,6 +131,15 @@ settings! {
     force_limit: f64 = 25.0, FORCE_LIMIT;
     /// Fastest change of force (N/s).
     slew_limit: f64 = 2e4, SLEW_LIMIT;
+}
+
+impl Render {
+    /// Returns the estimator of a key whose counts of `quantum` (m) come each `period` (s).
+    pub fn estimator(&self, period: f64, quantum: f64) -> AnyEstimator {
+        let Self { jerk_density, cutoff, jerk_limit, .. } = *self;
+        let settings = EstimatorSettings { period, quantum, jerk_density, cutoff, jerk_limit };
+        AnyEstimator::new(self.estimator, &settings)
+    }
 }
 
 /// What is done about a key that gives back more energy than it got.

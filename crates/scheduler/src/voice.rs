@@ -244,6 +244,12 @@ impl Events {
         &self.list[..self.n]
     }
 
+    /// Returns how many of them are strikes.
+    pub fn strikes(&self) -> usize {
+        let is_strike = |it: &&(Moment, KeyEvent)| matches!(it.1, KeyEvent::Strike { .. });
+        self.as_slice().iter().filter(is_strike).count()
+    }
+
     /// Returns how many did not fit.
     pub const fn dropped(&self) -> u32 {
         self.dropped

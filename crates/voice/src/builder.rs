@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
 use haptics::{
-    AnyEstimator, DeviceCompensation, EnergyBound, EstimatorSettings, ForceGate,
-    PassivityController, PassivityObserver, RigParameters,
+    DeviceCompensation, EnergyBound, ForceGate, PassivityController, PassivityObserver,
+    RigParameters,
 };
 use models::catalogue::{self, ModelEntry, Visitor};
 use models::registry::SmallModel;
@@ -197,14 +197,7 @@ impl Visitor for Rk4Builder<'_> {
 impl Builder<'_> {
     fn fittings(self, scale: f64) -> Result<VoiceSettings, BuildError> {
         let Self { render, h, rig, delay, cell, slopes, revision, .. } = self;
-        let settings = EstimatorSettings {
-            period: h,
-            quantum: rig.quantum,
-            jerk_density: render.jerk_density,
-            cutoff: render.cutoff,
-            jerk_limit: render.jerk_limit,
-        };
-        let estimator = AnyEstimator::new(render.estimator, &settings);
+        let estimator = render.estimator(h, rig.quantum);
         let reconstruction = match render.reconstruction {
             InputReconstruction::Estimate => None,
             InputReconstruction::Samples(kind) => Some(kind),
@@ -302,10 +295,7 @@ mod tests {
             let mut turn = VoiceOutput::default();
             playing.tick(tick, &KeySample::fresh(pressed(tick)), &mut turn);
             assert_eq!(turn.fault, None, "tick {tick} of {renders:?}");
-            let is_strike = |it: &scheduler::motion::KeyEvent| {
-                matches!(it, scheduler::motion::KeyEvent::Strike { .. })
-            };
-            strikes += turn.events.as_slice().iter().filter(|(_, event)| is_strike(event)).count();
+            strikes += turn.events.strikes();
         }
         strikes
     }

@@ -195,10 +195,11 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         Some(self.memory.coupling.as_mut()?.follow(played, key, scale, self.h))
     }
 
-    /// Returns what is taken off the resistance of the device itself (N) while its key moves so.
-    fn compensation(&self, key: &Motion) -> f64 {
+    /// Returns what is taken off the resistance of the device itself (N) in the middle of a tick in
+    /// which its key moves so.
+    fn compensation(&self, key: &Cubic) -> f64 {
         let Some(device) = &self.device else { return 0.0 };
-        let scale = self.scale();
+        let (key, scale) = (key.at(0.5), self.scale());
         device.force(&KeyMotion {
             position: key.position / scale,
             velocity: key.rate / scale,
@@ -274,7 +275,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
         self.signal = moved;
         let readout = coupled.map_or(done.mean_readout, |it| it.force);
-        let force = readout * self.per_readout() + self.compensation(&signal.at(0.5));
+        let force = readout * self.per_readout() + self.compensation(&signal);
         let gated = self.gate.apply(force, self.h);
         turn.force = self.passive(tick, sample.position, gated.force);
         self.account(&sums, coupled.map_or(0.0, |it| it.stored));

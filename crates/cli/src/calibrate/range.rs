@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::io::Write;
 
 use firmware_protocol::key::KeyIndex;
-use haptics::{AnyEstimator, EstimatorSettings, SampledWall};
+use haptics::SampledWall;
 use hardware::calibrate::range::MOST_FORCE;
 use hardware::calibrate::{
     Bench, CalibrationFault, RangeEnd, RangeFound, RangeMeasurement, RangeTerms, RangedObject,
@@ -72,17 +72,11 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
 fn measure(ready: ReadyKey, endings: &Endings) -> Result<RangeReport, Failure> {
     let ReadyKey { scene, found, name, key, keybed } = ready;
     let mut bench = bring_up::arm(keybed, scene.tick_hz, endings)?;
-    let settings = EstimatorSettings {
-        period: 1.0 / f64::from(scene.tick_hz),
-        quantum: found.nominal().quantum,
-        jerk_density: scene.render.jerk_density,
-        cutoff: scene.render.cutoff,
-        jerk_limit: scene.render.jerk_limit,
-    };
+    let period = 1.0 / f64::from(scene.tick_hz);
     let terms = RangeTerms {
-        period: settings.period,
+        period,
         limit: MOST_FORCE.min(scene.render.force_limit),
-        estimator: AnyEstimator::new(scene.render.estimator, &settings),
+        estimator: scene.render.estimator(period, found.nominal().quantum),
     };
     let outcome = self::key(&mut bench, key, &terms);
     let board = bench.keybed().board_reports().into_iter().next();

@@ -94,10 +94,7 @@ impl ImpedanceSubject {
     fn held(&self) -> ForceHold {
         match self {
             Self::Stroke(it) => it.held,
-            Self::Instrument(it) => {
-                let get = |quantity| it.values.get(quantity);
-                ForceHold { period: get(LoopQuantity::Period), delay: get(LoopQuantity::Delay) }
-            }
+            Self::Instrument(it) => ForceHold::of(&it.values),
         }
     }
 }

@@ -12,7 +12,7 @@ use lab::digits::rounded;
 use lab::report::PAGE;
 
 use super::progress::bar;
-use super::{Failure, print_json};
+use super::{Failure, prepare_report, print_json, print_page};
 use ask::ImpedanceQuestion;
 
 /// What `letoff lab impedance` takes.
@@ -96,10 +96,7 @@ pub struct ImpedanceArgs {
 pub(super) fn run(args: &ImpedanceArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let question = ImpedanceQuestion::new(args);
     let question = question.map_err(|mistakes| Failure::Usage(mistakes.join("\n")))?;
-    if let Some(folder) = &args.out {
-        let prepared = lab::report::prepare(folder);
-        prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))?;
-    }
+    prepare_report(args.out.as_deref())?;
     let bar = bar(question.runs());
     bar.set_message(question.name.clone());
     let curves = question.measure(&|| bar.inc(1));
@@ -116,8 +113,7 @@ pub(super) fn run(args: &ImpedanceArgs, out: &mut dyn Write) -> Result<(), Failu
     for curve in &curves {
         tell(curve, out)?;
     }
-    let page = args.out.as_deref().map(|folder| folder.join(PAGE)).unwrap_or_default();
-    Ok(writeln!(out, "{}", page.display())?)
+    print_page(args.out.as_deref(), PAGE, out)
 }
 
 /// Tells some points of a curve, and where it is passive.

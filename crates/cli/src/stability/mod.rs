@@ -15,7 +15,7 @@ use lab::stability::{
 };
 
 use super::progress::bar;
-use super::{Failure, print_json};
+use super::{Failure, prepare_report, print_json, print_page};
 use ask::StabilityQuestion;
 
 /// What `letoff lab stability` takes.
@@ -121,10 +121,7 @@ pub(super) fn run(args: &StabilityArgs, out: &mut dyn Write) -> Result<(), Failu
     if !mistakes.is_empty() {
         return Err(Failure::Usage(mistakes.join("\n")));
     }
-    if let Some(folder) = &args.out {
-        let prepared = lab::report::prepare(folder);
-        prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))?;
-    }
+    prepare_report(args.out.as_deref())?;
     let maps = measure(&study, &question.estimators);
     if let Some(folder) = &args.out {
         let written = write_maps(folder, &study, &maps);
@@ -185,6 +182,5 @@ fn tell(
             )?;
         }
     }
-    let page = args.out.as_deref().map(|folder| folder.join(PAGE)).unwrap_or_default();
-    Ok(writeln!(out, "{}", page.display())?)
+    print_page(args.out.as_deref(), PAGE, out)
 }

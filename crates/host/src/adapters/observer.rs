@@ -131,10 +131,8 @@ struct Sums {
 
 impl Sums {
     fn add(&mut self, key: usize, turn: &VoiceOutput) {
-        let events = turn.events.as_slice();
-        let is_strike = |event: &&(Moment, KeyEvent)| matches!(event.1, KeyEvent::Strike { .. });
-        self.heard += events.len();
-        self.strikes += events.iter().filter(is_strike).count() as u64;
+        self.heard += turn.events.as_slice().len();
+        self.strikes += turn.events.strikes() as u64;
         self.active += u32::from(!turn.idle);
         match turn.fault {
             Some(VoiceFault::Muted) => self.muted[key / 64] |= 1 << (key % 64),

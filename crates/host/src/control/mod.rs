@@ -13,8 +13,8 @@
 //! on the same side (`load`, `watch`): if it is right, voices of the new version go on where those
 //! of the old one are, and if it is wrong nothing changes but what is told of it.
 //!
-//! Settings of `[render]` change the same way (`render_settings`): they are tried first, and voices that
-//! are computed by them go on where the others are.
+//! Settings of `[render]` change the same way (`render_settings`): they are tried first, and voices
+//! that are computed by them go on where the others are.
 //!
 //! A program change that is heard on a MIDI port is a request for an instrument (`programs`).
 //!

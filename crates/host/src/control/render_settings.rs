@@ -87,7 +87,7 @@ impl RequestHandler {
             // What is no instrument by its name was read from a file that has another name now.
             let Ok(instrument) = Instrument::load(name) else { continue };
             if let Some(unmet) = instrument.needs.unmet(name, scene.tick_hz, &scene.render) {
-                return Err(format!("{}; {}", unmet.lacks, unmet.help));
+                return Err(unmet.to_string());
             }
         }
         let found = examine(&scene).map_err(|it| it.to_string())?;

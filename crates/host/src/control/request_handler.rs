@@ -135,7 +135,7 @@ impl RequestHandler {
         let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
         let render = self.playing().render;
         if let Some(unmet) = instrument.needs.unmet(&instrument.name, self.scene.tick_hz, &render) {
-            return Err(format!("{}; {}", unmet.lacks, unmet.help));
+            return Err(unmet.to_string());
         }
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
         self.refuse_unstable(&instrument, range)?;

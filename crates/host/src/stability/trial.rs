@@ -1,9 +1,8 @@
 //! One key under one finger: is its loop stable while it is played, and quiet afterwards?
 
 use haptics::plant::{Gesture, Touch};
-use haptics::{FingerParameters, Grasp, RigParameters};
+use haptics::{FingerParameters, Grasp, RigParameters, Swing};
 use scene::KeyVoice;
-use scheduler::motion::KeyEvent;
 use scheduler::voice::VoiceFault;
 use voice::VoiceBuilder;
 
@@ -57,14 +56,6 @@ const LENGTH: f64 = 1.6;
 
 /// The end of a trial, in two halves of which a key is compared (s).
 const QUIET: f64 = 0.3;
-
-/// Way to and fro of a key that shakes, in half of [`QUIET`], as a part of its dip: the paper's
-/// springs, which have no damper, move a key of 10 mm by 2.4 for as long as their hammer hops, and
-/// loops that make energy by 5.5 and more.
-const SHAKING: f64 = 0.4;
-
-/// The same of a key that begins to, and how much more it is than in the first half.
-const GROWING: (f64, f64) = (0.15, 1.25);
 
 /// Strikes of one stroke beyond which it is a chatter: a pendulum on a cart bounces that often.
 const CHATTER: usize = 6;
@@ -130,20 +121,6 @@ fn play(mut key: RehearsedKey, dip: f64) -> Option<Instability> {
     seen.shakes(dip).then_some(Instability::Shakes)
 }
 
-/// Ways of a key, up and down (m).
-#[derive(Clone, Copy, Debug, Default)]
-struct Swing {
-    up: f64,
-    down: f64,
-}
-
-impl Swing {
-    /// Way to and fro (m): a key that is on its way up has none.
-    const fn to_and_fro(self) -> f64 {
-        2.0 * self.up.min(self.down)
-    }
-}
-
 /// What was seen of a key since its trial began.
 #[derive(Clone, Copy, Debug, Default)]
 struct TrialLog {
@@ -161,17 +138,14 @@ impl TrialLog {
         let now = key.now();
         let turn = key.step();
         let fault = turn.fault.map(Instability::Fault);
-        let struck = |it: &&(_, KeyEvent)| matches!(it.1, KeyEvent::Strike { .. });
-        let strikes = turn.events.as_slice().iter().filter(struck).count();
+        let strikes = turn.events.strikes();
         let stroke = STROKES.iter().filter(|it| it.0 <= now).count();
         self.strikes = if stroke == self.stroke { self.strikes + strikes } else { strikes };
         self.stroke = stroke;
         let position = key.position();
         if LENGTH - QUIET <= now {
             let half = &mut self.end[usize::from(LENGTH - 0.5 * QUIET <= now)];
-            let moved = position - self.position;
-            half.down += moved.max(0.0);
-            half.up -= moved.min(0.0);
+            half.add(position - self.position);
         }
         self.position = position;
         let is_alone = !(UNTOUCHED..LENGTH - QUIET).contains(&now);
@@ -184,6 +158,6 @@ impl TrialLog {
     /// away.
     fn shakes(&self, dip: f64) -> bool {
         let [first, second] = self.end.map(|it| it.to_and_fro() / dip);
-        SHAKING < second || GROWING.0.max(GROWING.1 * first) < second
+        Swing::SHAKING < second || Swing::grows(first, second)
     }
 }

@@ -19,7 +19,7 @@ mod tried_value;
 
 use haptics::{AnyEstimator, EnergyBound, Estimator as _, PassivityObserver};
 
-use self::tried_value::{TriedValue, Verdict};
+use self::tried_value::{KeyResponse, TriedValue};
 use super::key_push::KeyPush;
 use super::{CalibrationFault, Next, Rested, Travelled};
 
@@ -150,24 +150,24 @@ impl RangeMeasurement {
         if self.terms.limit < wanted.abs() {
             tried.limit(elapsed);
         }
-        if !is_passive || verdict == Verdict::Shakes {
+        if !is_passive || verdict == KeyResponse::Shakes {
             return Ok(self.lower(RangeEnd::Shook(self.value)));
         }
         let push = self.push(wanted, t, position, &tried);
         let found = match (verdict, &mut self.phase) {
-            (Verdict::Moves, RangePhase::Trying(it) | RangePhase::Placing(it)) => {
+            (KeyResponse::Moves, RangePhase::Trying(it) | RangePhase::Placing(it)) => {
                 *it = tried;
                 None
             }
-            (Verdict::Rests, RangePhase::Trying(_)) if tried.is_limited() => {
+            (KeyResponse::Rests, RangePhase::Trying(_)) if tried.is_limited() => {
                 return Ok(self.lower(RangeEnd::ForceLimit(self.value)));
             }
-            (Verdict::Rests, RangePhase::Trying(_)) => self.raise(),
-            (Verdict::Rests, RangePhase::Placing(_)) => {
+            (KeyResponse::Rests, RangePhase::Trying(_)) => self.raise(),
+            (KeyResponse::Rests, RangePhase::Placing(_)) => {
                 self.begin(self.value);
                 None
             }
-            (_, RangePhase::LettingGo) | (Verdict::Shakes, _) => None,
+            (_, RangePhase::LettingGo) | (KeyResponse::Shakes, _) => None,
         };
         Ok(found.map_or(Next::Push(push), Next::Done))
     }

@@ -1,22 +1,19 @@
 //! One value: does the key come to rest after its pulse?
 
-/// A key is looked at in blocks of so much time (s).
+use haptics::Swing;
+
+/// A key is looked at in blocks of so much time (s), as trials look at it.
 const BLOCK: f64 = 0.15;
 /// After so many blocks it is judged.
 const BLOCKS: u32 = 8;
 /// Way to and fro in a block within which a key is at rest, as a part of its dip.
 const RESTING: f64 = 0.01;
-/// The same of a key that shakes, in the last block. As trials of instruments have it.
-const SHAKING: f64 = 0.4;
-/// The same of a key that begins to, and how much more it is than in the block before. As trials
-/// have it.
-const GROWING: (f64, f64) = (0.15, 1.25);
 /// A key that meets its felts asks a mass for more than the largest force, and for less long (s).
 const LIMITED: f64 = 10e-3;
 
 /// What a key does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Verdict {
+pub(super) enum KeyResponse {
     /// It is not known yet.
     Moves,
     Rests,
@@ -30,8 +27,8 @@ pub(super) struct TriedValue {
     began: Option<(f64, f64)>,
     /// Blocks that are over.
     blocks: u32,
-    /// Ways up and down in this block (m).
-    ways: (f64, f64),
+    /// How the key moved in this block.
+    swing: Swing,
     /// Way to and fro in the block before, of the dip.
     before: f64,
     position: f64,
@@ -41,34 +38,30 @@ pub(super) struct TriedValue {
 
 impl TriedValue {
     /// Takes where the key is at `t` (s, m), whose way is `dip` (m).
-    pub(super) fn advance(&mut self, t: f64, position: f64, dip: f64) -> Verdict {
+    pub(super) fn advance(&mut self, t: f64, position: f64, dip: f64) -> KeyResponse {
         let (began, _) = *self.began.get_or_insert_with(|| {
             self.position = position;
             (t, position)
         });
-        let moved = position - self.position;
+        self.swing.add(position - self.position);
         self.position = position;
-        self.ways.0 -= moved.min(0.0);
-        self.ways.1 += moved.max(0.0);
         if t - began < BLOCK * f64::from(self.blocks + 1) {
-            return Verdict::Moves;
+            return KeyResponse::Moves;
         }
-        // A key that is on its way to the middle goes one way only.
-        let (up, down) = std::mem::take(&mut self.ways);
-        let swing = 2.0 * up.min(down) / dip;
+        let swing = std::mem::take(&mut self.swing).to_and_fro() / dip;
         let before = std::mem::replace(&mut self.before, swing);
         self.blocks += 1;
         // The pulse is in the first.
         if self.blocks == 1 {
-            return Verdict::Moves;
+            return KeyResponse::Moves;
         }
         let is_last = BLOCKS <= self.blocks;
-        if GROWING.0.max(GROWING.1 * before) < swing || is_last && SHAKING < swing {
-            Verdict::Shakes
+        if Swing::grows(before, swing) || is_last && Swing::SHAKING < swing {
+            KeyResponse::Shakes
         } else if swing < RESTING || is_last {
-            Verdict::Rests
+            KeyResponse::Rests
         } else {
-            Verdict::Moves
+            KeyResponse::Moves
         }
     }
 
