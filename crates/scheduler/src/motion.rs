@@ -28,6 +28,8 @@ impl Moment {
 pub struct KeySample {
     /// Key-front displacement, down positive (m).
     pub position: f64,
+    /// Speed of the key's front, down positive (m/s), if its board measures it.
+    pub velocity: Option<f64>,
     /// Ticks since this came, or since it was taken if its way was too long; 0 is fresh.
     pub age: u32,
     /// Ticks since it was taken, less what its way usually takes: the age, unless this sample
@@ -38,7 +40,14 @@ pub struct KeySample {
 impl KeySample {
     /// Returns a sample that has just come, as long after it was taken as any other.
     pub const fn fresh(position: f64) -> Self {
-        Self { position, age: 0, taken: 0.0 }
+        Self { position, velocity: None, age: 0, taken: 0.0 }
+    }
+
+    /// Returns whether all of it are numbers.
+    pub fn is_finite(&self) -> bool {
+        self.position.is_finite()
+            && self.velocity.is_none_or(f64::is_finite)
+            && self.taken.is_finite()
     }
 }
 

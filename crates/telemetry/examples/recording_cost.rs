@@ -140,6 +140,7 @@ fn block(key: u32, tick: u64, ticks: u64, random: &mut Random) -> Update {
         unrun: vec![0; count],
         events: vec![0; count],
         signals,
+        velocity: Vec::new(),
     })
 }
 

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
+use firmware_protocol::quantity::SpeedCode;
 use haptics::{
     DeviceCompensation, EnergyBound, ForceGate, PassivityController, PassivityObserver,
     RigParameters,
@@ -111,6 +112,7 @@ impl<'a> VoiceBuilder<'a> {
             delay: self.scene.rig.delay,
             cell,
             slopes: slopes(&self.scene.links),
+            speed_step: speed_step(&self.scene.links),
             revision,
         };
         catalogue::visit(voice.model, builder).ok_or(BuildError::NoSuchModel(name))?
@@ -141,6 +143,13 @@ fn slopes(links: &LinksConfig) -> SlopeOutput {
     }
 }
 
+/// Steps in which the boards of `links` measure speeds (m/s), if they do.
+fn speed_step(links: &LinksConfig) -> Option<f64> {
+    let LinksConfig::Boards(boards) = links else { return None };
+    let step = 1e-6 * f64::from(SpeedCode::MICROMETRES_PER_SECOND);
+    boards.samples.has_velocity().then_some(step)
+}
+
 /// Makes a voice of whichever model the catalogue finds.
 struct Builder<'a> {
     render: &'a Render,
@@ -151,6 +160,8 @@ struct Builder<'a> {
     delay: f64,
     cell: Arc<AuditCell>,
     slopes: SlopeOutput,
+    /// Steps in which boards measure speeds (m/s), if they do.
+    speed_step: Option<f64>,
     revision: u32,
 }
 
@@ -196,8 +207,9 @@ impl Visitor for Rk4Builder<'_> {
 
 impl Builder<'_> {
     fn fittings(self, scale: f64) -> Result<VoiceSettings, BuildError> {
-        let Self { render, h, rig, delay, cell, slopes, revision, .. } = self;
+        let Self { render, h, rig, delay, cell, slopes, speed_step, revision, .. } = self;
         let estimator = render.estimator(h, rig.quantum);
+        let estimator = speed_step.map_or(estimator, |step| estimator.with_measured_speed(step));
         let reconstruction = match render.reconstruction {
             InputReconstruction::Estimate => None,
             InputReconstruction::Samples(kind) => Some(kind),

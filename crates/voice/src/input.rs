@@ -153,11 +153,13 @@ impl InputPath {
         self.since.clamp(-MOST_AHEAD, MOST_AHEAD) * self.h
     }
 
-    /// Takes a position (m) that was taken `elapsed` (s) after the one before.
-    fn learn(&mut self, position: f64, elapsed: f64) {
+    /// Takes a sample that was taken `elapsed` (s) after the one before.
+    fn learn(&mut self, &KeySample { position, velocity, .. }: &KeySample, elapsed: f64) {
         self.last = if FORGOTTEN.max(1.5 * self.h) < elapsed {
             self.estimator.reset(position);
-            KeyMotion::at_rest(position)
+            KeyMotion { velocity: velocity.unwrap_or(0.0), ..KeyMotion::at_rest(position) }
+        } else if let Some(velocity) = velocity {
+            self.estimator.update_with_speed(position, velocity, elapsed)
         } else {
             self.estimator.update(position, elapsed)
         };
@@ -166,7 +168,7 @@ impl InputPath {
     /// Returns the input over `tick`, at whose start `sample` is the newest.
     pub fn follow(&mut self, tick: u64, sample: &KeySample) -> Followed {
         if let Some(elapsed) = self.go_on(tick, sample) {
-            self.learn(sample.position, elapsed * self.h);
+            self.learn(sample, elapsed * self.h);
         }
         let (motion, position) = if self.since == 0.0 {
             (self.last, sample.position)
@@ -226,7 +228,12 @@ mod tests {
             let mut path = path();
             moved(&mut path, 0.5, 100, late);
             let position = 0.5 * (99.0 - late) * H;
-            let lost = |age: u32| KeySample { position, age, taken: late + f64::from(age) };
+            let lost = |age: u32| KeySample {
+                position,
+                age,
+                taken: late + f64::from(age),
+                velocity: None,
+            };
             let first = path.follow(100, &lost(1)).signal.at(0.0);
             assert!((first.rate - 0.5).abs() < 1e-6, "{late}: {first:?}");
             assert!((first.position - position - 0.5 * H).abs() < 0.3 * H, "{late}: {first:?}");

@@ -322,7 +322,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
             if let Some(controller) = &mut self.controller {
                 controller.take(0.0, 0.0);
             }
-        } else if sample.position.is_finite() && sample.taken.is_finite() {
+        } else if sample.is_finite() {
             self.advance(tick, sample, turn);
         } else {
             turn.fault = Some(VoiceFault::BadSample);

@@ -42,6 +42,12 @@ impl Estimator for BackwardDifference {
         KeyMotion { position, velocity, acceleration }
     }
 
+    fn update_with_speed(&mut self, position: f64, velocity: f64, elapsed: f64) -> KeyMotion {
+        let acceleration = (velocity - self.velocity) / elapsed;
+        (self.position, self.velocity, self.elapsed) = (position, velocity, elapsed);
+        KeyMotion { position, velocity, acceleration }
+    }
+
     fn reset(&mut self, position: f64) {
         self.position = position;
         self.velocity = 0.0;
@@ -110,6 +116,17 @@ mod tests {
                 assert!((motion.velocity - acceleration * (t - 0.5 * elapsed)).abs() < 1e-12);
                 assert!((motion.acceleration - acceleration).abs() < 1e-8, "{motion:?}");
             }
+        }
+    }
+
+    #[test]
+    fn measured_speeds_show_an_acceleration_without_delay_in_the_speed() {
+        let mut estimator = BackwardDifference::new(1e-3);
+        for tick in 0..20_u32 {
+            let t = f64::from(tick) * 1e-3;
+            let motion = estimator.update_with_speed(t * t, 2.0 * t, 1e-3);
+            assert!(motion.velocity.to_bits() == (2.0 * t).to_bits());
+            assert!(tick == 0 || (motion.acceleration - 2.0).abs() < 1e-11, "{motion:?}");
         }
     }
 

@@ -95,6 +95,14 @@ impl AnyEstimator {
     }
 }
 
+impl AnyEstimator {
+    /// Returns the same for samples whose speed is measured in steps of `step` (m/s).
+    #[must_use]
+    pub fn with_measured_speed(self, step: f64) -> Self {
+        if let Self::Kalman(it) = self { Self::Kalman(it.with_measured_speed(step)) } else { self }
+    }
+}
+
 impl Estimator for AnyEstimator {
     #[inline]
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
@@ -104,6 +112,17 @@ impl Estimator for AnyEstimator {
             Self::FilteredDifference(it) => it.update(position, elapsed),
             Self::AdaptiveWindow(it) => it.update(position, elapsed),
             Self::Levant(it) => it.update(position, elapsed),
+        }
+    }
+
+    #[inline]
+    fn update_with_speed(&mut self, position: f64, velocity: f64, elapsed: f64) -> KeyMotion {
+        match self {
+            Self::Kalman(it) => it.update_with_speed(position, velocity, elapsed),
+            Self::BackwardDifference(it) => it.update_with_speed(position, velocity, elapsed),
+            Self::FilteredDifference(it) => it.update_with_speed(position, velocity, elapsed),
+            Self::AdaptiveWindow(it) => it.update_with_speed(position, velocity, elapsed),
+            Self::Levant(it) => it.update_with_speed(position, velocity, elapsed),
         }
     }
 

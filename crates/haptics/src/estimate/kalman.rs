@@ -5,7 +5,7 @@
 //! worth less or more, so the covariance is followed from there until it is steady again; with
 //! the steady gain the filter would be unstable where every third sample is late.
 
-use nalgebra::{Matrix3, RowVector3, Vector3};
+use nalgebra::Matrix3;
 
 use super::{Estimator, KeyMotion, assert_positive};
 
@@ -24,6 +24,9 @@ const STEADY: f64 = 1e-9;
 /// Longest time between two samples that is told apart, in periods: its covariance says already
 /// that nothing is known but the new position.
 const FORGOTTEN: f64 = 1e4;
+
+/// Variance of rounding to one unit: of an even distribution over it.
+const ROUNDING: f64 = 1.0 / 12.0;
 
 /// Share of a quantum, as displacement per period, below which motion counts as rest.
 ///
@@ -45,10 +48,12 @@ pub struct Kalman {
     period: f64,
     /// Displacement per period (m) below which motion is rest.
     rest: f64,
-    /// Corrections per metre of innovation when samples come regularly (1, 1/s, 1/s²).
-    gain: [f64; 3],
+    /// Corrections when samples come regularly.
+    gains: KalmanGains,
     /// q T⁵ / Δ².
     ratio: f64,
+    /// Variance of the rounding of measured speeds, in units of quantum and period, if there are any.
+    speed_variance: Option<f64>,
     /// Covariance after a correction when samples come regularly, in units of quantum and period.
     steady: Matrix3<f64>,
     /// The same now, if it is not that.
@@ -58,6 +63,15 @@ pub struct Kalman {
     offset: f64,
     velocity: f64,
     acceleration: f64,
+}
+
+/// Corrections of position, velocity and acceleration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct KalmanGains {
+    /// Per metre by which the position differs from what was expected (1, 1/s, 1/s²).
+    position: [f64; 3],
+    /// Per metre a second by which a measured speed does, after that (s, 1, 1/s).
+    speed: Option<[f64; 3]>,
 }
 
 impl Kalman {
@@ -78,12 +92,13 @@ impl Kalman {
         assert_positive(quantum, "quantum");
         assert_positive(jerk_density, "jerk density");
         let ratio = jerk_density * period.powi(5) / (quantum * quantum);
-        let (gain, steady) = steady_gain(ratio);
+        let (gains, steady) = steady_gains(ratio, None, period);
         Self {
             period,
             rest: REST * quantum,
-            gain: per_seconds(&gain, period),
+            gains,
             ratio,
+            speed_variance: None,
             steady,
             unsteady: None,
             measured: 0.0,
@@ -93,34 +108,68 @@ impl Kalman {
         }
     }
 
+    /// Returns the same for samples whose speed is measured too, rounded to `step` (m/s). Not for
+    /// the tick.
+    ///
+    /// # Panics
+    ///
+    /// Unless `step` is finite and positive.
+    #[must_use]
+    pub fn with_measured_speed(self, step: f64) -> Self {
+        assert_positive(step, "step of the speed");
+        let in_units = step * self.period / (self.rest / REST);
+        let speed_variance = Some(in_units * in_units * ROUNDING);
+        let (gains, steady) = steady_gains(self.ratio, speed_variance, self.period);
+        Self { gains, speed_variance, steady, ..self }
+    }
+
     /// Returns the steady gains on position, velocity and acceleration (1, 1/s, 1/s²).
     pub const fn gain(&self) -> [f64; 3] {
-        self.gain
+        self.gains.position
     }
 
-    /// Returns the gain for a sample `elapsed` (s) after the last one.
+    /// Returns the gains for a sample `elapsed` (s) after the last one, and whether its speed was
+    /// measured.
     #[inline]
-    fn next_gain(&mut self, elapsed: f64) -> [f64; 3] {
+    fn next_gains(&mut self, elapsed: f64, speed_variance: Option<f64>) -> KalmanGains {
         let periods = (elapsed / self.period).min(FORGOTTEN);
-        if is_regular(periods) && self.unsteady.is_none() {
-            return self.gain;
+        let is_usual = speed_variance.is_some() == self.speed_variance.is_some();
+        if is_regular(periods) && is_usual && self.unsteady.is_none() {
+            return self.gains;
         }
-        self.unsteady_gain(periods)
+        self.unsteady_gains(periods, speed_variance)
     }
 
-    /// Returns the gain for a sample this many `periods` after the last one, and follows the
+    /// Returns the gains for a sample this many `periods` after the last one, and follows the
     /// covariance.
     #[inline(never)]
-    fn unsteady_gain(&mut self, periods: f64) -> [f64; 3] {
+    fn unsteady_gains(&mut self, periods: f64, speed_variance: Option<f64>) -> KalmanGains {
         let before = self.unsteady.as_ref().unwrap_or(&self.steady);
         let predicted = predicted(before, self.ratio, periods);
-        let gain = gain_of(&predicted);
-        let after = corrected(&predicted, &gain);
-        let gain = per_seconds(&gain, self.period);
-        let is_steady = gain.iter().zip(self.gain).all(|(a, b)| (a - b).abs() < STEADY * b);
-        self.unsteady =
-            (!is_regular(periods) || !is_steady).then_some(0.5 * (after + after.transpose()));
-        gain
+        let (gains, after) = corrected(&predicted, speed_variance);
+        let gains = gains.per_seconds(self.period);
+        let is_steady = is_regular(periods) && gains.is_near(&self.gains);
+        self.unsteady = (!is_steady).then_some(0.5 * (after + after.transpose()));
+        gains
+    }
+
+    /// Goes on to a sample, whose speed was measured or not.
+    #[inline]
+    fn follow(&mut self, position: f64, velocity: Option<f64>, elapsed: f64) -> KeyMotion {
+        // A speed whose steps nobody told has no weight.
+        let measured = velocity.zip(self.speed_variance);
+        let gains = self.next_gains(elapsed, measured.map(|it| it.1));
+        self.predict(position, elapsed);
+        self.correct(gains.position, -self.offset);
+        if let (Some((velocity, _)), Some(gain)) = (measured, gains.speed) {
+            self.correct(gain, velocity - self.velocity);
+        }
+        self.settle();
+        KeyMotion {
+            position: position + self.offset,
+            velocity: self.velocity,
+            acceleration: self.acceleration,
+        }
     }
 
     /// Moves the state to the next sample, `h` (s) later, whose position is `measured` (m).
@@ -132,10 +181,9 @@ impl Kalman {
         self.measured = measured;
     }
 
-    /// Draws the state towards the measurement.
+    /// Draws the state towards a measurement that differs by `innovation` from what was expected.
     #[inline]
-    fn correct(&mut self, [position, velocity, acceleration]: [f64; 3]) {
-        let innovation = -self.offset;
+    fn correct(&mut self, [position, velocity, acceleration]: [f64; 3], innovation: f64) {
         self.offset += position * innovation;
         self.velocity += velocity * innovation;
         self.acceleration += acceleration * innovation;
@@ -157,15 +205,12 @@ impl Kalman {
 impl Estimator for Kalman {
     #[inline]
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
-        let gain = self.next_gain(elapsed);
-        self.predict(position, elapsed);
-        self.correct(gain);
-        self.settle();
-        KeyMotion {
-            position: position + self.offset,
-            velocity: self.velocity,
-            acceleration: self.acceleration,
-        }
+        self.follow(position, None, elapsed)
+    }
+
+    #[inline]
+    fn update_with_speed(&mut self, position: f64, velocity: f64, elapsed: f64) -> KeyMotion {
+        self.follow(position, Some(velocity), elapsed)
     }
 
     fn reset(&mut self, position: f64) {
@@ -183,31 +228,56 @@ fn is_regular(periods: f64) -> bool {
     (periods - 1.0).abs() < STEADY
 }
 
-/// A gain in units of the period in those of the second (1, 1/s, 1/s²).
-fn per_seconds(gain: &Vector3<f64>, period: f64) -> [f64; 3] {
-    [gain[0], gain[1] / period, gain[2] / (period * period)]
+impl KalmanGains {
+    /// Returns the same in seconds, of gains in units of the period `h` (s).
+    fn per_seconds(self, h: f64) -> Self {
+        let [position, velocity, acceleration] = self.position;
+        Self {
+            position: [position, velocity / h, acceleration / (h * h)],
+            speed: self.speed.map(|[position, velocity, acceleration]| {
+                [position * h, velocity, acceleration / h]
+            }),
+        }
+    }
+
+    /// Returns the largest relative difference to `other`; infinite where one of them has a gain
+    /// that the other has not.
+    fn difference(&self, other: &Self) -> f64 {
+        let of = |a: &[f64; 3], b: &[f64; 3]| {
+            let relative = a.iter().zip(b).map(|(a, b)| (a - b).abs() / b.abs());
+            relative.fold(0.0, f64::max)
+        };
+        let speed = match (&self.speed, &other.speed) {
+            (Some(a), Some(b)) => of(a, b),
+            (None, None) => 0.0,
+            (Some(_), None) | (None, Some(_)) => f64::INFINITY,
+        };
+        of(&self.position, &other.position).max(speed)
+    }
+
+    fn is_near(&self, other: &Self) -> bool {
+        self.difference(other) < STEADY
+    }
 }
 
-/// Returns the steady gain, and the covariance after a correction, in units of quantum and
-/// period.
+/// Returns the steady gains (per second), and the covariance after a correction, in units of quantum
+/// and period `h` (s).
 ///
-/// In these units the filter has a single parameter, `ratio` = q T⁵ / Δ²: jerk density
-/// against rounding. Iterates prediction and correction of the covariance.
-fn steady_gain(ratio: f64) -> (Vector3<f64>, Matrix3<f64>) {
-    let mut before = Matrix3::identity() + ratio * white_jerk(1.0);
-    let mut gain = gain_of(&before);
-    let mut after = corrected(&before, &gain);
+/// In these units the filter has two parameters: `ratio` = q T⁵ / Δ², jerk density against
+/// rounding, and the variance of measured speeds. Iterates prediction and correction of the
+/// covariance.
+fn steady_gains(ratio: f64, speed_variance: Option<f64>, h: f64) -> (KalmanGains, Matrix3<f64>) {
+    let start = Matrix3::identity() + ratio * white_jerk(1.0);
+    let (mut gains, mut after) = corrected(&start, speed_variance);
     for _ in 0..MAX_ITERATIONS {
-        before = predicted(&after, ratio, 1.0);
-        let next = gain_of(&before);
-        let change = (next - gain).component_div(&next).amax();
-        gain = next;
-        after = corrected(&before, &gain);
+        let (next, corrected) = corrected(&predicted(&after, ratio, 1.0), speed_variance);
+        let change = gains.difference(&next);
+        (gains, after) = (next, corrected);
         if change < CONVERGED {
             break;
         }
     }
-    (gain, after)
+    (gains.per_seconds(h), after)
 }
 
 /// Covariance before the sample that comes `t` periods after one with the covariance `after`.
@@ -233,15 +303,23 @@ fn white_jerk(t: f64) -> Matrix3<f64> {
     )
 }
 
-/// Optimal gain on a measured position, rounded to one unit.
-fn gain_of(predicted: &Matrix3<f64>) -> Vector3<f64> {
-    predicted.column(0) / (predicted[(0, 0)] + 1.0 / 12.0)
+/// Optimal gains on a measured position, rounded to one unit, and then on a speed with this
+/// variance, if one is measured; and the covariance after both.
+fn corrected(predicted: &Matrix3<f64>, speed_variance: Option<f64>) -> (KalmanGains, Matrix3<f64>) {
+    let (position, after) = measured(predicted, 0, ROUNDING);
+    let Some(variance) = speed_variance else {
+        return (KalmanGains { position, speed: None }, after);
+    };
+    let (speed, after) = measured(&after, 1, variance);
+    (KalmanGains { position, speed: Some(speed) }, after)
 }
 
-/// Covariance after a correction with the optimal gain.
-fn corrected(predicted: &Matrix3<f64>, gain: &Vector3<f64>) -> Matrix3<f64> {
-    let position = RowVector3::new(1.0, 0.0, 0.0);
-    (Matrix3::identity() - gain * position) * predicted
+/// Optimal gain on a measurement of entry `row` of the state with this `variance`, and the covariance
+/// after it.
+fn measured(before: &Matrix3<f64>, row: usize, variance: f64) -> ([f64; 3], Matrix3<f64>) {
+    let gain = before.column(row) / (before[(row, row)] + variance);
+    let looked_at = Matrix3::identity().row(row).into_owned();
+    (gain.into(), (Matrix3::identity() - gain * looked_at) * before)
 }
 
 #[cfg(test)]
@@ -333,6 +411,59 @@ mod tests {
     }
 
     #[test]
+    fn measured_speeds_have_the_gain_of_the_information_filter() {
+        // The inverse covariances of both measurements add up: no gain is in that sum.
+        let (ratio, variance) = (0.1, 0.003);
+        let (_gains, after) = steady_gains(ratio, Some(variance), 1.0);
+        let before = predicted(&after, ratio, 1.0);
+        let mut information = before.try_inverse().expect("it is no point");
+        information[(0, 0)] += 12.0;
+        information[(1, 1)] += 1.0 / variance;
+        let wanted = information.try_inverse().expect("nor is this");
+        assert!((wanted - after).abs().max() < 1e-12 * wanted.abs().max(), "{wanted} {after}");
+    }
+
+    #[test]
+    fn a_measured_speed_makes_the_acceleration_of_a_coarse_encoder_three_times_better() {
+        let (quantum, omega, period) = (1e-4, core::f64::consts::TAU * 5.0, 1e-3);
+        let error = |has_speed: bool| {
+            let kalman = Kalman::new(period, quantum, 1e3);
+            let mut kalman = if has_speed { kalman.with_measured_speed(2e-4) } else { kalman };
+            let mut sum = 0.0;
+            for tick in 0..3000_u32 {
+                let phase = omega * f64::from(tick) * period;
+                let position = (5e-3 * phase.sin() / quantum).round() * quantum;
+                let speed = (5e-3 * omega * phase.cos() / 2e-4).round() * 2e-4;
+                let motion = if has_speed {
+                    kalman.update_with_speed(position, speed, period)
+                } else {
+                    kalman.update(position, period)
+                };
+                let late = motion.acceleration + 5e-3 * omega * omega * phase.sin();
+                sum += if tick < 1000 { 0.0 } else { late * late };
+            }
+            (sum / 2000.0).sqrt()
+        };
+        assert!(3.0 * error(true) < error(false), "{} {}", error(true), error(false));
+    }
+
+    #[test]
+    fn a_speed_that_is_missing_once_leaves_the_filter_what_it_was() {
+        let mut kalman = Kalman::new(1e-3, 1e-6, 1e5).with_measured_speed(2e-4);
+        let at = |tick: u32| (f64::from(tick) * 5e-4, 0.5);
+        for tick in 0..100 {
+            let (position, speed) = at(tick);
+            let motion = if tick == 50 {
+                kalman.update(position, 1e-3)
+            } else {
+                kalman.update_with_speed(position, speed, 1e-3)
+            };
+            assert!(tick < 40 || (motion.velocity - 0.5).abs() < 1e-6, "{tick}: {motion:?}");
+        }
+        assert!(kalman.unsteady.is_none());
+    }
+
+    #[test]
     fn a_key_that_rests_is_estimated_exactly_at_rest() {
         let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
         for tick in 0..20_u32 {
@@ -366,13 +497,13 @@ mod tests {
         let seldom = Kalman::new(2e-3, quantum, density);
         let mut gain = often.gain();
         for _ in 0..200 {
-            gain = often.next_gain(2e-3);
+            gain = often.next_gains(2e-3, None).position;
         }
         for (got, want) in gain.iter().zip(seldom.gain()) {
             assert!((got / want - 1.0).abs() < 1e-9, "{got} against {want}");
         }
         for _ in 0..200 {
-            often.next_gain(1e-3);
+            often.next_gains(1e-3, None);
         }
         assert!(often.unsteady.is_none(), "and the steady one again");
     }

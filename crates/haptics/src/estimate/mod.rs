@@ -1,8 +1,8 @@
 //! From quantised positions to position, velocity and acceleration.
 //!
 //! An estimator sees positions and how long after each other they were taken, which is a period
-//! unless some were lost, late or skipped. It takes every position at its word: what the key does
-//! after the newest sample is the caller's business.
+//! unless some were lost, late or skipped. It takes every position at its word, and every speed that
+//! a board measures: what the key does after the newest sample is the caller's business.
 
 mod adaptive_window;
 mod backward_difference;
@@ -57,6 +57,12 @@ pub trait Estimator {
     ///
     /// A bounded number of operations; no allocation.
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion;
+
+    /// Takes the next position with the speed (m/s) that was measured there, as [`Self::update`]
+    /// takes a position alone.
+    fn update_with_speed(&mut self, position: f64, velocity: f64, elapsed: f64) -> KeyMotion {
+        KeyMotion { velocity, ..self.update(position, elapsed) }
+    }
 
     /// Forgets the past: the key rests at `position` (m).
     fn reset(&mut self, position: f64);

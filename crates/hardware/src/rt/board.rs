@@ -7,7 +7,7 @@ use firmware_protocol::key::{MOST_KEYS, PerKey};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::loss::{Loss, LossCounts};
-use super::plausible::{Implausible, KeyCheck};
+use super::plausible::{FASTEST, Implausible, KeyCheck};
 use crate::calibration::{self, KeyCalibration};
 use crate::topology::BoardPlace;
 
@@ -174,15 +174,20 @@ impl BoardEnd {
         }
     }
 
-    /// Writes the newest samples into their keys' places, as if they had just been taken; what
-    /// no key can have is not written.
+    /// Writes the newest samples into their keys' places, as if they had just been taken; a place or
+    /// a speed that no key can have is not written.
     pub fn publish(&self, samples: &mut [KeySample; KEYS]) {
         let Some((newest, _tick)) = &self.newest else { return };
-        let places = samples[self.terms.place.keys()].iter_mut().zip(self.used);
-        let readings = newest.positions.as_slice().iter().zip(self.terms.calibration.as_slice());
-        for ((sample, is_used), (counts, calibration)) in places.zip(readings) {
-            if is_used {
-                *sample = KeySample::fresh(calibration.position(*counts));
+        let places = samples[self.terms.place.keys()].iter_mut();
+        let has_velocity = self.terms.samples.packing.has_velocity();
+        for (slot, (sample, calibration)) in
+            places.zip(self.terms.calibration.as_slice()).enumerate()
+        {
+            if self.used[slot] {
+                let here = Self::measured(slot, newest, calibration);
+                let velocity =
+                    has_velocity.then_some(here.velocity).filter(|it| it.abs() <= FASTEST);
+                *sample = KeySample { velocity, ..KeySample::fresh(here.position) };
             }
         }
     }
@@ -249,5 +254,48 @@ impl BoardEnd {
             position: calibration.position(counts),
             velocity: calibration::metres_per_second(speed),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use firmware_protocol::frame::key_samples::{self, SamplePacking};
+    use firmware_protocol::quantity::Counts;
+    use firmware_protocol::sequence::SequenceNumber;
+
+    use super::*;
+    use crate::topology;
+
+    /// What the host knows of a key after its board said that it is at 5 mm, with this speed (m/s).
+    fn heard(packing: SamplePacking, speed: f64) -> KeySample {
+        let place = topology::standard()[0];
+        let n_keys = place.n_keys;
+        let calibration = KeyCalibration::nominal(1e-6);
+        let mut end = BoardEnd::new(BoardTerms {
+            place,
+            samples: SampleLayout { packing, n_keys },
+            forces: ForceLayout { packing: ForcePacking::Force16, n_keys },
+            calibration: PerKey::collect(std::iter::repeat_n(calibration, n_keys)),
+        });
+        let header =
+            Header { board: place.board, sequence: SequenceNumber(0), stamp_us: 0, flag: false };
+        let each = |counts: Counts| PerKey::collect(std::iter::repeat_n(counts, n_keys));
+        let velocities = PerKey::collect(std::iter::repeat_n(calibration::speed(speed), n_keys));
+        let samples = KeySamples { header, positions: each(calibration.counts(5e-3)), velocities };
+        let mut frame = [0; key_samples::MAX_LEN];
+        let len = samples.encode(packing, &mut frame);
+        assert!(end.hear(&frame[..len], 0));
+        let mut known = [KeySample::default(); KEYS];
+        end.publish(&mut known);
+        known[place.keys().start]
+    }
+
+    #[test]
+    fn speeds_that_a_board_measures_are_known_and_those_that_no_key_has_are_not() {
+        let sample = heard(SamplePacking::Position24Velocity, 0.8);
+        assert_eq!(sample.velocity.map(|it| (it * 1e4).round()), Some(8000.0), "{sample:?}");
+        assert!((sample.position - 5e-3).abs() < 1e-9, "{sample:?}");
+        assert_eq!(heard(SamplePacking::Position24Velocity, -6.0).velocity, None);
+        assert_eq!(heard(SamplePacking::Position24, 0.8).velocity, None);
     }
 }

@@ -16,7 +16,7 @@
 use crate::calibration::KeyCalibration;
 
 /// Largest speed of a key (m/s).
-const FASTEST: f64 = 5.0;
+pub(super) const FASTEST: f64 = 5.0;
 
 /// Acceleration to and fro, from sample to sample, that a key can have (m/s²).
 const MOST_TO_AND_FRO: f64 = 140.0;

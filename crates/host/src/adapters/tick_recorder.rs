@@ -127,8 +127,9 @@ pub struct TickRecorder {
     known: Box<[LastRow; KEYS]>,
 }
 
-/// Position, force and force sent in a key's last row, if it lay still under a voice at rest.
-type LastRow = Option<[u64; 3]>;
+/// Position, measured speed, force and force sent in a key's last row, if it lay still under a voice
+/// at rest.
+type LastRow = Option<[u64; 4]>;
 
 impl TickRecorder {
     /// Returns a recorder and where its rows go.
@@ -185,8 +186,10 @@ fn number(key: usize) -> u8 {
 #[inline]
 fn is_news(key: usize, seen: &FinishedTick<'_>, known: &mut LastRow) -> bool {
     let (turn, sample) = (&seen.turns[key], &seen.samples[key]);
-    let still = is_still(turn, sample)
-        .then(|| [sample.position, turn.force, seen.forces[key]].map(f64::to_bits));
+    let still = is_still(turn, sample).then(|| {
+        let velocity = sample.velocity.unwrap_or(f64::NAN);
+        [sample.position, velocity, turn.force, seen.forces[key]].map(f64::to_bits)
+    });
     let is_news = still.is_none() || still != *known || seen.followed.is_new(key);
     *known = still;
     is_news

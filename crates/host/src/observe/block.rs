@@ -35,6 +35,16 @@ pub(super) const fn fault_number(fault: Option<VoiceFault>) -> u8 {
     }
 }
 
+/// Adds what a board measured of a key's speed to the rows that were pushed so far.
+fn push_velocity(block: &mut KeyBlock, velocity: Option<f64>) {
+    if velocity.is_some() || !block.velocity.is_empty() {
+        block.velocity.resize(block.taken.len(), f64::NAN);
+        if let (Some(last), Some(velocity)) = (block.velocity.last_mut(), velocity) {
+            *last = velocity;
+        }
+    }
+}
+
 /// Collects rows of one key.
 #[derive(Debug, Default)]
 pub(super) struct BlockBuilder {
@@ -52,6 +62,7 @@ impl BlockBuilder {
         block.position.push(row.sample.position);
         block.age.push(row.sample.age);
         block.taken.push(row.sample.taken);
+        push_velocity(block, row.sample.velocity);
         block.force.push(row.force);
         block.sent.push(row.sent);
         block.mode.push(if probe.is_some() { row.look.structure() } else { u8::MAX });

@@ -216,10 +216,11 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
 type CellText = fn(&KeyBlock, usize) -> String;
 
 /// The columns that are compared.
-const COLUMNS: [(&str, CellText); 12] = [
+const COLUMNS: [(&str, CellText); 13] = [
     ("position", |it, row| bits(&it.position, row)),
     ("age", |it, row| cell(&it.age, row)),
     ("taken", |it, row| bits(&it.taken, row)),
+    ("measured speed", |it, row| bits(&it.velocity, row)),
     ("force", |it, row| bits(&it.force, row)),
     ("sent force", |it, row| bits(&it.sent, row)),
     ("mode", |it, row| cell(&it.mode, row)),

@@ -129,7 +129,8 @@ impl Feed {
             }
             let now = rows.front().filter(|(at, _fed)| *at == tick).map(|(_at, fed)| *fed);
             *last = now.unwrap_or(KeyTick {
-                sample: KeySample::fresh(last.sample.position),
+                // It lies still, as it did before.
+                sample: KeySample { age: 0, taken: 0.0, ..last.sample },
                 lane: LaneStatus::Done { unrun: 0 },
                 events: 0,
                 revision: last.revision,
@@ -152,6 +153,7 @@ fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
         position: *block.position.get(row)?,
         age: *block.age.get(row)?,
         taken: *block.taken.get(row)?,
+        velocity: block.velocity.get(row).copied().filter(|it| !it.is_nan()),
     };
     let unrun = *block.unrun.get(row)?;
     let lane = if flags & flag::LATE == 0 { LaneStatus::Done { unrun } } else { LaneStatus::Late };

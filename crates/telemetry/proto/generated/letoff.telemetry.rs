@@ -89,6 +89,10 @@ pub struct KeyBlock {
     /// Key events that the tick told of.
     #[prost(uint32, repeated, tag = "15")]
     pub events: ::prost::alloc::vec::Vec<u32>,
+    /// Sample: speed of the key's front as its board measured it \[m/s\]; NaN where it did not. Empty if
+    /// it never did.
+    #[prost(double, repeated, tag = "16")]
+    pub velocity: ::prost::alloc::vec::Vec<f64>,
 }
 /// Topic `/key/<n>/state`: one key for viewers that take one value with each time.
 #[derive(Clone, PartialEq, ::prost::Message)]
