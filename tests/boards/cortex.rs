@@ -120,6 +120,34 @@ fn a_piece_is_played_on_one_cortex_m3() {
     assert_eq!(count(&report, "/notes/struck"), played, "{report}");
 }
 
+/// What comes with the program, at half its rate, is played as written or not at all.
+#[test]
+fn the_default_instrument_at_500_hz_is_played_without_an_extra_strike_or_refused() {
+    if !has_tools() {
+        return;
+    }
+    let _machine = machine();
+    let folder = letoff::folder("boards-cortex-default");
+    let processor = Processor::start(&build(&folder, 3));
+    let link = format!("serial:{}", processor.port);
+    let run = ["run", "default", "--json", "--link", &link, "--duration", "10"];
+    let slow = ["--set", "tick_hz=500", "--set", "links.valid=0.1"];
+    let arguments = [run.as_slice(), &slow].concat();
+    let played = judged("the default instrument on a Cortex-M3 at 500 Hz", || {
+        let said = letoff::run(&folder, &arguments);
+        if said.code == Some(2) {
+            letoff::check_words(&said, &["with grand", "at 500 Hz"]);
+            say(&format!("refused: {}", said.err));
+            return Some(None);
+        }
+        let report = crate::rig::report(&said);
+        had_emulated_time(&report).then_some(Some(report))
+    });
+    let Some(Some(report)) = played else { return };
+    check("one Cortex-M3 under QEMU, 11 keys of a grand at 500 Hz", &report, 101.0);
+    assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
+}
+
 /// Eight emulated processors beside a host are all that two cores can do: nobody plays.
 #[test]
 fn eight_cortex_m3_exchange_without_a_gap() {

@@ -114,3 +114,25 @@ fn time_that_is_not_real() {
     letoff::check(&folder, &all, 2, &["3000 Hz"]);
     drop(boards);
 }
+
+#[test]
+fn a_loop_that_is_too_late_for_its_instrument() {
+    let _machine = machine();
+    let folder = letoff::folder("refused-late");
+    let boards = Boards::start(&folder, 1, &["--late", "3"]);
+    let links = boards.links();
+    let run = ["run", "--json", "--performance", "none", "--duration", "1"].into_iter();
+    let grand: Vec<_> = run.chain(links.iter().map(String::as_str)).collect();
+    let said = letoff::run(&folder, &grand);
+    assert_eq!(said.code, Some(2), "{said:?}");
+    letoff::check_words(&said, &["with the delay of these links", "with grand", "ms of delay"]);
+    // Three milliseconds there, three back, and half a tick in which samples wait.
+    let delay = said.err.split("1000 Hz and ").nth(1).and_then(|it| it.split(' ').next());
+    assert!(delay.and_then(|it| it.parse().ok()).is_some_and(|ms: f64| 6.5 <= ms), "{said:?}");
+    // What bears it is not refused, with the same boards.
+    let spring = [grand.as_slice(), &["--set", "keys.0.instrument=spring"]];
+    let said = letoff::run(&folder, &spring.concat());
+    assert_eq!(said.code, Some(0), "{said:?}");
+    let told = boards.stop();
+    assert_eq!(told[0]["counts"]["armings"], 1, "{told:?}");
+}

@@ -31,7 +31,7 @@ const LAW_PERIOD: f64 = 100e-6;
 
 /// What `letoff board` takes.
 #[derive(Clone, Debug, Args)]
-#[command(group(ArgGroup::new("wire").args(["loss", "flip", "baud"]).multiple(true)))]
+#[command(group(ArgGroup::new("wire").args(["loss", "flip", "baud", "late"]).multiple(true)))]
 #[command(after_help = "Examples:
   letoff board                        board 0 on a pseudo-terminal; says how to reach it
   letoff board --count 8              a whole keybed, each board on its own
@@ -61,6 +61,9 @@ pub struct BoardArgs {
     /// Bits per second of the wire.
     #[arg(long, value_name = "BITS")]
     pub baud: Option<u32>,
+    /// How much later everything comes over the wire, each way (ms).
+    #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    pub late: Option<u32>,
     /// Where the wires' chance starts from, if there is a wire: 1 without.
     #[arg(long, requires = "wire")]
     pub seed: Option<u64>,
@@ -147,12 +150,15 @@ fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
     refuse_unknown_boards(args)?;
     let at = if let Some(address) = &args.on {
         WireEndpoint::Shared(address.clone())
-    } else if args.loss.is_some() || args.flip.is_some() || args.baud.is_some() {
+    } else if [args.loss, args.flip].iter().any(Option::is_some)
+        || [args.baud, args.late].iter().any(Option::is_some)
+    {
         WireEndpoint::Wire(WirePlan {
             seed: args.seed.unwrap_or(1),
             baud: args.baud,
             loss: args.loss.unwrap_or(0.0),
             flip: args.flip.unwrap_or(0.0),
+            late_us: 1_000 * args.late.unwrap_or(0),
             ..WirePlan::default()
         })
     } else {

@@ -303,6 +303,7 @@ fn failure(error: &SessionError) -> Failure {
         | SessionError::Keybed(_)
         | SessionError::BoardRate { .. }
         | SessionError::Overload(_)
+        | SessionError::Unstable(_)
         | SessionError::RealBoards
         | SessionError::NoFingers
         | SessionError::Performance { .. }

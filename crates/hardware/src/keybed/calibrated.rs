@@ -1,7 +1,9 @@
 //! The boards are known and measured: let them render forces.
 
-use firmware_protocol::MAX_FRAME;
+use firmware_protocol::acyclic::Operation;
+use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::frame::hello::feature;
+use firmware_protocol::{MAX_FRAME, Nothing};
 use keyboard::KeyRange;
 use links::{Link as _, RecvError, pause};
 
@@ -39,6 +41,24 @@ impl Keybed<Calibrated> {
     /// Tells whether all boards have simulated fingers.
     pub fn has_fingers(&self) -> bool {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
+    }
+
+    /// Returns the longest way to a board and back (us): of each board that answers, the shortest of
+    /// some round trips.
+    pub fn round_trip_us(&mut self) -> Option<u64> {
+        /// Enough for one of them to be prompt.
+        const TRIPS: usize = 8;
+        let places: Vec<_> = self.places().copied().collect();
+        let shortest = |place: BoardPlace| {
+            let mut asker = self.asker(place.line, place.board);
+            let trips = (0..TRIPS).filter_map(|_| {
+                let start = self.now_us();
+                let answered = self.ask::<_, Pong>(&mut asker, Operation::Ping, &Nothing);
+                answered.ok().map(|_pong| self.now_us().saturating_sub(start))
+            });
+            trips.min()
+        };
+        places.into_iter().filter_map(shortest).max()
     }
 
     /// Returns the keys of each board on `line`.

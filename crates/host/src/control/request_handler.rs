@@ -99,9 +99,12 @@ impl RequestHandler {
         written(&self.scene_of(&self.playing()))
     }
 
-    /// Returns the scene with the settings and voices of `playing`.
+    /// Returns the scene with the settings and voices of `playing`, on links as they were measured.
     pub(super) fn scene_of(&self, playing: &CurrentVoices) -> Scene {
-        Scene { render: playing.render, keys: playing.keys.clone(), ..self.scene.clone() }
+        let mut scene =
+            Scene { render: playing.render, keys: playing.keys.clone(), ..self.scene.clone() };
+        scene.rig.delay = self.run.loop_delay().unwrap_or(scene.rig.delay);
+        scene
     }
 
     fn whereabouts(&self) -> Answer {

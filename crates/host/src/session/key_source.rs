@@ -1,5 +1,6 @@
 //! The keys before a run: simulated in this process, or on boards that were found.
 
+use haptics::plant::{MAX_DELAY_STEPS, MAX_SUBSTEP};
 use hardware::keybed::{Calibrated, Keybed, Offline, Terms, WantedBoards};
 use hardware::plan::{BusPlan, BusVerdict};
 use hardware::sim::keybed::SimulatedKeybed;
@@ -19,6 +20,9 @@ pub(super) enum KeySource {
     /// On boards that were found and may be armed.
     Boards(Box<Keybed<Calibrated>>, Terms, Plans),
 }
+
+/// Longest delay that a rig can have (s); nothing is stable behind a longer one.
+const LONGEST_DELAY: f64 = MAX_DELAY_STEPS as f64 * MAX_SUBSTEP;
 
 /// Finds the boards that a scene at `tick_hz` asks for; they are not armed yet.
 ///
@@ -71,6 +75,15 @@ impl KeySource {
             Self::Simulated(_) => true,
             Self::Boards(keybed, ..) => keybed.places().any(|it| it.keys().contains(&key)),
         }
+    }
+
+    /// Returns how long after a sample was taken the force that answers it acts (s), in ticks of
+    /// `period` (s): measured on boards' links, where samples wait for the next tick, half of one on
+    /// average.
+    pub(super) fn loop_delay(&mut self, period: f64) -> Option<f64> {
+        let Self::Boards(keybed, ..) = self else { return None };
+        let way = 1e-6 * keybed.round_trip_us()? as f64;
+        Some((way + 0.5 * period).min(LONGEST_DELAY))
     }
 
     /// Returns notices about the keys before a run, a sentence on each.

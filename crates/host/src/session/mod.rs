@@ -29,6 +29,7 @@ use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, NoteShortfall, Realtime};
 use crate::report::{RunReport, StepCounts, UnplayedNotes};
+use crate::stability::examine;
 use key_source::KeySource;
 use key_transport::KeyTransport;
 use measured::MeasuredRun;
@@ -88,6 +89,9 @@ pub enum SessionError {
     /// A link cannot carry what the scene asks of it.
     #[error("{0}")]
     Overload(String),
+    /// Keys are not stable with the delay that was measured on their links: a sentence on each range.
+    #[error("with the delay of these links, {0}")]
+    Unstable(String),
     /// Boards go by their own time.
     #[error("boards go by their own time; leave --virtual-time out, or the links")]
     RealBoards,
@@ -183,10 +187,16 @@ impl RunSession {
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
-        let builder = VoiceBuilder::new(scene)?;
-        let period = builder.period().as_secs_f64();
+        let period = VoiceBuilder::new(scene)?.period().as_secs_f64();
         // Missing boards are reported before the rehearsal.
-        let mut keys = key_source(scene, &builder, options)?;
+        let mut keys = key_source(scene, period, options)?;
+        let measured = keys.loop_delay(period).map(|delay| on_links(scene, delay));
+        if let Some(measured) = &measured {
+            refuse_unstable(measured, &keys)?;
+            handle.set_loop_delay(measured.rig.delay);
+        }
+        let scene = measured.as_ref().unwrap_or(scene);
+        let builder = VoiceBuilder::new(scene)?;
         if scene.performance.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
@@ -394,19 +404,37 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteRep
 }
 
 /// Returns the keys of a scene: simulated, or on boards that were found.
-fn key_source(
-    scene: &Scene,
-    builder: &VoiceBuilder<'_>,
-    options: RunOptions,
-) -> Result<KeySource, SessionError> {
+fn key_source(scene: &Scene, period: f64, options: RunOptions) -> Result<KeySource, SessionError> {
     match &scene.links {
         SceneLinks::Simulated => {
-            let period = builder.period().as_secs_f64();
-            let keybed = SimulatedKeybed::new(period, builder.rig())?;
+            let keybed = SimulatedKeybed::new(period, scene.rig.parameters())?;
             Ok(KeySource::Simulated(Box::new(keybed)))
         }
         SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
         SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz),
+    }
+}
+
+/// Returns `scene` on links with this delay (s), or with its own if that is longer.
+fn on_links(scene: &Scene, delay: f64) -> Scene {
+    let mut measured = scene.clone();
+    measured.rig.delay = delay.max(scene.rig.delay);
+    measured
+}
+
+/// Tries the keys of `scene` that boards carry, with the delay that was measured on their links.
+fn refuse_unstable(scene: &Scene, keys: &KeySource) -> Result<(), SessionError> {
+    let mut carried = scene.clone();
+    for (key, voice) in carried.keys.iter_mut().enumerate() {
+        voice.take_if(|_| !keys.carries(key));
+    }
+    let ranges = examine(&carried)?;
+    let unstable: Vec<_> =
+        ranges.iter().filter_map(|it| it.unstable.as_ref()).map(ToString::to_string).collect();
+    if unstable.is_empty() {
+        Ok(())
+    } else {
+        Err(SessionError::Unstable(unstable.join("\nletoff: ")))
     }
 }
 

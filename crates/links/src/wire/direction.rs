@@ -43,7 +43,7 @@ impl WireDirection {
     }
 
     fn take_byte(&mut self, now: u64, mut byte: u8) {
-        let WirePlan { baud, loss, flip, stall, stall_us, .. } = self.plan;
+        let WirePlan { baud, loss, flip, stall, stall_us, late_us, .. } = self.plan;
         self.free = self.free.max(now);
         if self.random.happens(stall) {
             self.counts.stalls += 1;
@@ -58,7 +58,7 @@ impl WireDirection {
             self.counts.flipped += 1;
             byte ^= 1 << (self.random.next() % 8);
         }
-        self.queue.push_back((self.free, byte));
+        self.queue.push_back((self.free + u64::from(late_us) * 1_000, byte));
     }
 
     /// Copies the bytes that have arrived into `out`; returns how many.
@@ -144,6 +144,16 @@ mod tests {
         direction.take(0, &[1, 2]);
         let mut out = [0; 2];
         assert_eq!([2_999, 3_000, 6_000].map(|now| direction.arrived(now, &mut out)), [0, 1, 2]);
+    }
+
+    #[test]
+    fn bytes_that_are_late_keep_their_pace() {
+        let plan = WirePlan { baud: Some(1_000_000), late_us: 4_000, ..WirePlan::default() };
+        let mut direction = WireDirection::new(plan, 0);
+        direction.take(0, &[1, 2]);
+        let mut out = [0; 2];
+        let arrived = [4_009_999, 4_010_000, 4_019_999, 4_020_000];
+        assert_eq!(arrived.map(|now| direction.arrived(now, &mut out)), [0, 1, 1, 2]);
     }
 
     #[test]

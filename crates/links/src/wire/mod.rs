@@ -35,6 +35,8 @@ pub struct WirePlan {
     pub stall: f64,
     /// How long it then stands still (us).
     pub stall_us: u32,
+    /// How much later than without it each byte arrives (us).
+    pub late_us: u32,
 }
 
 /// What has happened to the bytes of a wire, both ways.

@@ -44,13 +44,6 @@ loss() {
 		"$missing and $most" netem loss 10%
 }
 
-late() {
-	disturbed late "frames are late by 2 ms and more, and overtake each other" \
-		"([.boards[].repeated_or_overtaken] | add) > 0 and $most and
-			(.energy_audit.residual | fabs) < 10 and .notes.extra < 200" \
-		netem delay 2ms 1ms reorder 25%
-}
-
 # midway NAME SENTENCE CONDITION TC...: the same, from a second after the beginning on.
 midway() {
 	it=$1
@@ -67,6 +60,32 @@ midway() {
 	tc qdisc del dev vcan0 root
 	fair "$it" && holds "$it" "$condition" && bear "$it" "$fresh"
 	verdict "$it" "$sentence" $? "exit $code; $(links "$it"); $(graves "$it")"
+}
+
+# From the beginning, the host would refuse what such delays make unstable.
+late() {
+	midway late "frames are late by 2 ms and more, and overtake each other" \
+		"([.boards[].repeated_or_overtaken] | add) > 0 and $most and
+			(.energy_audit.residual | fabs) < 10 and .notes.extra < 200" \
+		netem delay 2ms 1ms reorder 25%
+}
+
+# The default instrument at 500 Hz, and two periods from a sample to its force.
+two_periods() {
+	tc qdisc add dev vcan0 root netem delay 2ms
+	boards two_periods $few
+	play two_periods --link can:vcan0 --duration 6 --set tick_hz=500 --set render.passivity=control \
+		--set keys.0.instrument=grand --set keys.1.instrument=grand \
+		--set keys.2.instrument=grand --set keys.3.instrument=grand
+	tc qdisc del dev vcan0 root
+	if [ $code = 2 ]; then
+		grep -q "at 500 Hz" two_periods.err &&
+			bear two_periods ".counts.armings == 0"
+	else
+		[ $code = 0 ] && holds two_periods "$complete" && bear two_periods "$fresh"
+	fi
+	verdict two_periods "a grand at 500 Hz with two periods of delay plays as written, or is refused" \
+		$? "exit $code; $(head -n 1 two_periods.err); $(notes two_periods)"
 }
 
 # Of 20 ms that forces are valid after the samples that they answer, 24 are spent on the way.

@@ -16,6 +16,7 @@ if [ "$form" = full ]; then
 	rate 60
 	loss
 	late
+	two_periods
 	too_late
 	corrupt
 	full
