@@ -18,7 +18,7 @@ use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::{self, Finger};
 use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
-use firmware_protocol::acyclic::ping::Pong;
+use firmware_protocol::acyclic::ping::{self, Pong};
 use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{self, Operation, Status};
 use firmware_protocol::can::{self, Class, pieces};
@@ -173,7 +173,9 @@ fn requests() -> String {
     define(&mut text, "FADE_MS", arm::FADE_MS);
     define(&mut text, "PATH_US", arm::PATH_US);
     define(&mut text, "HISTORY", arm::HISTORY);
+    define(&mut text, "ANSWER_MS", acyclic::ANSWER_MS);
     define(&mut text, "RETRY_MS", acyclic::RETRY_MS);
+    define(&mut text, "CLOCK_TOLERANCE_PPM", ping::CLOCK_TOLERANCE_PPM);
     text
 }
 
@@ -333,7 +335,7 @@ fn numbers<T: Debug>(text: &mut String, prefix: &str, all: impl IntoIterator<Ite
 }
 
 /// `KeyForces` as `KEY_FORCES`.
-fn screaming(name: &str) -> String {
+pub(crate) fn screaming(name: &str) -> String {
     let mut screaming = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !screaming.is_empty() {

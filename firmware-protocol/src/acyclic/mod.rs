@@ -26,6 +26,9 @@ use crate::frame::{ALL_BOARDS, DecodeError, FrameKind, check_board, head};
 use crate::key::BoardId;
 use crate::{MAX_FRAME, Record};
 
+/// Longest time until a board has answered a request (ms).
+pub const ANSWER_MS: u32 = 20;
+
 /// Time after which a request is asked again at the earliest (ms).
 pub const RETRY_MS: u32 = 25;
 
