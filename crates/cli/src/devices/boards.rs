@@ -14,13 +14,13 @@ use hardware::rt::board_supervisor::LIGHT_S;
 use links::address::Address;
 use serde::Serialize;
 
-use super::DevicesArgs;
+use super::{DevicesArgs, settings, test};
 use crate::{Failure, print_json};
 use host::boards::{folder, now_us, open};
 use scene::{BoardBus, Boards};
 
 /// Longest time for the boards of one link to answer (us).
-const PATIENCE_US: u64 = 2_500_000;
+pub(super) const PATIENCE_US: u64 = 2_500_000;
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
 
@@ -31,6 +31,9 @@ struct OnLink {
     boards: Vec<BoardRow>,
     /// The reasons why it, or a board on it, cannot be used, a sentence each.
     refusals: Vec<String>,
+    /// Why settings were not written, a sentence each.
+    #[serde(skip)]
+    unwritten: Vec<String>,
 }
 
 /// A board that answered.
@@ -56,6 +59,8 @@ struct BoardRow {
     calibration: Option<String>,
     is_calibrated: bool,
     log: Vec<String>,
+    /// Settings that were written.
+    written: Vec<String>,
 }
 
 /// Prints the boards on all links.
@@ -67,16 +72,23 @@ pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure
                 .into(),
         ));
     }
+    if let Some(depth) = args.test {
+        return test::run(args, depth, out);
+    }
     let links: Vec<_> = args.links.iter().map(|address| look(address, args)).collect();
     if args.json {
-        return print_json(&links, out);
+        print_json(&links, out)?;
+    } else {
+        links.iter().try_for_each(|link| print(link, out))?;
     }
-    links.iter().try_for_each(|link| print(link, out))
+    let unwritten = links.iter().flat_map(|link| &link.unwritten).cloned().collect::<Vec<_>>();
+    if unwritten.is_empty() { Ok(()) } else { Err(Failure::Running(unwritten.join("\nletoff: "))) }
 }
 
 /// Asks who is on a link, and does with them what is wanted.
 fn look(address: &Address, args: &DevicesArgs) -> OnLink {
-    let mut link = OnLink { link: address.name(), boards: Vec::new(), refusals: Vec::new() };
+    let (boards, refusals, unwritten) = (Vec::new(), Vec::new(), Vec::new());
+    let mut link = OnLink { link: address.name(), boards, refusals, unwritten };
     let line = match open(&BoardBus::new(address.clone())) {
         Ok(line) => line,
         Err(error) => {
@@ -91,6 +103,15 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
             return link;
         }
     };
+    keybed.keep(|found| args.board.is_none_or(|number| found.board.number() == number));
+    let mut settings = &args.set[..];
+    if !settings.is_empty() && (keybed.boards().len() != 1 || args.links.len() != 1) {
+        link.unwritten.push(
+            "settings are written to one board: give one --link, and --board with its number"
+                .into(),
+        );
+        settings = &[];
+    }
     for found in keybed.boards().to_vec() {
         let (mut board, trouble) = describe(&found);
         link.refusals.extend(trouble);
@@ -104,6 +125,10 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
             && let Err(refusal) = light(&found, &mut keybed)
         {
             link.refusals.push(refusal.to_string());
+        }
+        match settings::write(settings, &found, &mut keybed) {
+            Ok(written) => board.written = written,
+            Err(refusal) => link.unwritten.push(refusal.to_string()),
         }
         link.boards.push(board);
     }
@@ -135,6 +160,7 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
         is_calibrated,
         calibration: file.map(|file| file.display().to_string()),
         log: Vec::new(),
+        written: Vec::new(),
     };
     (board, read.and_then(Result::err))
 }
@@ -201,6 +227,7 @@ fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
         let file = it.calibration.as_deref().unwrap_or("anywhere");
         let is = if it.is_calibrated { "calibrated in" } else { "no calibration in" };
         writeln!(out, "    {is} {file}")?;
+        it.written.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
         it.log.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
     }
     link.refusals.iter().try_for_each(|why| Ok(writeln!(out, "  {why}")?))

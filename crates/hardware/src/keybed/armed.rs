@@ -133,6 +133,9 @@ impl Armed {
             let stamp_us = newest.header.stamp_us;
             let Some(age_us) = self.supervisor.age_us(board, due_us, stamp_us) else { continue };
             lateness.learn(age_us, period_us);
+            if let Some(usual_us) = lateness.usual_us() {
+                self.supervisor.watch_lateness(board, usual_us);
+            }
             self.bus.date(board, lateness.of(age_us) / period_us as f64);
         }
     }
@@ -329,6 +332,9 @@ impl Keybed<Armed> {
         let boards = self.board_reports().into_iter().enumerate();
         let refusal = |(index, report): (usize, BoardReport)| {
             let board = report.name;
+            if self.stage.supervisor.answers_late(index) {
+                return Some(Refusal::LateAnswers { board });
+            }
             match report.condition.state {
                 ArmState::Barred(ArmLockout::Latched(reason)) => {
                     Some(Refusal::Latched { board, reason })
@@ -345,6 +351,7 @@ impl Keybed<Armed> {
                     Some(Refusal::Unreadable { board, n_keys })
                 }
                 ArmState::Barred(ArmLockout::StaysSafe) => Some(Refusal::StaysSafe { board }),
+                ArmState::Barred(ArmLockout::Late(ms)) => Some(Refusal::LateSamples { board, ms }),
                 ArmState::Armed if self.stage.supervisor.is_board_ready(index) => None,
                 ArmState::Greeting
                 | ArmState::Streaming

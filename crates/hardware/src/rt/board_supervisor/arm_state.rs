@@ -57,13 +57,19 @@ pub enum ArmLockout {
     Unreadable,
     /// It said that it was armed, and its samples that it renders no force.
     StaysSafe,
+    /// Its samples are so old when they come (ms) that no force can answer them in time.
+    Late(u16),
 }
 
 impl ArmLockout {
     /// Tells whether the board is tried again after a while.
     pub(super) const fn ends(self) -> bool {
         match self {
-            Self::Declined(..) | Self::NoSamples | Self::Unreadable | Self::StaysSafe => true,
+            Self::Declined(..)
+            | Self::NoSamples
+            | Self::Unreadable
+            | Self::StaysSafe
+            | Self::Late(_) => true,
             Self::Latched(_) | Self::Exchanged | Self::Clock(_) => false,
         }
     }

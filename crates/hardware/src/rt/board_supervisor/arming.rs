@@ -103,6 +103,14 @@ impl Arming {
         }
     }
 
+    /// Bars a board whose samples are so old when they come (ms) that forces cannot answer them.
+    pub(super) const fn on_late(&mut self, ms: u16, now: u64) {
+        if matches!(self.state, ArmState::Armed) {
+            self.bar(ArmLockout::Late(ms), now);
+            self.must_disarm = true;
+        }
+    }
+
     /// Goes on as time passes and `samples` have come.
     pub(super) const fn on_time(&mut self, samples: &SampleWatch, now: u64) {
         match self.state {

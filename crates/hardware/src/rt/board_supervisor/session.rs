@@ -38,6 +38,8 @@ pub(super) struct BoardSession {
     next_counters: u64,
     /// Requests that it declined while it was armed.
     declined: u64,
+    /// Answers that came when they had been asked for twice.
+    late_answers: u64,
     /// It has started anew, and the numbers of its samples with it.
     is_anew: bool,
 }
@@ -57,6 +59,7 @@ impl BoardSession {
             counters: None,
             next_counters: 0,
             declined: 0,
+            late_answers: 0,
             is_anew: false,
         }
     }
@@ -72,6 +75,20 @@ impl BoardSession {
     /// Tells whether the board renders forces and its clock is known.
     pub(super) fn is_ready(&self) -> bool {
         self.state() == ArmState::Armed && self.timing.is_known()
+    }
+
+    /// Tells whether the board is not ready since its answers come too late to read its clock.
+    pub(super) fn answers_late(&self) -> bool {
+        /// Answers that may be late by chance.
+        const FEW: u64 = 8;
+        !self.timing.is_known() && FEW < self.late_answers
+    }
+
+    /// Takes note that samples usually come `usual_us` after they were taken, too late for forces.
+    pub(super) const fn on_late(&mut self, usual_us: f64, now: u64) {
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+        let ms = (usual_us * 1e-3) as u16;
+        self.arming.on_late(ms, now);
     }
 
     /// Returns how often the board was armed, if it is now.
@@ -190,6 +207,7 @@ impl BoardSession {
     pub(super) fn take_reply(&mut self, frame: &[u8], now: u64) {
         let Some(received) = self.channel.take_reply(frame) else { return };
         let ReceivedReply { reply, operation, sent_us } = received;
+        self.late_answers += u64::from(sent_us.is_none());
         if reply.status == Status::Done {
             self.on_done(operation, reply.record, sent_us, now);
         } else {
@@ -234,6 +252,10 @@ impl BoardSession {
             Operation::Finger => {
                 self.declined += 1;
                 self.gestures.advance();
+            }
+            // A board whose clock cannot be read cannot be used.
+            Operation::Ping if !self.timing.is_known() => {
+                self.arming.on_declined(asked, status, now);
             }
             Operation::Ping
             | Operation::Counters

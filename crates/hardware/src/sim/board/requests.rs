@@ -12,12 +12,12 @@ use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{AcyclicRequest, Operation, Status, encode_reply};
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use firmware_protocol::key::MOST_KEYS;
+use firmware_protocol::key::{BoardId, KeyIndex, MOST_KEYS};
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::{Gesture, Touch};
 use links::Link;
 
-use super::{BoardMake, SimulatedBoard};
+use super::{BoardMake, FakeIdentity, SimulatedBoard};
 use crate::sim::force_interlock::NotArmed;
 
 /// Lines that the log keeps.
@@ -47,6 +47,27 @@ impl BoardRequestHandler {
             last: None,
             light_until_us: 0,
         }
+    }
+
+    /// Returns `make` with the settings that hold from the next start.
+    pub(super) fn next_make(&self, make: BoardMake) -> BoardMake {
+        let [number, first_key, _limit] = self.settings.map(|it| u8::try_from(it).ok());
+        let id = number.and_then(BoardId::new).unwrap_or(make.id);
+        // It stays the same board under another number.
+        let uid = Some(make.fake_identity.uid.unwrap_or_else(|| make.uid()));
+        let fake_identity = FakeIdentity { uid, ..make.fake_identity };
+        BoardMake { id, first_key: first_key.unwrap_or(make.first_key), fake_identity, ..make }
+    }
+
+    /// Keeps the settings of `before` over a start.
+    pub(super) const fn keep_settings(&mut self, before: &Self) {
+        self.settings = before.settings;
+    }
+
+    /// Returns the largest force of the motors (mN).
+    pub(super) fn max_force_mn(&self) -> u16 {
+        let [_number, _first_key, limit] = self.settings;
+        u16::try_from(limit).unwrap_or(u16::MAX)
     }
 
     /// Returns the CRC-32 of the settings.
@@ -192,6 +213,14 @@ impl SimulatedBoard {
 
     fn write_config(&mut self, wanted: WriteConfig) -> Result<Config, Status> {
         let WriteConfig { setting, value } = wanted;
+        let possible = match setting {
+            setting::BOARD => 0..=i32::from(BoardId::MAX.number()),
+            setting::FIRST_KEY => 0..=i32::from(KeyIndex::HIGHEST.number()),
+            _ => 1..=i32::from(i16::MAX),
+        };
+        if !possible.contains(&value) {
+            return Err(Status::BadValue);
+        }
         let place = self.requests.settings.get_mut(usize::from(setting)).ok_or(Status::BadValue)?;
         *place = value;
         Ok(Config { value, config_crc: self.requests.config_crc() })
