@@ -12,10 +12,14 @@ use core::fmt::{Debug, Display, Write as _};
 use std::io::Write as _;
 
 use firmware_protocol::acyclic::arm::{self, Arm, Disarmed};
+use firmware_protocol::acyclic::bootloader::{self, Bootloader};
 use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
 use firmware_protocol::acyclic::config::{Config, ReadConfig, WriteConfig, setting};
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::{self, Finger};
+use firmware_protocol::acyclic::health::{
+    BoardHealth, KeyHealth, MuteKey, NOT_MEASURED, ReadKeyHealth, key_fault,
+};
 use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::ping::{self, Pong};
@@ -187,6 +191,8 @@ fn boards() -> String {
         ("VELOCITY", feature::VELOCITY),
         ("FINGERS", feature::FINGERS),
         ("LOG", feature::LOG),
+        ("HEALTH", feature::HEALTH),
+        ("BOOTLOADER", feature::BOOTLOADER),
     ];
     for (name, bit) in features {
         define(&mut text, &format!("FEATURE_{name}"), bit);
@@ -205,6 +211,20 @@ fn boards() -> String {
     for (place, byte) in hello::MAGIC.into_iter().enumerate() {
         define(&mut text, &format!("MAGIC_{place}"), byte);
     }
+    for (place, byte) in bootloader::MAGIC.into_iter().enumerate() {
+        define(&mut text, &format!("BOOT_MAGIC_{place}"), byte);
+    }
+    let faults = [
+        ("NONE", key_fault::NONE),
+        ("SENSOR", key_fault::SENSOR),
+        ("MOTOR", key_fault::MOTOR),
+        ("TOO_HOT", key_fault::TOO_HOT),
+        ("OTHER", key_fault::OTHER),
+    ];
+    for (name, number) in faults {
+        define(&mut text, &format!("KEY_FAULT_{name}"), number);
+    }
+    signed(&mut text, "NOT_MEASURED", NOT_MEASURED.into());
     text
 }
 
@@ -225,6 +245,11 @@ fn records() -> String {
         record::<Light>("light"),
         record::<Counters>("counters"),
         record::<Finger>("finger"),
+        record::<BoardHealth>("board_health"),
+        record::<ReadKeyHealth>("read_key_health"),
+        record::<KeyHealth>("key_health"),
+        record::<MuteKey>("mute_key"),
+        record::<Bootloader>("bootloader"),
     ];
     all.concat()
 }

@@ -68,6 +68,7 @@ fn every_number_in_the_document_is_that_of_the_code() {
     check(" Statuses", "STATUS_", &[]);
     check(" Settings", "SETTING_", &["COUNT"]);
     check(" CAN classes", "CLASS_", &[]);
+    check(" Key faults", "KEY_FAULT_", &[]);
     let features = table(" Features").into_iter().map(|it| {
         let bit: u32 = it[0].parse().expect("a bit");
         (it[1].clone(), (1_u32 << bit).to_string())

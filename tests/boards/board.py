@@ -36,9 +36,9 @@ HISTORY = 64
 MASS, RETURN, DAMPING, FRICTION = 0.1, 0.3, 1.0, 0.05
 LAW_HZ = 1_000
 
-WAYS = """flag key-less key-fault jump noise wrong-nonce no-ping late-replies late reset restless
+WAYS = """flag key-less key-fault jump noise wrong-nonce no-ping late-replies late reset
 any-nonce no-watchdog no-crc mute-unknown stuck-stamp stuck-sequence twice unlatched
-deaf-stop""".split()
+deaf-stop lost-homing""".split()
 
 
 def crc16(data):
@@ -95,7 +95,8 @@ class Board:
         self.start(1)
         self.first_arming = None
         self.before, self.after = [0] * args.keys, [0] * args.keys
-        self.told = {"armings": 0, "arm_requests": 0, "forces": 0, "stops": 0, "resets": 0}
+        self.told = {"armings": 0, "arm_requests": 0, "forces": 0, "stops": 0, "resets": 0,
+                     "skipped": 0}
 
     def start(self, reason):
         self.args.number, self.began = self.settings[0], time.monotonic()
@@ -105,7 +106,7 @@ class Board:
         self.sequence, self.history, self.answered = 0, [], -1
         self.nonce, self.valid_us, self.force_packing = None, 0, 0
         self.expires_us, self.faded_us = None, None
-        self.forces = [0] * self.args.keys
+        self.forces, self.muted = [0] * self.args.keys, 0
         self.last, self.counters = None, [0] * 10
         self.buffer, self.queue, self.law_us = b"", [], 0
         self.queue.append((self.us() + 1000 * self.args.number, self.hello))
@@ -127,8 +128,8 @@ class Board:
 
     def hello_record(self):
         said = {
-            "major": 2, "minor": 1, "schema": fnv1a(CYCLIC.encode()),
-            "first_key": self.settings[1], "n_keys": self.args.keys, "features": 4,
+            "major": 2, "minor": 2, "schema": fnv1a(CYCLIC.encode()),
+            "first_key": self.settings[1], "n_keys": self.args.keys, "features": 4 | 32,
             "max_sample_hz": 500, "max_force_hz": 500, "law_hz": LAW_HZ, "quantum_nm": 1000,
             "max_force_mn": self.settings[2], "reset_reason": self.reset_reason,
             "safe_reason": KEY_FAULT if self.wrong("key-fault") else self.reason,
@@ -216,7 +217,7 @@ class Board:
         sequence, stamp = struct.unpack("<BH", frame[1:4])
         forces = struct.unpack(f"<{self.args.keys}h", values)
         is_wrong = self.args.at and self.first_arming is not None and (
-            self.args.at + 0.5 <= time.monotonic() - self.first_arming)
+            self.args.at + 1.8 <= time.monotonic() - self.first_arming)
         most = self.after if is_wrong or not self.args.at else self.before
         for slot, force in enumerate(forces):
             most[slot] = max(most[slot], abs(force))
@@ -291,9 +292,21 @@ class Board:
                 self.settings[setting] = value
             crc = zlib.crc32(struct.pack("<3i", *self.settings))
             return DONE, struct.pack("<iI", self.settings[setting], crc)
+        if operation == 14:
+            homed = 0 if self.wrong("lost-homing") else 2**self.args.keys - 1
+            return DONE, struct.pack("<I3H", 1 + self.told["resets"], homed, 0, self.muted)
+        if operation == 15:
+            status = DONE if record and record[0] < self.args.keys else BAD_VALUE
+            return status, struct.pack("<B2h", 0, -32768, -32768) if status == DONE else b""
+        if operation == 16:
+            slot, muted = struct.unpack_from("<2B", record)
+            if slot >= self.args.keys or muted > 1:
+                return BAD_VALUE, b""
+            self.muted = self.muted & ~(1 << slot) | muted << slot
+            return DONE, b""
         if operation == 12:
             return DONE, struct.pack("<6I2H2I", *self.counters)
-        if operation in (8, 9, 10, 11, 13):
+        if operation in (8, 9, 10, 11, 13, 17):
             return IMPOSSIBLE, b""
         return UNKNOWN, b""
 
@@ -342,21 +355,21 @@ class Board:
             self.law_us += h_us
             share = self.share(self.law_us)
             for key, force in zip(self.keys, self.forces):
-                if self.wrong("restless"):
-                    share = 1.0
-                key.advance(self.law_us * 1e-6, h_us * 1e-6, share * force * 1e-3, self.args.finger)
+                force *= share * 1e-3 if not self.muted >> key.slot & 1 else 0.0
+                key.advance(self.law_us * 1e-6, h_us * 1e-6, force, self.args.finger)
         for due, say in [it for it in self.queue if it[0] <= now]:
             say()
         self.queue = [it for it in self.queue if it[0] > now]
         if self.period_us and self.next_us <= now:
             self.samples(now)
             late = (now - self.next_us) // self.period_us
+            self.told["skipped"] += late
             self.next_us += self.period_us * (late + 1)
 
     def run(self, fd):
         self.fd = fd
         while True:
-            if self.wrong("reset") and not self.told["resets"]:
+            if (self.wrong("reset") or self.wrong("lost-homing")) and not self.told["resets"]:
                 self.told["resets"] = 1
                 self.start(7)
             select.select([fd], [], [], 0.0007)

@@ -150,6 +150,33 @@ fn boards_that_fail_or_whose_link_is_bad_break_items() {
 }
 
 #[test]
+fn a_key_is_muted_and_unmuted_and_the_board_says_so() {
+    let _machine = machine();
+    let folder = letoff::folder("board-health");
+    let boards = Boards::start(&folder, 1, &[]);
+    let link = boards.links().remove(1);
+    let asked = |more: &[&str]| {
+        let all = [&["devices", "--boards", "--json", "--health", "--link", &link], more].concat();
+        let said = letoff::run(&folder, &all);
+        (said.code, said.report()[0]["boards"][0]["health"].clone())
+    };
+    let (code, health) = asked(&["--mute", "C1"]);
+    assert_eq!((code, &health["starts"]), (Some(0), &1.into()), "{health}");
+    let muted = |health: &Value| {
+        let keys = health["keys"].as_array().expect("keys").clone();
+        let muted = keys.into_iter().filter(|it| it["is_muted"] == true);
+        muted.map(|it| it["key"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(muted(&health), ["C1"], "{health}");
+    assert_eq!(muted(&asked(&["--unmute", "C1"]).1), [""; 0]);
+    // A simulation has no bootloader.
+    let said = letoff::run(&folder, &["devices", "--boards", "--bootloader", "--link", &link]);
+    assert_eq!(said.code, Some(1), "{said:?}");
+    letoff::check_words(&said, &["answered Bootloader with \"impossible\""]);
+    drop(boards);
+}
+
+#[test]
 fn a_setting_is_written_to_one_board_and_holds_from_its_next_start() {
     let _machine = machine();
     let folder = letoff::folder("board-settings");

@@ -96,6 +96,11 @@ pub enum Refusal {
     LateAnswers { board: BoardName },
     #[error("{board}: {}; see to its firmware and to what its link carries", late_words(*ms))]
     LateSamples { board: BoardName, ms: u16 },
+    #[error(
+        "{board}: its encoders do not know where {keys} is since it was started; home it as its \
+         maker says, then start the host again"
+    )]
+    NotHomed { board: BoardName, keys: String },
     #[error("{board} cannot {what}; {instead}")]
     Unable { board: BoardName, what: &'static str, instead: String },
     #[error("{board} did not answer {asked:?} for {seconds} s; it was there before: see its cable")]

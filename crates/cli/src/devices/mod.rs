@@ -3,15 +3,17 @@
 use std::io::Write;
 
 use clap::Args;
+use firmware_protocol::key::KeyIndex;
 use links::address::Address;
 use links::discovery;
 use serde::Serialize;
 
-use super::arguments::LINK;
+use super::arguments::{LINK, note};
 use super::{Failure, print_json};
 use hardware::conformance::ConformanceDepth;
 
 mod boards;
+mod health;
 mod settings;
 mod test;
 
@@ -52,6 +54,18 @@ pub struct DevicesArgs {
     #[arg(long, value_name = "NAME=VALUE", requires = "boards",
           value_parser = BoardSetting::parse)]
     pub set: Vec<BoardSetting>,
+    /// Prints how the boards and their keys are, where boards know it.
+    #[arg(long, requires = "boards")]
+    pub health: bool,
+    /// Takes the motor of a key off, until its board is started anew.
+    #[arg(long, value_name = "KEY", requires = "boards", value_parser = note)]
+    pub mute: Vec<KeyIndex>,
+    /// Takes the motor of a key back on.
+    #[arg(long, value_name = "KEY", requires = "boards", value_parser = note)]
+    pub unmute: Vec<KeyIndex>,
+    /// Lets the board start its bootloader, so that its firmware can be changed.
+    #[arg(long, requires = "boards", conflicts_with_all = ["light", "log", "set", "health"])]
+    pub bootloader: bool,
     /// Prints the boards' logs.
     #[arg(long, requires = "boards")]
     pub log: bool,

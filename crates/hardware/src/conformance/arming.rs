@@ -125,6 +125,8 @@ fn takes(board: &mut TestedBoard<'_>) -> Result<String, String> {
 }
 
 fn drops(board: &mut TestedBoard<'_>) -> Result<String, String> {
+    // It may have tripped since, and then nothing is stale.
+    board.arm(VALID_MS)?;
     let Ok(before) = board.get::<Counters>(Operation::Counters) else {
         return Ok("not seen: it does not count forces".into());
     };

@@ -50,7 +50,7 @@ pub struct ConformanceItem {
     /// What a board shall do.
     pub item: &'static str,
     pub outcome: ConformanceOutcome,
-    /// What it did.
+    /// What it was seen to do.
     pub seen: String,
 }
 

@@ -141,7 +141,8 @@ pub(crate) fn stage_words(stage: ArmState) -> String {
     match stage {
         ArmState::Armed => "armed".into(),
         ArmState::Greeting => "silent".into(),
-        ArmState::Streaming
+        ArmState::Checking
+        | ArmState::Streaming
         | ArmState::Disarming
         | ArmState::Arming { .. }
         | ArmState::Confirming => "being brought up".into(),
@@ -162,6 +163,10 @@ fn bar_words(bar: ArmLockout) -> String {
         ArmLockout::Unreadable => {
             "left alone: it says that it is armed, and its samples cannot be read".into()
         }
+        ArmLockout::NotHomed(slots) => format!(
+            "left alone: its encoders do not know where {} of its keys are",
+            slots.count_ones()
+        ),
         ArmLockout::Late(ms) => format!("left alone: {}", late_words(ms)),
         ArmLockout::StaysSafe => {
             "left alone: it says that it is armed, and renders no force".into()

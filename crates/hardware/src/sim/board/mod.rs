@@ -36,8 +36,12 @@ use crate::calibration::{self, KeyCalibration};
 use crate::clock::low;
 
 /// What a simulated board can.
-const FEATURES: u16 =
-    feature::SLOPES | feature::MULTICAST | feature::VELOCITY | feature::FINGERS | feature::LOG;
+const FEATURES: u16 = feature::SLOPES
+    | feature::MULTICAST
+    | feature::VELOCITY
+    | feature::FINGERS
+    | feature::LOG
+    | feature::HEALTH;
 
 /// Frames taken from the link in one call; the rest waits for the next.
 const MAX_FRAMES: usize = 64;
@@ -413,7 +417,9 @@ impl SimulatedBoard {
         let share = self.interlock.share(now_us) * self.make.strength;
         let (t, h) = (self.progress.seconds(tick), self.progress.period());
         let limit = f64::from(self.requests.max_force_mn()) * 1e-3;
-        for (key, law) in self.keys.iter_mut().zip(self.laws.as_slice()) {
+        let muted = self.requests.muted();
+        for (slot, (key, law)) in self.keys.iter_mut().zip(self.laws.as_slice()).enumerate() {
+            let share = if muted >> slot & 1 == 0 { share } else { 0.0 };
             key.advance(t, h, share * law.force(now_us, key.measured()).clamp(-limit, limit));
         }
     }
