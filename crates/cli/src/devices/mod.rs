@@ -31,6 +31,7 @@ use self::settings::BoardSetting;
 and ends with exit code 1 if one does not. No board is armed and no force is sent;
 with --test=arm boards are armed, and each key is asked for 0.05 N at most; with
 --test=stop they are stopped in the end, until they are started anew.")]
+#[expect(clippy::struct_excessive_bools, reason = "the flags of a command line")]
 pub struct DevicesArgs {
     /// Asks on the links who is there, and lists the boards instead.
     #[arg(long)]
