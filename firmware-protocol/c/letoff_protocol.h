@@ -13,7 +13,7 @@
 
 /* version and lengths */
 #define LETOFF_VERSION_MAJOR 2u
-#define LETOFF_VERSION_MINOR 1u
+#define LETOFF_VERSION_MINOR 2u
 #define LETOFF_SCHEMA_HASH UINT64_C(0xA16B0DCDB2218FD9)
 #define LETOFF_MAX_FRAME 64u
 #define LETOFF_MAX_WIRE 68u
@@ -84,6 +84,10 @@
 #define LETOFF_OPERATION_LIGHT 11u
 #define LETOFF_OPERATION_COUNTERS 12u
 #define LETOFF_OPERATION_FINGER 13u
+#define LETOFF_OPERATION_BOARD_HEALTH 14u
+#define LETOFF_OPERATION_KEY_HEALTH 15u
+#define LETOFF_OPERATION_MUTE_KEY 16u
+#define LETOFF_OPERATION_BOOTLOADER 17u
 #define LETOFF_STATUS_DONE 0u
 #define LETOFF_STATUS_UNKNOWN 1u
 #define LETOFF_STATUS_BAD_VALUE 2u
@@ -103,7 +107,9 @@
 #define LETOFF_FADE_MS 10u
 #define LETOFF_PATH_US 2000u
 #define LETOFF_HISTORY 64u
+#define LETOFF_ANSWER_MS 20u
 #define LETOFF_RETRY_MS 25u
+#define LETOFF_CLOCK_TOLERANCE_PPM 30000u
 
 /* boards */
 #define LETOFF_FEATURE_SLOPES 1u
@@ -111,6 +117,8 @@
 #define LETOFF_FEATURE_VELOCITY 4u
 #define LETOFF_FEATURE_FINGERS 8u
 #define LETOFF_FEATURE_LOG 16u
+#define LETOFF_FEATURE_HEALTH 32u
+#define LETOFF_FEATURE_BOOTLOADER 64u
 #define LETOFF_SAFE_NONE 0u
 #define LETOFF_SAFE_NEVER_ARMED 1u
 #define LETOFF_SAFE_SILENCE 2u
@@ -121,6 +129,16 @@
 #define LETOFF_MAGIC_1 84u
 #define LETOFF_MAGIC_2 79u
 #define LETOFF_MAGIC_3 70u
+#define LETOFF_BOOT_MAGIC_0 66u
+#define LETOFF_BOOT_MAGIC_1 79u
+#define LETOFF_BOOT_MAGIC_2 79u
+#define LETOFF_BOOT_MAGIC_3 84u
+#define LETOFF_KEY_FAULT_NONE 0u
+#define LETOFF_KEY_FAULT_SENSOR 1u
+#define LETOFF_KEY_FAULT_MOTOR 2u
+#define LETOFF_KEY_FAULT_TOO_HOT 3u
+#define LETOFF_KEY_FAULT_OTHER 4u
+#define LETOFF_NOT_MEASURED (-32768)
 
 /* Little-endian numbers, byte by byte. */
 static inline void letoff_put(uint8_t *bytes, uint64_t value, size_t len)
@@ -849,6 +867,196 @@ static inline bool letoff_finger_take(struct letoff_finger *record, const uint8_
     record->hold = (uint32_t)letoff_take(bytes + 14, 4);
     record->from = (uint32_t)letoff_take(bytes + 18, 4);
     record->lift = (uint32_t)letoff_take(bytes + 22, 4);
+    return true;
+}
+
+/* board health */
+#define LETOFF_BOARD_HEALTH_LEN 10u
+#define LETOFF_BOARD_HEALTH_BOOTS_AT 0u
+#define LETOFF_BOARD_HEALTH_HOMED_AT 4u
+#define LETOFF_BOARD_HEALTH_FAULTS_AT 6u
+#define LETOFF_BOARD_HEALTH_MUTED_AT 8u
+
+/* ONE(name) for a number, MANY(name, len) for bytes. */
+#define LETOFF_BOARD_HEALTH_FIELDS(ONE, MANY) \
+    ONE(boots) \
+    ONE(homed) \
+    ONE(faults) \
+    ONE(muted)
+
+struct letoff_board_health {
+    uint32_t boots;
+    uint16_t homed;
+    uint16_t faults;
+    uint16_t muted;
+};
+
+/* Writes the record; returns its length, or 0 if there is no room. */
+static inline size_t letoff_board_health_put(const struct letoff_board_health *record, uint8_t *bytes, size_t room)
+{
+    if (room < LETOFF_BOARD_HEALTH_LEN) {
+        return 0;
+    }
+    letoff_put(bytes + 0, record->boots, 4);
+    letoff_put(bytes + 4, record->homed, 2);
+    letoff_put(bytes + 6, record->faults, 2);
+    letoff_put(bytes + 8, record->muted, 2);
+    return LETOFF_BOARD_HEALTH_LEN;
+}
+
+/* Reads the record from the start of the bytes, if they are enough. */
+static inline bool letoff_board_health_take(struct letoff_board_health *record, const uint8_t *bytes, size_t len)
+{
+    if (len < LETOFF_BOARD_HEALTH_LEN) {
+        return false;
+    }
+    record->boots = (uint32_t)letoff_take(bytes + 0, 4);
+    record->homed = (uint16_t)letoff_take(bytes + 4, 2);
+    record->faults = (uint16_t)letoff_take(bytes + 6, 2);
+    record->muted = (uint16_t)letoff_take(bytes + 8, 2);
+    return true;
+}
+
+/* read key health */
+#define LETOFF_READ_KEY_HEALTH_LEN 1u
+#define LETOFF_READ_KEY_HEALTH_SLOT_AT 0u
+
+/* ONE(name) for a number, MANY(name, len) for bytes. */
+#define LETOFF_READ_KEY_HEALTH_FIELDS(ONE, MANY) \
+    ONE(slot)
+
+struct letoff_read_key_health {
+    uint8_t slot;
+};
+
+/* Writes the record; returns its length, or 0 if there is no room. */
+static inline size_t letoff_read_key_health_put(const struct letoff_read_key_health *record, uint8_t *bytes, size_t room)
+{
+    if (room < LETOFF_READ_KEY_HEALTH_LEN) {
+        return 0;
+    }
+    letoff_put(bytes + 0, record->slot, 1);
+    return LETOFF_READ_KEY_HEALTH_LEN;
+}
+
+/* Reads the record from the start of the bytes, if they are enough. */
+static inline bool letoff_read_key_health_take(struct letoff_read_key_health *record, const uint8_t *bytes, size_t len)
+{
+    if (len < LETOFF_READ_KEY_HEALTH_LEN) {
+        return false;
+    }
+    record->slot = (uint8_t)letoff_take(bytes + 0, 1);
+    return true;
+}
+
+/* key health */
+#define LETOFF_KEY_HEALTH_LEN 5u
+#define LETOFF_KEY_HEALTH_FAULT_AT 0u
+#define LETOFF_KEY_HEALTH_TEMPERATURE_AT 1u
+#define LETOFF_KEY_HEALTH_CURRENT_AT 3u
+
+/* ONE(name) for a number, MANY(name, len) for bytes. */
+#define LETOFF_KEY_HEALTH_FIELDS(ONE, MANY) \
+    ONE(fault) \
+    ONE(temperature) \
+    ONE(current)
+
+struct letoff_key_health {
+    uint8_t fault;
+    int16_t temperature;
+    int16_t current;
+};
+
+/* Writes the record; returns its length, or 0 if there is no room. */
+static inline size_t letoff_key_health_put(const struct letoff_key_health *record, uint8_t *bytes, size_t room)
+{
+    if (room < LETOFF_KEY_HEALTH_LEN) {
+        return 0;
+    }
+    letoff_put(bytes + 0, record->fault, 1);
+    letoff_put(bytes + 1, (uint64_t)record->temperature, 2);
+    letoff_put(bytes + 3, (uint64_t)record->current, 2);
+    return LETOFF_KEY_HEALTH_LEN;
+}
+
+/* Reads the record from the start of the bytes, if they are enough. */
+static inline bool letoff_key_health_take(struct letoff_key_health *record, const uint8_t *bytes, size_t len)
+{
+    if (len < LETOFF_KEY_HEALTH_LEN) {
+        return false;
+    }
+    record->fault = (uint8_t)letoff_take(bytes + 0, 1);
+    record->temperature = (int16_t)letoff_signed(letoff_take(bytes + 1, 2), 16);
+    record->current = (int16_t)letoff_signed(letoff_take(bytes + 3, 2), 16);
+    return true;
+}
+
+/* mute key */
+#define LETOFF_MUTE_KEY_LEN 2u
+#define LETOFF_MUTE_KEY_SLOT_AT 0u
+#define LETOFF_MUTE_KEY_MUTED_AT 1u
+
+/* ONE(name) for a number, MANY(name, len) for bytes. */
+#define LETOFF_MUTE_KEY_FIELDS(ONE, MANY) \
+    ONE(slot) \
+    ONE(muted)
+
+struct letoff_mute_key {
+    uint8_t slot;
+    uint8_t muted;
+};
+
+/* Writes the record; returns its length, or 0 if there is no room. */
+static inline size_t letoff_mute_key_put(const struct letoff_mute_key *record, uint8_t *bytes, size_t room)
+{
+    if (room < LETOFF_MUTE_KEY_LEN) {
+        return 0;
+    }
+    letoff_put(bytes + 0, record->slot, 1);
+    letoff_put(bytes + 1, record->muted, 1);
+    return LETOFF_MUTE_KEY_LEN;
+}
+
+/* Reads the record from the start of the bytes, if they are enough. */
+static inline bool letoff_mute_key_take(struct letoff_mute_key *record, const uint8_t *bytes, size_t len)
+{
+    if (len < LETOFF_MUTE_KEY_LEN) {
+        return false;
+    }
+    record->slot = (uint8_t)letoff_take(bytes + 0, 1);
+    record->muted = (uint8_t)letoff_take(bytes + 1, 1);
+    return true;
+}
+
+/* bootloader */
+#define LETOFF_BOOTLOADER_LEN 4u
+#define LETOFF_BOOTLOADER_MAGIC_AT 0u
+
+/* ONE(name) for a number, MANY(name, len) for bytes. */
+#define LETOFF_BOOTLOADER_FIELDS(ONE, MANY) \
+    MANY(magic, 4)
+
+struct letoff_bootloader {
+    uint8_t magic[4];
+};
+
+/* Writes the record; returns its length, or 0 if there is no room. */
+static inline size_t letoff_bootloader_put(const struct letoff_bootloader *record, uint8_t *bytes, size_t room)
+{
+    if (room < LETOFF_BOOTLOADER_LEN) {
+        return 0;
+    }
+    memcpy(bytes + 0, record->magic, 4);
+    return LETOFF_BOOTLOADER_LEN;
+}
+
+/* Reads the record from the start of the bytes, if they are enough. */
+static inline bool letoff_bootloader_take(struct letoff_bootloader *record, const uint8_t *bytes, size_t len)
+{
+    if (len < LETOFF_BOOTLOADER_LEN) {
+        return false;
+    }
+    memcpy(record->magic, bytes + 0, 4);
     return true;
 }
 

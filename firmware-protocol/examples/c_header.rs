@@ -12,13 +12,17 @@ use core::fmt::{Debug, Display, Write as _};
 use std::io::Write as _;
 
 use firmware_protocol::acyclic::arm::{self, Arm, Disarmed};
+use firmware_protocol::acyclic::bootloader::{self, Bootloader};
 use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
 use firmware_protocol::acyclic::config::{Config, ReadConfig, WriteConfig, setting};
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::{self, Finger};
+use firmware_protocol::acyclic::health::{
+    BoardHealth, KeyHealth, MuteKey, NOT_MEASURED, ReadKeyHealth, key_fault,
+};
 use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
-use firmware_protocol::acyclic::ping::Pong;
+use firmware_protocol::acyclic::ping::{self, Pong};
 use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{self, Operation, Status};
 use firmware_protocol::can::{self, Class, pieces};
@@ -173,7 +177,9 @@ fn requests() -> String {
     define(&mut text, "FADE_MS", arm::FADE_MS);
     define(&mut text, "PATH_US", arm::PATH_US);
     define(&mut text, "HISTORY", arm::HISTORY);
+    define(&mut text, "ANSWER_MS", acyclic::ANSWER_MS);
     define(&mut text, "RETRY_MS", acyclic::RETRY_MS);
+    define(&mut text, "CLOCK_TOLERANCE_PPM", ping::CLOCK_TOLERANCE_PPM);
     text
 }
 
@@ -185,6 +191,8 @@ fn boards() -> String {
         ("VELOCITY", feature::VELOCITY),
         ("FINGERS", feature::FINGERS),
         ("LOG", feature::LOG),
+        ("HEALTH", feature::HEALTH),
+        ("BOOTLOADER", feature::BOOTLOADER),
     ];
     for (name, bit) in features {
         define(&mut text, &format!("FEATURE_{name}"), bit);
@@ -203,6 +211,20 @@ fn boards() -> String {
     for (place, byte) in hello::MAGIC.into_iter().enumerate() {
         define(&mut text, &format!("MAGIC_{place}"), byte);
     }
+    for (place, byte) in bootloader::MAGIC.into_iter().enumerate() {
+        define(&mut text, &format!("BOOT_MAGIC_{place}"), byte);
+    }
+    let faults = [
+        ("NONE", key_fault::NONE),
+        ("SENSOR", key_fault::SENSOR),
+        ("MOTOR", key_fault::MOTOR),
+        ("TOO_HOT", key_fault::TOO_HOT),
+        ("OTHER", key_fault::OTHER),
+    ];
+    for (name, number) in faults {
+        define(&mut text, &format!("KEY_FAULT_{name}"), number);
+    }
+    signed(&mut text, "NOT_MEASURED", NOT_MEASURED.into());
     text
 }
 
@@ -223,6 +245,11 @@ fn records() -> String {
         record::<Light>("light"),
         record::<Counters>("counters"),
         record::<Finger>("finger"),
+        record::<BoardHealth>("board_health"),
+        record::<ReadKeyHealth>("read_key_health"),
+        record::<KeyHealth>("key_health"),
+        record::<MuteKey>("mute_key"),
+        record::<Bootloader>("bootloader"),
     ];
     all.concat()
 }
@@ -333,7 +360,7 @@ fn numbers<T: Debug>(text: &mut String, prefix: &str, all: impl IntoIterator<Ite
 }
 
 /// `KeyForces` as `KEY_FORCES`.
-fn screaming(name: &str) -> String {
+pub(crate) fn screaming(name: &str) -> String {
     let mut screaming = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !screaming.is_empty() {

@@ -7,8 +7,9 @@
 //! hash of their own, [`crate::schema::HASH`], so that not even a forgotten number lets a
 //! force be misread.
 
-/// What this crate speaks. 2.1 added where a finger starts and how long it takes to lift.
-pub const PROTOCOL_VERSION: ProtocolVersion = ProtocolVersion { major: 2, minor: 1 };
+/// What this crate speaks. 2.1 added where a finger starts and how long it takes to lift, 2.2 the
+/// health of boards and keys, keys without motors, and the way into a bootloader.
+pub const PROTOCOL_VERSION: ProtocolVersion = ProtocolVersion { major: 2, minor: 2 };
 
 /// A version of the protocol.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -11,6 +11,7 @@ mod c_codec;
 #[expect(dead_code, reason = "its main is for people")]
 #[path = "../examples/c_header.rs"]
 mod c_header;
+mod document;
 mod evolution;
 #[path = "support/random.rs"]
 mod random;

@@ -5,10 +5,12 @@
 use core::fmt::Debug;
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
+use firmware_protocol::acyclic::bootloader::Bootloader;
 use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
 use firmware_protocol::acyclic::config::{Config, ReadConfig, WriteConfig};
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::Finger;
+use firmware_protocol::acyclic::health::{BoardHealth, KeyHealth, MuteKey, ReadKeyHealth};
 use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::ping::Pong;
@@ -182,7 +184,14 @@ fn check_request(vector: &Vector) {
         Operation::ReadLog => request_with::<ReadLog>(vector),
         Operation::Light => request_with::<Light>(vector),
         Operation::Finger => request_with::<Finger>(vector),
-        Operation::Hello | Operation::Disarm | Operation::Ping | Operation::Counters => {
+        Operation::KeyHealth => request_with::<ReadKeyHealth>(vector),
+        Operation::MuteKey => request_with::<MuteKey>(vector),
+        Operation::Bootloader => request_with::<Bootloader>(vector),
+        Operation::Hello
+        | Operation::Disarm
+        | Operation::Ping
+        | Operation::Counters
+        | Operation::BoardHealth => {
             request_with::<Nothing>(vector);
         }
     }
@@ -217,7 +226,14 @@ fn check_reply(vector: &Vector) {
         }
         Operation::ReadLog => reply_with::<LogLine>(vector),
         Operation::Counters => reply_with::<Counters>(vector),
-        Operation::Stream | Operation::Arm | Operation::Light | Operation::Finger => {
+        Operation::BoardHealth => reply_with::<BoardHealth>(vector),
+        Operation::KeyHealth => reply_with::<KeyHealth>(vector),
+        Operation::Stream
+        | Operation::Arm
+        | Operation::Light
+        | Operation::Finger
+        | Operation::MuteKey
+        | Operation::Bootloader => {
             reply_with::<Nothing>(vector);
         }
     }

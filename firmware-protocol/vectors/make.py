@@ -313,6 +313,25 @@ def all_requests():
     yield request("request_finger", "a gesture", 14, 255, 13, FINGER, values)
 
 
+def all_requests_of_2_2():
+    yield request("request_board_health", "how are you?", 1, 20, 14)
+    yield request("request_key_health", "how is a key?", 2, 21, 15, [("slot", 1)], [11])
+    mute = [("slot", 1), ("muted", 1)]
+    yield request("request_mute_key", "a motor off", 3, 22, 16, mute, [7, 1])
+    magic = [("magic", [4])]
+    yield request("request_bootloader", "the way out", 4, 23, 17, magic, [list(b"BOOT")])
+
+
+def all_replies_of_2_2():
+    health = [("boots", 4), ("homed", 2), ("faults", 2), ("muted", 2)]
+    values = [4000000001, 0x0FFF, 1, 0x0880]
+    yield reply("reply_board_health", "how it is", 1, 20, 14, health, values)
+    key = [("fault", 1), ("temperature", 2), ("current", 2)]
+    yield reply("reply_key_health", "too hot", 2, 21, 15, key, [3, 853, -1500])
+    yield reply("reply_mute_key", "done", 3, 22, 16)
+    yield reply("reply_bootloader", "it is armed", 4, 23, 17, status=3)
+
+
 def all_replies():
     yield reply("reply_hello", "who it is", 0, 0, 1, HELLO, hello_values(minor=7))
     yield reply("reply_stream", "done", 1, 1, 2)
@@ -342,6 +361,8 @@ def vectors():
     yield from all_broadcasts()
     yield from all_requests()
     yield from all_replies()
+    yield from all_requests_of_2_2()
+    yield from all_replies_of_2_2()
 
 
 def shown(value):

@@ -14,7 +14,7 @@ use crate::rig::{
 const TOOLS: [&str; 2] = ["arm-none-eabi-gcc", "qemu-system-arm"];
 
 /// Whether the tools are there; if not, says so.
-fn has_tools() -> bool {
+pub(crate) fn has_tools() -> bool {
     let answers = |tool: &&&str| Command::new(tool).arg("--version").output().is_ok();
     let missing: Vec<_> = TOOLS.iter().filter(|tool| !answers(tool)).collect();
     if !missing.is_empty() {
@@ -24,7 +24,7 @@ fn has_tools() -> bool {
 }
 
 /// Builds the firmware of a board of the standard compass.
-fn build(folder: &Path, board: usize) -> PathBuf {
+pub(crate) fn build(folder: &Path, board: usize) -> PathBuf {
     let c = Path::new(env!("CARGO_MANIFEST_DIR")).join("firmware-protocol/c");
     let elf = folder.join(format!("board{board}.elf"));
     let sources = std::fs::read_dir(c.join("firmware")).expect("the firmware");
@@ -41,13 +41,13 @@ fn build(folder: &Path, board: usize) -> PathBuf {
 }
 
 /// A running processor and its port; ended with its owner.
-struct Processor {
+pub(crate) struct Processor {
     qemu: Child,
-    port: String,
+    pub(crate) port: String,
 }
 
 impl Processor {
-    fn start(elf: &Path) -> Self {
+    pub(crate) fn start(elf: &Path) -> Self {
         let mut command = Command::new("qemu-system-arm");
         command.args(["-M", "lm3s6965evb", "-display", "none", "-monitor", "none"]);
         command.args(["-serial", "pty", "-kernel"]).arg(elf);

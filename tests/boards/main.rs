@@ -12,7 +12,9 @@
 #[path = "../stage/letoff.rs"]
 mod letoff;
 
+mod conformance;
 mod cortex;
+mod python;
 mod refused;
 mod rig;
 mod serial;

@@ -1,5 +1,7 @@
 //! Arguments of several commands.
 
+use firmware_protocol::key::KeyIndex;
+
 /// The help of `--link`.
 pub(super) const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
                                can:INTERFACE or classic-can:INTERFACE; once for each";
@@ -39,6 +41,13 @@ pub(super) fn assignment(text: &str) -> Result<(String, String), String> {
     let (name, value) =
         text.split_once('=').ok_or_else(|| format!("`{text}` has no `=`: write name=value"))?;
     Ok((name.trim().to_owned(), value.trim().to_owned()))
+}
+
+/// Reads a key, as C4 or as its MIDI number.
+pub(super) fn note(text: &str) -> Result<KeyIndex, String> {
+    text.parse().map_err(|_error| {
+        format!("`{text}` is no key: give a note from A0 to C8, or a MIDI number from 21 to 108")
+    })
 }
 
 #[cfg(test)]

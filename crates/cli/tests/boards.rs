@@ -39,6 +39,8 @@ fn boards_are_listed_with_their_logs_and_a_dead_link_is_no_end() {
     let board = Board::start(make(4, 11));
     let (link, dead) = (board.link(), "serial:/dev/no-such-port");
     let said = letoff(&["devices", "--boards", "--link", dead, "--link", &link, "--light", "4"]);
+    assert_eq!(said.status.code(), Some(1), "{said:?}");
+    assert!(text(&said.stderr).contains("no board can be used on /dev/no-such-port"), "{said:?}");
     let said = text(&said.stdout);
     let parts = ["it is not there", "board 4 ", "F4..D#5", "simulated fingers", "never armed"];
     assert!(parts.iter().all(|part| said.contains(part)), "{said}");

@@ -9,15 +9,16 @@
 //! oscillator is the same.
 //! Times are microseconds; the host's never wrap, the board's do.
 
+use firmware_protocol::acyclic::ping::CLOCK_TOLERANCE_PPM;
+
 /// Round trips that are remembered.
 const WINDOW: usize = 64;
 
 /// Error of the rate below which it counts as known (1): 0.15 ms between two round trips.
 const RATE_ERROR: f64 = 3e-3;
 
-/// Largest drift of a board's clock that is accepted, faster or slower (1): RC oscillators without
-/// trimming keep to it.
-pub const MOST_DRIFT: f64 = 0.03;
+/// Largest drift of a board's clock that is accepted, faster or slower (1).
+pub const MOST_DRIFT: f64 = CLOCK_TOLERANCE_PPM as f64 * 1e-6;
 
 /// Largest drift that a clock which was not set anew is believed to have (1).
 const MOST_BELIEVED: f64 = 0.1;

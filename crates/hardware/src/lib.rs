@@ -12,6 +12,7 @@
 pub mod calibrate;
 pub mod calibration;
 pub mod clock;
+pub mod conformance;
 mod error;
 pub mod identity;
 pub mod keybed;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::acyclic::{ANSWER_MS, Operation, RETRY_MS, Status};
 use firmware_protocol::frame::hello::safe_reason;
 use firmware_protocol::version::PROTOCOL_VERSION;
 use keyboard::{KeyIndex, KeyRange};
@@ -10,6 +10,7 @@ use keyboard::{KeyIndex, KeyRange};
 use crate::calibration::CalibrationFault;
 use crate::clock::MOST_DRIFT;
 use crate::identity::{ClaimedKeys, Uid};
+use crate::keybed::ImpossibleValue;
 
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -53,6 +54,8 @@ pub enum Refusal {
     SameNumber { board: BoardName, one: Uid, other: Uid },
     #[error("{one} and {other} are both board {uid}; unplug one of the two cables")]
     SameBoard { one: BoardName, other: BoardName, uid: Uid },
+    #[error("{board} says of itself {value}; correct its firmware")]
+    Value { board: BoardName, value: ImpossibleValue },
     #[error("{board} says that it carries {keys}; a board carries 1 to 12 keys, all within A0..C8")]
     Keys { board: BoardName, keys: ClaimedKeys },
     #[error(
@@ -86,6 +89,18 @@ pub enum Refusal {
          its firmware"
     )]
     StaysSafe { board: BoardName },
+    #[error(
+        "{board} answers later than {RETRY_MS} ms after it was asked, so its clock cannot be read; \
+         a board answers within {ANSWER_MS} ms: see to its firmware and to what its link carries"
+    )]
+    LateAnswers { board: BoardName },
+    #[error("{board}: {}; see to its firmware and to what its link carries", late_words(*ms))]
+    LateSamples { board: BoardName, ms: u16 },
+    #[error(
+        "{board}: its encoders do not know where {keys} is since it was started; home it as its \
+         maker says, then start the host again"
+    )]
+    NotHomed { board: BoardName, keys: String },
     #[error("{board} cannot {what}; {instead}")]
     Unable { board: BoardName, what: &'static str, instead: String },
     #[error("{board} did not answer {asked:?} for {seconds} s; it was there before: see its cable")]
@@ -150,6 +165,11 @@ pub fn clock_words(ppm: i32) -> String {
     let how = if ppm < 0 { "slow" } else { "fast" };
     let most = MOST_DRIFT * 1e2;
     format!("its clock runs {percent:.1} % too {how}, and at most {most:.0} % is accepted")
+}
+
+/// Returns what is wrong with samples that are so old when they come (ms), in words.
+pub fn late_words(ms: u16) -> String {
+    format!("its samples are {ms} ms old when they come, longer than forces are valid")
 }
 
 /// Returns why a board is safe, in words.

@@ -198,6 +198,54 @@ static uint8_t finger(struct asked *asked)
     return gestures_add(gestures, &wanted) ? LETOFF_STATUS_DONE : LETOFF_STATUS_WRONG_STATE;
 }
 
+static uint8_t board_health(struct asked *asked)
+{
+    struct letoff_board_health health = {
+        /* Kept in flash on real hardware. */
+        .boots = 1,
+        .homed = (uint16_t)((1u << N_KEYS) - 1u),
+        .muted = asked->state->muted,
+    };
+    asked->reply_len = letoff_board_health_put(&health, asked->reply, asked->room);
+    return LETOFF_STATUS_DONE;
+}
+
+static uint8_t key_health(struct asked *asked)
+{
+    struct letoff_read_key_health wanted;
+    if (!letoff_read_key_health_take(&wanted, asked->record, asked->len) ||
+        N_KEYS <= wanted.slot) {
+        return LETOFF_STATUS_BAD_VALUE;
+    }
+    struct letoff_key_health health = {
+        .fault = LETOFF_KEY_FAULT_NONE,
+        .temperature = LETOFF_NOT_MEASURED,
+        .current = LETOFF_NOT_MEASURED,
+    };
+    asked->reply_len = letoff_key_health_put(&health, asked->reply, asked->room);
+    return LETOFF_STATUS_DONE;
+}
+
+static uint8_t mute_key(struct asked *asked)
+{
+    struct letoff_mute_key wanted;
+    if (!letoff_mute_key_take(&wanted, asked->record, asked->len) || N_KEYS <= wanted.slot ||
+        1 < wanted.muted) {
+        return LETOFF_STATUS_BAD_VALUE;
+    }
+    uint16_t bit = (uint16_t)(1u << wanted.slot);
+    uint16_t others = (uint16_t)(asked->state->muted & ~(unsigned)bit);
+    asked->state->muted = wanted.muted != 0 ? (uint16_t)(others | bit) : others;
+    return LETOFF_STATUS_DONE;
+}
+
+/* QEMU has none. */
+static uint8_t bootloader(struct asked *asked)
+{
+    (void)asked;
+    return LETOFF_STATUS_IMPOSSIBLE;
+}
+
 static uint8_t do_it(struct asked *asked, uint8_t operation)
 {
     static uint8_t (*const operations[])(struct asked *) = {
@@ -214,6 +262,10 @@ static uint8_t do_it(struct asked *asked, uint8_t operation)
         [LETOFF_OPERATION_LIGHT] = light,
         [LETOFF_OPERATION_COUNTERS] = counters,
         [LETOFF_OPERATION_FINGER] = finger,
+        [LETOFF_OPERATION_BOARD_HEALTH] = board_health,
+        [LETOFF_OPERATION_KEY_HEALTH] = key_health,
+        [LETOFF_OPERATION_MUTE_KEY] = mute_key,
+        [LETOFF_OPERATION_BOOTLOADER] = bootloader,
     };
     if (sizeof operations / sizeof *operations <= operation || operations[operation] == NULL) {
         return LETOFF_STATUS_UNKNOWN;

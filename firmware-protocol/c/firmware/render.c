@@ -3,6 +3,9 @@
 static float force_of(const struct state *state, size_t slot, uint32_t at_us, int32_t share)
 {
     const struct plant_key *key = &state->keys[slot];
+    if ((state->muted >> slot & 1u) != 0) {
+        return 0.0f;
+    }
     float limit = 1e-3f * (float)state->settings[LETOFF_SETTING_MAX_FORCE_MN];
     return law_force(&state->forces.keys[slot], at_us, plant_counts(key), key->velocity, share,
                      limit);

@@ -62,7 +62,7 @@ struct letoff_hello state_hello(const struct state *state, uint32_t now_us)
         .first_key = FIRST_KEY,
         .n_keys = N_KEYS,
         .features = LETOFF_FEATURE_SLOPES | LETOFF_FEATURE_MULTICAST | LETOFF_FEATURE_VELOCITY |
-                    LETOFF_FEATURE_FINGERS | LETOFF_FEATURE_LOG,
+                    LETOFF_FEATURE_FINGERS | LETOFF_FEATURE_LOG | LETOFF_FEATURE_HEALTH,
         .max_sample_hz = MAX_SAMPLE_HZ,
         .max_force_hz = MAX_FORCE_HZ,
         .law_hz = LAW_HZ,

@@ -25,6 +25,8 @@ struct state {
     struct plant_key keys[N_KEYS];
     struct letoff_key_calibration calibrations[N_KEYS];
     int32_t settings[LETOFF_SETTING_COUNT];
+    /* Keys whose motors are off, the first in bit 0. */
+    uint16_t muted;
     /* Up to when law and plant have run. */
     uint32_t law_us;
     /* When a hello is due, if one is. */

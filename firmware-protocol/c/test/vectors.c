@@ -185,6 +185,15 @@ static void check_request(void)
     case LETOFF_OPERATION_FINGER:
         RECORD(finger, LETOFF_FINGER_FIELDS, LETOFF_REQUEST_HEAD);
         break;
+    case LETOFF_OPERATION_KEY_HEALTH:
+        RECORD(read_key_health, LETOFF_READ_KEY_HEALTH_FIELDS, LETOFF_REQUEST_HEAD);
+        break;
+    case LETOFF_OPERATION_MUTE_KEY:
+        RECORD(mute_key, LETOFF_MUTE_KEY_FIELDS, LETOFF_REQUEST_HEAD);
+        break;
+    case LETOFF_OPERATION_BOOTLOADER:
+        RECORD(bootloader, LETOFF_BOOTLOADER_FIELDS, LETOFF_REQUEST_HEAD);
+        break;
     default:
         check("nothing behind the head", request.record_len == 0);
     }
@@ -223,6 +232,12 @@ static void check_reply(void)
         break;
     case LETOFF_OPERATION_COUNTERS:
         RECORD(counters, LETOFF_COUNTERS_FIELDS, LETOFF_REPLY_HEAD);
+        break;
+    case LETOFF_OPERATION_BOARD_HEALTH:
+        RECORD(board_health, LETOFF_BOARD_HEALTH_FIELDS, LETOFF_REPLY_HEAD);
+        break;
+    case LETOFF_OPERATION_KEY_HEALTH:
+        RECORD(key_health, LETOFF_KEY_HEALTH_FIELDS, LETOFF_REPLY_HEAD);
         break;
     default:
         check("nothing behind the head", reply.record_len == 0);

@@ -13,10 +13,12 @@
 //! Requests are never on the tick's path, and cost the bus less than a hundredth.
 
 pub mod arm;
+pub mod bootloader;
 pub mod calibration;
 pub mod config;
 pub mod counters;
 pub mod finger;
+pub mod health;
 pub mod light;
 pub mod log;
 pub mod ping;
@@ -25,6 +27,9 @@ pub mod stream;
 use crate::frame::{ALL_BOARDS, DecodeError, FrameKind, check_board, head};
 use crate::key::BoardId;
 use crate::{MAX_FRAME, Record};
+
+/// Longest time until a board has answered a request (ms).
+pub const ANSWER_MS: u32 = 20;
 
 /// Time after which a request is asked again at the earliest (ms).
 pub const RETRY_MS: u32 = 25;
@@ -65,11 +70,19 @@ pub enum Operation {
     Counters = 12,
     /// Move a simulated finger: [`finger`].
     Finger = 13,
+    /// How are you? [`health`].
+    BoardHealth = 14,
+    /// How is a key? [`health`].
+    KeyHealth = 15,
+    /// Take a key's motor off or on: [`health`].
+    MuteKey = 16,
+    /// End the firmware, and start the bootloader: [`bootloader`].
+    Bootloader = 17,
 }
 
 impl Operation {
     /// All operations, in the order of their numbers.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 17] = [
         Self::Hello,
         Self::Stream,
         Self::Disarm,
@@ -83,6 +96,10 @@ impl Operation {
         Self::Light,
         Self::Counters,
         Self::Finger,
+        Self::BoardHealth,
+        Self::KeyHealth,
+        Self::MuteKey,
+        Self::Bootloader,
     ];
 
     /// Returns the operation with this number.

@@ -31,6 +31,9 @@ pub mod feature {
     /// Is a simulation and has fingers, see [`crate::acyclic::finger`].
     pub const FINGERS: u16 = 1 << 3;
     pub const LOG: u16 = 1 << 4;
+    /// Knows how it and its keys are, see [`crate::acyclic::health`].
+    pub const HEALTH: u16 = 1 << 5;
+    pub const BOOTLOADER: u16 = 1 << 6;
 }
 
 /// Why a board is safe, in [`Hello::safe_reason`].

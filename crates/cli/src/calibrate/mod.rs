@@ -24,6 +24,7 @@ use hardware::keybed::{Armed, Keybed};
 use self::bring_up::Ready;
 use self::operator::Operator;
 use self::write::CalibrationRecord;
+use super::arguments::note;
 use super::signals::Signals;
 use super::target::SceneTarget;
 use super::{Failure, endpoints, print_json, system};
@@ -75,12 +76,6 @@ pub struct CalibrateArgs {
     /// the user's own folder.
     #[arg(long, value_name = "DIR")]
     pub folder: Option<PathBuf>,
-}
-
-fn note(text: &str) -> Result<KeyIndex, String> {
-    text.parse().map_err(|_error| {
-        format!("`{text}` is no key: give a note from A0 to C8, or a MIDI number from 21 to 108")
-    })
 }
 
 fn grams(text: &str) -> Result<f64, String> {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use firmware_protocol::Nothing;
-use firmware_protocol::acyclic::Operation;
+use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::key::{KeyIndex, PerKey};
 use hardware::calibrate::record;
 use hardware::calibration::{KeyCalibration, file};
@@ -131,7 +131,7 @@ fn sheet(board: &MeasuredBoard, keys: &[KeyCalibration]) -> file::CalibrationShe
     }
 }
 
-/// Tells a board what it keeps of its keys' calibration.
+/// Tells a board what it keeps of its keys' calibration; one may keep nothing of it.
 fn tell(
     board: &MeasuredBoard,
     keys: &[KeyCalibration],
@@ -140,7 +140,12 @@ fn tell(
     let mut asker = keybed.asker(board.found.line, board.found.board);
     for (slot, key) in (0..).zip(keys) {
         let record = record(slot, key);
-        let _done: Nothing = keybed.ask(&mut asker, Operation::WriteCalibration, &record)?;
+        let told: Result<Nothing, _> = keybed.ask(&mut asker, Operation::WriteCalibration, &record);
+        match told {
+            Ok(Nothing) => {}
+            Err(Refusal::Declined { status: Status::Unknown | Status::Impossible, .. }) => break,
+            Err(refusal) => return Err(refusal),
+        }
     }
     Ok(())
 }

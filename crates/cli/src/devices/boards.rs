@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use firmware_protocol::Nothing;
+use firmware_protocol::acyclic::bootloader::{self, Bootloader};
 use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::{Operation, Status};
@@ -14,13 +15,14 @@ use hardware::rt::board_supervisor::LIGHT_S;
 use links::address::Address;
 use serde::Serialize;
 
-use super::DevicesArgs;
+use super::health::{self, HealthRow};
+use super::{DevicesArgs, settings, test};
 use crate::{Failure, print_json};
 use host::boards::{folder, now_us, open};
 use scene::{BoardBus, Boards};
 
 /// Longest time for the boards of one link to answer (us).
-const PATIENCE_US: u64 = 2_500_000;
+pub(super) const PATIENCE_US: u64 = 2_500_000;
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
 
@@ -31,6 +33,9 @@ struct OnLink {
     boards: Vec<BoardRow>,
     /// The reasons why it, or a board on it, cannot be used, a sentence each.
     refusals: Vec<String>,
+    /// Why settings were not written, a sentence each.
+    #[serde(skip)]
+    unwritten: Vec<String>,
 }
 
 /// A board that answered.
@@ -56,6 +61,10 @@ struct BoardRow {
     calibration: Option<String>,
     is_calibrated: bool,
     log: Vec<String>,
+    /// Settings that were written.
+    written: Vec<String>,
+    /// How it and its keys are, if it was asked and knows.
+    health: Option<HealthRow>,
 }
 
 /// Prints the boards on all links.
@@ -67,16 +76,25 @@ pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure
                 .into(),
         ));
     }
+    if let Some(depth) = args.test {
+        return test::run(args, depth, out);
+    }
     let links: Vec<_> = args.links.iter().map(|address| look(address, args)).collect();
     if args.json {
-        return print_json(&links, out);
+        print_json(&links, out)?;
+    } else {
+        links.iter().try_for_each(|link| print(link, out))?;
     }
-    links.iter().try_for_each(|link| print(link, out))
+    let mut wrong: Vec<_> = links.iter().flat_map(|link| &link.unwritten).cloned().collect();
+    let empty = links.iter().filter(|link| link.boards.is_empty());
+    wrong.extend(empty.map(|link| format!("no board can be used on {}", link.link)));
+    if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }
 
 /// Asks who is on a link, and does with them what is wanted.
 fn look(address: &Address, args: &DevicesArgs) -> OnLink {
-    let mut link = OnLink { link: address.name(), boards: Vec::new(), refusals: Vec::new() };
+    let (boards, refusals, unwritten) = (Vec::new(), Vec::new(), Vec::new());
+    let mut link = OnLink { link: address.name(), boards, refusals, unwritten };
     let line = match open(&BoardBus::new(address.clone())) {
         Ok(line) => line,
         Err(error) => {
@@ -91,6 +109,15 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
             return link;
         }
     };
+    keybed.keep(|found| args.board.is_none_or(|number| found.board.number() == number));
+    let mut settings = &args.set[..];
+    if !settings.is_empty() && (keybed.boards().len() != 1 || args.links.len() != 1) {
+        link.unwritten.push(
+            "settings are written to one board: give one --link, and --board with its number"
+                .into(),
+        );
+        settings = &[];
+    }
     for found in keybed.boards().to_vec() {
         let (mut board, trouble) = describe(&found);
         link.refusals.extend(trouble);
@@ -105,9 +132,39 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
         {
             link.refusals.push(refusal.to_string());
         }
+        if let Err(refusal) = change(args, &found, &mut keybed) {
+            link.unwritten.push(refusal.to_string());
+        }
+        if args.health && found.hello.features & feature::HEALTH != 0 {
+            match health::read(&found, &mut keybed) {
+                Ok(health) => board.health = Some(health),
+                Err(refusal) => link.refusals.push(refusal.to_string()),
+            }
+        }
+        match settings::write(settings, &found, &mut keybed) {
+            Ok(written) => board.written = written,
+            Err(refusal) => link.unwritten.push(refusal.to_string()),
+        }
         link.boards.push(board);
     }
     link
+}
+
+/// Mutes and unmutes keys of a board, and lets it start its bootloader, as is wanted.
+fn change(
+    args: &DevicesArgs,
+    found: &FoundBoard,
+    keybed: &mut Keybed<Identified>,
+) -> Result<(), Refusal> {
+    for (keys, muted) in [(&args.mute, 1), (&args.unmute, 0)] {
+        keys.iter().try_for_each(|key| health::mute(found, keybed, *key, muted))?;
+    }
+    if args.bootloader {
+        let mut asker = keybed.asker(found.line, found.board);
+        let wanted = Bootloader { magic: bootloader::MAGIC };
+        let _left: Nothing = keybed.ask(&mut asker, Operation::Bootloader, &wanted)?;
+    }
+    Ok(())
 }
 
 /// Returns the description of a board, and the mistakes of its calibration file.
@@ -135,18 +192,22 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
         is_calibrated,
         calibration: file.map(|file| file.display().to_string()),
         log: Vec::new(),
+        written: Vec::new(),
+        health: None,
     };
     (board, read.and_then(Result::err))
 }
 
 /// Returns the features of a board, in words.
 fn features(bits: u16) -> Vec<&'static str> {
-    const WORDS: [(u16, &str); 5] = [
+    const WORDS: [(u16, &str); 7] = [
         (feature::SLOPES, "slopes"),
         (feature::MULTICAST, "multicast forces"),
         (feature::VELOCITY, "velocities"),
         (feature::FINGERS, "simulated fingers"),
         (feature::LOG, "a log"),
+        (feature::HEALTH, "health"),
+        (feature::BOOTLOADER, "a bootloader"),
     ];
     WORDS.iter().filter(|(bit, _)| bits & bit != 0).map(|(_, word)| *word).collect()
 }
@@ -169,13 +230,18 @@ fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String
             Err(refusal) => return Err(refusal),
         };
         let text = String::from_utf8_lossy(&it.text);
-        let text = text.trim_end_matches('\0');
+        let text = printable(text.trim_end_matches('\0'));
         lines.push(format!("{:12.6} s  {text}", f64::from(it.board_us) * 1e-6));
         if it.lines <= line + 1 {
             break;
         }
     }
     Ok(lines)
+}
+
+/// Returns `text` without what a terminal would obey.
+fn printable(text: &str) -> String {
+    text.replace(char::is_control, "\u{FFFD}")
 }
 
 fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
@@ -201,7 +267,21 @@ fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
         let file = it.calibration.as_deref().unwrap_or("anywhere");
         let is = if it.is_calibrated { "calibrated in" } else { "no calibration in" };
         writeln!(out, "    {is} {file}")?;
+        it.written.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
+        if let Some(health) = &it.health {
+            health::print(health, out)?;
+        }
         it.log.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
     }
     link.refusals.iter().try_for_each(|why| Ok(writeln!(out, "  {why}")?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_log_cannot_command_the_terminal() {
+        assert_eq!(printable("\u{1b}[2Jhot\r µN"), "\u{FFFD}[2Jhot\u{FFFD} µN");
+    }
 }

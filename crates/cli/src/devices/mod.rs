@@ -3,20 +3,35 @@
 use std::io::Write;
 
 use clap::Args;
+use firmware_protocol::key::KeyIndex;
 use links::address::Address;
 use links::discovery;
 use serde::Serialize;
 
-use super::arguments::LINK;
+use super::arguments::{LINK, note};
 use super::{Failure, print_json};
+use hardware::conformance::ConformanceDepth;
 
 mod boards;
+mod health;
+mod settings;
+mod test;
+
+use self::settings::BoardSetting;
 
 /// What `letoff devices` takes.
 #[derive(Clone, Debug, Default, Args)]
 #[command(after_help = "Examples:
   letoff devices --json
-  letoff devices --boards --link serial:/dev/ttyACM0 --light 3")]
+  letoff devices --boards --link serial:/dev/ttyACM0 --light 3
+  letoff devices --boards --link serial:/dev/ttyACM0 --test=arm
+  letoff devices --boards --link serial:/dev/ttyACM0 --set number=3
+
+--test says item by item whether the boards keep firmware-protocol/PROTOCOL.md,
+and ends with exit code 1 if one does not. No board is armed and no force is sent;
+with --test=arm boards are armed, and each key is asked for 0.05 N at most; with
+--test=stop they are stopped in the end, until they are started anew.")]
+#[expect(clippy::struct_excessive_bools, reason = "the flags of a command line")]
 pub struct DevicesArgs {
     /// Asks on the links who is there, and lists the boards instead.
     #[arg(long)]
@@ -28,6 +43,30 @@ pub struct DevicesArgs {
     /// Lets the board with this number blink.
     #[arg(long, value_name = "N", requires = "boards")]
     pub light: Option<u8>,
+    /// Only the board with this number.
+    #[arg(long, value_name = "N", requires = "boards")]
+    pub board: Option<u8>,
+    /// Tries whether the boards keep the protocol: quiet (without a value), arm or stop.
+    #[arg(long, value_name = "HOW", requires = "boards", value_parser = test::depth,
+          num_args = 0..=1, require_equals = true, default_missing_value = "quiet",
+          conflicts_with_all = ["light", "log", "set"])]
+    pub test: Option<ConformanceDepth>,
+    /// Writes a setting that the board keeps: number, first_key or max_force_mn.
+    #[arg(long, value_name = "NAME=VALUE", requires = "boards",
+          value_parser = BoardSetting::parse)]
+    pub set: Vec<BoardSetting>,
+    /// Prints how the boards and their keys are, where boards know it.
+    #[arg(long, requires = "boards")]
+    pub health: bool,
+    /// Takes the motor of a key off, until its board is started anew.
+    #[arg(long, value_name = "KEY", requires = "boards", value_parser = note)]
+    pub mute: Vec<KeyIndex>,
+    /// Takes the motor of a key back on.
+    #[arg(long, value_name = "KEY", requires = "boards", value_parser = note)]
+    pub unmute: Vec<KeyIndex>,
+    /// Lets the board start its bootloader, so that its firmware can be changed.
+    #[arg(long, requires = "boards", conflicts_with_all = ["light", "log", "set", "health"])]
+    pub bootloader: bool,
     /// Prints the boards' logs.
     #[arg(long, requires = "boards")]
     pub log: bool,

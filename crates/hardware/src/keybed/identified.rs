@@ -6,7 +6,7 @@ use firmware_protocol::frame::key_samples::{SampleLayout, SamplePacking};
 use firmware_protocol::key::{BoardId, PerKey};
 use keyboard::{KeyIndex, KeyRange};
 
-use super::{Calibrated, Keybed, NamedLink};
+use super::{Calibrated, Keybed, NamedLink, impossible_values};
 use crate::calibration::KeyCalibration;
 use crate::identity::{ClaimedKeys, Uid};
 use crate::refusal::{BoardName, Refusal, Refusals};
@@ -103,13 +103,22 @@ impl Keybed<Identified> {
         let mut boards = Vec::new();
         for found in &stage.found {
             let name = found.name(&lines);
+            let values = impossible_values(&found.hello);
+            if !values.is_empty() {
+                let refusal = |value| Refusal::Value { board: name.clone(), value };
+                refusals.extend(values.into_iter().map(refusal));
+                continue;
+            }
             refuse_unable(found, &name, wanted, &mut refusals);
             let Some(place) = found.place() else {
                 refusals.push(Refusal::Keys { board: name, keys: found.keys() });
                 continue;
             };
             match calibration(found, &name) {
-                Ok(calibration) => boards.push(terms(place, wanted, &calibration)),
+                Ok(calibration) => {
+                    let max_force_mn = found.hello.max_force_mn;
+                    boards.push(BoardTerms { max_force_mn, ..terms(place, wanted, &calibration) });
+                }
                 Err(refusal) => refusals.push(refusal),
             }
         }
@@ -137,6 +146,7 @@ const fn terms(
         samples: SampleLayout { packing: wanted.samples, n_keys: place.n_keys },
         forces: ForceLayout { packing: wanted.forces, n_keys: place.n_keys },
         calibration: *calibration,
+        max_force_mn: u16::MAX,
     }
 }
 
@@ -166,7 +176,7 @@ fn refuse_unable(
     }
     let fastest = max_sample_hz.min(max_force_hz);
     if u32::from(fastest) < wanted.hz {
-        let instead = format!("it can exchange {fastest} times a second: give `tick_hz`");
+        let instead = format!("give `tick_hz = {fastest}` or less");
         unable("keep the scene's rate", instead);
     }
 }

@@ -4,6 +4,7 @@ use firmware_protocol::frame::Header;
 use firmware_protocol::frame::key_forces::{self, ForceLayout, ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout};
 use firmware_protocol::key::{MOST_KEYS, PerKey};
+use firmware_protocol::quantity::Millinewtons;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::loss::{Loss, LossCounts};
@@ -22,9 +23,22 @@ pub struct BoardTerms {
     pub forces: ForceLayout,
     /// How each of its keys reads and pushes.
     pub calibration: PerKey<KeyCalibration>,
+    /// Largest force of its motors (mN), which it is never asked to exceed.
+    pub max_force_mn: u16,
 }
 
 impl BoardTerms {
+    /// Returns what to ask of the motor of a key for `force` (N), no more than it has.
+    pub(super) fn millinewtons(&self, calibration: &KeyCalibration, force: f64) -> Millinewtons {
+        self.limited(calibration.millinewtons(force))
+    }
+
+    /// Returns `force`, but no more than the motors have.
+    fn limited(&self, force: Millinewtons) -> Millinewtons {
+        let most = i32::from(self.max_force_mn);
+        Millinewtons::saturating(i32::from(force.get()).clamp(-most, most))
+    }
+
     /// Tells whether somebody has measured how its keys read.
     pub fn is_calibrated(&self) -> bool {
         !self.calibration.as_slice().iter().all(KeyCalibration::is_nominal)
@@ -167,6 +181,9 @@ impl BoardEnd {
             samples.positions.as_slice().iter().zip(self.terms.calibration.as_slice()).enumerate();
         for (slot, (counts, calibration)) in readings {
             let (check, position) = (&mut self.checks[slot], calibration.position(*counts));
+            if let Some(speed) = samples.velocities.as_slice().get(slot) {
+                check.add_speed(calibration::metres_per_second(*speed), position, elapsed);
+            }
             let is_used = check.accept(position, elapsed, calibration);
             self.used[slot] = is_used;
             self.statistics.implausible += u64::from(!is_used);
@@ -214,12 +231,14 @@ impl BoardEnd {
                 },
             );
             let answered: PerKey<_> = PerKey::collect(answered);
-            frame.forces = PerKey::collect(answered.as_slice().iter().map(|(force, _)| *force));
+            let forces = answered.as_slice().iter().map(|(force, _)| self.terms.limited(*force));
+            frame.forces = PerKey::collect(forces);
             frame.slopes = PerKey::collect(answered.as_slice().iter().map(|(_, slopes)| *slopes));
         } else {
             let pairs = forces[keys].iter().zip(self.terms.calibration.as_slice());
-            frame.forces =
-                PerKey::collect(pairs.map(|(force, it)| it.millinewtons(share * *force)));
+            frame.forces = PerKey::collect(
+                pairs.map(|(force, it)| self.terms.millinewtons(it, share * *force)),
+            );
         }
         let mut bytes = [0; key_forces::MAX_LEN];
         let len = frame.encode(&mut bytes);

@@ -32,6 +32,13 @@ impl Lateness {
         self.usual_us += (f64::from(age_us) - self.usual_us) / self.n;
     }
 
+    /// Returns how old samples usually are when they come (us), once there were enough of them.
+    pub fn usual_us(&self) -> Option<f64> {
+        /// Samples from which on a mean is believed.
+        const ENOUGH: f64 = 200.0;
+        (ENOUGH <= self.n).then_some(self.usual_us)
+    }
+
     /// Returns by how much a sample of `age_us` is older than usual (us); 0 as long as nothing is.
     pub fn of(&self, age_us: i32) -> f64 {
         if self.n == 0.0 { 0.0 } else { f64::from(age_us) - self.usual_us }

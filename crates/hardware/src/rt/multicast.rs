@@ -38,7 +38,7 @@ impl Multicast {
         for terms in boards {
             for (key, calibration) in terms.place.keys().zip(terms.calibration.as_slice()) {
                 let group = groups[key / GROUP].get_or_insert_default();
-                group[key % GROUP] = calibration.millinewtons(forces[key]);
+                group[key % GROUP] = terms.millinewtons(calibration, forces[key]);
             }
         }
         let [a, b, ..] = now_us.to_le_bytes();

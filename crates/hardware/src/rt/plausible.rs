@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | place | from half a travel, or 4 mm, above the rest to as much below the bottom | the hardest stroke of the simulated finger presses the felt by 3 mm |
 //! | speed | up to 5 m/s | hammers are struck at up to 6.8 m/s, five times as fast as keys (piano-facts) |
+//! | speed that the board says | over a twentieth of a second it adds up to the way, but for half a travel or 4 mm | a filter that is late by 1 ms is wrong by less |
 //! | fourth difference | as of accelerations of 140 m/s² that change their sign in every sample | a motor of 30 N can hardly do more to a key, and no finger can |
 //!
 //! Hard strokes pass the last for some samples each, so it counts only what is so in more than a
@@ -36,6 +37,12 @@ const IMPOSSIBLE: f64 = 16.0;
 /// The same of readings that are merely strange.
 const STRANGE: f64 = 4.0;
 
+/// Time over which speeds are added up (s).
+const SPEED_MEMORY: f64 = 0.05;
+
+/// What speeds and way may differ by for a key that rests (m).
+const SPEED_ROUNDING: f64 = 1e-6;
+
 /// Samples of which a fourth difference is made.
 const PLACES: usize = 5;
 
@@ -47,6 +54,8 @@ pub enum Implausible {
     Jumping,
     /// They go to and fro faster than motor and finger can move it.
     Noisy,
+    /// The speeds that its board says are not those with which it moves.
+    FalseSpeed,
 }
 
 /// The readings of one key.
@@ -59,6 +68,8 @@ pub struct KeyCheck {
     since: f64,
     /// What implausible readings have added up to (s).
     charge: f64,
+    /// What the speeds have added up to lately, less the way (m).
+    speed_error: f64,
     muted: Option<Implausible>,
 }
 
@@ -71,6 +82,21 @@ impl KeyCheck {
     /// Forgets where the key was, for readings that do not follow on those before.
     pub const fn forget(&mut self) {
         self.n = 0;
+    }
+
+    /// Takes the speed (m/s) that comes with the next reading, at `position` (m).
+    ///
+    /// # Real-time
+    /// Five operations.
+    pub fn add_speed(&mut self, speed: f64, position: f64, elapsed: Option<f64>) {
+        let [.., newest] = self.places;
+        self.speed_error = match elapsed.filter(|_| 0 < self.n) {
+            Some(elapsed) => {
+                let left = (1.0 - elapsed / SPEED_MEMORY).max(0.0);
+                left * self.speed_error + speed * elapsed - (position - newest)
+            }
+            None => 0.0,
+        };
     }
 
     /// Takes a reading at `position` (m), `elapsed` (s) after the one before if it follows on
@@ -99,18 +125,20 @@ impl KeyCheck {
         let (weight, is_possible) = match wrong {
             None => (-1.0, true),
             Some(Implausible::Noisy) => (STRANGE, true),
-            Some(Implausible::Beyond | Implausible::Jumping) => (IMPOSSIBLE, false),
+            Some(Implausible::Beyond | Implausible::Jumping | Implausible::FalseSpeed) => {
+                (IMPOSSIBLE, false)
+            }
         };
         // A reading that follows on nothing counts as a millisecond.
         self.charge = (self.charge + weight * elapsed.unwrap_or(1e-3)).max(0.0);
         if PATIENCE <= self.charge {
             self.muted = wrong;
         }
-        if is_possible {
-            self.remember(position);
-        } else {
+        if matches!(wrong, Some(Implausible::Beyond | Implausible::Jumping)) {
             // What is left of the row has a hole.
-            self.n = self.n.min(1);
+            (self.n, self.speed_error) = (self.n.min(1), 0.0);
+        } else {
+            self.remember(position);
         }
         is_possible && self.charge < DOUBT
     }
@@ -132,6 +160,9 @@ impl KeyCheck {
         if 0 < self.n && FASTEST * self.since + 2.0 * quantum < (position - newest).abs() {
             return Some(Implausible::Jumping);
         }
+        if room < self.speed_error.abs() {
+            return Some(Implausible::FalseSpeed);
+        }
         let elapsed = elapsed.filter(|_| PLACES <= self.n + 1)?;
         let [_, a, b, c] = older;
         let fourth = a - 4.0 * b + 6.0 * c - 4.0 * newest + position;
@@ -143,7 +174,10 @@ impl KeyCheck {
     /// Tells whether the key has stood at `position` (m) for all places, beyond any doubt.
     fn has_rested_at(&self, position: f64) -> bool {
         let is_here = |place: &f64| place.to_bits() == position.to_bits();
-        self.charge <= 0.0 && self.n == PLACES && self.places.iter().all(is_here)
+        self.charge <= 0.0
+            && self.n == PLACES
+            && self.speed_error.abs() < SPEED_ROUNDING
+            && self.places.iter().all(is_here)
     }
 
     fn remember(&mut self, position: f64) {
@@ -217,6 +251,34 @@ mod tests {
     }
 
     #[test]
+    fn speeds_that_are_not_those_of_the_key_mute_it() {
+        let position = |t: f64| 5e-3 * (1.0 - (6.0 * t).cos());
+        let speed = |t: f64| 30e-3 * (6.0 * t).sin();
+        for (scale, offset, muted) in [
+            (1.0, 0.0, None),
+            (1.2, 0.0, None),
+            (1.0, 0.5, Some(Implausible::FalseSpeed)),
+            (-8.0, 0.0, Some(Implausible::FalseSpeed)),
+        ] {
+            let mut check = KeyCheck::default();
+            for n in 0..2_000 {
+                let t = f64::from(n) * H;
+                let elapsed = (0 < n).then_some(H);
+                check.add_speed(scale * speed(t) + offset, position(t), elapsed);
+                check.accept(position(t), elapsed, &key());
+            }
+            assert_eq!(check.muted(), muted, "{scale} {offset}");
+        }
+        // A key that rests and says that it moves.
+        let mut check = KeyCheck::default();
+        (0..200).for_each(|_| {
+            check.add_speed(0.4, 0.0, Some(H));
+            check.accept(0.0, Some(H), &key());
+        });
+        assert_eq!(check.muted(), Some(Implausible::FalseSpeed));
+    }
+
+    #[test]
     fn a_reading_that_stands_still_or_steps_by_a_coarse_count_is_no_fault() {
         let coarse = KeyCalibration::nominal(50e-6);
         let mut check = KeyCheck::default();
@@ -252,6 +314,7 @@ mod tests {
                 let t = f64::from(n) * h;
                 let playing = strokes.iter().rfind(|it| it.start < t + h && t < it.end());
                 let position = f64::from(rig.counts()) * rig.quantum();
+                check.add_speed(rig.velocity(), position, Some(h));
                 rig.advance(t, h, (stiffness * position).min(25.0), playing);
                 assert!(check.accept(position, Some(h), &key()), "{t} s: {position} m, {check:?}");
                 most = most.max(check.charge);

@@ -231,6 +231,74 @@ mod tests {
         assert_eq!(interlock.arm(nonce, VALID), Err(NotArmed::NotDisarmed));
     }
 
+    /// An interlock in a state of PROTOCOL.md, and the nonce that was given out last.
+    fn in_state(state: &str) -> (ForceInterlock, u32) {
+        let mut interlock = ForceInterlock::new(7);
+        let nonce = interlock.disarm(0).unwrap();
+        if matches!(state, "safe" | "armed") {
+            interlock.arm(nonce, VALID).unwrap();
+            assert_eq!(interlock.feed(0, 0), ForceDecision::Rendered);
+        }
+        match state {
+            "safe" => assert!(interlock.share(2 * VALID) < 1.0),
+            "latched" => interlock.trip(safe_reason::EMERGENCY_STOP, 0),
+            _ => {}
+        }
+        (interlock, nonce)
+    }
+
+    fn state_name(interlock: &ForceInterlock) -> &'static str {
+        match interlock.state {
+            InterlockState::Safe { .. } if interlock.is_latched() => "latched",
+            InterlockState::Safe { .. } => "safe",
+            InterlockState::Disarmed { .. } => "disarmed",
+            InterlockState::Armed { .. } => "armed",
+        }
+    }
+
+    #[test]
+    fn every_row_of_the_table_of_states_in_the_protocol_is_what_happens() {
+        const NOW: u64 = 1_000;
+        let document = include_str!("../../../../firmware-protocol/PROTOCOL.md");
+        let rows = document.lines().skip_while(|it| *it != "#### States").skip(4);
+        let mut n = 0;
+        for row in rows.take_while(|it| it.starts_with('|')) {
+            let cells: Vec<_> = row.trim_matches('|').split('|').map(str::trim).collect();
+            let (mut it, nonce) = in_state(cells[0]);
+            let armed = |outcome: Result<(), NotArmed>| match outcome {
+                Ok(()) => "Done",
+                Err(NotArmed::NotDisarmed) => "WrongState",
+                Err(NotArmed::WrongNonce) => "WrongNonce",
+            };
+            let answer = match cells[1] {
+                "Disarm" => it.disarm(NOW).map_or("WrongState", |_nonce| "Done"),
+                "Arm, last nonce" => armed(it.arm(nonce, VALID)),
+                "Arm, other nonce" => armed(it.arm(!nonce, VALID)),
+                "forces" if it.feed(NOW, NOW) == ForceDecision::Rendered => "taken",
+                "forces" => "not taken",
+                event => {
+                    match event {
+                        "stop" => it.trip(safe_reason::EMERGENCY_STOP, NOW),
+                        "key fault" => it.trip(safe_reason::KEY_FAULT, NOW),
+                        _ => assert!(event == "forces expire" && it.share(2 * VALID) < 1.0),
+                    }
+                    ""
+                }
+            };
+            let reason = match it.reason() {
+                safe_reason::NONE => "NONE",
+                safe_reason::SILENCE => "SILENCE",
+                safe_reason::DISARMED => "DISARMED",
+                safe_reason::EMERGENCY_STOP => "EMERGENCY_STOP",
+                safe_reason::KEY_FAULT => "KEY_FAULT",
+                _ => "another",
+            };
+            assert_eq!(&cells[2..], [answer, state_name(&it), reason], "{row}");
+            n += 1;
+        }
+        assert_eq!(n, 22);
+    }
+
     #[test]
     fn before_the_first_force_there_is_none_and_nothing_expires() {
         let mut interlock = armed();

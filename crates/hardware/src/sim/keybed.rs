@@ -71,6 +71,7 @@ impl SimulatedKeybed {
                 samples: line.board.samples,
                 forces: line.board.forces,
                 calibration: PerKey::collect(line.board.calibration()),
+                max_force_mn: u16::MAX,
             })
             .collect();
         let bus = Box::new(KeybedBus::new(&terms));

@@ -5,7 +5,7 @@ use std::fmt;
 use firmware_protocol::key::{KeyIndex, MOST_KEYS};
 use hardware::identity::ClaimedKeys;
 use hardware::keybed::BoardReport;
-use hardware::refusal::{clock_words, reason_words};
+use hardware::refusal::{clock_words, late_words, reason_words};
 use hardware::rt::board_supervisor::{ArmLockout, ArmState};
 use hardware::rt::plausible::Implausible;
 use serde::Serialize;
@@ -141,7 +141,8 @@ pub(crate) fn stage_words(stage: ArmState) -> String {
     match stage {
         ArmState::Armed => "armed".into(),
         ArmState::Greeting => "silent".into(),
-        ArmState::Streaming
+        ArmState::Checking
+        | ArmState::Streaming
         | ArmState::Disarming
         | ArmState::Arming { .. }
         | ArmState::Confirming => "being brought up".into(),
@@ -162,6 +163,11 @@ fn bar_words(bar: ArmLockout) -> String {
         ArmLockout::Unreadable => {
             "left alone: it says that it is armed, and its samples cannot be read".into()
         }
+        ArmLockout::NotHomed(slots) => format!(
+            "left alone: its encoders do not know where {} of its keys are",
+            slots.count_ones()
+        ),
+        ArmLockout::Late(ms) => format!("left alone: {}", late_words(ms)),
         ArmLockout::StaysSafe => {
             "left alone: it says that it is armed, and renders no force".into()
         }
@@ -175,6 +181,7 @@ pub(crate) fn muted_keys(first_key: u8, muted: &[Option<Implausible>; MOST_KEYS]
         let reason = match (*muted)? {
             Implausible::Beyond => "its readings lie far beyond its rest and its bottom",
             Implausible::Jumping => "its readings jump farther than a key can move",
+            Implausible::FalseSpeed => "the speeds that its board says are not those of the key",
             Implausible::Noisy => "its readings go to and fro faster than a key can",
         };
         Some(MutedKey { key: key.to_string(), reason })

@@ -206,7 +206,8 @@ impl BoardProcess {
 
     /// Takes its power away until then; its memory is lost.
     fn switch_off(&mut self, until: Nanos) {
-        if let Ok(board) = SimulatedBoard::new(self.make) {
+        if let Ok(board) = self.board.restarted() {
+            self.make = *board.make();
             self.board = board;
         }
         self.injected.off = until;

@@ -10,6 +10,7 @@ mod stream;
 use std::path::Path;
 use std::time::Duration;
 
+use firmware_protocol::serial::{self, MAX_WIRE};
 use rustix::fd::OwnedFd;
 use rustix::fs::{Mode, OFlags};
 use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
@@ -61,6 +62,21 @@ impl Serial {
     fn new(stream: NonBlockingFd, keeper: Keeper) -> Self {
         let (framing, carrier) = (Framing::default(), SerialCarrier::new(stream));
         Self { framing, carrier, _keeper: keeper }
+    }
+
+    /// Sends `frame` with an inverted bit in its second byte, so that its checksum is wrong.
+    ///
+    /// The first three bytes of `frame` must not be zero: zeros stand elsewhere on the stream.
+    ///
+    /// # Errors
+    /// The frame was not taken.
+    pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        let mut wire = [0; MAX_WIRE];
+        let len = serial::encode(frame, &mut wire)
+            .map_err(|serial::TooLong { len }| SendError::TooLong { len })?;
+        // Behind the byte of stuffing and the first of the frame.
+        wire[2] ^= 0x40;
+        self.carrier.try_send(&wire[..len])
     }
 
     /// Returns the frames that were dropped because those before were still on their way.

@@ -7,6 +7,8 @@ use firmware_protocol::acyclic::{Operation, Status};
 pub enum ArmState {
     /// It is asked for its hello.
     Greeting,
+    /// It is asked whether its encoders know where their keys are.
+    Checking,
     /// It is asked for samples.
     Streaming,
     /// It is asked for a nonce.
@@ -27,6 +29,7 @@ impl ArmState {
     pub const fn waits_for(self) -> Option<Operation> {
         match self {
             Self::Greeting => Some(Operation::Hello),
+            Self::Checking => Some(Operation::BoardHealth),
             Self::Streaming => Some(Operation::Stream),
             Self::Disarming => Some(Operation::Disarm),
             Self::Arming { .. } => Some(Operation::Arm),
@@ -57,13 +60,22 @@ pub enum ArmLockout {
     Unreadable,
     /// It said that it was armed, and its samples that it renders no force.
     StaysSafe,
+    /// Its samples are so old when they come (ms) that no force can answer them in time.
+    Late(u16),
+    /// Its encoders do not know where these keys are, slot 0 in bit 0.
+    NotHomed(u16),
 }
 
 impl ArmLockout {
     /// Tells whether the board is tried again after a while.
     pub(super) const fn ends(self) -> bool {
         match self {
-            Self::Declined(..) | Self::NoSamples | Self::Unreadable | Self::StaysSafe => true,
+            Self::Declined(..)
+            | Self::NoSamples
+            | Self::Unreadable
+            | Self::StaysSafe
+            | Self::Late(_)
+            | Self::NotHomed(_) => true,
             Self::Latched(_) | Self::Exchanged | Self::Clock(_) => false,
         }
     }

@@ -1,19 +1,22 @@
 //! How far a board has been brought up: the state machine, all of its events on one page.
 //!
 //! ```text
-//! Greeting ─ hello ─▶ Streaming ─ done ─▶ Disarming ─ nonce ─▶ Arming ─ done ─▶ Confirming ─▶ Armed
+//! Greeting ─ hello ─▶ (Checking ─ homed ─▶) Streaming ─ done ─▶ Disarming ─ nonce ─▶ Arming ─ done ─▶ Confirming ─▶ Armed
 //!    ▲                                                                              │           │
 //!    └── it fell silent, started anew, or renders no force and did not say why ◀────┴───────────┘
 //! ```
+//!
+//! Only a board that knows its health is asked for it.
 //!
 //! A board that tripped over silence is armed again. One that was stopped, or whose key failed,
 //! stays `Barred` until a person has seen to it. One that does not get to `Armed` in five attempts
 //! is left alone for ten seconds, or until it says hello anew.
 
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
+use firmware_protocol::acyclic::health::BoardHealth;
 use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{Operation, Status};
-use firmware_protocol::frame::hello::{Hello, safe_reason};
+use firmware_protocol::frame::hello::{Hello, feature, safe_reason};
 use firmware_protocol::{Nothing, Record as _, schema};
 
 use super::arm_state::{ArmLockout, ArmState};
@@ -103,6 +106,14 @@ impl Arming {
         }
     }
 
+    /// Bars a board whose samples are so old when they come (ms) that forces cannot answer them.
+    pub(super) const fn on_late(&mut self, ms: u16, now: u64) {
+        if matches!(self.state, ArmState::Armed) {
+            self.bar(ArmLockout::Late(ms), now);
+            self.must_disarm = true;
+        }
+    }
+
     /// Goes on as time passes and `samples` have come.
     pub(super) const fn on_time(&mut self, samples: &SampleWatch, now: u64) {
         match self.state {
@@ -117,6 +128,7 @@ impl Arming {
                 self.greet(now);
             }
             ArmState::Greeting
+            | ArmState::Checking
             | ArmState::Streaming
             | ArmState::Disarming
             | ArmState::Armed
@@ -141,6 +153,15 @@ impl Arming {
             ArmState::Greeting => {
                 let hello = Hello::take(record);
                 self.state = hello.map_or(ArmState::Greeting, |it| after_hello(&it, agreed));
+            }
+            ArmState::Checking => {
+                let unknown = BoardHealth::take(record)
+                    .map(|it| !it.homed & !(u16::MAX << agreed.place.n_keys.min(15)));
+                match unknown {
+                    Some(0) => self.state = ArmState::Streaming,
+                    Some(keys) => self.bar(ArmLockout::NotHomed(keys), now),
+                    None => {}
+                }
             }
             ArmState::Streaming => self.attempt(),
             ArmState::Disarming => {
@@ -177,6 +198,7 @@ impl Arming {
         }
         match self.state {
             ArmState::Greeting => channel.ask(Operation::Hello, &Nothing),
+            ArmState::Checking => channel.ask(Operation::BoardHealth, &Nothing),
             ArmState::Streaming => {
                 let (period_us, phase_us) = (terms.period_us, agreed.phase_us);
                 let packing = terms.samples as u8;
@@ -245,6 +267,51 @@ fn after_hello(hello: &Hello, agreed: &BoardAgreement) -> ArmState {
         latched @ (safe_reason::EMERGENCY_STOP | safe_reason::KEY_FAULT) => {
             ArmState::Barred(ArmLockout::Latched(latched))
         }
+        _ if hello.features & feature::HEALTH != 0 => ArmState::Checking,
         _ => ArmState::Streaming,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use firmware_protocol::frame::hello::MAGIC;
+    use firmware_protocol::frame::key_forces::ForcePacking;
+    use firmware_protocol::frame::key_samples::SamplePacking;
+    use firmware_protocol::key::{BoardId, KeyIndex};
+
+    use super::*;
+    use crate::rt::terms::Terms;
+    use crate::topology::BoardPlace;
+
+    /// Where the bring-up of a board of two keys leads after its hello, if these are homed.
+    fn after(features: u16, homed: u16) -> ArmState {
+        let (line, n_keys) = (0, 2);
+        let board = BoardId::new(3).unwrap();
+        let place = BoardPlace { line, board, first_key: KeyIndex::LOWEST, n_keys };
+        let (samples, forces) = (SamplePacking::default(), ForcePacking::default());
+        let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 20 };
+        let agreed = BoardAgreement { place, uid: [7; 6], phase_us: 0, terms };
+        let zeros = Hello::take(&[0; Hello::LEN]).unwrap();
+        let (magic, schema, uid) = (MAGIC, schema::HASH, agreed.uid);
+        let hello = Hello { magic, schema, uid, features, ..zeros };
+        let mut record = [0; 64];
+        let mut arming = Arming::new(0);
+        hello.put(&mut record).unwrap();
+        arming.on_done(Operation::Hello, &record, &agreed, 1);
+        if arming.state() == ArmState::Checking {
+            let health = BoardHealth { boots: 1, homed, faults: 0, muted: 0 };
+            health.put(&mut record).unwrap();
+            arming.on_done(Operation::BoardHealth, &record, &agreed, 2);
+        }
+        arming.state()
+    }
+
+    #[test]
+    fn a_board_that_knows_its_health_goes_on_only_if_all_its_keys_are_homed() {
+        assert_eq!(after(feature::HEALTH, 0b11), ArmState::Streaming);
+        assert_eq!(after(feature::HEALTH, 0b111), ArmState::Streaming);
+        let lost = ArmState::Barred(ArmLockout::NotHomed(0b10));
+        assert_eq!(after(feature::HEALTH, 0b01), lost);
+        assert_eq!(after(0, 0), ArmState::Streaming);
     }
 }

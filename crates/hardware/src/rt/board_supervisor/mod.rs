@@ -119,6 +119,21 @@ impl BoardSupervisor {
         self.sessions.get(board)?.timing().clock().age_us(at_us, stamp_us)
     }
 
+    /// Bars a board whose samples usually come `usual_us` after they were taken, if no force can
+    /// answer them in time.
+    pub fn watch_lateness(&mut self, board: usize, usual_us: f64) {
+        let now = self.now;
+        let Some(session) = self.sessions.get_mut(board) else { return };
+        if f64::from(session.agreed.terms.valid_ms) * 1e3 < usual_us {
+            session.on_late(usual_us, now);
+        }
+    }
+
+    /// Returns whether a board was never ready since it answered too late.
+    pub fn answers_late(&self, board: usize) -> bool {
+        self.sessions.get(board).is_some_and(BoardSession::answers_late)
+    }
+
     /// Lets a board show its light, as soon as it is armed or may not be.
     pub fn request_light(&mut self, board: usize) {
         if let Some(session) = self.sessions.get_mut(board) {

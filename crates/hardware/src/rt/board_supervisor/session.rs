@@ -34,10 +34,14 @@ pub(super) struct BoardSession {
     timing: BoardTiming,
     samples: SampleWatch,
     counters: Option<Counters>,
+    /// Most forces of late were stale, by what it counts.
+    is_stale: bool,
     /// When the counters are asked for next (us).
     next_counters: u64,
     /// Requests that it declined while it was armed.
     declined: u64,
+    /// Answers that came when they had been asked for twice.
+    late_answers: u64,
     /// It has started anew, and the numbers of its samples with it.
     is_anew: bool,
 }
@@ -55,8 +59,10 @@ impl BoardSession {
             timing: BoardTiming::default(),
             samples: SampleWatch::new(now),
             counters: None,
+            is_stale: false,
             next_counters: 0,
             declined: 0,
+            late_answers: 0,
             is_anew: false,
         }
     }
@@ -72,6 +78,34 @@ impl BoardSession {
     /// Tells whether the board renders forces and its clock is known.
     pub(super) fn is_ready(&self) -> bool {
         self.state() == ArmState::Armed && self.timing.is_known()
+    }
+
+    /// Tells whether the board is not ready since its answers come too late to read its clock.
+    pub(super) fn answers_late(&self) -> bool {
+        /// Answers that may be late by chance.
+        const FEW: u64 = 8;
+        !self.timing.is_known() && FEW < self.late_answers
+    }
+
+    /// Takes what the board has counted.
+    fn count(&mut self, counters: Option<Counters>) {
+        self.is_stale = self.counters.zip(counters).is_some_and(|(before, after)| {
+            let stale = after.stale.saturating_sub(before.stale);
+            after.forces.saturating_sub(before.forces) < stale
+        });
+        self.counters = counters;
+    }
+
+    /// Takes note that samples usually come `usual_us` after they were taken, too late for forces.
+    ///
+    /// A clock that is read wrong says so too, so the board must have counted that they are.
+    pub(super) const fn on_late(&mut self, usual_us: f64, now: u64) {
+        if !self.is_stale {
+            return;
+        }
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+        let ms = (usual_us * 1e-3) as u16;
+        self.arming.on_late(ms, now);
     }
 
     /// Returns how often the board was armed, if it is now.
@@ -146,6 +180,7 @@ impl BoardSession {
             }
             ArmState::Armed => self.ask_by_turns(now, origin),
             ArmState::Greeting
+            | ArmState::Checking
             | ArmState::Streaming
             | ArmState::Disarming
             | ArmState::Arming { .. }
@@ -190,6 +225,7 @@ impl BoardSession {
     pub(super) fn take_reply(&mut self, frame: &[u8], now: u64) {
         let Some(received) = self.channel.take_reply(frame) else { return };
         let ReceivedReply { reply, operation, sent_us } = received;
+        self.late_answers += u64::from(sent_us.is_none());
         if reply.status == Status::Done {
             self.on_done(operation, reply.record, sent_us, now);
         } else {
@@ -199,7 +235,11 @@ impl BoardSession {
 
     fn on_done(&mut self, done: Operation, record: &[u8], sent_us: Option<u64>, now: u64) {
         match done {
-            Operation::Hello | Operation::Stream | Operation::Disarm | Operation::Arm => {
+            Operation::Hello
+            | Operation::BoardHealth
+            | Operation::Stream
+            | Operation::Disarm
+            | Operation::Arm => {
                 self.arming.on_done(done, record, &self.agreed, now);
             }
             Operation::Ping => {
@@ -210,13 +250,16 @@ impl BoardSession {
             }
             // A gesture that was never answered is handed over again.
             Operation::Finger => self.gestures.advance(),
-            Operation::Counters => self.counters = Counters::take(record),
+            Operation::Counters => self.count(Counters::take(record)),
             Operation::Light
             | Operation::ReadConfig
             | Operation::WriteConfig
             | Operation::ReadCalibration
             | Operation::WriteCalibration
-            | Operation::ReadLog => {}
+            | Operation::ReadLog
+            | Operation::KeyHealth
+            | Operation::MuteKey
+            | Operation::Bootloader => {}
         }
     }
 
@@ -226,7 +269,11 @@ impl BoardSession {
             return;
         }
         match asked {
-            Operation::Hello | Operation::Stream | Operation::Disarm | Operation::Arm => {
+            Operation::Hello
+            | Operation::BoardHealth
+            | Operation::Stream
+            | Operation::Disarm
+            | Operation::Arm => {
                 self.arming.on_declined(asked, status, now);
             }
             // As many gestures wait there as it can hold: again, a little later.
@@ -235,6 +282,10 @@ impl BoardSession {
                 self.declined += 1;
                 self.gestures.advance();
             }
+            // A board whose clock cannot be read cannot be used.
+            Operation::Ping if !self.timing.is_known() => {
+                self.arming.on_declined(asked, status, now);
+            }
             Operation::Ping
             | Operation::Counters
             | Operation::Light
@@ -242,7 +293,10 @@ impl BoardSession {
             | Operation::WriteConfig
             | Operation::ReadCalibration
             | Operation::WriteCalibration
-            | Operation::ReadLog => self.declined += 1,
+            | Operation::ReadLog
+            | Operation::KeyHealth
+            | Operation::MuteKey
+            | Operation::Bootloader => self.declined += 1,
         }
     }
 }

@@ -36,8 +36,12 @@ use crate::calibration::{self, KeyCalibration};
 use crate::clock::low;
 
 /// What a simulated board can.
-const FEATURES: u16 =
-    feature::SLOPES | feature::MULTICAST | feature::VELOCITY | feature::FINGERS | feature::LOG;
+const FEATURES: u16 = feature::SLOPES
+    | feature::MULTICAST
+    | feature::VELOCITY
+    | feature::FINGERS
+    | feature::LOG
+    | feature::HEALTH;
 
 /// Frames taken from the link in one call; the rest waits for the next.
 const MAX_FRAMES: usize = 64;
@@ -171,6 +175,16 @@ impl SimulatedBoard {
         })
     }
 
+    /// Returns the board as it is after its power was gone, with the settings that it keeps.
+    ///
+    /// # Errors
+    /// As [`Self::new`], if its keys would go beyond the 88.
+    pub fn restarted(&self) -> Result<Self, Error> {
+        let mut anew = Self::new(self.requests.next_make(self.make))?;
+        anew.requests.keep_settings(&self.requests);
+        Ok(anew)
+    }
+
     /// Returns the same as if a host had asked for samples in every tick and armed it.
     #[must_use]
     pub const fn armed(mut self) -> Self {
@@ -278,7 +292,7 @@ impl SimulatedBoard {
             max_force_hz: rate(self.make.period),
             law_hz: rate(self.make.period),
             quantum_nm: nanometres(self.make.rig.quantum),
-            max_force_mn: millinewtons(self.make.rig.motor.limit),
+            max_force_mn: self.requests.max_force_mn(),
             config_crc: self.requests.config_crc(),
             board_us: self.clock_us(),
             firmware_major: 1,
@@ -402,8 +416,11 @@ impl SimulatedBoard {
         let now_us = self.progress.us(tick);
         let share = self.interlock.share(now_us) * self.make.strength;
         let (t, h) = (self.progress.seconds(tick), self.progress.period());
-        for (key, law) in self.keys.iter_mut().zip(self.laws.as_slice()) {
-            key.advance(t, h, share * law.force(now_us, key.measured()));
+        let limit = f64::from(self.requests.max_force_mn()) * 1e-3;
+        let muted = self.requests.muted();
+        for (slot, (key, law)) in self.keys.iter_mut().zip(self.laws.as_slice()).enumerate() {
+            let share = if muted >> slot & 1 == 0 { share } else { 0.0 };
+            key.advance(t, h, share * law.force(now_us, key.measured()).clamp(-limit, limit));
         }
     }
 
@@ -463,10 +480,4 @@ fn rate(period: f64) -> u16 {
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn nanometres(quantum: f64) -> u32 {
     (quantum * 1e9).round() as u32
-}
-
-/// Returns a force (N), as a hello says it (mN).
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-fn millinewtons(force: f64) -> u16 {
-    (force * 1e3).round() as u16
 }

@@ -5,19 +5,23 @@ use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
 use firmware_protocol::acyclic::config::{self, Config, ReadConfig, WriteConfig, setting};
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::{self, Finger};
+use firmware_protocol::acyclic::health::{
+    BoardHealth, KeyHealth, MuteKey, NOT_MEASURED, ReadKeyHealth, key_fault,
+};
 use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::acyclic::{AcyclicRequest, Operation, Status, encode_reply};
+use firmware_protocol::frame::hello::safe_reason;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use firmware_protocol::key::MOST_KEYS;
+use firmware_protocol::key::{BoardId, KeyIndex, MOST_KEYS};
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use haptics::plant::{Gesture, Touch};
 use links::Link;
 
-use super::{BoardMake, SimulatedBoard};
+use super::{BoardMake, FakeIdentity, SimulatedBoard};
 use crate::sim::force_interlock::NotArmed;
 
 /// Lines that the log keeps.
@@ -33,6 +37,10 @@ pub(super) struct BoardRequestHandler {
     last: Option<((u8, u8), [u8; MAX_FRAME], usize)>,
     /// The light is on until then (us).
     light_until_us: u64,
+    /// Times that it was started.
+    boots: u32,
+    /// Keys whose motors are off, the first in bit 0.
+    muted: u16,
 }
 
 impl BoardRequestHandler {
@@ -46,7 +54,36 @@ impl BoardRequestHandler {
             log: Vec::with_capacity(LOG),
             last: None,
             light_until_us: 0,
+            boots: 1,
+            muted: 0,
         }
+    }
+
+    /// Returns `make` with the settings that hold from the next start.
+    pub(super) fn next_make(&self, make: BoardMake) -> BoardMake {
+        let [number, first_key, _limit] = self.settings.map(|it| u8::try_from(it).ok());
+        let id = number.and_then(BoardId::new).unwrap_or(make.id);
+        // It stays the same board under another number.
+        let uid = Some(make.fake_identity.uid.unwrap_or_else(|| make.uid()));
+        let fake_identity = FakeIdentity { uid, ..make.fake_identity };
+        BoardMake { id, first_key: first_key.unwrap_or(make.first_key), fake_identity, ..make }
+    }
+
+    /// Keeps the settings of `before` over a start.
+    pub(super) const fn keep_settings(&mut self, before: &Self) {
+        self.settings = before.settings;
+        self.boots = before.boots.saturating_add(1);
+    }
+
+    /// Returns which keys have their motors off, the first in bit 0.
+    pub(super) const fn muted(&self) -> u16 {
+        self.muted
+    }
+
+    /// Returns the largest force of the motors (mN).
+    pub(super) fn max_force_mn(&self) -> u16 {
+        let [_number, _first_key, limit] = self.settings;
+        u16::try_from(limit).unwrap_or(u16::MAX)
     }
 
     /// Returns the CRC-32 of the settings.
@@ -143,7 +180,43 @@ impl SimulatedBoard {
             Operation::Light => answer.with(record(&request).map(|it| self.light(it))),
             Operation::Counters => answer.with(Ok(self.counters())),
             Operation::Finger => answer.with(record(&request).and_then(|it| self.finger(it))),
+            Operation::BoardHealth => answer.with(Ok(self.health())),
+            Operation::KeyHealth => {
+                answer.with(record(&request).and_then(|it| self.key_health(it)));
+            }
+            Operation::MuteKey => answer.with(record(&request).and_then(|it| self.mute(it))),
+            // There is none in a simulation.
+            Operation::Bootloader => answer.with(Err::<Nothing, _>(Status::Impossible)),
         }
+    }
+
+    fn health(&self) -> BoardHealth {
+        let BoardRequestHandler { boots, muted, .. } = self.requests;
+        // Which key a fault is of nobody says: the first.
+        let faults = u16::from(self.safe_reason() == safe_reason::KEY_FAULT);
+        BoardHealth { boots, homed: !(u16::MAX << self.make.n_keys), faults, muted }
+    }
+
+    fn key_health(&self, wanted: ReadKeyHealth) -> Result<KeyHealth, Status> {
+        /// Force of the motor for a current (N/A).
+        const NEWTONS_PER_AMPERE: f64 = 10.0;
+        let slot = usize::from(wanted.slot);
+        let newtons = self.rig(slot).ok_or(Status::BadValue)?.motor_force();
+        let has_failed = slot == 0 && self.safe_reason() == safe_reason::KEY_FAULT;
+        let fault = if has_failed { key_fault::OTHER } else { key_fault::NONE };
+        #[expect(clippy::cast_possible_truncation, reason = "saturates")]
+        let current = (newtons / NEWTONS_PER_AMPERE * 1e3) as i16;
+        Ok(KeyHealth { fault, temperature: NOT_MEASURED, current })
+    }
+
+    fn mute(&mut self, wanted: MuteKey) -> Result<Nothing, Status> {
+        let MuteKey { slot, muted } = wanted;
+        if self.make.n_keys <= usize::from(slot) || 1 < muted {
+            return Err(Status::BadValue);
+        }
+        let others = self.requests.muted & !(1 << slot);
+        self.requests.muted = others | u16::from(muted) << slot;
+        Ok(Nothing)
     }
 
     fn stream(&mut self, wanted: Stream) -> Result<Nothing, Status> {
@@ -192,6 +265,14 @@ impl SimulatedBoard {
 
     fn write_config(&mut self, wanted: WriteConfig) -> Result<Config, Status> {
         let WriteConfig { setting, value } = wanted;
+        let possible = match setting {
+            setting::BOARD => 0..=i32::from(BoardId::MAX.number()),
+            setting::FIRST_KEY => 0..=i32::from(KeyIndex::HIGHEST.number()),
+            _ => 1..=i32::from(i16::MAX),
+        };
+        if !possible.contains(&value) {
+            return Err(Status::BadValue);
+        }
         let place = self.requests.settings.get_mut(usize::from(setting)).ok_or(Status::BadValue)?;
         *place = value;
         Ok(Config { value, config_crc: self.requests.config_crc() })

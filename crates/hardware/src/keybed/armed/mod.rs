@@ -1,7 +1,10 @@
 //! Armed boards as the tick's bus.
 
+mod refusals;
+
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
+use firmware_protocol::acyclic::stream::Stream;
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::key::KeyIndex;
 use haptics::plant::Gesture;
@@ -10,12 +13,12 @@ use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 
-use super::{Keybed, NamedLink, address};
+use super::{Keybed, NamedLink};
 use crate::plan::{Medium, MeterWindow};
-use crate::refusal::{BoardName, Refusal};
+use crate::refusal::BoardName;
 use crate::request_channel::RequestChannel;
 use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
-use crate::rt::board_supervisor::{ArmLockout, ArmState, BoardSupervisor, Condition};
+use crate::rt::board_supervisor::{BoardSupervisor, Condition};
 use crate::rt::bus::{KeybedBus, LineStatistics};
 use crate::rt::lateness::Lateness;
 use crate::rt::link_monitor::{LinkMonitor, LinkSample};
@@ -133,6 +136,9 @@ impl Armed {
             let stamp_us = newest.header.stamp_us;
             let Some(age_us) = self.supervisor.age_us(board, due_us, stamp_us) else { continue };
             lateness.learn(age_us, period_us);
+            if let Some(usual_us) = lateness.usual_us() {
+                self.supervisor.watch_lateness(board, usual_us);
+            }
             self.bus.date(board, lateness.of(age_us) / period_us as f64);
         }
     }
@@ -273,7 +279,8 @@ impl Keybed<Armed> {
         told
     }
 
-    /// Tells every board that it shall render no force; does not wait for answers.
+    /// Tells every board that it shall render no force and send no samples; does not wait for
+    /// answers.
     ///
     /// One that was stopped, or has failed, is left as it is until a person sees to it.
     pub fn disarm(&mut self) {
@@ -287,6 +294,11 @@ impl Keybed<Armed> {
             channel.ask(Operation::Disarm, &Nothing);
             if let Some(frame) = channel.due(0) {
                 // A board that does not hear it is safe when its forces expire.
+                let _lost = self.lines[place.line].link.try_send(frame);
+            }
+            channel.ask(Operation::Stream, &Stream { period_us: 0, packing: 0, phase_us: 0 });
+            if let Some(frame) = channel.due(0) {
+                // One that does not hear it sends to nobody, which does no harm.
                 let _lost = self.lines[place.line].link.try_send(frame);
             }
         }
@@ -322,42 +334,6 @@ impl Keybed<Armed> {
             load: bus.load(index, seconds).filter(|_| 0.0 < seconds),
         };
         lines.map(report).collect()
-    }
-
-    /// Returns why boards do not render forces after `seconds` of trying.
-    pub(super) fn refusals(&self, seconds: f64) -> Vec<Refusal> {
-        let boards = self.board_reports().into_iter().enumerate();
-        let refusal = |(index, report): (usize, BoardReport)| {
-            let board = report.name;
-            match report.condition.state {
-                ArmState::Barred(ArmLockout::Latched(reason)) => {
-                    Some(Refusal::Latched { board, reason })
-                }
-                ArmState::Barred(ArmLockout::Declined(asked, status)) => {
-                    let link = address(&self.lines, &board.line);
-                    Some(Refusal::Declined { board, link, asked, status })
-                }
-                ArmState::Barred(ArmLockout::Exchanged) => Some(Refusal::Exchanged { board }),
-                ArmState::Barred(ArmLockout::Clock(ppm)) => Some(Refusal::Clock { board, ppm }),
-                ArmState::Barred(ArmLockout::NoSamples) => Some(Refusal::NoSamples { board }),
-                ArmState::Barred(ArmLockout::Unreadable) => {
-                    let n_keys = report.place.n_keys;
-                    Some(Refusal::Unreadable { board, n_keys })
-                }
-                ArmState::Barred(ArmLockout::StaysSafe) => Some(Refusal::StaysSafe { board }),
-                ArmState::Armed if self.stage.supervisor.is_board_ready(index) => None,
-                ArmState::Greeting
-                | ArmState::Streaming
-                | ArmState::Disarming
-                | ArmState::Arming { .. }
-                | ArmState::Confirming
-                | ArmState::Armed => {
-                    let asked = self.stage.supervisor.asked(index).unwrap_or(Operation::Hello);
-                    Some(Refusal::NoAnswer { board, asked, seconds })
-                }
-            }
-        };
-        boards.filter_map(refusal).collect()
     }
 }
 

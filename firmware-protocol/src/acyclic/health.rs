@@ -1,0 +1,57 @@
+//! How a board and its keys are, and one key without its motor.
+//!
+//! Added by 2.2, for boards with [`crate::frame::hello::feature::HEALTH`].
+
+record! {
+    /// How a board is; in 16 bits the key in slot 0 has bit 0.
+    BoardHealth {
+        /// Times that it was started in its life; stops at the largest value.
+        boots: u32,
+        /// Keys whose encoders know where they are since the start.
+        homed: u16,
+        /// Keys that have failed.
+        faults: u16,
+        /// Keys whose motors are off by [`MuteKey`].
+        muted: u16,
+    }
+}
+
+record! {
+    /// Asks how the key in a slot is.
+    ReadKeyHealth {
+        slot: u8,
+    }
+}
+
+record! {
+    /// How a key is.
+    KeyHealth {
+        /// What has failed, one of [`key_fault`].
+        fault: u8,
+        /// Temperature of its motor (0.1 °C); [`NOT_MEASURED`] if nobody measures it.
+        temperature: i16,
+        /// Current of its motor (mA), positive for a force upwards; [`NOT_MEASURED`] likewise.
+        current: i16,
+    }
+}
+
+record! {
+    /// Takes the motor of the key in a slot off, or back on, until the board is started anew.
+    MuteKey {
+        slot: u8,
+        /// 1 for off, 0 for on.
+        muted: u8,
+    }
+}
+
+/// A temperature or current that is not measured.
+pub const NOT_MEASURED: i16 = i16::MIN;
+
+/// What may have failed of a key.
+pub mod key_fault {
+    pub const NONE: u8 = 0;
+    pub const SENSOR: u8 = 1;
+    pub const MOTOR: u8 = 2;
+    pub const TOO_HOT: u8 = 3;
+    pub const OTHER: u8 = 4;
+}

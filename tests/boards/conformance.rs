@@ -1,0 +1,205 @@
+//! `letoff devices --boards --test`: what keeps the protocol passes, and what breaks it is named,
+//! on three boards that share no code.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::cortex::{Processor, build, has_tools};
+use crate::letoff;
+use crate::python::PythonBoard;
+use crate::rig::{Boards, count, judged, machine, number};
+
+/// Tests the board behind `link`; returns the items that it breaks, and that it keeps.
+fn tested(folder: &Path, link: &str, depth: &str) -> [Vec<String>; 2] {
+    let test = format!("--test={depth}");
+    let said = letoff::run(folder, &["devices", "--boards", "--json", &test, "--link", link]);
+    let report = said.report();
+    let items = report[0]["items"].as_array().unwrap_or_else(|| panic!("{said:?}"));
+    let with = |outcome: &str| {
+        let found = items.iter().filter(|it| it["outcome"] == outcome);
+        found.map(|it| format!("{}: {}", it["item"], it["seen"])).collect::<Vec<_>>()
+    };
+    let broken = with("broken");
+    assert_eq!(said.code, Some(i32::from(!broken.is_empty())), "{said:?}");
+    let announced = if depth == "quiet" { "no board is armed" } else { "0.05 N" };
+    letoff::check_words(&said, &[announced]);
+    [broken, with("kept")]
+}
+
+/// Words of items that a machine without time breaks for a board that lives on it.
+const TIMED: [&str; 5] =
+    ["at the rate", "times of samples", "fresh", "within 20 ms", "silence takes the forces"];
+
+/// Asserts that the board that `start` starts breaks nothing of at least `n` items, in one of
+/// three trials on a machine that may be busy.
+fn check_kept<B>(folder: &Path, n: usize, start: impl Fn() -> (B, String), end: impl Fn(B)) {
+    let mut last = Vec::new();
+    let kept = judged("a conforming board", || {
+        let (board, link) = start();
+        let [broken, kept] = tested(folder, &link, "stop");
+        end(board);
+        assert!(!broken.is_empty() || n <= kept.len(), "{kept:?}");
+        last = broken;
+        last.is_empty().then_some(())
+    });
+    last.retain(|it| !TIMED.iter().any(|words| it.contains(words)));
+    assert!(kept.is_some() || last.is_empty(), "{last:?}");
+}
+
+#[test]
+fn a_simulated_board_keeps_every_item_and_is_asked_for_no_force_unless_it_is_armed() {
+    let _machine = machine();
+    let folder = letoff::folder("conformance-simulated");
+    let start = || {
+        let boards = Boards::start(&folder, 1, &[]);
+        let link = boards.links().remove(1);
+        (boards, link)
+    };
+    let end = |boards: Boards| {
+        let told = boards.stop();
+        assert_eq!(told[0]["state"], "everything was stopped", "{told:?}");
+        assert!(number(&told[0], "/force_while_safe_n") < 1e-3, "{told:?}");
+    };
+    check_kept(&folder, 22, start, end);
+    let (boards, link) = start();
+    let [_broken, kept] = tested(&folder, &link, "quiet");
+    assert!(9 < kept.len(), "{kept:?}");
+    let told = boards.stop();
+    assert_eq!((count(&told[0], "/counts/forces"), count(&told[0], "/counts/armings")), (0, 0));
+}
+
+#[test]
+fn the_reference_firmware_keeps_every_item() {
+    if !has_tools() {
+        return;
+    }
+    let _machine = machine();
+    let folder = letoff::folder("conformance-cortex");
+    let elf = build(&folder, 3);
+    let start = || {
+        let processor = Processor::start(&elf);
+        let link = format!("serial:{}", processor.port);
+        (processor, link)
+    };
+    check_kept(&folder, 20, start, drop);
+}
+
+/// What is wrong with a board in Python, how far it is tested, and the items by which that is
+/// found.
+const BROKEN: [(&[&str], &str, &[&str]); 16] = [
+    (&["--drift", "50000"], "quiet", &["its clock"]),
+    (&["--wrong", "flag"], "arm", &["an armed board says so"]),
+    (&["--wrong", "key-less"], "quiet", &["samples come at the rate"]),
+    (&["--wrong", "wrong-nonce"], "arm", &["an armed board says so"]),
+    (&["--wrong", "any-nonce"], "arm", &["Arm with another nonce"]),
+    (&["--wrong", "no-ping"], "quiet", &["within 20 ms", "its clock"]),
+    (&["--wrong", "late-replies"], "quiet", &["within 20 ms"]),
+    (&["--wrong", "late"], "quiet", &["samples are fresh"]),
+    (&["--wrong", "no-watchdog"], "arm", &["silence takes the forces away"]),
+    (&["--wrong", "no-crc"], "quiet", &["wrong checksum"]),
+    (&["--wrong", "mute-unknown"], "quiet", &["unknown operation"]),
+    (&["--wrong", "stuck-stamp"], "quiet", &["the times of samples"]),
+    (&["--wrong", "stuck-sequence"], "quiet", &["the numbers of samples"]),
+    (&["--wrong", "twice"], "quiet", &["the numbers of samples"]),
+    (&["--wrong", "unlatched"], "stop", &["a stop is for good"]),
+    (&["--say", "quantum_nm=0"], "quiet", &["the values of its hello"]),
+];
+
+#[test]
+fn a_board_written_from_the_document_keeps_every_item_and_each_fault_is_named() {
+    let _machine = machine();
+    let folder = letoff::folder("conformance-python");
+    let Some(board) = PythonBoard::start(&folder, &[]) else { return };
+    drop(board);
+    let start = || {
+        let board = PythonBoard::start(&folder, &[]).expect("there is Python");
+        let link = board.link.clone();
+        (board, link)
+    };
+    let end = |board: PythonBoard| {
+        let told = board.stop();
+        let most = told["after_mn"].as_array().expect("forces").iter().map(Value::as_u64).max();
+        assert_eq!(most, Some(Some(50)), "{told}");
+    };
+    check_kept(&folder, 22, start, end);
+    for (arguments, depth, items) in BROKEN {
+        let board = PythonBoard::start(&folder, arguments).expect("there is Python");
+        let [broken, _kept] = tested(&folder, &board.link, depth);
+        for item in items {
+            assert!(broken.iter().any(|it| it.contains(item)), "{arguments:?}: {broken:?}");
+        }
+    }
+}
+
+#[test]
+fn boards_that_fail_or_whose_link_is_bad_break_items() {
+    let _machine = machine();
+    let folder = letoff::folder("conformance-fates");
+    for (arguments, item) in [
+        (&["--fate", "0@0.2:key-fault"][..], "silence takes the forces away"),
+        (&["--fate", "0@0.2:mute=2"], "forces that answer samples"),
+        (&["--drift", "-40000"], "its clock"),
+        (&["--say-schema", "1"], "the values of its hello"),
+    ] {
+        let boards = Boards::start(&folder, 1, arguments);
+        let [broken, _kept] = tested(&folder, &boards.links()[1], "arm");
+        assert!(broken.iter().any(|it| it.contains(item)), "{arguments:?}: {broken:?}");
+        drop(boards);
+    }
+}
+
+#[test]
+fn a_key_is_muted_and_unmuted_and_the_board_says_so() {
+    let _machine = machine();
+    let folder = letoff::folder("board-health");
+    let boards = Boards::start(&folder, 1, &[]);
+    let link = boards.links().remove(1);
+    let asked = |more: &[&str]| {
+        let all = [&["devices", "--boards", "--json", "--health", "--link", &link], more].concat();
+        let said = letoff::run(&folder, &all);
+        (said.code, said.report()[0]["boards"][0]["health"].clone())
+    };
+    let (code, health) = asked(&["--mute", "C1"]);
+    assert_eq!((code, &health["starts"]), (Some(0), &1.into()), "{health}");
+    let muted = |health: &Value| {
+        let keys = health["keys"].as_array().expect("keys").clone();
+        let muted = keys.into_iter().filter(|it| it["is_muted"] == true);
+        muted.map(|it| it["key"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(muted(&health), ["C1"], "{health}");
+    assert_eq!(muted(&asked(&["--unmute", "C1"]).1), [""; 0]);
+    // A simulation has no bootloader.
+    let said = letoff::run(&folder, &["devices", "--boards", "--bootloader", "--link", &link]);
+    assert_eq!(said.code, Some(1), "{said:?}");
+    letoff::check_words(&said, &["answered Bootloader with \"impossible\""]);
+    drop(boards);
+}
+
+#[test]
+fn a_setting_is_written_to_one_board_and_holds_from_its_next_start() {
+    let _machine = machine();
+    let folder = letoff::folder("board-settings");
+    let boards = Boards::start(&folder, 2, &["--fate", "1@0.1:restart=0.1"]);
+    let links = boards.links();
+    let of = |more: &[&str], links: &[String]| {
+        let links = links.iter().map(String::as_str);
+        let all: Vec<_> = ["devices", "--boards"].into_iter().chain(links).collect();
+        letoff::run(&folder, &[&all[..], more].concat())
+    };
+    let said = of(&["--set", "number=3"], &links);
+    assert_eq!(said.code, Some(1), "{said:?}");
+    letoff::check_words(&said, &["settings are written to one board"]);
+    let said = of(&["--set", "number=3", "--set", "max_force_mn=9000"], &links[2..]);
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert!(said.out.contains("number = 3 from its next start on"), "{said:?}");
+    assert!(said.out.contains("max_force_mn = 9000;"), "{said:?}");
+    // Being armed starts the clock of its fate.
+    let _armed = tested(&folder, &links[3], "arm");
+    let said = of(&["--json"], &links[2..]);
+    let report = said.report();
+    let board = &report[0]["boards"][0];
+    assert_eq!((&board["number"], &board["max_force_n"]), (&3.into(), &9.0.into()), "{report}");
+    assert_eq!(board["uid"], "53494d010b00", "it is the same board: {report}");
+    drop(boards);
+}

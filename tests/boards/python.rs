@@ -1,0 +1,185 @@
+//! A board in Python, written from PROTOCOL.md alone: it serves, and then it is wrong in every
+//! way that a board of a stranger may be.
+//!
+//! What virtual time can show stands in `tests/bad_boards.rs`; here another codec and another
+//! state machine meet the real program, and its sentences.
+
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use serde_json::Value;
+
+use crate::letoff::{self, Said};
+use crate::rig::{count, interrupt, judged, machine, say, wait_for};
+
+/// The board's own process.
+pub(crate) struct PythonBoard {
+    child: Option<Child>,
+    pub(crate) link: String,
+}
+
+impl PythonBoard {
+    /// Starts the board in `folder`; nothing without Python, and then says so.
+    pub(crate) fn start(folder: &Path, arguments: &[&str]) -> Option<Self> {
+        let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/boards/board.py");
+        let port = folder.join("board");
+        let _none = std::fs::remove_file(&port);
+        let mut python = Command::new("python3");
+        python.arg("-B").arg(program).arg("--link").arg(&port).args(arguments);
+        let Ok(child) = python.stdout(Stdio::piped()).spawn() else {
+            say("SKIPPED: a board in Python: python3 is not installed");
+            return None;
+        };
+        let board = Self { child: Some(child), link: format!("serial:{}", port.display()) };
+        wait_for("the board's port", || port.exists());
+        Some(board)
+    }
+
+    /// Ends it; returns what the host did to it.
+    pub(crate) fn stop(mut self) -> Value {
+        let child = self.child.take().expect("it lives");
+        interrupt(&child);
+        let output = child.wait_with_output().expect("it ends");
+        serde_json::from_slice(&output.stdout).expect("what it tells")
+    }
+}
+
+impl Drop for PythonBoard {
+    fn drop(&mut self) {
+        if let Some(mut child) = self.child.take() {
+            let _gone = child.kill();
+            let _status = child.wait();
+        }
+    }
+}
+
+/// The folder of its calibration file, which the real command has written; none if this machine
+/// was too busy for it.
+fn calibrated(folder: &Path, board: PythonBoard) -> Option<PathBuf> {
+    let files = folder.join("calibration");
+    let dir = files.display().to_string();
+    let arguments = ["calibrate", "--link", &board.link, "--yes", "--folder", &dir];
+    judged("calibration of a board in Python", || {
+        let said = letoff::run(folder, &arguments);
+        let was_busy = said.err.contains("while the machine does nothing else");
+        assert!(was_busy || said.code == Some(0), "{said:?}");
+        (!was_busy).then_some(())
+    })?;
+    assert_eq!(board.stop()["state"], "disarmed");
+    Some(files)
+}
+
+/// Plays on the board with these `arguments`, whose keys a finger presses, with forces that are
+/// valid for `valid` (s); returns what the host said, and what the board tells.
+///
+/// Without a file the board says that it is a simulation, which needs none.
+fn play(folder: &Path, files: Option<&PathBuf>, valid: &str, arguments: &[&str]) -> (Said, Value) {
+    let mut all = vec!["--finger", "0.8"];
+    if files.is_none() {
+        all.extend(["--say", "features=44"]);
+    }
+    all.extend(arguments);
+    let files = files.map_or(folder, PathBuf::as_path);
+    let valid = format!("links.valid={valid}");
+    let board = PythonBoard::start(folder, &all).expect("there is Python");
+    let calibration = format!("links.calibration=\"{}\"", files.display());
+    let run = ["run", "springs", "--json", "--performance", "none", "--duration", "4"];
+    let sets = ["--set", &valid, "--set", &calibration, "--set", "tick_hz=500"];
+    let said = letoff::run(folder, &[&run[..], &sets[..], &["--link", &board.link]].concat());
+    (said, board.stop())
+}
+
+/// The largest force of each key, before it was wrong and after (mN).
+fn forces(told: &Value) -> [Vec<u64>; 2] {
+    ["before_mn", "after_mn"].map(|name| {
+        let forces = told[name].as_array().expect("forces");
+        forces.iter().map(|it| it.as_u64().expect("a force")).collect()
+    })
+}
+
+/// Whether the board had its time, and no voice failed since samples came late.
+fn had_time(said: &Said, told: &Value) -> bool {
+    let samples = told["counters"][0].as_u64().unwrap_or_default();
+    10 * count(told, "/skipped") < samples && count(&said.report(), "/faults") == 0
+}
+
+/// What the host does when a board that was well is wrong.
+struct Wrong {
+    way: &'static str,
+    /// Words on stderr.
+    says: &'static [&'static str],
+    /// Whether the two keys are still sent forces.
+    plays: [bool; 2],
+}
+
+const IN_RUN: [Wrong; 8] = [
+    Wrong { way: "flag", says: &["renders no force"], plays: [false, false] },
+    Wrong { way: "key-less", says: &["cannot be read"], plays: [false, false] },
+    Wrong { way: "key-fault", says: &[], plays: [true, true] },
+    Wrong { way: "jump", says: &["C4 is muted", "far beyond"], plays: [false, true] },
+    Wrong { way: "noise", says: &["C4 is muted", "to and fro"], plays: [false, true] },
+    Wrong { way: "late", says: &["ms old when they come"], plays: [false, false] },
+    Wrong { way: "reset", says: &[], plays: [true, true] },
+    Wrong { way: "lost-homing", says: &["do not know where 2 of its keys"], plays: [false, false] },
+];
+
+/// What is refused before any force, and the words for it.
+const REFUSED: [(&[&str], &str); 9] = [
+    (&["--drift", "50000"], "its clock runs 5.0 % too fast"),
+    (&["--wrong", "flag"], "its samples say that it renders no force"),
+    (&["--wrong", "key-less"], "its samples are none of 2 keys"),
+    (&["--wrong", "wrong-nonce"], "answered Arm with \"wrong nonce\""),
+    (&["--wrong", "no-ping"], "answered Ping with \"unknown operation\""),
+    (&["--wrong", "late-replies"], "answers later than 25 ms"),
+    (&["--say", "quantum_nm=0"], "quantum_nm = 0, and 1 to 1000000 is possible"),
+    (&["--say", "max_force_mn=0"], "max_force_mn = 0, and 1 to 65535 is possible"),
+    (&["--say", "max_sample_hz=0"], "max_sample_hz = 0, and 1 to 65535 is possible"),
+];
+
+#[test]
+fn a_board_written_from_the_document_serves_and_what_is_wrong_with_it_is_said() {
+    let _machine = machine();
+    let folder = letoff::folder("python-board");
+    let Some(board) = PythonBoard::start(&folder, &[]) else { return };
+    let files = calibrated(&folder, board);
+    let files = files.as_ref();
+
+    let played = judged("a board in Python that is well", || {
+        let (said, told) = play(&folder, files, "0.1", &[]);
+        had_time(&said, &told).then_some((said, told))
+    });
+    let Some((said, told)) = played else { return };
+    let report = said.report();
+    assert_eq!(report["boards"][0]["state"], "armed", "{said:?}");
+    assert_eq!(report["boards"][0]["calibrated"], files.is_some(), "{report}");
+    assert!(200 < count(&told, "/forces") && 100 < forces(&told)[1][1], "{told}");
+    assert_eq!(told["counters"][2], 0, "nothing was corrupt: {told}");
+
+    let (said, told) = play(&folder, files, "0.1", &["--say", "max_force_mn=500"]);
+    assert!(forces(&told)[1].iter().all(|it| *it <= 500), "{said:?}: {told}");
+
+    for Wrong { way, says, plays } in IN_RUN {
+        // Samples can be told to be late by up to 60 ms, longer than these forces are valid.
+        let valid = if way == "late" { "0.02" } else { "0.1" };
+        let played = judged(way, || {
+            let (said, told) = play(&folder, files, valid, &["--wrong", way, "--at", "1"]);
+            had_time(&said, &told).then_some((said, told))
+        });
+        let Some((said, told)) = played else { continue };
+        letoff::check_words(&said, says);
+        let [before, after] = forces(&told);
+        assert!(before.iter().all(|it| 0 < *it), "{way}: {told}");
+        assert_eq!([0, 1].map(|key| 0 < after[key]), plays, "{way}: {told}, {said:?}");
+        let n = count(&told, "/arm_requests");
+        assert!(n <= 8, "{way}: asked to arm {n} times");
+    }
+
+    for (arguments, words) in REFUSED {
+        let (said, told) = play(&folder, files, "0.1", arguments);
+        assert_eq!(said.code, Some(1), "{arguments:?}: {said:?}");
+        letoff::check_words(&said, &["board 5 on", words]);
+        assert_eq!(forces(&told), [[0; 2]; 2], "{arguments:?}: {told}");
+        let n = count(&told, "/arm_requests");
+        assert!(n <= 8, "{arguments:?}: asked to arm {n} times");
+    }
+}
