@@ -16,6 +16,7 @@ use tokio_tungstenite::{WebSocketStream, accept_hdr_async_with_config};
 
 use super::admission::{self, AdmissionError};
 use super::connection;
+use super::plain_http;
 use super::state::ServerState;
 use super::{Backend, Role, StreamServer, Who};
 use crate::stream::byte_stream::BoxedStream;
@@ -125,7 +126,8 @@ async fn receive(
     connection::run(&state, client.socket, client.who).await;
 }
 
-/// Makes both handshakes; returns nothing if the client is refused, which it has been told.
+/// Makes both handshakes; returns nothing if the client is refused or asks for no WebSocket,
+/// which it has been told.
 async fn enter(
     state: &ServerState,
     stream: TcpStream,
@@ -136,6 +138,7 @@ async fn enter(
         Some(acceptor) => Box::new(Box::pin(acceptor.accept(stream)).await.ok()?),
         None => Box::new(stream),
     };
+    let stream = Box::pin(plain_http::websocket_or_answer(state, stream, address)).await?;
     let mut admitted = None;
     #[expect(clippy::result_large_err, reason = "the library's answer, made once")]
     let decide = |request: &Request, response| match admit(state, request) {
