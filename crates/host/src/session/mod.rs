@@ -23,7 +23,7 @@ use scheduler::time::{Nanos, Timetable};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
 
-use crate::control::RunHandle;
+use crate::control::{RunDescription, RunHandle};
 use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
@@ -183,6 +183,7 @@ impl RunSession {
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
+        handle.status.prepare(&scene.name);
         let builder = VoiceBuilder::new(scene)?;
         let period = builder.period().as_secs_f64();
         // Missing boards are reported before the rehearsal.
@@ -190,7 +191,11 @@ impl RunSession {
         if scene.performance.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let piece = pianist::rehearse(scene, &builder, &keys, options.duration, progress)?;
+        let rehearsed = |now: PianistProgress| {
+            handle.status.rehearse(now.done, now.total);
+            progress(now);
+        };
+        let piece = pianist::rehearse(scene, &builder, &keys, options.duration, &rehearsed)?;
         let (performance, unplayed) = piece.map(|it| (it.performance, it.unplayed)).unzip();
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
@@ -224,6 +229,12 @@ impl RunSession {
             pedals.into(),
             period,
         );
+        handle.status.describe(RunDescription {
+            tick_hz: scene.tick_hz,
+            voices: u32::try_from(voices.len()).unwrap_or(u32::MAX),
+            midi: midi.words(),
+            counters: Arc::clone(&counters),
+        });
         let prepared = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
@@ -256,8 +267,7 @@ impl RunSession {
 
     /// Returns the MIDI output in words, or why there is none.
     pub fn midi(&self) -> String {
-        let MidiReport { output, trouble, .. } = &self.prepared.midi;
-        trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))
+        self.prepared.midi.words()
     }
 
     /// Returns the rate of the tick (Hz).
