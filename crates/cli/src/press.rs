@@ -1,0 +1,97 @@
+//! `letoff press KEY`: a simulated key of the running host, pressed as long as this command runs.
+
+use std::io::Write;
+use std::os::unix::net::UnixStream;
+use std::time::Duration;
+
+use clap::Args;
+use telemetry::KeyIndex;
+use tokio::io::AsyncReadExt as _;
+
+use super::arguments::{number, seconds};
+use super::signals::Signals;
+use super::{Failure, system};
+use host::control::{Reply, Request, hold};
+
+/// What `letoff press` takes.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "Examples:
+  letoff press C4 --for 0.5          half a second, with 5 N
+  letoff press 60 --force 12         until Ctrl-C
+
+The key is let go when the command ends, however it ends.")]
+pub struct PressArgs {
+    /// The key's name, as C4, or its MIDI number.
+    #[arg(value_parser = key)]
+    pub key: KeyIndex,
+    /// The force of the finger (N).
+    #[arg(long, value_name = "N", default_value_t = 5.0, value_parser = number)]
+    pub force: f64,
+    /// How long it is pressed (s); until the command is ended without.
+    #[arg(long = "for", value_name = "SECONDS", value_parser = seconds)]
+    pub length: Option<f64>,
+}
+
+/// Presses the key and waits.
+pub(super) fn run(args: &PressArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    runtime.map_err(system)?.block_on(async {
+        // Before anything is pressed: a signal ends the command in good order.
+        let signals = Signals::new().map_err(system)?;
+        let request = Request::Press { key: args.key.number(), newtons: args.force };
+        let (answer, connection) =
+            hold(&request).map_err(|error| Failure::Running(error.to_string()))?;
+        if let Reply::Done { text } = answer.map_err(Failure::Usage)? {
+            writeln!(out, "{text}")?;
+            out.flush()?;
+        }
+        wait(args.length, connection, signals).await
+    })
+}
+
+/// Waits for the end of the press, a signal, or the host's end.
+async fn wait(
+    length: Option<f64>,
+    connection: UnixStream,
+    mut signals: Signals,
+) -> Result<(), Failure> {
+    connection.set_nonblocking(true).map_err(system)?;
+    let mut connection = tokio::net::UnixStream::from_std(connection).map_err(system)?;
+    let over = async {
+        match length {
+            Some(seconds) => tokio::time::sleep(Duration::from_secs_f64(seconds)).await,
+            None => std::future::pending().await,
+        }
+    };
+    tokio::select! {
+        () = over => Ok(()),
+        () = signals.next() => Ok(()),
+        _ended = connection.read_u8() => Err(Failure::Running(
+            "the host ended while the key was pressed".to_owned(),
+        )),
+    }
+}
+
+/// Reads a key's name or MIDI number.
+fn key(text: &str) -> Result<KeyIndex, String> {
+    let numbered = text.parse().ok().and_then(KeyIndex::from_midi);
+    let named = || text.parse().ok();
+    numbered.or_else(named).ok_or_else(|| {
+        format!("`{text}` is no key: write its name, A0 to C8, or its MIDI number, 21 to 108")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_is_typed_by_its_name_or_its_midi_number() {
+        for text in ["C4", "60"] {
+            assert_eq!(key(text).map(KeyIndex::number), Ok(39), "{text}");
+        }
+        for text in ["H4", "20", "109", "", "C9"] {
+            assert!(key(text).is_err_and(|why| why.contains("A0 to C8")), "{text}");
+        }
+    }
+}
