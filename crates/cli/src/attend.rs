@@ -31,6 +31,8 @@ pub(super) struct RunAttendant<'a> {
     pub(super) stop: Arc<AtomicBool>,
     /// The file of the scene that plays, if it has one.
     pub(super) file: Option<SceneFile>,
+    /// Whether the file is to be read again as soon as the run can be changed.
+    pub(super) is_reload_due: bool,
 }
 
 impl RunAttendant<'_> {
@@ -49,7 +51,7 @@ impl RunAttendant<'_> {
                 }
                 signal = self.signals.next_of_run() => match signal {
                     RunSignal::End => self.end(),
-                    RunSignal::Reload => self.reload(),
+                    RunSignal::Reload => self.is_reload_due = true,
                 },
                 _ = every.tick() => self.look(),
             }
@@ -75,6 +77,9 @@ impl RunAttendant<'_> {
         let (ticks, missed) = (count(&self.counters.ticks), count(&self.counters.missed));
         if 0 < ticks {
             self.news.drain(..).for_each(|text| self.log.say(text));
+            if std::mem::take(&mut self.is_reload_due) {
+                self.reload();
+            }
         }
         self.notifier.attend(Instant::now(), ticks, missed);
     }

@@ -231,6 +231,7 @@ async fn host(
         news: endpoints.news(scene, &session),
         stop,
         file,
+        is_reload_due: false,
     };
     let running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
     let done = attendant.until_over(running).await;
