@@ -12,7 +12,7 @@ use super::endpoints::Endpoints;
 use super::live::{REFRESH, StatusLine};
 use super::log::StderrLog;
 use super::reload::SceneFile;
-use super::service::ServiceNotifier;
+use super::service::{self, ServiceNotifier};
 use super::signals::{RunSignal, Signals};
 use host::control::RunHandle;
 
@@ -46,7 +46,7 @@ impl RunAttendant<'_> {
             tokio::select! {
                 done = &mut running => {
                     self.line.finish();
-                    self.notifier.stopping();
+                    service::stopping();
                     return done;
                 }
                 signal = self.signals.next_of_run() => match signal {
@@ -61,7 +61,7 @@ impl RunAttendant<'_> {
     fn end(&self) {
         self.stop.store(true, Ordering::Release);
         self.handle.status.enter(HostState::Ending);
-        self.notifier.stopping();
+        service::stopping();
         self.log.say("a signal ends the run: forces fade, notes end".to_owned());
     }
 

@@ -200,7 +200,7 @@ async fn host(
     };
     let progress = if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
     let mut notifier = ServiceNotifier::new(Arc::clone(&handle));
-    let prepared = prepare(scene, options, &handle, &mut signals, progress);
+    let prepared = Box::pin(prepare(scene, options, &handle, &mut signals, progress));
     let Some(session) = notifier.beside(prepared).await? else {
         endpoints.leave("the host was stopped before it began to play").await;
         return Ok(None);

@@ -91,11 +91,11 @@ impl ServiceNotifier {
         }
         self.line = line;
     }
+}
 
-    /// Tells that the run ends.
-    pub(super) fn stopping(&self) {
-        say(&[NotifyState::Stopping, NotifyState::Status("forces fade, notes end")]);
-    }
+/// Tells that the run ends.
+pub(super) fn stopping() {
+    say(&[NotifyState::Stopping, NotifyState::Status("forces fade, notes end")]);
 }
 
 /// Tells that the scene is read again.

@@ -24,9 +24,13 @@ pub struct StatusArgs {
 
 /// Asks the host and prints what it says.
 pub(super) fn run(args: &StatusArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let answer = send_to_host(&Request::Status {}).map_err(|error| match error {
-        ControlError::NoHost { .. } => Failure::NoHost(error.to_string()),
-        other => Failure::Running(other.to_string()),
+    let answer = send_to_host(&Request::Status {}).map_err(|error| {
+        let is_nobody = matches!(error, ControlError::NoHost { .. });
+        if is_nobody {
+            Failure::NoHost(error.to_string())
+        } else {
+            Failure::Running(error.to_string())
+        }
     })?;
     let Reply::Status { status } = answer.map_err(Failure::Running)? else {
         return Err(Failure::Running("what answered is no host of this version".to_owned()));

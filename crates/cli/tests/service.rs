@@ -135,10 +135,10 @@ fn a_host_says_that_it_rehearses() {
 /// How deep key 39 was at the deepest in the last thirtieth of a second (m).
 fn depth(client: &mut Client) -> f32 {
     eventually("an overview", || match client.next()? {
-        Arrival::Update { update, .. } => match *update {
-            Update::Overview(it) => it.position_max.get(39).copied(),
-            _other => None,
-        },
+        Arrival::Update { update, .. } => {
+            let Update::Overview(it) = *update else { return None };
+            it.position_max.get(39).copied()
+        }
         Arrival::Reply { .. } | Arrival::Anew => None,
     })
 }

@@ -116,19 +116,20 @@ impl HostStatus {
     /// Returns what it does and how its boards are, in a line.
     pub fn line(&self) -> String {
         let Self { scene, state, rehearsed: [done, total], .. } = self;
-        let mut line = match state {
-            HostState::Rehearsing => format!("{scene}: rehearsed {done} of {total} strokes"),
-            _ => format!("{scene}: {}", state.words()),
-        };
-        if *state == HostState::Playing && !self.boards.is_empty() {
-            let lost: Vec<_> = self.boards.iter().filter(|it| !it.is_armed()).collect();
-            let armed = self.boards.len() - lost.len();
-            line += &format!(", {armed} of {} boards armed", self.boards.len());
-            for BoardState { number, link, state, .. } in lost {
-                line += &format!("; board {number} on {link}: {state}");
-            }
+        if *state == HostState::Rehearsing {
+            return format!("{scene}: rehearsed {done} of {total} strokes");
         }
-        line
+        let line = format!("{scene}: {}", state.words());
+        if *state != HostState::Playing || self.boards.is_empty() {
+            return line;
+        }
+        let lost: Vec<_> = self.boards.iter().filter(|it| !it.is_armed()).collect();
+        let (all, armed) = (self.boards.len(), self.boards.len() - lost.len());
+        let lost = lost.iter().map(|BoardState { number, link, state, .. }| {
+            format!("; board {number} on {link}: {state}")
+        });
+        let lost: String = lost.collect();
+        format!("{line}, {armed} of {all} boards armed{lost}")
     }
 }
 

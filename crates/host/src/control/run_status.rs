@@ -53,7 +53,7 @@ const STALL: Duration = Duration::from_millis(250);
 impl RunStatus {
     /// Notes that a run of `scene` is prepared.
     pub fn prepare(&self, scene: &str) {
-        self.lock().scene = scene.to_owned();
+        scene.clone_into(&mut self.lock().scene);
         self.enter(HostState::Preparing);
     }
 

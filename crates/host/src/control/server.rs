@@ -106,7 +106,6 @@ impl Clients {
 }
 
 /// Answers clients, so many at once, until it is dropped.
-#[expect(clippy::infinite_loop, reason = "its task is ended from outside")]
 pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: Clients) {
     /// Pause when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
@@ -125,14 +124,7 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
                 answers: Arc::clone(&answers),
                 holders: Arc::clone(&holders),
             };
-            tokio::spawn(async move {
-                // A client that fails, stalls or talks nonsense is dropped.
-                let held = client.converse(stream, place).await;
-                if let Ok(Some(mut held)) = held {
-                    held.until_it_ends().await;
-                }
-                client.answers.left(connection);
-            });
+            tokio::spawn(client.attend(stream, place));
         }
     }
 }
@@ -159,6 +151,15 @@ impl HeldConnection {
 }
 
 impl<A: Answers> ControlClient<A> {
+    /// Answers the request that comes by `stream`; one that fails, stalls or talks nonsense is
+    /// dropped.
+    async fn attend(self, stream: UnixStream, place: OwnedSemaphorePermit) {
+        if let Ok(Some(mut held)) = self.converse(stream, place).await {
+            held.until_it_ends().await;
+        }
+        self.answers.left(self.connection);
+    }
+
     /// Answers one request; `place` is for the time that this takes. Returns the connection if
     /// something is held by it.
     async fn converse(

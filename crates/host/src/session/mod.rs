@@ -23,7 +23,7 @@ use scheduler::time::{Nanos, Timetable};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
 
-use crate::control::{RunDescription, RunHandle};
+use crate::control::RunHandle;
 use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
@@ -205,13 +205,7 @@ impl RunSession {
             keys.load_gestures(performance);
         }
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
-        let mut voices = Vec::new();
-        for (key, voice) in builder.keys() {
-            let revision = handle.new_revision();
-            handle.tell(observed::of_scene(key, voice, revision));
-            let voice = builder.numbered(voice, handle.new_cell(), revision)?;
-            voices.push((key, voice as BoxedVoice));
-        }
+        let voices = observed::voices(&builder, &handle)?;
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
         let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
@@ -229,12 +223,7 @@ impl RunSession {
             pedals.into(),
             period,
         );
-        handle.status.describe(RunDescription {
-            tick_hz: scene.tick_hz,
-            voices: u32::try_from(voices.len()).unwrap_or(u32::MAX),
-            midi: midi.words(),
-            counters: Arc::clone(&counters),
-        });
+        observed::describe(&handle, scene, &midi, &counters);
         let prepared = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,

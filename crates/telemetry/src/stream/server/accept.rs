@@ -126,6 +126,16 @@ async fn receive(
     connection::run(&state, client.socket, client.who).await;
 }
 
+/// Encrypts the stream if it is to be, and returns it if it asks for a WebSocket.
+async fn open(state: &ServerState, stream: TcpStream, address: SocketAddr) -> Option<BoxedStream> {
+    stream.set_nodelay(true).ok()?;
+    let stream: BoxedStream = match &state.acceptor {
+        Some(acceptor) => Box::new(acceptor.accept(stream).await.ok()?),
+        None => Box::new(stream),
+    };
+    plain_http::websocket_or_answer(state, stream, address).await
+}
+
 /// Makes both handshakes; returns nothing if the client is refused or asks for no WebSocket,
 /// which it has been told.
 async fn enter(
@@ -133,12 +143,7 @@ async fn enter(
     stream: TcpStream,
     address: SocketAddr,
 ) -> Option<AdmittedClient> {
-    stream.set_nodelay(true).ok()?;
-    let stream: BoxedStream = match &state.acceptor {
-        Some(acceptor) => Box::new(Box::pin(acceptor.accept(stream)).await.ok()?),
-        None => Box::new(stream),
-    };
-    let stream = Box::pin(plain_http::websocket_or_answer(state, stream, address)).await?;
+    let stream = Box::pin(open(state, stream, address)).await?;
     let mut admitted = None;
     #[expect(clippy::result_large_err, reason = "the library's answer, made once")]
     let decide = |request: &Request, response| match admit(state, request) {

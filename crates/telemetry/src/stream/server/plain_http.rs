@@ -38,14 +38,13 @@ pub(super) async fn websocket_or_answer(
         let (reader, writer) = tokio::io::split(stream);
         return Some(Box::new(tokio::io::join(Cursor::new(head).chain(reader), writer)));
     }
-    let (answer, with_body) = match &request {
-        Some(request) => {
-            let is_head = request.method() == "HEAD";
-            (answer(state, request, address), !is_head)
-        }
-        None => (PlainAnswer::refusal(StatusCode::BAD_REQUEST, "this is no request of HTTP"), true),
+    let answer = match &request {
+        Some(request) => answer(state, request, address),
+        None => PlainAnswer::refusal(StatusCode::BAD_REQUEST, "this is no request of HTTP"),
     };
-    let _sent = stream.write_all(answer.encode(with_body).as_bytes()).await;
+    let wants_head = request.is_some_and(|request| request.method() == "HEAD");
+    let text = if wants_head { "" } else { answer.text.as_str() };
+    let _sent = stream.write_all((answer.head() + text).as_bytes()).await;
     let _closed = stream.shutdown().await;
     None
 }
@@ -93,12 +92,12 @@ impl PlainAnswer {
         Self { status, fields, content_type, text: format!("{text}\n") }
     }
 
-    fn encode(&self, with_body: bool) -> String {
+    /// Returns the head of the answer, up to its text.
+    fn head(&self) -> String {
         let Self { status, fields, content_type, text } = self;
-        let body = if with_body { text.as_str() } else { "" };
         format!(
             "HTTP/1.1 {status}\r\n{fields}Content-Type: {content_type}\r\nContent-Length: {}\r\n\
-             Cache-Control: no-store\r\nConnection: close\r\n\r\n{body}",
+             Cache-Control: no-store\r\nConnection: close\r\n\r\n",
             text.len()
         )
     }
