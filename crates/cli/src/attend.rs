@@ -27,7 +27,7 @@ pub(super) struct RunAttendant<'a> {
     pub(super) line: StatusLine,
     /// Lines for the log, once the first tick is over.
     pub(super) news: Vec<String>,
-    /// Ends the run.
+    /// Set where the run is to end.
     pub(super) stop: Arc<AtomicBool>,
     /// The file of the scene that plays, if it has one.
     pub(super) file: Option<SceneFile>,

@@ -96,7 +96,7 @@ async fn wait(
     }
 }
 
-/// Reads a velocity.
+/// Reads a velocity of MIDI.
 fn velocity(text: &str) -> Result<Velocity, String> {
     let velocity = text.parse().ok().and_then(Velocity::new);
     velocity.ok_or_else(|| format!("`{text}` is no velocity: give 1 to 127"))
