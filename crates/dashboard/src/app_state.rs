@@ -181,6 +181,7 @@ impl AppState {
             Ok(Reply::Done { .. }) if is_tuned => None,
             Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Some(Ok(text)),
             Ok(Reply::Where { address, token: _ }) => Some(Ok(address)),
+            Ok(Reply::Status { status }) => Some(Ok(status.line())),
             Err(text) => {
                 let level = log::Level::Error.into();
                 self.store.log.push(Log { level, text: text.clone() });
