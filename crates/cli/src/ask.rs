@@ -1,9 +1,9 @@
-//! Sends a request to the running host of this user, and prints the reply.
+//! Sends a request to the running host of this user or of the service, and prints the reply.
 
 use std::io::Write;
 
 use super::Failure;
-use host::control::{Reply, Request, send, socket_path};
+use host::control::{Reply, Request, send_to_host};
 
 /// Asks; a refusal becomes what `refused` makes of it.
 pub(super) fn ask(
@@ -11,13 +11,14 @@ pub(super) fn ask(
     refused: fn(String) -> Failure,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let answer = send(&socket_path(), request);
+    let answer = send_to_host(request);
     let answer = answer.map_err(|error| Failure::Running(error.to_string()))?;
     match answer.map_err(refused)? {
         Reply::Stopped { text, told, boards } if told < boards => return Err(refused(text)),
         Reply::Done { text } | Reply::Stopped { text, .. } => writeln!(out, "{text}")?,
         Reply::Scene { toml } => write!(out, "{toml}")?,
         Reply::Where { address, token: _ } => writeln!(out, "{address}")?,
+        Reply::Status { status } => writeln!(out, "{}", status.line())?,
     }
     Ok(())
 }

@@ -149,9 +149,9 @@ enum Absent {
 fn whereabouts() -> Result<DashTarget, Absent> {
     match send(&socket_path(), &Request::Where {}) {
         Ok(Ok(Reply::Where { address, token })) => Ok(DashTarget::said(&address, token)),
-        Ok(Ok(Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. })) => {
-            Err(Absent::Refused("the host that runs here said something else".into()))
-        }
+        Ok(Ok(
+            Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. } | Reply::Status { .. },
+        )) => Err(Absent::Refused("the host that runs here said something else".into())),
         Ok(Err(why)) => Err(Absent::Refused(why)),
         Err(nobody @ ControlError::NoHost { .. }) => Err(Absent::Nobody(nobody.to_string())),
         Err(other) => Err(Absent::Refused(other.to_string())),

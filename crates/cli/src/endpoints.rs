@@ -68,6 +68,11 @@ impl Endpoints {
         })
     }
 
+    /// Returns what answers requests, if anything does.
+    pub(super) fn requests(&self) -> Option<Arc<RequestHandler>> {
+        self.requests.as_ref().map(Arc::clone)
+    }
+
     /// Streams the telemetry of `session`.
     pub(super) fn observe(&self, session: &RunSession) {
         if let Some(stream) = &self.stream {

@@ -7,7 +7,7 @@ use clap::Args;
 use lab::figure6::{ClosedLoop, Figure6, Pace, TIME_SCALES, figure6, write_figure6};
 use lab::piano::SHEET;
 
-use super::{Failure, prepare_report, print_json, print_page};
+use super::{Failure, prepare_report, print_page, print_report};
 
 /// What `letoff lab figure6` takes.
 #[derive(Clone, Debug, Args)]
@@ -49,7 +49,7 @@ pub(super) fn run(args: &Figure6Args, out: &mut dyn Write) -> Result<(), Failure
     if let Some(folder) = &args.out {
         write_figure6(folder, &figure).map_err(|error| Failure::Running(error.to_string()))?;
     }
-    if args.json { print_json(&figure.summary(), out) } else { tell(args, &figure, out) }
+    if args.json { print_report(&figure.summary(), out) } else { tell(args, &figure, out) }
 }
 
 fn tell(args: &Figure6Args, figure: &Figure6, out: &mut dyn Write) -> Result<(), Failure> {

@@ -13,7 +13,7 @@ use scene::{FittedValues, Instrument, fitted_text};
 
 use super::progress::counter;
 use super::stability::ask::key_named;
-use super::{Failure, prepare_report, print_json};
+use super::{Failure, prepare_report, print_report};
 
 /// Speed of a static curve that may be stated (m/s).
 const SPEEDS: (f64, f64) = (1e-5, 1.0);
@@ -192,7 +192,7 @@ fn tell(
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     if args.json {
-        return print_json(found, out);
+        return print_report(found, out);
     }
     for it in &found.parameters {
         let interval = it.interval.map_or_else(

@@ -1,11 +1,13 @@
 //! The commands: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
-//! `instruments`, `model`, `set`, `stop`, `lab`.
+//! `instruments`, `model`, `set`, `press`, `status`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
-//! file.
+//! file, 3 no host runs (of `status`).
 
+mod about;
 mod arguments;
 mod ask;
+mod attend;
 mod board;
 mod calibrate;
 mod check;
@@ -22,15 +24,19 @@ mod log;
 mod model;
 mod piano;
 mod plan;
+mod press;
 mod progress;
 mod record;
 mod recover;
+mod reload;
 mod replay;
 mod run;
+mod service;
 mod set;
 mod signals;
 mod stability;
 mod stable;
+mod status;
 mod stop;
 mod streaming;
 mod studies;
@@ -44,12 +50,15 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use lab::simulate::SimulateArgs;
+use telemetry::log::Level;
+
+use about::{print_json, print_report};
 
 pub use model::read_descriptions;
 
 /// The host of force-feedback keyboards.
 #[derive(Debug, Parser)]
-#[command(name = "letoff", version, about, arg_required_else_help = true)]
+#[command(name = "letoff", version = about::version(), about, arg_required_else_help = true)]
 pub struct Letoff {
     #[command(subcommand)]
     pub command: Command,
@@ -86,6 +95,10 @@ pub enum Command {
     Model(model::ModelArgs),
     /// Changes settings of the running host, for all keys: render.passivity=control.
     Set(set::SetArgs),
+    /// Presses a simulated key of the running host, as long as this command runs.
+    Press(press::PressArgs),
+    /// Prints what the running host does, and how it goes.
+    Status(status::StatusArgs),
     /// Takes all forces away at once, and ends the running host.
     Stop,
     /// Offline studies with reports.
@@ -99,6 +112,8 @@ pub enum Failure {
     Running(String),
     /// Wrong usage or a wrong file: exit code 2.
     Usage(String),
+    /// No host runs that could be asked: exit code 3.
+    NoHost(String),
     /// The reader closed the output, as `head` does: no failure at all.
     Unread,
 }
@@ -124,6 +139,7 @@ fn system(error: io::Error) -> Failure {
 
 /// Runs the command and returns its exit code.
 pub fn run(letoff: &Letoff) -> ExitCode {
+    about::start();
     read_descriptions();
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
@@ -131,15 +147,15 @@ pub fn run(letoff: &Letoff) -> ExitCode {
         Ok(()) | Err(Failure::Unread) => return ExitCode::SUCCESS,
         Err(Failure::Running(text)) => (1, text),
         Err(Failure::Usage(text)) => (2, text),
+        Err(Failure::NoHost(text)) => (3, text),
     };
-    tell(&text);
+    log::tell_as(Level::Error, &text);
     ExitCode::from(code)
 }
 
 /// Writes a message to stderr.
 fn tell(text: &str) {
-    // A closed stderr has no reader.
-    let _unheard = writeln!(io::stderr(), "letoff: {text}");
+    log::tell_as(Level::Info, text);
 }
 
 fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
@@ -158,6 +174,8 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Instruments(args) => instruments::run(args, out),
         Command::Model(args) => model::run(args, out),
         Command::Set(args) => set::run(args, out),
+        Command::Press(args) => press::run(args, out),
+        Command::Status(args) => status::run(args, out),
         Command::Stop => stop::run(out),
         Command::Lab(args) => studies::run(args, out),
     }
@@ -165,6 +183,8 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
 
 fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     use lab::simulate::SimulateError;
+    let header = about::ReportHeader::new().fields();
+    let args = &SimulateArgs { header, ..args.clone() };
     lab::simulate::run(args, out).map_err(|error| {
         let text = error.to_string();
         if let SimulateError::Summary(cause) = error {
@@ -187,10 +207,4 @@ fn prepare_report(folder: Option<&Path>) -> Result<(), Failure> {
 fn print_page(folder: Option<&Path>, page: &str, out: &mut dyn Write) -> Result<(), Failure> {
     let page = folder.map(|folder| folder.join(page)).unwrap_or_default();
     Ok(writeln!(out, "{}", page.display())?)
-}
-
-/// Prints `value` as JSON.
-fn print_json(value: &impl serde::Serialize, out: &mut dyn Write) -> Result<(), Failure> {
-    serde_json::to_writer_pretty(&mut *out, value).map_err(io::Error::from)?;
-    Ok(writeln!(out)?)
 }

@@ -1,13 +1,82 @@
-//! The host's log: plain lines on stderr, written by a thread of its own.
+//! The host's log: lines on stderr, written by a thread of its own.
+//!
+//! A person reads `letoff: TEXT`, journald a level before each line, and programs JSON.
 
 use std::io::{self, Write as _};
+use std::os::fd::AsFd as _;
+use std::sync::OnceLock;
 use std::sync::mpsc::{self, Receiver, SyncSender, TrySendError};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use indicatif::ProgressBar;
+use rustix::fs::fstat;
+use telemetry::log::Level;
+use time::OffsetDateTime;
 
-use super::tell;
+use super::about;
+
+/// How lines are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum LogFormat {
+    Plain,
+    /// With the level before each line, as journald takes it.
+    Journal,
+    /// An object for each line.
+    Json,
+}
+
+/// How this process writes.
+static FORMAT: OnceLock<LogFormat> = OnceLock::new();
+
+impl LogFormat {
+    /// Lets this process write so, if it has written nothing yet.
+    pub(super) fn choose(self) {
+        let _first = FORMAT.set(self);
+    }
+
+    /// Returns how it writes: for journald if that reads stderr.
+    fn chosen() -> Self {
+        *FORMAT.get_or_init(|| {
+            let stream = std::env::var("JOURNAL_STREAM").ok();
+            let stderr = fstat(io::stderr().as_fd()).ok();
+            let own = stderr.map(|it| format!("{}:{}", it.st_dev, it.st_ino));
+            if stream.is_some() && stream == own { Self::Journal } else { Self::Plain }
+        })
+    }
+
+    /// Returns `text` as it is written, without the last line's end.
+    fn written(self, level: Level, text: &str) -> String {
+        match self {
+            Self::Plain => format!("letoff: {text}"),
+            Self::Journal => {
+                let priority = match level {
+                    Level::Error => 3,
+                    Level::Warning => 4,
+                    Level::Info => 6,
+                };
+                let lines: Vec<_> =
+                    text.lines().map(|line| format!("<{priority}>{line}")).collect();
+                lines.join("\n")
+            }
+            Self::Json => {
+                let level = match level {
+                    Level::Error => "error",
+                    Level::Warning => "warning",
+                    Level::Info => "info",
+                };
+                let time = about::utc(OffsetDateTime::now_utc());
+                serde_json::json!({ "time": time, "level": level, "text": text }).to_string()
+            }
+        }
+    }
+}
+
+/// Writes a message to stderr.
+pub(super) fn tell_as(level: Level, text: &str) {
+    // A closed stderr has no reader.
+    let _unheard = writeln!(io::stderr(), "{}", LogFormat::chosen().written(level, text));
+}
 
 /// Lines that may wait for a terminal or a journal that is slow; more are left out and counted.
 const WAITING: usize = 256;
@@ -18,7 +87,7 @@ const WAITING: usize = 256;
 /// one that waits for signals.
 #[derive(Debug)]
 pub(super) struct StderrLog {
-    lines: Option<SyncSender<String>>,
+    lines: Option<SyncSender<(Level, String)>>,
     shared: Arc<LogState>,
     /// Closed when all is written.
     written: Receiver<()>,
@@ -27,7 +96,7 @@ pub(super) struct StderrLog {
 /// Hands lines to the log.
 #[derive(Clone, Debug)]
 pub(super) struct LogLines {
-    lines: Option<SyncSender<String>>,
+    lines: Option<SyncSender<(Level, String)>>,
     shared: Arc<LogState>,
 }
 
@@ -72,16 +141,16 @@ impl StderrLog {
 
     /// Writes a line without waiting for the terminal.
     pub(super) fn say(&self, text: String) {
-        self.lines().say(text);
+        self.lines().say(Level::Info, text);
     }
 }
 
 impl LogLines {
     /// Hands over a line; never waits.
-    pub(super) fn say(&self, text: String) {
+    pub(super) fn say(&self, level: Level, text: String) {
         use std::sync::atomic::Ordering::Relaxed;
         let Some(lines) = &self.lines else { return };
-        if let Err(TrySendError::Full(_)) = lines.try_send(text) {
+        if let Err(TrySendError::Full(_)) = lines.try_send((level, text)) {
             self.shared.left_out.fetch_add(1, Relaxed);
         }
     }
@@ -97,15 +166,16 @@ impl Drop for StderrLog {
     }
 }
 
-fn write(lines: &Receiver<String>, shared: &LogState) {
+fn write(lines: &Receiver<(Level, String)>, shared: &LogState) {
     use std::sync::atomic::Ordering::Relaxed;
-    for line in lines {
+    for (level, line) in lines {
         let left_out = shared.left_out.swap(0, Relaxed);
         let bar = shared.bar.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let say = || {
-            tell(&line);
+            tell_as(level, &line);
             if 0 < left_out {
-                tell(&format!("{left_out} lines were left out of this log: nobody took them"));
+                let text = format!("{left_out} lines were left out of this log: nobody took them");
+                tell_as(Level::Warning, &text);
             }
         };
         match bar.filter(|bar| !bar.is_finished()) {
@@ -114,4 +184,25 @@ fn write(lines: &Receiver<String>, shared: &LogState) {
         }
     }
     let _flushed = io::stderr().flush();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn journald_gets_a_level_before_each_line() {
+        let written = LogFormat::Journal.written(Level::Warning, "one\n  two");
+        assert_eq!(written, "<4>one\n<4>  two");
+        assert_eq!(LogFormat::Journal.written(Level::Error, "x"), "<3>x");
+        assert_eq!(LogFormat::Plain.written(Level::Error, "x"), "letoff: x");
+    }
+
+    #[test]
+    fn a_line_of_json_is_one_line_whatever_stands_in_it() {
+        let written = LogFormat::Json.written(Level::Info, "a \"b\"\nc");
+        let read: serde_json::Value = serde_json::from_str(&written).expect("JSON");
+        assert_eq!((&read["level"], &read["text"]), (&"info".into(), &"a \"b\"\nc".into()));
+        assert_eq!(written.lines().count(), 1);
+    }
 }

@@ -13,7 +13,7 @@ use scene::Instrument;
 use serde::Serialize;
 
 use super::progress::bar;
-use super::{Failure, prepare_report, print_json};
+use super::{Failure, prepare_report, print_json, print_report};
 
 /// What `letoff lab piano` takes.
 #[derive(Clone, Debug, Args)]
@@ -113,7 +113,7 @@ fn tell(args: &PianoArgs, examined: &[Examination], out: &mut dyn Write) -> Resu
             })
             .collect();
         return match sheets.as_slice() {
-            [one] => print_json(one, out),
+            [one] => print_report(one, out),
             several => print_json(&several, out),
         };
     }

@@ -8,7 +8,7 @@ use clap::Args;
 use serde::Serialize;
 use telemetry::recording::{RecordError, RecoverError, Recovered, recover};
 
-use super::{Failure, print_json};
+use super::{Failure, print_report};
 
 /// What `letoff recover` takes.
 #[derive(Clone, Debug, Args)]
@@ -55,7 +55,7 @@ pub(super) fn run(args: &RecoverArgs, out: &mut dyn Write) -> Result<(), Failure
         recover(&args.file, &into).map_err(|error| failure(&error))?
     };
     let saved = Saved::new(&into, recovered);
-    if args.json { print_json(&saved, out) } else { print(&saved, &args.file, out) }
+    if args.json { print_report(&saved, out) } else { print(&saved, &args.file, out) }
 }
 
 /// `take1-recovered.mcap` of `take1.mcap`.

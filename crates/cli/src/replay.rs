@@ -7,7 +7,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use telemetry::recording::{ReadError, Recording, Selection, export_csv};
 
-use super::{Failure, print_json, tell};
+use super::{Failure, print_report, tell};
 use host::replay::{MissingTicks, Replayed, replay};
 
 /// What `letoff replay` takes.
@@ -54,7 +54,7 @@ pub(super) fn run(args: &ReplayArgs, out: &mut dyn Write) -> Result<(), Failure>
     line.finish_and_clear();
     let replayed = replayed.map_err(|error| usage(&error))?;
     if args.json {
-        print_json(&replayed, out)?;
+        print_report(&replayed, out)?;
     } else {
         print(&replayed, out)?;
     }

@@ -8,14 +8,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use clap::Args;
 
 use super::arguments::seconds;
+use super::attend::RunAttendant;
 use super::endpoints::Endpoints;
-use super::log::StderrLog;
+use super::log::{LogFormat, StderrLog};
+use super::reload::{self, SceneFile};
+use super::service::ServiceNotifier;
 use super::signals::Signals;
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
-use super::{Failure, live, print_json, system, tell};
-use host::control::RunHandle;
+use super::{Failure, live, print_report, system, tell};
+use host::control::{RunHandle, StatusSink};
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
@@ -67,6 +70,9 @@ pub struct RunArgs {
     /// Prints the report as JSON.
     #[arg(long)]
     pub json: bool,
+    /// Writes the log as JSON, an object on each line.
+    #[arg(long)]
+    pub log_json: bool,
     /// Logs nothing on stderr: boards and clients that come and go, changes, stops.
     #[arg(long)]
     pub quiet: bool,
@@ -93,6 +99,9 @@ impl RunArgs {
 
 /// Runs the host and prints its report.
 pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if args.log_json {
+        LogFormat::Json.choose();
+    }
     let mut scene = Scene::load_as_typed(args.scene(), &args.overrides())
         .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
     let fidelity = if args.virtual_time {
@@ -113,7 +122,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     };
     report.fidelity = fidelity;
     if args.json {
-        print_json(&report, out)?;
+        print_report(&report, out)?;
     } else {
         write!(out, "{report}")?;
     }
@@ -177,7 +186,9 @@ async fn host(
     args: &RunArgs,
     wanted: Option<streaming::WantedStream>,
 ) -> Result<Option<Box<RunReport>>, Failure> {
-    let mut signals = Signals::new().map_err(system)?;
+    let file = SceneFile::of(args.scene(), args.overrides());
+    let file = file.filter(|_| !options.virtual_time);
+    let mut signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
     let is_quiet = args.quiet || options.virtual_time;
     let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
     let handle = Arc::new(RunHandle::default());
@@ -188,54 +199,59 @@ async fn host(
         Endpoints::open(scene, &handle, wanted.as_ref())?
     };
     let progress = if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
-    let Some(session) = prepare(scene, options, &handle, &mut signals, progress).await? else {
+    let mut notifier = ServiceNotifier::new(Arc::clone(&handle));
+    let prepared = Box::pin(prepare(scene, options, &handle, &mut signals, progress));
+    let Some(session) = notifier.beside(prepared).await? else {
         endpoints.leave("the host was stopped before it began to play").await;
         return Ok(None);
     };
     session.notices().iter().for_each(|notice| tell(notice));
     let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
+    handle.status.records(recording.clone());
     if !options.virtual_time {
         keep_black_box(&session, args.black_box.as_deref());
-        let lines = log.lines();
-        let sink = LogSink::new(Box::new(move |it| lines.say(it)));
-        let has_boards = matches!(scene.links, LinksConfig::Boards(_));
-        session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
+        observe(scene, &session, &log);
     }
     endpoints.observe(&session);
     let _watch = if args.watch { endpoints.watch()? } else { None };
     let _programs = endpoints.hear_programs();
-    let counters = session.counters();
     let line = live::StatusLine::new(session.tick_hz(), session.ticks());
     log.draw_above(line.bar());
-    let mut news = Some(endpoints.news(scene, &session));
     let stop = Arc::new(AtomicBool::new(false));
     let its_stop = Arc::clone(&stop);
     let _stops = StopOnDrop(Arc::clone(&stop));
-    let mut running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
-    let mut every = tokio::time::interval(live::REFRESH);
-    loop {
-        tokio::select! {
-            done = &mut running => {
-                line.finish();
-                let why = handle.emergency.answered().map_or("the run is over", |_| STOPPED);
-                endpoints.leave(why).await;
-                let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
-                let mut report = done.map_err(|error| failure(&error))?;
-                report.recording = recording.map(|it| it.report());
-                return Ok(Some(report));
-            }
-            () = signals.next() => {
-                stop.store(true, Ordering::Release);
-                log.say("a signal ends the run: forces fade, notes end".to_owned());
-            }
-            _ = every.tick() => {
-                line.show(&counters);
-                if 0 < counters.ticks.load(Ordering::Relaxed) {
-                    news.take().into_iter().flatten().for_each(|text| log.say(text));
-                }
-            }
-        }
-    }
+    let mut attendant = RunAttendant {
+        signals,
+        notifier,
+        handle: Arc::clone(&handle),
+        endpoints: &endpoints,
+        log: &log,
+        counters: session.counters(),
+        line,
+        news: endpoints.news(scene, &session),
+        stop,
+        file,
+        is_reload_due: false,
+    };
+    let running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
+    let done = attendant.until_over(running).await;
+    drop(attendant);
+    let why = handle.emergency.answered().map_or("the run is over", |_| STOPPED);
+    endpoints.leave(why).await;
+    let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
+    let mut report = done.map_err(|error| failure(&error))?;
+    report.recording = recording.map(|it| it.report());
+    Ok(Some(report))
+}
+
+/// Logs what the session will do, and notes how it goes.
+fn observe(scene: &Scene, session: &RunSession, log: &StderrLog) {
+    let lines = log.lines();
+    let sink = LogSink::new(Box::new(move |level, text| lines.say(level, text)));
+    let has_boards = matches!(scene.links, LinksConfig::Boards(_));
+    session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
+    let status = Arc::clone(&session.handle().status);
+    session.observe(Box::new(StatusSink::new(status)));
 }
 
 /// The reason that clients get when the host was stopped.

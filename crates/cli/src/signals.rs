@@ -4,8 +4,25 @@ use host::control::{BoardsTold, EmergencyStop};
 
 use super::Failure;
 
+/// What a hang-up (SIGHUP) means.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum HangUp {
+    /// The end, as of a terminal that is closed.
+    Ends,
+    /// The scene is to be read again.
+    Reloads,
+}
+
+/// A signal to a run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum RunSignal {
+    End,
+    Reload,
+}
+
 /// The signals that end a run well: all notes off, forces down, then the report.
 pub(super) struct Signals {
+    hang_up_means: HangUp,
     interrupt: tokio::signal::unix::Signal,
     terminate: tokio::signal::unix::Signal,
     hang_up: tokio::signal::unix::Signal,
@@ -14,8 +31,14 @@ pub(super) struct Signals {
 impl Signals {
     /// Listens from now on.
     pub(super) fn new() -> std::io::Result<Self> {
+        Self::with(HangUp::Ends)
+    }
+
+    /// Returns the same where a hang-up means what `hang_up_means` says.
+    pub(super) fn with(hang_up_means: HangUp) -> std::io::Result<Self> {
         use tokio::signal::unix::{SignalKind, signal};
         Ok(Self {
+            hang_up_means,
             interrupt: signal(SignalKind::interrupt())?,
             terminate: signal(SignalKind::terminate())?,
             hang_up: signal(SignalKind::hangup())?,
@@ -55,12 +78,24 @@ impl Signals {
         done.map(Some).map_err(|panic| Failure::Running(panic.to_string()))
     }
 
-    /// Waits for the next signal.
+    /// Waits for the next signal to end; one to read the scene again waits.
     pub(super) async fn next(&mut self) {
         tokio::select! {
             _ = self.interrupt.recv() => {}
             _ = self.terminate.recv() => {}
-            _ = self.hang_up.recv() => {}
+            _ = self.hang_up.recv(), if self.hang_up_means == HangUp::Ends => {}
+        }
+    }
+
+    /// Waits for the next signal to a run that plays.
+    pub(super) async fn next_of_run(&mut self) -> RunSignal {
+        tokio::select! {
+            _ = self.interrupt.recv() => RunSignal::End,
+            _ = self.terminate.recv() => RunSignal::End,
+            _ = self.hang_up.recv() => match self.hang_up_means {
+                HangUp::Ends => RunSignal::End,
+                HangUp::Reloads => RunSignal::Reload,
+            },
         }
     }
 }

@@ -16,7 +16,7 @@ use super::impedance::{self, ImpedanceArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
 use super::stability::{self, StabilityArgs};
-use super::{Failure, print_json};
+use super::{Failure, print_report};
 use diagnostics::{choice, quoted};
 
 /// What `letoff lab` takes.
@@ -137,7 +137,7 @@ fn certificates(args: &CertificatesArgs, out: &mut dyn Write) -> Result<(), Fail
     let report = try_certificates(&choice, &mut || bar.inc(1));
     bar.finish_and_clear();
     if json {
-        print_json(&report, out)?;
+        print_report(&report, out)?;
     } else {
         writeln!(out, "{}", counts(&report))?;
     }
@@ -178,7 +178,7 @@ fn accuracy(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
     bar.finish_and_clear();
     if args.json {
-        return print_json(&report.summary(), out);
+        return print_report(&report.summary(), out);
     }
     tell(args, &report, out)
 }

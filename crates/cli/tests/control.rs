@@ -57,7 +57,12 @@ fn ask(path: &Path, request: &Request) -> Result<String, String> {
             Err(why) if why.contains("not running yet") => std::thread::yield_now(),
             Err(why) => return Err(why),
             Ok(Reply::Done { text }) => return Ok(text),
-            Ok(reply @ (Reply::Stopped { .. } | Reply::Scene { .. } | Reply::Where { .. })) => {
+            Ok(
+                reply @ (Reply::Stopped { .. }
+                | Reply::Scene { .. }
+                | Reply::Where { .. }
+                | Reply::Status { .. }),
+            ) => {
                 return Err(format!("{reply:?}"));
             }
         }

@@ -47,7 +47,7 @@ impl StopState {
                 Self::Unconfirmed(format!("boards told: {told} of {boards}"))
             }
             Ok(Reply::Done { text }) => Self::Confirmed { told: None, text },
-            Ok(Reply::Scene { .. } | Reply::Where { .. }) => {
+            Ok(Reply::Scene { .. } | Reply::Where { .. } | Reply::Status { .. }) => {
                 Self::Unconfirmed("the host said something else".to_owned())
             }
             Err(text) => Self::Unconfirmed(text),
@@ -181,6 +181,7 @@ impl AppState {
             Ok(Reply::Done { .. }) if is_tuned => None,
             Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Some(Ok(text)),
             Ok(Reply::Where { address, token: _ }) => Some(Ok(address)),
+            Ok(Reply::Status { status }) => Some(Ok(status.line())),
             Err(text) => {
                 let level = log::Level::Error.into();
                 self.store.log.push(Log { level, text: text.clone() });
@@ -307,7 +308,9 @@ fn sentence(result: &Result<Reply, String>) -> Result<String, String> {
     match result {
         Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Ok(text.clone()),
         // It is another answer than it should be, but an answer.
-        Ok(Reply::Scene { .. } | Reply::Where { .. }) => Ok("done".to_owned()),
+        Ok(Reply::Scene { .. } | Reply::Where { .. } | Reply::Status { .. }) => {
+            Ok("done".to_owned())
+        }
         Err(text) => Err(text.clone()),
     }
 }

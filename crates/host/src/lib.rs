@@ -9,6 +9,7 @@
 //! | [`midi_thread`] | the thread that sends MIDI |
 //! | [`replay`] | a recording run again and compared |
 //! | [`rehearsal`] | one key with its voice in virtual time, for the virtual pianist |
+//! | [`finger_weight`] | the weight under which a key sounds at a velocity |
 //! | [`report`] | what a run did, for people and as JSON |
 //! | [`simulated`] | simulated boards on wires of their own |
 //!
@@ -17,6 +18,7 @@
 pub mod adapters;
 pub mod boards;
 pub mod control;
+pub mod finger_weight;
 pub mod midi_thread;
 pub mod observe;
 pub mod rehearsal;

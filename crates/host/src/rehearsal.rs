@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use haptics::{Gesture, RigParameters};
+use haptics::{Gesture, HandCommand, RigParameters};
 use hardware::sim::key::SimulatedKey;
 use performance::{PlayOutcome, Rehearsal, Strike};
 use scene::KeyVoice;
@@ -106,6 +106,11 @@ impl RehearsedKey {
     /// Takes the gestures that are played from now on instead of those before.
     pub fn take(&mut self, gestures: Vec<Gesture>) {
         self.key.play(gestures);
+    }
+
+    /// Lets a hand press on the key or grip it from now on.
+    pub fn press(&mut self, hand: HandCommand) {
+        self.key.press(hand);
     }
 
     /// Returns the start of the next tick (s).

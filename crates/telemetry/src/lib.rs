@@ -25,9 +25,11 @@
 
 mod keys;
 mod messages;
+pub mod metrics;
 pub mod recording;
 pub mod request;
 pub mod source;
+mod status;
 pub mod stream;
 pub mod topic;
 
@@ -36,4 +38,5 @@ pub use keys::key_name;
 pub use messages::*;
 pub use request::{Reply, Request};
 pub use source::{Arrival, ConnectionState, Source, Timeline};
+pub use status::{BoardState, DeadlineStatus, HostState, HostStatus};
 pub use topic::{Topic, Update};

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::HostStatus;
+
 /// A request; on the stream its name is the service's.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(tag = "service", rename_all = "snake_case", deny_unknown_fields)]
@@ -54,6 +56,8 @@ pub enum Request {
     Scene {},
     /// Asks for the address of the host's stream.
     Where {},
+    /// Asks what the host does and how it goes.
+    Status {},
     /// Begins a recording, or ends it.
     Record {
         /// File of the recording; `None` ends it.
@@ -97,7 +101,7 @@ impl Change {
 }
 
 /// The host's answer to a request.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(tag = "reply", rename_all = "snake_case")]
 pub enum Reply {
     Done {
@@ -123,6 +127,8 @@ pub enum Reply {
         /// Token that the stream asks for.
         token: Option<String>,
     },
+    /// What the host does and how it goes.
+    Status { status: Box<HostStatus> },
 }
 
 #[cfg(test)]

@@ -17,7 +17,7 @@ use serde::Serialize;
 use super::bring_up::{self, ReadyKey};
 use super::measure::again;
 use super::{CalibrateArgs, Endings, attended};
-use crate::{Failure, print_json};
+use crate::{Failure, print_report};
 
 /// What was found of a key.
 #[derive(Debug, Serialize)]
@@ -65,7 +65,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
     let key = args.key;
     let report = attended(move || bring_up::find_key(&target, only, folder, key), measure)?;
-    if args.json { print_json(&report, out) } else { print(&report, out) }
+    if args.json { print_report(&report, out) } else { print(&report, out) }
 }
 
 /// Arms the board, measures its key, and disarms it.

@@ -12,7 +12,7 @@ use lab::digits::rounded;
 use lab::report::PAGE;
 
 use super::progress::bar;
-use super::{Failure, prepare_report, print_json, print_page};
+use super::{Failure, prepare_report, print_page, print_report};
 use ask::ImpedanceQuestion;
 
 /// What `letoff lab impedance` takes.
@@ -107,7 +107,7 @@ pub(super) fn run(args: &ImpedanceArgs, out: &mut dyn Write) -> Result<(), Failu
         written.map_err(|error| Failure::Running(error.to_string()))?;
     }
     if args.json {
-        return print_json(&ImpedanceSummary::new(&question.name, &curves), out);
+        return print_report(&ImpedanceSummary::new(&question.name, &curves), out);
     }
     writeln!(out, "{}", question.name)?;
     for curve in &curves {

@@ -15,7 +15,7 @@ use lab::stability::{
 };
 
 use super::progress::bar;
-use super::{Failure, prepare_report, print_json, print_page};
+use super::{Failure, prepare_report, print_page, print_report};
 use ask::StabilityQuestion;
 
 /// What `letoff lab stability` takes.
@@ -160,7 +160,7 @@ fn tell(
 ) -> Result<(), Failure> {
     let summary = StabilitySummary::new(study, maps);
     if args.json {
-        return print_json(&summary, out);
+        return print_report(&summary, out);
     }
     for map in &summary.maps {
         let (cells, name) = (&map.cells, map.estimator);

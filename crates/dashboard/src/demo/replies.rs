@@ -32,7 +32,7 @@ impl Demo {
                 self.send_board(&format!("board {board} of line {line} shows its light"));
                 Ok(done("It shows its light."))
             }
-            Request::Where {} => Err("The demonstration is nowhere.".into()),
+            Request::Where {} | Request::Status {} => Err("The demonstration is nowhere.".into()),
             Request::Scene {} => Ok(Reply::Scene { toml: catalogue::scene_text() }),
             Request::Record { file: Some(file) } => Ok(done(&format!("Records to {file}."))),
             Request::Record { file: None } => Ok(done("Records no more.")),

@@ -207,6 +207,11 @@ impl SimulatedKey {
         self.plant.play(gestures);
     }
 
+    /// Lets a hand press on the key or grip it from now on.
+    pub fn press(&mut self, hand: HandCommand) {
+        self.plant.press(hand);
+    }
+
     /// Advances to the start of `tick` with the force held until then; returns the sample.
     ///
     /// The first call starts there, at rest.

@@ -112,9 +112,10 @@ const fn command(request: &Request) -> &'static str {
         Request::UseInstrument { .. } => "letoff instruments use NAME",
         Request::Load { .. } => "letoff model load FILE",
         Request::Render { .. } => "letoff set NAME=VALUE",
+        Request::Status {} => "letoff status",
+        Request::Press { .. } => "letoff press KEY",
         Request::Where {}
         | Request::Set { .. }
-        | Request::Press { .. }
         | Request::Grip { .. }
         | Request::Margin { .. }
         | Request::Identify { .. }
@@ -131,6 +132,35 @@ pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
     send_within(PATIENCE, path, request)
 }
 
+/// Sends `request` to the host of this user, or to the service's if this user has none and none is
+/// named by `LETOFF_SOCKET`.
+///
+/// # Errors
+/// As [`send`].
+pub fn send_to_host(request: &Request) -> Result<Answer, ControlError> {
+    to_host(request).map(|(answer, _connection)| answer)
+}
+
+/// Sends `request`, which presses a key, to the same host; the key is let go when the connection
+/// that is returned is dropped.
+///
+/// # Errors
+/// As [`send`].
+pub fn hold(request: &Request) -> Result<(Answer, UnixStream), ControlError> {
+    to_host(request)
+}
+
+fn to_host(request: &Request) -> Result<(Answer, UnixStream), ControlError> {
+    let nobody = match converse(PATIENCE, &place::socket_path(), request) {
+        Err(nobody @ ControlError::NoHost { .. }) if place::chosen().is_none() => nobody,
+        answered => return answered,
+    };
+    match converse(PATIENCE, place::service(), request) {
+        Err(ControlError::NoHost { .. }) => Err(nobody),
+        answered => answered,
+    }
+}
+
 /// Returns the same, with another `patience` than five seconds.
 ///
 /// # Errors
@@ -140,6 +170,15 @@ pub fn send_within(
     path: &Path,
     request: &Request,
 ) -> Result<Answer, ControlError> {
+    converse(patience, path, request).map(|(answer, _connection)| answer)
+}
+
+/// Sends `request` and returns the answer, with the connection by which it came.
+fn converse(
+    patience: Duration,
+    path: &Path,
+    request: &Request,
+) -> Result<(Answer, UnixStream), ControlError> {
     let command = command(request);
     let mut stream = connect(path, patience).map_err(|error| {
         if is_late(&error) {
@@ -164,8 +203,8 @@ pub fn send_within(
     text.push('\n');
     stream.write_all(text.as_bytes()).map_err(failed)?;
     let mut line = String::new();
-    BufReader::new(stream).read_line(&mut line).map_err(failed)?;
-    Ok(serde_json::from_str(&line)?)
+    BufReader::new(&stream).read_line(&mut line).map_err(failed)?;
+    Ok((serde_json::from_str(&line)?, stream))
 }
 
 /// Connects with the same time limit as for an answer: a host that hangs accepts no connection.

@@ -24,7 +24,7 @@ pub(super) struct CurrentVoices {
     /// The names of their instruments, as far as they are known.
     pub(super) instruments: Vec<Option<String>>,
     /// Where their values came from first.
-    voicings: Vec<Option<Voicing>>,
+    pub(super) voicings: Vec<Option<Voicing>>,
     /// What was changed of these values since, by the names of parameters.
     changed: Vec<BTreeMap<&'static str, f64>>,
 }

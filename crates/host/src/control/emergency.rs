@@ -124,7 +124,7 @@ impl EmergencyStop {
 
 /// While keys are calibrated, a stop is the only request that is answered.
 impl Answers for EmergencyStop {
-    fn reply_to(&self, request: &Request) -> Answer {
+    fn reply_to(&self, request: &Request, _connection: u64) -> Answer {
         if matches!(request, Request::Stop {}) {
             return self.ask_and_wait();
         }

@@ -6,8 +6,8 @@ use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
 use rtrb::Producer;
 
-/// The connection of a client of the stream; none for the control socket, where each request is a
-/// connection of its own and a key stays pressed until it is released.
+/// The connection of a client of the stream or of the control socket; none for requests without
+/// one, whose keys stay pressed until they are released.
 pub type FingerOwner = Option<u64>;
 
 /// Sends what simulated hands do into the tick.

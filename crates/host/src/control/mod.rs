@@ -16,6 +16,8 @@
 //! Settings of `[render]` change the same way (`render_settings`): they are tried first, and voices
 //! that are computed by them go on where the others are.
 //!
+//! A scene is read again at SIGHUP (`reload`): what can change live does, the same way.
+//!
 //! A program change that is heard on a MIDI port is a request for an instrument (`programs`).
 //!
 //! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
@@ -32,15 +34,17 @@ mod load;
 mod new_voice;
 mod place;
 mod programs;
+mod reload;
 mod render_settings;
 mod request_handler;
 mod run_handle;
+mod run_status;
 mod server;
 mod stream_sink;
 mod voice_port;
 mod watch;
 
-pub use client::{ControlError, send, send_within};
+pub use client::{ControlError, hold, send, send_to_host, send_within};
 pub use emergency::{BoardsTold, EmergencyStop};
 pub use fingers::{FingerOwner, FingerQueue};
 pub use folders::Folders;
@@ -49,6 +53,7 @@ pub use place::socket_path;
 pub use programs::ProgramListener;
 pub use request_handler::RequestHandler;
 pub use run_handle::RunHandle;
+pub use run_status::{RunDescription, RunStatus, StatusSink};
 pub use server::{Answers, Clients, ControlServer, serve};
 pub use stream_sink::StreamSink;
 pub use watch::DescriptionWatch;

@@ -94,9 +94,10 @@ pub(super) fn check_folder(path: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Returns whether root has named this path, to ask the host of another user.
+/// Returns whether root has named this path, to ask the host of another user, or it is the
+/// service's: only root and the service manager make its folder.
 pub(super) fn is_allowed_to_root(path: &Path) -> bool {
-    user() == 0 && chosen().is_some_and(|chosen| chosen == path)
+    user() == 0 && (is_service(path) || chosen().is_some_and(|chosen| chosen == path))
 }
 
 /// Removes the socket that a host of this user left at `path`; anything else stays.
@@ -144,9 +145,14 @@ fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
     })
 }
 
+/// Returns the socket of the shipped unit's host.
+pub(super) fn service() -> &'static Path {
+    Path::new(SERVICE)
+}
+
 /// Returns whether `path` is the socket of the shipped unit's host.
 pub(super) fn is_service(path: &Path) -> bool {
-    path == Path::new(SERVICE)
+    path == service()
 }
 
 fn folder(path: &Path) -> &Path {

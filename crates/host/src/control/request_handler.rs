@@ -89,6 +89,9 @@ impl RequestHandler {
             Request::Identify { line, board } => self.run.identify(*line, *board)?,
             Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
             Request::Where {} => return self.whereabouts(),
+            Request::Status {} => {
+                return Ok(Reply::Status { status: Box::new(self.run.status.examine()) });
+            }
             Request::Record { file } => self.run.record(file.as_deref())?,
         };
         Ok(Reply::Done { text: done })
@@ -259,7 +262,8 @@ impl RequestHandler {
             | Request::Margin { .. }
             | Request::Identify { .. }
             | Request::Scene {}
-            | Request::Where {} => request,
+            | Request::Where {}
+            | Request::Status {} => request,
         })
     }
 }
@@ -272,9 +276,13 @@ fn retuning(voice: &KeyVoice, revision: u32) -> Result<VoiceChange, String> {
 }
 
 impl Answers for RequestHandler {
-    fn reply_to(&self, request: &Request) -> Answer {
+    fn reply_to(&self, request: &Request, connection: u64) -> Answer {
         let who = if matches!(request, Request::Stop {}) { "`letoff stop`" } else { "letoff" };
-        self.answer(request, who)
+        self.answer_to(request, who, Some(connection))
+    }
+
+    fn left(&self, connection: u64) {
+        self.run.leave(connection);
     }
 }
 
@@ -290,12 +298,18 @@ impl Backend for RequestHandler {
         self.answer_to(&request, &who.to_string(), Some(who.number))
     }
 
+    fn metrics(&self) -> Option<String> {
+        Some(telemetry::metrics::metrics(&self.run.status.read(), env!("CARGO_PKG_VERSION")))
+    }
+
     fn connected(&self, who: &Who) {
+        self.run.status.client_came();
         self.run.log(format!("{who} has come"));
     }
 
     fn disconnected(&self, who: &Who) {
         self.run.leave(who.number);
+        self.run.status.client_left();
         self.run.log(format!("{who} has gone"));
     }
 

@@ -13,7 +13,7 @@ use voice::AuditCell;
 
 use super::key_port::{KeyPort, Lights};
 use super::voice_port::VoicePort;
-use super::{EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING};
+use super::{EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING, RunStatus};
 use crate::observe::{RecordingHandle, TelemetryMessage};
 
 /// The way from requests into a run, from its preparation to its end.
@@ -23,6 +23,8 @@ use crate::observe::{RecordingHandle, TelemetryMessage};
 #[derive(Debug, Default)]
 pub struct RunHandle {
     pub emergency: EmergencyStop,
+    /// What it does, for whoever asks.
+    pub status: Arc<RunStatus>,
     voices: Mutex<VoicePort>,
     keys: Mutex<KeyPort>,
     telemetry: Mutex<TelemetryPort>,
@@ -146,7 +148,10 @@ impl RunHandle {
     /// # Errors
     /// Why it cannot, in a sentence.
     pub fn record(&self, file: Option<&str>) -> Result<String, String> {
-        lock(&self.telemetry).record(file)
+        let mut telemetry = lock(&self.telemetry);
+        let done = telemetry.record(file)?;
+        self.status.records(telemetry.recording.clone());
+        Ok(done)
     }
 }
 

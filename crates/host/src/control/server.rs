@@ -11,7 +11,8 @@ use rustix::fs::Mode;
 use rustix::process::umask;
 use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
 use tokio::net::{UnixListener, UnixStream};
-use tokio::sync::Semaphore;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::time::timeout;
 
 use super::{Answer, Request, place};
 
@@ -21,16 +22,25 @@ const MAX_REQUEST: u64 = 4096;
 /// Most clients at once; all are this user's.
 const MOST_CLIENTS: u32 = 64;
 
-/// Longest time that one client is served.
+/// Longest time that a client takes for its request, and for hearing the answer.
 const PATIENCE: Duration = Duration::from_secs(2);
+
+/// The number of the first connection: clients of the stream are counted from 1.
+const FIRST: u64 = 1 << 63;
 
 /// Answers requests of the control socket.
 pub trait Answers: Send + Sync + 'static {
-    /// Does what `request` asks, and returns when it is done; it may block.
+    /// Does what `request` asks, which came by `connection`, and returns when it is done; it may
+    /// block.
     ///
     /// # Errors
     /// If it is refused; a sentence.
-    fn reply_to(&self, request: &Request) -> Answer;
+    fn reply_to(&self, request: &Request, connection: u64) -> Answer;
+
+    /// Hears that `connection` has ended: what was pressed by it is let go.
+    fn left(&self, connection: u64) {
+        let _ = connection;
+    }
 }
 
 /// A socket that is removed when the host ends.
@@ -91,47 +101,97 @@ impl Clients {
     pub async fn leave(&self) {
         /// Longer than it takes to write a line.
         const GRACE: Duration = Duration::from_millis(500);
-        let _left = tokio::time::timeout(GRACE, self.0.acquire_many(MOST_CLIENTS)).await;
+        let _left = timeout(GRACE, self.0.acquire_many(MOST_CLIENTS)).await;
     }
 }
 
 /// Answers clients, so many at once, until it is dropped.
-#[expect(clippy::infinite_loop, reason = "its task is ended from outside")]
 pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: Clients) {
     /// Pause when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
-    loop {
-        let Ok((client, _address)) = server.listener.accept().await else {
-            tokio::time::sleep(PAUSE).await;
-            continue;
+    let holders = Arc::new(Semaphore::new(MOST_CLIENTS as usize));
+    for connection in FIRST.. {
+        let stream = loop {
+            match server.listener.accept().await {
+                Ok((stream, _address)) => break stream,
+                Err(_none) => tokio::time::sleep(PAUSE).await,
+            }
         };
         // A client beyond the limit is dropped, so that the others are served in time.
         if let Ok(place) = Arc::clone(&clients.0).try_acquire_owned() {
-            let answers = Arc::clone(&answers);
-            tokio::spawn(async move {
-                // A client that fails, stalls or talks nonsense is dropped.
-                let _served = tokio::time::timeout(PATIENCE, converse(client, &answers)).await;
-                drop(place);
-            });
+            let client = ControlClient {
+                connection,
+                answers: Arc::clone(&answers),
+                holders: Arc::clone(&holders),
+            };
+            tokio::spawn(client.attend(stream, place));
         }
     }
 }
 
-async fn converse<A: Answers>(client: UnixStream, answers: &Arc<A>) -> io::Result<()> {
-    let (reader, mut writer) = client.into_split();
-    let mut line = String::new();
-    BufReader::new(reader.take(MAX_REQUEST)).read_line(&mut line).await?;
-    let reply: Answer = match serde_json::from_str::<Request>(&line) {
-        // Building a keyboard of voices may take a while: not on the thread that hears signals.
-        Ok(request) => {
-            let answers = Arc::clone(answers);
-            let answer = move || answers.reply_to(&request);
-            let answered = tokio::task::spawn_blocking(answer).await;
-            answered.unwrap_or_else(|panic| Err(panic.to_string()))
+/// A connection of the control socket.
+struct ControlClient<A> {
+    connection: u64,
+    answers: Arc<A>,
+    /// A permit for each connection by which something is held.
+    holders: Arc<Semaphore>,
+}
+
+/// A connection by which a key is pressed.
+struct HeldConnection {
+    stream: UnixStream,
+    _permit: OwnedSemaphorePermit,
+}
+
+impl HeldConnection {
+    /// Waits until the other side closes it, or says more, which nobody does.
+    async fn until_it_ends(&mut self) {
+        let _end = self.stream.read_u8().await;
+    }
+}
+
+impl<A: Answers> ControlClient<A> {
+    /// Answers the request that comes by `stream`; one that fails, stalls or talks nonsense is
+    /// dropped.
+    async fn attend(self, stream: UnixStream, place: OwnedSemaphorePermit) {
+        if let Ok(Some(mut held)) = self.converse(stream, place).await {
+            held.until_it_ends().await;
         }
-        Err(error) => Err(format!("this is no request of letoff's: {error}")),
-    };
-    let mut text = serde_json::to_string(&reply)?;
-    text.push('\n');
-    writer.write_all(text.as_bytes()).await
+        self.answers.left(self.connection);
+    }
+
+    /// Answers one request; `place` is for the time that this takes. Returns the connection if
+    /// something is held by it.
+    async fn converse(
+        &self,
+        mut stream: UnixStream,
+        place: OwnedSemaphorePermit,
+    ) -> io::Result<Option<HeldConnection>> {
+        let mut line = String::new();
+        let mut reader = BufReader::new((&mut stream).take(MAX_REQUEST));
+        timeout(PATIENCE, reader.read_line(&mut line)).await??;
+        let request = serde_json::from_str::<Request>(&line);
+        let holds = matches!(request, Ok(Request::Press { .. } | Request::Grip { .. }));
+        let permit = holds.then(|| Arc::clone(&self.holders).try_acquire_owned());
+        let (permit, reply) = match (request, permit.transpose()) {
+            (Ok(_), Err(_none)) => (None, Err("too many keys are held by commands".to_owned())),
+            (Ok(request), Ok(permit)) => (permit, self.answer(request).await),
+            (Err(error), _) => (None, Err(format!("this is no request of letoff's: {error}"))),
+        };
+        let is_held = reply.is_ok();
+        let mut text = serde_json::to_string(&reply)?;
+        text.push('\n');
+        timeout(PATIENCE, stream.write_all(text.as_bytes())).await??;
+        drop(place);
+        let held = permit.filter(|_| is_held);
+        Ok(held.map(|permit| HeldConnection { stream, _permit: permit }))
+    }
+
+    /// Building a keyboard of voices may take a while: not on the thread that hears signals.
+    async fn answer(&self, request: Request) -> Answer {
+        let (answers, connection) = (Arc::clone(&self.answers), self.connection);
+        let answer = move || answers.reply_to(&request, connection);
+        let answered = tokio::task::spawn_blocking(answer).await;
+        answered.unwrap_or_else(|panic| Err(panic.to_string()))
+    }
 }

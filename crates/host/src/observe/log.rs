@@ -4,12 +4,17 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use firmware_protocol::key::KeyIndex;
 use telemetry::event::Kind;
+use telemetry::log::Level;
 use telemetry::{Event, Links, Topic, Update, Voice};
 
 use super::telemetry_thread::{Attention, MessageSink};
 
-/// Takes a line of the log; it must not wait for a disk or a terminal.
-pub type LogLine = Box<dyn FnMut(String) + Send>;
+/// Takes a line of the log with its level; it must not wait for a disk or a terminal.
+pub type LogLine = Box<dyn FnMut(Level, String) + Send>;
+
+/// How news of a board end that renders forces, and news of a link that carries frames.
+const ARMED: &str = ": armed";
+const ACTIVE: &str = " is active now";
 
 /// Time for which changes of values are put together (ns).
 const CHANGES: u64 = 2_000_000_000;
@@ -47,9 +52,9 @@ impl LogSink {
         self
     }
 
-    fn say(&mut self, at: u64, subject: Subject, text: String) {
+    fn say(&mut self, at: u64, subject: Subject, level: Level, text: String) {
         if self.limit.has_room(at, subject) {
-            (self.line)(text);
+            (self.line)(level, text);
         }
     }
 
@@ -60,15 +65,19 @@ impl LogSink {
 
     fn event(&mut self, at: u64, event: &Event) {
         match event.kind() {
-            Kind::Board => self.say(at, Subject::Boards, event.text.clone()),
-            Kind::Change => self.say(at, Subject::Changes, event.text.clone()),
+            Kind::Board => {
+                let is_well = event.text.ends_with(ARMED) || event.text.ends_with(ACTIVE);
+                let level = if is_well { Level::Info } else { Level::Warning };
+                self.say(at, Subject::Boards, level, event.text.clone());
+            }
+            Kind::Change => self.say(at, Subject::Changes, Level::Info, event.text.clone()),
             Kind::Fault => {
                 let text = format!("{}: {}", key(event.key), event.text);
-                self.say(at, Subject::Voices, text);
+                self.say(at, Subject::Voices, Level::Error, text);
             }
             Kind::Recovery => {
                 let text = format!("{}: its voice is felt again", key(event.key));
-                self.say(at, Subject::Voices, text);
+                self.say(at, Subject::Voices, Level::Info, text);
             }
             Kind::Unknown
             | Kind::Switch
@@ -91,10 +100,8 @@ impl LogSink {
             let line = line.map_or("", |line| line.name.as_str());
             let last = board.first_key + board.keys.saturating_sub(1);
             let (first, last) = (key(board.first_key), key(last));
-            (self.line)(format!(
-                "board {} on {line}, {first} to {last}: {}",
-                board.id, board.state
-            ));
+            let text = format!("board {} on {line}, {first} to {last}: {}", board.id, board.state);
+            (self.line)(Level::Info, text);
         }
     }
 
@@ -106,7 +113,7 @@ impl LogSink {
                 1 => format!("{writer} changed values of {first}"),
                 n => format!("{writer} changed values of {n} keys between {first} and {last}"),
             };
-            self.say(at, Subject::Changes, text);
+            self.say(at, Subject::Changes, Level::Info, text);
         }
     }
 }
@@ -114,7 +121,7 @@ impl LogSink {
 impl MessageSink for LogSink {
     fn take(&mut self, at: u64, update: &Update) {
         match update {
-            Update::Log(log) => self.say(at, Subject::Clients, log.text.clone()),
+            Update::Log(log) => self.say(at, Subject::Clients, log.level(), log.text.clone()),
             Update::Event(event) => self.event(at, event),
             Update::Voice(voice) if !self.is_new_version(voice) && voice.kept => {
                 if self.changed.is_empty() {
@@ -124,7 +131,7 @@ impl MessageSink for LogSink {
             }
             Update::Links(links) if std::mem::take(&mut self.is_naming) => self.boards(links),
             Update::Midi(midi) if midi.text.contains("lost: ") => {
-                self.say(at, Subject::Notes, format!("MIDI: {}", midi.text));
+                self.say(at, Subject::Notes, Level::Warning, format!("MIDI: {}", midi.text));
             }
             Update::Voice(_)
             | Update::Links(_)
@@ -153,7 +160,8 @@ impl MessageSink for LogSink {
             self.flush_changes(now);
         }
         for (subject, n) in self.limit.held_back(now) {
-            (self.line)(format!("and {n} more lines on {} within {} s", subject.words(), SPAN_S));
+            let text = format!("and {n} more lines on {} within {} s", subject.words(), SPAN_S);
+            (self.line)(Level::Warning, text);
         }
         Attention::Goes
     }
@@ -163,7 +171,7 @@ impl Drop for LogSink {
     fn drop(&mut self) {
         self.flush_changes(u64::MAX);
         for (subject, n) in self.limit.held_back(u64::MAX) {
-            (self.line)(format!("and {n} more lines on {}", subject.words()));
+            (self.line)(Level::Warning, format!("and {n} more lines on {}", subject.words()));
         }
     }
 }
@@ -248,7 +256,7 @@ mod tests {
 
     fn sink() -> (LogSink, mpsc::Receiver<String>) {
         let (sender, lines) = mpsc::channel();
-        let line = move |text| drop(sender.send(text));
+        let line = move |_level, text| drop(sender.send(text));
         (LogSink::new(Box::new(line)).naming_boards(), lines)
     }
 
@@ -273,6 +281,23 @@ mod tests {
         assert_eq!(lines(&said), ["and 990 more lines on boards and links within 10 s"]);
         sink.take(11 * SECOND, &board("board 3 on can0 is armed now"));
         assert_eq!(lines(&said), ["board 3 on can0 is armed now"]);
+    }
+
+    #[test]
+    fn a_board_that_is_lost_is_a_warning_and_one_that_is_back_is_none() {
+        let (sender, said) = mpsc::channel();
+        let line = move |level: Level, _text| _ = sender.send(level);
+        let mut sink = LogSink::new(Box::new(line));
+        for (text, level) in [
+            ("board 3 on can0: silent", Level::Warning),
+            ("board 3 on can0: armed", Level::Info),
+            ("board 3 on can0: armed; C4 is muted: its readings are noisy", Level::Warning),
+            ("can0 is down now", Level::Warning),
+            ("can0 is active now", Level::Info),
+        ] {
+            sink.take(0, &board(text));
+            assert_eq!(said.try_recv(), Ok(level), "{text}");
+        }
     }
 
     #[test]

@@ -265,6 +265,12 @@ impl Deadline {
 }
 
 impl MidiReport {
+    /// Returns the output in words, or why there is none.
+    pub(crate) fn words(&self) -> String {
+        let Self { output, trouble, .. } = self;
+        trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))
+    }
+
     fn fmt_line(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "  midi        {}", self.output)?;
         if let Some(q) = &self.handover_us {

@@ -187,6 +187,7 @@ impl RunSession {
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
+        handle.status.prepare(&scene.name);
         let period = VoiceBuilder::new(scene)?.period().as_secs_f64();
         // Missing boards are reported before the rehearsal.
         let mut keys = key_source(scene, period, options)?;
@@ -200,7 +201,11 @@ impl RunSession {
         if scene.performance.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let piece = pianist::rehearse(scene, &builder, &keys, options.duration, progress)?;
+        let rehearsed = |now: PianistProgress| {
+            handle.status.rehearse(now.done, now.total);
+            progress(now);
+        };
+        let piece = pianist::rehearse(scene, &builder, &keys, options.duration, &rehearsed)?;
         let (performance, unplayed) = piece.map(|it| (it.performance, it.unplayed)).unzip();
         let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
@@ -210,13 +215,7 @@ impl RunSession {
             keys.load_gestures(performance);
         }
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
-        let mut voices = Vec::new();
-        for (key, voice) in builder.keys() {
-            let revision = handle.new_revision();
-            handle.tell(observed::of_scene(key, voice, revision));
-            let voice = builder.numbered(voice, handle.new_cell(), revision)?;
-            voices.push((key, voice as BoxedVoice));
-        }
+        let voices = observed::voices(&builder, &handle)?;
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi)?;
         let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
@@ -234,6 +233,7 @@ impl RunSession {
             pedals.into(),
             period,
         );
+        observed::describe(&handle, scene, &midi, &counters);
         let prepared = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
@@ -266,8 +266,7 @@ impl RunSession {
 
     /// Returns the MIDI output in words, or why there is none.
     pub fn midi(&self) -> String {
-        let MidiReport { output, trouble, .. } = &self.prepared.midi;
-        trouble.as_ref().map_or_else(|| output.clone(), |why| format!("none, since {why}"))
+        self.prepared.midi.words()
     }
 
     /// Returns the rate of the tick (Hz).

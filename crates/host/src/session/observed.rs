@@ -10,12 +10,15 @@ use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
 
 use super::SessionError;
-use crate::adapters::observer::TickPublisher;
+use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
-use crate::control::RunHandle;
+use crate::control::{RunDescription, RunHandle};
 use crate::observe::{self, Origin, Pulses, TelemetryMessage, TelemetryThread};
+use crate::report::MidiReport;
 use realtime::clock;
+use realtime::pool::BoxedVoice;
 use scene::{KeyVoice, Scene};
+use voice::VoiceBuilder;
 
 /// Time between two looks at the rings: one frame of a screen.
 const LOOK: Duration = Duration::from_millis(16);
@@ -63,8 +66,39 @@ pub(super) fn connect(
     Ok((recorder, ObservedOutputs { pulses, pump, catalogue, sender }))
 }
 
+/// Builds the voices of a scene, and tells telemetry of them.
+pub(super) fn voices(
+    builder: &VoiceBuilder<'_>,
+    handle: &RunHandle,
+) -> Result<Vec<(usize, BoxedVoice)>, SessionError> {
+    let mut voices = Vec::new();
+    for (key, voice) in builder.keys() {
+        let revision = handle.new_revision();
+        handle.tell(of_scene(key, voice, revision));
+        let voice = builder.numbered(voice, handle.new_cell(), revision)?;
+        voices.push((key, voice as BoxedVoice));
+    }
+    Ok(voices)
+}
+
+/// Notes for whoever asks what will run.
+pub(super) fn describe(
+    handle: &RunHandle,
+    scene: &Scene,
+    midi: &MidiReport,
+    counters: &Arc<LiveCounters>,
+) {
+    let voices = scene.keys.iter().flatten().count();
+    handle.status.describe(RunDescription {
+        tick_hz: scene.tick_hz,
+        voices: u32::try_from(voices).unwrap_or(u32::MAX),
+        midi: midi.words(),
+        counters: Arc::clone(counters),
+    });
+}
+
 /// Returns the message about a voice that the scene asks for.
-pub(super) fn of_scene(key: usize, voice: &KeyVoice, revision: u32) -> TelemetryMessage {
+fn of_scene(key: usize, voice: &KeyVoice, revision: u32) -> TelemetryMessage {
     let origin = Origin { revision, instrument: None, writer: "scene", kept: false };
     observe::voice(u8::try_from(key).unwrap_or(u8::MAX), voice, origin)
 }

@@ -17,6 +17,7 @@ use realtime::baseline::Baseline;
 use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, scheduler};
 use realtime::thread::{DEFAULT_PRIORITY, SchedulingPolicy, ask_for_fifo};
 use realtime::{memory, run as ticks};
+use telemetry::HostState;
 
 /// Time from set-up to the first tick, in which the threads start.
 const LEAD: Nanos = Nanos::from_millis(50);
@@ -32,6 +33,7 @@ pub(super) fn run(
     let locked = memory::lock();
     let handle = Arc::clone(&prepared.handle);
     let emergency = &handle.emergency;
+    handle.status.enter(HostState::Starting);
     let (mut bus, start) = emergency.while_arming(|| keys.arm(&prepared, LEAD))?;
     if emergency.is_asked() {
         // No tick is run; boards that were just armed are told below.
@@ -49,6 +51,7 @@ pub(super) fn run(
         let tick = named.spawn_scoped(scope, || tick(&mut prepared, &mut bus, pulses, start, stop));
         tick.map(std::thread::ScopedJoinHandle::join)
     });
+    handle.status.enter(HostState::Ending);
     let baseline = baseline.stop();
     let played = midi.finish().map_err(|_panic| SessionError::Panicked("MIDI"))?;
     // Also after a panic, and for an alarm that came when the last tick was over.

@@ -108,6 +108,10 @@ pub struct SimulateArgs {
     /// Print counts, final state and energy audit as one JSON object.
     #[arg(long)]
     pub json: bool,
+
+    /// The fields with which its JSON begins: which program made it, and when.
+    #[arg(skip)]
+    pub header: serde_json::Map<String, serde_json::Value>,
 }
 
 /// C4, the key that stands for the others.

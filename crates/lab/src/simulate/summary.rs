@@ -282,7 +282,9 @@ pub(super) fn write(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     if args.json {
-        serde_json::to_writer_pretty(&mut *out, &report.json())?;
+        let mut json = report.json();
+        json.as_object_mut().into_iter().for_each(|json| json.extend(args.header.clone()));
+        serde_json::to_writer_pretty(&mut *out, &json)?;
         return writeln!(out);
     }
     writeln!(out, "{}", report.text())?;

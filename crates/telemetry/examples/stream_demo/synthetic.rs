@@ -73,7 +73,8 @@ impl Backend for Synthetic {
             | Request::Render { .. }
             | Request::Margin { .. }
             | Request::Record { .. }
-            | Request::Where {} => Err("a synthetic host has neither boards nor files".to_owned()),
+            | Request::Where {}
+            | Request::Status {} => Err("a synthetic host has neither boards nor files".to_owned()),
         }
     }
 

@@ -38,8 +38,8 @@ impl Service {
     /// Returns the service by which `request` travels; none if it is of parameters.
     pub const fn of(request: &Request) -> Option<Self> {
         match request {
-            // A client knows where it is connected.
-            Request::Set { .. } | Request::Where {} => None,
+            // A client knows where it is connected, and follows how it goes.
+            Request::Set { .. } | Request::Where {} | Request::Status {} => None,
             Request::UseInstrument { .. } => Some(Self::UseInstrument),
             Request::Stop {} => Some(Self::Stop),
             Request::Press { .. } => Some(Self::Press),

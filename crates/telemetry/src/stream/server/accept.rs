@@ -16,6 +16,7 @@ use tokio_tungstenite::{WebSocketStream, accept_hdr_async_with_config};
 
 use super::admission::{self, AdmissionError};
 use super::connection;
+use super::plain_http;
 use super::state::ServerState;
 use super::{Backend, Role, StreamServer, Who};
 use crate::stream::byte_stream::BoxedStream;
@@ -125,17 +126,24 @@ async fn receive(
     connection::run(&state, client.socket, client.who).await;
 }
 
-/// Makes both handshakes; returns nothing if the client is refused, which it has been told.
+/// Encrypts the stream if it is to be, and returns it if it asks for a WebSocket.
+async fn open(state: &ServerState, stream: TcpStream, address: SocketAddr) -> Option<BoxedStream> {
+    stream.set_nodelay(true).ok()?;
+    let stream: BoxedStream = match &state.acceptor {
+        Some(acceptor) => Box::new(acceptor.accept(stream).await.ok()?),
+        None => Box::new(stream),
+    };
+    plain_http::websocket_or_answer(state, stream, address).await
+}
+
+/// Makes both handshakes; returns nothing if the client is refused or asks for no WebSocket,
+/// which it has been told.
 async fn enter(
     state: &ServerState,
     stream: TcpStream,
     address: SocketAddr,
 ) -> Option<AdmittedClient> {
-    stream.set_nodelay(true).ok()?;
-    let stream: BoxedStream = match &state.acceptor {
-        Some(acceptor) => Box::new(Box::pin(acceptor.accept(stream)).await.ok()?),
-        None => Box::new(stream),
-    };
+    let stream = Box::pin(open(state, stream, address)).await?;
     let mut admitted = None;
     #[expect(clippy::result_large_err, reason = "the library's answer, made once")]
     let decide = |request: &Request, response| match admit(state, request) {

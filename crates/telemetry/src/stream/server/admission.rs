@@ -20,7 +20,7 @@ pub(super) enum AdmissionError {
 }
 
 impl AdmissionError {
-    const fn status(self) -> StatusCode {
+    pub(super) const fn status(self) -> StatusCode {
         match self {
             Self::Origin => StatusCode::FORBIDDEN,
             Self::Protocol => StatusCode::BAD_REQUEST,
@@ -70,7 +70,7 @@ pub(super) fn admit(
 }
 
 /// Checks the origin: a program sends none, a page's must be listed.
-fn check_origin(listed: &[String], headers: &HeaderMap) -> Result<(), AdmissionError> {
+pub(super) fn check_origin(listed: &[String], headers: &HeaderMap) -> Result<(), AdmissionError> {
     let is_listed = |origin: &header::HeaderValue| {
         listed.iter().any(|it| origin.as_bytes().eq_ignore_ascii_case(it.as_bytes()))
     };
@@ -88,7 +88,11 @@ fn protocol(headers: &HeaderMap) -> Result<&'static str, AdmissionError> {
     SUBPROTOCOLS.into_iter().find(|ours| offered.contains(ours)).ok_or(AdmissionError::Protocol)
 }
 
-fn role(tokens: &[Token], request: &Request) -> Result<Role, AdmissionError> {
+/// Returns the role of the token that a request gives.
+///
+/// # Errors
+/// If it gives none that is known, and one is needed.
+pub(super) fn role(tokens: &[Token], request: &Request) -> Result<Role, AdmissionError> {
     if tokens.is_empty() {
         return Ok(Role::Owner);
     }

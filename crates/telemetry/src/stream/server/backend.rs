@@ -23,6 +23,11 @@ pub trait Backend: Send + Sync {
     /// If it is refused; a sentence.
     fn ask(&self, request: Request, who: &Who) -> Result<Reply, String>;
 
+    /// Returns figures in the text format of Prometheus, for `GET /metrics`; it must not wait.
+    fn metrics(&self) -> Option<String> {
+        None
+    }
+
     /// Hears that `who` has come in.
     fn connected(&self, who: &Who) {
         let _ = who;

@@ -20,6 +20,7 @@ mod following;
 mod hub;
 mod hub_handle;
 mod outbox;
+mod plain_http;
 mod publisher;
 mod role;
 mod sample;

@@ -1,0 +1,65 @@
+//! SIGHUP: the scene's file is read again while the host plays.
+
+use std::io::{self, IsTerminal as _};
+use std::path::Path;
+use std::sync::Arc;
+
+use telemetry::log::Level;
+use tokio::sync::Mutex;
+
+use super::log::LogLines;
+use super::service;
+use super::signals::HangUp;
+use host::control::RequestHandler;
+use scene::{Override, Scene};
+
+/// The file of a scene, and what the command line changes of it.
+#[derive(Clone, Debug)]
+pub(super) struct SceneFile {
+    typed: String,
+    overrides: Vec<Override>,
+    /// Held while it is read, so that the last reading is the one that stays.
+    turn: Arc<Mutex<()>>,
+}
+
+impl SceneFile {
+    /// Returns the file of the scene that was typed with `overrides`; none of a scene that is part
+    /// of the program.
+    pub(super) fn of(typed: &str, overrides: Vec<Override>) -> Option<Self> {
+        let is_file = !scene::scenes().any(|it| it == typed) && Path::new(typed).is_file();
+        is_file.then(|| Self { typed: typed.to_owned(), overrides, turn: Arc::default() })
+    }
+
+    /// Reads the file again, and lets what can change live play; `log` hears what came of it.
+    pub(super) async fn reload(self, requests: Arc<RequestHandler>, log: LogLines) {
+        let _turn = Arc::clone(&self.turn).lock_owned().await;
+        service::reloading();
+        let read = move || {
+            let scene = Scene::load_as_typed(&self.typed, &self.overrides);
+            let scene = scene.map_err(|wrong| {
+                format!("the scene is wrong, and the one that plays goes on:\n{wrong}")
+            })?;
+            requests.reload(scene, "SIGHUP")
+        };
+        // Voices are built: not on the thread that hears signals.
+        let done = tokio::task::spawn_blocking(read).await;
+        match done.unwrap_or_else(|panic| Err(panic.to_string())) {
+            // The log hears of it as of any other change.
+            Ok(text) => service::reloaded(&text),
+            Err(text) => {
+                service::reloaded(&text);
+                log.say(Level::Error, text);
+            }
+        }
+    }
+}
+
+/// Returns what a hang-up means to a run: the scene of a `file` is read again, but a terminal that
+/// is closed ends what runs in it.
+pub(super) fn meaning(file: Option<&SceneFile>) -> HangUp {
+    let has_terminal = io::stdin().is_terminal() || io::stderr().is_terminal();
+    match file {
+        Some(_) if !has_terminal => HangUp::Reloads,
+        Some(_) | None => HangUp::Ends,
+    }
+}

@@ -1,0 +1,160 @@
+//! What a service manager is told: readiness, a status line, and that ticks are run in time.
+
+use std::pin::pin;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use host::control::RunHandle;
+use sd_notify::{NotifyState, notify, watchdog_enabled};
+use telemetry::HostState;
+
+/// Time between two looks at what has changed.
+const LOOK: Duration = Duration::from_secs(1);
+
+/// Longest time without news of a rehearsal before a start counts as failed (us).
+const REHEARSAL_US: u32 = 60_000_000;
+
+/// Tells the service manager that started this process, if one did.
+///
+/// It is off the tick: the main thread calls it between two looks at its counters.
+#[derive(Debug)]
+pub(super) struct ServiceNotifier {
+    handle: Arc<RunHandle>,
+    tick_watch: TickWatch,
+    /// Time between two signs of life, where they are asked for.
+    feeding: Option<Duration>,
+    fed: Instant,
+    looked: Option<Instant>,
+    line: String,
+    is_ready: bool,
+}
+
+impl ServiceNotifier {
+    /// Tells of the run behind `handle` from now on.
+    pub(super) fn new(handle: Arc<RunHandle>) -> Self {
+        // Three times in the time that is allowed: one look at a busy moment is no end.
+        let feeding = watchdog_enabled().map(|longest| longest / 3);
+        Self {
+            handle,
+            tick_watch: TickWatch::default(),
+            feeding,
+            fed: Instant::now(),
+            looked: None,
+            line: String::new(),
+            is_ready: false,
+        }
+    }
+
+    /// Does `work`, and tells meanwhile how far it is.
+    pub(super) async fn beside<T>(&mut self, work: impl Future<Output = T>) -> T {
+        let mut work = pin!(work);
+        let mut looks = tokio::time::interval(LOOK);
+        loop {
+            tokio::select! {
+                done = &mut work => return done,
+                _now = looks.tick() => self.attend(Instant::now(), 0, 0),
+            }
+        }
+    }
+
+    /// Tells what is new at `now`; `missed` counts ticks that were late or never run.
+    pub(super) fn attend(&mut self, now: Instant, ticks: u64, missed: u64) {
+        if !self.is_ready && 0 < ticks {
+            self.is_ready = true;
+            self.tick_watch.look(ticks, missed);
+            (self.fed, self.looked) = (now, None);
+            say(&[NotifyState::Ready]);
+        }
+        if self.looked.is_none_or(|looked| LOOK <= now - looked) {
+            self.looked = Some(now);
+            self.tell_status();
+        }
+        if self.is_ready && self.feeding.is_some_and(|feeding| feeding <= now - self.fed) {
+            self.fed = now;
+            if self.tick_watch.look(ticks, missed) {
+                say(&[NotifyState::Watchdog]);
+            }
+        }
+    }
+
+    /// Tells what the run does, if it is something new.
+    fn tell_status(&mut self) {
+        let status = self.handle.status.read();
+        let line = status.line();
+        if line == self.line {
+            return;
+        }
+        say(&[NotifyState::Status(&line)]);
+        if status.state == HostState::Rehearsing {
+            // A long piece is no failed start.
+            say(&[NotifyState::ExtendTimeoutUsec(REHEARSAL_US)]);
+        }
+        self.line = line;
+    }
+}
+
+/// Tells that the run ends.
+pub(super) fn stopping() {
+    say(&[NotifyState::Stopping, NotifyState::Status("forces fade, notes end")]);
+}
+
+/// Tells that the scene is read again.
+pub(super) fn reloading() {
+    if let Ok(now) = NotifyState::monotonic_usec_now() {
+        say(&[NotifyState::Reloading, now]);
+    }
+}
+
+/// Tells that the scene was read again, and what came of it.
+pub(super) fn reloaded(text: &str) {
+    let line = text.lines().next().unwrap_or_default();
+    say(&[NotifyState::Ready, NotifyState::Status(line)]);
+}
+
+fn say(states: &[NotifyState<'_>]) {
+    // A manager that does not listen is none of ours.
+    let _unheard = notify(states);
+}
+
+/// Says whether ticks were run in time since the last look.
+#[derive(Debug, Default)]
+struct TickWatch {
+    ticks: u64,
+    missed: u64,
+}
+
+/// Of so many ticks one may be late or left out.
+const MISSED_ONE_IN: u64 = 10;
+
+impl TickWatch {
+    /// Returns whether ticks went on since the last look, and at most one in ten was missed.
+    const fn look(&mut self, ticks: u64, missed: u64) -> bool {
+        let passed = ticks.saturating_sub(self.ticks);
+        let late = missed.saturating_sub(self.missed);
+        (self.ticks, self.missed) = (ticks, missed);
+        0 < passed && late.saturating_mul(MISSED_ONE_IN) <= passed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_that_go_on_in_time_are_a_sign_of_life() {
+        let mut watch = TickWatch::default();
+        assert!(!watch.look(0, 0), "no tick yet");
+        assert!(watch.look(1000, 0));
+        assert!(watch.look(2000, 100), "one in ten");
+        assert!(!watch.look(3000, 201), "more than one in ten");
+        assert!(watch.look(4000, 201), "each look is about its own time");
+    }
+
+    #[test]
+    fn ticks_that_stand_still_are_none() {
+        let mut watch = TickWatch::default();
+        assert!(watch.look(1000, 0));
+        assert!(!watch.look(1000, 0));
+        assert!(!watch.look(1000, 0));
+    }
+}

@@ -1,0 +1,121 @@
+//! A scene that is read again while it plays: what can change live does, or nothing at all.
+
+use std::collections::BTreeMap;
+
+use scene::{KeyVoice, MidiInput, Render, Scene};
+
+use super::RequestHandler;
+use super::current_voices::CurrentVoices;
+use super::new_voice::{NewVoice, VoiceHandover};
+use crate::stability::examine;
+
+impl RequestHandler {
+    /// Lets `scene` play, which was read from the file of the scene that plays: its instruments,
+    /// values and settings of `[render]`, over whatever was changed since.
+    ///
+    /// # Errors
+    /// If it differs in what needs a new start, or a key would not be stable; then nothing is
+    /// changed. A sentence.
+    pub fn reload(&self, mut scene: Scene, who: &str) -> Result<String, String> {
+        let fixed = self.fixed_differences(&scene);
+        if !fixed.is_empty() {
+            return Err(format!(
+                "the scene was not taken, since {} cannot change while it plays: start the host \
+                 anew for that",
+                fixed.join(", ")
+            ));
+        }
+        keep_fidelity(&mut scene, &self.playing());
+        let found = examine(&scene).map_err(|it| it.to_string())?;
+        let unstable: Vec<_> = found.into_iter().filter_map(|range| range.unstable).collect();
+        if !unstable.is_empty() {
+            let said: Vec<_> = unstable.iter().map(ToString::to_string).collect();
+            return Err(said.join("\n"));
+        }
+        let mut playing = self.playing();
+        let mut next = CurrentVoices::new(&scene);
+        let voices = playing.differences(&next);
+        let n = voices.len();
+        if 0 < n {
+            let catalogue = self.catalogue(next.render, &next.described(), &self.states());
+            self.put_in(&mut next, voices, Some(catalogue), who)?;
+        }
+        *playing = next;
+        let text = format!("the scene was read again: {n} keys changed");
+        self.tell(&text, who);
+        Ok(text)
+    }
+
+    /// Returns what of `scene` differs and is fixed from the start on.
+    fn fixed_differences(&self, scene: &Scene) -> Vec<&'static str> {
+        let old = &self.scene;
+        let has_voice =
+            |scene: &Scene| -> Vec<bool> { scene.keys.iter().map(Option::is_some).collect() };
+        let limits = |render: &Render| [render.force_limit, render.slew_limit].map(f64::to_bits);
+        let hears_programs = scene.midi.input != MidiInput::None;
+        let differs = [
+            ("tick_hz", old.tick_hz != scene.tick_hz),
+            ("lanes", old.lanes != scene.lanes),
+            ("[links]", old.links != scene.links),
+            ("[rig]", old.rig != scene.rig),
+            ("[midi]", old.midi != scene.midi),
+            ("[pianist]", old.performance != scene.performance),
+            ("force_limit or slew_limit", limits(&old.render) != limits(&scene.render)),
+            ("which keys have a voice", has_voice(old) != has_voice(scene)),
+            // They are the channels on which program changes are heard.
+            ("the ranges of [[keys]]", hears_programs && old.ranges != scene.ranges),
+        ];
+        differs.into_iter().filter_map(|(name, differs)| differs.then_some(name)).collect()
+    }
+}
+
+/// Gives ranges of `scene` that leave their fidelity to the host the one that plays.
+fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
+    for range in std::mem::take(&mut scene.auto) {
+        let voice = playing.keys[range.keys.first().index()].as_ref();
+        let plays = |model: &models::catalogue::ModelEntry| {
+            voice.is_some_and(|voice| voice.model.is(model))
+        };
+        let chosen = range.levels.iter().find(|level| plays(level.voicing.model));
+        if let Some(level) = chosen.or_else(|| range.levels.first()) {
+            scene.set_fidelity(range.keys, level);
+        }
+    }
+}
+
+impl CurrentVoices {
+    /// Returns the voices of `next` that are other ones than these, and how they take over.
+    fn differences(&self, next: &Self) -> BTreeMap<u8, NewVoice> {
+        let pairs = (0..).zip(self.keys.iter().zip(&next.keys));
+        let other = |(key, (old, new)): (u8, (&Option<KeyVoice>, &Option<KeyVoice>))| {
+            let (old, new) = (old.as_ref()?, new.as_ref()?);
+            let handover = self.handover(next, key, (old, new))?;
+            Some((key, NewVoice { voice: new.clone(), handover }))
+        };
+        pairs.filter_map(other).collect()
+    }
+
+    /// Returns how the voice of `key` becomes that of `next`; none if it is the same.
+    fn handover(
+        &self,
+        next: &Self,
+        key: u8,
+        (old, new): (&KeyVoice, &KeyVoice),
+    ) -> Option<VoiceHandover> {
+        if !old.model.is(new.model) {
+            let voicing = next.voicings[usize::from(key)].clone()?;
+            if old.model.file.is_some() && old.model.file == new.model.file {
+                return Some(VoiceHandover::Version(voicing));
+            }
+            let name = next.instruments[usize::from(key)].clone();
+            let name = name.unwrap_or_else(|| new.model.name.to_owned());
+            return Some(VoiceHandover::Anew(voicing, name));
+        }
+        if self.render != next.render {
+            return Some(VoiceHandover::Settings);
+        }
+        let bits =
+            |voice: &KeyVoice| -> Vec<u64> { voice.values.iter().map(|it| it.to_bits()).collect() };
+        (bits(old) != bits(new)).then_some(VoiceHandover::Values)
+    }
+}

@@ -1,0 +1,288 @@
+//! What a run does and how it goes, for whoever asks: `letoff status`, metrics, service managers.
+
+use std::collections::VecDeque;
+use std::sync::atomic::Ordering::Relaxed;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+use telemetry::event::Kind;
+use telemetry::{BoardState, DeadlineStatus, Deadlines, Event, HostState, HostStatus, Links};
+use telemetry::{Spread, Topic, Update, key_name};
+
+use crate::adapters::observer::LiveCounters;
+use crate::observe::{MessageSink, RecordingHandle};
+
+/// The state of a run, from its preparation to its end; the tick does not know it.
+#[derive(Debug, Default)]
+pub struct RunStatus(Mutex<StatusParts>);
+
+/// All that is known of a run.
+#[derive(Debug, Default)]
+struct StatusParts {
+    state: HostState,
+    /// When the state began (s since 1970).
+    since: u64,
+    rehearsed: [u64; 2],
+    scene: String,
+    run: Option<RunDescription>,
+    deadlines: Deadlines,
+    links: Links,
+    clients: u32,
+    recording: Option<RecordingHandle>,
+    last_faults: VecDeque<String>,
+}
+
+/// What is known of a run once it is prepared.
+#[derive(Clone, Debug)]
+pub struct RunDescription {
+    pub tick_hz: u32,
+    /// Keys with a voice.
+    pub voices: u32,
+    /// The MIDI output in words, or why there is none.
+    pub midi: String,
+    pub counters: Arc<LiveCounters>,
+}
+
+/// Faults that are kept.
+const KEPT: usize = 8;
+
+/// Longest time without a tick of a host that is not said to hang: ten ticks of the slowest rate.
+const STALL: Duration = Duration::from_millis(250);
+
+impl RunStatus {
+    /// Notes that a run of `scene` is prepared.
+    pub fn prepare(&self, scene: &str) {
+        scene.clone_into(&mut self.lock().scene);
+        self.enter(HostState::Preparing);
+    }
+
+    /// Notes what the run does from now on.
+    pub fn enter(&self, state: HostState) {
+        let mut parts = self.lock();
+        (parts.state, parts.since) = (state, seconds_now());
+    }
+
+    /// Notes how many of `total` strokes are rehearsed.
+    pub fn rehearse(&self, done: usize, total: usize) {
+        let mut parts = self.lock();
+        if parts.state != HostState::Rehearsing {
+            (parts.state, parts.since) = (HostState::Rehearsing, seconds_now());
+        }
+        parts.rehearsed = [done, total].map(|it| u64::try_from(it).unwrap_or(u64::MAX));
+    }
+
+    /// Notes what will run.
+    pub fn describe(&self, run: RunDescription) {
+        self.lock().run = Some(run);
+    }
+
+    /// Notes the recording that is made of the run, if there is one.
+    pub fn records(&self, recording: Option<RecordingHandle>) {
+        self.lock().recording = recording;
+    }
+
+    /// Notes that a client of the stream has come.
+    pub fn client_came(&self) {
+        self.lock().clients += 1;
+    }
+
+    /// Notes that one has gone.
+    pub fn client_left(&self) {
+        let mut parts = self.lock();
+        parts.clients = parts.clients.saturating_sub(1);
+    }
+
+    /// Returns all that is known now.
+    pub fn read(&self) -> HostStatus {
+        self.lock().status()
+    }
+
+    /// Returns the same, after a look whether ticks go on where they should: a quarter of a second
+    /// at most.
+    pub fn examine(&self) -> HostStatus {
+        const LOOKS: u32 = 50;
+        let first = self.read();
+        if first.state != HostState::Playing {
+            return first;
+        }
+        for _ in 0..LOOKS {
+            thread::sleep(STALL / LOOKS);
+            let now = self.read();
+            if now.deadlines.ticks != first.deadlines.ticks || now.state != HostState::Playing {
+                return now;
+            }
+        }
+        HostStatus { state: HostState::Stalled, ..first }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, StatusParts> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl StatusParts {
+    fn status(&self) -> HostStatus {
+        let recording = self.recording.as_ref().map(RecordingHandle::report);
+        let mut status = HostStatus {
+            process: std::process::id(),
+            scene: self.scene.clone(),
+            state: self.state,
+            since: self.since,
+            rehearsed: self.rehearsed,
+            deadlines: deadlines(&self.deadlines),
+            boards: boards(&self.links),
+            clients: self.clients,
+            recording: recording.filter(|it| it.trouble.is_none()).map(|it| it.file),
+            last_faults: self.last_faults.iter().cloned().collect(),
+            ..HostStatus::default()
+        };
+        let Some(run) = &self.run else { return status };
+        let counters = &run.counters;
+        let active = counters.active.load(Relaxed);
+        status.midi.clone_from(&run.midi);
+        (status.tick_hz, status.voices) = (run.tick_hz, run.voices);
+        status.asleep = run.voices.saturating_sub(active);
+        status.deadlines.ticks = counters.ticks.load(Relaxed);
+        status.strikes = counters.strikes.load(Relaxed);
+        status.faults = counters.faults.load(Relaxed);
+        status.dropped = counters.dropped.load(Relaxed);
+        status.muted = counters.muted_keys().map(|key| key_name(key.into())).collect();
+        if self.state == HostState::Starting && 0 < status.deadlines.ticks {
+            status.state = HostState::Playing;
+        }
+        status
+    }
+}
+
+fn deadlines(it: &Deadlines) -> DeadlineStatus {
+    let Deadlines { own_work, woken_late, preempted, skipped, .. } = *it;
+    let quantiles = |spread: &Spread| [spread.p50, spread.p99, spread.p999, spread.max];
+    let lateness_us = it.lateness.as_ref().map(quantiles);
+    DeadlineStatus { own_work, woken_late, preempted, skipped, lateness_us, ticks: 0 }
+}
+
+fn boards(links: &Links) -> Vec<BoardState> {
+    let board = |it: &telemetry::Board| {
+        let line = usize::try_from(it.line).ok().and_then(|line| links.lines.get(line));
+        BoardState {
+            link: line.map_or_else(String::new, |line| line.name.clone()),
+            number: it.id,
+            first_key: it.first_key,
+            keys: it.keys,
+            state: it.state.clone(),
+            gaps: it.gaps,
+            round_trip_us: Some(it.round_trip).filter(|it| it.is_finite()),
+        }
+    };
+    links.boards.iter().map(board).collect()
+}
+
+/// Notes what telemetry tells of a run.
+#[derive(Debug)]
+pub struct StatusSink(Arc<RunStatus>);
+
+impl StatusSink {
+    /// Returns a sink that writes into `status`.
+    pub const fn new(status: Arc<RunStatus>) -> Self {
+        Self(status)
+    }
+
+    fn event(&self, event: &Event) {
+        let text = match event.kind() {
+            Kind::Fault => format!("tick {}, {}: {}", event.tick, key_name(event.key), event.text),
+            Kind::Board => format!("tick {}, {}", event.tick, event.text),
+            Kind::Unknown
+            | Kind::Switch
+            | Kind::Strike
+            | Kind::DamperLift
+            | Kind::DamperFall
+            | Kind::Recovery
+            | Kind::Miss
+            | Kind::Skip
+            | Kind::Change
+            | Kind::Disarm
+            | Kind::Arm
+            | Kind::Pedal
+            | Kind::Pressure => return,
+        };
+        let mut parts = self.0.lock();
+        if parts.last_faults.len() == KEPT {
+            parts.last_faults.pop_front();
+        }
+        parts.last_faults.push_back(text);
+    }
+}
+
+impl MessageSink for StatusSink {
+    fn take(&mut self, _at: u64, update: &Update) {
+        match update {
+            Update::Event(event) => self.event(event),
+            Update::Deadlines(deadlines) => self.0.lock().deadlines = deadlines.clone(),
+            Update::Links(links) => self.0.lock().links = links.clone(),
+            Update::Catalogue(_)
+            | Update::Voice(_)
+            | Update::Overview(_)
+            | Update::Block(_)
+            | Update::State(..)
+            | Update::Ticks(_)
+            | Update::Midi(_)
+            | Update::Log(_) => {}
+        }
+    }
+
+    fn wants(&self, topic: Topic) -> bool {
+        [Topic::Events, Topic::Deadlines, Topic::Links].contains(&topic)
+    }
+
+    fn followed_keys(&self) -> u128 {
+        // Changes of mode are not kept.
+        0
+    }
+}
+
+/// Returns the time (s since 1970).
+fn seconds_now() -> u64 {
+    SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |it| it.as_secs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn playing() -> (Arc<RunStatus>, Arc<LiveCounters>) {
+        let (status, counters) = (Arc::<RunStatus>::default(), Arc::<LiveCounters>::default());
+        status.prepare("default");
+        let midi = "none".to_owned();
+        let its_counters = Arc::clone(&counters);
+        let run = RunDescription { tick_hz: 1000, voices: 88, midi, counters: its_counters };
+        status.describe(run);
+        status.enter(HostState::Starting);
+        (status, counters)
+    }
+
+    #[test]
+    fn a_host_plays_from_its_first_tick_on_and_hangs_where_ticks_do_not_go_on() {
+        let (status, counters) = playing();
+        assert_eq!(status.examine().state, HostState::Starting);
+        counters.ticks.store(7, Relaxed);
+        counters.active.store(3, Relaxed);
+        let read = status.read();
+        assert_eq!((read.state, read.voices, read.asleep), (HostState::Playing, 88, 85));
+        assert_eq!(status.examine().state, HostState::Stalled);
+    }
+
+    #[test]
+    fn the_last_faults_are_kept_and_no_more() {
+        let (status, _counters) = playing();
+        let mut sink = StatusSink::new(Arc::clone(&status));
+        for tick in 0..100 {
+            let kind = Kind::Fault.into();
+            let fault = Event { kind, tick, key: 39, text: "it failed".into(), ..Event::default() };
+            sink.take(0, &Update::Event(fault));
+        }
+        let kept = status.read().last_faults;
+        assert_eq!(kept.len(), KEPT);
+        assert_eq!(kept.last().map(String::as_str), Some("tick 99, C4: it failed"));
+    }
+}

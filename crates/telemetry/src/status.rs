@@ -1,0 +1,160 @@
+//! What a host says of itself: `letoff status`, and the metrics of its stream.
+
+use serde::{Deserialize, Serialize};
+
+/// What a host does.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HostState {
+    /// It looks for its keys.
+    #[default]
+    Preparing,
+    /// Its pianist rehearses; no board is armed.
+    Rehearsing,
+    /// Boards are armed, and threads start.
+    Starting,
+    Playing,
+    /// It should play, and its ticks do not go on.
+    Stalled,
+    /// Forces fade, and notes end.
+    Ending,
+}
+
+impl HostState {
+    /// Returns what it does, in words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Preparing => "is being prepared",
+            Self::Rehearsing => "rehearses",
+            Self::Starting => "arms its boards",
+            Self::Playing => "plays",
+            Self::Stalled => "hangs",
+            Self::Ending => "ends",
+        }
+    }
+}
+
+/// What a host says of itself.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct HostStatus {
+    /// The number of its process.
+    pub process: u32,
+    pub scene: String,
+    pub state: HostState,
+    /// When this state began (s since 1970).
+    pub since: u64,
+    /// Strokes that are rehearsed, and how many there are.
+    pub rehearsed: [u64; 2],
+    pub tick_hz: u32,
+    /// Keys with a voice.
+    pub voices: u32,
+    /// Of these, whose equations were not computed in the last tick.
+    pub asleep: u32,
+    pub deadlines: DeadlineStatus,
+    /// Hammers that met their string.
+    pub strikes: u64,
+    /// Turns that ended in a fault.
+    pub faults: u64,
+    /// Key events for which a ring had no room.
+    pub dropped: u64,
+    /// Keys whose voices are muted, by name.
+    pub muted: Vec<String>,
+    pub boards: Vec<BoardState>,
+    /// Clients of the stream.
+    pub clients: u32,
+    /// The file of the recording, if there is one.
+    pub recording: Option<String>,
+    /// The MIDI output in words, or why there is none.
+    pub midi: String,
+    /// The last faults of voices and news of boards, the newest last.
+    pub last_faults: Vec<String>,
+}
+
+/// Ticks, and how late they were.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct DeadlineStatus {
+    /// Ticks so far, run or not.
+    pub ticks: u64,
+    /// Ticks that were never run.
+    pub skipped: u64,
+    /// Ticks that were run and missed their deadline since their voices took too long.
+    pub own_work: u64,
+    /// The same since the system woke the tick too late.
+    pub woken_late: u64,
+    /// The same since the system took the processor away.
+    pub preempted: u64,
+    /// Woken after the tick was due (us): quantiles 0.5, 0.99, 0.999 and the largest; none before
+    /// the first second is over.
+    pub lateness_us: Option<[f64; 4]>,
+}
+
+/// A board, simulated or not.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct BoardState {
+    /// The name of its link.
+    pub link: String,
+    pub number: u32,
+    /// Its first key, 0 (A0) to 87 (C8), and how many.
+    pub first_key: u32,
+    pub keys: u32,
+    /// Whether it renders forces, or why not, in words.
+    pub state: String,
+    /// Times that the numbers of its samples jumped.
+    pub gaps: u64,
+    /// Median of the latest round trips (us), if there were any.
+    pub round_trip_us: Option<f64>,
+}
+
+impl BoardState {
+    /// Returns whether it renders forces on all its keys.
+    pub fn is_armed(&self) -> bool {
+        self.state == "armed"
+    }
+}
+
+impl HostStatus {
+    /// Returns what it does and how its boards are, in a line.
+    pub fn line(&self) -> String {
+        let Self { scene, state, rehearsed: [done, total], .. } = self;
+        if *state == HostState::Rehearsing {
+            return format!("{scene}: rehearsed {done} of {total} strokes");
+        }
+        let line = format!("{scene}: {}", state.words());
+        if *state != HostState::Playing || self.boards.is_empty() {
+            return line;
+        }
+        let lost: Vec<_> = self.boards.iter().filter(|it| !it.is_armed()).collect();
+        let (all, armed) = (self.boards.len(), self.boards.len() - lost.len());
+        let lost = lost.iter().map(|BoardState { number, link, state, .. }| {
+            format!("; board {number} on {link}: {state}")
+        });
+        let lost: String = lost.collect();
+        format!("{line}, {armed} of {all} boards armed{lost}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_names_the_boards_that_render_no_force() {
+        let board = |number, state: &str| BoardState {
+            number,
+            link: "can0".to_owned(),
+            state: state.to_owned(),
+            ..BoardState::default()
+        };
+        let boards = vec![board(1, "armed"), board(2, "silent"), board(3, "armed; C4 is muted")];
+        let scene = "default".to_owned();
+        let status =
+            HostStatus { scene, boards, state: HostState::Playing, ..HostStatus::default() };
+        assert_eq!(
+            status.line(),
+            "default: plays, 1 of 3 boards armed; board 2 on can0: silent; \
+             board 3 on can0: armed; C4 is muted"
+        );
+        let rehearsing = HostStatus { state: HostState::Rehearsing, rehearsed: [3, 57], ..status };
+        assert_eq!(rehearsing.line(), "default: rehearsed 3 of 57 strokes");
+    }
+}
