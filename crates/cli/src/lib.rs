@@ -1,5 +1,5 @@
 //! The commands: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
-//! `instruments`, `model`, `set`, `stop`, `lab`.
+//! `instruments`, `model`, `set`, `stop`, `lab`; and `manual`, which is for packages.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
 //! file.
@@ -19,6 +19,7 @@ mod impedance;
 mod instruments;
 mod live;
 mod log;
+mod manual;
 mod model;
 mod piano;
 mod plan;
@@ -90,6 +91,9 @@ pub enum Command {
     Stop,
     /// Offline studies with reports.
     Lab(studies::LabArgs),
+    /// Writes man pages of all commands, and completions for bash, zsh and fish.
+    #[command(hide = true)]
+    Manual(manual::ManualArgs),
 }
 
 /// The failure of a command.
@@ -160,6 +164,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Set(args) => set::run(args, out),
         Command::Stop => stop::run(out),
         Command::Lab(args) => studies::run(args, out),
+        Command::Manual(args) => manual::run(args),
     }
 }
 
