@@ -16,13 +16,13 @@ Chores of this workspace.
                                     keybed and a virtual pianist, on any machine
   cargo xtask test                  installs what is missing and runs every test
   cargo xtask dist [--profile NAME] makes a Debian package of the command, the window and the
-                                    service, target/dist/letoff_VERSION_ARCH.deb; installs
-                                    what is missing; a quarter of an hour, with
-                                    `--profile release` half of it
+                                    service, target/dist/letoff_VERSION_ARCH.deb, on Debian and
+                                    Ubuntu; most of its time is an optimised build, which is
+                                    shorter with `--profile release`
   cargo xtask guest-service [--profile NAME]
                                     makes the package of a release build, installs, starts,
                                     breaks, stops and removes it under systemd in an emulated
-                                    machine, as guest-midi; two minutes after the build
+                                    machine, as guest-midi; a few minutes after the build
   cargo xtask guest-midi            plays to real ALSA ports in an emulated machine, and
                                     checks what is heard: Debian or Ubuntu on x86_64; the
                                     first time downloads QEMU and a kernel (90 MB), then
@@ -53,14 +53,14 @@ pub(crate) enum Task {
         forwarded: Vec<OsString>,
     },
     Test,
-    /// Make a package.
+    /// Make a Debian package of all that is installed.
     Dist {
-        /// Of cargo.
+        /// With which cargo builds the programs.
         profile: String,
     },
     /// Try a package's service in a guest.
     GuestService {
-        /// Of cargo.
+        /// With which cargo builds the programs.
         profile: String,
     },
     /// Play to real MIDI ports in a guest.

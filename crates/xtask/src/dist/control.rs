@@ -32,7 +32,7 @@ pub(super) struct PackageFacts {
 }
 
 impl PackageFacts {
-    /// The control file.
+    /// The content of the package's control file.
     pub(super) fn control(&self) -> String {
         let Self { architecture, depends, installed_size } = self;
         format!(

@@ -10,7 +10,7 @@ pub(crate) enum GuestSystem {
 }
 
 impl GuestSystem {
-    /// The first program.
+    /// The script that is the first program of the guest.
     pub(super) const fn init(self) -> &'static str {
         match self {
             Self::Busybox => include_str!("init.sh"),

@@ -17,6 +17,8 @@ state() {
 plays() { is ActiveState active && [ -S $LETOFF_SOCKET ]; }
 
 start() {
+	# Here it is started more often than anything fails.
+	systemctl reset-failed letoff 2>/dev/null
 	systemctl start letoff 2>start.err
 	within 60 plays
 }
@@ -108,6 +110,21 @@ restarted() {
 	verdict restarted "systemctl restart" $? "process $before, then $(show MainPID); $(state)"
 }
 
+reloaded() {
+	before=$(show MainPID)
+	systemctl reload letoff 2>reloaded.err && within 20 eval "is MainPID $before && plays"
+	verdict reloaded "systemctl reload keeps the process" $? "process $before; $(state)"
+}
+
+# A process that stands still does not feed the watchdog.
+hung() {
+	before=$(show MainPID)
+	kill -STOP "$before"
+	within 90 eval "! is MainPID $before && ! is MainPID 0 && plays"
+	verdict hung "a host that hangs is ended and started again" $? \
+		"process $before, then $(show MainPID); $(state)"
+}
+
 upgraded() {
 	before=$(show MainPID)
 	install && within 60 eval "! is MainPID $before && plays"
@@ -182,6 +199,8 @@ prioritised
 logged
 killed
 restarted
+[ -z "$(show ExecReload)" ] || reloaded
+is WatchdogUSec 0 || hung
 upgraded
 stopped_by_command
 stopped
