@@ -26,7 +26,9 @@ mkdir -p etc/systemd/system etc/systemd/system.conf.d guest
 # Nothing has to be brought up to date, neither now nor when a package comes.
 touch etc/.updated var/.updated
 rm -f var/lib/man-db/auto-update
-# Passwords are nobody's to read, and not needed.
+# What only root may read can neither be read nor written, unless root has started the machine: locks
+# are made anew, and so are passwords, which nobody needs here.
+rm -f etc/.pwd.lock var/lib/dpkg/lock var/lib/dpkg/lock-frontend var/lib/dpkg/triggers/Lock
 for names in passwd:shadow:'*:::::::' group:gshadow:'*::'; do
 	IFS=: read -r from to rest <<-LINE
 		$names
