@@ -1,5 +1,5 @@
 //! The commands: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
-//! `instruments`, `model`, `set`, `press`, `status`, `stop`, `lab`.
+//! `instruments`, `model`, `set`, `press`, `status`, `stop`, `lab`; and `manual`, which is for packages.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
 //! file, 3 no host runs (of `status`).
@@ -21,6 +21,7 @@ mod impedance;
 mod instruments;
 mod live;
 mod log;
+mod manual;
 mod model;
 mod piano;
 mod plan;
@@ -103,6 +104,9 @@ pub enum Command {
     Stop,
     /// Offline studies with reports.
     Lab(studies::LabArgs),
+    /// Writes man pages of all commands, and completions for bash, zsh and fish.
+    #[command(hide = true)]
+    Manual(manual::ManualArgs),
 }
 
 /// The failure of a command.
@@ -178,6 +182,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Status(args) => status::run(args, out),
         Command::Stop => stop::run(out),
         Command::Lab(args) => studies::run(args, out),
+        Command::Manual(args) => manual::run(args),
     }
 }
 

@@ -2,10 +2,13 @@
 
 #![forbid(unsafe_code)]
 
+use std::io;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
-use clap::Parser;
+use clap::{CommandFactory as _, Parser};
+use clap_complete::aot::{Shell, generate_to};
 use dashboard::open::{Sentence, WindowTarget, open};
 use dashboard::{App, RepaintWaker, SavedWindow, wall_clock};
 use eframe::egui;
@@ -29,6 +32,9 @@ struct DashboardArguments {
     /// Shows a piece that nobody plays, without a host.
     #[arg(long)]
     demo: bool,
+    /// Writes a man page, and completions for bash, zsh and fish, into this folder.
+    #[arg(long, value_name = "DIR", hide = true)]
+    manual: Option<PathBuf>,
 }
 
 fn main() -> ExitCode {
@@ -46,6 +52,10 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: DashboardArguments) -> Result<(), Sentence> {
+    if let Some(folder) = arguments.manual {
+        let told = |error| Sentence(format!("{} cannot be written to: {error}", folder.display()));
+        return write_manual(&folder).map_err(told);
+    }
     let target = if arguments.demo {
         WindowTarget::Demonstration
     } else {
@@ -77,6 +87,16 @@ fn run(arguments: DashboardArguments) -> Result<(), Sentence> {
         Ok(app)
     };
     eframe::run_native("letoff-dashboard", options, Box::new(create)).map_err(|it| sentence(&it))
+}
+
+/// Writes the man page and the shells' completions into `folder`.
+fn write_manual(folder: &Path) -> io::Result<()> {
+    std::fs::create_dir_all(folder)?;
+    clap_mangen::generate_to(DashboardArguments::command(), folder)?;
+    for shell in [Shell::Bash, Shell::Zsh, Shell::Fish] {
+        generate_to(shell, &mut DashboardArguments::command(), "letoff-dashboard", folder)?;
+    }
+    Ok(())
 }
 
 /// Returns what to do about an error of the window system.

@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 
+use crate::dist;
 use crate::error::Error;
 use crate::guest_boards::CheckScope;
 use crate::peers::PeerOptions;
@@ -14,6 +15,14 @@ Chores of this workspace.
                                     `letoff run --duration 30 ARGUMENTS`: the simulated
                                     keybed and a virtual pianist, on any machine
   cargo xtask test                  installs what is missing and runs every test
+  cargo xtask dist [--profile NAME] makes a Debian package of the command, the window and the
+                                    service, target/dist/letoff_VERSION_ARCH.deb, on Debian and
+                                    Ubuntu; most of its time is an optimised build, which is
+                                    shorter with `--profile release`
+  cargo xtask guest-service [--profile NAME]
+                                    makes the package of a release build, installs, starts,
+                                    breaks, stops and removes it under systemd in an emulated
+                                    machine, as guest-midi; a few minutes after the build
   cargo xtask guest-midi            plays to real ALSA ports in an emulated machine, and
                                     checks what is heard: Debian or Ubuntu on x86_64; the
                                     first time downloads QEMU and a kernel (90 MB), then
@@ -44,6 +53,16 @@ pub(crate) enum Task {
         forwarded: Vec<OsString>,
     },
     Test,
+    /// Make a Debian package of all that is installed.
+    Dist {
+        /// With which cargo builds the programs.
+        profile: String,
+    },
+    /// Try a package's service in a guest.
+    GuestService {
+        /// With which cargo builds the programs.
+        profile: String,
+    },
     /// Play to real MIDI ports in a guest.
     GuestMidi,
     /// Play boards over real drivers in a guest.
@@ -65,6 +84,12 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
         Some("test") => Task::Test,
         Some("oracle") => Task::Oracle,
         Some("guest-midi") => Task::GuestMidi,
+        Some("dist") => {
+            return with_profile(arguments, dist::PROFILE, |profile| Task::Dist { profile });
+        }
+        Some("guest-service") => {
+            return with_profile(arguments, "release", |profile| Task::GuestService { profile });
+        }
         Some("guest-boards") => return guest_boards(arguments),
         Some("help" | "--help" | "-h") => Task::Help,
         _ => return Err(refused(&name)),
@@ -84,6 +109,24 @@ fn demo(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
         Some(argument) if is_help(&argument) => Ok(Task::Help),
         Some(argument) => Err(refused(&argument)),
     }
+}
+
+/// Reads the profile of a task that builds; `usual` if there is none.
+fn with_profile(
+    mut arguments: impl Iterator<Item = OsString>,
+    usual: &str,
+    task: impl FnOnce(String) -> Task,
+) -> Result<Task, Error> {
+    let mut profile = usual.to_owned();
+    while let Some(argument) = arguments.next() {
+        if is_help(&argument) {
+            return Ok(Task::Help);
+        }
+        let named = (argument == "--profile").then(|| arguments.next()).flatten();
+        let named = named.and_then(|name| name.into_string().ok());
+        profile = named.ok_or_else(|| refused(&argument))?;
+    }
+    Ok(task(profile))
 }
 
 /// Reads what follows `guest-boards`.
@@ -150,6 +193,10 @@ mod tests {
     fn each_chore_has_its_name() {
         check("demo", &demo(&[]));
         check("test", &Task::Test);
+        check("dist", &Task::Dist { profile: "dist".into() });
+        check("dist --profile dev", &Task::Dist { profile: "dev".into() });
+        check("guest-service", &Task::GuestService { profile: "release".into() });
+        check("guest-service --profile dev", &Task::GuestService { profile: "dev".into() });
         check("oracle", &Task::Oracle);
         check("guest-midi", &Task::GuestMidi);
         check("guest-boards", &Task::GuestBoards(CheckScope::Short));
@@ -159,7 +206,7 @@ mod tests {
 
     #[test]
     fn nothing_and_the_usual_flags_ask_for_help() {
-        for line in ["", "-h", "--help", "demo --help", "test -h", "guest-boards -h"] {
+        for line in ["", "-h", "--help", "demo --help", "test -h", "dist -h", "guest-boards -h"] {
             check(line, &Task::Help);
         }
     }
@@ -184,6 +231,8 @@ mod tests {
         check_refused("tset", "tset");
         check_refused("demo --duration 5", "--duration");
         check_refused("test host", "host");
+        check_refused("dist release", "release");
+        check_refused("dist --profile", "--profile");
         check_refused("guest-boards --fast", "--fast");
     }
 }

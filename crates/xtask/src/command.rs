@@ -3,7 +3,7 @@
 use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use crate::error::Error;
 
@@ -61,6 +61,20 @@ pub(crate) fn run(command: &mut Command) -> Result<(), Error> {
         Ok(status) if status.success() => Ok(()),
         Ok(_) => Err(Error::Failed { command: words(command) }),
         Err(cause) => Err(Error::NotStarted { command: words(command), cause }),
+    }
+}
+
+/// What the command prints, without the white space around it; what it complains of is shown.
+///
+/// # Errors
+/// Names the command if it cannot be started or ends without success.
+pub(crate) fn answer(command: &mut Command) -> Result<String, Error> {
+    let output = command.stderr(Stdio::inherit()).output();
+    let output = output.map_err(|cause| Error::NotStarted { command: words(command), cause })?;
+    if output.status.success() {
+        Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+    } else {
+        Err(Error::Failed { command: words(command) })
     }
 }
 

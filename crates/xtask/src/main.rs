@@ -1,6 +1,6 @@
 //! Chores: install what is missing, play the demo, run every test, play to real MIDI ports
-//! and boards over real drivers, measure other people's solvers beside ours,
-//! compare derived equations with other people's.
+//! and boards over real drivers, make a package and try its service, measure other people's
+//! solvers beside ours, compare derived equations with other people's.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -11,16 +11,20 @@ mod apt;
 mod arguments;
 mod command;
 mod demo;
+mod dist;
 mod error;
+mod files;
 mod guest;
 mod guest_boards;
 mod guest_midi;
+mod guest_service;
 mod needs;
 mod optional;
 mod oracle;
 mod peers;
 mod stage;
 mod test;
+mod tools;
 
 use std::env;
 use std::process::ExitCode;
@@ -42,6 +46,8 @@ fn perform(task: Task) -> Result<(), Error> {
     match task {
         Task::Demo { forwarded } => demo::play(forwarded),
         Task::Test => test::run(),
+        Task::Dist { profile } => dist::run(&profile),
+        Task::GuestService { profile } => guest_service::guest(&profile).run().map(drop),
         Task::GuestMidi => guest_midi::guest().run().map(drop),
         Task::GuestBoards(form) => {
             guest_boards::guest(form, guest::TriedProgram::Release).run().map(drop)

@@ -6,9 +6,9 @@ use std::process::Command;
 
 use crate::apt;
 use crate::command;
-use crate::guest::tools::{self, Tool};
 use crate::guest_boards;
 use crate::needs::has_program;
+use crate::tools::{self, Tool};
 
 /// For firmware on an emulated microcontroller.
 const FIRMWARE: [Tool; 3] = [

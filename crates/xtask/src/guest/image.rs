@@ -5,12 +5,15 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use super::kernel::Kernel;
-use super::{GuestCheck, files, tools};
+use super::{GuestCheck, GuestSystem};
 use crate::command;
 use crate::error::Error;
+use crate::files;
 use crate::needs;
+use crate::tools;
 
-const FOLDERS: [&str; 6] = ["bin", "dev", "modules", "proc", "sys", "tmp"];
+const FOLDERS: [&str; 9] =
+    ["bin", "dev", "modules", "new", "proc", "sys", "this", "tmp", "written"];
 
 /// Makes the file system beneath `folder`, and returns the file that QEMU loads.
 ///
@@ -27,9 +30,17 @@ pub(super) fn make(
     for name in FOLDERS {
         files::make(&root.join(name))?;
     }
-    let mut programs = vec![letoff.to_owned(), tools::path("busybox")?];
-    for (name, _package) in guest.programs {
-        programs.push(tools::path(name)?);
+    let mut programs = vec![tools::path("busybox")?];
+    if letoff.extension().is_some_and(|it| it == "deb") {
+        files::copy(letoff, &root.join("letoff.deb"))?;
+    } else {
+        programs.push(letoff.to_owned());
+    }
+    // systemd has all of this machine's.
+    if guest.system == GuestSystem::Busybox {
+        for (name, _package) in guest.programs {
+            programs.push(tools::path(name)?);
+        }
     }
     programs.extend_from_slice(&guest.more);
     install(&programs, &root)?;
@@ -40,7 +51,8 @@ pub(super) fn make(
     for (path, content) in &guest.files {
         files::write(&root.join(path), content)?;
     }
-    files::write(&root.join("init"), include_str!("init.sh"))?;
+    files::write(&root.join("judge.sh"), include_str!("judge.sh"))?;
+    files::write(&root.join("init"), guest.system.init())?;
     let initrd = folder.join("initrd");
     let pack = "chmod 755 init && find . | cpio --quiet -o -H newc >../initrd";
     command::run(Command::new("sh").args(["-c", pack]).current_dir(&root))?;

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{files, tools};
 use crate::apt;
 use crate::command;
 use crate::error::Error;
+use crate::files;
+use crate::tools;
 
 /// Packages that depend on the newest kernel: Debian's, Ubuntu's.
 const NEWEST: [&str; 2] = ["linux-image-amd64", "linux-image-generic"];

@@ -1,17 +1,16 @@
 //! A virtual machine with a Debian or Ubuntu kernel, in which `letoff` is checked against real
-//! drivers.
+//! drivers, or as a service.
 //!
 //! Containers and build servers have neither a sequencer nor a CAN bus, and a kernel's modules
 //! cannot be loaded into them. In a guest they can: its only program is `init.sh`, which loads
 //! the modules and goes through what a [`GuestCheck`] checks. Nothing of the machine is changed but
 //! for a few packages.
 
-mod files;
 mod image;
 mod kernel;
 mod machine;
 pub(crate) mod piece;
-pub(crate) mod tools;
+mod system;
 mod verdict;
 
 use std::path::{Path, PathBuf};
@@ -19,11 +18,13 @@ use std::time::Duration;
 
 use crate::apt;
 use crate::command::{self, cargo, target};
+use crate::dist;
 use crate::error::Error;
 use crate::stage::Done;
+use crate::tools::{self, Tool};
 use kernel::Kernel;
 use machine::VirtualMachine;
-use tools::Tool;
+pub(crate) use system::GuestSystem;
 
 /// Four keys of a grand: as many as an emulated processor computes in time.
 pub(crate) const SCENE: &str = include_str!("scene.toml");
@@ -34,6 +35,8 @@ pub(crate) struct GuestCheck {
     pub name: &'static str,
     /// What it plays on, in a few words.
     pub plays_on: &'static str,
+    /// What runs beside the checks.
+    pub system: GuestSystem,
     /// Modules with their parameters, each with those it needs loaded before.
     pub modules: &'static [&'static str],
     /// Programs of this machine that run in the guest, beside busybox.
@@ -51,17 +54,19 @@ pub(crate) struct GuestCheck {
 }
 
 /// Which build of `letoff` is tried in a guest.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum TriedProgram {
     /// The one that the tests have built: it is optimised, and checks its arithmetic.
     OfTheTests,
     /// The one that users run, which is built first.
     Release,
+    /// A package, `letoff.deb` in the guest, of programs that are built with this profile.
+    Packaged(String),
 }
 
 impl TriedProgram {
     /// Its path below the folder `target`, built if need be.
-    fn obtain(self, target: &Path) -> Result<PathBuf, Error> {
+    fn obtain(&self, target: &Path) -> Result<PathBuf, Error> {
         match self {
             Self::OfTheTests => Ok(target.join("debug/letoff")),
             Self::Release => {
@@ -69,6 +74,7 @@ impl TriedProgram {
                 command::run(&mut cargo(["build", "--release", "--package", "cli"]))?;
                 Ok(target.join("release/letoff"))
             }
+            Self::Packaged(profile) => dist::make(profile),
         }
     }
 }
@@ -92,7 +98,8 @@ impl GuestCheck {
         };
         let program = self.program.obtain(&target)?;
         let initrd = image::make(&folder.join(self.name), self, &kernel, &program)?;
-        let machine = VirtualMachine { kernel: kernel.image, initrd, time_limit: self.time_limit };
+        let (system, time_limit) = (self.system, self.time_limit);
+        let machine = VirtualMachine { kernel: kernel.image, initrd, system, time_limit };
         let verdict = machine.boot()?;
         println!("\n{}: {verdict}", self.plays_on);
         verdict.into_result().map(|()| Done::All)
@@ -100,7 +107,10 @@ impl GuestCheck {
 
     /// Everything that comes from elsewhere.
     fn obtain(&self, folder: &Path) -> Result<Kernel, Error> {
-        tools::install_missing(self.programs)?;
+        if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
+            return Err(Error::unobtainable("a guest", "it needs a Debian or Ubuntu on x86_64"));
+        }
+        tools::ensure(&[&tools::MAKERS, self.programs])?;
         kernel::obtain(folder)
     }
 

@@ -8,8 +8,8 @@ mod conformance;
 
 use std::time::Duration;
 
-use crate::guest::tools::Tool;
-use crate::guest::{GuestCheck, SCENE, TriedProgram, piece};
+use crate::guest::{GuestCheck, GuestSystem, SCENE, TriedProgram, piece};
+use crate::tools::Tool;
 
 /// What sets buses up, disturbs them, and reads reports.
 pub(crate) const PROGRAMS: [Tool; 7] = [
@@ -44,6 +44,7 @@ pub(crate) fn guest(form: CheckScope, program: TriedProgram) -> GuestCheck {
     GuestCheck {
         name: "boards",
         plays_on: "boards over real drivers",
+        system: GuestSystem::Busybox,
         modules: &MODULES,
         programs: &PROGRAMS,
         copies: &[],

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-use crate::guest::tools::Tool;
-use crate::guest::{GuestCheck, SCENE, TriedProgram, piece};
+use crate::guest::{GuestCheck, GuestSystem, SCENE, TriedProgram, piece};
+use crate::tools::Tool;
 
 /// Programs that listen to MIDI in the guest.
 const PROGRAMS: [Tool; 2] = [("aseqdump", "alsa-utils"), ("aconnect", "alsa-utils")];
@@ -13,6 +13,7 @@ pub(crate) fn guest() -> GuestCheck {
     GuestCheck {
         name: "midi",
         plays_on: "real ALSA ports",
+        system: GuestSystem::Busybox,
         modules: &["snd-seq", "snd-virmidi", "snd-seq-dummy"],
         programs: &PROGRAMS,
         // What alsa-lib reads before it opens anything.

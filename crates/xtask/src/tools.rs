@@ -22,21 +22,18 @@ pub(crate) const MAKERS: [Tool; 6] = [
 /// Folders of programs that are not on everybody's path.
 const SYSTEM: [&str; 2] = ["/usr/sbin", "/sbin"];
 
-/// Installs what is missing of the makers, and of the `programs` that run in the guest.
+/// Installs what is missing of `wanted`.
 ///
 /// # Errors
 /// Says what cannot be had, and why.
-pub(super) fn install_missing(programs: &[Tool]) -> Result<(), Error> {
-    if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
-        return Err(Error::unobtainable("a guest", "it needs a Debian or Ubuntu on x86_64"));
-    }
-    let packages = packages(&[&MAKERS, programs], |program| find(program).is_some());
+pub(crate) fn ensure(wanted: &[&[Tool]]) -> Result<(), Error> {
+    let packages = packages(wanted, |program| find(program).is_some());
     if packages.is_empty() {
         return Ok(());
     }
     println!("installing what is missing: {}", packages.join(" "));
     apt::install(&packages)?;
-    match MAKERS.iter().chain(programs).find(|(program, _)| find(program).is_none()) {
+    match wanted.iter().copied().flatten().find(|(program, _)| find(program).is_none()) {
         None => Ok(()),
         Some((program, package)) => {
             Err(Error::unobtainable(*program, format!("installing {package} has not brought it")))
@@ -57,7 +54,7 @@ pub(crate) fn packages(tools: &[&[Tool]], is_there: impl Fn(&str) -> bool) -> Ve
 ///
 /// # Errors
 /// If it is nowhere.
-pub(super) fn path(program: &str) -> Result<PathBuf, Error> {
+pub(crate) fn path(program: &str) -> Result<PathBuf, Error> {
     find(program).ok_or_else(|| Error::unobtainable(program, "it is not installed"))
 }
 

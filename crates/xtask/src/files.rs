@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::error::Error;
 
 /// Makes `folder` anew and empty.
-pub(super) fn empty(folder: &Path) -> Result<(), Error> {
+pub(crate) fn empty(folder: &Path) -> Result<(), Error> {
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(|cause| Error::file(folder, cause))?;
     }
@@ -14,25 +14,25 @@ pub(super) fn empty(folder: &Path) -> Result<(), Error> {
 }
 
 /// Makes `folder` and those above it.
-pub(super) fn make(folder: &Path) -> Result<(), Error> {
+pub(crate) fn make(folder: &Path) -> Result<(), Error> {
     fs::create_dir_all(folder).map_err(|cause| Error::file(folder, cause))
 }
 
 /// Copies `from`, or what it links to.
-pub(super) fn copy(from: &Path, to: &Path) -> Result<(), Error> {
+pub(crate) fn copy(from: &Path, to: &Path) -> Result<(), Error> {
     fs::copy(from, to).map(drop).map_err(|cause| Error::file(from, cause))
 }
 
-pub(super) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
+pub(crate) fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
     fs::write(path, content).map_err(|cause| Error::file(path, cause))
 }
 
-pub(super) fn read(path: &Path) -> Result<String, Error> {
+pub(crate) fn read(path: &Path) -> Result<String, Error> {
     fs::read_to_string(path).map_err(|cause| Error::file(path, cause))
 }
 
 /// What lies in `folder`, in order of name.
-pub(super) fn list(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+pub(crate) fn list(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let entries = fs::read_dir(folder).map_err(|cause| Error::file(folder, cause))?;
     let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
     paths.sort();

@@ -1,0 +1,200 @@
+//! What lies where in the package.
+
+use std::path::Path;
+use std::process::Command;
+
+use super::{PROGRAMS, control, licences};
+use crate::command;
+use crate::error::Error;
+use crate::files;
+
+/// Files that are copied as they are, and where they go; documents keep their places beside each
+/// other, so that their links lead on.
+const COPIES: [(&str, &str); 17] = [
+    ("configs/service/letoff.service", "usr/lib/systemd/system/letoff.service"),
+    ("configs/service/letoff.sysusers", "usr/lib/sysusers.d/letoff.conf"),
+    ("configs/service/letoff.rules", "usr/lib/udev/rules.d/70-letoff.rules"),
+    ("configs/service/letoff.limits", "etc/security/limits.d/letoff.conf"),
+    ("configs/service/can.network", "usr/share/doc/letoff/examples/80-can.network"),
+    ("README.md", "usr/share/doc/letoff/README.md"),
+    ("ARCHITECTURE.md", "usr/share/doc/letoff/ARCHITECTURE.md"),
+    ("CHANGELOG.md", "usr/share/doc/letoff/CHANGELOG.md"),
+    ("REFERENCES.md", "usr/share/doc/letoff/REFERENCES.md"),
+    ("configs/README.md", "usr/share/doc/letoff/configs/README.md"),
+    ("crates/dashboard/README.md", "usr/share/doc/letoff/crates/dashboard/README.md"),
+    ("crates/host/README.md", "usr/share/doc/letoff/crates/host/README.md"),
+    ("crates/kane/README.md", "usr/share/doc/letoff/crates/kane/README.md"),
+    ("crates/lab/README.md", "usr/share/doc/letoff/crates/lab/README.md"),
+    ("crates/models/README.md", "usr/share/doc/letoff/crates/models/README.md"),
+    ("crates/pode/README.md", "usr/share/doc/letoff/crates/pode/README.md"),
+    ("firmware-protocol/README.md", "usr/share/doc/letoff/firmware-protocol/README.md"),
+];
+
+/// Folders of examples to start from.
+const EXAMPLES: [&str; 3] = ["instruments", "models", "scenes"];
+
+/// What dpkg runs when the package comes and goes, and the files that are the administrator's.
+const CONTROL: [(&str, &str); 4] = [
+    ("postinst", include_str!("postinst.sh")),
+    ("prerm", include_str!("prerm.sh")),
+    ("postrm", include_str!("postrm.sh")),
+    ("conffiles", "/etc/security/limits.d/letoff.conf\n"),
+];
+
+/// Packs what policy wants packed, lets everybody read, and notes the sums.
+const FINISH: &str = "\
+find usr/share/man usr/share/doc/letoff -type f \\( -name '*.1' -o -name changelog \\
+    -o -name CHANGELOG.md -o -name THIRD-PARTY \\) -exec gzip -9n {} +
+chmod -R u=rwX,go=rX .
+chmod 755 DEBIAN/postinst DEBIAN/prerm DEBIAN/postrm usr/bin/*
+find usr -type f -exec md5sum {} + | LC_ALL=C sort -k 2 >DEBIAN/md5sums
+";
+
+/// Puts the package's files beneath `root`, with the programs of the folder `built`.
+///
+/// # Errors
+/// Names the file or the command.
+pub(super) fn make(root: &Path, built: &Path) -> Result<(), Error> {
+    files::empty(root)?;
+    // For the scene, calibrations and instruments, of which there are none yet.
+    files::make(&root.join("etc/letoff"))?;
+    for (from, to) in COPIES {
+        copy(&command::root().join(from), &root.join(to))?;
+    }
+    add_examples(&root.join("usr/share/doc/letoff/examples"))?;
+    add_programs(root, built)?;
+    add_documents(&root.join("usr/share/doc/letoff"))?;
+    for (name, content) in CONTROL {
+        write(&root.join("DEBIAN").join(name), content)?;
+    }
+    command::answer(Command::new("sh").args(["-e", "-c", FINISH]).current_dir(root)).map(drop)
+}
+
+fn add_examples(folder: &Path) -> Result<(), Error> {
+    for name in EXAMPLES {
+        let from = command::root().join("configs").join(name);
+        for path in files::list(&from)?.iter().filter(|it| it.is_file()) {
+            copy(path, &folder.join(name).join(path.file_name().unwrap_or_default()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Adds the programs, without symbols, with the manual that they write themselves.
+fn add_programs(root: &Path, built: &Path) -> Result<(), Error> {
+    for name in PROGRAMS {
+        let program = root.join("usr/bin").join(name);
+        copy(&built.join(name), &program)?;
+        let mut strip = Command::new("strip");
+        strip.args(["--strip-unneeded", "--remove-section=.comment", "--remove-section=.note"]);
+        command::run(strip.arg(&program))?;
+    }
+    let manual = root.with_extension("manual");
+    files::empty(&manual)?;
+    let [letoff, dashboard] = PROGRAMS.map(|name| root.join("usr/bin").join(name));
+    command::run(Command::new(letoff).arg("manual").arg(&manual))?;
+    command::run(Command::new(dashboard).arg("--manual").arg(&manual))?;
+    for page in files::list(&manual)? {
+        if let Some(place) = place_of(&page) {
+            copy(&page, &root.join(place))?;
+        }
+    }
+    Ok(())
+}
+
+/// Where a page or a completion belongs that is written into `page`.
+fn place_of(page: &Path) -> Option<String> {
+    let name = page.file_name()?.to_str()?;
+    if let Some(zsh) = name.strip_prefix('_') {
+        return Some(format!("usr/share/zsh/vendor-completions/_{zsh}"));
+    }
+    match name.rsplit_once('.')? {
+        (_, "1") => Some(format!("usr/share/man/man1/{name}")),
+        (program, "bash") => Some(format!("usr/share/bash-completion/completions/{program}")),
+        (_, "fish") => Some(format!("usr/share/fish/vendor_completions.d/{name}")),
+        _ => None,
+    }
+}
+
+fn add_documents(folder: &Path) -> Result<(), Error> {
+    let ours = files::read(&command::root().join("LICENSE-MIT"))?;
+    write(&folder.join("copyright"), copyright(&ours))?;
+    write(&folder.join("README.Debian"), include_str!("README.Debian"))?;
+    write(&folder.join("THIRD-PARTY"), licences::third_party()?)?;
+    write(&folder.join("changelog"), control::changelog(&date("%cD")?))
+}
+
+/// The file `copyright`, with `mit`, the text of our own licence.
+fn copyright(mit: &str) -> String {
+    let holder = mit.lines().find_map(|line| line.strip_prefix("Copyright (c) "));
+    let (_, text) = mit.split_once("\n\n").unwrap_or(("", mit));
+    let indented = |line: &str| if line.is_empty() { " .".into() } else { format!(" {line}") };
+    let lines: Vec<_> = text.trim_end().lines().map(indented).collect();
+    format!(
+        "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/\n\
+         Upstream-Name: letoff\n\
+         Source: {}\n\
+         Comment: The crates that are linked into the programs, and their licences:\n \
+         /usr/share/doc/letoff/THIRD-PARTY.gz\n\n\
+         Files: *\n\
+         Copyright: {}\n\
+         License: Expat or Apache-2.0\n\n\
+         License: Expat\n{}\n\n\
+         License: Apache-2.0\n \
+         On Debian systems the text is in /usr/share/common-licenses/Apache-2.0.\n",
+        env!("CARGO_PKG_REPOSITORY"),
+        holder.unwrap_or("The Letoff authors"),
+        lines.join("\n"),
+    )
+}
+
+/// When the newest commit was made, so that the same sources make the same package.
+///
+/// # Errors
+/// Names the command.
+pub(super) fn date(format: &str) -> Result<String, Error> {
+    let format = format!("--format={format}");
+    let mut git = Command::new("git");
+    command::answer(git.args(["log", "-1", &format]).current_dir(command::root()))
+}
+
+fn copy(from: &Path, to: &Path) -> Result<(), Error> {
+    files::make(to.parent().unwrap_or(to))?;
+    files::copy(from, to)
+}
+
+fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), Error> {
+    files::make(path.parent().unwrap_or(path))?;
+    files::write(path, content)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_that_is_copied_exists() {
+        for (from, to) in COPIES {
+            assert!(command::root().join(from).is_file(), "{from}");
+            assert!(!to.starts_with('/'), "{to}");
+        }
+    }
+
+    #[test]
+    fn pages_and_completions_go_where_their_readers_look() {
+        let place = |name: &str| place_of(Path::new(name)).unwrap_or_default();
+        assert_eq!(place("x/letoff-run.1"), "usr/share/man/man1/letoff-run.1");
+        assert_eq!(place("x/_letoff"), "usr/share/zsh/vendor-completions/_letoff");
+        assert_eq!(place("x/letoff.bash"), "usr/share/bash-completion/completions/letoff");
+        assert_eq!(place("x/letoff.fish"), "usr/share/fish/vendor_completions.d/letoff.fish");
+        assert_eq!(place("x/notes.txt"), "");
+    }
+
+    #[test]
+    fn the_licence_is_quoted_with_its_holder() {
+        let mit = "MIT License\n\nCopyright (c) 2026 Somebody\n\nPermission is granted\n";
+        let text = copyright(mit);
+        assert!(text.contains("\nCopyright: 2026 Somebody\n"), "{text}");
+        assert!(text.contains("\n .\n Permission is granted\n"), "{text}");
+    }
+}
