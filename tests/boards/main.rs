@@ -16,3 +16,4 @@ mod cortex;
 mod refused;
 mod rig;
 mod serial;
+mod system_calls;
