@@ -47,7 +47,7 @@ pub use latecomers::{LaneCounters, LateResult};
 pub use swap::{Refused, VoiceChange, VoiceSwaps};
 
 use super::clock;
-use super::thread::SchedulingPolicy;
+use super::thread::{SchedulingPolicy, ThreadPlan};
 use balance::MeasuredWork;
 use latecomers::LateResults;
 use share::RemoteLane;
@@ -105,8 +105,7 @@ struct LaneTimes {
 }
 
 impl ThreadedLanes {
-    /// Shares `voices`, each with its key, among `n_lanes` and starts their threads at
-    /// `priority`.
+    /// Shares `voices`, each with its key, among `n_lanes` and starts their threads by `plan`.
     ///
     /// The second value is the way to put in other voices later.
     ///
@@ -118,7 +117,7 @@ impl ThreadedLanes {
     pub fn start(
         voices: Vec<(usize, BoxedVoice)>,
         n_lanes: NonZeroUsize,
-        priority: Option<u8>,
+        plan: &ThreadPlan,
     ) -> io::Result<(Self, VoiceSwaps)> {
         let n_lanes = n_lanes.get();
         let mut has_voice = [false; KEYS];
@@ -141,7 +140,7 @@ impl ThreadedLanes {
             times: LaneTimes::default(),
         };
         for (number, slots) in (1..).zip(lanes) {
-            let remote = Remote::start(number, Arc::clone(&pool.shared), priority)?;
+            let remote = Remote::start(number, Arc::clone(&pool.shared), plan.clone())?;
             let batches = [Batch::new(AWAKE, slots), Batch::new(AWAKE + 1, Vec::new())];
             pool.remotes.push(RemoteLane::new(remote, batches));
         }

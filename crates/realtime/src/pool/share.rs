@@ -45,7 +45,7 @@ enum ShareState {
 }
 
 /// The slot of a key.
-pub(super) enum Place<'a> {
+pub(super) enum SlotPlace<'a> {
     Here(&'a mut Slot<PanicGuard>),
     /// Being run, or lost with its lane.
     Away {
@@ -103,13 +103,13 @@ impl RemoteLane {
     }
 
     /// Where the slot of `key` is, if it is one of the lane's.
-    pub(super) fn place(&mut self, key: usize) -> Option<Place<'_>> {
+    pub(super) fn place(&mut self, key: usize) -> Option<SlotPlace<'_>> {
         self.shares.iter_mut().find_map(|share| match &mut share.batch {
-            Some(batch) => batch.slots.iter_mut().find(|it| it.key() == key).map(Place::Here),
+            Some(batch) => batch.slots.iter_mut().find(|it| it.key() == key).map(SlotPlace::Here),
             None => share
                 .keys
                 .contains(&key)
-                .then_some(Place::Away { lost: share.stands == ShareState::Lost }),
+                .then_some(SlotPlace::Away { lost: share.stands == ShareState::Lost }),
         })
     }
 

@@ -8,7 +8,7 @@ use scheduler::slot::Slot;
 use scheduler::values::ModelValues;
 
 use super::fence::{BoxedVoice, PanicGuard};
-use super::share::{Place, RemoteLane};
+use super::share::{RemoteLane, SlotPlace};
 
 /// Changes that are made in one tick; a whole instrument takes several ticks.
 const MAX_CHANGES_PER_TICK: usize = 4;
@@ -142,13 +142,13 @@ impl InnerEnd {
                 return;
             }
             let Ok(key) = self.into.peek().map(|next| next.key) else { return };
-            let here = inline.iter_mut().find(|it| it.key() == key).map(Place::Here);
+            let here = inline.iter_mut().find(|it| it.key() == key).map(SlotPlace::Here);
             let place = here.or_else(|| remotes.iter_mut().find_map(|it| it.place(key)));
             let slot = match place {
-                Some(Place::Here(slot)) => Some(slot),
+                Some(SlotPlace::Here(slot)) => Some(slot),
                 // Its lane is late: the changes behind wait as well, so that they stay in order.
-                Some(Place::Away { lost: false }) => return,
-                Some(Place::Away { lost: true }) | None => None,
+                Some(SlotPlace::Away { lost: false }) => return,
+                Some(SlotPlace::Away { lost: true }) | None => None,
             };
             let Ok(queued) = self.into.pop() else { return };
             if let Some(old) = queued.apply(slot) {

@@ -4,6 +4,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::worker::boxed_array;
 use super::*;
+use crate::thread::ThreadPlan;
 use scheduler::motion::{KeyEvent, KeySample, Loudness, Moment};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
@@ -103,7 +104,8 @@ fn echoes_but(key: usize, voice: impl Voice + Send + 'static) -> Vec<(usize, Box
 }
 
 fn start(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, VoiceSwaps) {
-    ThreadedLanes::start(voices, NonZeroUsize::new(n_lanes).unwrap(), None).unwrap()
+    ThreadedLanes::start(voices, NonZeroUsize::new(n_lanes).unwrap(), &ThreadPlan::default())
+        .unwrap()
 }
 
 /// Lanes with their turns, run tick by tick.

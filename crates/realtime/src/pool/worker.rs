@@ -23,7 +23,7 @@ use scheduler::voice::VoiceOutput;
 
 use super::WaitLimit;
 use super::fence::PanicGuard;
-use crate::thread::{SchedulingPolicy, ask_for_fifo};
+use crate::thread::{SchedulingPolicy, ThreadPlan};
 use crate::{clock, memory};
 
 /// Shares of a lane: [`AWAKE`], and what rests.
@@ -72,7 +72,7 @@ impl Batch {
         })
     }
 
-    /// Runs the voices.
+    /// Runs each voice for the batch's tick.
     fn run(&mut self) {
         let Self { tick, samples, followed, slots, turns, observed, .. } = self;
         run_slots(
@@ -122,14 +122,14 @@ impl Remote {
     pub(super) fn start(
         number: usize,
         shared: Arc<PoolState>,
-        priority: Option<u8>,
+        plan: ThreadPlan,
     ) -> io::Result<Self> {
         let (todo, received) = RingBuffer::new(SHARES);
         let (finished, done) = RingBuffer::new(SHARES);
         let (say, standing) = mpsc::channel();
         let builder = thread::Builder::new().name(format!("letoff-lane-{number}"));
         let thread = builder.stack_size(STACK_BYTES).spawn(move || {
-            let standing = ask_for_fifo(priority);
+            let standing = plan.ask(number);
             memory::prefault_stack();
             // If the other end is gone, `shared` says stop as well.
             say.send(standing).unwrap_or_default();
