@@ -92,9 +92,13 @@ impl RemoteLane {
         sift(&mut asleep.slots, &mut awake.slots, |key| !measured.is_asleep(key));
     }
 
-    /// What the lane has to do, if all of it is at home.
+    /// What the lane has to do, if all of it is at home and will be run.
     pub(super) fn load(&self, measured: &MeasuredWork) -> Option<u64> {
-        self.shares.iter().map(|it| Some(measured.of(&it.batch.as_ref()?.slots))).sum()
+        let load = |share: &Share| {
+            let batch = share.batch.as_ref().filter(|_| share.stands != ShareState::Lost)?;
+            Some(measured.of(&batch.slots))
+        };
+        self.shares.iter().map(load).sum()
     }
 
     /// The slots that are run first, if they are at home.
