@@ -229,11 +229,7 @@ impl RunSession {
             slew_limit: scene.render.slew_limit,
             n_voices: voices.len(),
             n_lanes: threads::lanes(scene),
-            threads: if options.virtual_time {
-                ThreadPlan::default()
-            } else {
-                threads::plan(scene)
-            },
+            threads: threads::plan(scene, options),
             ticks: seconds.map(|seconds| clock::nearest_integer(seconds / period)),
             virtual_time: options.virtual_time,
             voices,

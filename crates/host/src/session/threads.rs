@@ -7,14 +7,19 @@ use realtime::thread::{ThreadPlan, WantedPolicy};
 use scene::{LaneCount, Scene, ThreadPolicy, ThreadRules};
 use scheduler::time::Nanos;
 
+use super::RunOptions;
+
 /// Most threads that share the tick.
 const MOST_LANES: usize = 16;
 
 /// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// Returns what is asked of the system for the lanes of `scene`.
-pub(super) fn plan(scene: &Scene) -> ThreadPlan {
+/// Returns what is asked of the system for the lanes of `scene`: nothing in virtual time.
+pub(super) fn plan(scene: &Scene, options: RunOptions) -> ThreadPlan {
+    if options.virtual_time {
+        return ThreadPlan::default();
+    }
     let period = Nanos::new(SECOND / u64::from(scene.tick_hz.max(1)));
     let policy = match scene.realtime.policy {
         ThreadPolicy::Auto | ThreadPolicy::Fifo => WantedPolicy::FIFO,
@@ -82,6 +87,10 @@ mod tests {
         let overrides = [("realtime.policy", "deadline"), ("tick_hz", "4000")];
         let (runtime, period) = (Nanos::new(187_500), Nanos::new(250_000));
         let expected = WantedPolicy::Deadline { runtime, period };
-        assert_eq!(plan(&scene(&overrides)).policy, expected);
+        let policy = |virtual_time| {
+            let options = RunOptions { virtual_time, ..RunOptions::default() };
+            plan(&scene(&overrides), options).policy
+        };
+        assert_eq!([false, true].map(policy), [expected, WantedPolicy::Ordinary]);
     }
 }
