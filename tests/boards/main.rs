@@ -18,3 +18,4 @@ mod python;
 mod refused;
 mod rig;
 mod serial;
+mod system_calls;

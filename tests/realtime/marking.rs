@@ -1,11 +1,12 @@
 //! Marks the threads of the lanes, from inside: with a voice that runs on them.
 
+use std::any::Any;
 use std::ops::Range;
 
 use realtime::pool::BoxedVoice;
 use scheduler::motion::KeySample;
 use scheduler::observation::VoiceObservation;
-use scheduler::slot::lane_of;
+use scheduler::values::ModelValues;
 use scheduler::voice::{Voice, VoiceOutput};
 
 use crate::trap::{self, Zone};
@@ -36,15 +37,25 @@ impl Voice for Marking {
     fn reset(&mut self, sample: &KeySample) {
         self.voice.reset(sample);
     }
+
+    fn retune(&mut self, values: &ModelValues) -> bool {
+        self.voice.retune(values)
+    }
+
+    fn take_over(&mut self, before: &dyn Voice) -> bool {
+        self.voice.take_over(before)
+    }
+
+    fn memory(&self) -> Option<&dyn Any> {
+        self.voice.memory()
+    }
 }
 
-/// Has every lane but the tick's own marked over `ticks`.
+/// Has every lane marked over `ticks`, by each voice, since they change lanes.
 ///
 /// A lane is unmarked by the first tick after them, which must be run.
-pub(crate) fn mark_lanes(voices: &mut [(usize, BoxedVoice)], n_lanes: usize, ticks: &Range<u64>) {
-    for lane in 1..n_lanes {
-        let first = voices.iter_mut().find(|(key, _)| lane_of(*key, n_lanes) == lane);
-        let (_, voice) = first.expect("a key on every lane");
+pub(crate) fn mark_lanes(voices: &mut [(usize, BoxedVoice)], ticks: &Range<u64>) {
+    for (_key, voice) in voices {
         let inner = std::mem::replace(voice, Box::new(Silent));
         *voice = Box::new(Marking { voice: inner, ticks: ticks.clone() });
     }

@@ -75,7 +75,7 @@ impl TickObserver for Audience {
 /// The voices of `scene` on `bus`, with lanes marked and an audience.
 pub(crate) fn stage<B: KeyBus>(scene: &Scene, bus: B, n_lanes: usize) -> Stage<B, Audience> {
     let mut voices = voices(scene);
-    mark_lanes(&mut voices, n_lanes, &WATCHED);
+    mark_lanes(&mut voices, &WATCHED);
     Stage::of(voices, scene.tick_hz, bus, n_lanes).watched_by(Audience::new(1 << 16))
 }
 

@@ -48,7 +48,7 @@ fn a_full_ring_drops_and_leaves_the_heap_alone() {
     let mut bus = keybed(&scene);
     play_all(&mut bus, 4.0);
     let mut voices = voices(&scene);
-    mark_lanes(&mut voices, 2, &WATCHED);
+    mark_lanes(&mut voices, &WATCHED);
     let mut stage = Stage::of(voices, scene.tick_hz, bus, 2).watched_by(Audience::new(2));
     run_watched(&mut stage);
     assert_eq!(watch.caught(), (0, 0));
@@ -149,7 +149,7 @@ fn a_lane_that_is_late_leaves_the_heap_alone() {
     let mut voices = voices(&scene);
     let (from, until) = (WARM_UP + 100, WARM_UP + 200);
     voices[ELSEWHERE].1 = Box::new(Delayed { from, until, reached: Arc::clone(&reached) });
-    mark_lanes(&mut voices, 2, &WATCHED);
+    mark_lanes(&mut voices, &WATCHED);
     let mut stage = Stage::of(voices, scene.tick_hz, bus, 2).watched_by(Audience::new(1 << 16));
     // Whoever waits for the delayed lane with patience would wait for ever.
     let none = WaitLimit::Until { time: Nanos::ZERO, share: Nanos::ZERO };
@@ -165,9 +165,9 @@ fn a_lane_that_is_late_leaves_the_heap_alone() {
         }
     }
     assert_eq!(watch.caught(), (0, 0));
-    // Late once with tick `from`, then behind; the batch that waited had passed.
+    // Late once with tick `from`, then behind; keys at rest, if there were any, had passed.
     let LaneCounters { late, passed, .. } = stage.lanes.counters();
-    assert_eq!((late, passed), (until - from, 1));
+    assert!(late == until - from && passed <= 1, "{late} late, {passed} passed");
 }
 
 #[test]
@@ -185,7 +185,7 @@ fn the_trap_sees_the_threads_of_the_lanes() {
         let scene = scene("springs", &[]);
         let mut voices = voices(&scene);
         voices[ELSEWHERE].1 = Box::new(Hoarding(Vec::new()));
-        mark_lanes(&mut voices, n_lanes, &WATCHED);
+        mark_lanes(&mut voices, &WATCHED);
         let bus = keybed(&scene);
         let mut stage = Stage::of(voices, 1000, bus, n_lanes).watched_by(Audience::new(16));
         run_watched(&mut stage);

@@ -56,7 +56,10 @@ pub(crate) fn folder(test: &str) -> PathBuf {
 
 /// `letoff` with `arguments`, to be run in `folder`.
 fn command(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(program());
+    with_arguments(Command::new(program()), folder, arguments)
+}
+
+fn with_arguments(mut command: Command, folder: &Path, arguments: &[&str]) -> Command {
     command.current_dir(folder).args(arguments).stdin(Stdio::null());
     // A host that somebody really plays on this machine is none of our business.
     command.env("LETOFF_SOCKET", folder.join("socket"));
@@ -102,6 +105,13 @@ pub(crate) fn run_into(out: impl Into<Stdio>, folder: &Path, arguments: &[&str])
     let mut command = command(folder, arguments);
     command.stdout(out).stderr(Stdio::piped());
     end(command.spawn().expect("the program starts"))
+}
+
+/// Runs `letoff` under strace, which writes the system calls of all its threads into `trace`.
+pub(crate) fn run_traced(folder: &Path, trace: &Path, arguments: &[&str]) -> Said {
+    let mut strace = Command::new("strace");
+    strace.args(["-f", "-qq", "-o"]).arg(trace).arg(program());
+    Said::new(with_arguments(strace, folder, arguments).output().expect("strace starts"))
 }
 
 /// Starts `letoff`; end it with [`end`].

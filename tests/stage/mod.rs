@@ -11,6 +11,7 @@ use firmware_protocol::key::KeyIndex;
 use haptics::{Gesture, Touch};
 use hardware::sim::keybed::SimulatedKeybed;
 use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use realtime::thread::ThreadPlan;
 use scene::Scene;
 use scheduler::motion::KEYS;
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
@@ -56,7 +57,7 @@ pub fn keybed(scene: &Scene) -> SimulatedKeybed {
 /// Lanes with their threads, if there is more than one.
 pub fn lanes(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, VoiceSwaps) {
     let n_lanes = NonZeroUsize::new(n_lanes).expect("a lane at least");
-    ThreadedLanes::start(voices, n_lanes, None).expect("threads")
+    ThreadedLanes::start(voices, n_lanes, &ThreadPlan::default()).expect("threads")
 }
 
 /// The key with this number.

@@ -11,7 +11,7 @@ use rtrb::Consumer;
 use scheduler::time::Nanos;
 
 use realtime::clock;
-use realtime::thread::{DEFAULT_PRIORITY, ask_for_fifo};
+use realtime::thread::{DEFAULT_PRIORITY, ThreadPlan};
 use realtime::wake_fd::WakeFd;
 
 /// Longest wait without a bell: ports that vanished are looked for this often.
@@ -169,14 +169,16 @@ impl MidiThread {
     /// If the system gives no thread.
     pub fn start(
         mut dispatcher: Box<MidiDispatcher>,
+        plan: &ThreadPlan,
         bell: Arc<WakeFd>,
         start: Nanos,
         mut handover: Histogram<u64>,
     ) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
         let (its_stop, its_bell) = (Arc::clone(&stop), Arc::clone(&bell));
+        let plan = plan.below(PRIORITY);
         let thread = std::thread::Builder::new().name("letoff-midi".into()).spawn(move || {
-            let _as_the_tick_reports = ask_for_fifo(Some(PRIORITY));
+            let _as_the_tick_reports = plan.ask(0);
             dispatcher.attend(&its_bell, start, &its_stop, &mut handover);
             dispatcher.close(Some(handover))
         })?;

@@ -13,7 +13,7 @@ use scheduler::time::{Nanos, Timetable};
 
 use super::run;
 use super::stolen::stolen;
-use super::thread::{SchedulingPolicy, ask_for_fifo};
+use super::thread::{SchedulingPolicy, ThreadPlan};
 use super::{clock, memory};
 
 /// A running bare timer thread.
@@ -41,13 +41,13 @@ impl Baseline {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub fn start(timetable: Timetable, priority: Option<u8>) -> io::Result<Self> {
+    pub fn start(timetable: Timetable, plan: ThreadPlan) -> io::Result<Self> {
         let lateness = run::histogram().map_err(io::Error::other)?;
         let stop = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stop);
         let thread =
             std::thread::Builder::new().name("letoff-baseline".into()).spawn(move || {
-                let standing = ask_for_fifo(priority);
+                let standing = plan.ask(0);
                 memory::prefault_stack();
                 let lateness = measure(timetable, lateness, &asked);
                 BaselineTiming { lateness, standing, stolen: None }

@@ -12,6 +12,7 @@ use scheduler::voice::{Voice, VoiceOutput};
 use super::baseline::Baseline;
 use super::pool::{BoxedVoice, ThreadedLanes};
 use super::run::{Assembly, Timings, Until, ramp_down, run};
+use super::thread::ThreadPlan;
 use super::{clock, virtual_time};
 
 /// Tick rate of these tests: a run of some ticks takes a few milliseconds.
@@ -59,7 +60,8 @@ fn with_assembly(
 ) -> Vec<(u64, u64)> {
     let voices = (0..KEYS).map(|key| (key, Box::new(Spring) as BoxedVoice)).collect();
     let n_lanes = NonZeroUsize::new(n_lanes).unwrap();
-    let (mut lanes, _swaps) = ThreadedLanes::start(voices, n_lanes, None).unwrap();
+    let (mut lanes, _swaps) =
+        ThreadedLanes::start(voices, n_lanes, &ThreadPlan::default()).unwrap();
     let mut scheduler = super::run::scheduler(timetable(Nanos::ZERO), f64::INFINITY);
     let mut bus = HeldKeys { sent: Vec::new() };
     test(&mut Assembly {
@@ -140,7 +142,7 @@ fn a_ramp_ends_at_the_safe_force() {
 
 #[test]
 fn the_bare_timer_records_one_beat_at_least() {
-    let baseline = Baseline::start(timetable(clock::monotonic()), None).unwrap();
+    let baseline = Baseline::start(timetable(clock::monotonic()), ThreadPlan::default()).unwrap();
     let measured = baseline.stop().unwrap();
     assert!(!measured.lateness.is_empty());
 }

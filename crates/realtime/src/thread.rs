@@ -1,30 +1,113 @@
-//! A real-time priority for the calling thread, and whether the system granted it.
+//! How the calling thread is scheduled and where it runs, and whether the system granted it.
 
+use std::num::NonZeroU64;
+use std::time::Duration;
+
+use rustix::thread::set_current_timer_slack;
+use scheduler::time::Nanos;
 use thread_priority::{
-    RealtimeThreadSchedulePolicy, ThreadPriority, ThreadPriorityValue, ThreadSchedulePolicy,
-    set_thread_priority_and_policy, thread_native_id, thread_schedule_policy_param,
+    DeadlineFlags, RealtimeThreadSchedulePolicy, ThreadPriority, ThreadPriorityValue,
+    ThreadSchedulePolicy, set_thread_priority_and_policy, thread_native_id,
+    thread_schedule_policy_param,
 };
+
+use super::affinity;
 
 /// Priority of the tick when a scene does not say: above the sound server, below the kernel's
 /// own threads that must run for us (`ksoftirqd`, timers).
 pub const DEFAULT_PRIORITY: u8 = 80;
+
+/// Shortest timer slack (ns): sleeps of a thread without real-time rights end up to 50 us late
+/// with the usual one.
+const SLACK: NonZeroU64 = NonZeroU64::MIN;
+
+/// What is asked of the system for threads with a deadline.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ThreadPlan {
+    pub policy: WantedPolicy,
+    /// Processors, by their numbers: lane n runs on the n-th in turn; none for any.
+    pub cpus: Vec<usize>,
+}
+
+/// The scheduling that is asked for.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum WantedPolicy {
+    /// Nothing is asked: whatever the thread has.
+    #[default]
+    Ordinary,
+    /// `SCHED_FIFO` at this priority, in `1 ..= 99`.
+    Fifo(u8),
+    /// `SCHED_DEADLINE`: `runtime` of every `period`; `SCHED_FIFO` where it is refused. Such a
+    /// thread may start no other.
+    Deadline { runtime: Nanos, period: Nanos },
+}
+
+impl WantedPolicy {
+    /// `SCHED_FIFO` at the tick's priority.
+    pub const FIFO: Self = Self::Fifo(DEFAULT_PRIORITY);
+
+    /// `SCHED_DEADLINE` for a tick of this period, of which it may use three quarters: the rest is
+    /// left to others on a machine with one processor.
+    pub const fn deadline(period: Nanos) -> Self {
+        Self::Deadline { runtime: Nanos::new(period.as_u64() / 4 * 3), period }
+    }
+}
 
 /// How the system schedules a thread.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SchedulingPolicy {
     /// Policy and priority, as `SCHED_FIFO 80` or `SCHED_OTHER`.
     pub policy: String,
-    /// What to do if this is not what was asked for.
-    pub note: Option<String>,
+    /// What to do if this is not what was asked for, a sentence each.
+    pub advice: Vec<String>,
 }
 
-/// Asks for `SCHED_FIFO` at `priority`, in `1 ..= 99`, for the calling thread.
-///
-/// `None` asks for nothing. Either way the answer is what the system says afterwards, not
-/// what was asked for.
-pub fn ask_for_fifo(priority: Option<u8>) -> SchedulingPolicy {
-    let note = priority.and_then(|priority| try_fifo(priority).err());
-    SchedulingPolicy { policy: current_policy(), note }
+impl ThreadPlan {
+    /// Asks for what is planned for lane `lane`, which the calling thread is; the tick's own is 0.
+    ///
+    /// The answer is what the system says afterwards, not what was asked for.
+    pub fn ask(&self, lane: usize) -> SchedulingPolicy {
+        // A thread may always set its own.
+        let _set = set_current_timer_slack(Some(SLACK));
+        let mut advice = Vec::new();
+        if !self.cpus.is_empty() {
+            advice.extend(affinity::keep_to(self.cpus[lane % self.cpus.len()]).err());
+        }
+        match self.policy {
+            WantedPolicy::Ordinary => {}
+            WantedPolicy::Fifo(priority) => advice.extend(try_fifo(priority).err()),
+            WantedPolicy::Deadline { runtime, period } => {
+                if let Err(refused) = try_deadline(runtime, period) {
+                    advice.push(refused);
+                    advice.extend(try_fifo(DEFAULT_PRIORITY).err());
+                }
+            }
+        }
+        SchedulingPolicy { policy: current_policy(), advice }
+    }
+
+    /// Returns the plan for a thread that does next to nothing beside the tick: a timer.
+    #[must_use]
+    pub fn for_timer(&self) -> Self {
+        let policy = match self.policy {
+            WantedPolicy::Deadline { runtime, period } => {
+                WantedPolicy::Deadline { runtime: Nanos::new(runtime.as_u64() / 8), period }
+            }
+            WantedPolicy::Ordinary | WantedPolicy::Fifo(_) => self.policy,
+        };
+        Self { policy, cpus: self.cpus.clone() }
+    }
+
+    /// Returns the plan for a thread that must not hold up the tick, at the FIFO priority
+    /// `priority`, on any processor.
+    #[must_use]
+    pub const fn below(&self, priority: u8) -> Self {
+        let policy = match self.policy {
+            WantedPolicy::Ordinary => WantedPolicy::Ordinary,
+            WantedPolicy::Fifo(_) | WantedPolicy::Deadline { .. } => WantedPolicy::Fifo(priority),
+        };
+        Self { policy, cpus: Vec::new() }
+    }
 }
 
 fn try_fifo(priority: u8) -> Result<(), String> {
@@ -33,6 +116,26 @@ fn try_fifo(priority: u8) -> Result<(), String> {
     let fifo = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Fifo);
     set_thread_priority_and_policy(thread_native_id(), ThreadPriority::Crossplatform(value), fifo)
         .map_err(|error| advice(priority, &error))
+}
+
+fn try_deadline(runtime: Nanos, period: Nanos) -> Result<(), String> {
+    let whole = Duration::from_nanos(period.as_u64());
+    let wanted = ThreadPriority::Deadline {
+        runtime: Duration::from_nanos(runtime.as_u64()),
+        deadline: whole,
+        period: whole,
+        flags: DeadlineFlags::empty(),
+    };
+    let deadline = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Deadline);
+    // The library hands what it gets here to the kernel, for which 0 is the calling thread; its
+    // own number of a thread, as above, is one of the C library.
+    set_thread_priority_and_policy(0, wanted, deadline).map_err(|_minus_one| {
+        "SCHED_DEADLINE was refused, so SCHED_FIFO is asked for; no limit of a user allows it, so \
+         give the program the capability (`sudo setcap cap_sys_nice,cap_ipc_lock+ep <letoff>`), \
+         let it run on all processors (`taskset -p <pid>` shows which), and leave room for it \
+         (`sysctl kernel.sched_rt_runtime_us` shows how much there is)."
+            .to_owned()
+    })
 }
 
 fn advice(priority: u8, error: &thread_priority::Error) -> String {
@@ -45,7 +148,7 @@ fn advice(priority: u8, error: &thread_priority::Error) -> String {
 }
 
 fn current_policy() -> String {
-    use RealtimeThreadSchedulePolicy::{Fifo, RoundRobin};
+    use RealtimeThreadSchedulePolicy::{Deadline, Fifo, RoundRobin};
     match thread_schedule_policy_param(thread_native_id()) {
         Ok((ThreadSchedulePolicy::Realtime(Fifo), params)) => {
             format!("SCHED_FIFO {}", params.sched_priority)
@@ -53,7 +156,7 @@ fn current_policy() -> String {
         Ok((ThreadSchedulePolicy::Realtime(RoundRobin), params)) => {
             format!("SCHED_RR {}", params.sched_priority)
         }
-        Ok((ThreadSchedulePolicy::Realtime(other), _)) => format!("{other:?}"),
+        Ok((ThreadSchedulePolicy::Realtime(Deadline), _)) => "SCHED_DEADLINE".to_owned(),
         Ok((ThreadSchedulePolicy::Normal(_), _)) => "SCHED_OTHER".to_owned(),
         Err(error) => format!("unknown ({error})"),
     }
@@ -61,28 +164,80 @@ fn current_policy() -> String {
 
 #[cfg(test)]
 mod tests {
+    use rustix::thread::{CapabilitySet, capabilities, current_timer_slack};
+
     use super::*;
+
+    /// What a thread of its own is granted: it may really become a real-time thread.
+    fn granted(policy: WantedPolicy, cpus: &[usize], lane: usize) -> SchedulingPolicy {
+        let plan = ThreadPlan { policy, cpus: cpus.to_vec() };
+        std::thread::spawn(move || plan.ask(lane)).join().unwrap()
+    }
 
     #[test]
     fn who_asks_for_nothing_gets_no_advice() {
-        assert_eq!(ask_for_fifo(None).note, None);
+        let expected = SchedulingPolicy { policy: "SCHED_OTHER".into(), advice: Vec::new() };
+        assert_eq!(granted(WantedPolicy::Ordinary, &[], 0), expected);
     }
 
     #[test]
     fn the_answer_is_either_what_was_asked_for_or_says_what_to_do() {
-        // On a thread of its own: it may really become a real-time thread.
-        let standing = std::thread::spawn(|| ask_for_fifo(Some(7))).join().unwrap();
-        match standing.note {
-            None => assert_eq!(standing.policy, "SCHED_FIFO 7"),
-            Some(note) => assert!(note.contains("ulimit -r") && note.contains("setcap"), "{note}"),
+        let standing = granted(WantedPolicy::Fifo(7), &[], 0);
+        if standing.advice.is_empty() {
+            assert_eq!(standing.policy, "SCHED_FIFO 7");
+        } else {
+            let advice = &standing.advice[0];
+            assert!(advice.contains("ulimit -r") && advice.contains("setcap"), "{advice}");
         }
+    }
+
+    #[test]
+    fn a_deadline_that_is_refused_falls_back_on_fifo_and_says_what_to_do() {
+        let standing = granted(WantedPolicy::deadline(Nanos::from_millis(10)), &[], 0);
+        let may = capabilities(None).unwrap().effective.contains(CapabilitySet::SYS_NICE);
+        if standing.policy == "SCHED_DEADLINE" {
+            assert_eq!(standing.advice, [""; 0]);
+        } else {
+            assert!(!may || affinity::allowed() != affinity::online(), "{standing:?}");
+            assert!(standing.advice[0].contains("setcap"), "{standing:?}");
+            assert!(standing.policy == "SCHED_FIFO 80" || standing.advice.len() == 2);
+        }
+        // More than there is, for whoever asks.
+        let (runtime, period) = (Nanos::from_millis(20), Nanos::from_millis(10));
+        let refused = granted(WantedPolicy::Deadline { runtime, period }, &[], 0);
+        assert!(refused.policy != "SCHED_DEADLINE", "{refused:?}");
+        assert!(refused.advice[0].starts_with("SCHED_DEADLINE was refused"), "{refused:?}");
     }
 
     #[test]
     fn a_priority_that_does_not_exist_is_refused() {
         for priority in [0, 100] {
-            let standing = std::thread::spawn(move || ask_for_fifo(Some(priority))).join().unwrap();
-            assert!(standing.note.is_some() && !standing.policy.starts_with("SCHED_FIFO"));
+            let standing = granted(WantedPolicy::Fifo(priority), &[], 0);
+            assert!(!standing.advice.is_empty() && !standing.policy.starts_with("SCHED_FIFO"));
         }
+    }
+
+    #[test]
+    fn lanes_run_on_their_processors_in_turn_and_say_which_cannot_be_had() {
+        let cpus = affinity::allowed();
+        let (first, last) = (cpus[0], cpus[cpus.len() - 1]);
+        for (lane, expected) in [(0, first), (1, last), (2, first)] {
+            let plan = ThreadPlan { cpus: vec![first, last], ..ThreadPlan::default() };
+            let ask = move || (plan.ask(lane).advice, affinity::allowed());
+            let (advice, is_on) = std::thread::spawn(ask).join().unwrap();
+            assert_eq!((advice, is_on), (Vec::new(), vec![expected]), "lane {lane}");
+        }
+        let standing = granted(WantedPolicy::Ordinary, &[1023], 0);
+        assert!(standing.advice[0].contains("processor 1023"), "{standing:?}");
+    }
+
+    #[test]
+    fn sleeps_end_as_exactly_as_they_can() {
+        let slack = || {
+            let _standing = ThreadPlan::default().ask(0);
+            current_timer_slack().unwrap()
+        };
+        // 1 ns, or none for a thread that is scheduled in real time already.
+        assert!(std::thread::spawn(slack).join().unwrap() <= 1);
     }
 }

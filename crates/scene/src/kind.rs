@@ -13,8 +13,8 @@ use descriptions::load_model;
 use diagnostics::Diagnostics;
 
 /// Names that only a scene has.
-const SCENE: [&str; 9] =
-    ["tick_hz", "lanes", "budget", "render", "rig", "keys", "links", "midi", "pianist"];
+const SCENE: [&str; 10] =
+    ["tick_hz", "lanes", "realtime", "budget", "render", "rig", "keys", "links", "midi", "pianist"];
 
 /// Names that only an instrument has.
 const INSTRUMENT: [&str; 9] =

@@ -8,7 +8,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | `scene`, `render`, `rig`, `keys`, `links` | the scene, a file per table |
+//! | `scene`, `render`, `realtime`, `rig`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
 //! | `fidelity` | how much of an instrument's action is computed |
 //! | `live` | settings that change while a host plays |
@@ -37,6 +37,7 @@ mod needs;
 mod overrides;
 mod quantity;
 mod read;
+mod realtime;
 mod render;
 mod report;
 mod rig;
@@ -59,9 +60,10 @@ pub use links::{
     BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
 };
 pub use needs::{Needs, Unmet};
+pub use realtime::{LaneCount, ThreadPolicy, ThreadRules};
 pub use render::{InputReconstruction, PassivityMode, Render};
 pub use rig::{FingerName, Rig};
-pub use scene::{LaneCount, Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
+pub use scene::{Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
 pub use source::Override;
 pub use voicing::Voicing;
 pub use write::written;

@@ -14,6 +14,7 @@ use super::needs::LoopSettings;
 use super::overrides;
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
+use super::realtime::{self, LaneCount, ThreadRules};
 use super::render::{self, Render, TICK_HZ};
 use super::report::{Location, MistakeList};
 use super::rig::{self, Rig};
@@ -38,6 +39,8 @@ pub struct Scene {
     pub tick_hz: u32,
     /// Threads of the tick.
     pub lanes: LaneCount,
+    /// How those threads are scheduled.
+    pub realtime: ThreadRules,
     /// The settings by which voices are computed.
     pub render: Render,
     /// What the keys are made of.
@@ -57,15 +60,6 @@ pub struct Scene {
     pub midi: Midi,
     /// The piece of the virtual pianist, if there is one.
     pub performance: Option<PerformanceSource>,
-}
-
-/// Threads of the tick.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum LaneCount {
-    /// One for each processor, at most 16.
-    Auto,
-    /// A fixed number, 1 ..= 16.
-    Count(usize),
 }
 
 /// The output of strikes, and their velocities; and what program changes switch to.
@@ -209,6 +203,7 @@ impl Scene {
         let rate = read_tick_hz(report, reader);
         let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
         let lanes = read_lanes(report, reader).unwrap_or(LaneCount::Auto);
+        let realtime = realtime::read(report, reader, lanes);
         let render = render::read(report, reader, tick_hz);
         let rig = rig::read(report, reader);
         let in_loop = match stability {
@@ -229,6 +224,7 @@ impl Scene {
             title,
             tick_hz,
             lanes,
+            realtime,
             render,
             rig,
             keys,

@@ -9,7 +9,8 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
-use super::scene::{LaneCount, Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
+use super::realtime::LaneCount;
+use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
 
 /// Returns the text of `scene`; read again it is the same scene to the last bit.
 pub fn written(scene: &Scene) -> String {
@@ -20,6 +21,7 @@ pub fn written(scene: &Scene) -> String {
         LaneCount::Auto => value("auto"),
         LaneCount::Count(count) => value(i64::try_from(count).unwrap_or(1)),
     };
+    document["realtime"] = Item::Table(scene.realtime.written());
     document["render"] = Item::Table(scene.render.written());
     document["rig"] = Item::Table(scene.rig.written());
     document["links"] = Item::Table(links(&scene.links));
@@ -173,9 +175,10 @@ mod tests {
     fn facts(it: &Scene) -> String {
         let keys = it.keys.iter().map(|voice| voice.as_ref().map(|it| (it.model.name, &it.values)));
         let keys: Vec<_> = keys.collect();
-        let Scene { title, tick_hz, lanes, render, links, midi, performance, .. } = it;
+        let Scene { title, tick_hz, lanes, realtime, render, .. } = it;
+        let Scene { links, midi, performance, .. } = it;
         format!(
-            "{title} {tick_hz} {lanes:?} {render:?} {links:?} {midi:?} {performance:?} {keys:?}"
+            "{title} {tick_hz} {lanes:?} {realtime:?} {render:?} {links:?} {midi:?} {performance:?} {keys:?}"
         )
     }
 
@@ -203,6 +206,8 @@ mod tests {
             ),
             ("midi.output", "Synth \"one\""),
             ("lanes", "3"),
+            ("realtime.policy", "fifo"),
+            ("realtime.cpus", "[2, 3]"),
             ("render.longest_step", "0.3 ms"),
             ("render.force_limit", "12.34567891234567"),
             ("keys.0.parameters.restitution", "0.123456789012345678"),

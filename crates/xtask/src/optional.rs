@@ -1,4 +1,4 @@
-//! What some tests need and the build does not: tools of emulated machines, and a target.
+//! What some tests need and the build does not: tools of emulated machines, a tracer, and a target.
 //!
 //! Tests that miss something of it are skipped, and say so.
 
@@ -16,6 +16,9 @@ const FIRMWARE: [Tool; 3] = [
     ("arm-none-eabi-gcc", "gcc-arm-none-eabi"),
     ("/usr/include/newlib/newlib.h", "libnewlib-arm-none-eabi"),
 ];
+
+/// For the system calls of a tick.
+const TRACER: [Tool; 1] = [("strace", "strace")];
 
 /// The target of those microcontrollers.
 const TARGET: &str = "thumbv7m-none-eabi";
@@ -43,7 +46,7 @@ pub(crate) fn install() {
 
 /// What is missing, for one call of apt.
 fn packages(is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
-    tools::packages(&[&FIRMWARE, &tools::MAKERS, &guest_boards::PROGRAMS], is_there)
+    tools::packages(&[&FIRMWARE, &TRACER, &tools::MAKERS, &guest_boards::PROGRAMS], is_there)
 }
 
 #[cfg(test)]
@@ -53,8 +56,10 @@ mod tests {
     #[test]
     fn what_is_missing_is_installed_in_one_call() {
         assert!(packages(|_| true).is_empty());
-        let packages = packages(|it| !it.starts_with("qemu") && !it.starts_with('/'));
-        let expected = ["libnewlib-arm-none-eabi", "qemu-system-arm", "qemu-system-x86"];
+        let is_there =
+            |it: &str| !["qemu", "strace", "/"].iter().any(|lacks| it.starts_with(lacks));
+        let packages = packages(is_there);
+        let expected = ["libnewlib-arm-none-eabi", "qemu-system-arm", "qemu-system-x86", "strace"];
         assert_eq!(packages, expected);
     }
 }

@@ -108,6 +108,8 @@ pub struct Realtime {
     pub policy: String,
     /// Whether memory cannot be paged out.
     pub memory_locked: bool,
+    /// Whether processors are kept from falling deeply asleep.
+    pub latency_held: bool,
     /// The steps to get more rights, a sentence each.
     pub advice: Vec<String>,
 }

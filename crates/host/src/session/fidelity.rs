@@ -95,7 +95,7 @@ fn share(scene: &Scene, keys: &[usize]) -> Result<f64, BuildError> {
         sum += tick_cost(&builder, voice)?;
         timed += 1.0;
     }
-    let lanes = super::lanes(scene.lanes).get() as f64;
+    let lanes = super::threads::lanes(scene).get() as f64;
     Ok(if timed > 0.0 {
         sum / timed * voices.len() as f64 / (lanes * builder.period().as_secs_f64())
     } else {

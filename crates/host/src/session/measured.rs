@@ -5,6 +5,7 @@ use realtime::baseline;
 use realtime::memory::Locked;
 use realtime::run::Timings;
 use realtime::thread::SchedulingPolicy;
+use realtime::wake_latency::HeldLatency;
 
 /// The measured part of a report.
 #[derive(Debug)]
@@ -19,11 +20,11 @@ impl MeasuredRun {
     pub(super) fn new(
         timings: &Timings,
         standing: SchedulingPolicy,
-        locked: Locked,
+        (locked, latency): (Locked, HeldLatency),
         baseline: Option<&baseline::BaselineTiming>,
     ) -> Self {
         let counters = timings.counters();
-        let advice = standing.note.into_iter().chain(locked.note).collect();
+        let advice = standing.advice.into_iter().chain(locked.note);
         let deadline = Deadline {
             missed: counters.missed,
             missed_own_work: counters.missed_own_work,
@@ -36,7 +37,12 @@ impl MeasuredRun {
             timer_baseline_us: baseline
                 .map_or_else(Quantiles::default, |it| Quantiles::of(&it.lateness)),
         };
-        let realtime = Realtime { policy: standing.policy, memory_locked: locked.current, advice };
+        let realtime = Realtime {
+            policy: standing.policy,
+            memory_locked: locked.current,
+            latency_held: latency.is_held(),
+            advice: advice.chain(latency.advice).collect(),
+        };
         Self { realtime, deadline, skipped: counters.skipped }
     }
 }

@@ -9,6 +9,7 @@ mod monitored_output;
 mod observed;
 mod pianist;
 mod real;
+mod threads;
 mod virtual_run;
 
 use std::num::NonZeroUsize;
@@ -39,9 +40,9 @@ use observed::ObservedOutputs;
 pub(crate) use observed::Watchers;
 use realtime::clock;
 use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
-use realtime::thread::DEFAULT_PRIORITY;
+use realtime::thread::ThreadPlan;
 use realtime::wake_fd::WakeFd;
-use scene::{LaneCount, LinksConfig as SceneLinks, Scene};
+use scene::{LinksConfig as SceneLinks, Scene};
 
 pub use fidelity::choose_fidelity;
 pub use pianist::PianistProgress;
@@ -126,9 +127,6 @@ const AFTERGLOW: f64 = 1.0;
 /// Key events that may wait for the MIDI thread; a chord of all keys makes 88.
 const RING: usize = 4096;
 
-/// Most threads that share the tick.
-const MOST_LANES: usize = 16;
-
 /// Everything of one run, connected and at rest.
 pub struct RunSession {
     prepared: Box<PreparedRun>,
@@ -145,6 +143,7 @@ struct PreparedRun {
     slew_limit: f64,
     n_voices: usize,
     n_lanes: NonZeroUsize,
+    threads: ThreadPlan,
     ticks: Option<u64>,
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
@@ -239,7 +238,8 @@ impl RunSession {
             tick_hz: scene.tick_hz,
             slew_limit: scene.render.slew_limit,
             n_voices: voices.len(),
-            n_lanes: lanes(scene.lanes),
+            n_lanes: threads::lanes(scene),
+            threads: threads::plan(scene, options),
             ticks: seconds.map(|seconds| clock::nearest_integer(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
@@ -317,8 +317,7 @@ impl PreparedRun {
     }
 
     fn start_lanes(&mut self) -> std::io::Result<(ThreadedLanes, VoiceSwaps)> {
-        let priority = (!self.virtual_time).then_some(DEFAULT_PRIORITY);
-        ThreadedLanes::start(std::mem::take(&mut self.voices), self.n_lanes, priority)
+        ThreadedLanes::start(std::mem::take(&mut self.voices), self.n_lanes, &self.threads)
     }
 
     /// Puts the report together when all is over.
@@ -380,17 +379,6 @@ impl PreparedRun {
     }
 }
 
-/// Returns how many threads share the tick.
-fn lanes(lanes: LaneCount) -> NonZeroUsize {
-    match lanes {
-        LaneCount::Count(count) => NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN),
-        LaneCount::Auto => {
-            let processors = std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
-            NonZeroUsize::new(processors.min(MOST_LANES)).unwrap_or(NonZeroUsize::MIN)
-        }
-    }
-}
-
 /// Returns how the notes came out that the piece asks for before the run's end.
 fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteReport {
     // A note wanted within a matching window of the end may rightly be struck after it.
@@ -444,7 +432,11 @@ fn all_keys() -> impl Iterator<Item = KeyIndex> {
 
 /// Policy of a run that no clock decides.
 fn no_clock() -> (Realtime, Deadline) {
-    let realtime =
-        Realtime { policy: "virtual time".into(), memory_locked: false, advice: Vec::new() };
+    let realtime = Realtime {
+        policy: "virtual time".into(),
+        memory_locked: false,
+        latency_held: false,
+        advice: Vec::new(),
+    };
     (realtime, Deadline::default())
 }

@@ -15,7 +15,8 @@ use crate::report::RunReport;
 use ::scheduler::time::Nanos;
 use realtime::baseline::Baseline;
 use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, scheduler};
-use realtime::thread::{DEFAULT_PRIORITY, SchedulingPolicy, ask_for_fifo};
+use realtime::thread::{SchedulingPolicy, WantedPolicy};
+use realtime::wake_latency::HeldLatency;
 use realtime::{memory, run as ticks};
 use telemetry::HostState;
 
@@ -31,6 +32,10 @@ pub(super) fn run(
     stop: &AtomicBool,
 ) -> Result<RunReport, SessionError> {
     let locked = memory::lock();
+    let latency = match prepared.threads.policy {
+        WantedPolicy::Ordinary => HeldLatency::default(),
+        WantedPolicy::Fifo(_) | WantedPolicy::Deadline { .. } => HeldLatency::hold(),
+    };
     let handle = Arc::clone(&prepared.handle);
     let emergency = &handle.emergency;
     handle.status.enter(HostState::Starting);
@@ -42,9 +47,15 @@ pub(super) fn run(
     let handover = histogram().map_err(std::io::Error::other)?;
     let (pulses, thread) = observed.begin(since_1970(start));
     let telemetry = RunningTelemetry::start(thread)?;
-    let midi = MidiThread::start(dispatcher, Arc::clone(&prepared.bell), start, handover)?;
+    let midi = MidiThread::start(
+        dispatcher,
+        &prepared.threads,
+        Arc::clone(&prepared.bell),
+        start,
+        handover,
+    )?;
     let timetable = prepared.timetable()?.moved(0, start);
-    let baseline = Baseline::start(timetable, Some(DEFAULT_PRIORITY))?;
+    let baseline = Baseline::start(timetable, prepared.threads.for_timer())?;
     // The scope joins the tick's thread whatever happens, so a panic there ends here.
     let ticked = std::thread::scope(|scope| {
         let named = std::thread::Builder::new().name("letoff-tick".into());
@@ -62,7 +73,7 @@ pub(super) fn run(
     }
     telemetry.finish().map_err(|_panic| SessionError::Panicked("telemetry"))?;
     let (timings, standing) = ticked?.map_err(|_panic| SessionError::Panicked("tick"))??;
-    let measured = MeasuredRun::new(&timings, standing, locked, baseline.as_ref());
+    let measured = MeasuredRun::new(&timings, standing, (locked, latency), baseline.as_ref());
     Ok(prepared.report(timings.counters().ticks, played, measured, &bus))
 }
 
@@ -74,9 +85,11 @@ fn tick(
     start: Nanos,
     stop: &AtomicBool,
 ) -> Result<(Timings, SchedulingPolicy), SessionError> {
-    let standing = ask_for_fifo(Some(DEFAULT_PRIORITY));
+    let mut standing = prepared.threads.ask(0);
     memory::prefault_stack();
     let (mut lanes, swaps) = prepared.start_lanes()?;
+    standing.advice.extend(lanes.standings().flat_map(|it| it.advice.iter().cloned()));
+    standing.advice.dedup();
     prepared.handle.open(swaps);
     let mut scheduler = scheduler(prepared.timetable()?, prepared.slew_limit);
     let mut timings = Timings::new().map_err(std::io::Error::other)?;

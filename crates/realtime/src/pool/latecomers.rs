@@ -1,6 +1,7 @@
 //! Turns that came too late: what of them is kept, and counted.
 
 use scheduler::motion::KEYS;
+use scheduler::slot::Slot;
 use scheduler::voice::{Events, VoiceOutput};
 
 use super::WaitLimit;
@@ -9,9 +10,9 @@ use super::worker::{Batch, boxed_array};
 /// What became of lanes, counted since the start.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LaneCounters {
-    /// A lane's share of a tick that was not ready in time.
+    /// Ticks of a lane that were not ready in time, or not all of them.
     pub late: u64,
-    /// Of these, ones that took more CPU time than a punctual tick has; known when they arrive.
+    /// Shares that came late and took more CPU time than a punctual tick has.
     pub late_own_work: u64,
     /// Shares that were not run at all, because their tick had passed.
     pub passed: u64,
@@ -59,8 +60,8 @@ impl LateResults {
         Self { kept: boxed_array(), any: false, counters: LaneCounters::default() }
     }
 
-    /// Keeps what `batch`, which came back too late, says of `keys`.
-    pub(super) fn keep(&mut self, keys: &[usize], batch: &Batch) {
+    /// Keeps what `batch`, which came back too late, says of its keys.
+    pub(super) fn keep(&mut self, batch: &Batch) {
         let Some(cpu) = batch.ran else {
             self.counters.passed += 1;
             return;
@@ -69,7 +70,7 @@ impl LateResults {
             WaitLimit::Until { share, .. } if share < cpu => self.counters.late_own_work += 1,
             WaitLimit::Until { .. } | WaitLimit::Endless => {}
         }
-        for &key in keys {
+        for key in batch.slots.iter().map(Slot::key) {
             self.kept[key].keep(&batch.turns[key]);
             self.any |= !self.kept[key].is_empty();
         }

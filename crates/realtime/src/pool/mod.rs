@@ -1,22 +1,29 @@
 //! Voices on one or several threads.
 //!
 //! Lane 0 runs on the tick's own thread; every other lane on a thread of its own, started at
-//! set-up, that owns its voices. With one lane no thread, clock or atomic is involved.
+//! set-up. With one lane no thread, clock or atomic is involved.
 //!
 //! ```text
 //! tick's thread                                lane n's thread
-//!   give batch ──── ring ──── unpark ─────────▶ park
-//!   run lane 0                                  swap voices, run slots
-//!   collect    ◀──────────── ring ───────────── batch with turns
+//!   swap voices, share them out
+//!   give batches ─── ring ─── unpark ─────────▶ park
+//!   run lane 0                                  run those awake, then those at rest
+//!   collect     ◀─────────── ring ───────────── batches with turns
 //! ```
 //!
-//! Collecting spins until all lanes are done or the time for it is over. A lane that is not
-//! done keeps its previous forces, marked late. When its turns arrive later, their forces are
-//! dropped, by tick number, but what happened to the notes is passed on with the next tick:
-//! a lost damper would leave a note hanging.
+//! Voices travel with the batches and are with the tick between ticks. They are shared out by
+//! their counted evaluations of late, one move in a tick, so that lanes have equally much to do;
+//! what a voice computes does not depend on where it is.
+//!
+//! Collecting spins until all lanes are done or the time for it is over. What is not done keeps
+//! its previous forces, marked late: voices at rest before all, since they are run last. When its
+//! turns arrive later, their forces are dropped, by tick number, but what happened to the notes
+//! is passed on with the next tick: a lost damper would leave a note hanging.
 
+mod balance;
 mod fence;
 mod latecomers;
+mod share;
 mod swap;
 mod worker;
 
@@ -29,20 +36,23 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::thread;
 
+use scheduler::lane::run_slots;
 use scheduler::motion::KEYS;
 use scheduler::port::{Lanes, TickInput, TickOutput};
 use scheduler::slot::{Slot, lane_of};
 use scheduler::time::Nanos;
-use scheduler::voice::{VoiceFault, VoiceOutput};
 
 pub use fence::{BoxedVoice, PanicGuard};
 pub use latecomers::{LaneCounters, LateResult};
 pub use swap::{Refused, VoiceChange, VoiceSwaps};
 
 use super::clock;
-use super::thread::SchedulingPolicy;
+use super::thread::{SchedulingPolicy, ThreadPlan};
+use balance::MeasuredWork;
 use latecomers::LateResults;
-use worker::{Lane, PoolState, Remote};
+use share::RemoteLane;
+use swap::InnerEnd;
+use worker::{AWAKE, Batch, PoolState, Remote};
 
 /// Looks at the rings between two offers of the processor to others.
 const LOOKS_PER_YIELD: u64 = 64;
@@ -76,30 +86,14 @@ impl WaitLimit {
 /// A tick allocates, locks and frees nothing, unless a voice panics, and ends by its patience.
 #[derive(Debug)]
 pub struct ThreadedLanes {
-    inline: Lane,
+    inline: Vec<Slot<PanicGuard>>,
     remotes: Vec<RemoteLane>,
+    swaps: InnerEnd,
+    measured: MeasuredWork,
     shared: Arc<PoolState>,
     patience: WaitLimit,
     latecomers: LateResults,
     times: LaneTimes,
-}
-
-/// A lane on another thread, and how it stands in this tick.
-#[derive(Debug)]
-struct RemoteLane {
-    remote: Remote,
-    stands: LaneState,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum LaneState {
-    Running,
-    Done {
-        cpu: Nanos,
-    },
-    /// It was not given this tick yet: it still has two others.
-    Behind,
-    Lost,
 }
 
 /// CPU times of the last tick that concern more than its own thread.
@@ -111,8 +105,7 @@ struct LaneTimes {
 }
 
 impl ThreadedLanes {
-    /// Shares `voices`, each with its key, among `n_lanes` and starts their threads at
-    /// `priority`.
+    /// Shares `voices`, each with its key, among `n_lanes` and starts their threads by `plan`.
     ///
     /// The second value is the way to put in other voices later.
     ///
@@ -124,33 +117,34 @@ impl ThreadedLanes {
     pub fn start(
         voices: Vec<(usize, BoxedVoice)>,
         n_lanes: NonZeroUsize,
-        priority: Option<u8>,
+        plan: &ThreadPlan,
     ) -> io::Result<(Self, VoiceSwaps)> {
         let n_lanes = n_lanes.get();
         let mut has_voice = [false; KEYS];
         for (key, _voice) in &voices {
             has_voice[*key] = true;
         }
-        let (outer_ends, inner_ends) = swap::rings(n_lanes, has_voice);
-        let mut lanes: Vec<_> =
-            inner_ends.into_iter().map(|swaps| Lane { slots: Vec::new(), swaps }).collect();
+        let (outer, swaps) = swap::rings(has_voice);
+        let mut lanes: Vec<_> = (0..n_lanes).map(|_| Vec::with_capacity(KEYS)).collect();
         for (key, voice) in voices {
-            lanes[lane_of(key, n_lanes)].slots.push(Slot::new(key, PanicGuard::new(voice)));
+            lanes[lane_of(key, n_lanes)].push(Slot::new(key, PanicGuard::new(voice)));
         }
-        let inline = lanes.remove(0);
         let mut pool = Self {
-            inline,
+            inline: lanes.remove(0),
             remotes: Vec::with_capacity(lanes.len()),
+            swaps,
+            measured: MeasuredWork::new(),
             shared: Arc::default(),
             patience: WaitLimit::Endless,
             latecomers: LateResults::new(),
             times: LaneTimes::default(),
         };
-        for (number, lane) in (1..).zip(lanes) {
-            let remote = Remote::start(number, lane, Arc::clone(&pool.shared), priority)?;
-            pool.remotes.push(RemoteLane { remote, stands: LaneState::Behind });
+        for (number, slots) in (1..).zip(lanes) {
+            let remote = Remote::start(number, Arc::clone(&pool.shared), plan.clone())?;
+            let batches = [Batch::new(AWAKE, slots), Batch::new(AWAKE + 1, Vec::new())];
+            pool.remotes.push(RemoteLane::new(remote, batches));
         }
-        Ok((pool, outer_ends))
+        Ok((pool, outer))
     }
 
     /// Sets how long ticks wait for lanes from now on.
@@ -176,11 +170,28 @@ impl ThreadedLanes {
         self.remotes.iter().map(|lane| &lane.remote.standing)
     }
 
-    fn give(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+    /// Makes lanes equal: one voice goes from the lane with the most to do to that with the
+    /// least, of those that are not late.
+    fn share_out(&mut self) {
+        self.remotes.iter_mut().for_each(|lane| lane.sort(&self.measured));
+        let others = self.remotes.iter().map(|lane| lane.load(&self.measured));
+        let loads = std::iter::once(Some(self.measured.of(&self.inline))).chain(others);
+        let loads = loads.enumerate().filter_map(|(lane, load)| Some((load?, lane)));
+        let Some((most, from)) = loads.clone().max() else { return };
+        let Some((least, to)) = loads.min() else { return };
+        let measured = &self.measured;
+        let choice = slots_of(&mut self.inline, &mut self.remotes, from)
+            .and_then(|slots| Some(slots.swap_remove(measured.to_move(slots, most, least)?)));
+        let Some(slot) = choice else { return };
+        if let Some(slots) = slots_of(&mut self.inline, &mut self.remotes, to) {
+            // Never grows: there is room for all keys.
+            slots.push(slot);
+        }
+    }
+
+    fn give(&mut self, input: &TickInput<'_>) {
         self.shared.current.store(input.tick, Ordering::Release);
         for lane in &mut self.remotes {
-            lane.stands = LaneState::Behind;
-            lane.take_back(input.tick, output, &mut self.latecomers);
             lane.give(input, self.patience);
         }
     }
@@ -188,8 +199,8 @@ impl ThreadedLanes {
     /// Spins until all lanes are done or the time for it is over.
     fn collect(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         for look in 1_u64.. {
-            let waiting = self.look(input, output);
-            if !waiting || self.patience.is_over() {
+            let is_over = !self.look(input, output) || self.patience.is_over();
+            if is_over {
                 return;
             }
             if look.is_multiple_of(LOOKS_PER_YIELD) {
@@ -202,54 +213,55 @@ impl ThreadedLanes {
     }
 
     /// Takes what is there; says whether a lane is still worth waiting for.
-    ///
-    /// One that is behind with earlier ticks is, only if there is no limit.
     fn look(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) -> bool {
         let mut waiting = false;
         for lane in &mut self.remotes {
             lane.take_back(input.tick, output, &mut self.latecomers);
-            if lane.stands == LaneState::Behind && self.patience == WaitLimit::Endless {
-                lane.give(input, self.patience);
-                waiting = true;
-            }
-            waiting |= lane.stands == LaneState::Running;
+            // What just came back from an earlier tick may still be in time for this one.
+            lane.give(input, self.patience);
+            waiting |= lane.is_awaited(self.patience);
         }
         waiting
     }
 
-    /// Holds the forces of lanes that are not done.
+    /// Holds the forces of what is not done.
     fn hold_late(&mut self, output: &mut TickOutput<'_>) {
         for lane in &self.remotes {
-            let instead: fn(&mut VoiceOutput) = match lane.stands {
-                LaneState::Done { cpu } => {
-                    self.times.slowest = self.times.slowest.max(cpu);
-                    continue;
-                }
-                LaneState::Running | LaneState::Behind => {
-                    self.latecomers.counters.late += 1;
-                    VoiceOutput::hold
-                }
-                LaneState::Lost => |turn| turn.fail(VoiceFault::Panicked),
-            };
-            for &key in &lane.remote.keys {
-                instead(&mut output.turns[key]);
-                output.observed[key].pass(0);
-            }
+            self.times.slowest = self.times.slowest.max(lane.cpu());
+            self.latecomers.counters.late += u64::from(lane.hold_late(output));
         }
+    }
+}
+
+/// The slots of lane `number` that are run first, if they are at home.
+fn slots_of<'a>(
+    inline: &'a mut Vec<Slot<PanicGuard>>,
+    remotes: &'a mut [RemoteLane],
+    number: usize,
+) -> Option<&'a mut Vec<Slot<PanicGuard>>> {
+    match number.checked_sub(1) {
+        None => Some(inline),
+        Some(remote) => remotes.get_mut(remote)?.awake(),
     }
 }
 
 impl Lanes for ThreadedLanes {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         if self.remotes.is_empty() {
-            self.inline.run(input, output);
+            self.swaps.apply(&mut self.inline, &mut []);
+            run_slots(&mut self.inline, input, output);
             return;
         }
         self.times = LaneTimes::default();
-        self.give(input, output);
+        for lane in &mut self.remotes {
+            lane.begin(input.tick, output, &mut self.latecomers);
+        }
+        self.swaps.apply(&mut self.inline, &mut self.remotes);
+        self.share_out();
+        self.give(input);
 
         let before = clock::thread_cpu();
-        self.inline.run(input, output);
+        run_slots(&mut self.inline, input, output);
         let between = clock::thread_cpu();
         self.collect(input, output);
         let after = clock::thread_cpu();
@@ -258,33 +270,7 @@ impl Lanes for ThreadedLanes {
         self.times.waiting = after.since(between);
         self.hold_late(output);
         self.latecomers.hand_over(output.turns);
-    }
-}
-
-impl RemoteLane {
-    /// Gives the lane this tick, if it has a batch free; it is behind until then.
-    fn give(&mut self, input: &TickInput<'_>, patience: WaitLimit) {
-        if self.remote.give(input, patience) {
-            self.stands = LaneState::Running;
-        }
-    }
-
-    /// Takes back what the lane has finished.
-    fn take_back(&mut self, tick: u64, output: &mut TickOutput<'_>, latecomers: &mut LateResults) {
-        // Bounded by the lane's batches.
-        while let Some(batch) = self.remote.take() {
-            match batch.ran {
-                Some(cpu) if batch.tick == tick => {
-                    batch.write(&self.remote.keys, output);
-                    self.stands = LaneState::Done { cpu };
-                }
-                Some(_) | None => latecomers.keep(&self.remote.keys, &batch),
-            }
-            self.remote.keep(batch);
-        }
-        if self.remote.is_lost() {
-            self.stands = LaneState::Lost;
-        }
+        self.measured.learn(output.turns);
     }
 }
 

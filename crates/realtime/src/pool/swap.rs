@@ -4,12 +4,13 @@ use std::fmt;
 
 use rtrb::{Consumer, Producer, PushError, RingBuffer};
 use scheduler::motion::KEYS;
-use scheduler::slot::{Slot, lane_of};
+use scheduler::slot::Slot;
 use scheduler::values::ModelValues;
 
 use super::fence::{BoxedVoice, PanicGuard};
+use super::share::{RemoteLane, SlotPlace};
 
-/// Changes that one lane makes in one tick; a whole instrument takes several ticks.
+/// Changes that are made in one tick; a whole instrument takes several ticks.
 const MAX_CHANGES_PER_TICK: usize = 4;
 
 /// Why a change was not taken; it is given back.
@@ -40,13 +41,14 @@ impl fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-/// What is said when a lane's ring is full.
+/// What is said when the ring is full.
 const TOO_MANY: &str = "too many voices are waiting to be put in; try again";
 
-/// The end that sends changes to the lanes; it also frees voices that come out.
+/// The end that sends changes to the voices; it also frees voices that come out.
 #[derive(Debug)]
 pub struct VoiceSwaps {
-    lanes: Vec<OuterEnd>,
+    into: Producer<QueuedChange>,
+    out: Consumer<PanicGuard>,
     has_voice: [bool; KEYS],
 }
 
@@ -78,12 +80,6 @@ impl fmt::Debug for VoiceChange {
     }
 }
 
-#[derive(Debug)]
-struct OuterEnd {
-    into: Producer<QueuedChange>,
-    out: Consumer<PanicGuard>,
-}
-
 impl VoiceSwaps {
     /// Sends `change` to the voice of `key`, which it reaches at one of the next ticks, after
     /// those sent before.
@@ -97,8 +93,7 @@ impl VoiceSwaps {
         if !self.has_voice.get(key).is_some_and(|has_voice| *has_voice) {
             return Err(Refused::NoSuchVoice(Box::new(change)));
         }
-        let lane = lane_of(key, self.lanes.len());
-        let pushed = self.lanes[lane].into.push(QueuedChange { key, change });
+        let pushed = self.into.push(QueuedChange { key, change });
         pushed.map_err(|PushError::Full(it)| Refused::Full(Box::new(it.change)))
     }
 
@@ -112,54 +107,51 @@ impl VoiceSwaps {
         {
             return Err(format!("key {key} has no voice in this scene"));
         }
-        let n_lanes = self.lanes.len();
-        for (number, lane) in self.lanes.iter().enumerate() {
-            let wanted = keys.iter().filter(|key| lane_of(**key, n_lanes) == number).count();
-            if lane.into.slots() < wanted {
-                return Err(TOO_MANY.into());
-            }
-        }
-        Ok(())
+        if self.into.slots() < keys.len() { Err(TOO_MANY.into()) } else { Ok(()) }
     }
 
     /// Frees the voices that were replaced and returns how many. Not for the tick.
     pub fn drain(&mut self) -> usize {
-        let drained = |end: &mut OuterEnd| std::iter::from_fn(|| end.out.pop().ok()).count();
-        self.lanes.iter_mut().map(drained).sum()
+        std::iter::from_fn(|| self.out.pop().ok()).count()
     }
 }
 
-/// The end of a lane's swaps that its thread holds.
+/// The end that the tick holds.
 #[derive(Debug)]
 pub(super) struct InnerEnd {
     into: Consumer<QueuedChange>,
     out: Producer<PanicGuard>,
 }
 
-/// Rings for `n_lanes`, each with room for a change of every key.
-pub(super) fn rings(n_lanes: usize, has_voice: [bool; KEYS]) -> (VoiceSwaps, Vec<InnerEnd>) {
-    let (outer, inner) = (0..n_lanes)
-        .map(|_lane| {
-            let (into, from_outside) = RingBuffer::new(KEYS);
-            let (to_outside, out) = RingBuffer::new(KEYS);
-            (OuterEnd { into, out }, InnerEnd { into: from_outside, out: to_outside })
-        })
-        .unzip();
-    (VoiceSwaps { lanes: outer, has_voice }, inner)
+/// Rings with room for a change of every key.
+pub(super) fn rings(has_voice: [bool; KEYS]) -> (VoiceSwaps, InnerEnd) {
+    let (into, from_outside) = RingBuffer::new(KEYS);
+    let (to_outside, out) = RingBuffer::new(KEYS);
+    (VoiceSwaps { into, out, has_voice }, InnerEnd { into: from_outside, out: to_outside })
 }
 
 impl InnerEnd {
-    /// Makes the changes that are waiting, while there is room for what comes out.
+    /// Makes the changes that are waiting, while there is room for what comes out and the next
+    /// one's key is at home.
     ///
     /// # Real-time
     /// At most [`MAX_CHANGES_PER_TICK`] moves of a pointer or models built; frees nothing.
-    pub(super) fn apply(&mut self, slots: &mut [Slot<PanicGuard>]) {
+    pub(super) fn apply(&mut self, inline: &mut [Slot<PanicGuard>], remotes: &mut [RemoteLane]) {
         for _ in 0..MAX_CHANGES_PER_TICK {
             if self.out.is_full() {
                 return;
             }
+            let Ok(key) = self.into.peek().map(|next| next.key) else { return };
+            let here = inline.iter_mut().find(|it| it.key() == key).map(SlotPlace::Here);
+            let place = here.or_else(|| remotes.iter_mut().find_map(|it| it.place(key)));
+            let slot = match place {
+                Some(SlotPlace::Here(slot)) => Some(slot),
+                // Its lane is late: the changes behind wait as well, so that they stay in order.
+                Some(SlotPlace::Away { lost: false }) => return,
+                Some(SlotPlace::Away { lost: true }) | None => None,
+            };
             let Ok(queued) = self.into.pop() else { return };
-            if let Some(old) = queued.apply(slots) {
+            if let Some(old) = queued.apply(slot) {
                 let sent = self.out.push(old);
                 debug_assert!(sent.is_ok(), "there was room a moment ago");
             }
@@ -169,8 +161,7 @@ impl InnerEnd {
 
 impl QueuedChange {
     /// Makes the change, and returns the voice that is left over, which must be freed elsewhere.
-    fn apply(self, slots: &mut [Slot<PanicGuard>]) -> Option<PanicGuard> {
-        let slot = slots.iter_mut().find(|slot| slot.key() == self.key);
+    fn apply(self, slot: Option<&mut Slot<PanicGuard>>) -> Option<PanicGuard> {
         match self.change {
             VoiceChange::Replace(voice) => {
                 let voice = PanicGuard::new(voice);

@@ -4,11 +4,12 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use super::worker::boxed_array;
 use super::*;
+use crate::thread::ThreadPlan;
 use scheduler::motion::{KeyEvent, KeySample, Loudness, Moment};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
-use scheduler::voice::Voice;
+use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
-/// A force that depends on every sample since the start.
+/// A force that depends on every sample since the start, and work that comes and goes.
 struct Echo {
     key: usize,
     sum: f64,
@@ -18,6 +19,10 @@ impl Voice for Echo {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.sum = 0.99 * self.sum + sample.position * (1.0 + self.key as f64).sqrt();
         turn.force = self.sum.sin() + tick as f64;
+        // Now some keys have most to do, now others, and now and then each rests.
+        let part = tick / 50 + self.key as u64;
+        turn.work.derivatives = 10 * u32::try_from(part % 7).unwrap().pow(3);
+        turn.idle = part.is_multiple_of(3);
     }
 
     fn observe(&self, seen: &mut VoiceObservation) {
@@ -99,7 +104,8 @@ fn echoes_but(key: usize, voice: impl Voice + Send + 'static) -> Vec<(usize, Box
 }
 
 fn start(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, VoiceSwaps) {
-    ThreadedLanes::start(voices, NonZeroUsize::new(n_lanes).unwrap(), None).unwrap()
+    ThreadedLanes::start(voices, NonZeroUsize::new(n_lanes).unwrap(), &ThreadPlan::default())
+        .unwrap()
 }
 
 /// Lanes with their turns, run tick by tick.
@@ -184,8 +190,93 @@ fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
     assert_eq!(turn.events.as_slice().len(), 1);
     assert_eq!(turn.events.as_slice()[0].0, Moment { tick: 1, theta: 0.5 });
     assert!(run.tick(3)[ELSEWHERE].events.is_empty());
-    let late_own_work = 1;
-    assert_eq!(run.lanes.counters(), LaneCounters { late: 1, late_own_work, passed: 0 });
+    // Keys at rest waited behind it: their share had passed, or was run late as well.
+    let LaneCounters { late, late_own_work, passed } = run.lanes.counters();
+    assert!(late == 1 && 0 < late_own_work && late_own_work + passed <= 2);
+}
+
+/// The same force always; rests or works.
+struct Steady {
+    work: u32,
+    is_at_rest: bool,
+}
+
+impl Voice for Steady {
+    fn tick(&mut self, _tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
+        turn.force = 1.0;
+        (turn.work.derivatives, turn.idle) = (self.work, self.is_at_rest);
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}
+
+/// Rests, and at tick 2 says so and waits to be told to go on.
+struct Sleeping(Sender<()>, Receiver<()>);
+
+impl Voice for Sleeping {
+    fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
+        turn.idle = true;
+        if tick == 2 {
+            self.0.send(()).unwrap();
+            self.1.recv().unwrap();
+        }
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}
+
+/// Holds lane 0 at tick 2 until it hears of another.
+struct Listening(Receiver<()>);
+
+impl Voice for Listening {
+    fn tick(&mut self, tick: u64, _sample: &KeySample, _turn: &mut VoiceOutput) {
+        if tick == 2 {
+            self.0.recv().unwrap();
+        }
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}
+
+#[test]
+fn a_late_lane_costs_keys_at_rest_before_those_that_move() {
+    let (begun, has_begun) = channel();
+    let (go, go_on) = channel();
+    let steady = || Box::new(Steady { work: 0, is_at_rest: false }) as BoxedVoice;
+    let mut voices: Vec<_> = (0..KEYS).map(|key| (key, steady())).collect();
+    voices[ELSEWHERE].1 = Box::new(Sleeping(begun, go_on));
+    voices[INLINE].1 = Box::new(Listening(has_begun));
+    let mut run = Run::new(start(voices, 2).0);
+    run.tick(0);
+    run.tick(1);
+    run.lanes.set_patience(NONE);
+    let turns = run.tick(2);
+    let late: Vec<_> = (0..KEYS).filter(|key| turns[*key].late).collect();
+    assert_eq!(late, [ELSEWHERE]);
+    go.send(()).unwrap();
+    run.lanes.set_patience(WaitLimit::Endless);
+    assert!(run.tick(3).iter().all(|turn| !turn.late));
+    assert_eq!(run.lanes.counters().late, 1);
+}
+
+#[test]
+fn lanes_become_equal_wherever_the_work_is() {
+    for n_lanes in 2..=4 {
+        // All the work is on one lane at first.
+        let work =
+            |key| if lane_of(key, n_lanes) == 1 { 50 + u32::try_from(key).unwrap() } else { 0 };
+        let voice = |key| Box::new(Steady { work: work(key), is_at_rest: false }) as BoxedVoice;
+        let voices = (0..KEYS).map(|key| (key, voice(key))).collect();
+        let mut run = Run::new(start(voices, n_lanes).0);
+        for tick in 0..200 {
+            assert!(run.tick(tick).iter().all(|turn| (turn.force - 1.0).abs() == 0.0));
+        }
+        let ThreadedLanes { inline, remotes, measured, .. } = &run.lanes;
+        let others = remotes.iter().map(|lane| lane.load(measured).unwrap());
+        let loads: Vec<_> = others.chain([measured.of(inline)]).collect();
+        let (most, least) = (loads.iter().max().unwrap(), loads.iter().min().unwrap());
+        assert!(8 * (most - least) <= *most, "{n_lanes} lanes: {loads:?}");
+    }
 }
 
 #[test]
@@ -202,13 +293,13 @@ fn a_lane_that_was_held_up_joins_the_present() {
     for tick in 2..10 {
         assert!(run.tick(tick)[ELSEWHERE].late, "tick {tick}");
     }
-    // Tick 1 is still running, 2 waits behind it, and 3 to 9 were not even given.
+    // Tick 1 is still running, and 2 to 9 were not even given.
     go.send(()).unwrap();
     run.lanes.set_patience(WaitLimit::Endless);
     let turn = run.tick(10)[ELSEWHERE];
     assert!(!turn.late && (turn.force - 110.0).abs() == 0.0, "{turn:?}");
     assert_eq!(turn.events.as_slice().len(), 1, "the strike of tick 1");
-    assert_eq!(run.lanes.counters().passed, 1, "tick 2 had passed");
+    assert_eq!(run.lanes.counters().late, 9);
 }
 
 #[test]
@@ -231,7 +322,7 @@ fn a_late_lane_is_seen_as_it_was_and_then_tells_which_ticks_it_ran() {
     go.send(()).unwrap();
     run.lanes.set_patience(WaitLimit::Endless);
     run.tick(4);
-    // Tick 1 was run, too late; 2 had passed when it was over, and 3 was not given.
+    // Tick 1 was run, too late; 2 and 3 were not given.
     assert_eq!(run.seen(ELSEWHERE), (0b1_1001, 4.0));
 }
 
@@ -291,11 +382,11 @@ fn a_whole_instrument_is_replaced_in_some_ticks() {
     for key in 0..KEYS {
         swaps.send(key, VoiceChange::Replace(Box::new(Panicking))).unwrap();
     }
-    // Ticks after 3, at which this voice would panic; 44 keys a lane, four at a time.
-    for tick in 4..15 {
+    // Ticks after 3, at which this voice would panic; four keys at a time.
+    for tick in 4..26 {
         run.tick(tick);
     }
-    assert!(run.tick(15).iter().all(|turn| (turn.force - 5.0).abs() == 0.0));
+    assert!(run.tick(26).iter().all(|turn| (turn.force - 5.0).abs() == 0.0));
     assert_eq!(swaps.drain(), KEYS);
 }
 

@@ -1,9 +1,10 @@
-//! A lane on a thread of its own: batches of a tick travel there and back.
+//! A lane on a thread of its own: batches of a tick travel there and back, with their voices.
 //!
-//! Each lane has two batches, made at set-up. The tick fills one and sends it; the lane runs
-//! it and sends it back. While the lane is late with one, the other can wait for it. A batch
-//! whose tick has passed before the lane came to it is sent back as it is, so that a lane
-//! that was held up joins the present instead of running after it.
+//! Each lane has two batches, made at set-up: the voices that move, and those that rest. The tick
+//! fills and sends them; the lane runs them in this order and sends each back when it is done, so
+//! that a lane that is not done in time may have done what is felt. A batch whose tick has passed
+//! before the lane came to it is sent back as it is, so that a lane that was held up joins the
+//! present instead of running after it.
 
 use std::io;
 use std::sync::Arc;
@@ -22,34 +23,25 @@ use scheduler::voice::VoiceOutput;
 
 use super::WaitLimit;
 use super::fence::PanicGuard;
-use super::swap::InnerEnd;
-use crate::thread::{SchedulingPolicy, ask_for_fifo};
+use crate::thread::{SchedulingPolicy, ThreadPlan};
 use crate::{clock, memory};
 
-/// Batches of a lane: one being run, one waiting.
-const BATCHES: usize = 2;
+/// Shares of a lane: [`AWAKE`], and what rests.
+pub(super) const SHARES: usize = 2;
+
+/// The share that is run first.
+pub(super) const AWAKE: usize = 0;
 
 /// Stack of a lane's thread; all of it is locked into memory.
 const STACK_BYTES: usize = 1024 * 1024;
 
-/// The voices of one lane and the end of their swaps, wherever it runs.
-#[derive(Debug)]
-pub(super) struct Lane {
-    pub(super) slots: Vec<Slot<PanicGuard>>,
-    pub(super) swaps: InnerEnd,
-}
-
-impl Lane {
-    /// Runs the lane's share of `tick`.
-    pub(super) fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
-        self.swaps.apply(&mut self.slots);
-        run_slots(&mut self.slots, input, output);
-    }
-}
-
-/// One tick on its way to a lane and back.
+/// One tick of some voices on its way to a lane and back.
 #[derive(Debug)]
 pub(super) struct Batch {
+    /// Which of the lane's shares it is.
+    pub(super) share: usize,
+    /// The voices, with room for all keys.
+    pub(super) slots: Vec<Slot<PanicGuard>>,
     pub(super) tick: u64,
     samples: [KeySample; KEYS],
     followed: FollowedKeys,
@@ -64,19 +56,35 @@ pub(super) struct Batch {
 }
 
 impl Batch {
-    /// Runs the batch on `lane`.
-    fn run(&mut self, lane: &mut Lane) {
-        let Self { tick, samples, followed, turns, observed, .. } = self;
-        lane.run(
+    /// Returns a batch of `slots`, not run yet.
+    pub(super) fn new(share: usize, mut slots: Vec<Slot<PanicGuard>>) -> Box<Self> {
+        slots.reserve_exact(KEYS - slots.len());
+        Box::new(Self {
+            share,
+            slots,
+            tick: 0,
+            samples: [KeySample::default(); KEYS],
+            followed: FollowedKeys::NONE,
+            turns: boxed_array(),
+            observed: boxed_array(),
+            ran: None,
+            patience: WaitLimit::Endless,
+        })
+    }
+
+    /// Runs each voice for the batch's tick.
+    fn run(&mut self) {
+        let Self { tick, samples, followed, slots, turns, observed, .. } = self;
+        run_slots(
+            slots,
             &TickInput { tick: *tick, samples, followed: *followed },
             &mut TickOutput { turns, observed },
         );
     }
 
-    /// Copies what voices of `keys` did, which must be those of the lane that ran them, and what
-    /// is new of what is seen of them.
-    pub(super) fn write(&self, keys: &[usize], output: &mut TickOutput<'_>) {
-        for &key in keys {
+    /// Copies what the voices did, and what is new of what is seen of them.
+    pub(super) fn write(&self, output: &mut TickOutput<'_>) {
+        for key in self.slots.iter().map(Slot::key) {
             let (turn, seen) = (&self.turns[key], &self.observed[key]);
             output.turns[key] = *turn;
             if turn.is_seen(key, self.followed) {
@@ -100,63 +108,54 @@ pub(super) struct PoolState {
 /// The tick's end of a lane on another thread.
 #[derive(Debug)]
 pub(super) struct Remote {
-    pub(super) keys: Vec<usize>,
     pub(super) standing: SchedulingPolicy,
-    #[expect(clippy::vec_box, reason = "the boxes travel, the batches stay where they are")]
-    spare: Vec<Box<Batch>>,
     todo: Producer<Box<Batch>>,
     done: Consumer<Box<Batch>>,
     thread: JoinHandle<()>,
 }
 
 impl Remote {
-    /// Starts a thread for `lane`.
+    /// Starts a thread for lane `number`.
     ///
     /// # Errors
     /// If the system gives no thread.
     pub(super) fn start(
         number: usize,
-        lane: Lane,
         shared: Arc<PoolState>,
-        priority: Option<u8>,
+        plan: ThreadPlan,
     ) -> io::Result<Self> {
-        let keys = lane.slots.iter().map(Slot::key).collect();
-        let (todo, received) = RingBuffer::new(BATCHES);
-        let (finished, done) = RingBuffer::new(BATCHES);
+        let (todo, received) = RingBuffer::new(SHARES);
+        let (finished, done) = RingBuffer::new(SHARES);
         let (say, standing) = mpsc::channel();
         let builder = thread::Builder::new().name(format!("letoff-lane-{number}"));
         let thread = builder.stack_size(STACK_BYTES).spawn(move || {
-            let standing = ask_for_fifo(priority);
+            let standing = plan.ask(number);
             memory::prefault_stack();
             // If the other end is gone, `shared` says stop as well.
             say.send(standing).unwrap_or_default();
-            work(lane, received, finished, &shared);
+            work(received, finished, &shared);
         })?;
         let standing = standing.recv().map_err(io::Error::other)?;
-        let spare = (0..BATCHES).map(|_| Box::new(empty_batch())).collect();
-        Ok(Self { keys, standing, spare, todo, done, thread })
+        Ok(Self { standing, todo, done, thread })
     }
 
-    /// Sends the lane its share of `tick`; it has none if it still holds both batches.
-    pub(super) fn give(&mut self, input: &TickInput<'_>, patience: WaitLimit) -> bool {
-        let Some(mut batch) = self.spare.pop() else { return false };
+    /// Sends the lane a batch of this tick.
+    pub(super) fn send(
+        &mut self,
+        mut batch: Box<Batch>,
+        input: &TickInput<'_>,
+        patience: WaitLimit,
+    ) {
         (batch.tick, batch.samples, batch.followed) = (input.tick, *input.samples, input.followed);
         batch.patience = patience;
-        // The ring has room for all batches there are; a lane that ended takes none back.
-        let given = self.todo.push(batch).is_ok();
+        let sent = self.todo.push(batch);
+        debug_assert!(sent.is_ok(), "the ring has room for all batches there are");
         self.thread.thread().unpark();
-        given
     }
 
-    /// The next batch that came back; give it to [`Remote::keep`] when done with it.
+    /// The next batch that came back.
     pub(super) fn take(&mut self) -> Option<Box<Batch>> {
         self.done.pop().ok()
-    }
-
-    /// Makes `batch` free for another tick.
-    pub(super) fn keep(&mut self, batch: Box<Batch>) {
-        // Never grows: room for all batches was made at the start.
-        self.spare.push(batch);
     }
 
     /// The lane's thread has ended, which only a bug of ours can do, and nothing is left of it.
@@ -172,12 +171,7 @@ impl Remote {
 }
 
 /// The lane's thread: runs what comes, sleeps when nothing does.
-fn work(
-    mut lane: Lane,
-    mut todo: Consumer<Box<Batch>>,
-    mut done: Producer<Box<Batch>>,
-    shared: &PoolState,
-) {
+fn work(mut todo: Consumer<Box<Batch>>, mut done: Producer<Box<Batch>>, shared: &PoolState) {
     while !shared.stop.load(Ordering::Acquire) {
         let Ok(mut batch) = todo.pop() else {
             // An unpark between the look and here makes this return at once.
@@ -186,23 +180,11 @@ fn work(
         };
         batch.ran = (batch.tick == shared.current.load(Ordering::Acquire)).then(|| {
             let before = clock::thread_cpu();
-            batch.run(&mut lane);
+            batch.run();
             clock::thread_cpu().since(before)
         });
         let sent = done.push(batch);
         debug_assert!(sent.is_ok(), "the ring has room for all batches there are");
-    }
-}
-
-fn empty_batch() -> Batch {
-    Batch {
-        tick: 0,
-        samples: [KeySample::default(); KEYS],
-        followed: FollowedKeys::NONE,
-        turns: boxed_array(),
-        observed: boxed_array(),
-        ran: None,
-        patience: WaitLimit::Endless,
     }
 }
 

@@ -86,7 +86,7 @@ fn fragment() -> impl Strategy<Value = String> {
 }
 
 fn any_override() -> impl Strategy<Value = (String, String)> {
-    const STEPS: [&str; 23] = [
+    const STEPS: [&str; 26] = [
         "keys",
         "0",
         "1",
@@ -100,6 +100,9 @@ fn any_override() -> impl Strategy<Value = (String, String)> {
         "model",
         "tick_hz",
         "lanes",
+        "realtime",
+        "policy",
+        "cpus",
         "midi",
         "output",
         "",

@@ -113,6 +113,30 @@ fn after_a_broken_header_nothing_is_taken_for_something_else() {
 }
 
 #[test]
+fn threads_get_what_the_kernel_knows_and_no_more() {
+    let check = |table: &str, said: &str| {
+        check(&format!("lanes = 2\n[realtime]\n{table}\n{MINIMAL}"), &[], said);
+    };
+    check("policy = \"fifo\"\ncpus = [2, 3]", "nothing is wrong");
+    check(
+        "policy = \"fif\"",
+        "scene.toml:3:10: there is no policy \"fif\"; use \"fifo\", the nearest of auto, fifo, deadline, ordinary",
+    );
+    check(
+        "cpus = 2",
+        "scene.toml:3:8: \"cpus\" is a number, not a list; write the processors' numbers, as [2, 3]",
+    );
+    check("cpus = [-1]", "scene.toml:3:9: \"cpus\" is -1, out of range; give 0 to 1023");
+    check(
+        "policy = \"deadline\"\ncpus = [0]",
+        "scene.toml:2:1: \"cpus\" is set, and \"deadline\" runs on any processor; leave cpus out, or \
+         give policy = \"fifo\"\n\
+         scene.toml:2:1: \"deadline\" is for one lane, and \"lanes\" is 2; give lanes = 1, or policy = \
+         \"fifo\"",
+    );
+}
+
+#[test]
 fn a_scene_without_keys_is_refused() {
     let said = "scene.toml:1:1: the scene has no keys; add [[keys]] with a range and an instrument";
     check("", &[], said);

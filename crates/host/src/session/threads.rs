@@ -1,0 +1,96 @@
+//! What a scene asks for the threads of its tick, on this machine.
+
+use std::num::NonZeroUsize;
+
+use realtime::affinity;
+use realtime::thread::{ThreadPlan, WantedPolicy};
+use scene::{LaneCount, Scene, ThreadPolicy, ThreadRules};
+use scheduler::time::Nanos;
+
+use super::RunOptions;
+
+/// Most threads that share the tick.
+const MOST_LANES: usize = 16;
+
+/// Nanoseconds in a second.
+const SECOND: u64 = 1_000_000_000;
+
+/// Returns what is asked of the system for the lanes of `scene`: nothing in virtual time.
+pub(super) fn plan(scene: &Scene, options: RunOptions) -> ThreadPlan {
+    if options.virtual_time {
+        return ThreadPlan::default();
+    }
+    let period = Nanos::new(SECOND / u64::from(scene.tick_hz.max(1)));
+    let policy = match scene.realtime.policy {
+        ThreadPolicy::Auto | ThreadPolicy::Fifo => WantedPolicy::FIFO,
+        ThreadPolicy::Deadline => WantedPolicy::deadline(period),
+        ThreadPolicy::Ordinary => WantedPolicy::Ordinary,
+    };
+    ThreadPlan { policy, cpus: cpus(&scene.realtime, affinity::isolated) }
+}
+
+/// Returns the processors of the lanes; none for any.
+fn cpus(rules: &ThreadRules, isolated: impl FnOnce() -> Vec<usize>) -> Vec<usize> {
+    let is_free = rules.cpus.is_empty() && rules.policy == ThreadPolicy::Auto;
+    if is_free { isolated() } else { rules.cpus.clone() }
+}
+
+/// Returns how many threads share the tick of `scene`.
+pub(super) fn lanes(scene: &Scene) -> NonZeroUsize {
+    // Respects the affinity of the process and the quota of its control group.
+    let processors = || std::thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    let count = count(scene, cpus(&scene.realtime, affinity::isolated).len(), processors);
+    NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN)
+}
+
+/// Returns the same, with `n_cpus` processors of our own, or none, and `processors` for anybody.
+fn count(scene: &Scene, n_cpus: usize, processors: impl FnOnce() -> usize) -> usize {
+    match scene.lanes {
+        LaneCount::Count(count) => count,
+        // A thread with a deadline that yields to another lane is not run again in its period.
+        LaneCount::Auto if scene.realtime.policy == ThreadPolicy::Deadline => 1,
+        LaneCount::Auto if n_cpus != 0 => n_cpus.min(MOST_LANES),
+        LaneCount::Auto => processors().min(MOST_LANES),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(overrides: &[(&str, &str)]) -> Scene {
+        let all = overrides.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
+        Scene::load("springs", &all.collect::<Vec<_>>()).unwrap()
+    }
+
+    #[test]
+    fn lanes_are_as_many_as_processors_that_they_may_use() {
+        let count = |overrides: &[(&str, &str)], n_cpus| count(&scene(overrides), n_cpus, || 24);
+        assert_eq!(count(&[], 0), 16);
+        assert_eq!(count(&[], 3), 3);
+        assert_eq!(count(&[("lanes", "5")], 3), 5);
+        assert_eq!(count(&[("realtime.policy", "deadline")], 0), 1);
+    }
+
+    #[test]
+    fn isolated_processors_are_taken_where_the_scene_leaves_it_to_us() {
+        let cpus = |overrides: &[(&str, &str)]| cpus(&scene(overrides).realtime, || vec![2, 3]);
+        assert_eq!(cpus(&[]), [2, 3]);
+        assert_eq!(cpus(&[("realtime.cpus", "[1]")]), [1]);
+        for policy in ["fifo", "deadline", "ordinary"] {
+            assert_eq!(cpus(&[("realtime.policy", policy)]), [0; 0], "{policy}");
+        }
+    }
+
+    #[test]
+    fn a_deadline_is_the_ticks_period() {
+        let overrides = [("realtime.policy", "deadline"), ("tick_hz", "4000")];
+        let (runtime, period) = (Nanos::new(187_500), Nanos::new(250_000));
+        let expected = WantedPolicy::Deadline { runtime, period };
+        let policy = |virtual_time| {
+            let options = RunOptions { virtual_time, ..RunOptions::default() };
+            plan(&scene(&overrides), options).policy
+        };
+        assert_eq!([false, true].map(policy), [expected, WantedPolicy::Ordinary]);
+    }
+}

@@ -1,0 +1,72 @@
+//! On which processors threads run: what they are kept to, and what the machine keeps free.
+
+use std::fs;
+
+use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
+
+/// Keeps the calling thread to processor `cpu`.
+///
+/// # Errors
+/// Says what to do about one that cannot be had.
+pub(crate) fn keep_to(cpu: usize) -> Result<(), String> {
+    let mut set = CpuSet::new();
+    if cpu < CpuSet::MAX_CPU {
+        set.set(cpu);
+    }
+    sched_setaffinity(None, &set).map_err(|error| {
+        format!(
+            "The tick could not be kept to processor {cpu} ({error}), so it runs on any; give \
+             others in `[realtime] cpus` (`lscpu --extended` lists them), or allow this one \
+             (`taskset`, or `AllowedCPUs=` of a service)."
+        )
+    })
+}
+
+/// Returns the processors on which the calling thread may run.
+pub fn allowed() -> Vec<usize> {
+    let set = sched_getaffinity(None).unwrap_or_else(|_| CpuSet::new());
+    (0..CpuSet::MAX_CPU).filter(|cpu| set.is_set(*cpu)).collect()
+}
+
+/// Returns the processors that the kernel leaves alone (`isolcpus=`): they are there for such as
+/// us; none on most machines.
+///
+/// Not for the tick: reads a file.
+pub fn isolated() -> Vec<usize> {
+    let list = fs::read_to_string("/sys/devices/system/cpu/isolated").unwrap_or_default();
+    listed(&list)
+}
+
+/// Returns the processors that the machine has.
+#[cfg(test)]
+pub(crate) fn online() -> Vec<usize> {
+    listed(&fs::read_to_string("/sys/devices/system/cpu/online").unwrap_or_default())
+}
+
+/// Returns the numbers of a list as the kernel writes it, `1,4-6`.
+fn listed(list: &str) -> Vec<usize> {
+    let ends = |part: &str| {
+        let (first, last) = part.split_once('-').unwrap_or((part, part));
+        Some(first.parse::<usize>().ok()?..=last.parse::<usize>().ok()?.min(CpuSet::MAX_CPU))
+    };
+    list.trim().split(',').filter_map(ends).flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_of_the_kernel_are_read() {
+        assert_eq!(listed("1,4-6,9\n"), [1, 4, 5, 6, 9]);
+        assert_eq!(listed("3"), [3]);
+        for nothing in ["", "\n", "x", "5-4", "-"] {
+            assert_eq!(listed(nothing), [0; 0], "{nothing:?}");
+        }
+    }
+
+    #[test]
+    fn a_thread_may_run_somewhere() {
+        assert!(!allowed().is_empty());
+    }
+}

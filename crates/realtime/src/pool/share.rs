@@ -1,0 +1,217 @@
+//! A lane on another thread as the tick sees it: two shares, and where each is.
+
+use scheduler::port::{TickInput, TickOutput};
+use scheduler::slot::Slot;
+use scheduler::time::Nanos;
+use scheduler::voice::{VoiceFault, VoiceOutput};
+
+use super::WaitLimit;
+use super::balance::MeasuredWork;
+use super::fence::PanicGuard;
+use super::latecomers::LateResults;
+use super::worker::{AWAKE, Batch, Remote, SHARES};
+
+/// A lane on another thread.
+#[derive(Debug)]
+pub(super) struct RemoteLane {
+    pub(super) remote: Remote,
+    shares: [Share; SHARES],
+}
+
+/// Some of a lane's keys.
+#[derive(Debug)]
+struct Share {
+    /// At home between ticks, and away with the lane while it is run.
+    batch: Option<Box<Batch>>,
+    /// The keys of the batch when it was given last.
+    keys: Vec<usize>,
+    stands: ShareState,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum ShareState {
+    /// Has nothing to run, or is not given this tick yet.
+    Home,
+    /// The lane has this tick.
+    Running,
+    Done {
+        cpu: Nanos,
+    },
+    /// The lane still has an earlier tick, and has had it for so many.
+    Behind {
+        ticks: u32,
+    },
+    Lost,
+}
+
+/// The slot of a key.
+pub(super) enum SlotPlace<'a> {
+    Here(&'a mut Slot<PanicGuard>),
+    /// Being run, or lost with its lane.
+    Away {
+        lost: bool,
+    },
+}
+
+impl RemoteLane {
+    /// Returns the lane with all of its keys at home.
+    pub(super) fn new(remote: Remote, batches: [Box<Batch>; SHARES]) -> Self {
+        let shares = batches.map(|batch| {
+            let keys = Vec::with_capacity(batch.slots.capacity());
+            Share { batch: Some(batch), keys, stands: ShareState::Home }
+        });
+        Self { remote, shares }
+    }
+
+    /// Takes back what is late, and takes every share for not given in `tick`.
+    pub(super) fn begin(
+        &mut self,
+        tick: u64,
+        output: &mut TickOutput<'_>,
+        latecomers: &mut LateResults,
+    ) {
+        self.take_back(tick, output, latecomers);
+        for share in &mut self.shares {
+            share.stands = match share.stands {
+                ShareState::Home | ShareState::Done { .. } => ShareState::Home,
+                ShareState::Running => ShareState::Behind { ticks: 1 },
+                ShareState::Behind { ticks } => {
+                    ShareState::Behind { ticks: ticks.saturating_add(1) }
+                }
+                ShareState::Lost => ShareState::Lost,
+            };
+        }
+    }
+
+    /// Puts voices that rest into the share that is run last, and those that woke into the first.
+    pub(super) fn sort(&mut self, measured: &MeasuredWork) {
+        let [Some(awake), Some(asleep)] = self.shares.each_mut().map(|it| it.batch.as_mut()) else {
+            return;
+        };
+        sift(&mut awake.slots, &mut asleep.slots, |key| measured.is_asleep(key));
+        sift(&mut asleep.slots, &mut awake.slots, |key| !measured.is_asleep(key));
+    }
+
+    /// What the lane has to do, if all of it is at home and will be run.
+    pub(super) fn load(&self, measured: &MeasuredWork) -> Option<u64> {
+        let load = |share: &Share| {
+            let batch = share.batch.as_ref().filter(|_| share.stands != ShareState::Lost)?;
+            Some(measured.of(&batch.slots))
+        };
+        self.shares.iter().map(load).sum()
+    }
+
+    /// The slots that are run first, if they are at home.
+    pub(super) fn awake(&mut self) -> Option<&mut Vec<Slot<PanicGuard>>> {
+        self.shares[AWAKE].batch.as_mut().map(|batch| &mut batch.slots)
+    }
+
+    /// Where the slot of `key` is, if it is one of the lane's.
+    pub(super) fn place(&mut self, key: usize) -> Option<SlotPlace<'_>> {
+        self.shares.iter_mut().find_map(|share| match &mut share.batch {
+            Some(batch) => batch.slots.iter_mut().find(|it| it.key() == key).map(SlotPlace::Here),
+            None => share
+                .keys
+                .contains(&key)
+                .then_some(SlotPlace::Away { lost: share.stands == ShareState::Lost }),
+        })
+    }
+
+    /// Gives the lane its shares of this tick that are at home and not given yet.
+    pub(super) fn give(&mut self, input: &TickInput<'_>, patience: WaitLimit) {
+        let Self { remote, shares } = self;
+        for share in shares.iter_mut().filter(|it| it.stands == ShareState::Home) {
+            let Some(batch) = share.batch.take_if(|it| !it.slots.is_empty()) else { continue };
+            share.keys.clear();
+            // Never grows: there is room for all keys.
+            share.keys.extend(batch.slots.iter().map(Slot::key));
+            remote.send(batch, input, patience);
+            share.stands = ShareState::Running;
+        }
+    }
+
+    /// Takes back what the lane has finished.
+    pub(super) fn take_back(
+        &mut self,
+        tick: u64,
+        output: &mut TickOutput<'_>,
+        latecomers: &mut LateResults,
+    ) {
+        // Bounded by the lane's batches.
+        while let Some(batch) = self.remote.take() {
+            let share = &mut self.shares[batch.share];
+            share.stands = match batch.ran {
+                Some(cpu) if batch.tick == tick => {
+                    batch.write(output);
+                    ShareState::Done { cpu }
+                }
+                Some(_) | None => {
+                    latecomers.keep(&batch);
+                    ShareState::Home
+                }
+            };
+            share.batch = Some(batch);
+        }
+        if self.remote.is_lost() {
+            self.shares.iter_mut().for_each(|it| it.stands = ShareState::Lost);
+        }
+    }
+
+    /// Whether the lane is worth waiting for: one that is behind by more than a tick is only if
+    /// there is no limit.
+    pub(super) fn is_awaited(&self, patience: WaitLimit) -> bool {
+        self.shares.iter().any(|share| match share.stands {
+            ShareState::Running => true,
+            ShareState::Behind { ticks } => patience == WaitLimit::Endless || ticks == 1,
+            ShareState::Home | ShareState::Done { .. } | ShareState::Lost => false,
+        })
+    }
+
+    /// CPU time of the lane's shares that are done.
+    pub(super) fn cpu(&self) -> Nanos {
+        self.shares.iter().fold(Nanos::ZERO, |sum, share| match share.stands {
+            ShareState::Done { cpu } => sum.after(cpu),
+            ShareState::Home
+            | ShareState::Running
+            | ShareState::Behind { .. }
+            | ShareState::Lost => sum,
+        })
+    }
+
+    /// Holds the forces of what is not done; says whether that is anything.
+    pub(super) fn hold_late(&self, output: &mut TickOutput<'_>) -> bool {
+        let mut any = false;
+        for share in &self.shares {
+            let instead: fn(&mut VoiceOutput) = match share.stands {
+                ShareState::Home | ShareState::Done { .. } => continue,
+                ShareState::Running | ShareState::Behind { .. } => {
+                    any = true;
+                    VoiceOutput::hold
+                }
+                ShareState::Lost => |turn| turn.fail(VoiceFault::Panicked),
+            };
+            for &key in &share.keys {
+                instead(&mut output.turns[key]);
+                output.observed[key].pass(0);
+            }
+        }
+        any
+    }
+}
+
+/// Moves the slots whose keys belong there.
+fn sift(
+    from: &mut Vec<Slot<PanicGuard>>,
+    to: &mut Vec<Slot<PanicGuard>>,
+    belongs: impl Fn(usize) -> bool,
+) {
+    let mut index = 0;
+    while let Some(slot) = from.get(index) {
+        if belongs(slot.key()) {
+            // Neither grows: there is room for all keys in each.
+            to.push(from.swap_remove(index));
+        } else {
+            index += 1;
+        }
+    }
+}

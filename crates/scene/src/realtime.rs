@@ -1,0 +1,109 @@
+//! `[realtime]`: how the threads of the tick are scheduled, and where they run.
+
+use super::document::TomlValue;
+use super::quantity::Quantity;
+use super::read::{self, TableReader};
+use super::report::MistakeList;
+
+/// Numbers that processors have.
+const PROCESSOR: Quantity = Quantity { unit: "1", range: (0.0, 1023.0) };
+
+/// How the threads of the tick are scheduled.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct ThreadRules {
+    pub policy: ThreadPolicy,
+    /// The processors of the lanes, by their numbers: one for each in turn; none for any.
+    pub cpus: Vec<usize>,
+}
+
+/// Threads of the tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LaneCount {
+    /// One for each processor, at most 16.
+    Auto,
+    /// A fixed number, 1 ..= 16.
+    Count(usize),
+}
+
+/// What is asked of the system for the threads of the tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum ThreadPolicy {
+    /// `SCHED_FIFO`, on isolated processors if the machine has some.
+    #[default]
+    Auto,
+    /// `SCHED_FIFO`, on any processor or those that are named.
+    Fifo,
+    /// `SCHED_DEADLINE`, on any processor.
+    Deadline,
+    /// Nothing is asked of the system.
+    Ordinary,
+}
+
+impl ThreadPolicy {
+    const ALL: [(&'static str, Self); 4] = [
+        ("auto", Self::Auto),
+        ("fifo", Self::Fifo),
+        ("deadline", Self::Deadline),
+        ("ordinary", Self::Ordinary),
+    ];
+}
+
+/// Reads the table, if it is there; `lanes` share the tick.
+pub(super) fn read(
+    report: &mut MistakeList<'_>,
+    scene: &mut TableReader<'_>,
+    lanes: LaneCount,
+) -> ThreadRules {
+    let mut rules = ThreadRules::default();
+    let Some(mut reader) = scene.table(report, "realtime") else { return rules };
+    let policies = &ThreadPolicy::ALL;
+    if let Some(policy) = reader.choice(report, "policy", "there is no policy", policies) {
+        rules.policy = policy;
+    }
+    rules.cpus = read_cpus(report, &mut reader);
+    if rules.policy == ThreadPolicy::Deadline {
+        refuse_for_deadline(report, &reader, &rules, lanes);
+    }
+    reader.finish(report);
+    rules
+}
+
+fn read_cpus(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Vec<usize> {
+    let Some(entry) = reader.take("cpus") else { return Vec::new() };
+    let TomlValue::List(nodes) = &entry.node.value else {
+        let help = "write the processors' numbers, as [2, 3]";
+        read::wrong_type(report, "cpus", &entry.node, "a list", help);
+        return Vec::new();
+    };
+    let number = |node| usize::try_from(read::whole(report, "cpus", node, PROCESSOR)?).ok();
+    nodes.iter().filter_map(number).collect()
+}
+
+/// Says what the kernel does not allow for `SCHED_DEADLINE`, and what would stop such a thread.
+fn refuse_for_deadline(
+    report: &mut MistakeList<'_>,
+    reader: &TableReader<'_>,
+    rules: &ThreadRules,
+    lanes: LaneCount,
+) {
+    if !rules.cpus.is_empty() {
+        let message = "\"cpus\" is set, and \"deadline\" runs on any processor";
+        report.say(reader.place, message, "leave cpus out, or give policy = \"fifo\"");
+    }
+    if let LaneCount::Count(count @ 2..) = lanes {
+        let message = format!("\"deadline\" is for one lane, and \"lanes\" is {count}");
+        report.say(reader.place, message, "give lanes = 1, or policy = \"fifo\"");
+    }
+}
+
+impl ThreadRules {
+    /// Returns the rules as a table.
+    pub(super) fn written(&self) -> toml_edit::Table {
+        let mut table = toml_edit::Table::new();
+        let name = ThreadPolicy::ALL.iter().find(|(_, policy)| *policy == self.policy);
+        table["policy"] = toml_edit::value(name.map_or("auto", |(name, _)| name));
+        let cpus = self.cpus.iter().filter_map(|cpu| i64::try_from(*cpu).ok());
+        table["cpus"] = toml_edit::value(cpus.collect::<toml_edit::Array>());
+        table
+    }
+}
