@@ -2,7 +2,7 @@
 //! `instruments`, `model`, `set`, `stop`, `lab`.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
-//! file.
+//! file, 101 a panic, which is a bug.
 
 mod arguments;
 mod ask;
@@ -19,6 +19,7 @@ mod impedance;
 mod instruments;
 mod live;
 mod log;
+mod midi_guardian;
 mod model;
 mod piano;
 mod plan;
@@ -34,6 +35,8 @@ mod stable;
 mod stop;
 mod streaming;
 mod studies;
+mod supervised;
+mod supervisor_args;
 mod target;
 mod tokens;
 
@@ -90,6 +93,9 @@ pub enum Command {
     Stop,
     /// Offline studies with reports.
     Lab(studies::LabArgs),
+    /// Holds the MIDI port and the notes of a host, which starts it.
+    #[command(hide = true)]
+    MidiGuardian(midi_guardian::MidiGuardianArgs),
 }
 
 /// The failure of a command.
@@ -99,6 +105,10 @@ pub enum Failure {
     Running(String),
     /// Wrong usage or a wrong file: exit code 2.
     Usage(String),
+    /// A thread panicked, which is a bug: exit code 101, as that of every program in Rust.
+    Panicked(String),
+    /// A process that was started has told its failure itself, and ended with this exit code.
+    Told(u8),
     /// The reader closed the output, as `head` does: no failure at all.
     Unread,
 }
@@ -131,6 +141,8 @@ pub fn run(letoff: &Letoff) -> ExitCode {
         Ok(()) | Err(Failure::Unread) => return ExitCode::SUCCESS,
         Err(Failure::Running(text)) => (1, text),
         Err(Failure::Usage(text)) => (2, text),
+        Err(Failure::Panicked(text)) => (101, text),
+        Err(Failure::Told(code)) => return ExitCode::from(code),
     };
     tell(&text);
     ExitCode::from(code)
@@ -144,6 +156,7 @@ fn tell(text: &str) {
 
 fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
+        Command::Run(args) if args.supervised => supervised::run(args),
         Command::Run(args) => run::run(args, out),
         Command::Dash(args) => dash::run(args, out),
         Command::Record(args) => record::run(args, out),
@@ -160,6 +173,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Set(args) => set::run(args, out),
         Command::Stop => stop::run(out),
         Command::Lab(args) => studies::run(args, out),
+        Command::MidiGuardian(args) => midi_guardian::run(args),
     }
 }
 

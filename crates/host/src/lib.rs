@@ -7,6 +7,7 @@
 //! | [`adapters`] | what plugs into the scheduler's ports: strikes, rows of telemetry, links |
 //! | [`observe`] | from rings to telemetry messages, to recordings and to the stream |
 //! | [`midi_thread`] | the thread that sends MIDI |
+//! | [`guardian`] | the process that holds the MIDI port and the notes, and outlives the host |
 //! | [`replay`] | a recording run again and compared |
 //! | [`rehearsal`] | one key with its voice in virtual time, for the virtual pianist |
 //! | [`report`] | what a run did, for people and as JSON |
@@ -17,6 +18,7 @@
 pub mod adapters;
 pub mod boards;
 pub mod control;
+pub mod guardian;
 pub mod midi_thread;
 pub mod observe;
 pub mod rehearsal;

@@ -30,7 +30,7 @@ mod folders;
 mod key_port;
 mod load;
 mod new_voice;
-mod place;
+pub(crate) mod place;
 mod programs;
 mod render_settings;
 mod request_handler;
