@@ -2,7 +2,7 @@
 //! `instruments`, `model`, `set`, `press`, `status`, `stop`, `lab`; and `manual`, which is for packages.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
-//! file, 3 no host runs (of `status`).
+//! file, 3 no host runs (of `status`), 101 a panic, which is a bug.
 
 mod about;
 mod arguments;
@@ -22,6 +22,7 @@ mod instruments;
 mod live;
 mod log;
 mod manual;
+mod midi_guardian;
 mod model;
 mod piano;
 mod plan;
@@ -41,6 +42,8 @@ mod status;
 mod stop;
 mod streaming;
 mod studies;
+mod supervised;
+mod supervisor_args;
 mod target;
 mod tokens;
 
@@ -107,6 +110,9 @@ pub enum Command {
     /// Writes man pages of all commands, and completions for bash, zsh and fish.
     #[command(hide = true)]
     Manual(manual::ManualArgs),
+    /// Holds the MIDI port and the notes of a host, which starts it.
+    #[command(hide = true)]
+    MidiGuardian(midi_guardian::MidiGuardianArgs),
 }
 
 /// The failure of a command.
@@ -118,6 +124,10 @@ pub enum Failure {
     Usage(String),
     /// No host runs that could be asked: exit code 3.
     NoHost(String),
+    /// A thread panicked, which is a bug: exit code 101, as that of every program in Rust.
+    Panicked(String),
+    /// A process that was started has told its failure itself, and ended with this exit code.
+    Told(u8),
     /// The reader closed the output, as `head` does: no failure at all.
     Unread,
 }
@@ -152,6 +162,8 @@ pub fn run(letoff: &Letoff) -> ExitCode {
         Err(Failure::Running(text)) => (1, text),
         Err(Failure::Usage(text)) => (2, text),
         Err(Failure::NoHost(text)) => (3, text),
+        Err(Failure::Panicked(text)) => (101, text),
+        Err(Failure::Told(code)) => return ExitCode::from(code),
     };
     log::tell_as(Level::Error, &text);
     ExitCode::from(code)
@@ -164,6 +176,7 @@ fn tell(text: &str) {
 
 fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
+        Command::Run(args) if args.supervised => supervised::run(args),
         Command::Run(args) => run::run(args, out),
         Command::Dash(args) => dash::run(args, out),
         Command::Record(args) => record::run(args, out),
@@ -183,6 +196,7 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Stop => stop::run(out),
         Command::Lab(args) => studies::run(args, out),
         Command::Manual(args) => manual::run(args),
+        Command::MidiGuardian(args) => midi_guardian::run(args),
     }
 }
 

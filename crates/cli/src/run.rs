@@ -17,8 +17,9 @@ use super::signals::Signals;
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
-use super::{Failure, live, print_report, system, tell};
+use super::{Failure, live, print_report, supervisor_args, system, tell};
 use host::control::{RunHandle, StatusSink};
+use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
@@ -31,6 +32,7 @@ use scene::{LinksConfig, Override, Scene};
   letoff run                                  the default scene, until its piece is over
   letoff run --duration 30 --json             half a minute, with a report for a program
   letoff run bach --virtual-time --midi bach-played.mid
+  letoff run my-scene.toml --supervised       starts the host again if it crashes
   letoff run my-scene.toml --watch            plays descriptions anew when they are saved
   letoff run --set tick_hz=4000 --set keys.0.instrument=grand-reduced
   letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none")]
@@ -47,8 +49,8 @@ pub struct RunArgs {
     /// What the virtual pianist plays: an embedded piece's name or a MIDI file.
     #[arg(long, value_name = "FILE.mid")]
     pub performance: Option<String>,
-    /// Where strikes go: a port's name, `virtual`, a file, or `none`.
-    #[arg(long, value_name = "PORT|virtual|FILE.mid|none")]
+    /// Where strikes go: a port's name, `virtual`, a device after `raw:`, a file, or `none`.
+    #[arg(long, value_name = "PORT|virtual|raw:DEVICE|FILE.mid|none")]
     pub midi: Option<String>,
     /// Records everything into a file of MCAP, from before the first tick on.
     #[arg(long, value_name = "FILE.mcap")]
@@ -64,6 +66,12 @@ pub struct RunArgs {
     /// To whom it tells what it does.
     #[command(flatten)]
     pub stream: StreamArgs,
+    /// Starts the host again if it crashes, at most five times in 30 s, and keeps what it did in
+    /// the last minutes before.
+    #[arg(long, conflicts_with_all = ["virtual_time", "record"])]
+    pub supervised: bool,
+    #[command(flatten)]
+    pub(crate) supervisor: supervisor_args::SupervisorArgs,
     /// As fast as it goes, with the same bits every time.
     #[arg(long)]
     pub virtual_time: bool,
@@ -102,6 +110,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.log_json {
         LogFormat::Json.choose();
     }
+    args.supervisor.end_with_it()?;
     let mut scene = Scene::load_as_typed(args.scene(), &args.overrides())
         .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
     let fidelity = if args.virtual_time {
@@ -191,7 +200,7 @@ async fn host(
     let mut signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
     let is_quiet = args.quiet || options.virtual_time;
     let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
-    let handle = Arc::new(RunHandle::default());
+    let handle = Arc::new(run_handle(options));
     // A run in virtual time takes no requests.
     let endpoints = if options.virtual_time {
         Endpoints::default()
@@ -209,8 +218,7 @@ async fn host(
     let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
     handle.status.records(recording.clone());
     if !options.virtual_time {
-        keep_black_box(&session, args.black_box.as_deref());
-        observe(scene, &session, &log);
+        keep_and_log(&session, scene, args, &log);
     }
     endpoints.observe(&session);
     let _watch = if args.watch { endpoints.watch()? } else { None };
@@ -238,14 +246,23 @@ async fn host(
     drop(attendant);
     let why = handle.emergency.answered().map_or("the run is over", |_| STOPPED);
     endpoints.leave(why).await;
-    let done = done.map_err(|panic| Failure::Running(panic.to_string()))?;
+    let done = done.map_err(|panic| Failure::Panicked(panic.to_string()))?;
     let mut report = done.map_err(|error| failure(&error))?;
     report.recording = recording.map(|it| it.report());
     Ok(Some(report))
 }
 
-/// Logs what the session will do, and notes how it goes.
-fn observe(scene: &Scene, session: &RunSession, log: &StderrLog) {
+/// Returns the handle of a run; one in real time has its MIDI port held by a guardian.
+fn run_handle(options: RunOptions) -> RunHandle {
+    if options.virtual_time { RunHandle::default() } else { RunHandle::guarded_at(guardian_path()) }
+}
+
+/// Keeps what may be wanted after a fault or a crash, logs what happens, and notes how it goes.
+fn keep_and_log(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog) {
+    keep_black_box(session, args.black_box.as_deref());
+    if let Some(file) = &args.supervisor.last_minutes {
+        keep_last_minutes(session, file);
+    }
     let lines = log.lines();
     let sink = LogSink::new(Box::new(move |level, text| lines.say(level, text)));
     let has_boards = matches!(scene.links, LinksConfig::Boards(_));
@@ -285,12 +302,26 @@ fn record(session: &RunSession, file: &Path) -> Result<RecordingHandle, Failure>
 
 /// Keeps the last seconds for when a voice fails.
 fn keep_black_box(session: &RunSession, folder: Option<&Path>) {
-    let folder = match folder {
-        Some(folder) if folder == Path::new("none") => return,
-        Some(folder) => folder.to_owned(),
-        None => state_folder(),
-    };
-    session.observe(Box::new(BlackBoxSink::new(folder, tell)));
+    if let Some(folder) = black_box_folder(folder) {
+        session.observe(Box::new(BlackBoxSink::new(folder, tell)));
+    }
+}
+
+/// Returns the folder of black boxes, if there are to be any.
+pub(super) fn black_box_folder(wanted: Option<&Path>) -> Option<PathBuf> {
+    match wanted {
+        Some(folder) if folder == Path::new("none") => None,
+        Some(folder) => Some(folder.to_owned()),
+        None => Some(state_folder()),
+    }
+}
+
+/// Keeps the last minutes in `file` for when the host is killed.
+fn keep_last_minutes(session: &RunSession, file: &Path) {
+    match RecordingHandle::begin_last_minutes(file) {
+        Ok((_handle, sink)) => session.observe(sink),
+        Err(error) => tell(&format!("nothing is kept for a crash: {error}")),
+    }
 }
 
 /// Returns the user's own folder for what programs leave behind, or one among temporary files.
@@ -309,11 +340,11 @@ impl Drop for StopOnDrop {
 
 fn failure(error: &SessionError) -> Failure {
     match error {
+        SessionError::Panicked(_) => Failure::Panicked(error.to_string()),
         // A board that has no power yet is no mistake of the scene's: who starts hosts tries again.
-        SessionError::System(_)
-        | SessionError::Panicked(_)
-        | SessionError::Links(_)
-        | SessionError::Boards(_) => Failure::Running(error.to_string()),
+        SessionError::System(_) | SessionError::Links(_) | SessionError::Boards(_) => {
+            Failure::Running(error.to_string())
+        }
         SessionError::Build(_)
         | SessionError::Rehearsal(_)
         | SessionError::Keybed(_)

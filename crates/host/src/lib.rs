@@ -7,6 +7,7 @@
 //! | [`adapters`] | what plugs into the scheduler's ports: strikes, rows of telemetry, links |
 //! | [`observe`] | from rings to telemetry messages, to recordings and to the stream |
 //! | [`midi_thread`] | the thread that sends MIDI |
+//! | [`guardian`] | the process that holds the MIDI port and the notes, and outlives the host |
 //! | [`replay`] | a recording run again and compared |
 //! | [`rehearsal`] | one key with its voice in virtual time, for the virtual pianist |
 //! | [`finger_weight`] | the weight under which a key sounds at a velocity |
@@ -19,6 +20,7 @@ pub mod adapters;
 pub mod boards;
 pub mod control;
 pub mod finger_weight;
+pub mod guardian;
 pub mod midi_thread;
 pub mod observe;
 pub mod rehearsal;

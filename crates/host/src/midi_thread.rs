@@ -10,6 +10,7 @@ use performance::Struck;
 use rtrb::Consumer;
 use scheduler::time::Nanos;
 
+use crate::adapters::observer::LiveCounters;
 use realtime::clock;
 use realtime::thread::{DEFAULT_PRIORITY, ThreadPlan};
 use realtime::wake_fd::WakeFd;
@@ -19,7 +20,7 @@ const PATIENCE: Duration = Duration::from_millis(50);
 
 /// The priority of MIDI: below the tick, above the rest, since a late force is worse than a late
 /// note.
-const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
+pub(crate) const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
 /// An output of any kind.
 pub type AnyOutput = Box<dyn Output + Send>;
@@ -35,6 +36,8 @@ pub struct MidiDispatcher {
     /// The first error of the output; later ones are counted.
     trouble: Option<String>,
     n_troubles: u64,
+    /// The counters of the tick, and the number of ticks at the last look.
+    ticks: Option<(Arc<LiveCounters>, u64)>,
 }
 
 /// The outcome of a dispatcher that is closed.
@@ -61,7 +64,22 @@ impl MidiDispatcher {
     pub fn new(events: Consumer<NoteEvent>, output: AnyOutput, curve: VelocityCurve) -> Self {
         let player = Player::new(output, curve);
         let schedule = Schedule::default();
-        Self { events, schedule, player, curve, struck: Vec::new(), trouble: None, n_troubles: 0 }
+        Self {
+            events,
+            schedule,
+            player,
+            curve,
+            struck: Vec::new(),
+            trouble: None,
+            n_troubles: 0,
+            ticks: None,
+        }
+    }
+
+    /// Gives the output no sign of life while the tick of `counters` stands still: what it holds
+    /// would not be ended by anybody else.
+    pub fn live_while_ticks_go_on(&mut self, counters: Arc<LiveCounters>) {
+        self.ticks = Some((counters, 0));
     }
 
     /// Plays all that is in the ring, at once, in order of time.
@@ -94,12 +112,23 @@ impl MidiDispatcher {
             if last_round {
                 return;
             }
-            let now = clock::monotonic().since(start).as_secs_f64();
-            if let Err(away) = self.player.poll(now) {
-                // Nothing was lost by looking.
-                self.trouble.get_or_insert_with(|| away.to_string());
-            }
+            self.look(clock::monotonic().since(start).as_secs_f64());
             bell.wait(PATIENCE);
+        }
+    }
+
+    /// Looks after the player and its output at time `now` (s), if a tick was run since the last
+    /// look.
+    fn look(&mut self, now: f64) {
+        if let Some((counters, before)) = &mut self.ticks {
+            let ticks = counters.ticks.load(Ordering::Relaxed);
+            if std::mem::replace(before, ticks) == ticks {
+                return;
+            }
+        }
+        if let Err(away) = self.player.poll(now) {
+            // Nothing was lost by looking.
+            self.trouble.get_or_insert_with(|| away.to_string());
         }
     }
 
@@ -199,6 +228,7 @@ impl MidiThread {
 #[cfg(test)]
 mod tests {
     use std::sync::Mutex;
+    use std::sync::atomic::AtomicU64;
 
     use midi::{Message, MidiSendError, Pedal, PedalMove};
     use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Loudness, Moment};
@@ -207,7 +237,7 @@ mod tests {
     use scheduler::voice::VoiceOutput;
 
     use super::*;
-    use crate::adapters::observer::{LiveCounters, TickPublisher};
+    use crate::adapters::observer::TickPublisher;
     use realtime::run::histogram;
 
     /// An output that writes down what it is sent, in the order in which that happens.
@@ -223,6 +253,43 @@ mod tests {
         fn finish(&mut self) -> Result<(), MidiSendError> {
             Ok(())
         }
+    }
+
+    /// An output that counts how often it is looked after.
+    #[derive(Clone, Default)]
+    struct Polled(Arc<AtomicU64>);
+
+    impl Output for Polled {
+        fn send(&mut self, _at: f64, _message: Message) -> Result<(), MidiSendError> {
+            Ok(())
+        }
+
+        fn poll(&mut self, _now: f64) -> Result<(), MidiSendError> {
+            self.0.fetch_add(1, Ordering::Relaxed);
+            Ok(())
+        }
+
+        fn finish(&mut self) -> Result<(), MidiSendError> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn the_output_gets_no_sign_of_life_while_the_tick_hangs() {
+        let (_ring, events) = rtrb::RingBuffer::new(1);
+        let (polled, counters) = (Polled::default(), Arc::<LiveCounters>::default());
+        let mut dispatcher =
+            MidiDispatcher::new(events, Box::new(polled.clone()), VelocityCurve::default());
+        dispatcher.live_while_ticks_go_on(Arc::clone(&counters));
+        let mut look = |ticks, expected| {
+            counters.ticks.store(ticks, Ordering::Relaxed);
+            dispatcher.look(0.0);
+            assert_eq!(polled.0.load(Ordering::Relaxed), expected, "after {ticks} ticks");
+        };
+        look(0, 0);
+        look(50, 1);
+        look(50, 1);
+        look(51, 2);
     }
 
     /// Ticks of 100 Hz, so that the MIDI thread has to wait for each event's own time.

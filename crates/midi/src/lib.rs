@@ -10,6 +10,7 @@
 //! | the key is held down with another force, of an instrument with aftertouch | pressure of the channel or of the key |
 //! | a pedal moves | CC64 (sustain), CC66 (sostenuto) or CC67 (una corda), if its 7-bit value changed |
 //! | [`Player::silence`], or the player is dropped | note-off for every held note, CC64, CC66 and CC67 = 0, CC123, CC120 |
+//! | nothing is heard of the host for [`guardian::SILENT_AFTER`], or it is gone | the same, by a [`NoteGuardian`] that outlives it |
 //!
 //! Everything here may block and allocate: a tick hands its events over through a ring and waits
 //! for nothing. [`Schedule`] puts them in order of time, note-offs first.
@@ -17,6 +18,8 @@
 
 #![forbid(unsafe_code)]
 
+pub mod guardian;
+pub mod held;
 pub mod input;
 pub mod message;
 pub mod note;
@@ -26,9 +29,13 @@ pub mod player;
 pub mod schedule;
 pub mod velocity;
 
+pub use guardian::NoteGuardian;
+pub use held::HeldNotes;
 pub use input::{ProgramChange, ProgramInput};
 pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
+#[cfg(unix)]
+pub use output::RawPort;
 pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
 pub use pedal::{Pedal, PedalMove};
 pub use player::{NoteEvent, NoteEventKind, Player, PressureTarget};

@@ -98,7 +98,12 @@ pub enum MidiOutput {
     Port(String),
     /// A Standard MIDI File to be written, relative to the working directory.
     File(PathBuf),
+    /// A MIDI device file or a FIFO, which takes the bytes of a cable.
+    Raw(PathBuf),
 }
+
+/// What stands before the path of a MIDI device file.
+pub(crate) const RAW: &str = "raw:";
 
 /// A performance for the virtual pianist.
 #[derive(Clone, PartialEq, Eq)]
@@ -312,6 +317,8 @@ fn midi_output(output: String) -> MidiOutput {
         MidiOutput::None
     } else if output == "virtual" {
         MidiOutput::Virtual
+    } else if let Some(path) = output.strip_prefix(RAW) {
+        MidiOutput::Raw(path.into())
     } else if ending
         .is_some_and(|e| e.eq_ignore_ascii_case("mid") || e.eq_ignore_ascii_case("midi"))
     {

@@ -10,7 +10,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
 use super::realtime::LaneCount;
-use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
+use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, RAW, Scene};
 
 /// Returns the text of `scene`; read again it is the same scene to the last bit.
 pub fn written(scene: &Scene) -> String {
@@ -50,6 +50,7 @@ fn midi(it: &Midi) -> Table {
         MidiOutput::Virtual => "virtual".to_owned(),
         MidiOutput::Port(name) => name.clone(),
         MidiOutput::File(path) => absolute(path),
+        MidiOutput::Raw(path) => format!("{RAW}{}", absolute(path)),
     });
     table["curve"] = value(it.curve.name());
     match &it.input {
@@ -215,5 +216,12 @@ mod tests {
         let changed = changed.map(|(name, value)| (name.to_owned(), value.to_owned()));
         let scene = Scene::load("springs", &changed).unwrap_or_else(|wrong| panic!("{wrong}"));
         assert_eq!(facts(&again(&scene)), facts(&scene));
+    }
+
+    #[test]
+    fn a_midi_device_comes_back() {
+        let device = ("midi.output".to_owned(), "raw:/dev/snd/midiC1D0".to_owned());
+        let scene = Scene::load("springs", &[device]).unwrap_or_else(|wrong| panic!("{wrong}"));
+        assert_eq!(again(&scene).midi.output, MidiOutput::Raw("/dev/snd/midiC1D0".into()));
     }
 }

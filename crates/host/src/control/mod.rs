@@ -32,7 +32,7 @@ mod folders;
 mod key_port;
 mod load;
 mod new_voice;
-mod place;
+pub(crate) mod place;
 mod programs;
 mod reload;
 mod render_settings;

@@ -39,12 +39,12 @@ pub(super) fn chosen() -> Option<PathBuf> {
 }
 
 /// Returns this user's number.
-pub(super) fn user() -> u32 {
+pub(crate) fn user() -> u32 {
     getuid().as_raw()
 }
 
 /// Returns the owner of a file; none if it cannot be seen.
-pub(super) fn owner(path: &Path) -> Option<u32> {
+pub(crate) fn owner(path: &Path) -> Option<u32> {
     Some(fs::metadata(path).ok()?.uid())
 }
 
@@ -53,7 +53,7 @@ pub(super) fn owner(path: &Path) -> Option<u32> {
 ///
 /// # Errors
 /// If it cannot be made, or another user could put a socket of theirs there; a sentence.
-pub(super) fn prepare_folder(path: &Path) -> io::Result<()> {
+pub(crate) fn prepare_folder(path: &Path) -> io::Result<()> {
     let folder = folder(path);
     match fs::DirBuilder::new().mode(0o700).create(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
@@ -104,7 +104,7 @@ pub(super) fn is_allowed_to_root(path: &Path) -> bool {
 ///
 /// # Errors
 /// If there is something else, or a host listens; a sentence.
-pub(super) fn clear(path: &Path) -> io::Result<()> {
+pub(crate) fn clear(path: &Path) -> io::Result<()> {
     let found = match fs::symlink_metadata(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         found => found?,

@@ -1,6 +1,6 @@
 //! The parts of a run that requests reach: its voices, its keys, its telemetry and its stop.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, mpsc};
 
 use firmware_protocol::key::KeyIndex;
@@ -25,6 +25,8 @@ pub struct RunHandle {
     pub emergency: EmergencyStop,
     /// What it does, for whoever asks.
     pub status: Arc<RunStatus>,
+    /// The socket of the guardian that is to hold its MIDI port; none holds it otherwise.
+    guardian: Option<PathBuf>,
     voices: Mutex<VoicePort>,
     keys: Mutex<KeyPort>,
     telemetry: Mutex<TelemetryPort>,
@@ -38,6 +40,20 @@ struct TelemetryPort {
     sender: Option<mpsc::Sender<TelemetryMessage>>,
     /// The recording that was begun by a request.
     recording: Option<RecordingHandle>,
+}
+
+/// What holds its notes.
+impl RunHandle {
+    /// Returns the handle of a run whose MIDI port is held by the guardian at `path`; this
+    /// program must be one that can be started as a guardian.
+    pub fn guarded_at(path: PathBuf) -> Self {
+        Self { guardian: Some(path), ..Self::default() }
+    }
+
+    /// Returns the socket of its guardian, if it is to have one.
+    pub(crate) fn guardian(&self) -> Option<&Path> {
+        self.guardian.as_deref()
+    }
 }
 
 /// Changes of its voices, and their energy audits.

@@ -12,6 +12,9 @@ use telemetry::{Topic, Update};
 use super::telemetry_thread::{Attention, MessageSink};
 use crate::report::RecordingReport;
 
+/// Largest size of the last minutes on the disk (B).
+const LAST_MINUTES: u64 = 64 << 20;
+
 /// A recording that a sink writes.
 #[derive(Clone, Debug)]
 pub struct RecordingHandle {
@@ -25,8 +28,25 @@ impl RecordingHandle {
     /// # Errors
     /// Why it cannot, in a sentence.
     pub fn begin(file: &Path) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
-        let recorder = Recorder::create(RecordingSettings::new(file, super::run_id()))?;
-        let file = file.display().to_string();
+        Self::begin_as(RecordingSettings::new(file, super::run_id()))
+    }
+
+    /// Begins to record into `file`, and files beside it, of which only the last minutes are
+    /// kept: what a host that is killed leaves behind.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence.
+    pub fn begin_last_minutes(file: &Path) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
+        Self::begin_as(RecordingSettings {
+            largest_file: LAST_MINUTES / 2,
+            largest_total: LAST_MINUTES,
+            ..RecordingSettings::new(file, super::run_id())
+        })
+    }
+
+    fn begin_as(settings: RecordingSettings) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
+        let file = settings.path.display().to_string();
+        let recorder = Recorder::create(settings)?;
         let report = Arc::new(Mutex::new(RecordingReport { file, ..RecordingReport::default() }));
         let it = Self { report, stop: Arc::default() };
         let sink = RecordSink { recorder: Some(recorder), recording: it.clone() };

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use hdrhistogram::Histogram;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use voice::AuditReport;
 
@@ -138,7 +138,7 @@ pub struct Deadline {
 }
 
 /// Quantiles of a distribution, in microseconds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[expect(missing_docs, reason = "the names say it")]
 pub struct Quantiles {
     pub p50: f64,
@@ -180,6 +180,10 @@ pub struct MidiReport {
     pub output: String,
     /// Handed over − happened, in real time.
     pub handover_us: Option<Quantiles>,
+    /// From there through the MIDI guardian to the port.
+    pub passed_on_us: Option<Quantiles>,
+    /// How often the host was silent for so long that the guardian ended its notes.
+    pub interruptions: u64,
     /// Messages that could not be sent.
     pub failed: u64,
     /// The first reason, a sentence.
@@ -277,6 +281,16 @@ impl MidiReport {
         write!(f, "  midi        {}", self.output)?;
         if let Some(q) = &self.handover_us {
             write!(f, "; handed over after p50 {:.0} p99 {:.0} max {:.0} us", q.p50, q.p99, q.max)?;
+        }
+        if let Some(q) = &self.passed_on_us {
+            write!(
+                f,
+                ", and by the guardian after p50 {:.0} p99 {:.0} max {:.0} us",
+                q.p50, q.p99, q.max
+            )?;
+        }
+        if 0 < self.interruptions {
+            write!(f, "; notes ended {} times as the host was silent", self.interruptions)?;
         }
         match &self.trouble {
             Some(trouble) if self.failed > 0 => {

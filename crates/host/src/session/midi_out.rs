@@ -1,11 +1,14 @@
 //! Opens the output that a scene asks for.
 
 use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
-use midi::{Message, MidiPort, MidiSendError, Output, Smf, Unavailable};
+use midi::{Message, MidiSendError, Output, Smf};
 
-use crate::midi_thread::AnyOutput;
-use crate::report::MidiReport;
+use crate::control::RunHandle;
+use crate::guardian::{GuardedOutput, GuardedPort, GuardianReport, GuardianTrouble};
+use crate::midi_thread::{AnyOutput, PlaybackSummary};
+use crate::report::{MidiReport, Quantiles};
 use crate::session::SessionError;
 use scene::{Midi, MidiOutput};
 
@@ -28,32 +31,102 @@ pub(crate) fn nowhere() -> AnyOutput {
     Box::new(Nowhere)
 }
 
-/// Opens the output, and returns it with its part of the report.
-///
-/// A machine without MIDI is no error: the run goes on, and the report says what to do.
-pub(super) fn open(midi: &Midi) -> Result<(AnyOutput, MidiReport), SessionError> {
-    if let MidiOutput::File(path) = &midi.output {
-        refuse_without_folder(path)?;
+/// What is known of an output that was opened.
+#[derive(Clone, Debug)]
+pub(super) struct OpenedOutput {
+    /// Its part of the report, before the run.
+    pub(super) report: MidiReport,
+    /// What its guardian tells, if it has one.
+    guardian: Arc<Mutex<GuardianReport>>,
+}
+
+impl OpenedOutput {
+    fn new(output: String, trouble: Option<String>) -> Self {
+        let report = MidiReport { output, trouble, ..MidiReport::default() };
+        Self { report, guardian: Arc::default() }
     }
-    let (output, name): (Result<AnyOutput, Unavailable>, String) = match &midi.output {
-        MidiOutput::None => (Ok(Box::new(Nowhere)), "none".into()),
-        MidiOutput::Virtual => (boxed(MidiPort::create()), "virtual port \"letoff\"".into()),
-        MidiOutput::Port(name) => (boxed(MidiPort::connect(name)), format!("port \"{name}\"")),
-        MidiOutput::File(path) => (Ok(Box::new(Smf::new(path))), path.display().to_string()),
-    };
-    let report = |trouble| MidiReport { output: name, trouble, ..MidiReport::default() };
-    match output {
-        Ok(output) => Ok((output, report(None))),
-        Err(
-            missing @ (Unavailable::NoSequencer
-            | Unavailable::NotAllowed
-            | Unavailable::NotStarted
-            | Unavailable::NoVirtualPorts),
-        ) => Ok((Box::new(Nowhere), report(Some(missing.to_string())))),
-        Err(refused @ (Unavailable::NoSuchPort { .. } | Unavailable::Refused { .. })) => {
-            Err(refused.into())
+
+    /// Returns its part of the report after the run: by this process and by the guardian.
+    pub(super) fn report(&self, played: PlaybackSummary) -> MidiReport {
+        let guardian = self.guardian.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        let trouble = played.trouble.or(guardian.trouble);
+        MidiReport {
+            handover_us: played.handover.as_ref().map(Quantiles::of),
+            passed_on_us: guardian.passed_on,
+            interruptions: guardian.n_interruptions,
+            failed: played.n_troubles + guardian.n_lost,
+            trouble: trouble.or_else(|| self.report.trouble.clone()),
+            ..self.report.clone()
         }
     }
+}
+
+/// Opens the output, ports behind the guardian of `handle`, and returns it with what is known
+/// of it.
+///
+/// A machine without MIDI is no error: the run goes on, and the report says what to do.
+pub(super) fn open(
+    midi: &Midi,
+    handle: &Arc<RunHandle>,
+) -> Result<(AnyOutput, OpenedOutput), SessionError> {
+    let (port, name) = match &midi.output {
+        MidiOutput::None => return Ok((nowhere(), OpenedOutput::new("none".into(), None))),
+        MidiOutput::File(path) => {
+            refuse_without_folder(path)?;
+            let opened = OpenedOutput::new(path.display().to_string(), None);
+            return Ok((Box::new(Smf::new(path)), opened));
+        }
+        MidiOutput::Virtual => (GuardedPort::Virtual, "virtual port \"letoff\"".into()),
+        MidiOutput::Port(name) => (GuardedPort::Named(name.clone()), format!("port \"{name}\"")),
+        MidiOutput::Raw(path) => {
+            let name = format!("device {}", path.display());
+            // The guardian may have been started elsewhere.
+            (GuardedPort::Raw(std::path::absolute(path)?), name)
+        }
+    };
+    match open_port(&port, handle) {
+        Ok((output, guardian)) => {
+            Ok((output, OpenedOutput { guardian, ..OpenedOutput::new(name, None) }))
+        }
+        // It plays all the same, as a host does that has no place for its sockets.
+        Err(why @ GuardianTrouble::NoGuardian { .. }) => {
+            match port.open().map_err(GuardianTrouble::from) {
+                Ok(output) => {
+                    Ok((output, OpenedOutput::new(format!("{name}, unguarded: {why}"), None)))
+                }
+                Err(trouble) => without_port(name, &trouble),
+            }
+        }
+        Err(trouble) => without_port(name, &trouble),
+    }
+}
+
+/// Returns no output where the machine has no MIDI; refuses any other trouble.
+fn without_port(
+    name: String,
+    trouble: &GuardianTrouble,
+) -> Result<(AnyOutput, OpenedOutput), SessionError> {
+    let why = trouble.to_string();
+    match trouble {
+        GuardianTrouble::Missing(_) => Ok((nowhere(), OpenedOutput::new(name, Some(why)))),
+        GuardianTrouble::Refused(_) | GuardianTrouble::NoGuardian { .. } => {
+            Err(SessionError::Midi(why))
+        }
+    }
+}
+
+/// Opens a port behind the guardian of `handle`, or in this process if there is to be none.
+fn open_port(
+    port: &GuardedPort,
+    handle: &Arc<RunHandle>,
+) -> Result<(AnyOutput, Arc<Mutex<GuardianReport>>), GuardianTrouble> {
+    let Some(path) = handle.guardian() else {
+        return Ok((port.open()?, Arc::default()));
+    };
+    let its = Arc::clone(handle);
+    let output = GuardedOutput::open(path, port.clone(), Box::new(move |text| its.log(text)))?;
+    let report = output.report();
+    Ok((Box::new(output), report))
 }
 
 /// Refuses a file in a folder that is not there, before the run: the file is written at its end.
@@ -67,8 +140,4 @@ fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
         }
         Some(_) | None => Ok(()),
     }
-}
-
-fn boxed(port: Result<MidiPort, Unavailable>) -> Result<AnyOutput, Unavailable> {
-    Ok(Box::new(port?))
 }

@@ -34,6 +34,7 @@ use crate::stability::examine;
 use key_source::KeySource;
 use key_transport::KeyTransport;
 use measured::MeasuredRun;
+use midi_out::OpenedOutput;
 pub(crate) use midi_out::nowhere;
 pub(crate) use monitored_output::MonitoredOutput;
 use observed::ObservedOutputs;
@@ -71,7 +72,7 @@ pub enum SessionError {
     NoFolder { path: String, folder: String },
     /// The MIDI output is not there.
     #[error("the MIDI output cannot be opened: {0}")]
-    Midi(#[from] midi::Unavailable),
+    Midi(String),
     /// Ports or interfaces cannot be opened: a sentence on each.
     #[error("{0}")]
     Links(String),
@@ -150,7 +151,7 @@ struct PreparedRun {
     performance: Option<Performance>,
     unplayed: UnplayedNotes,
     watchers: Watchers,
-    midi: MidiReport,
+    midi: OpenedOutput,
     bell: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
     handle: Arc<RunHandle>,
@@ -216,10 +217,11 @@ impl RunSession {
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
         let voices = observed::voices(&builder, &handle)?;
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
-        let (output, midi) = midi_out::open(&scene.midi)?;
+        let (output, midi) = midi_out::open(&scene.midi, &handle)?;
         let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
-        let dispatcher = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
+        let mut dispatcher = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
+        dispatcher.live_while_ticks_go_on(Arc::clone(&counters));
         let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
         for pedal in &pedals {
             let event = telemetry::Update::Event(observe::pedal(*pedal));
@@ -266,7 +268,7 @@ impl RunSession {
 
     /// Returns the MIDI output in words, or why there is none.
     pub fn midi(&self) -> String {
-        self.prepared.midi.words()
+        self.prepared.midi.report.words()
     }
 
     /// Returns the rate of the tick (Hz).
@@ -367,12 +369,7 @@ impl PreparedRun {
             boards: bus.boards(duration),
             lines: bus.lines(duration),
             energy_audit: self.handle.energy().into(),
-            midi: MidiReport {
-                handover_us: played.handover.as_ref().map(crate::report::Quantiles::of),
-                failed: played.n_troubles,
-                trouble: played.trouble.or_else(|| self.midi.trouble.clone()),
-                ..self.midi.clone()
-            },
+            midi: self.midi.report(played),
             recording: None,
             fidelity: Vec::new(),
         }

@@ -5,6 +5,8 @@
 mod memory;
 mod port;
 mod ports;
+#[cfg(unix)]
+mod raw;
 mod reconnecting;
 mod smf;
 mod system;
@@ -16,6 +18,8 @@ use std::path::PathBuf;
 pub use memory::MessageRecorder;
 pub use port::MidiPort;
 pub(crate) use ports::{CLIENT, look_for_sequencer};
+#[cfg(unix)]
+pub use raw::RawPort;
 pub use smf::Smf;
 pub(crate) use system::refused;
 pub use system::{Unavailable, ports};
@@ -64,6 +68,9 @@ pub enum MidiSendError {
         /// The time that was given (s).
         at: f64,
     },
+    /// The program that holds the port and the notes does not take messages.
+    #[error("the MIDI guardian is gone, {reason}: another one is started with the next message")]
+    NoGuardian { reason: String },
     /// The recording could not be written.
     #[error(
         "{path} could not be written ({source}): all {messages} messages are still in memory, \

@@ -42,6 +42,14 @@ pub enum Unavailable {
         /// What the system said.
         reason: String,
     },
+    /// The device or FIFO cannot be written to.
+    #[error("no MIDI can be written to {path}: {reason}")]
+    NoDevice {
+        /// Where it should be.
+        path: String,
+        /// The mistake and the remedy.
+        reason: String,
+    },
     /// This system has no virtual ports.
     #[error(
         "this system cannot make a MIDI port of our own: install a loopback port \

@@ -79,6 +79,7 @@ fn midi_goes_to_a_port_a_file_or_nowhere() {
     check("none", &MidiOutput::None);
     check("virtual", &MidiOutput::Virtual);
     check("FLUID Synth", &MidiOutput::Port("FLUID Synth".to_owned()));
+    check("raw:/dev/snd/midiC1D0", &MidiOutput::Raw("/dev/snd/midiC1D0".into()));
     check("takes/one.MID", &MidiOutput::File("takes/one.MID".into()));
 }
 

@@ -184,12 +184,139 @@ back() {
 	verdict "$1" "$2" $? "$heard"
 }
 
+# port: the number under which others are connected to the virtual port.
+port() { aconnect -l | sed -n "s/^client \([0-9]*\): 'letoff'.*/\1/p"; }
+
+# process WORD: the number of the process that was started with WORD.
+process() {
+	for words in /proc/[0-9]*/cmdline; do
+		if tr '\000' '\n' <"$words" 2>/dev/null | grep -qx -e "$1"; then
+			words=${words%/cmdline}
+			echo "${words#/proc/}"
+		fi
+	done
+}
+
+# plays NAME COUNT: whether anything was struck after COUNT strikes.
+plays() {
+	tally "$1"
+	[ "$ons" -gt "$2" ]
+}
+
+# A device file, which takes the bytes of a cable.
+device() {
+	listen device -p "Virtual Raw MIDI 0-3"
+	play device --midi raw:/dev/snd/midiC0D3 --duration 4
+	ended
+	complete device
+	verdict device "a device file, raw:/dev/snd/midiC0D3" $? "$heard"
+}
+
+# holding NAME ARGUMENTS...: plays to a virtual port until a chord is held, and listens; the
+# number of its notes is in $before.
+holding() {
+	name=$1
+	play "$@" --midi virtual
+	within 20 is_listed letoff
+	number=$(port)
+	listen "$name" -p letoff
+	within 20 holds "$name" 3
+	before=$hanging
+}
+
+# silent NAME: whether all is ended a second later, and nothing is struck meanwhile.
+silent() {
+	sleep 1
+	tally "$1"
+	[ "$before" -ge 3 ] && [ "$hanging" = 0 ] && [ "$unasked" = 0 ] && [ "$silenced" = 1 ]
+}
+
+# The listener stays connected to the port, and so hears the next host too.
+killed() {
+	holding killed
+	kill -KILL "$host"
+	wait "$host"
+	silent killed
+	result=$?
+	verdict killed "kill -9 of the host while a chord is held: silence within a second" $result \
+		"$before held; $heard"
+	before=$ons
+	play again --midi virtual --duration 6
+	ended
+	tally killed
+	[ "$ons" -gt "$before" ] && [ "$hanging" = 0 ] && [ "$silenced" = 1 ] && [ "$code" = 0 ]
+	verdict killed "the next host has the port, to which others stayed connected" $? "$heard"
+}
+
+stopped() {
+	holding stopped --duration 15
+	kill -STOP "$host"
+	silent stopped
+	verdict stopped "SIGSTOP of the host while a chord is held: silence within a second" $? \
+		"$before held; $heard"
+	before=$ons
+	kill -CONT "$host"
+	within 20 plays stopped "$before"
+	kill -TERM "$host"
+	ended
+	tally stopped
+	[ "$ons" -gt "$before" ] && [ "$hanging" = 0 ] && [ "$unasked" = 0 ] &&
+		[ "$silenced" = 1 ] && [ "$code" = 0 ]
+	verdict stopped "the host that goes on after SIGSTOP leaves no note" $? "$heard, exit $code"
+}
+
+supervised() {
+	holding supervised --supervised --black-box none
+	kill -KILL "$(process "--supervisor=$host")"
+	silent supervised
+	result=$?
+	before=$ons
+	within 40 plays supervised "$before"
+	within 20 holds supervised 3
+	heard="port $number before, $(port) after; $heard"
+	[ "$number" = "$(port)" ] && [ "$result" = 0 ] && [ "$ons" -gt "$before" ]
+	result=$?
+	kill -TERM "$host"
+	ended
+	before=$heard
+	tally supervised
+	[ "$result" = 0 ] && [ "$hanging" = 0 ] && [ "$silenced" = 1 ] && [ "$code" = 0 ]
+	verdict supervised "a supervised host that is killed is back at the same port" $? \
+		"$before; then $heard, exit $code"
+}
+
+# The guardian is killed, and a synthesizer that it had connected to hears from another one.
+replaced() {
+	listen replaced
+	within 5 is_listed aseqdump
+	play replaced --midi aseqdump --duration 15
+	within 20 holds replaced 3
+	before=$hanging
+	struck=$ons
+	kill -KILL "$(process midi-guardian)"
+	within 10 grep -q "another MIDI guardian has ended the notes" replaced.err
+	result=$?
+	within 20 plays replaced "$struck"
+	kill -TERM "$host"
+	ended
+	tally replaced
+	[ "$result" = 0 ] && [ "$before" -ge 3 ] && [ "$ons" -gt "$struck" ] &&
+		[ "$hanging" = 0 ] && [ "$silenced" = 1 ] && [ "$code" = 0 ]
+	verdict replaced "a guardian that is killed is replaced, note-offs first" $? \
+		"$before held; $heard, exit $code"
+}
+
 devices
 virtual
 through
 raw
+device
 terminated
 programs
 absent
+killed
+stopped
+supervised
+replaced
 back later "a synthesizer that is started again after 3 s is connected again" 3
 back soon "a synthesizer that is started again at once is connected again" 0

@@ -24,8 +24,8 @@ pub(crate) fn guest() -> GuestCheck {
             ("piece.mid", piece::file()),
             ("checks.sh", include_str!("checks.sh").into()),
         ],
-        // It takes a minute of one processor.
-        time_limit: Duration::from_mins(5),
+        // It takes three minutes of one processor.
+        time_limit: Duration::from_mins(20),
         program: TriedProgram::Release,
     }
 }

@@ -1,0 +1,387 @@
+//! Hosts that are killed, stopped and started again, and what a synthesizer hears of it: real
+//! processes, and the bytes of a cable in a FIFO.
+
+#![expect(clippy::expect_used, reason = "helpers of tests")]
+
+mod typed;
+
+use std::collections::BTreeSet;
+use std::fs::{self, File, OpenOptions};
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Stdio};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use rustix::fs::{CWD, FileType, Mode, mknodat};
+use rustix::process::{Pid, Signal, kill_process};
+use typed::{Folder, eventually};
+
+/// One key range of few keys, so that it is rehearsed at once.
+const SCENE: &str = r#"
+tick_hz = 1000
+[[keys]]
+range = "C4..C5"
+instrument = "grand-springs"
+[links]
+kind = "simulated"
+[pianist]
+performance = "piece.mid"
+"#;
+
+/// The chord that is held, and the note that is repeated above it.
+const CHORD: [u8; 3] = [60, 64, 67];
+const REPEATED: u8 = 72;
+
+/// A chord and the pedal that are held for 100 s, and a note that is repeated twice a second.
+fn piece() -> Vec<u8> {
+    let mut events: Vec<(u32, [u8; 3])> = vec![(0, [0xB0, 64, 127])];
+    events.extend(CHORD.map(|note| (500, [0x90, note, 70])));
+    for at in (1000..100_000).step_by(500) {
+        events.extend([(at, [0x90, REPEATED, 70]), (at + 250, [0x80, REPEATED, 64])]);
+    }
+    events.extend(CHORD.map(|note| (100_000, [0x80, note, 64])));
+    let (mut track, mut now) = (Vec::new(), 0);
+    for (at, bytes) in events {
+        let wait: u32 = at - now;
+        let groups = [wait >> 14, wait >> 7, wait].map(|it| u8::try_from(it & 0x7F).expect("7"));
+        track.extend([groups[0] | 0x80, groups[1] | 0x80, groups[2]]);
+        track.extend(bytes);
+        now = at;
+    }
+    track.extend([0, 0xFF, 0x2F, 0]);
+    // 500 ticks in a quarter of 0.5 s: 1 ms each.
+    let mut file = b"MThd\0\0\0\x06\0\0\0\x01\x01\xF4MTrk".to_vec();
+    file.extend(u32::try_from(track.len()).expect("a short track").to_be_bytes());
+    file.extend(track);
+    file
+}
+
+/// What a synthesizer at the other end of a FIFO hears.
+#[derive(Default)]
+struct Heard {
+    messages: Vec<[u8; 3]>,
+    sounding: BTreeSet<u8>,
+    pedal: u8,
+    /// Note-offs of notes that were silent, though no one before it had to make sure.
+    unasked: usize,
+}
+
+impl Heard {
+    fn hear(&mut self, message: [u8; 3]) {
+        self.messages.push(message);
+        match message {
+            [0x90, note, _] => _ = self.sounding.insert(note),
+            [0x80, note, _] => self.unasked += usize::from(!self.sounding.remove(&note)),
+            [0xB0, 64, value] => self.pedal = value,
+            _ => {}
+        }
+    }
+
+    fn is_silent(&self) -> bool {
+        self.sounding.is_empty() && self.pedal == 0
+    }
+
+    fn holds_the_chord(&self) -> bool {
+        CHORD.iter().all(|note| self.sounding.contains(note)) && self.pedal == 127
+    }
+
+    fn strikes(&self) -> usize {
+        self.messages.iter().filter(|it| it[0] == 0x90).count()
+    }
+}
+
+/// A folder with a scene, a FIFO, and a thread that listens to it.
+struct Stand {
+    folder: Folder,
+    heard: Arc<Mutex<Heard>>,
+}
+
+impl Stand {
+    fn new(name: &str) -> Self {
+        let folder = Folder::new(name);
+        folder.write("scene.toml", SCENE);
+        folder.write("piece.mid", piece());
+        let fifo = folder.join("fifo");
+        mknodat(CWD, &fifo, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).expect("a FIFO");
+        let heard = Arc::<Mutex<Heard>>::default();
+        // Open for writing, too: a writer that dies is no end.
+        let cable = OpenOptions::new().read(true).write(true).open(&fifo).expect("the FIFO");
+        let its = Arc::clone(&heard);
+        std::thread::spawn(move || listen(cable, &its));
+        Self { folder, heard }
+    }
+
+    fn start(&self, arguments: &[&str]) -> Host<'_> {
+        let usual = ["run", "scene.toml", "--midi", "raw:fifo", "--listen", "none", "--json"];
+        let letoff = Path::new(env!("CARGO_BIN_EXE_letoff"));
+        let mut command = self.folder.command(letoff, &[&usual[..], arguments].concat());
+        command.stdout(File::create(self.folder.join("report")).expect("a file"));
+        let complaints = self.folder.join("complaints");
+        let complaints = OpenOptions::new().create(true).append(true).open(complaints);
+        let complaints = complaints.expect("a file");
+        command.stderr(Stdio::from(complaints));
+        Host { child: command.spawn().expect("a process"), stand: self }
+    }
+
+    fn heard(&self) -> MutexGuard<'_, Heard> {
+        self.heard.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Waits until something is so of what was heard.
+    #[track_caller]
+    fn hears(&self, what: &str, is_so: impl Fn(&Heard) -> bool) {
+        eventually(what, || is_so(&self.heard()).then_some(()));
+    }
+
+    /// The guardians of hosts of this folder, by their process numbers.
+    fn guardians(&self) -> Vec<i32> {
+        let path = self.folder.join("socket.midi").display().to_string();
+        let is_one = |words: &[String]| {
+            words.get(1).is_some_and(|word| word == "midi-guardian")
+                && words.get(2).is_some_and(|word| word.starts_with(&path))
+        };
+        processes().into_iter().filter(|(_, words)| is_one(words)).map(|(pid, _)| pid).collect()
+    }
+
+    fn guardian(&self) -> i32 {
+        let guardians = self.guardians();
+        assert_eq!(guardians.len(), 1, "{guardians:?}");
+        guardians[0]
+    }
+
+    fn complaints(&self) -> String {
+        self.folder.read("complaints")
+    }
+}
+
+fn listen(mut cable: File, heard: &Mutex<Heard>) {
+    let mut bytes = Vec::new();
+    let mut read = [0; 256];
+    while let Ok(n) = cable.read(&mut read) {
+        bytes.extend(&read[..n]);
+        while let Some(message) = bytes.first_chunk::<3>().copied() {
+            bytes.drain(..3);
+            heard.lock().unwrap_or_else(PoisonError::into_inner).hear(message);
+        }
+    }
+}
+
+/// All processes with the words that started them.
+fn processes() -> Vec<(i32, Vec<String>)> {
+    let entries = fs::read_dir("/proc").expect("/proc").filter_map(Result::ok);
+    let process = |path: PathBuf| {
+        let pid = path.file_name()?.to_str()?.parse().ok()?;
+        let words = fs::read(path.join("cmdline")).ok()?;
+        let words = words.split(|byte| *byte == 0);
+        Some((pid, words.map(|word| String::from_utf8_lossy(word).into_owned()).collect()))
+    };
+    entries.filter_map(|entry| process(entry.path())).collect()
+}
+
+/// A host that is killed if its test fails.
+struct Host<'a> {
+    child: Child,
+    stand: &'a Stand,
+}
+
+impl Host<'_> {
+    fn send(&self, signal: Signal) {
+        kill_process(Pid::from_child(&self.child), signal).expect("it is there");
+    }
+
+    /// The process that a supervisor has started.
+    fn supervised(&self) -> Option<i32> {
+        let word = format!("--supervisor={}", self.child.id());
+        let mut all = processes().into_iter();
+        all.find(|(_, words)| words.contains(&word)).map(|(pid, _)| pid)
+    }
+
+    /// Waits for its end; returns its exit code.
+    fn end(mut self) -> Option<i32> {
+        self.child.wait().expect("it is ours").code()
+    }
+
+    /// Ends it as a user does, and asserts that all is silent and nobody is left.
+    #[track_caller]
+    fn ends_well(self) {
+        let stand = self.stand;
+        self.send(Signal::TERM);
+        assert_eq!(self.end(), Some(0), "{}", stand.complaints());
+        stand.hears("silence at the end", Heard::is_silent);
+        eventually("no guardian is left", || stand.guardians().is_empty().then_some(()));
+        assert!(!stand.folder.join("socket.midi").exists());
+    }
+}
+
+impl Drop for Host<'_> {
+    fn drop(&mut self) {
+        if matches!(self.child.try_wait(), Ok(None)) {
+            let _gone = self.child.kill();
+            let _ended = self.child.wait();
+        }
+        for guardian in self.stand.guardians() {
+            let _gone = kill(guardian, Signal::TERM);
+        }
+    }
+}
+
+fn kill(pid: i32, signal: Signal) -> rustix::io::Result<()> {
+    kill_process(Pid::from_raw(pid).expect("a process"), signal)
+}
+
+#[test]
+fn a_host_that_is_killed_leaves_silence_and_its_port_to_the_next_one() {
+    let stand = Stand::new("killed");
+    let mut host = stand.start(&[]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let guardian = stand.guardian();
+    host.child.kill().expect("it is there");
+    stand.hears("silence", Heard::is_silent);
+    assert_eq!(stand.heard().unasked, 0);
+    let ended = stand.heard().messages.len();
+    let next = stand.start(&[]);
+    stand.hears("the chord again", Heard::holds_the_chord);
+    assert_eq!(stand.guardian(), guardian, "another process holds the port");
+    assert!(ended < stand.heard().messages.len());
+    drop(host.child.wait());
+    next.ends_well();
+}
+
+#[test]
+fn a_host_that_is_stopped_has_its_notes_ended_and_goes_on_without_a_stuck_one() {
+    let stand = Stand::new("stopped");
+    let host = stand.start(&[]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    host.send(Signal::STOP);
+    stand.hears("silence", Heard::is_silent);
+    let strikes = stand.heard().strikes();
+    host.send(Signal::CONT);
+    stand.hears("strikes, with the pedal", |it| strikes + 1 < it.strikes() && it.pedal == 127);
+    host.ends_well();
+    let heard = stand.heard();
+    assert_eq!(heard.unasked, 0, "notes that the guardian had ended were ended again");
+    let report: serde_json::Value =
+        serde_json::from_str(&stand.folder.read("report")).expect("a report");
+    assert!(report["midi"]["interruptions"].as_u64() >= Some(1), "{report}");
+    assert!(report["midi"]["passed_on_us"]["p50"].as_f64() > Some(0.0), "{report}");
+    assert!(stand.complaints().contains("gave no sign for 0.5 s"), "{}", stand.complaints());
+}
+
+/// Has `signal` sent to the guardian while a chord is held, and asserts that another one ends it.
+#[track_caller]
+fn check_replaced(name: &str, signal: Signal) {
+    let stand = Stand::new(name);
+    let host = stand.start(&[]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let (guardian, heard) = (stand.guardian(), stand.heard().messages.len());
+    kill(guardian, signal).expect("it is there");
+    eventually("another guardian", || (stand.guardians() != [guardian]).then_some(()));
+    stand.hears("its note-offs", |it| CHORD.iter().all(|note| !it.sounding.contains(note)));
+    stand.hears("strikes", |it| it.messages[heard..].iter().filter(|m| m[0] == 0x90).count() > 4);
+    let said = stand.complaints();
+    assert!(said.contains("another one is started"), "{said}");
+    let ended = stand.heard().messages[heard..].to_vec();
+    for note in CHORD {
+        assert!(ended.contains(&[0x80, note, 64]), "{note} was not ended: {ended:?}");
+    }
+    assert_eq!(stand.heard().pedal, 127, "the pedal is still held");
+    host.ends_well();
+}
+
+#[test]
+fn a_guardian_that_is_killed_is_replaced_note_offs_first() {
+    check_replaced("guardian-killed", Signal::KILL);
+}
+
+#[test]
+fn a_guardian_that_hangs_is_replaced_note_offs_first() {
+    check_replaced("guardian-hangs", Signal::STOP);
+}
+
+#[test]
+fn a_supervised_host_that_is_killed_plays_on_and_says_where_the_minutes_before_are() {
+    let stand = Stand::new("supervised");
+    let host = stand.start(&["--supervised", "--black-box", "boxes"]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let (guardian, first) = (stand.guardian(), host.supervised().expect("a host"));
+    stand.hears("strikes", |it| it.strikes() > 8);
+    kill(first, Signal::KILL).expect("it is there");
+    stand.hears("silence", Heard::is_silent);
+    stand.hears("the chord again", Heard::holds_the_chord);
+    assert_eq!(stand.guardian(), guardian, "another process holds the port");
+    assert_ne!(host.supervised(), Some(first));
+    let said = stand.complaints();
+    assert!(said.contains(&format!("the host (process {first}) crashed, signal: 9")), "{said}");
+    let kept = said.split("what went before is in ").nth(1).expect("a place");
+    let kept = kept.split(": `letoff recover`").next().expect("a path");
+    let (code, out, err) = stand.folder.letoff(&["recover", kept, "--into", "whole.mcap"]);
+    assert_eq!(code, Some(0), "{out}{err}");
+    assert!(fs::metadata(stand.folder.join("whole.mcap")).expect("a recording").len() > 10_000);
+    host.ends_well();
+    let left = fs::read_dir(stand.folder.join("boxes")).expect("boxes").count();
+    assert_eq!(left, 1, "what was kept of an orderly run is gone");
+}
+
+#[test]
+fn a_host_ends_well_when_its_supervisor_is_killed() {
+    let stand = Stand::new("orphan");
+    let mut host = stand.start(&["--supervised", "--black-box", "none"]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let orphan = host.supervised().expect("a host");
+    host.child.kill().expect("it is there");
+    stand.hears("silence", Heard::is_silent);
+    eventually("the host has ended", || (!is_there(orphan)).then_some(()));
+    eventually("no guardian is left", || stand.guardians().is_empty().then_some(()));
+}
+
+fn is_there(pid: i32) -> bool {
+    processes().iter().any(|(it, words)| *it == pid && words.len() > 1)
+}
+
+#[test]
+fn a_host_that_crashes_again_and_again_stays_down() {
+    let stand = Stand::new("again");
+    let mut host = stand.start(&["--supervised", "--black-box", "none"]);
+    let mut killed = Vec::new();
+    let code = eventually("it gives up", || {
+        if let Some(pid) = host.supervised().filter(|pid| !killed.contains(pid)) {
+            let _gone = kill(pid, Signal::KILL);
+            killed.push(pid);
+        }
+        host.child.try_wait().expect("it is ours")
+    });
+    assert_eq!(code.code(), Some(1), "{}", stand.complaints());
+    assert_eq!(killed.len(), 6, "{killed:?}");
+    let said = stand.complaints();
+    assert!(said.contains("crashed 6 times in 30 s, and is not started again"), "{said}");
+}
+
+#[test]
+fn what_is_no_crash_is_not_tried_again() {
+    let folder = Folder::new("no-crash");
+    folder.refuses(&["run", "nothing.toml", "--supervised"], 2, &["nothing.toml"]);
+    folder.refuses(&["record", "take.mcap", "--supervised"], 2, &["leave --supervised"]);
+}
+
+#[test]
+fn a_port_that_is_not_there_is_told_and_leaves_no_guardian() {
+    let stand = Stand::new("absent");
+    let midi = ["run", "springs", "--performance", "none", "--midi", "raw:nothing"];
+    stand.folder.refuses(&midi, 2, &["no MIDI can be written to", "there is no such file"]);
+    eventually("no guardian is left", || stand.guardians().is_empty().then_some(()));
+}
+
+#[test]
+fn a_host_without_a_place_for_sockets_plays_and_says_that_nothing_guards_its_notes() {
+    let stand = Stand::new("no-place");
+    let arguments = ["run", "scene.toml", "--midi", "raw:fifo", "--listen", "none", "--json"];
+    let letoff = Path::new(env!("CARGO_BIN_EXE_letoff"));
+    let mut command =
+        stand.folder.command(letoff, &[&arguments[..], &["--duration", "3"]].concat());
+    let output = command.env("LETOFF_SOCKET", "/no/such/folder/socket").output().expect("it runs");
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("a report");
+    let words = report["midi"]["output"].as_str().expect("words");
+    assert!(words.contains("unguarded: no MIDI guardian"), "{words}");
+    assert!(stand.heard().strikes() >= CHORD.len());
+}

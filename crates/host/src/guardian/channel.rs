@@ -1,0 +1,159 @@
+//! The host's end of the socket to its guardian: found or started, and never waited for long.
+
+use std::io::{self, ErrorKind, Read as _, Write as _};
+use std::os::fd::OwnedFd;
+use std::os::unix::net::{UnixListener, UnixStream};
+use std::os::unix::process::CommandExt as _;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::net::sockopt::socket_peercred;
+use rustix::process::{Pid, Signal, kill_process};
+
+use super::protocol::{GuardianLine, HostLine};
+use crate::control::place;
+
+/// Longest line of a guardian (bytes).
+const LONGEST_LINE: usize = 4096;
+
+/// A connection to a guardian.
+#[derive(Debug)]
+pub(super) struct GuardianChannel {
+    stream: UnixStream,
+    /// What was read, up to a line that is not whole yet.
+    received: Vec<u8>,
+    /// The guardian, if this process has started it.
+    child: Option<Child>,
+    /// The guardian's process, once it said so.
+    pid: Option<i32>,
+}
+
+impl GuardianChannel {
+    /// Connects to the guardian at `path`, which is started if there is none.
+    ///
+    /// # Errors
+    /// If it cannot be started, or another user's process is there.
+    pub(super) fn reach(path: &Path) -> io::Result<Self> {
+        let (stream, child) = match UnixStream::connect(path) {
+            Ok(stream) => (stream, None),
+            Err(error)
+                if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::ConnectionRefused) =>
+            {
+                let child = start(path)?;
+                (UnixStream::connect(path)?, Some(child))
+            }
+            Err(error) => return Err(error),
+        };
+        if socket_peercred(&stream)?.uid.as_raw() != place::user() {
+            let text = format!("another user listens at {}", path.display());
+            return Err(io::Error::new(ErrorKind::PermissionDenied, text));
+        }
+        stream.set_nonblocking(true)?;
+        Ok(Self { stream, received: Vec::new(), child, pid: None })
+    }
+
+    /// Sends `line` without waiting.
+    ///
+    /// # Errors
+    /// If the guardian is gone, or has not read for so long that there is no room.
+    pub(super) fn send(&mut self, line: &HostLine) -> io::Result<()> {
+        let mut text = serde_json::to_vec(line)?;
+        text.push(b'\n');
+        self.stream.write_all(&text)
+    }
+
+    /// Returns the next line that has come, if there is one.
+    ///
+    /// # Errors
+    /// If the guardian is gone, or says what no guardian says.
+    pub(super) fn receive(&mut self) -> io::Result<Option<GuardianLine>> {
+        let mut bytes = [0; 512];
+        while !self.received.contains(&b'\n') {
+            match self.stream.read(&mut bytes) {
+                Ok(0) => return Err(ErrorKind::UnexpectedEof.into()),
+                Ok(n) => self.received.extend(bytes.iter().take(n)),
+                Err(error) if error.kind() == ErrorKind::WouldBlock => return Ok(None),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+            if LONGEST_LINE < self.received.len() {
+                return Err(ErrorKind::InvalidData.into());
+            }
+        }
+        self.first_line()
+    }
+
+    /// Takes the first whole line out of what was read.
+    fn first_line(&mut self) -> io::Result<Option<GuardianLine>> {
+        let end = self.received.iter().position(|byte| *byte == b'\n');
+        let Some(end) = end else { return Ok(None) };
+        let text: Vec<u8> = self.received.drain(..=end).collect();
+        let line = serde_json::from_slice(&text)?;
+        if let GuardianLine::Opened { pid } = line {
+            self.pid = Some(pid);
+        }
+        Ok(Some(line))
+    }
+
+    /// Waits for the next line that is no beat, at most `patience` for each that comes.
+    ///
+    /// # Errors
+    /// If none comes, or the guardian is gone.
+    pub(super) fn wait(&mut self, patience: Duration) -> io::Result<GuardianLine> {
+        loop {
+            match self.receive()? {
+                Some(GuardianLine::Beat(_)) => {}
+                Some(line) => return Ok(line),
+                None => self.wait_until_readable(patience)?,
+            }
+        }
+    }
+
+    fn wait_until_readable(&self, patience: Duration) -> io::Result<()> {
+        let timeout = Timespec::try_from(patience).ok();
+        let mut fds = [PollFd::new(&self.stream, PollFlags::IN)];
+        if poll(&mut fds, timeout.as_ref())? == 0 {
+            return Err(ErrorKind::TimedOut.into());
+        }
+        Ok(())
+    }
+
+    /// Ends a guardian that does not answer, so that its port is closed.
+    pub(super) fn kill(mut self) {
+        let pid = self.pid.and_then(Pid::from_raw);
+        // One that is gone is as good.
+        let _gone = pid.map(|pid| kill_process(pid, Signal::KILL));
+        if let Some(child) = &mut self.child {
+            let _ended = child.kill().and_then(|()| child.wait());
+        }
+    }
+}
+
+impl Drop for GuardianChannel {
+    /// Lets the system forget a guardian of this process that has ended.
+    fn drop(&mut self) {
+        let _ended = self.child.as_mut().map(Child::try_wait);
+    }
+}
+
+/// Starts a guardian that listens at `path`, where a killed one may have left its socket.
+///
+/// It inherits the socket that already listens, so nobody has to wait until it does.
+fn start(path: &Path) -> io::Result<Child> {
+    place::prepare_folder(path)?;
+    place::clear(path)?;
+    let listener = UnixListener::bind(path)?;
+    let mut command = Command::new(program());
+    command.arg("midi-guardian").arg(path).stdin(Stdio::from(OwnedFd::from(listener)));
+    // It outlives this process: it may hold neither its pipes, nor get the terminal's signals.
+    command.stdout(Stdio::null()).stderr(Stdio::null()).process_group(0);
+    command.spawn()
+}
+
+/// Returns this program, also where its file was replaced by a newer one.
+pub fn program() -> PathBuf {
+    let named = std::env::current_exe().ok().filter(|path| path.exists());
+    named.unwrap_or_else(|| PathBuf::from("/proc/self/exe"))
+}

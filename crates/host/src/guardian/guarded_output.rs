@@ -1,0 +1,243 @@
+//! The host's MIDI output: whatever it sends is held by a guardian.
+
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use midi::{HeldNotes, Message, MidiSendError, Output, Unavailable};
+use realtime::clock;
+
+use super::channel::GuardianChannel;
+use super::protocol::{GuardedPort, GuardianLine, HostLine, PassedOn, VERSION, is_missing};
+use crate::report::Quantiles;
+
+/// Longest wait for a port to open, and for the end: a sequencer takes some milliseconds.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// Beats without an answer after which a guardian hangs; there are twenty a second.
+const MOST_UNANSWERED: u32 = 40;
+
+/// Least time between two attempts to start a guardian (s).
+const INTERVAL: f64 = 1.0;
+
+/// The reason why there is no guarded port.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum GuardianTrouble {
+    /// There is no MIDI on this machine; a sentence.
+    #[error("{0}")]
+    Missing(String),
+    /// The port cannot be opened; a sentence.
+    #[error("{0}")]
+    Refused(String),
+    /// No guardian can be had.
+    #[error("no MIDI guardian can be started at {path}: {source}")]
+    NoGuardian { path: PathBuf, source: io::Error },
+}
+
+impl From<Unavailable> for GuardianTrouble {
+    fn from(why: Unavailable) -> Self {
+        let text = why.to_string();
+        if is_missing(&why) { Self::Missing(text) } else { Self::Refused(text) }
+    }
+}
+
+/// What a guardian has told of a run, for its report.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct GuardianReport {
+    /// Messages that the guardian could not send.
+    pub(crate) n_lost: u64,
+    /// The first reason; a sentence.
+    pub(crate) trouble: Option<String>,
+    /// How often the host was silent for so long that its notes were ended.
+    pub(crate) n_interruptions: u64,
+    /// From the host's write until the port had the message.
+    pub(crate) passed_on: Option<Quantiles>,
+}
+
+/// Writes sentences into the host's log.
+pub(crate) type SayLine = Box<dyn Fn(String) + Send>;
+
+/// A port behind a guardian, which is replaced if it dies.
+pub(crate) struct GuardedOutput {
+    path: PathBuf,
+    port: GuardedPort,
+    channel: Option<GuardianChannel>,
+    held: HeldNotes,
+    /// Beats since the guardian's last answer.
+    unanswered: u32,
+    /// When a guardian was last started in the place of another (s).
+    attempted: Option<f64>,
+    report: Arc<Mutex<GuardianReport>>,
+    say: SayLine,
+}
+
+impl GuardedOutput {
+    /// Opens `port` behind the guardian at `path`, which is started if there is none; tells by
+    /// `say` what becomes of it.
+    ///
+    /// # Errors
+    /// If there is no MIDI, no such port, or no guardian.
+    pub(crate) fn open(
+        path: &Path,
+        port: GuardedPort,
+        say: SayLine,
+    ) -> Result<Self, GuardianTrouble> {
+        let (path, channel) = open(path, &port, Vec::new())?;
+        Ok(Self {
+            path,
+            port,
+            channel: Some(channel),
+            held: HeldNotes::default(),
+            unanswered: 0,
+            attempted: None,
+            report: Arc::default(),
+            say,
+        })
+    }
+
+    /// Returns what the guardian tells, also after this output has gone.
+    pub(crate) fn report(&self) -> Arc<Mutex<GuardianReport>> {
+        Arc::clone(&self.report)
+    }
+
+    /// Takes in what the guardian has said.
+    fn receive(&mut self) -> io::Result<()> {
+        let channel = self.channel.as_mut().ok_or(ErrorKind::NotConnected)?;
+        while let Some(line) = channel.receive()? {
+            if let GuardianLine::Beat(passed_on) = line {
+                self.unanswered = 0;
+                note(&self.report, &self.say, &passed_on);
+            }
+        }
+        if MOST_UNANSWERED < self.unanswered { Err(ErrorKind::TimedOut.into()) } else { Ok(()) }
+    }
+
+    fn send_line(&mut self, line: &HostLine) -> io::Result<()> {
+        self.channel.as_mut().ok_or(ErrorKind::NotConnected)?.send(line)
+    }
+
+    /// Starts another guardian at time `now` (s), in the place of one that failed for `why`:
+    /// note-offs first, then the pedals that are down.
+    fn replace(&mut self, now: f64, why: &io::Error) -> Result<(), MidiSendError> {
+        if let Some(channel) = self.channel.take() {
+            (self.say)(format!("the MIDI guardian is gone ({why}): another one is started"));
+            // One that is gone has closed its socket; what still holds it hangs.
+            if matches!(why.kind(), ErrorKind::TimedOut | ErrorKind::WouldBlock) {
+                channel.kill();
+            }
+        }
+        let failed = |reason: String| MidiSendError::NoGuardian { reason };
+        if self.attempted.is_some_and(|at| now - at < INTERVAL) {
+            return Err(failed(why.to_string()));
+        }
+        self.attempted = Some(now);
+        let pedals = self.held.pedals();
+        let left = self.held.clone().silence().iter().map(|it| it.encode().to_vec()).collect();
+        let opened = open(&self.path, &self.port, left);
+        let (path, channel) = opened.map_err(|error| failed(error.to_string()))?;
+        (self.path, self.channel, self.unanswered) = (path, Some(channel), 0);
+        self.held = HeldNotes::default();
+        (self.say)("another MIDI guardian has ended the notes of the one before".to_owned());
+        pedals.into_iter().try_for_each(|pedal| self.send(now, pedal))
+    }
+}
+
+impl Output for GuardedOutput {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
+        let line = HostLine::Message {
+            bytes: message.encode().to_vec(),
+            handed_over: clock::monotonic().as_u64(),
+        };
+        if let Err(error) = self.send_line(&line) {
+            self.replace(at, &error)?;
+            self.send_line(&line)
+                .map_err(|error| MidiSendError::NoGuardian { reason: error.to_string() })?;
+        }
+        self.held.follow(message);
+        Ok(())
+    }
+
+    fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
+        self.unanswered += 1;
+        let beaten = self.receive().and_then(|()| self.send_line(&HostLine::Beat));
+        beaten.or_else(|error| self.replace(now, &error))
+    }
+
+    fn finish(&mut self) -> Result<(), MidiSendError> {
+        let Some(mut channel) = self.channel.take() else { return Ok(()) };
+        let finished = channel.send(&HostLine::Finish).and_then(|()| channel.wait(PATIENCE));
+        let failed = |error: io::Error| MidiSendError::NoGuardian { reason: error.to_string() };
+        if let GuardianLine::Finished { passed_on, after_us } = finished.map_err(failed)? {
+            note(&self.report, &self.say, &passed_on);
+            lock(&self.report).passed_on = after_us;
+        }
+        Ok(())
+    }
+}
+
+impl Drop for GuardedOutput {
+    /// Lets the guardian end: a run that was prepared will not begin. After a panic it stays, so
+    /// that the port is still there for the next host.
+    fn drop(&mut self) {
+        if !std::thread::panicking() {
+            let _gone = self.send_line(&HostLine::Finish);
+        }
+    }
+}
+
+/// Opens `port` behind the guardian at `path`, or behind one of this process's own where that one
+/// declines; it first sends what ends the notes that are `left`.
+fn open(
+    path: &Path,
+    port: &GuardedPort,
+    left: Vec<Vec<u8>>,
+) -> Result<(PathBuf, GuardianChannel), GuardianTrouble> {
+    let no_guardian =
+        |path: &Path, source| GuardianTrouble::NoGuardian { path: path.to_owned(), source };
+    let mut own = path.as_os_str().to_owned();
+    own.push(format!(".{}", std::process::id()));
+    let hello = HostLine::Hello { version: VERSION, port: port.clone(), left };
+    let mut trouble = io::Error::from(ErrorKind::NotConnected);
+    // The first may be just about to end, as its host has; the second is another host's.
+    for path in [path, path, Path::new(&own)] {
+        let greeted = GuardianChannel::reach(path).and_then(|mut channel| {
+            channel.send(&hello)?;
+            channel.wait(PATIENCE).map(|answer| (channel, answer))
+        });
+        match greeted {
+            Ok((channel, GuardianLine::Opened { .. })) => return Ok((path.to_owned(), channel)),
+            Ok((_, GuardianLine::Missing { why })) => return Err(GuardianTrouble::Missing(why)),
+            Ok((_, GuardianLine::Refused { why })) => return Err(GuardianTrouble::Refused(why)),
+            Ok((_, GuardianLine::Declined { why })) => trouble = io::Error::other(why),
+            Ok((_, GuardianLine::Beat(_) | GuardianLine::Finished { .. })) => {
+                trouble = ErrorKind::InvalidData.into();
+            }
+            Err(error) => trouble = error,
+        }
+    }
+    Err(no_guardian(path, trouble))
+}
+
+/// Notes what became of the messages, and tells what is new of it.
+fn note(report: &Mutex<GuardianReport>, say: &SayLine, passed_on: &PassedOn) {
+    let mut report = lock(report);
+    let PassedOn { n_lost, trouble, n_interruptions } = passed_on.clone();
+    if report.n_interruptions < n_interruptions {
+        say(format!(
+            "the host gave no sign for {} s: the notes that it held were ended meanwhile",
+            midi::guardian::SILENT_AFTER
+        ));
+    }
+    if report.n_lost < n_lost {
+        let why = trouble.as_deref().unwrap_or("the port does not take them");
+        say(format!("{} MIDI messages were lost: {why}", n_lost - report.n_lost));
+    }
+    report.n_interruptions = report.n_interruptions.max(n_interruptions);
+    report.n_lost = report.n_lost.max(n_lost);
+    report.trouble = report.trouble.take().or(trouble);
+}
+
+fn lock(report: &Mutex<GuardianReport>) -> MutexGuard<'_, GuardianReport> {
+    report.lock().unwrap_or_else(PoisonError::into_inner)
+}

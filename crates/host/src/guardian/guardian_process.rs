@@ -1,0 +1,286 @@
+//! The guardian's own process: one host at a time, and silence whenever there is none.
+
+use std::io;
+use std::os::fd::AsFd as _;
+use std::os::unix::net::UnixListener as StdListener;
+use std::path::Path;
+use std::time::Duration;
+
+use hdrhistogram::Histogram;
+use midi::{Message, MidiSendError, NoteGuardian, Unavailable};
+use realtime::clock;
+use realtime::memory;
+use realtime::run::histogram;
+use realtime::thread::ask_for_fifo;
+use scheduler::time::Nanos;
+use tokio::io::{AsyncBufReadExt as _, BufReader, Lines};
+use tokio::net::unix::{OwnedReadHalf, OwnedWriteHalf};
+use tokio::net::{UnixListener, UnixStream};
+use tokio::signal::unix::{Signal, SignalKind, signal};
+use tokio::time::MissedTickBehavior;
+
+use super::protocol::{GuardedPort, GuardianLine, HostLine, PassedOn, VERSION, is_missing};
+use crate::control::place;
+use crate::midi_thread::{AnyOutput, PRIORITY};
+use crate::report::Quantiles;
+
+/// Time between two looks whether the host still gives signs, and after the port.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// How long the port is kept for a host that is started again.
+const KEPT: Duration = Duration::from_mins(1);
+
+/// Time in which the host that started it connects.
+const EXPECTED: Duration = Duration::from_secs(10);
+
+/// Holds a port and its notes for the hosts that connect to the socket on standard input, whose
+/// file is at `path`; returns when none has come back in a minute, or at a signal.
+///
+/// # Errors
+/// If standard input is no socket that listens, or the system refuses what it needs.
+pub fn attend(path: &Path) -> io::Result<()> {
+    let listener = StdListener::from(io::stdin().as_fd().try_clone_to_owned()?);
+    listener.local_addr()?;
+    listener.set_nonblocking(true)?;
+    // As far as the system allows; a guardian without it is as late as every other program.
+    let _granted = (ask_for_fifo(Some(PRIORITY)), memory::lock());
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+    let mut guardian = GuardianProcess::new()?;
+    let attended = runtime.block_on(guardian.attend_hosts(listener));
+    guardian.close(path);
+    attended
+}
+
+/// A port that is open, and which one.
+struct OpenPort {
+    port: GuardedPort,
+    notes: NoteGuardian<AnyOutput>,
+}
+
+/// The state of the process.
+struct GuardianProcess {
+    begun: Nanos,
+    open: Option<OpenPort>,
+    passed_on: PassedOn,
+    /// From the host's write until the port had the message (ns).
+    after: Histogram<u64>,
+    /// Whether the host said that its run is over.
+    is_finished: bool,
+}
+
+/// A host that is connected.
+struct ConnectedHost {
+    lines: Lines<BufReader<OwnedReadHalf>>,
+    writer: OwnedWriteHalf,
+}
+
+impl ConnectedHost {
+    fn new(stream: UnixStream) -> Self {
+        let (reader, writer) = stream.into_split();
+        Self { lines: BufReader::new(reader).lines(), writer }
+    }
+
+    /// Says `line`, unless the host has not read for so long that there is no room.
+    fn say(&self, line: &GuardianLine) {
+        if let Ok(mut text) = serde_json::to_vec(line) {
+            text.push(b'\n');
+            let _unread = self.writer.try_write(&text);
+        }
+    }
+}
+
+/// The signals at which a guardian ends.
+struct EndSignals([Signal; 3]);
+
+impl EndSignals {
+    fn new() -> io::Result<Self> {
+        let on = |kind: fn() -> SignalKind| signal(kind());
+        Ok(Self([on(SignalKind::interrupt)?, on(SignalKind::terminate)?, on(SignalKind::hangup)?]))
+    }
+
+    async fn come(&mut self) {
+        let [interrupt, terminate, hang_up] = &mut self.0;
+        tokio::select! {
+            _ = interrupt.recv() => {}
+            _ = terminate.recv() => {}
+            _ = hang_up.recv() => {}
+        }
+    }
+}
+
+impl GuardianProcess {
+    fn new() -> io::Result<Self> {
+        Ok(Self {
+            begun: clock::monotonic(),
+            open: None,
+            passed_on: PassedOn::default(),
+            after: histogram().map_err(io::Error::other)?,
+            is_finished: false,
+        })
+    }
+
+    /// Returns the time since it began (s).
+    fn now(&self) -> f64 {
+        clock::monotonic().since(self.begun).as_secs_f64()
+    }
+
+    async fn attend_hosts(&mut self, listener: StdListener) -> io::Result<()> {
+        let listener = UnixListener::from_std(listener)?;
+        let mut signals = EndSignals::new()?;
+        let mut looks = tokio::time::interval(LOOK);
+        looks.set_missed_tick_behavior(MissedTickBehavior::Skip);
+        let mut host: Option<ConnectedHost> = None;
+        let mut waits_until = self.now() + EXPECTED.as_secs_f64();
+        loop {
+            tokio::select! {
+                biased;
+                () = signals.come() => return Ok(()),
+                line = next_line(&mut host) => {
+                    let answer = line.as_deref().map(|line| self.hear(line));
+                    match (answer, &host) {
+                        (Some(Ok(Some(answer))), Some(host)) => host.say(&answer),
+                        (Some(Ok(_)), _) => {}
+                        (Some(Err(_)) | None, _) => host = None,
+                    }
+                    if self.is_finished {
+                        return Ok(());
+                    }
+                    if host.is_none() {
+                        self.leave();
+                        waits_until = self.now() + self.kept().as_secs_f64();
+                    }
+                }
+                Ok((stream, _)) = listener.accept() => admit(stream, &mut host),
+                _ = looks.tick() => self.poll(),
+            }
+            if host.is_none() && waits_until <= self.now() {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Returns for how long it waits for another host: not at all without a port.
+    fn kept(&self) -> Duration {
+        if self.open.is_some() { KEPT } else { Duration::ZERO }
+    }
+
+    /// Does what a line of the host asks; returns the answer, if there is one.
+    ///
+    /// # Errors
+    /// If no host says such a thing.
+    fn hear(&mut self, line: &str) -> serde_json::Result<Option<GuardianLine>> {
+        let now = self.now();
+        match serde_json::from_str(line)? {
+            HostLine::Hello { version, .. } if version != VERSION => {
+                let why = format!("it is of version {VERSION}, and the host of {version}");
+                return Ok(Some(GuardianLine::Declined { why }));
+            }
+            HostLine::Hello { port, left, .. } => return Ok(Some(self.greet(now, port, &left))),
+            HostLine::Message { bytes, handed_over } => self.play(now, &bytes, handed_over),
+            HostLine::Beat => {
+                let heard = self.open.as_mut().map(|open| open.notes.hear(now));
+                self.note(heard);
+                return Ok(Some(GuardianLine::Beat(self.passed_on.clone())));
+            }
+            HostLine::Finish => {
+                self.leave();
+                self.open = None;
+                self.is_finished = true;
+                let after_us = (!self.after.is_empty()).then(|| Quantiles::of(&self.after));
+                let passed_on = self.passed_on.clone();
+                return Ok(Some(GuardianLine::Finished { passed_on, after_us }));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Opens the port of a new host, unless it is open; ends what a guardian before may have left.
+    fn greet(&mut self, now: f64, port: GuardedPort, left: &[Vec<u8>]) -> GuardianLine {
+        self.passed_on = PassedOn::default();
+        self.after.reset();
+        if let Err(why) = self.open(port) {
+            let (is_missing, why) = (is_missing(&why), why.to_string());
+            let refused = GuardianLine::Refused { why: why.clone() };
+            return if is_missing { GuardianLine::Missing { why } } else { refused };
+        }
+        let left = left.iter().filter_map(|bytes| Message::decode(bytes).ok()).collect();
+        let begun = self.open.as_mut().map(|open| open.notes.begin(now, left));
+        self.note(begun);
+        GuardianLine::Opened { pid: rustix::process::getpid().as_raw_nonzero().get() }
+    }
+
+    /// Opens `port`, unless it is the one that is open.
+    fn open(&mut self, port: GuardedPort) -> Result<(), Unavailable> {
+        if self.open.as_ref().is_some_and(|open| open.port == port) {
+            return Ok(());
+        }
+        // The old one first: a device may be opened once only.
+        self.open = None;
+        let notes = NoteGuardian::new(port.open()?);
+        self.open = Some(OpenPort { port, notes });
+        Ok(())
+    }
+
+    fn play(&mut self, now: f64, bytes: &[u8], handed_over: u64) {
+        let (Some(open), Ok(message)) = (&mut self.open, Message::decode(bytes)) else { return };
+        let played = open.notes.play(now, message);
+        self.after.saturating_record(clock::monotonic().as_u64().saturating_sub(handed_over));
+        self.note(Some(played));
+    }
+
+    fn poll(&mut self) {
+        let now = self.now();
+        let Some(open) = &mut self.open else { return };
+        let polled = open.notes.poll(now);
+        self.passed_on.n_interruptions = open.notes.n_interruptions();
+        if let Err(away) = polled {
+            // Nothing was lost by looking.
+            self.passed_on.trouble.get_or_insert_with(|| away.to_string());
+        }
+    }
+
+    /// Ends what the host held, which is gone.
+    fn leave(&mut self) {
+        let now = self.now();
+        let left = self.open.as_mut().map(|open| open.notes.leave(now));
+        self.note(left);
+    }
+
+    fn note(&mut self, result: Option<Result<(), MidiSendError>>) {
+        if let Some(Err(error)) = result {
+            self.passed_on.n_lost += 1;
+            self.passed_on.trouble.get_or_insert_with(|| error.to_string());
+        }
+    }
+
+    /// Ends all notes, closes the port, and takes the socket away.
+    fn close(&mut self, path: &Path) {
+        self.leave();
+        self.open = None;
+        if place::owner(path) == Some(place::user()) {
+            let _gone = std::fs::remove_file(path);
+        }
+    }
+}
+
+/// Returns the next line of the host; nothing when it is gone, and never without one.
+async fn next_line(host: &mut Option<ConnectedHost>) -> Option<String> {
+    match host {
+        Some(host) => host.lines.next_line().await.ok().flatten(),
+        None => std::future::pending().await,
+    }
+}
+
+/// Lets a host of this user in, if there is none; another one is told so.
+fn admit(stream: UnixStream, host: &mut Option<ConnectedHost>) {
+    let is_ours = stream.peer_cred().is_ok_and(|peer| peer.uid() == place::user());
+    if !is_ours {
+        return;
+    }
+    let newcomer = ConnectedHost::new(stream);
+    if host.is_some() {
+        newcomer.say(&GuardianLine::Declined { why: "it serves another host".to_owned() });
+    } else {
+        *host = Some(newcomer);
+    }
+}

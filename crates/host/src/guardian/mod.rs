@@ -1,0 +1,33 @@
+//! The process that holds the MIDI port and the notes, and outlives the host.
+//!
+//! ```text
+//!  host                                        letoff midi-guardian PATH
+//!  MIDI thread ─▶ GuardedOutput ─ lines of JSON, by a socket ─▶ NoteGuardian ─▶ port
+//!                      ▲  hello, messages, a beat every 50 ms       │
+//!                      └────── opened, beats, finished ◀────────────┘
+//! ```
+//!
+//! If the host is gone, or gives no sign for half a second, the guardian ends its notes.
+//! Its socket lies beside the control socket: a host that is started again finds it there, and
+//! the port with it, to which other programs stay connected.
+
+mod channel;
+mod guarded_output;
+mod guardian_process;
+mod protocol;
+
+use std::path::PathBuf;
+
+pub use channel::program;
+pub(crate) use guarded_output::{GuardedOutput, GuardianReport, GuardianTrouble};
+pub use guardian_process::attend;
+pub(crate) use protocol::GuardedPort;
+
+use crate::control::socket_path;
+
+/// Returns the socket of the guardian of this user's host.
+pub fn guardian_path() -> PathBuf {
+    let mut path = socket_path().into_os_string();
+    path.push(".midi");
+    path.into()
+}

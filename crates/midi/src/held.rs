@@ -1,0 +1,124 @@
+//! What a receiver holds, as far as it follows from what it was sent.
+
+use keyboard::{KEYS, KeyIndex};
+
+use crate::message::{Controller, Message};
+use crate::note::{Note, Velocity};
+use crate::pedal::{Pedal, PedalValues};
+
+/// Notes that sound, pedals that are down, and the pressure of the channel.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct HeldNotes {
+    sounding: [bool; KEYS],
+    pedals: PedalValues,
+    /// Pressure of the channel, 0 to 127.
+    pressure: u8,
+}
+
+impl Default for HeldNotes {
+    /// Returns silence, with all pedals up.
+    fn default() -> Self {
+        Self { sounding: [false; KEYS], pedals: PedalValues::default(), pressure: 0 }
+    }
+}
+
+impl HeldNotes {
+    /// Takes `message` into account; returns whether it says anything new to the receiver, which
+    /// a note-off of a silent note does not.
+    pub fn follow(&mut self, message: Message) -> bool {
+        match message {
+            Message::NoteOn { note, .. } => self.sounding[usize::from(note.key())] = true,
+            Message::NoteOff { note, .. } => {
+                return std::mem::take(&mut self.sounding[usize::from(note.key())]);
+            }
+            Message::ChannelPressure { value } => self.pressure = value,
+            Message::KeyPressure { .. } => {}
+            Message::ControlChange {
+                controller: Controller::AllNotesOff | Controller::AllSoundOff,
+                ..
+            } => self.sounding = [false; KEYS],
+            Message::ControlChange { controller, value } => {
+                if let Some(pedal) = Pedal::of_number(controller.number()) {
+                    self.pedals.set(pedal, value);
+                }
+            }
+        }
+        true
+    }
+
+    /// Returns whether nothing sounds, and all pedals are up.
+    pub fn is_silent(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Returns the messages that end what is held, and forgets it: note-offs, the pressure, the
+    /// pedals, and what others may have left.
+    pub fn silence(&mut self) -> Vec<Message> {
+        let Self { sounding, pressure, .. } = std::mem::take(self);
+        let keys = KeyIndex::all().map(KeyIndex::number);
+        let notes = keys.filter(|key| sounding[usize::from(*key)]).filter_map(Note::from_key);
+        let offs = notes.map(|note| Message::NoteOff { note, velocity: Velocity::UNKNOWN });
+        let pressure = (0 < pressure).then_some(Message::ChannelPressure { value: 0 });
+        let all = [Controller::AllNotesOff, Controller::AllSoundOff];
+        let controllers = Pedal::ALL.map(Pedal::controller).into_iter().chain(all);
+        let controllers =
+            controllers.map(|controller| Message::ControlChange { controller, value: 0 });
+        offs.chain(pressure).chain(controllers).collect()
+    }
+
+    /// Returns the messages that put the pedals of a silent receiver where they are here.
+    pub fn pedals(&self) -> Vec<Message> {
+        let pressed = self.pedals.all().filter(|(_, value)| 0 < *value);
+        let message = |(pedal, value): (Pedal, u8)| Message::ControlChange {
+            controller: pedal.controller(),
+            value,
+        };
+        pressed.map(message).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn on(number: u8) -> Message {
+        Message::NoteOn { note: Note::from_number(number).unwrap(), velocity: Velocity::MAX }
+    }
+
+    fn off(number: u8) -> Message {
+        Message::NoteOff { note: Note::from_number(number).unwrap(), velocity: Velocity::MAX }
+    }
+
+    fn control(controller: Controller, value: u8) -> Message {
+        Message::ControlChange { controller, value }
+    }
+
+    #[test]
+    fn each_note_is_ended_once_and_then_the_pedals_come_up() {
+        let mut held = HeldNotes::default();
+        for message in [on(60), on(64), on(60), off(64), control(Controller::Sostenuto, 90)] {
+            assert!(held.follow(message), "{message:?}");
+        }
+        let bytes: Vec<_> = held.silence().iter().map(|it| it.encode().to_vec()).collect();
+        let controllers = [64, 66, 67, 123, 120].map(|number| vec![0xB0, number, 0]);
+        assert_eq!(bytes[..1], [vec![0x80, 60, 64]]);
+        assert_eq!(bytes[1..], controllers);
+        assert!(held.is_silent());
+    }
+
+    #[test]
+    fn a_note_off_of_a_silent_note_says_nothing_new() {
+        let mut held = HeldNotes::default();
+        assert!(!held.follow(off(60)));
+        assert!(held.follow(on(60)) && held.follow(control(Controller::AllNotesOff, 0)));
+        assert!(!held.follow(off(60)));
+    }
+
+    #[test]
+    fn pedals_that_are_up_need_no_word() {
+        let mut held = HeldNotes::default();
+        assert!(held.pedals().is_empty());
+        held.follow(control(Controller::UnaCorda, 64));
+        assert_eq!(held.pedals(), [control(Controller::UnaCorda, 64)]);
+    }
+}
