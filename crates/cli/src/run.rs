@@ -10,13 +10,14 @@ use clap::Args;
 use super::arguments::seconds;
 use super::endpoints::Endpoints;
 use super::log::StderrLog;
+use super::record::RecordingArgs;
 use super::signals::Signals;
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_json, system, tell};
 use host::control::RunHandle;
-use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
+use host::observe::{BlackBoxSink, LogSink};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
@@ -58,6 +59,9 @@ pub struct RunArgs {
     /// new version, and with the one before if it is wrong.
     #[arg(long, conflicts_with = "virtual_time")]
     pub watch: bool,
+    /// How much recordings take, this one and those of clients.
+    #[command(flatten)]
+    pub recordings: RecordingArgs,
     /// To whom it tells what it does.
     #[command(flatten)]
     pub stream: StreamArgs,
@@ -106,7 +110,10 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     refuse_unstable(&scene)?;
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
-    let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    let mut stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    if let Some(stream) = &mut stream {
+        stream.folders.limits = args.recordings.limits();
+    }
     let Some(mut report) = perform(&scene, options, args, stream)? else {
         tell("stopped before it began to play");
         return Ok(());
@@ -193,7 +200,9 @@ async fn host(
         return Ok(None);
     };
     session.notices().iter().for_each(|notice| tell(notice));
-    let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
+    let limits = args.recordings.limits();
+    let recording = args.record.as_deref().map(|file| handle.record_run(file, limits));
+    let recording = recording.transpose().map_err(Failure::Usage)?;
     if !options.virtual_time {
         keep_black_box(&session, args.black_box.as_deref());
         let lines = log.lines();
@@ -257,14 +266,6 @@ async fn prepare(
     let prepared = signals.unless_stopped(&handle.emergency, prepare).await;
     rehearsal.finish();
     prepared?.transpose().map_err(|error| failure(&error))
-}
-
-/// Records all that the session will do into `file`.
-fn record(session: &RunSession, file: &Path) -> Result<RecordingHandle, Failure> {
-    let begun = RecordingHandle::begin(file).map_err(|error| Failure::Usage(error.to_string()))?;
-    let (recording, sink) = begun;
-    session.observe(sink);
-    Ok(recording)
 }
 
 /// Keeps the last seconds for when a voice fails.

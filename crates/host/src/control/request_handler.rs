@@ -89,7 +89,7 @@ impl RequestHandler {
             Request::Identify { line, board } => self.run.identify(*line, *board)?,
             Request::Scene {} => return Ok(Reply::Scene { toml: self.written() }),
             Request::Where {} => return self.whereabouts(),
-            Request::Record { file } => self.run.record(file.as_deref())?,
+            Request::Record { file } => self.run.record(file.as_deref(), self.folders.limits)?,
         };
         Ok(Reply::Done { text: done })
     }

@@ -2,14 +2,16 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
 
 use telemetry::event::Kind;
-use telemetry::recording::{BlackBox, RecordError, Recorder, RecordingSettings, RecordingStatus};
-use telemetry::{Topic, Update};
+use telemetry::recording::{
+    BlackBox, RecordError, Recorder, RecordingLimits, RecordingSettings, RecordingStatus,
+};
+use telemetry::{Log, Topic, Update, log};
 
-use super::telemetry_thread::{Attention, MessageSink};
+use super::telemetry_thread::{Attention, MessageSink, TelemetryMessage};
 use crate::report::RecordingReport;
 
 /// A recording that a sink writes.
@@ -20,17 +22,28 @@ pub struct RecordingHandle {
 }
 
 impl RecordingHandle {
-    /// Begins to record into `file`; the sink is to be given to a pump.
+    /// Begins to record into `file`, which telemetry is told to do by `sender`.
+    ///
+    /// If the recording ends early, the host's log says why.
     ///
     /// # Errors
     /// Why it cannot, in a sentence.
-    pub fn begin(file: &Path) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
-        let recorder = Recorder::create(RecordingSettings::new(file, super::run_id()))?;
+    pub fn begin(
+        file: &Path,
+        limits: RecordingLimits,
+        sender: mpsc::Sender<TelemetryMessage>,
+    ) -> Result<Self, RecordError> {
+        let settings =
+            RecordingSettings { limits, ..RecordingSettings::new(file, super::run_id()) };
+        let recorder = Recorder::create(settings)?;
         let file = file.display().to_string();
         let report = Arc::new(Mutex::new(RecordingReport { file, ..RecordingReport::default() }));
         let it = Self { report, stop: Arc::default() };
-        let sink = RecordSink { recorder: Some(recorder), recording: it.clone() };
-        Ok((it, Box::new(sink)))
+        let (recorder, log) = (Some(recorder), sender.clone());
+        let sink = Box::new(RecordSink { recorder, recording: it.clone(), log });
+        // A thread that has ended has nothing to record.
+        let _gone = sender.send(TelemetryMessage::Sink(sink));
+        Ok(it)
     }
 
     /// Ends it with what the pump gives next.
@@ -47,6 +60,7 @@ impl RecordingHandle {
 struct RecordSink {
     recorder: Option<Recorder>,
     recording: RecordingHandle,
+    log: mpsc::Sender<TelemetryMessage>,
 }
 
 impl RecordSink {
@@ -56,8 +70,13 @@ impl RecordSink {
             return;
         }
         self.finish();
+        let text = error.to_string();
         let mut report = self.recording.report.lock().unwrap_or_else(PoisonError::into_inner);
-        report.trouble.get_or_insert_with(|| error.to_string());
+        report.trouble.get_or_insert_with(|| text.clone());
+        drop(report);
+        let entry = Update::Log(Log { level: log::Level::Error.into(), text });
+        // At the run's end nobody hears it, and the report says it.
+        let _gone = self.log.send(TelemetryMessage::Update(Box::new(entry)));
     }
 
     fn finish(&mut self) {
