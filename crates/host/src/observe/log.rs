@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use firmware_protocol::key::KeyIndex;
 use telemetry::event::Kind;
+use telemetry::log::Level;
 use telemetry::{Event, Links, Topic, Update, Voice};
 
 use super::telemetry_thread::{Attention, MessageSink};
@@ -114,7 +115,12 @@ impl LogSink {
 impl MessageSink for LogSink {
     fn take(&mut self, at: u64, update: &Update) {
         match update {
-            Update::Log(log) => self.say(at, Subject::Clients, log.text.clone()),
+            Update::Log(log) => {
+                // However many clients come and go, what failed is said.
+                let has_failed = log.level() == Level::Error;
+                let subject = if has_failed { Subject::Failures } else { Subject::Clients };
+                self.say(at, subject, log.text.clone());
+            }
             Update::Event(event) => self.event(at, event),
             Update::Voice(voice) if !self.is_new_version(voice) && voice.kept => {
                 if self.changed.is_empty() {
@@ -178,6 +184,7 @@ fn key(number: u32) -> String {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Subject {
     Clients,
+    Failures,
     Boards,
     Changes,
     Voices,
@@ -188,6 +195,7 @@ impl Subject {
     const fn words(self) -> &'static str {
         match self {
             Self::Clients => "clients",
+            Self::Failures => "what failed",
             Self::Boards => "boards and links",
             Self::Changes => "changes",
             Self::Voices => "voices that failed",
@@ -273,6 +281,22 @@ mod tests {
         assert_eq!(lines(&said), ["and 990 more lines on boards and links within 10 s"]);
         sink.take(11 * SECOND, &board("board 3 on can0 is armed now"));
         assert_eq!(lines(&said), ["board 3 on can0 is armed now"]);
+    }
+
+    #[test]
+    fn what_failed_is_said_however_many_clients_come_and_go() {
+        let (mut sink, said) = sink();
+        let log = |level: Level, text: &str| {
+            Update::Log(Log { level: level.into(), text: text.to_owned() })
+        };
+        for _ in 0..1000 {
+            sink.take(0, &log(Level::Info, "client 7 has come"));
+        }
+        sink.take(1, &log(Level::Error, "take.mcap cannot be written any further"));
+        assert_eq!(
+            lines(&said).last().map(String::as_str),
+            Some("take.mcap cannot be written any further")
+        );
     }
 
     #[test]
