@@ -10,14 +10,14 @@ use clap::Args;
 use super::arguments::seconds;
 use super::endpoints::Endpoints;
 use super::log::StderrLog;
-use super::record::RecordingArgs;
+use super::recording::RecordingArgs;
 use super::signals::Signals;
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_json, system, tell};
 use host::control::RunHandle;
-use host::observe::{BlackBoxSink, LogSink};
+use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
@@ -200,9 +200,7 @@ async fn host(
         return Ok(None);
     };
     session.notices().iter().for_each(|notice| tell(notice));
-    let limits = args.recordings.limits();
-    let recording = args.record.as_deref().map(|file| handle.record_run(file, limits));
-    let recording = recording.transpose().map_err(Failure::Usage)?;
+    let recording = record(&handle, args)?;
     if !options.virtual_time {
         keep_black_box(&session, args.black_box.as_deref());
         let lines = log.lines();
@@ -266,6 +264,13 @@ async fn prepare(
     let prepared = signals.unless_stopped(&handle.emergency, prepare).await;
     rehearsal.finish();
     prepared?.transpose().map_err(|error| failure(&error))
+}
+
+/// Records the whole run, if that is asked for.
+fn record(handle: &RunHandle, args: &RunArgs) -> Result<Option<RecordingHandle>, Failure> {
+    let limits = args.recordings.limits();
+    let recording = args.record.as_deref().map(|file| handle.record_run(file, limits));
+    recording.transpose().map_err(Failure::Usage)
 }
 
 /// Keeps the last seconds for when a voice fails.

@@ -29,7 +29,10 @@ pub mod velocity;
 pub use input::{ProgramChange, ProgramInput};
 pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
-pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
+pub use output::{
+    MessageRecorder, MidiPort, MidiSendError, MidiSystem, Output, ReconnectingPort, Smf,
+    Unavailable, ports,
+};
 pub use pedal::{Pedal, PedalMove};
 pub use player::{NoteEvent, NoteEventKind, Player, PressureTarget};
 pub use schedule::Schedule;

@@ -160,7 +160,7 @@ impl TelemetryPort {
     }
 
     fn begin(&self, file: &Path, limits: RecordingLimits) -> Result<RecordingHandle, String> {
-        let sender = self.sender.clone().ok_or(NOT_RUNNING)?;
+        let sender = self.sender.as_ref().ok_or(NOT_RUNNING)?;
         RecordingHandle::begin(file, limits, sender).map_err(|error| error.to_string())
     }
 

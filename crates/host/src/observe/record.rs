@@ -31,7 +31,7 @@ impl RecordingHandle {
     pub fn begin(
         file: &Path,
         limits: RecordingLimits,
-        sender: mpsc::Sender<TelemetryMessage>,
+        sender: &mpsc::Sender<TelemetryMessage>,
     ) -> Result<Self, RecordError> {
         let settings =
             RecordingSettings { limits, ..RecordingSettings::new(file, super::run_id()) };

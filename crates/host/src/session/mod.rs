@@ -9,6 +9,7 @@ mod monitored_output;
 mod observed;
 mod pianist;
 mod real;
+mod trial;
 mod virtual_run;
 
 use std::num::NonZeroUsize;
@@ -24,7 +25,7 @@ use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
 
 use crate::control::RunHandle;
-use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
+use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, NoteShortfall, Realtime};
@@ -44,6 +45,8 @@ use scene::{LaneCount, LinksConfig as SceneLinks, Scene};
 
 pub use fidelity::choose_fidelity;
 pub use pianist::PianistProgress;
+pub use trial::RunTrial;
+use trial::SimulatedKeys;
 
 /// The reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
@@ -280,6 +283,25 @@ impl RunSession {
         self.keys.notices()
     }
 
+    /// Has `trial` stand between the scheduler and the simulated keys, which it prepares here;
+    /// real keys are not tried.
+    pub fn try_keys(
+        &mut self,
+        prepare: impl FnOnce(&mut SimulatedKeybed),
+        trial: Box<dyn RunTrial>,
+    ) {
+        if let KeySource::Simulated(keys) = &mut self.keys {
+            prepare(&mut keys.keybed);
+            keys.trial = Some(trial);
+        }
+    }
+
+    /// Sends MIDI to `output` instead of where the scene says.
+    pub fn send_midi_to(&mut self, output: AnyOutput) {
+        let sender = self.observed.sender();
+        self.dispatcher.send_to(Box::new(MonitoredOutput { output, sender }));
+    }
+
     /// Sends all telemetry of the run to `sink`, from before its first tick on.
     pub fn observe(&self, sink: Box<dyn MessageSink>) {
         self.prepared.handle.tell(TelemetryMessage::Sink(sink));
@@ -402,8 +424,8 @@ fn key_source(
     match &scene.links {
         SceneLinks::Simulated => {
             let period = builder.period().as_secs_f64();
-            let keybed = SimulatedKeybed::new(period, builder.rig())?;
-            Ok(KeySource::Simulated(Box::new(keybed)))
+            let keybed = Box::new(SimulatedKeybed::new(period, builder.rig())?);
+            Ok(KeySource::Simulated(SimulatedKeys { keybed, trial: None }))
         }
         SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
         SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz),

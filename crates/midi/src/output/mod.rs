@@ -16,6 +16,7 @@ use std::path::PathBuf;
 pub use memory::MessageRecorder;
 pub use port::MidiPort;
 pub(crate) use ports::{CLIENT, look_for_sequencer};
+pub use reconnecting::{MidiSystem, ReconnectingPort};
 pub use smf::Smf;
 pub(crate) use system::refused;
 pub use system::{Unavailable, ports};
