@@ -22,6 +22,7 @@ mod quiet;
 mod readme;
 mod references;
 mod rooms;
+mod soak;
 mod sources;
 mod stability;
 mod stage;

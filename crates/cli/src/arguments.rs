@@ -30,6 +30,34 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Reads a size (B), as `500MB` or `1.5GiB`.
+pub(super) fn bytes(text: &str) -> Result<u64, String> {
+    const UNITS: [(&str, u64); 7] = [
+        ("KiB", 1 << 10),
+        ("MiB", 1 << 20),
+        ("GiB", 1 << 30),
+        ("kB", 1_000),
+        ("MB", 1_000_000),
+        ("GB", 1_000_000_000),
+        ("B", 1),
+    ];
+    let wrong =
+        || format!("`{text}` is no size: write a number and B, kB, MB, GB, KiB, MiB or GiB");
+    let of = |(unit, size): (&str, u64)| Some((text.strip_suffix(unit)?.trim_end(), size));
+    let (digits, unit) = UNITS.into_iter().find_map(of).ok_or_else(wrong)?;
+    let number = number(digits).map_err(|_no_number| wrong())?;
+    let bytes = number * unit as f64;
+    if !(0.0..=1e18).contains(&bytes) {
+        return Err(wrong());
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "within 0 and 1e18"
+    )]
+    Ok(bytes as u64)
+}
+
 /// Reads a finite number.
 pub(super) fn number(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| number.is_finite());
@@ -53,6 +81,18 @@ pub(super) fn note(text: &str) -> Result<KeyIndex, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_size_has_a_unit() {
+        for (text, size) in
+            [("500MB", 500_000_000), ("1.5 GiB", 3 << 29), ("0B", 0), ("2KiB", 2048)]
+        {
+            assert_eq!(bytes(text), Ok(size), "{text}");
+        }
+        for text in ["", "5", "GB", "-1GB", "1TB", "nanGB", "1e30GB"] {
+            assert!(bytes(text).unwrap_err().contains("is no size"), "{text}");
+        }
+    }
 
     #[test]
     fn a_wrong_number_is_called_what_it_should_be() {

@@ -13,10 +13,11 @@ use super::run::{self, RunArgs};
 #[command(after_help = "Examples:
   letoff record tuesday.mcap                  the default scene, until its piece is over
   letoff record take1.mcap bach --midi \"Synth\" --duration 60
+  letoff record week.mcap --max-duration 3600 --max-total 100GB --min-free 5GB
   letoff replay take1.mcap                    the same again, compared to the last bit")]
 pub struct RecordArgs {
     /// The file, which must not be there yet.
-    #[arg(value_name = "FILE.mcap")]
+    #[arg(value_name = "FILE.mcap", conflicts_with = "record")]
     pub file: PathBuf,
     #[command(flatten)]
     pub run: RunArgs,

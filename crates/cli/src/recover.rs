@@ -94,6 +94,7 @@ fn failure(error: &RecoverError) -> Failure {
             RecordError::Write { .. }
             | RecordError::Remove { .. }
             | RecordError::LowDisk { .. }
+            | RecordError::NoRoom { .. }
             | RecordError::NoSuchKey { .. }
             | RecordError::Ended,
         ) => Failure::Running(text),

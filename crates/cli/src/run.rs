@@ -11,6 +11,7 @@ use super::arguments::seconds;
 use super::attend::RunAttendant;
 use super::endpoints::Endpoints;
 use super::log::{LogFormat, StderrLog};
+use super::recording::RecordingArgs;
 use super::reload::{self, SceneFile};
 use super::service::ServiceNotifier;
 use super::signals::Signals;
@@ -24,6 +25,7 @@ use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
+use telemetry::recording::RecordingLimits;
 
 /// What `letoff run` takes.
 #[expect(clippy::struct_excessive_bools, reason = "flags of a command line")]
@@ -63,6 +65,9 @@ pub struct RunArgs {
     /// new version, and with the one before if it is wrong.
     #[arg(long, conflicts_with = "virtual_time")]
     pub watch: bool,
+    /// How much recordings take, this one and those of clients.
+    #[command(flatten)]
+    pub recordings: RecordingArgs,
     /// To whom it tells what it does.
     #[command(flatten)]
     pub stream: StreamArgs,
@@ -124,7 +129,10 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     refuse_unstable(&scene)?;
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
-    let stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    let mut stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    if let Some(stream) = &mut stream {
+        stream.folders.limits = args.recordings.limits();
+    }
     let Some(mut report) = perform(&scene, options, args, stream)? else {
         tell("stopped before it began to play");
         return Ok(());
@@ -215,7 +223,7 @@ async fn host(
         return Ok(None);
     };
     session.notices().iter().for_each(|notice| tell(notice));
-    let recording = args.record.as_deref().map(|file| record(&session, file)).transpose()?;
+    let recording = record(&handle, args)?;
     handle.status.records(recording.clone());
     if !options.virtual_time {
         keep_and_log(&session, scene, args, &log);
@@ -292,12 +300,11 @@ async fn prepare(
     prepared?.transpose().map_err(|error| failure(&error))
 }
 
-/// Records all that the session will do into `file`.
-fn record(session: &RunSession, file: &Path) -> Result<RecordingHandle, Failure> {
-    let begun = RecordingHandle::begin(file).map_err(|error| Failure::Usage(error.to_string()))?;
-    let (recording, sink) = begun;
-    session.observe(sink);
-    Ok(recording)
+/// Records the whole run, if that is asked for.
+fn record(handle: &RunHandle, args: &RunArgs) -> Result<Option<RecordingHandle>, Failure> {
+    let limits = args.recordings.limits();
+    let recording = args.record.as_deref().map(|file| handle.record_run(file, limits));
+    recording.transpose().map_err(Failure::Usage)
 }
 
 /// Keeps the last seconds for when a voice fails.
@@ -316,11 +323,18 @@ pub(super) fn black_box_folder(wanted: Option<&Path>) -> Option<PathBuf> {
     }
 }
 
+/// Largest size of the last minutes on the disk (B).
+const LAST_MINUTES: u64 = 64 << 20;
+
 /// Keeps the last minutes in `file` for when the host is killed.
 fn keep_last_minutes(session: &RunSession, file: &Path) {
-    match RecordingHandle::begin_last_minutes(file) {
-        Ok((_handle, sink)) => session.observe(sink),
-        Err(error) => tell(&format!("nothing is kept for a crash: {error}")),
+    let limits = RecordingLimits {
+        largest_file: LAST_MINUTES,
+        largest_total: LAST_MINUTES,
+        ..RecordingLimits::default()
+    };
+    if let Err(error) = session.handle().record_run(file, limits) {
+        tell(&format!("nothing is kept for a crash: {error}"));
     }
 }
 

@@ -2,6 +2,8 @@
 
 use host::control::{BoardsTold, EmergencyStop};
 
+use rustix::process::Signal;
+
 use super::Failure;
 
 /// What a hang-up (SIGHUP) means.
@@ -26,6 +28,9 @@ pub(super) struct Signals {
     interrupt: tokio::signal::unix::Signal,
     terminate: tokio::signal::unix::Signal,
     hang_up: tokio::signal::unix::Signal,
+    /// A file has become larger than `RLIMIT_FSIZE` allows, which would end the process if nobody
+    /// listened: who writes the file is told so by its error.
+    _file_too_large: tokio::signal::unix::Signal,
 }
 
 impl Signals {
@@ -42,6 +47,7 @@ impl Signals {
             interrupt: signal(SignalKind::interrupt())?,
             terminate: signal(SignalKind::terminate())?,
             hang_up: signal(SignalKind::hangup())?,
+            _file_too_large: signal(SignalKind::from_raw(Signal::XFSZ.as_raw()))?,
         })
     }
 

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use hardware::calibration::file::usual_folder;
+use telemetry::recording::RecordingLimits;
 use telemetry::stream::server::{Tls, Token};
 use telemetry::stream::{Role, ServerSettings, StreamServer};
 
@@ -94,6 +95,7 @@ impl StreamArgs {
         let instruments = || Some(usual_folder()?.with_file_name("instruments"));
         Folders {
             recordings: self.recordings.clone().or_else(recordings),
+            limits: RecordingLimits::default(),
             instruments: self.instruments.clone().or_else(instruments),
         }
     }

@@ -15,6 +15,7 @@ use super::fit::{self, FitArgs};
 use super::impedance::{self, ImpedanceArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
+use super::soak::{self, SoakArgs};
 use super::stability::{self, StabilityArgs};
 use super::{Failure, print_report};
 use diagnostics::{choice, quoted};
@@ -43,6 +44,8 @@ pub enum StudyCommand {
     Stability(Box<StabilityArgs>),
     /// The mechanical impedance of a mode, of a voice as it is rendered, or of a recorded stroke.
     Impedance(Box<ImpedanceArgs>),
+    /// The whole host under random music and faults in everything around it, with verdicts.
+    Soak(SoakArgs),
 }
 
 /// What `letoff lab certificates` takes.
@@ -127,6 +130,7 @@ pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
         StudyCommand::Fit(args) => fit::run(args, out),
         StudyCommand::Stability(args) => stability::run(args, out),
         StudyCommand::Impedance(args) => impedance::run(args, out),
+        StudyCommand::Soak(args) => soak::run(args, out),
     }
 }
 

@@ -40,6 +40,56 @@ fn a_recording_is_not_written_over() {
 }
 
 #[test]
+fn a_second_file_and_sizes_that_are_none_are_refused() {
+    let folder = Folder::new("options");
+    let refused = |arguments: &[&str], words: &[&str]| {
+        let (code, out, err) = folder.letoff(&[&["record", "a.mcap"], arguments].concat());
+        assert_eq!((code, out.as_str()), (Some(2), ""), "{err}");
+        assert!(words.iter().all(|word| err.contains(word)), "{err}");
+        assert!(!folder.join("a.mcap").exists());
+    };
+    refused(&["--record", "b.mcap"], &["FILE.mcap", "--record", "cannot be used with"]);
+    refused(&["--max-size", "5"], &["`5` is no size"]);
+    refused(&["--max-total", "1kB"], &["`1kB` is too small for a recording"]);
+    refused(&["--max-duration", "0"], &["is no length"]);
+    let full = ["--virtual-time", "--duration", "1", "--min-free", "500000000GB"];
+    refused(&full, &["a.mcap is not begun: only ", "--min-free"]);
+}
+
+#[test]
+fn a_recording_goes_on_in_files_of_the_time_that_was_asked_for() {
+    let folder = Folder::new("rotated");
+    let length = ["--virtual-time", "--duration", "3", "--max-duration", "1"];
+    let (code, _out, err) = folder.letoff(&[&["record", "a.mcap"], &length[..]].concat());
+    assert_eq!(code, Some(0), "{err}");
+    assert!(folder.join("a-0003.mcap").exists());
+    let (code, out, err) = folder.letoff(&["replay", "a.mcap", "--json"]);
+    assert_eq!(code, Some(0), "{err}");
+    assert!(out.contains("\"different\": 0") && out.contains("\"ticks\": 3000"), "{out}");
+}
+
+#[test]
+fn a_file_that_may_not_grow_ends_its_recording_and_not_the_run() {
+    let folder = Folder::new("limited");
+    let limited = |arguments: &str| {
+        let letoff = env!("CARGO_BIN_EXE_letoff");
+        let script = format!("ulimit -f 200 && exec {letoff} {arguments}");
+        let shell = folder.command("/bin/sh".as_ref(), &["-c", &script]).output();
+        let output = shell.expect("a shell");
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        (output.status.code(), text(&output.stdout), text(&output.stderr))
+    };
+    let (code, out, err) = limited("record a.mcap --virtual-time --duration 3 --json");
+    assert_eq!(code, Some(1), "{err}");
+    assert!(err.contains("a.mcap cannot be written any further, and ends here: "), "{err}");
+    let report: serde_json::Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(report["ticks"], 3000, "the run went on: {report}");
+    // What was written is read, and made whole.
+    let (code, _out, err) = folder.letoff(&["recover", "a.mcap"]);
+    assert_eq!(code, Some(0), "{err}");
+}
+
+#[test]
 fn what_is_no_recording_is_refused_in_a_sentence() {
     let folder = Folder::new("bad");
     folder.write("text.mcap", "once upon a time");

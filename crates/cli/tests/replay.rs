@@ -12,7 +12,7 @@ use host::replay::{ReplayError, Replayed, replay};
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
 use telemetry::Update;
-use telemetry::recording::Recording;
+use telemetry::recording::{Recording, RecordingLimits};
 use telemetry::request::{Change, RenderSetting};
 
 /// A folder of this test's own.
@@ -28,11 +28,15 @@ fn scene() -> Scene {
     Scene::load("mixed", &[piece]).unwrap_or_else(|wrong| unreachable!("{wrong}"))
 }
 
+/// Begins to record the whole of `session` into `file`.
+fn begin(session: &RunSession, file: &Path) -> Recorded {
+    session.handle().record_run(file, RecordingLimits::default()).expect("a new file")
+}
+
 /// Runs `scene` and records it into `file`.
 fn record(scene: &Scene, options: RunOptions, file: &Path) {
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
-    let (recording, sink) = Recorded::begin(file).expect("a new file");
-    session.observe(sink);
+    let recording = begin(&session, file);
     session.run(&AtomicBool::new(false)).expect("a report");
     assert_eq!(recording.report().trouble, None);
 }
@@ -140,8 +144,7 @@ fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
 fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
     use host::control::{Folders, Request, RequestHandler};
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
-    let (_recording, sink) = Recorded::begin(file).expect("a new file");
-    session.observe(sink);
+    let _recording = begin(&session, file);
     let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
     let ask = |request: Request| loop {
         match requests.answer(&request, "test") {
@@ -173,8 +176,7 @@ const HELD: std::ops::Range<u8> = 39..44;
 fn changed_settings(scene: &Scene, file: &Path) {
     use host::control::{Folders, Reply, Request, RequestHandler};
     let session = RunSession::prepare(scene, RunOptions::default(), &|_| {}).expect("a session");
-    let (_recording, sink) = Recorded::begin(file).expect("a new file");
-    session.observe(sink);
+    let _recording = begin(&session, file);
     let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
     let ask = |request: &Request| loop {
         match requests.answer(request, "test") {

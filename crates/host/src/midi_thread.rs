@@ -82,6 +82,11 @@ impl MidiDispatcher {
         self.ticks = Some((counters, 0));
     }
 
+    /// Sends to `output` from now on; before anything is played.
+    pub fn send_to(&mut self, output: AnyOutput) {
+        self.player = Player::new(output, self.curve);
+    }
+
     /// Plays all that is in the ring, at once, in order of time.
     pub fn drain(&mut self) {
         self.collect();

@@ -36,7 +36,10 @@ pub use message::{Controller, Message, MidiDecodeError};
 pub use note::{Note, Velocity};
 #[cfg(unix)]
 pub use output::RawPort;
-pub use output::{MessageRecorder, MidiPort, MidiSendError, Output, Smf, Unavailable, ports};
+pub use output::{
+    MessageRecorder, MidiPort, MidiSendError, MidiSystem, Output, ReconnectingPort, Smf,
+    Unavailable, ports,
+};
 pub use pedal::{Pedal, PedalMove};
 pub use player::{NoteEvent, NoteEventKind, Player, PressureTarget};
 pub use schedule::Schedule;

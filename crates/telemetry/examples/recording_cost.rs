@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use rustix::time::{ClockId, clock_gettime};
-use telemetry::recording::{Recorder, Recording, RecordingSettings};
+use telemetry::recording::{Recorder, Recording, RecordingLimits, RecordingSettings};
 use telemetry::{Catalogue, KeyBlock, Overview, Source as _, Timeline as _, Topic, Update, Voice};
 
 /// Signals of a model.
@@ -37,9 +37,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Records `seconds` of `keys` keys; what it cost.
 fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>> {
-    let settings = RecordingSettings { lowest_free: 0, ..RecordingSettings::new(path, "cost") };
-    let settings =
-        RecordingSettings { largest_file: u64::MAX, largest_total: u64::MAX, ..settings };
+    let limits = RecordingLimits {
+        largest_file: u64::MAX,
+        longest_file: None,
+        largest_total: u64::MAX,
+        lowest_free: 0,
+    };
+    let settings = RecordingSettings { limits, ..RecordingSettings::new(path, "cost") };
     let mut recorder = Recorder::create(settings)?;
     for update in beginning(keys) {
         recorder.write(0, &update)?;

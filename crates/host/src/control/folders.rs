@@ -6,12 +6,15 @@ use std::path::{Component, Path, PathBuf};
 
 use diagnostics::{choice, quoted};
 use scene::instruments;
+use telemetry::recording::RecordingLimits;
 
 /// Folders in which clients of the stream may name files; without one they may name none.
 #[derive(Clone, Debug, Default)]
 pub struct Folders {
     /// The folder of recordings that clients begin.
     pub recordings: Option<PathBuf>,
+    /// The limits of these recordings.
+    pub limits: RecordingLimits,
     /// The folder of instruments that clients may use beside the embedded ones.
     pub instruments: Option<PathBuf>,
 }
@@ -131,7 +134,7 @@ mod tests {
         let folder = folder();
         fs::write(folder.join("mine.toml"), "").expect("a file");
         std::os::unix::fs::symlink("/etc/passwd", folder.join("link.toml")).expect("a link");
-        let folders = Folders { recordings: None, instruments: Some(folder.clone()) };
+        let folders = Folders { instruments: Some(folder.clone()), ..Folders::default() };
         assert_eq!(folders.instrument("grand-springs"), Ok("grand-springs".to_owned()));
         let mine = fs::canonicalize(folder.join("mine.toml")).expect("the file");
         assert_eq!(folders.instrument("mine"), Ok(mine.display().to_string()));

@@ -92,7 +92,7 @@ impl RequestHandler {
             Request::Status {} => {
                 return Ok(Reply::Status { status: Box::new(self.run.status.examine()) });
             }
-            Request::Record { file } => self.run.record(file.as_deref())?,
+            Request::Record { file } => self.run.record(file.as_deref(), self.folders.limits)?,
         };
         Ok(Reply::Done { text: done })
     }

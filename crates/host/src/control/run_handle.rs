@@ -8,6 +8,7 @@ use haptics::HandCommand;
 use pode::EnergyAudit;
 use realtime::pool::{VoiceChange, VoiceSwaps};
 use rtrb::Producer;
+use telemetry::recording::RecordingLimits;
 use telemetry::{Log, Update, log};
 use voice::AuditCell;
 
@@ -159,13 +160,25 @@ impl RunHandle {
         self.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
     }
 
-    /// Begins to record into `file`, or ends.
+    /// Records the whole run into `file`, whatever is begun by requests.
     ///
     /// # Errors
     /// Why it cannot, in a sentence.
-    pub fn record(&self, file: Option<&str>) -> Result<String, String> {
+    pub fn record_run(
+        &self,
+        file: &Path,
+        limits: RecordingLimits,
+    ) -> Result<RecordingHandle, String> {
+        lock(&self.telemetry).begin(file, limits)
+    }
+
+    /// Begins to record into `file`, or ends what was begun so.
+    ///
+    /// # Errors
+    /// Why it cannot, in a sentence.
+    pub fn record(&self, file: Option<&str>, limits: RecordingLimits) -> Result<String, String> {
         let mut telemetry = lock(&self.telemetry);
-        let done = telemetry.record(file)?;
+        let done = telemetry.record(file, limits)?;
         self.status.records(telemetry.recording.clone());
         Ok(done)
     }
@@ -179,7 +192,12 @@ impl TelemetryPort {
         }
     }
 
-    fn record(&mut self, file: Option<&str>) -> Result<String, String> {
+    fn begin(&self, file: &Path, limits: RecordingLimits) -> Result<RecordingHandle, String> {
+        let sender = self.sender.as_ref().ok_or(NOT_RUNNING)?;
+        RecordingHandle::begin(file, limits, sender).map_err(|error| error.to_string())
+    }
+
+    fn record(&mut self, file: Option<&str>, limits: RecordingLimits) -> Result<String, String> {
         if self.sender.is_none() {
             return Err(NOT_RUNNING.to_owned());
         }
@@ -191,10 +209,7 @@ impl TelemetryPort {
         if let Some(going) = self.recording.as_ref().filter(|it| it.report().trouble.is_none()) {
             return Err(format!("{} is being recorded: end it first", going.report().file));
         }
-        let begun = RecordingHandle::begin(Path::new(file));
-        let (begun, sink) = begun.map_err(|error| error.to_string())?;
-        self.recording = Some(begun);
-        self.tell(TelemetryMessage::Sink(sink));
+        self.recording = Some(self.begin(Path::new(file), limits)?);
         Ok(format!("{file} is being recorded"))
     }
 }

@@ -11,7 +11,7 @@ use midi::{Message, MidiSendError, NoteGuardian, Unavailable};
 use realtime::clock;
 use realtime::memory;
 use realtime::run::histogram;
-use realtime::thread::ask_for_fifo;
+use realtime::thread::{ThreadPlan, WantedPolicy};
 use scheduler::time::Nanos;
 use tokio::io::{AsyncBufReadExt as _, BufReader, Lines};
 use tokio::net::unix::{OwnedReadHalf, OwnedWriteHalf};
@@ -43,7 +43,8 @@ pub fn attend(path: &Path) -> io::Result<()> {
     listener.local_addr()?;
     listener.set_nonblocking(true)?;
     // As far as the system allows; a guardian without it is as late as every other program.
-    let _granted = (ask_for_fifo(Some(PRIORITY)), memory::lock());
+    let plan = ThreadPlan { policy: WantedPolicy::Fifo(PRIORITY), cpus: Vec::new() };
+    let _granted = (plan.ask(0), memory::lock());
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     let mut guardian = GuardianProcess::new()?;
     let attended = runtime.block_on(guardian.attend_hosts(listener));

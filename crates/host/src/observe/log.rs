@@ -121,7 +121,13 @@ impl LogSink {
 impl MessageSink for LogSink {
     fn take(&mut self, at: u64, update: &Update) {
         match update {
-            Update::Log(log) => self.say(at, Subject::Clients, log.level(), log.text.clone()),
+            Update::Log(log) => {
+                // However many clients come and go, what failed is said.
+                let level = log.level();
+                let has_failed = level == Level::Error;
+                let subject = if has_failed { Subject::Failures } else { Subject::Clients };
+                self.say(at, subject, level, log.text.clone());
+            }
             Update::Event(event) => self.event(at, event),
             Update::Voice(voice) if !self.is_new_version(voice) && voice.kept => {
                 if self.changed.is_empty() {
@@ -186,6 +192,7 @@ fn key(number: u32) -> String {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Subject {
     Clients,
+    Failures,
     Boards,
     Changes,
     Voices,
@@ -196,6 +203,7 @@ impl Subject {
     const fn words(self) -> &'static str {
         match self {
             Self::Clients => "clients",
+            Self::Failures => "what failed",
             Self::Boards => "boards and links",
             Self::Changes => "changes",
             Self::Voices => "voices that failed",
@@ -298,6 +306,22 @@ mod tests {
             sink.take(0, &board(text));
             assert_eq!(said.try_recv(), Ok(level), "{text}");
         }
+    }
+
+    #[test]
+    fn what_failed_is_said_however_many_clients_come_and_go() {
+        let (mut sink, said) = sink();
+        let log = |level: Level, text: &str| {
+            Update::Log(Log { level: level.into(), text: text.to_owned() })
+        };
+        for _ in 0..1000 {
+            sink.take(0, &log(Level::Info, "client 7 has come"));
+        }
+        sink.take(1, &log(Level::Error, "take.mcap cannot be written any further"));
+        assert_eq!(
+            lines(&said).last().map(String::as_str),
+            Some("take.mcap cannot be written any further")
+        );
     }
 
     #[test]

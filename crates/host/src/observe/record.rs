@@ -2,18 +2,17 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
 
 use telemetry::event::Kind;
-use telemetry::recording::{BlackBox, RecordError, Recorder, RecordingSettings, RecordingStatus};
-use telemetry::{Topic, Update};
+use telemetry::recording::{
+    BlackBox, RecordError, Recorder, RecordingLimits, RecordingSettings, RecordingStatus,
+};
+use telemetry::{Log, Topic, Update, log};
 
-use super::telemetry_thread::{Attention, MessageSink};
+use super::telemetry_thread::{Attention, MessageSink, TelemetryMessage};
 use crate::report::RecordingReport;
-
-/// Largest size of the last minutes on the disk (B).
-const LAST_MINUTES: u64 = 64 << 20;
 
 /// A recording that a sink writes.
 #[derive(Clone, Debug)]
@@ -23,34 +22,28 @@ pub struct RecordingHandle {
 }
 
 impl RecordingHandle {
-    /// Begins to record into `file`; the sink is to be given to a pump.
+    /// Begins to record into `file`, which telemetry is told to do by `sender`.
+    ///
+    /// If the recording ends early, the host's log says why.
     ///
     /// # Errors
     /// Why it cannot, in a sentence.
-    pub fn begin(file: &Path) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
-        Self::begin_as(RecordingSettings::new(file, super::run_id()))
-    }
-
-    /// Begins to record into `file`, and files beside it, of which only the last minutes are
-    /// kept: what a host that is killed leaves behind.
-    ///
-    /// # Errors
-    /// Why it cannot, in a sentence.
-    pub fn begin_last_minutes(file: &Path) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
-        Self::begin_as(RecordingSettings {
-            largest_file: LAST_MINUTES / 2,
-            largest_total: LAST_MINUTES,
-            ..RecordingSettings::new(file, super::run_id())
-        })
-    }
-
-    fn begin_as(settings: RecordingSettings) -> Result<(Self, Box<dyn MessageSink>), RecordError> {
-        let file = settings.path.display().to_string();
+    pub fn begin(
+        file: &Path,
+        limits: RecordingLimits,
+        sender: &mpsc::Sender<TelemetryMessage>,
+    ) -> Result<Self, RecordError> {
+        let settings =
+            RecordingSettings { limits, ..RecordingSettings::new(file, super::run_id()) };
         let recorder = Recorder::create(settings)?;
+        let file = file.display().to_string();
         let report = Arc::new(Mutex::new(RecordingReport { file, ..RecordingReport::default() }));
         let it = Self { report, stop: Arc::default() };
-        let sink = RecordSink { recorder: Some(recorder), recording: it.clone() };
-        Ok((it, Box::new(sink)))
+        let (recorder, log) = (Some(recorder), sender.clone());
+        let sink = Box::new(RecordSink { recorder, recording: it.clone(), log });
+        // A thread that has ended has nothing to record.
+        let _gone = sender.send(TelemetryMessage::Sink(sink));
+        Ok(it)
     }
 
     /// Ends it with what the pump gives next.
@@ -67,6 +60,7 @@ impl RecordingHandle {
 struct RecordSink {
     recorder: Option<Recorder>,
     recording: RecordingHandle,
+    log: mpsc::Sender<TelemetryMessage>,
 }
 
 impl RecordSink {
@@ -76,8 +70,13 @@ impl RecordSink {
             return;
         }
         self.finish();
+        let text = error.to_string();
         let mut report = self.recording.report.lock().unwrap_or_else(PoisonError::into_inner);
-        report.trouble.get_or_insert_with(|| error.to_string());
+        report.trouble.get_or_insert_with(|| text.clone());
+        drop(report);
+        let entry = Update::Log(Log { level: log::Level::Error.into(), text });
+        // At the run's end nobody hears it, and the report says it.
+        let _gone = self.log.send(TelemetryMessage::Update(Box::new(entry)));
     }
 
     fn finish(&mut self) {

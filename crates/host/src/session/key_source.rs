@@ -3,11 +3,11 @@
 use haptics::plant::{MAX_DELAY_STEPS, MAX_SUBSTEP};
 use hardware::keybed::{Calibrated, Keybed, Offline, Terms, WantedBoards};
 use hardware::plan::{BusPlan, BusVerdict};
-use hardware::sim::keybed::SimulatedKeybed;
 use performance::Performance;
 use scheduler::time::Nanos;
 
 use super::key_transport::{KeyTransport, Plans};
+use super::trial::SimulatedKeys;
 use super::{PreparedRun, SessionError, all_keys};
 use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
 use realtime::clock;
@@ -16,7 +16,7 @@ use scene::{Boards, period_us};
 /// The keys before a run.
 pub(super) enum KeySource {
     /// Simulated in this process.
-    Simulated(Box<SimulatedKeybed>),
+    Simulated(SimulatedKeys),
     /// On boards that were found and may be armed.
     Boards(Box<Keybed<Calibrated>>, Terms, Plans),
 }
@@ -116,7 +116,7 @@ impl KeySource {
 
     /// Gives the performance's gestures to the simulated fingers.
     pub(super) fn load_gestures(&mut self, performance: &Performance) {
-        if let Self::Simulated(keybed) = self {
+        if let Self::Simulated(SimulatedKeys { keybed, .. }) = self {
             for (key, gestures) in all_keys().zip(&performance.gestures) {
                 keybed.play(key, gestures.clone());
             }
@@ -131,9 +131,9 @@ impl KeySource {
         lead: Nanos,
     ) -> Result<(KeyTransport, Nanos), SessionError> {
         match self {
-            Self::Simulated(keybed) => {
+            Self::Simulated(keys) => {
                 let start = clock::monotonic().after(lead);
-                Ok((KeyTransport::simulated(keybed, prepared), start))
+                Ok((KeyTransport::simulated(keys, prepared), start))
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = Box::new(keybed.arm(terms, PATIENCE_US)?);

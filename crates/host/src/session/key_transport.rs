@@ -13,6 +13,7 @@ use scheduler::time::Nanos;
 use telemetry::{Board, Line};
 
 use super::PreparedRun;
+use super::trial::SimulatedKeys;
 use crate::boards::stop_all;
 use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
@@ -28,14 +29,15 @@ pub(super) type Plans = Vec<Option<BusPlan>>;
 /// The keys of a run.
 pub(super) enum KeyTransport {
     /// Keys that are simulated in this process.
-    Simulated(Box<SimulatedKeybed>),
+    Simulated(SimulatedKeys),
     /// Keys on armed boards, with what each line shall carry.
     Boards(Box<Keybed<Armed>>, Plans),
 }
 
 impl KeyTransport {
     /// Returns simulated keys, whose boards are armed again after a stall of the host.
-    pub(super) fn simulated(mut keybed: Box<SimulatedKeybed>, prepared: &PreparedRun) -> Self {
+    pub(super) fn simulated(mut keys: SimulatedKeys, prepared: &PreparedRun) -> Self {
+        let keybed = &mut keys.keybed;
         prepared.handle.lend_fingers(keybed.press_requests());
         keybed.keep_armed();
         let places = standard();
@@ -47,7 +49,7 @@ impl KeyTransport {
         };
         let samples = keybed.monitor(prepared.tick_hz);
         publish(samples, places.iter().map(line).collect(), &places, prepared);
-        Self::Simulated(keybed)
+        Self::Simulated(keys)
     }
 
     /// Returns keys on armed boards whose lines carry what `plans` say.
@@ -106,14 +108,14 @@ fn number(count: usize) -> u32 {
 impl KeyBus for KeyTransport {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         match self {
-            Self::Simulated(keybed) => keybed.receive(tick, samples),
+            Self::Simulated(keys) => keys.receive(tick, samples),
             Self::Boards(keybed, _) => keybed.receive(tick, samples),
         }
     }
 
     fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
         match self {
-            Self::Simulated(keybed) => keybed.send(tick, forces, slopes),
+            Self::Simulated(keys) => keys.send(tick, forces, slopes),
             Self::Boards(keybed, ..) => keybed.send(tick, forces, slopes),
         }
     }
@@ -156,7 +158,7 @@ impl KeyTransport {
     /// What happened on all links together.
     pub(super) fn links(&self) -> LinkReport {
         match self {
-            Self::Simulated(keybed) => simulated_links(keybed),
+            Self::Simulated(keys) => simulated_links(&keys.keybed),
             Self::Boards(keybed, ..) => board_links(keybed),
         }
     }

@@ -10,6 +10,7 @@ mod observed;
 mod pianist;
 mod real;
 mod threads;
+mod trial;
 mod virtual_run;
 
 use std::num::NonZeroUsize;
@@ -25,10 +26,10 @@ use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
 
 use crate::control::RunHandle;
-use crate::midi_thread::{MidiDispatcher, PlaybackSummary};
+use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{self, MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
-use crate::report::{Deadline, Evaluations, MidiReport, NoteReport, NoteShortfall, Realtime};
+use crate::report::{Deadline, Evaluations, NoteReport, NoteShortfall, Realtime};
 use crate::report::{RunReport, StepCounts, UnplayedNotes};
 use crate::stability::examine;
 use key_source::KeySource;
@@ -47,6 +48,8 @@ use scene::{LinksConfig as SceneLinks, Scene};
 
 pub use fidelity::choose_fidelity;
 pub use pianist::PianistProgress;
+pub use trial::RunTrial;
+use trial::SimulatedKeys;
 
 /// The reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
@@ -234,7 +237,7 @@ impl RunSession {
             pedals.into(),
             period,
         );
-        observed::describe(&handle, scene, &midi, &counters);
+        observed::describe(&handle, scene, &midi.report, &counters);
         let prepared = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
@@ -289,6 +292,25 @@ impl RunSession {
     /// Returns notices about its keys before it runs, a sentence on each.
     pub fn notices(&self) -> Vec<String> {
         self.keys.notices()
+    }
+
+    /// Has `trial` stand between the scheduler and the simulated keys, which it prepares here;
+    /// real keys are not tried.
+    pub fn try_keys(
+        &mut self,
+        prepare: impl FnOnce(&mut SimulatedKeybed),
+        trial: Box<dyn RunTrial>,
+    ) {
+        if let KeySource::Simulated(keys) = &mut self.keys {
+            prepare(&mut keys.keybed);
+            keys.trial = Some(trial);
+        }
+    }
+
+    /// Sends MIDI to `output` instead of where the scene says.
+    pub fn send_midi_to(&mut self, output: AnyOutput) {
+        let sender = self.observed.sender();
+        self.dispatcher.send_to(Box::new(MonitoredOutput { output, sender }));
     }
 
     /// Sends all telemetry of the run to `sink`, from before its first tick on.
@@ -391,8 +413,8 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteRep
 fn key_source(scene: &Scene, period: f64, options: RunOptions) -> Result<KeySource, SessionError> {
     match &scene.links {
         SceneLinks::Simulated => {
-            let keybed = SimulatedKeybed::new(period, scene.rig.parameters())?;
-            Ok(KeySource::Simulated(Box::new(keybed)))
+            let keybed = Box::new(SimulatedKeybed::new(period, scene.rig.parameters())?);
+            Ok(KeySource::Simulated(SimulatedKeys { keybed, trial: None }))
         }
         SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
         SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz),

@@ -23,7 +23,8 @@ pub(super) fn run(
     observed: ObservedOutputs,
     stop: &AtomicBool,
 ) -> Result<RunReport, SessionError> {
-    let (mut lanes, _swaps) = prepared.start_lanes()?;
+    let (mut lanes, swaps) = prepared.start_lanes()?;
+    prepared.handle.open(swaps);
     let mut scheduler = scheduler(prepared.timetable()?, prepared.slew_limit);
     let until = Until { stop, ticks: prepared.ticks };
     let (mut ticks, mut skipped) = (0, 0);
@@ -44,6 +45,7 @@ pub(super) fn run(
             pump.pump();
         }
     });
+    prepared.handle.close();
     drop(lanes);
     let (realtime, deadline) = no_clock();
     let played = dispatcher.close(None);

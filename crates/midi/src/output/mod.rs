@@ -20,6 +20,7 @@ pub use port::MidiPort;
 pub(crate) use ports::{CLIENT, look_for_sequencer};
 #[cfg(unix)]
 pub use raw::RawPort;
+pub use reconnecting::{MidiSystem, ReconnectingPort};
 pub use smf::Smf;
 pub(crate) use system::refused;
 pub use system::{Unavailable, ports};

@@ -1,7 +1,7 @@
 //! A MIDI port of the system: one that exists, or a virtual one of our own.
 
 use super::ports::CLIENT;
-use super::reconnecting::Reconnecting;
+use super::reconnecting::ReconnectingPort;
 use super::system::{System, Unavailable, WantedPort};
 use super::{MidiSendError, Output};
 use crate::message::Message;
@@ -12,7 +12,7 @@ use crate::message::Message;
 /// most one attempt a second; it first gets note-offs for what it may still sound. Until a loss
 /// is noticed, within a second, messages go nowhere.
 #[derive(Debug)]
-pub struct MidiPort(Reconnecting<System>);
+pub struct MidiPort(ReconnectingPort<System>);
 
 impl MidiPort {
     /// Connects to the first port whose name contains `name`, in whatever case.
@@ -22,7 +22,7 @@ impl MidiPort {
     /// If there is no MIDI or no such port; says which ports exist and what to do.
     pub fn connect(name: &str) -> Result<Self, Unavailable> {
         let system = System::new(WantedPort::Existing(name.to_owned()));
-        Reconnecting::connect(system, name.to_owned()).map(Self)
+        ReconnectingPort::connect(system, name.to_owned()).map(Self)
     }
 
     /// Makes a port called "letoff", to which other programs connect.
@@ -32,7 +32,7 @@ impl MidiPort {
     /// If there is no MIDI, or the system has no virtual ports (Windows).
     pub fn create() -> Result<Self, Unavailable> {
         let system = System::new(WantedPort::Virtual);
-        Reconnecting::connect(system, CLIENT.to_owned()).map(Self)
+        ReconnectingPort::connect(system, CLIENT.to_owned()).map(Self)
     }
 }
 
@@ -46,7 +46,7 @@ impl Output for MidiPort {
     }
 
     fn finish(&mut self) -> Result<(), MidiSendError> {
-        Ok(())
+        self.0.finish()
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use rustix::fs::OFlags;
 
-use super::reconnecting::{MidiSystem, Reconnecting};
+use super::reconnecting::{MidiSystem, ReconnectingPort};
 use super::{MidiSendError, Output, Unavailable};
 use crate::message::Message;
 
@@ -16,7 +16,7 @@ use crate::message::Message;
 /// Nothing is waited for: what a device or a reader does not take at once is lost, and the notes
 /// that it may still sound are ended when it takes messages again.
 #[derive(Debug)]
-pub struct RawPort(Reconnecting<DeviceFile>);
+pub struct RawPort(ReconnectingPort<DeviceFile>);
 
 impl RawPort {
     /// Opens the device or FIFO at `path`.
@@ -25,7 +25,7 @@ impl RawPort {
     /// If there is none, it may not be written to, or nothing reads from the FIFO.
     pub fn open(path: &Path) -> Result<Self, Unavailable> {
         let device = DeviceFile { path: path.to_owned(), file: None };
-        Reconnecting::connect(device, path.display().to_string()).map(Self)
+        ReconnectingPort::connect(device, path.display().to_string()).map(Self)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use keyboard::{KEYS, KeyIndex};
 
-use super::{MidiSendError, Unavailable};
+use super::{MidiSendError, Output, Unavailable};
 use crate::message::Message;
 use crate::note::{Note, Velocity};
 use crate::pedal::{Pedal, PedalValues};
@@ -11,8 +11,11 @@ use crate::pedal::{Pedal, PedalValues};
 const INTERVAL: f64 = 1.0;
 
 /// What can be connected, and lost: the system's MIDI, or a test's.
-pub(super) trait MidiSystem {
+pub trait MidiSystem {
     /// Connects anew, dropping what was connected.
+    ///
+    /// # Errors
+    /// If it is not there.
     fn connect(&mut self) -> Result<(), Unavailable>;
 
     /// Sends one message; false if it was not accepted.
@@ -37,9 +40,9 @@ enum Sound {
     Sounding,
 }
 
-/// Sends through a [`MidiSystem`] and connects it again when it is lost.
+/// Sends through a [`MidiSystem`] and connects it again when it is lost, note-offs first.
 #[derive(Debug)]
-pub(super) struct Reconnecting<B> {
+pub struct ReconnectingPort<B> {
     backend: B,
     /// Name of the destination, for people.
     name: String,
@@ -51,9 +54,12 @@ pub(super) struct Reconnecting<B> {
     pedals: PedalValues,
 }
 
-impl<B: MidiSystem> Reconnecting<B> {
-    /// Connects `backend` for the first time.
-    pub(super) fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
+impl<B: MidiSystem> ReconnectingPort<B> {
+    /// Connects `backend`, which people call `name`, for the first time.
+    ///
+    /// # Errors
+    /// If it is not there.
+    pub fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
         backend.connect()?;
         let sounds = [Sound::Silent; KEYS];
         Ok(Self {
@@ -64,33 +70,6 @@ impl<B: MidiSystem> Reconnecting<B> {
             sounds,
             pedals: PedalValues::default(),
         })
-    }
-
-    /// Sends `message` at time `at` (s), over a new connection if the old one is lost.
-    pub(super) fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
-        self.follow_pedals(message);
-        if self.link == PortState::Up && self.deliver(message) {
-            return Ok(());
-        }
-        if self.reconnect(at) && self.deliver(message) {
-            return Ok(());
-        }
-        Err(self.away())
-    }
-
-    /// Looks whether the destination is there at time `now` (s); connects it if it is back.
-    pub(super) fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
-        if self.link == PortState::Up && self.is_due(now) {
-            self.looked = Some(now);
-            if self.backend.is_there() {
-                self.confirm();
-            } else {
-                self.link = PortState::Down;
-                // An absent port is tried at once, it may only have changed its number.
-                self.looked = None;
-            }
-        }
-        if self.link == PortState::Up || self.reconnect(now) { Ok(()) } else { Err(self.away()) }
     }
 
     fn is_due(&self, now: f64) -> bool {
@@ -168,6 +147,37 @@ impl<B: MidiSystem> Reconnecting<B> {
     }
 }
 
+impl<B: MidiSystem> Output for ReconnectingPort<B> {
+    fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
+        self.follow_pedals(message);
+        if self.link == PortState::Up && self.deliver(message) {
+            return Ok(());
+        }
+        if self.reconnect(at) && self.deliver(message) {
+            return Ok(());
+        }
+        Err(self.away())
+    }
+
+    fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
+        if self.link == PortState::Up && self.is_due(now) {
+            self.looked = Some(now);
+            if self.backend.is_there() {
+                self.confirm();
+            } else {
+                self.link = PortState::Down;
+                // An absent port is tried at once, it may only have changed its number.
+                self.looked = None;
+            }
+        }
+        if self.link == PortState::Up || self.reconnect(now) { Ok(()) } else { Err(self.away()) }
+    }
+
+    fn finish(&mut self) -> Result<(), MidiSendError> {
+        Ok(())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -205,11 +215,11 @@ mod tests {
         }
     }
 
-    fn port() -> Reconnecting<Plug> {
-        Reconnecting::connect(Plug::default(), "plug".to_owned()).unwrap()
+    fn port() -> ReconnectingPort<Plug> {
+        ReconnectingPort::connect(Plug::default(), "plug".to_owned()).unwrap()
     }
 
-    fn unplug(port: &mut Reconnecting<Plug>) {
+    fn unplug(port: &mut ReconnectingPort<Plug>) {
         port.backend.unplugged = true;
         port.backend.connected = false;
     }

@@ -29,6 +29,18 @@ pub enum RecordError {
         /// Space that is to stay free (B).
         lowest: u64,
     },
+    #[error(
+        "{} is not begun: only {} MiB are free there, less than the {} MiB that are to stay; \
+         free some, name a file on another disk, or allow less with --min-free",
+        .path.display(), .free >> 20, .lowest >> 20
+    )]
+    NoRoom {
+        path: PathBuf,
+        /// Free space (B).
+        free: u64,
+        /// Space that is to stay free (B).
+        lowest: u64,
+    },
     /// The message is of a key beyond the 88.
     #[error("a message is of key {key}, and there are keys 0 to 87: it is not recorded")]
     NoSuchKey { key: u32 },

@@ -54,5 +54,5 @@ pub use playback::{Playback, PlaybackClock};
 pub use reader::{Messages, Recording, Tear};
 pub use recover::{RecoverError, Recovered, recover};
 pub use rows::{Row, rows};
-pub use settings::RecordingSettings;
+pub use settings::{RecordingLimits, RecordingSettings};
 pub use writer::{Recorder, RecordingStatus};

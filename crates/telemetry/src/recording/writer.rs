@@ -23,6 +23,8 @@ pub struct Recorder {
     /// The file that is being written; none once it has ended.
     part: Option<RecordingPart>,
     number: u32,
+    /// Time of the first message that is not repeated in it (ns since 1970).
+    part_began: u64,
     /// Number of repeated messages at its beginning.
     repeated: u64,
     latest: Latest,
@@ -65,7 +67,11 @@ impl Recorder {
     /// # Errors
     /// If a file of this name is there already or cannot be made, or the disk is all but full.
     pub fn create(settings: RecordingSettings) -> Result<Self, RecordError> {
-        check_room(&settings, &settings.path)?;
+        if let Err(RecordError::LowDisk { path, free, lowest }) =
+            check_room(&settings, &settings.path)
+        {
+            return Err(RecordError::NoRoom { path, free, lowest });
+        }
         let second = part_path(&settings.path, 2);
         if second.exists() {
             return Err(RecordError::Exists(second));
@@ -76,6 +82,7 @@ impl Recorder {
             settings,
             part: Some(part),
             number: 1,
+            part_began: 0,
             repeated: 0,
             latest: Latest::default(),
             complete: VecDeque::new(),
@@ -96,9 +103,13 @@ impl Recorder {
         let raw = RawMessage::of(at, update)?;
         let part = self.part.as_ref().ok_or(RecordError::Ended)?;
         let again = if self.repeats() { self.repeated_bytes() } else { 0 };
-        let is_full = part.size_with(&raw) + again > self.settings.file_limit();
+        let limits = &self.settings.limits;
+        let is_full = part.size_with(&raw) + again > limits.file_limit()
+            || at.saturating_sub(self.part_began) >= limits.file_ns();
         if is_full && part.messages() > self.repeated {
             self.rotate(at)?;
+        } else if part.messages() == 0 {
+            self.part_began = at;
         }
         self.add(&raw)?;
         self.latest.note(&raw);
@@ -159,7 +170,7 @@ impl Recorder {
     /// Returns whether files are large enough to repeat catalogue and voices.
     fn repeats(&self) -> bool {
         let bytes = self.repeated_bytes();
-        0 < self.latest.bytes() && bytes.saturating_mul(SHARE) <= self.settings.file_limit()
+        0 < self.latest.bytes() && bytes.saturating_mul(SHARE) <= self.settings.limits.file_limit()
     }
 
     /// Returns the largest size of what is repeated (B).
@@ -209,6 +220,7 @@ impl Recorder {
         self.complete.push_back((path, bytes));
         self.make_room()?;
         self.number += 1;
+        self.part_began = at;
         let path = part_path(&self.settings.path, self.number);
         let labels = Labels::new(&self.settings.run, self.number);
         self.part = Some(RecordingPart::create(&path, &labels)?);
@@ -221,7 +233,7 @@ impl Recorder {
     fn make_room(&mut self) -> Result<(), RecordError> {
         loop {
             let bytes: u64 = self.complete.iter().map(|(_, bytes)| bytes).sum();
-            if bytes + self.settings.file_limit() <= self.settings.largest_total {
+            if bytes + self.settings.limits.file_limit() <= self.settings.limits.largest_total {
                 return Ok(());
             }
             let Some((path, _)) = self.complete.pop_front() else { return Ok(()) };
@@ -252,8 +264,9 @@ impl Recorder {
 fn check_room(settings: &RecordingSettings, path: &std::path::Path) -> Result<(), RecordError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     match free(folder.unwrap_or_else(|| ".".as_ref())) {
-        Some(free) if free < settings.lowest_free => {
-            Err(RecordError::LowDisk { path: path.to_owned(), free, lowest: settings.lowest_free })
+        Some(free) if free < settings.limits.lowest_free => {
+            let lowest = settings.limits.lowest_free;
+            Err(RecordError::LowDisk { path: path.to_owned(), free, lowest })
         }
         Some(_) | None => Ok(()),
     }

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use telemetry::event::Kind;
-use telemetry::recording::{Recorder, Recording, RecordingSettings};
+use telemetry::recording::{Recorder, Recording, RecordingLimits, RecordingSettings};
 use telemetry::{
     Catalogue, Deadlines, Event, KeyBlock, KeyState, Links, Log, Midi, Model, Overview, Signal,
     Ticks, Update, Voice,
@@ -132,7 +132,22 @@ pub(crate) fn performance(ticks: u64) -> Vec<(u64, Update)> {
 }
 
 pub(crate) fn settings(path: &Path) -> RecordingSettings {
-    RecordingSettings { lowest_free: 0, ..RecordingSettings::new(path, "the run") }
+    RecordingSettings {
+        limits: RecordingLimits { lowest_free: 0, ..RecordingLimits::default() },
+        ..RecordingSettings::new(path, "the run")
+    }
+}
+
+/// Settings whose files have the least size.
+pub(crate) fn small(path: &Path) -> RecordingSettings {
+    limited(path, |limits| limits.largest_file = RecordingLimits::LEAST_FILE)
+}
+
+/// Settings with limits that `change` has changed.
+pub(crate) fn limited(path: &Path, change: impl FnOnce(&mut RecordingLimits)) -> RecordingSettings {
+    let mut settings = settings(path);
+    change(&mut settings.limits);
+    settings
 }
 
 /// Writes `told` to `path`.

@@ -4,6 +4,7 @@
 mod bad_input;
 mod black_box;
 mod csv;
+mod damage;
 mod killed;
 mod playback;
 mod rotation;

@@ -4,18 +4,16 @@ use std::fs;
 use std::time::Duration;
 
 use telemetry::Update;
-use telemetry::recording::{RecordError, Recorder, Recording, RecordingSettings};
+use telemetry::recording::{RecordError, Recorder, Recording, RecordingLimits, RecordingSettings};
 
-use crate::common::{KEYS, at, catalogue, performance, read, settings};
+use crate::common::{KEYS, at, catalogue, limited, performance, read, settings, small};
 
 #[test]
 fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
     let told = performance(40_000);
-    let settings =
-        RecordingSettings { largest_file: RecordingSettings::LEAST_FILE, ..settings(&path) };
-    let mut recorder = Recorder::create(settings).expect("a new file");
+    let mut recorder = Recorder::create(small(&path)).expect("a new file");
     for (at, update) in &told {
         recorder.write(*at, update).expect("written");
     }
@@ -24,7 +22,7 @@ fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
     assert_eq!(recorded.files[1], folder.path().join("take-0002.mcap"));
     for file in &recorded.files {
         let size = file.metadata().expect("the file").len();
-        assert!(size <= RecordingSettings::LEAST_FILE, "{} has {size} bytes", file.display());
+        assert!(size <= RecordingLimits::LEAST_FILE, "{} has {size} bytes", file.display());
     }
     let recording = Recording::open(&path).expect("a recording");
     assert_eq!(recording.files().count(), recorded.files.len());
@@ -51,15 +49,16 @@ fn before(told: &[(u64, Update)], from: u64, rest: usize) -> usize {
 fn a_recording_that_became_too_large_keeps_its_last_files() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let settings =
-        RecordingSettings { largest_total: 3 * RecordingSettings::LEAST_FILE, ..settings(&path) };
-    let settings = RecordingSettings { largest_file: RecordingSettings::LEAST_FILE, ..settings };
+    let most = 3 * RecordingLimits::LEAST_FILE;
+    let settings = limited(&path, |limits| {
+        (limits.largest_total, limits.largest_file) = (most, RecordingLimits::LEAST_FILE);
+    });
     let mut recorder = Recorder::create(settings).expect("a new file");
     for (at, update) in &performance(40_000) {
         recorder.write(*at, update).expect("written");
     }
     let recorded = recorder.finish().expect("complete");
-    assert!(recorded.bytes <= 3 * RecordingSettings::LEAST_FILE, "{} bytes", recorded.bytes);
+    assert!(recorded.bytes <= most, "{} bytes", recorded.bytes);
     assert!(0 < recorded.removed && !path.exists());
     assert_eq!(fs::read_dir(folder.path()).expect("the folder").count(), recorded.files.len());
     let recording = Recording::open(&recorded.files[0]).expect("a recording");
@@ -69,12 +68,29 @@ fn a_recording_that_became_too_large_keeps_its_last_files() {
 }
 
 #[test]
+fn a_file_has_no_more_than_the_time_that_it_may() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    let told = performance(20_000);
+    let settings = limited(&path, |limits| limits.longest_file = Some(Duration::from_secs(6)));
+    let mut recorder = Recorder::create(settings).expect("a new file");
+    for (at, update) in &told {
+        recorder.write(*at, update).expect("written");
+    }
+    let recorded = recorder.finish().expect("complete");
+    assert_eq!(recorded.files.len(), 4, "{:?}", recorded.files);
+    for file in &recorded.files {
+        let (from, to) = Recording::open_file(file).expect("a file").span().expect("messages");
+        assert!(to - from < 6_000_000_000, "{} has {} ns", file.display(), to - from);
+    }
+    assert_eq!(read(&Recording::open(&path).expect("a recording")), (told, vec![]));
+}
+
+#[test]
 fn a_file_that_is_missing_or_none_is_said_and_the_others_are_read() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let small =
-        RecordingSettings { largest_file: RecordingSettings::LEAST_FILE, ..settings(&path) };
-    crate::common::record_as(small, &performance(40_000));
+    crate::common::record_as(small(&path), &performance(40_000));
     let third = folder.path().join("take-0003.mcap");
     let whole = read(&Recording::open(&path).expect("a recording")).0;
     let check = |expected: &str| {
@@ -124,9 +140,10 @@ fn nothing_is_overwritten() {
 fn a_recording_ends_before_the_disk_is_full() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
-    let settings = RecordingSettings { lowest_free: u64::MAX, ..settings(&path) };
+    let settings = limited(&path, |limits| limits.lowest_free = u64::MAX);
     let error = Recorder::create(settings).expect_err("refused").to_string();
-    assert!(error.starts_with("only ") && error.contains(" MiB are free"), "{error}");
+    assert!(error.starts_with(&format!("{} is not begun: only ", path.display())), "{error}");
+    assert!(error.contains(" MiB are free there") && error.contains("--min-free"), "{error}");
     assert!(!path.exists());
 }
 

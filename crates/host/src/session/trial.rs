@@ -1,0 +1,39 @@
+//! A run that is tried: faults on its simulated keys and wires, and a close look at all of them.
+
+use hardware::sim::keybed::SimulatedKeybed;
+use scheduler::motion::{KEYS, KeySample, KeySlope};
+use scheduler::port::KeyBus;
+
+/// A trial of a run on simulated keys, which stands between them and the scheduler.
+///
+/// # Real-time
+/// In a run in real time it is called in the tick.
+pub trait RunTrial: Send {
+    /// Sees what came of all keys in `tick`, and may spoil it.
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
+
+    /// Sees what was sent to all keys in `tick` (N), and the keys themselves.
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], keybed: &SimulatedKeybed);
+}
+
+/// Simulated keys, which may be on trial.
+pub(super) struct SimulatedKeys {
+    pub(super) keybed: Box<SimulatedKeybed>,
+    pub(super) trial: Option<Box<dyn RunTrial>>,
+}
+
+impl KeyBus for SimulatedKeys {
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        self.keybed.receive(tick, samples);
+        if let Some(trial) = &mut self.trial {
+            trial.receive(tick, samples);
+        }
+    }
+
+    fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        self.keybed.send(tick, forces, slopes);
+        if let Some(trial) = &mut self.trial {
+            trial.send(tick, forces, &self.keybed);
+        }
+    }
+}
