@@ -237,6 +237,7 @@ impl TestWindow {
             | Request::Render { .. }
             | Request::Margin { .. }
             | Request::Scene {}
+            | Request::Status {}
             | Request::Where {}
             | Request::Record { .. } => None,
         });

@@ -295,6 +295,7 @@ mod tests {
             samples: SampleLayout { packing, n_keys },
             forces: ForceLayout { packing: ForcePacking::Force16, n_keys },
             calibration: PerKey::collect(std::iter::repeat_n(calibration, n_keys)),
+            max_force_mn: u16::MAX,
         });
         let header =
             Header { board: place.board, sequence: SequenceNumber(0), stamp_us: 0, flag: false };
