@@ -122,11 +122,17 @@ impl<'a> Running<'a> {
 
     /// Asks over the control socket.
     fn ask(&self, request: &str) -> String {
+        self.ask_and_stay(request).0
+    }
+
+    /// Asks over the control socket; returns the answer, and the connection with which what was
+    /// pressed is let go.
+    fn ask_and_stay(&self, request: &str) -> (String, UnixStream) {
         let stream = UnixStream::connect(self.folder.join("socket")).expect("the host listens");
         (&stream).write_all(format!("{request}\n").as_bytes()).expect("it hears");
         let mut answer = String::new();
-        BufReader::new(stream).read_line(&mut answer).expect("it answers");
-        answer
+        BufReader::new(&stream).read_line(&mut answer).expect("it answers");
+        (answer, stream)
     }
 
     fn stop(mut self) -> (Said, String) {
@@ -220,10 +226,12 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     assert!(host.ask(&set).contains("1 values on 1 keys"));
     let unmet = host.ask(&set.replace("2400", "50"));
     assert!(unmet.contains("feel needs base > 100 N/m, which does not hold on"), "{unmet}");
-    for key in KEYS {
+    let _held = KEYS.map(|key| {
         let press = format!(r#"{{"service":"press","key":{key},"newtons":2.0}}"#);
-        assert!(host.ask(&press).contains("pressed"));
-    }
+        let (said, stream) = host.ask_and_stay(&press);
+        assert!(said.contains("pressed"), "{said}");
+        stream
+    });
     std::thread::sleep(REST);
     // With a base: both files are read.
     save(&file, &stiffer());

@@ -391,7 +391,7 @@ fn the_unit_is_right_and_exposes_little() {
         assert!(text.lines().any(|it| it == line), "{line}");
     }
     let folder = Folder::new("unit");
-    let installed = text.replace("/usr/local/bin/letoff", env!("CARGO_BIN_EXE_letoff"));
+    let installed = text.replace("/usr/bin/letoff", env!("CARGO_BIN_EXE_letoff"));
     let file = folder.write("letoff.service", installed);
     let analyze = |arguments: &[&str]| {
         Command::new("systemd-analyze").args(arguments).arg(&file).output().ok()

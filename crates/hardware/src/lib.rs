@@ -14,6 +14,7 @@ pub mod calibration;
 pub mod clock;
 pub mod conformance;
 mod error;
+pub mod hello_values;
 pub mod identity;
 pub mod keybed;
 mod periods;

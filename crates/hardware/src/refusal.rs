@@ -9,8 +9,8 @@ use keyboard::{KeyIndex, KeyRange};
 
 use crate::calibration::CalibrationFault;
 use crate::clock::MOST_DRIFT;
+use crate::hello_values::ImpossibleValue;
 use crate::identity::{ClaimedKeys, Uid};
-use crate::keybed::ImpossibleValue;
 
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]

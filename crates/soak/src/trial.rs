@@ -8,7 +8,7 @@ use scene::Scene;
 use crate::actions::ActionCounts;
 use crate::synthesizer::Sounds;
 use crate::telling::ToldEvents;
-use crate::watch::KeyFindings;
+use crate::watch::SoakFindings;
 
 /// How the host is tried.
 #[derive(Clone, Debug)]
@@ -36,7 +36,7 @@ pub enum SoakTime {
 /// All that came of one run.
 pub(crate) struct PlayedTrial {
     pub(crate) report: RunReport,
-    pub(crate) seen: Box<KeyFindings>,
+    pub(crate) seen: Box<SoakFindings>,
     pub(crate) sounds: Sounds,
     pub(crate) told: ToldEvents,
     pub(crate) acted: ActionCounts,

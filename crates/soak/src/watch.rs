@@ -54,7 +54,7 @@ impl BrokenPromise {
 
 /// What was seen of all keys.
 #[derive(Clone, Debug)]
-pub(crate) struct KeyFindings {
+pub(crate) struct SoakFindings {
     pub(crate) ticks: u64,
     /// Largest force that was sent, and that a motor gave (N).
     pub(crate) sent: f64,
@@ -85,7 +85,7 @@ pub(crate) struct FrameCounts {
 }
 
 /// The shared place of what was seen.
-pub(crate) type SharedFindings = Arc<Mutex<Option<Box<KeyFindings>>>>;
+pub(crate) type SharedFindings = Arc<Mutex<Option<Box<SoakFindings>>>>;
 
 /// Spoils samples, checks forces, and in virtual time lets happen what is planned beside.
 pub(crate) struct KeyWatch {
@@ -103,7 +103,7 @@ pub(crate) struct KeyWatch {
     untrusted: [u32; KEYS],
     exchanges: u64,
     last_tick: u64,
-    seen: Box<KeyFindings>,
+    seen: Box<SoakFindings>,
     shared: SharedFindings,
 }
 
@@ -128,7 +128,7 @@ impl KeyWatch {
             untrusted: [0; KEYS],
             exchanges: 0,
             last_tick: 0,
-            seen: Box::new(KeyFindings {
+            seen: Box::new(SoakFindings {
                 ticks: 0,
                 sent: 0.0,
                 given: 0.0,
@@ -250,7 +250,7 @@ mod tests {
     use haptics::plant::RigParameters;
 
     /// What is seen of ticks in which key 5 has samples of this age and this force (N).
-    fn seen(ticks: u64, age: u32, force: f64) -> KeyFindings {
+    fn seen(ticks: u64, age: u32, force: f64) -> SoakFindings {
         let plan = Arc::new(SoakPlan::new(1, 20.0, 1000).undisturbed());
         let now = Arc::default();
         let (mut watch, shared) =

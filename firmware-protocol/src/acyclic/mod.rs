@@ -277,6 +277,6 @@ mod tests {
         for operation in Operation::ALL {
             assert_eq!(Operation::new(operation as u8), Some(operation));
         }
-        assert_eq!((Operation::new(0), Operation::new(14)), (None, None));
+        assert_eq!((Operation::new(0), Operation::new(18)), (None, None));
     }
 }

@@ -16,13 +16,10 @@ use links::address::Address;
 use serde::Serialize;
 
 use super::health::{self, HealthRow};
-use super::{DevicesArgs, settings, test};
+use super::{DevicesArgs, PATIENCE_US, settings, test};
 use crate::{Failure, print_json};
 use host::boards::{folder, now_us, open};
 use scene::{BoardBus, Boards};
-
-/// Longest time for the boards of one link to answer (us).
-pub(super) const PATIENCE_US: u64 = 2_500_000;
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
 

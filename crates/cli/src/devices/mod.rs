@@ -19,6 +19,9 @@ mod test;
 
 use self::settings::BoardSetting;
 
+/// Longest time for the boards of one link to answer (us).
+const PATIENCE_US: u64 = 2_500_000;
+
 /// What `letoff devices` takes.
 #[derive(Clone, Debug, Default, Args)]
 #[command(after_help = "Examples:

@@ -10,8 +10,7 @@ use hardware::identity::Uid;
 use links::address::Address;
 use serde::Serialize;
 
-use super::DevicesArgs;
-use super::boards::PATIENCE_US;
+use super::{DevicesArgs, PATIENCE_US};
 use crate::{Failure, print_json, tell};
 use host::boards::now_us;
 

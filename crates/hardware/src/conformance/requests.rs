@@ -8,8 +8,8 @@ use firmware_protocol::frame::hello::{Hello, Introduction};
 use firmware_protocol::{Nothing, Record as _, schema};
 
 use super::{ConformanceItem, TestedBoard};
+use crate::hello_values::impossible_values;
 use crate::identity::ClaimedKeys;
-use crate::keybed::impossible_values;
 
 /// Pings whose answers are timed.
 const PINGS: usize = 50;

@@ -6,8 +6,9 @@ use firmware_protocol::frame::key_samples::{SampleLayout, SamplePacking};
 use firmware_protocol::key::{BoardId, PerKey};
 use keyboard::{KeyIndex, KeyRange};
 
-use super::{Calibrated, Keybed, NamedLink, impossible_values};
+use super::{Calibrated, Keybed, NamedLink};
 use crate::calibration::KeyCalibration;
+use crate::hello_values::impossible_values;
 use crate::identity::{ClaimedKeys, Uid};
 use crate::refusal::{BoardName, Refusal, Refusals};
 use crate::rt::board::BoardTerms;

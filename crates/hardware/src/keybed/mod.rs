@@ -13,7 +13,6 @@
 mod armed;
 mod ask;
 mod calibrated;
-mod hello_values;
 mod identified;
 mod offline;
 
@@ -22,7 +21,6 @@ use std::time::Duration;
 pub use armed::{Armed, BoardReport, LineReport};
 pub use ask::Asker;
 pub use calibrated::Calibrated;
-pub use hello_values::{ImpossibleValue, impossible_values};
 pub use identified::{FoundBoard, Identified, WantedBoards};
 pub use offline::Offline;
 
