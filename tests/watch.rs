@@ -125,14 +125,21 @@ impl<'a> Running<'a> {
         self.ask_and_stay(request).0
     }
 
-    /// Asks over the control socket; returns the answer, and the connection with which what was
-    /// pressed is let go.
+    /// Asks over the control socket; returns the answer, and the connection.
     fn ask_and_stay(&self, request: &str) -> (String, UnixStream) {
         let stream = UnixStream::connect(self.folder.join("socket")).expect("the host listens");
         (&stream).write_all(format!("{request}\n").as_bytes()).expect("it hears");
         let mut answer = String::new();
         BufReader::new(&stream).read_line(&mut answer).expect("it answers");
         (answer, stream)
+    }
+
+    /// Presses a key; returns the connection with which it is let go.
+    fn press(&self, key: u8) -> UnixStream {
+        let press = format!(r#"{{"service":"press","key":{key},"newtons":2.0}}"#);
+        let (said, stream) = self.ask_and_stay(&press);
+        assert!(said.contains("pressed"), "{said}");
+        stream
     }
 
     fn stop(mut self) -> (Said, String) {
@@ -226,12 +233,7 @@ fn a_description_that_is_saved_plays_on_with_its_new_forces_and_a_wrong_one_chan
     assert!(host.ask(&set).contains("1 values on 1 keys"));
     let unmet = host.ask(&set.replace("2400", "50"));
     assert!(unmet.contains("feel needs base > 100 N/m, which does not hold on"), "{unmet}");
-    let _held = KEYS.map(|key| {
-        let press = format!(r#"{{"service":"press","key":{key},"newtons":2.0}}"#);
-        let (said, stream) = host.ask_and_stay(&press);
-        assert!(said.contains("pressed"), "{said}");
-        stream
-    });
+    let _held = KEYS.map(|key| host.press(key));
     std::thread::sleep(REST);
     // With a base: both files are read.
     save(&file, &stiffer());

@@ -214,6 +214,11 @@ fn boards() -> String {
     for (place, byte) in bootloader::MAGIC.into_iter().enumerate() {
         define(&mut text, &format!("BOOT_MAGIC_{place}"), byte);
     }
+    key_health(&mut text);
+    text
+}
+
+fn key_health(text: &mut String) {
     let faults = [
         ("NONE", key_fault::NONE),
         ("SENSOR", key_fault::SENSOR),
@@ -222,10 +227,9 @@ fn boards() -> String {
         ("OTHER", key_fault::OTHER),
     ];
     for (name, number) in faults {
-        define(&mut text, &format!("KEY_FAULT_{name}"), number);
+        define(text, &format!("KEY_FAULT_{name}"), number);
     }
-    signed(&mut text, "NOT_MEASURED", NOT_MEASURED.into());
-    text
+    signed(text, "NOT_MEASURED", NOT_MEASURED.into());
 }
 
 fn records() -> String {

@@ -94,7 +94,11 @@ fn every_record_in_the_document_is_that_of_the_code() {
             let (field, many) = field.split_once('[').map_or((field, None), |(a, b)| (a, Some(b)));
             let kind = kind.trim_end_matches("_t").replace("uint", "u").replace("int", "i");
             let kind = many.map_or(kind.clone(), |many| format!("{kind}[{many}"));
-            vec![places[&format!("{}_AT", field.to_uppercase())].clone(), field.to_owned(), kind]
+            Vec::from([
+                places[&format!("{}_AT", field.to_uppercase())].clone(),
+                field.to_owned(),
+                kind,
+            ])
         });
         let said = table(&format!(" Record `{name}`")).into_iter().map(|it| it[..3].to_vec());
         assert_eq!(said.collect::<Rows>(), fields.collect::<Rows>(), "{name}");

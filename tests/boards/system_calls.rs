@@ -111,16 +111,23 @@ fn judged_calls(what: &str, attempt: impl FnMut() -> Option<Vec<Call>>) -> Optio
     can_trace().then(|| judged(&format!("system calls of a tick, {what}"), attempt))?
 }
 
-/// Asserts that each call is listed, for its thread; `may_use_links` says whether boards' links
-/// are among what it may use.
+/// Where the keys of a run are.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum KeyPlace {
+    Simulated,
+    /// The tick reads and writes their links, too.
+    OnBoards,
+}
+
+/// Asserts that each call is listed, for its thread.
 #[track_caller]
-fn check(calls: &[Call], may_use_links: bool) {
+fn check(calls: &[Call], keys: KeyPlace) {
     let rows = listed();
     for Call { thread, name, rest } in calls {
         let is_listed = rows.iter().any(|row| {
             row.calls.contains(name)
                 && (thread == TICK || row.by_lanes)
-                && (may_use_links || !row.for_links)
+                && (keys == KeyPlace::OnBoards || !row.for_links)
         });
         assert!(is_listed, "{thread} calls {name}({rest}, which the list does not have");
     }
@@ -138,7 +145,7 @@ fn one_lane_makes_no_system_call_that_is_not_listed_and_none_for_other_lanes() {
     let Some(calls) = judged_calls("one lane", || traced(&folder, &["--set", "lanes=1"])) else {
         return;
     };
-    check(&calls, false);
+    check(&calls, KeyPlace::Simulated);
     let others: Vec<_> = calls.iter().filter(|it| it.thread != TICK).collect();
     assert!(others.is_empty(), "there is no other lane");
     for name in ["futex", "sched_yield"] {
@@ -157,7 +164,7 @@ fn two_lanes_make_no_system_call_that_is_not_listed() {
     let Some(calls) = judged_calls("two lanes", || traced(&folder, &["--set", "lanes=2"])) else {
         return;
     };
-    check(&calls, false);
+    check(&calls, KeyPlace::Simulated);
     assert!(100 < count(&calls, "letoff-lane-1", "futex"), "the lane was parked and woken");
 }
 
@@ -168,11 +175,13 @@ fn links_to_boards_are_read_and_written_and_nothing_else() {
     let calls = judged_calls("links to boards", || {
         let boards = Boards::start(&folder, 2, &[]);
         let links = boards.links();
-        let more: Vec<_> = links.iter().map(String::as_str).chain(["--set", "lanes=2"]).collect();
+        // What is stable with links that are traced.
+        let sets = ["--set", "lanes=2", "--set", "keys.0.instrument=spring"];
+        let more: Vec<_> = links.iter().map(String::as_str).chain(sets).collect();
         traced(&folder, &more)
     });
     let Some(calls) = calls else { return };
-    check(&calls, true);
+    check(&calls, KeyPlace::OnBoards);
     for name in ["read", "write"] {
         assert!(100 < count(&calls, TICK, name), "{name}");
     }

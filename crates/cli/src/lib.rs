@@ -74,7 +74,7 @@ pub struct Letoff {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Runs the host; without a scene, 88 simulated keys and a virtual pianist.
-    Run(run::RunArgs),
+    Run(Box<run::RunArgs>),
     /// Opens the window: keys, scopes, sliders, recordings.
     Dash(dash::DashArgs),
     /// Runs the host, and records everything that it does.

@@ -1,6 +1,7 @@
 //! One run of the host: prepared from a scene, run in real or virtual time, reported.
 
 mod fidelity;
+mod found_keys;
 mod key_source;
 mod key_transport;
 mod measured;
@@ -27,11 +28,10 @@ use voice::{BuildError, VoiceBuilder};
 
 use crate::control::RunHandle;
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
-use crate::observe::{self, MessageSink, TelemetryMessage};
+use crate::observe::{MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, NoteReport, NoteShortfall, Realtime};
 use crate::report::{RunReport, StepCounts, UnplayedNotes};
-use crate::stability::examine;
 use key_source::KeySource;
 use key_transport::KeyTransport;
 use measured::MeasuredRun;
@@ -44,12 +44,11 @@ use realtime::clock;
 use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use realtime::thread::ThreadPlan;
 use realtime::wake_fd::WakeFd;
-use scene::{LinksConfig as SceneLinks, Scene};
+use scene::Scene;
 
 pub use fidelity::choose_fidelity;
 pub use pianist::PianistProgress;
 pub use trial::RunTrial;
-use trial::SimulatedKeys;
 
 /// The reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
@@ -193,12 +192,7 @@ impl RunSession {
         handle.status.prepare(&scene.name);
         let period = VoiceBuilder::new(scene)?.period().as_secs_f64();
         // Missing boards are reported before the rehearsal.
-        let mut keys = key_source(scene, period, options)?;
-        let measured = keys.loop_delay(period).map(|delay| on_links(scene, delay));
-        if let Some(measured) = &measured {
-            refuse_unstable(measured, &keys)?;
-            handle.set_loop_delay(measured.rig.delay);
-        }
+        let (mut keys, measured) = found_keys::find(scene, period, options, &handle)?;
         let scene = measured.as_ref().unwrap_or(scene);
         let builder = VoiceBuilder::new(scene)?;
         if scene.performance.is_some() && !keys.has_fingers() {
@@ -225,11 +219,7 @@ impl RunSession {
         let mut dispatcher = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         dispatcher.live_while_ticks_go_on(Arc::clone(&counters));
-        let pedals = performance.as_ref().map_or_else(Vec::new, |it| it.pedals.clone());
-        for pedal in &pedals {
-            let event = telemetry::Update::Event(observe::pedal(*pedal));
-            handle.tell(TelemetryMessage::Update(Box::new(event)));
-        }
+        let pedals = observed::pedals(performance.as_ref(), &handle);
         let publisher = TickPublisher::new(
             producer,
             Arc::clone(&bell),
@@ -407,41 +397,6 @@ fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteRep
     let struck: Vec<_> = struck.iter().filter(|strike| strike.at < heard).copied().collect();
     let shortfalls = performance.shortfalls.iter().filter(|it| it.onset < heard);
     NoteReport::new(&assess(&expected, &struck), shortfalls.map(NoteShortfall::new).collect())
-}
-
-/// Returns the keys of a scene: simulated, or on boards that were found.
-fn key_source(scene: &Scene, period: f64, options: RunOptions) -> Result<KeySource, SessionError> {
-    match &scene.links {
-        SceneLinks::Simulated => {
-            let keybed = Box::new(SimulatedKeybed::new(period, scene.rig.parameters())?);
-            Ok(KeySource::Simulated(SimulatedKeys { keybed, trial: None }))
-        }
-        SceneLinks::Boards(_) if options.virtual_time => Err(SessionError::RealBoards),
-        SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz),
-    }
-}
-
-/// Returns `scene` on links with this delay (s), or with its own if that is longer.
-fn on_links(scene: &Scene, delay: f64) -> Scene {
-    let mut measured = scene.clone();
-    measured.rig.delay = delay.max(scene.rig.delay);
-    measured
-}
-
-/// Tries the keys of `scene` that boards carry, with the delay that was measured on their links.
-fn refuse_unstable(scene: &Scene, keys: &KeySource) -> Result<(), SessionError> {
-    let mut carried = scene.clone();
-    for (key, voice) in carried.keys.iter_mut().enumerate() {
-        voice.take_if(|_| !keys.carries(key));
-    }
-    let ranges = examine(&carried)?;
-    let unstable: Vec<_> =
-        ranges.iter().filter_map(|it| it.unstable.as_ref()).map(ToString::to_string).collect();
-    if unstable.is_empty() {
-        Ok(())
-    } else {
-        Err(SessionError::Unstable(unstable.join("\nletoff: ")))
-    }
 }
 
 /// Returns every key's index; there are as many as the protocol has.

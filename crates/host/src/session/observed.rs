@@ -5,6 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc;
 use std::time::Duration;
 
+use midi::PedalMove;
+use performance::Performance;
 use scheduler::observation::FollowedKeys;
 use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
@@ -79,6 +81,16 @@ pub(super) fn voices(
         voices.push((key, voice as BoxedVoice));
     }
     Ok(voices)
+}
+
+/// Returns the pedals of a performance, and tells all of them beforehand.
+pub(super) fn pedals(performance: Option<&Performance>, handle: &RunHandle) -> Vec<PedalMove> {
+    let pedals = performance.map_or_else(Vec::new, |it| it.pedals.clone());
+    for pedal in &pedals {
+        let event = telemetry::Update::Event(observe::pedal(*pedal));
+        handle.tell(TelemetryMessage::Update(Box::new(event)));
+    }
+    pedals
 }
 
 /// Notes for whoever asks what will run.

@@ -78,10 +78,10 @@ fn scaled(share: f64, of: usize) -> usize {
     (share * of as f64) as usize
 }
 
-fn rows<'a>(told: impl Iterator<Item = &'a Update>) -> usize {
+fn rows(told: &[(u64, Update)]) -> usize {
     let of =
         |it: &Update| if let Update::Block(KeyBlock { after, .. }) = it { after.len() } else { 0 };
-    told.into_iter().map(of).sum()
+    told.iter().map(|(_, update)| of(update)).sum()
 }
 
 /// Messages that the plainest reader finds which checks what it reads: from the beginning up to
@@ -129,7 +129,7 @@ fn a_file_that_is_damaged_at_random_loses_what_was_hit_and_its_neighbours_at_mos
     let told = performance(LENGTH);
     record(&path, &told);
     let whole = fs::read(&path).expect("the file");
-    let all = rows(told.iter().map(|(_, update)| update)) as f64;
+    let all = rows(&told) as f64;
     let (hit, new) = (folder.path().join("hit.mcap"), folder.path().join("new.mcap"));
     let mut saved: [Saved; 4] = Default::default();
     for n in 0..damages() {
@@ -146,7 +146,7 @@ fn a_file_that_is_damaged_at_random_loses_what_was_hit_and_its_neighbours_at_mos
         };
         let plain = plain_reader(&bytes);
         assert!(plain <= found.len(), "{damage:?}: {} messages of {plain}", found.len());
-        let share = rows(found.iter().map(|(_, update)| update)) as f64 / all;
+        let share = rows(&found) as f64 / all;
         let floor = damage.floor(whole.len());
         assert!(floor <= share, "{damage:?} saves {share}, and should {floor}");
         saved[usize::try_from(n % 4).expect("below four")].0.push(share);

@@ -42,6 +42,7 @@ else
 	piece
 	rate 5
 	loss
+	two_periods
 	down
 	killed
 	die
