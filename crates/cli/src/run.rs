@@ -356,6 +356,7 @@ fn failure(error: &SessionError) -> Failure {
     match error {
         SessionError::Panicked(_) => Failure::Panicked(error.to_string()),
         // A board that has no power yet is no mistake of the scene's: who starts hosts tries again.
+        SessionError::Boards(refusals) if !refusals.may_pass() => Failure::Usage(error.to_string()),
         SessionError::System(_) | SessionError::Links(_) | SessionError::Boards(_) => {
             Failure::Running(error.to_string())
         }

@@ -201,9 +201,26 @@ impl fmt::Display for Refusals {
 
 impl std::error::Error for Refusals {}
 
+impl Refusals {
+    /// Tells whether another try may succeed: a board without power may get it, and a calibration
+    /// file that is damaged stays so.
+    pub fn may_pass(&self) -> bool {
+        !self.0.iter().any(|it| matches!(it, Refusal::Calibration { .. }))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_board_that_is_missing_may_come_and_a_damaged_file_stays_so() {
+        let board = || BoardName { line: "can0".into(), number: 3 };
+        let missing = Refusal::Missing { board: board() };
+        assert!(Refusals(vec![missing.clone()]).may_pass());
+        let damaged = Refusal::Calibration { board: board(), why: "no checksum".into() };
+        assert!(!Refusals(vec![missing, damaged]).may_pass());
+    }
 
     #[test]
     fn what_is_to_be_typed_names_the_link() {

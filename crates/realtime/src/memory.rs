@@ -31,19 +31,28 @@ pub fn lock() -> Locked {
 fn lock_everything() -> Locked {
     match mlockall(MlockAllFlags::CURRENT | MlockAllFlags::FUTURE) {
         Ok(()) => Locked { current: true, future: true, note: None },
-        Err(error) => Locked { current: false, future: false, note: Some(advice(error)) },
+        Err(error) => Locked { current: false, future: false, note: Some(refused(error)) },
     }
 }
 
 fn lock_current() -> Locked {
-    let outcome = mlockall(MlockAllFlags::CURRENT);
-    let reason = outcome.err().unwrap_or(rustix::io::Errno::PERM);
-    Locked { current: outcome.is_ok(), future: false, note: Some(advice(reason)) }
+    match mlockall(MlockAllFlags::CURRENT) {
+        Ok(()) => Locked {
+            current: true,
+            future: false,
+            note: Some(advice("Memory is locked, but not what is allocated from now on")),
+        },
+        Err(error) => Locked { current: false, future: false, note: Some(refused(error)) },
+    }
 }
 
-fn advice(error: rustix::io::Errno) -> String {
+fn refused(error: rustix::io::Errno) -> String {
+    advice(&format!("Memory could not be locked ({error})"))
+}
+
+fn advice(what: &str) -> String {
     format!(
-        "Memory could not be locked ({error}), so a page fault may delay a tick; raise the limit \
+        "{what}, so a page fault may delay a tick; raise the limit \
          (`@realtime - memlock unlimited` in /etc/security/limits.d, then log in again; \
          `ulimit -l` shows it), or give the program the capability: \
          `sudo setcap cap_sys_nice,cap_ipc_lock+ep <letoff>`."
@@ -80,6 +89,9 @@ mod tests {
     fn what_is_not_granted_comes_with_advice() {
         let locked = lock();
         assert_eq!(locked.note.is_none(), locked.current && locked.future);
+        let now = lock_current();
+        let note = now.note.unwrap_or_default();
+        assert_eq!(note.starts_with("Memory is locked, but"), now.current, "{note}");
         // Other tests of this program must not pay for it.
         rustix::mm::munlockall().unwrap();
     }

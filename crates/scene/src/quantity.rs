@@ -98,8 +98,11 @@ fn exponent(given: &str, wanted: &str) -> Option<i32> {
 }
 
 /// `given` is `wanted` with one of the prefixes before it, or none: ten to what.
+///
+/// Hertz may be written in small letters, as many do.
 fn prefix(given: &str, wanted: &str) -> Option<i32> {
-    let exponent = match given.strip_suffix(wanted)? {
+    let in_small = if wanted == "Hz" { given.strip_suffix("hz") } else { None };
+    let exponent = match in_small.or_else(|| given.strip_suffix(wanted))? {
         "" => 0,
         "k" => 3,
         "m" => -3,

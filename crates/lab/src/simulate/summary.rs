@@ -142,6 +142,9 @@ impl RunFailure {
     }
 }
 
+/// Share of the energy that went through by which an audit may be wrong without a word.
+const MOST_ENERGY_ERROR: f64 = 0.01;
+
 impl SimulationReport {
     /// The command's result once everything is written.
     pub(super) fn into_result(self, args: &SimulateArgs) -> Result<(), SimulateError> {
@@ -190,6 +193,7 @@ impl SimulationReport {
                 "integration": integration,
                 "stored": stored,
                 "residual": self.audit.residual(),
+                "error": self.energy_error(),
             },
             "projection": self.projection,
             "handed_on": self.handed_on,
@@ -219,7 +223,24 @@ impl SimulationReport {
                  map may have a wrong sign\n"
             ));
         }
+        let share = self.energy_error();
+        if share.is_nan() || MOST_ENERGY_ERROR < share {
+            lines.push(format!(
+                "wrong   the method made or lost {:.1} % of the energy that went through: take a \
+                 shorter --step\n",
+                100.0 * share
+            ));
+        }
         lines.concat()
+    }
+
+    /// What the method made or took, as a share of the energy that went through.
+    fn energy_error(&self) -> f64 {
+        let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } =
+            self.audit;
+        let through = [supplied, dissipated, jumps, sampling, stored].map(f64::abs);
+        let through = through.into_iter().fold(f64::MIN_POSITIVE, f64::max);
+        integration.abs() / through
     }
 
     fn text(&self) -> String {

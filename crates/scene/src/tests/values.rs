@@ -106,6 +106,7 @@ fn the_last_override_of_a_name_wins_over_the_file() {
     assert_eq!(load(&text, &[]).tick_hz, 2000);
     assert_eq!(load(&text, &[("tick_hz", "4000")]).tick_hz, 4000);
     assert_eq!(load(&text, &[("tick_hz", "4000"), ("tick_hz", "5 kHz")]).tick_hz, 5000);
+    assert_eq!(load(&text, &[("tick_hz", "4 khz")]).tick_hz, 4000);
     // What the file says wrongly does not matter then.
     assert_eq!(load(&text.replace("2000", "2"), &[("tick_hz", "600")]).tick_hz, 600);
 }

@@ -210,6 +210,20 @@ fn capped_ticks_are_a_failure_that_says_what_to_do_and_leaves_its_files() {
 }
 
 #[test]
+fn energy_that_the_method_makes_is_told_and_none_where_it_makes_none() {
+    let told = |step: &str| {
+        let words = ["key-hammer-springs", "--input", "s=0.1*sin(2*pi*t)", "--until", "1"];
+        let words = [&words[..], &["--step", step, "--method", "heun"]].concat();
+        let mut printed = Vec::new();
+        run(&args(&words), &mut printed).expect("a run");
+        String::from_utf8(printed).expect("text")
+    };
+    let (long, short) = (told("0.05"), told("1e-4"));
+    assert!(long.contains("of the energy that went through: take a shorter --step"), "{long}");
+    assert!(!short.contains("the method made"), "{short}");
+}
+
+#[test]
 fn a_fault_says_where_and_leaves_what_was_produced() {
     let folder = Folder::new("fault");
     let out = folder.path("traj.csv");
