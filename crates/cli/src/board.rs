@@ -150,9 +150,7 @@ fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
     refuse_unknown_boards(args)?;
     let at = if let Some(address) = &args.on {
         WireEndpoint::Shared(address.clone())
-    } else if [args.loss, args.flip].iter().any(Option::is_some)
-        || [args.baud, args.late].iter().any(Option::is_some)
-    {
+    } else if args.loss.or(args.flip).is_some() || args.baud.or(args.late).is_some() {
         WireEndpoint::Wire(WirePlan {
             seed: args.seed.unwrap_or(1),
             baud: args.baud,

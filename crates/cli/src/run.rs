@@ -209,6 +209,7 @@ async fn host(
     let is_quiet = args.quiet || options.virtual_time;
     let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
     let handle = Arc::new(run_handle(options));
+    handle.status.prepare(&scene.name);
     // A run in virtual time takes no requests.
     let endpoints = if options.virtual_time {
         Endpoints::default()

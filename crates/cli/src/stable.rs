@@ -3,16 +3,14 @@
 use std::path::Path;
 
 use diagnostics::{Diagnostic, Diagnostics};
-use host::stability::{RangeStability, examine};
+use host::stability::{RangeStability, examine, instabilities};
 use scene::Scene;
 
 use super::Failure;
 
 /// Tries the keys of `scene`, and refuses it with a sentence for each range that is not stable.
 pub(super) fn refuse_unstable(scene: &Scene) -> Result<(), Failure> {
-    let ranges = examine(scene).map_err(|error| Failure::Usage(error.to_string()))?;
-    let unstable: Vec<_> =
-        ranges.iter().filter_map(|it| it.unstable.as_ref()).map(ToString::to_string).collect();
+    let unstable = instabilities(scene).map_err(|error| Failure::Usage(error.to_string()))?;
     if unstable.is_empty() { Ok(()) } else { Err(Failure::Usage(unstable.join("\nletoff: "))) }
 }
 

@@ -4,7 +4,7 @@ use scheduler::motion::KEYS;
 
 use crate::music;
 use crate::plan::{LONGEST_AWAY, SoakPlan};
-use crate::report::Verdict;
+use crate::report::PromiseVerdict;
 use crate::trial::{PlayedTrial, SoakChoice, SoakTime};
 use crate::watch::BrokenPromise;
 
@@ -19,7 +19,7 @@ pub(crate) fn judge(
     plan: &SoakPlan,
     played: &PlayedTrial,
     undisturbed: Option<&PlayedTrial>,
-) -> Vec<Verdict> {
+) -> Vec<PromiseVerdict> {
     let mut verdicts = vec![
         no_stuck_note(choice, played),
         forces("no force is above its limit", choice, &played.seen.over_limit, played.seen.sent),
@@ -53,10 +53,10 @@ pub(crate) fn judge(
     verdicts
 }
 
-fn no_stuck_note(choice: &SoakChoice, played: &PlayedTrial) -> Verdict {
+fn no_stuck_note(choice: &SoakChoice, played: &PlayedTrial) -> PromiseVerdict {
     let (sounding, notes) = (played.sounds.sounding(), played.sounds.notes);
     let longest = played.sounds.longest as f64 / f64::from(choice.scene.tick_hz);
-    Verdict {
+    PromiseVerdict {
         promise: "no note is stuck",
         is_kept: sounding == 0 && 0 < notes && longest < music::LONGEST + LONGEST_AWAY + LATE,
         seen: format!(
@@ -70,21 +70,21 @@ fn forces(
     choice: &SoakChoice,
     broken: &BrokenPromise,
     most: f64,
-) -> Verdict {
+) -> PromiseVerdict {
     let seen = match broken.first {
         None => format!("{most:.1} N at most of {} N", choice.scene.render.force_limit),
         Some((tick, key, force)) => {
             format!("{} times, first {force} N on key {key} in tick {tick}", broken.times)
         }
     };
-    Verdict { promise, is_kept: broken.times == 0, seen }
+    PromiseVerdict { promise, is_kept: broken.times == 0, seen }
 }
 
 fn others_felt_the_same(
     plan: &SoakPlan,
     played: &PlayedTrial,
     undisturbed: &PlayedTrial,
-) -> Verdict {
+) -> PromiseVerdict {
     let felt = |key: &usize| played.seen.before[*key] == undisturbed.seen.before[*key];
     let other: Vec<_> = (0..KEYS).filter(|key| !felt(key)).collect();
     let spared = plan.spared().count();
@@ -93,25 +93,29 @@ fn others_felt_the_same(
     } else {
         format!("keys {other:?} felt something else before anything befell them")
     };
-    Verdict { promise: "keys feel nothing of faults on others", is_kept: other.is_empty(), seen }
+    PromiseVerdict {
+        promise: "keys feel nothing of faults on others",
+        is_kept: other.is_empty(),
+        seen,
+    }
 }
 
-fn others_had_no_fault(plan: &SoakPlan, played: &PlayedTrial) -> Verdict {
+fn others_had_no_fault(plan: &SoakPlan, played: &PlayedTrial) -> PromiseVerdict {
     let failed: Vec<_> = plan.spared().filter(|key| played.told.faults.contains_key(key)).collect();
-    Verdict {
+    PromiseVerdict {
         promise: "keys have no fault of others",
         is_kept: failed.is_empty(),
         seen: format!("{} spared keys, {} of them failed", plan.spared().count(), failed.len()),
     }
 }
 
-fn frames_are_counted(plan: &SoakPlan, played: &PlayedTrial) -> Verdict {
+fn frames_are_counted(plan: &SoakPlan, played: &PlayedTrial) -> PromiseVerdict {
     let wires = played.seen.wires;
     let links = played.report.links;
     // A flipped bit may cut a frame in two, or join two.
     let is_near = wires.refused.abs_diff(wires.flipped) <= 10 + wires.flipped / 5;
     let has_gaps = plan.wires.is_empty() || (0 < wires.missing && 0 < links.gaps);
-    Verdict {
+    PromiseVerdict {
         promise: "what is wrong with frames is counted",
         is_kept: is_near && has_gaps,
         seen: format!(
@@ -121,14 +125,14 @@ fn frames_are_counted(plan: &SoakPlan, played: &PlayedTrial) -> Verdict {
     }
 }
 
-fn voices_are_told_of(plan: &SoakPlan, played: &PlayedTrial) -> Verdict {
+fn voices_are_told_of(plan: &SoakPlan, played: &PlayedTrial) -> PromiseVerdict {
     let sensors = plan.sensors.iter().map(|it| it.key);
     let voices = plan.voices.iter();
     let voices = voices.filter(|it| it.what == crate::plan::BadValues::NotANumber).map(|it| it.key);
     let failing: std::collections::BTreeSet<_> = sensors.chain(voices).collect();
     let silent = failing.iter().filter(|key| !played.told.faults.contains_key(key)).count();
     let faults: u64 = played.told.faults.values().sum();
-    Verdict {
+    PromiseVerdict {
         promise: "every voice and sensor that fails is told of",
         is_kept: silent == 0 && 0 < played.told.recoveries && 0 < played.report.faults,
         seen: format!(
@@ -139,17 +143,17 @@ fn voices_are_told_of(plan: &SoakPlan, played: &PlayedTrial) -> Verdict {
     }
 }
 
-fn faults_are_logged(played: &PlayedTrial) -> Verdict {
+fn faults_are_logged(played: &PlayedTrial) -> PromiseVerdict {
     let told: u64 = played.told.faults.values().sum::<u64>() + played.told.recoveries;
     let lines = played.told.lines_on_voices();
     let seen = format!("{lines} lines on {told} faults and recoveries");
-    Verdict { promise: "what fails is logged", is_kept: lines == told, seen }
+    PromiseVerdict { promise: "what fails is logged", is_kept: lines == told, seen }
 }
 
-fn wrong_values_are_refused(played: &PlayedTrial) -> Verdict {
+fn wrong_values_are_refused(played: &PlayedTrial) -> PromiseVerdict {
     let acted = &played.acted;
     let undone = acted.failed.first().map_or_else(String::new, |why| format!("; {why}"));
-    Verdict {
+    PromiseVerdict {
         promise: "wrong values are refused",
         is_kept: acted.wrong_taken == 0 && acted.failed.is_empty(),
         seen: format!(
@@ -162,7 +166,7 @@ fn wrong_values_are_refused(played: &PlayedTrial) -> Verdict {
     }
 }
 
-fn recordings_survive(played: &PlayedTrial) -> Verdict {
+fn recordings_survive(played: &PlayedTrial) -> PromiseVerdict {
     let said = played.told.lines.iter().find(|line| line.contains("cannot be written any further"));
     let seen = match (played.recordings.first(), said) {
         (Some(wrong), _) => wrong.clone(),
@@ -174,12 +178,12 @@ fn recordings_survive(played: &PlayedTrial) -> Verdict {
         }
     };
     let is_kept = played.recordings.is_empty() && said.is_some();
-    Verdict { promise: "a full disk ends a recording and not the run", is_kept, seen }
+    PromiseVerdict { promise: "a full disk ends a recording and not the run", is_kept, seen }
 }
 
-fn late_ticks_have_a_cause(played: &PlayedTrial) -> Verdict {
+fn late_ticks_have_a_cause(played: &PlayedTrial) -> PromiseVerdict {
     let deadline = &played.report.deadline;
-    Verdict {
+    PromiseVerdict {
         promise: "what was too late is counted",
         is_kept: 0 < played.report.skipped,
         seen: format!(

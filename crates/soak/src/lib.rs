@@ -33,6 +33,6 @@ mod telling;
 mod trial;
 mod watch;
 
-pub use report::{SoakReport, Verdict};
+pub use report::{PromiseVerdict, SoakReport};
 pub use run::{SoakError, soak};
 pub use trial::{SoakChoice, SoakTime};

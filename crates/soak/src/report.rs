@@ -10,7 +10,7 @@ use crate::watch::Digest;
 
 /// A promise, and whether it was kept.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
-pub struct Verdict {
+pub struct PromiseVerdict {
     /// The promise, in a few words.
     pub promise: &'static str,
     pub is_kept: bool,
@@ -56,7 +56,7 @@ pub struct SoakReport {
     /// same seed.
     pub digest: String,
     pub injected: Injected,
-    pub verdicts: Vec<Verdict>,
+    pub verdicts: Vec<PromiseVerdict>,
 }
 
 impl SoakReport {
@@ -64,7 +64,7 @@ impl SoakReport {
         choice: &SoakChoice,
         plan: &SoakPlan,
         played: &PlayedTrial,
-        verdicts: Vec<Verdict>,
+        verdicts: Vec<PromiseVerdict>,
     ) -> Self {
         let mut digest = Digest::default();
         played.seen.whole.iter().for_each(|key| digest.add(key.0));
@@ -133,7 +133,7 @@ impl fmt::Display for SoakReport {
             it.ports
         )?;
         it.strangers.iter().try_for_each(|what| writeln!(f, "            {what}"))?;
-        for Verdict { promise, is_kept, seen } in &self.verdicts {
+        for PromiseVerdict { promise, is_kept, seen } in &self.verdicts {
             writeln!(f, "  {}  {promise}: {seen}", if *is_kept { "kept  " } else { "BROKEN" })?;
         }
         Ok(())

@@ -117,8 +117,7 @@ impl Keybed<Identified> {
             };
             match calibration(found, &name) {
                 Ok(calibration) => {
-                    let max_force_mn = found.hello.max_force_mn;
-                    boards.push(BoardTerms { max_force_mn, ..terms(place, wanted, &calibration) });
+                    boards.push(terms(place, wanted, &calibration, found.hello.max_force_mn));
                 }
                 Err(refusal) => refusals.push(refusal),
             }
@@ -141,13 +140,14 @@ const fn terms(
     place: BoardPlace,
     wanted: &WantedBoards,
     calibration: &PerKey<KeyCalibration>,
+    max_force_mn: u16,
 ) -> BoardTerms {
     BoardTerms {
         place,
         samples: SampleLayout { packing: wanted.samples, n_keys: place.n_keys },
         forces: ForceLayout { packing: wanted.forces, n_keys: place.n_keys },
         calibration: *calibration,
-        max_force_mn: u16::MAX,
+        max_force_mn,
     }
 }
 

@@ -138,7 +138,7 @@ pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
 /// # Errors
 /// As [`send`].
 pub fn send_to_host(request: &Request) -> Result<Answer, ControlError> {
-    to_host(request).map(|(answer, _connection)| answer)
+    hold(request).map(|(answer, _connection)| answer)
 }
 
 /// Sends `request`, which presses a key, to the same host; the key is let go when the connection
@@ -147,10 +147,6 @@ pub fn send_to_host(request: &Request) -> Result<Answer, ControlError> {
 /// # Errors
 /// As [`send`].
 pub fn hold(request: &Request) -> Result<(Answer, UnixStream), ControlError> {
-    to_host(request)
-}
-
-fn to_host(request: &Request) -> Result<(Answer, UnixStream), ControlError> {
     let nobody = match converse(PATIENCE, &place::socket_path(), request) {
         Err(nobody @ ControlError::NoHost { .. }) if place::chosen().is_none() => nobody,
         answered => return answered,

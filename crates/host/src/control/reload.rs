@@ -7,7 +7,7 @@ use scene::{KeyVoice, MidiInput, Render, Scene};
 use super::RequestHandler;
 use super::current_voices::CurrentVoices;
 use super::new_voice::{NewVoice, VoiceHandover};
-use crate::stability::examine;
+use crate::stability::instabilities;
 
 impl RequestHandler {
     /// Lets `scene` play, which was read from the file of the scene that plays: its instruments,
@@ -26,14 +26,12 @@ impl RequestHandler {
             ));
         }
         keep_fidelity(&mut scene, &self.playing());
-        let found = examine(&scene).map_err(|it| it.to_string())?;
-        let unstable: Vec<_> = found.into_iter().filter_map(|range| range.unstable).collect();
-        if !unstable.is_empty() {
-            let said: Vec<_> = unstable.iter().map(ToString::to_string).collect();
+        let mut next = CurrentVoices::new(&scene);
+        let said = instabilities(&self.scene_of(&next)).map_err(|it| it.to_string())?;
+        if !said.is_empty() {
             return Err(said.join("\n"));
         }
         let mut playing = self.playing();
-        let mut next = CurrentVoices::new(&scene);
         let voices = playing.differences(&next);
         let n = voices.len();
         if 0 < n {

@@ -12,7 +12,7 @@ use telemetry::request::RenderSetting;
 use super::RequestHandler;
 use super::current_voices::CurrentVoices;
 use super::new_voice::{NewVoice, VoiceHandover};
-use crate::stability::{examine, examine_keys};
+use crate::stability::{examine_keys, instabilities};
 
 impl RequestHandler {
     /// Computes all voices by `settings` from now on.
@@ -90,9 +90,7 @@ impl RequestHandler {
                 return Err(unmet.to_string());
             }
         }
-        let found = examine(&scene).map_err(|it| it.to_string())?;
-        let unstable: Vec<_> = found.into_iter().filter_map(|range| range.unstable).collect();
-        let said: Vec<_> = unstable.iter().map(ToString::to_string).collect();
+        let said = instabilities(&scene).map_err(|it| it.to_string())?;
         if said.is_empty() { Ok(()) } else { Err(said.join("\n")) }
     }
 }

@@ -7,7 +7,7 @@ use super::key_source::{self, KeySource};
 use super::trial::SimulatedKeys;
 use super::{RunOptions, SessionError};
 use crate::control::RunHandle;
-use crate::stability::examine;
+use crate::stability::instabilities;
 
 /// Returns the keys of a scene with ticks of `period` (s); and the scene with the delay of their
 /// links, if there are any.
@@ -46,9 +46,7 @@ fn refuse_unstable(scene: &Scene, keys: &KeySource) -> Result<(), SessionError> 
     for (key, voice) in carried.keys.iter_mut().enumerate() {
         voice.take_if(|_| !keys.carries(key));
     }
-    let ranges = examine(&carried)?;
-    let unstable = ranges.iter().filter_map(|it| it.unstable.as_ref());
-    let unstable: Vec<_> = unstable.map(ToString::to_string).collect();
+    let unstable = instabilities(&carried)?;
     if unstable.is_empty() {
         return Ok(());
     }

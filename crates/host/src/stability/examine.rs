@@ -96,6 +96,15 @@ pub fn examine(scene: &Scene) -> Result<Vec<RangeStability>, RehearsalError> {
     ranges(scene).into_iter().map(|keys| examine_keys(scene, keys)).collect()
 }
 
+/// Tries the same keys; returns a sentence on each range that is not stable.
+///
+/// # Errors
+/// If voices or the keybed are refused.
+pub fn instabilities(scene: &Scene) -> Result<Vec<String>, RehearsalError> {
+    let unstable = examine(scene)?.into_iter().filter_map(|it| it.unstable);
+    Ok(unstable.map(|it| it.to_string()).collect())
+}
+
 /// Tries some keys of a range, which all have a voice of one model.
 ///
 /// # Errors

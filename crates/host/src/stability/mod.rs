@@ -9,5 +9,5 @@ mod examine;
 mod remedy;
 mod trial;
 
-pub use examine::{RangeStability, UnstableKey, examine, examine_keys};
+pub use examine::{RangeStability, UnstableKey, examine, examine_keys, instabilities};
 pub use trial::{Instability, KeyTrial};
