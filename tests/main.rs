@@ -16,6 +16,7 @@ mod impedance;
 mod late_samples;
 #[path = "stage/letoff.rs"]
 mod letoff;
+mod overload;
 mod passive;
 mod performance;
 mod quiet;

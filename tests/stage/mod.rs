@@ -118,7 +118,20 @@ impl<B: KeyBus> Stage<B, Nobody> {
 
     /// The same on `n_lanes`.
     pub fn on_lanes(scene: &Scene, bus: B, n_lanes: usize) -> Self {
-        Self::limited(voices(scene), (scene.tick_hz, scene.render.slew_limit), bus, n_lanes)
+        Self::playing(scene, voices(scene), bus, n_lanes)
+    }
+
+    /// The same with other `voices`.
+    pub fn playing(
+        scene: &Scene,
+        voices: Vec<(usize, BoxedVoice)>,
+        bus: B,
+        n_lanes: usize,
+    ) -> Self {
+        let limits = (scene.tick_hz, scene.render.slew_limit);
+        let mut stage = Self::limited(voices, limits, bus, n_lanes);
+        stage.scheduler.set_overload(scene.overload);
+        stage
     }
 
     /// With voices of any kind, whose forces are sent however fast they change.

@@ -8,7 +8,7 @@ use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, system, tell};
 use host::control::{
-    Answers, Clients, ControlServer, DescriptionWatch, ProgramListener, RequestHandler, RunHandle,
+    Answers, Clients, ControlServer, DescriptionWatch, FidelityWatch, ProgramListener, RequestHandler, RunHandle,
     StreamSink, serve, socket_path,
 };
 use host::session::RunSession;
@@ -56,6 +56,16 @@ impl Endpoints {
     pub(super) fn watch(&self) -> Result<Option<DescriptionWatch>, Failure> {
         let requests = self.requests.as_ref().map(Arc::clone);
         requests.map(DescriptionWatch::start).transpose().map_err(system)
+    }
+
+    /// Gives keys at rest a lower fidelity while a tick has more work than time, until what is
+    /// returned is dropped.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub(super) fn watch_load(&self) -> Result<Option<FidelityWatch>, Failure> {
+        let requests = self.requests.as_ref().map(Arc::clone);
+        requests.map(FidelityWatch::start).transpose().map_err(system)
     }
 
     /// Listens for program changes, until what is returned is dropped; says so where that cannot

@@ -25,6 +25,7 @@ use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
 use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
+use scheduler::overload::Simplification;
 use telemetry::recording::RecordingLimits;
 
 /// What `letoff run` takes.
@@ -231,6 +232,8 @@ async fn host(
     }
     endpoints.observe(&session);
     let _watch = if args.watch { endpoints.watch()? } else { None };
+    let may_lower = scene.overload.order.contains(&Some(Simplification::Fidelity));
+    let _load = if may_lower && !options.virtual_time { endpoints.watch_load()? } else { None };
     let _programs = endpoints.hear_programs();
     let line = live::StatusLine::new(session.tick_hz(), session.ticks());
     log.draw_above(line.bar());

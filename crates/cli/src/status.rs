@@ -77,6 +77,13 @@ fn text(status: &HostStatus) -> String {
         let quantiles = format!("p50 {p50:.1} p99 {p99:.1} p99.9 {p999:.1} max {max:.1} us");
         lines.push(format!("  lateness    {quantiles}"));
     }
+    if !status.left_out.is_empty() {
+        lines.push(format!("  overload    left out now: {}", status.left_out.join(", ")));
+    }
+    if 0 < status.waited {
+        let waited = status.waited;
+        lines.push(format!("  waited      {waited} turns of voices that have too much work"));
+    }
     lines.extend(status.boards.iter().map(board));
     lines.push(format!("  midi        {midi}"));
     lines.push(format!("  clients     {clients} of the stream"));

@@ -79,6 +79,11 @@ pub(crate) const fn event(kind: Kind) -> Option<Explanation> {
             "No voice is felt any more; all forces fade in 20 ms.",
             "The run is ending, or was stopped.",
         ),
+        Kind::Overload => (
+            "overload",
+            "A tick has more work than time, so something is left out, in the order of the scene.",
+            "Give a lower rate, more lanes, or fewer or simpler instruments.",
+        ),
         Kind::Board => ("board or link", "A board or a link changed its state.", "See Links."),
         Kind::Unknown
         | Kind::Switch

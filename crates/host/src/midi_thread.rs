@@ -238,6 +238,7 @@ mod tests {
     use midi::{Message, MidiSendError, Pedal, PedalMove};
     use scheduler::motion::{KEYS, KeyEvent as VoiceEvent, KeySample, Loudness, Moment};
     use scheduler::observation::{FollowedKeys, VoiceObservation};
+    use scheduler::overload::Simplifications;
     use scheduler::port::{FinishedTick, TickObserver as _};
     use scheduler::voice::VoiceOutput;
 
@@ -311,6 +312,7 @@ mod tests {
             tick,
             skipped: 0,
             armed: true,
+            simplified: Simplifications::NONE,
             samples: &samples,
             turns: &turns,
             forces: &[0.0; KEYS],

@@ -20,6 +20,7 @@ const LIMITS: Limits = Limits {
     guards: 8192,
     pieces: 1024,
     longest_step: f64::INFINITY,
+    stretch: 1.0,
     forecast: true,
     event_tolerance: 1.0 / (1_u64 << 40) as f64,
 };

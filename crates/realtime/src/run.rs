@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use hdrhistogram::Histogram;
-use scheduler::deadline::{Counters, Ledger, Outcome, TickTimes};
+use scheduler::deadline::{Counters, Ledger, MissCause, Outcome, TickTimes};
 use scheduler::port::{KeyBus, TickObserver};
 use scheduler::safety::FADE;
 use scheduler::tick::{Scheduler, TickReport};
@@ -67,6 +67,11 @@ pub struct Timings {
     pub work: Histogram<u64>,
     /// Voices' turns that were not ready in time and were held.
     pub late_turns: u64,
+    /// Misses by own work of ticks in which voices took no more evaluations than in one that was in
+    /// time: no model took that time, by counts that no machine changes.
+    pub unexplained: u64,
+    /// The most evaluations of a tick that was in time.
+    most_in_time: u32,
     ledger: Ledger,
 }
 
@@ -81,6 +86,8 @@ impl Timings {
             turnaround: histogram()?,
             work: histogram()?,
             late_turns: 0,
+            unexplained: 0,
+            most_in_time: 0,
             ledger: Ledger::default(),
         })
     }
@@ -96,7 +103,16 @@ impl Timings {
         self.turnaround.saturating_record(times.turnaround().as_u64());
         self.work.saturating_record(times.work.as_u64());
         self.late_turns += u64::from(report.voices.late);
-        self.ledger.enter(times, report.skipped)
+        let outcome = self.ledger.enter(times, report.skipped);
+        let evaluations = report.voices.work.evaluations();
+        match outcome {
+            Outcome::Met => self.most_in_time = self.most_in_time.max(evaluations),
+            Outcome::Missed(MissCause::OwnWork) if evaluations <= self.most_in_time => {
+                self.unexplained += 1;
+            }
+            Outcome::Missed(_) => {}
+        }
+        outcome
     }
 }
 
@@ -164,6 +180,7 @@ fn tick<B: KeyBus, O: TickObserver>(
     let (finished, cpu) = (clock::monotonic(), clock::thread_cpu().since(cpu_before));
     let (due, deadline) = (report.due, report.deadline);
     let work = lanes.work_of_tick(cpu);
+    scheduler.note_work(work);
     Some((report, TickTimes { due, deadline, woken, finished, work }))
 }
 
@@ -186,20 +203,23 @@ mod tests {
     #[test]
     fn a_tick_that_worked_too_long_is_own_work_however_quick_as_many_evaluations_once_were() {
         let mut timings = Timings::new().unwrap();
-        let mut enter = |tick: u64, work: u64| {
+        let mut enter = |tick: u64, work: u64, derivatives: u32| {
             let due = Nanos::from_millis(tick);
             let finished = due.after(Nanos::from_micros(work));
             let deadline = due.after(Nanos::from_millis(1));
             let times =
                 TickTimes { due, deadline, woken: due, finished, work: Nanos::from_micros(work) };
-            let work = VoiceWork { derivatives: 400, guards: 100, events: 0, ..VoiceWork::NONE };
+            let work = VoiceWork { derivatives, guards: 100, events: 0, ..VoiceWork::NONE };
             let voices = LaneReport { work, ..LaneReport::default() };
             let safety = SafetyReport::default();
             let report = TickReport { tick, due, deadline, skipped: 0, voices, safety };
             timings.enter(Nanos::ZERO, &report, &times)
         };
-        assert_eq!(enter(0, 30), Outcome::Met);
-        assert_eq!(enter(1, 1500), Outcome::Missed(scheduler::deadline::MissCause::OwnWork));
-        assert_eq!(timings.counters().missed_own_work, 1);
+        let own_work = Outcome::Missed(MissCause::OwnWork);
+        assert_eq!(enter(0, 30, 400), Outcome::Met);
+        assert_eq!(enter(1, 1500, 400), own_work);
+        assert_eq!(enter(2, 1500, 401), own_work);
+        let counts = (timings.counters().missed_own_work, timings.unexplained);
+        assert_eq!(counts, (2, 1), "more evaluations than ever in time explain the other one");
     }
 }

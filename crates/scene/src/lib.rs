@@ -34,6 +34,7 @@ mod kind;
 mod links;
 mod live;
 mod needs;
+mod overload;
 mod overrides;
 mod quantity;
 mod read;

@@ -11,6 +11,7 @@ use super::fidelity::{AutoFidelity, FidelityLevel, known_instrument, read_budget
 use super::keys::{self, KeyVoice, ReadKeys};
 use super::links::{self, LinksConfig, Rate};
 use super::needs::LoopSettings;
+use super::overload;
 use super::overrides;
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
@@ -21,6 +22,7 @@ use super::rig::{self, Rig};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use super::voicing::Voicing;
 use diagnostics::Diagnostics;
+use scheduler::overload::OverloadRules;
 use diagnostics::{choice, quoted};
 
 /// The tick's rate on hardware (Hz).
@@ -41,6 +43,8 @@ pub struct Scene {
     pub lanes: LaneCount,
     /// How those threads are scheduled.
     pub realtime: ThreadRules,
+    /// What is simplified while a tick has more work than time.
+    pub overload: OverloadRules,
     /// The settings by which voices are computed.
     pub render: Render,
     /// What the keys are made of.
@@ -209,6 +213,7 @@ impl Scene {
         let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
         let lanes = read_lanes(report, reader).unwrap_or(LaneCount::Auto);
         let realtime = realtime::read(report, reader, lanes);
+        let overload = overload::read(report, reader);
         let render = render::read(report, reader, tick_hz);
         let rig = rig::read(report, reader);
         let in_loop = match stability {
@@ -230,6 +235,7 @@ impl Scene {
             tick_hz,
             lanes,
             realtime,
+            overload,
             render,
             rig,
             keys,

@@ -9,6 +9,7 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Val
 
 use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
+use super::overload;
 use super::realtime::LaneCount;
 use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, RAW, Scene};
 
@@ -22,6 +23,7 @@ pub fn written(scene: &Scene) -> String {
         LaneCount::Count(count) => value(i64::try_from(count).unwrap_or(1)),
     };
     document["realtime"] = Item::Table(scene.realtime.written());
+    document["overload"] = Item::Table(overload::written(&scene.overload));
     document["render"] = Item::Table(scene.render.written());
     document["rig"] = Item::Table(scene.rig.written());
     document["links"] = Item::Table(links(&scene.links));

@@ -12,6 +12,8 @@ pub struct LaneReport {
     pub faults: u32,
     /// Voices whose lane was not done in time.
     pub late: u32,
+    /// Voices that had to wait, since they took more evaluations than they may.
+    pub waited: u32,
     /// Work of all voices together.
     pub work: VoiceWork,
     /// Most work of a single voice, each count by itself.
@@ -24,7 +26,8 @@ impl LaneReport {
     fn count(&mut self, turn: &VoiceOutput) {
         self.idle += u32::from(turn.idle);
         self.faults += u32::from(turn.fault.is_some());
-        self.late += u32::from(turn.late);
+        self.late += u32::from(turn.late && !turn.waited);
+        self.waited += u32::from(turn.waited);
         self.work = self.work.plus(turn.work);
         self.most = self.most.largest(turn.work);
     }
@@ -49,6 +52,7 @@ pub fn run_slots<V: Voice>(
     for slot in slots {
         let key = slot.key();
         let turn = &mut output.turns[key];
+        slot.allow(input.allowance);
         slot.tick(input.tick, &input.samples[key], turn);
         if input.followed.contains(key) {
             slot.observe(input.followed, turn, &mut output.observed[key]);
@@ -73,6 +77,7 @@ mod tests {
     use super::*;
     use crate::motion::{KEYS, KeySample};
     use crate::observation::{FollowedKeys, VoiceObservation};
+    use crate::overload::WorkAllowance;
     use crate::voice::VoiceFault;
 
     /// Rests at even positions, works at odd ones, fails at negative ones.
@@ -106,7 +111,8 @@ mod tests {
         let mut turns = [VoiceOutput::default(); KEYS];
         let mut observed = [VoiceObservation::default(); KEYS];
         let followed = FollowedKeys::new(1 << 2 | 1 << 7 | 1 << 9, 0);
-        let input = TickInput { tick: 0, samples: &samples, followed };
+        let allowance = WorkAllowance::default();
+        let input = TickInput { tick: 0, samples: &samples, followed, allowance };
         run_slots(
             &mut slots,
             &input,
@@ -116,6 +122,7 @@ mod tests {
             idle: 1,
             faults: 1,
             late: 0,
+            waited: 0,
             work: VoiceWork { derivatives: 50, guards: 3, events: 0, ..VoiceWork::NONE },
             most: VoiceWork { derivatives: 40, guards: 1, events: 0, ..VoiceWork::NONE },
         };

@@ -26,6 +26,7 @@ pub mod deadline;
 pub mod lane;
 pub mod motion;
 pub mod observation;
+pub mod overload;
 pub mod port;
 pub mod safety;
 pub mod slot;

@@ -2,6 +2,7 @@
 
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::observation::{FollowedKeys, VoiceObservation};
+use crate::overload::{Simplifications, WorkAllowance};
 use crate::voice::VoiceOutput;
 
 /// The motors and sensors of all keys.
@@ -31,6 +32,7 @@ pub struct TickInput<'a> {
     pub tick: u64,
     pub samples: &'a [KeySample; KEYS],
     pub followed: FollowedKeys,
+    pub allowance: WorkAllowance,
 }
 
 /// What all lanes write in a tick, each for its own keys.
@@ -59,6 +61,8 @@ pub struct FinishedTick<'a> {
     pub skipped: u64,
     /// Whether voices may be felt.
     pub armed: bool,
+    /// What was left out in it.
+    pub simplified: Simplifications,
     pub samples: &'a [KeySample; KEYS],
     pub turns: &'a [VoiceOutput; KEYS],
     /// The forces sent (N).

@@ -3,6 +3,7 @@
 
 use crate::motion::{KEYS, KeySample};
 use crate::observation::{FollowedKeys, VoiceObservation};
+use crate::overload::{Simplifications, WorkAllowance, WorkDebt};
 use crate::values::ModelValues;
 use crate::voice::{Voice, VoiceFault, VoiceOutput};
 
@@ -70,6 +71,12 @@ pub struct Slot<V> {
     /// In which of the ticks up to `last` it was run: that one is bit 0.
     ran: u32,
     last: u64,
+    allowance: WorkAllowance,
+    /// What the voice was told to leave out.
+    told: Simplifications,
+    debt: WorkDebt,
+    /// Its last force (N).
+    force: f64,
 }
 
 impl<V> Slot<V> {
@@ -80,7 +87,19 @@ impl<V> Slot<V> {
     pub const fn new(key: usize, voice: V) -> Self {
         assert!(key < KEYS, "no such key");
         let lockout = Lockout { level: 0, failing: false, muted: false };
-        Self { key, voice, fresh: true, retuned: false, lockout, ran: 0, last: 0 }
+        Self {
+            key,
+            voice,
+            fresh: true,
+            retuned: false,
+            lockout,
+            ran: 0,
+            last: 0,
+            allowance: WorkAllowance::ALL,
+            told: Simplifications::NONE,
+            debt: WorkDebt::NONE,
+            force: 0.0,
+        }
     }
 
     /// Returns the key that the voice plays.
@@ -92,6 +111,7 @@ impl<V> Slot<V> {
     pub const fn replace(&mut self, voice: V) -> V {
         self.fresh = true;
         self.lockout = Lockout { level: 0, failing: false, muted: false };
+        (self.told, self.debt) = (Simplifications::NONE, WorkDebt::NONE);
         core::mem::replace(&mut self.voice, voice)
     }
 }
@@ -130,11 +150,26 @@ impl<V: Voice> Slot<V> {
         is_retuned
     }
 
+    /// Allows the voice so much work from now on, and has it leave out the rest.
+    pub fn allow(&mut self, allowance: WorkAllowance) {
+        self.allowance = allowance;
+    }
+
     /// Runs the voice for `tick`; a force that is not finite becomes a fault here.
     ///
     /// A voice that failed is reset at the next sample, and says that its force is fresh; one
-    /// that made energy or fails again and again is muted.
+    /// that made energy or fails again and again is muted; one that took more evaluations than it
+    /// may waits, as if its lane were late.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
+        let debt = self.debt.after(passed, self.allowance.evaluations);
+        if debt.must_wait(self.allowance.evaluations) {
+            return turn.wait(self.force);
+        }
+        if self.told != self.allowance.simplified {
+            self.told = self.allowance.simplified;
+            self.voice.simplify(self.told);
+        }
         turn.begin();
         if self.lockout.muted {
             turn.fault = Some(VoiceFault::Muted);
@@ -152,7 +187,8 @@ impl<V: Voice> Slot<V> {
         turn.fresh = self.fresh || self.retuned;
         self.retuned = false;
         self.fresh = turn.fault.is_some();
-        let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
+        self.debt = debt.plus(turn.work);
+        self.force = turn.force;
         self.lockout.note(turn.fault, passed);
         self.ran = self.ran.checked_shl(passed).unwrap_or(0) | 1;
         self.last = tick;
@@ -161,7 +197,7 @@ impl<V: Voice> Slot<V> {
     /// Writes what is seen of the voice after `turn`, its last one, if its key is followed.
     #[inline]
     pub fn observe(&self, followed: FollowedKeys, turn: &VoiceOutput, seen: &mut VoiceObservation) {
-        seen.pass(self.ran);
+        seen.pass(if turn.waited { 0 } else { self.ran });
         if turn.is_seen(self.key, followed) {
             self.voice.observe(seen);
             if !turn.was_run() {

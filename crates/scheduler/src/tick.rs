@@ -3,6 +3,7 @@
 use crate::lane::LaneReport;
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::observation::VoiceObservation;
+use crate::overload::{OverloadController, OverloadRules, Simplifications};
 use crate::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
 use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
 use crate::time::{Nanos, Timetable};
@@ -34,6 +35,7 @@ pub struct Scheduler {
     forces: [f64; KEYS],
     slopes: [KeySlope; KEYS],
     safety: Safety,
+    overload: OverloadController,
 }
 
 /// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (416),
@@ -63,7 +65,23 @@ impl Scheduler {
             forces: [SAFE_FORCE; KEYS],
             slopes: [KeySlope::HELD; KEYS],
             safety: Safety::new(timetable.period(), slew),
+            overload: OverloadController::new(OverloadRules::OFF, timetable.period()),
         }
+    }
+
+    /// Sets what is left out while there is too much to do; nothing without.
+    pub fn set_overload(&mut self, rules: OverloadRules) {
+        self.overload = OverloadController::new(rules, self.timetable.period());
+    }
+
+    /// Leaves out `simplified` from the next tick on, whatever the load, as a recorded run did.
+    pub const fn simplify(&mut self, simplified: Simplifications) {
+        self.overload.set(simplified);
+    }
+
+    /// Notes that the last tick took `work` of the processor's time.
+    pub fn note_work(&mut self, work: Nanos) {
+        self.overload.note_load(work.as_secs_f64() / self.timetable.period().as_secs_f64());
     }
 
     /// Runs the newest tick that is due at `now`, if it has not been run yet.
@@ -85,8 +103,9 @@ impl Scheduler {
 
         bus.receive(tick, &mut self.samples);
         let followed = observer.followed();
+        let allowance = self.overload.decide();
         lanes.run(
-            &TickInput { tick, samples: &self.samples, followed },
+            &TickInput { tick, samples: &self.samples, followed, allowance },
             &mut TickOutput { turns: &mut self.turns, observed: &mut self.observed },
         );
         let safety = self.safety.apply(skipped, &self.samples, &self.turns, &mut self.forces);
@@ -96,6 +115,7 @@ impl Scheduler {
             tick,
             skipped,
             armed: self.safety.is_armed(),
+            simplified: allowance.simplified,
             samples: &self.samples,
             turns: &self.turns,
             forces: &self.forces,
@@ -103,12 +123,14 @@ impl Scheduler {
             observed: &self.observed,
         });
 
+        let voices = LaneReport::of(&self.turns);
+        self.overload.note_voices(&voices);
         Some(TickReport {
             tick,
             due: self.timetable.due(tick),
             deadline: self.timetable.deadline(tick),
             skipped,
-            voices: LaneReport::of(&self.turns),
+            voices,
             safety,
         })
     }

@@ -4,6 +4,7 @@ use core::any::Any;
 
 use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use crate::observation::{FollowedKeys, VoiceObservation};
+use crate::overload::Simplifications;
 use crate::values::ModelValues;
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
@@ -28,6 +29,16 @@ pub trait Voice {
     /// Copies numbers.
     fn observe(&self, seen: &mut VoiceObservation) {
         let _ = seen;
+    }
+
+    /// Leaves out what of `simplified` it can leave out, from the next tick on; nothing at first.
+    ///
+    /// Its force goes on without a step: it is computed from the same state.
+    ///
+    /// # Real-time
+    /// Copies numbers.
+    fn simplify(&mut self, simplified: Simplifications) {
+        let _ = simplified;
     }
 
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
@@ -71,8 +82,10 @@ pub struct VoiceOutput {
     pub fault: Option<VoiceFault>,
     /// The voice was at rest and skipped its equations.
     pub idle: bool,
-    /// The lane did not finish, so the last force is held.
+    /// The lane did not finish, or the voice had to wait, so the last force is held.
     pub late: bool,
+    /// The voice had to wait, since it took more evaluations than it may.
+    pub waited: bool,
     /// First turn after the voice was put in, reset or retuned: its force is unrelated to the
     /// last one.
     pub fresh: bool,
@@ -85,7 +98,7 @@ impl VoiceOutput {
         self.events.clear();
         self.work = VoiceWork::NONE;
         self.fault = None;
-        (self.idle, self.late, self.fresh) = (false, false, false);
+        (self.idle, self.late, self.waited, self.fresh) = (false, false, false, false);
     }
 
     /// Becomes a turn without a trusted force.
@@ -102,6 +115,12 @@ impl VoiceOutput {
         let (force, idle) = (self.force, self.idle);
         self.begin();
         (self.force, self.idle, self.late) = (force, idle, true);
+    }
+
+    /// Becomes the turn of a voice that had to wait, whose last force was `force` (N).
+    pub const fn wait(&mut self, force: f64) {
+        self.begin();
+        (self.force, self.late, self.waited) = (force, true, true);
     }
 
     /// Returns whether the voice ran its equations: it did not rest, its lane was in time, and
@@ -138,6 +157,12 @@ pub struct VoiceWork {
 impl VoiceWork {
     /// No work at all.
     pub const NONE: Self = Self { derivatives: 0, guards: 0, events: 0, certain: 0, unknown: 0 };
+
+    /// Returns the evaluations of derivatives and guards.
+    #[inline]
+    pub const fn evaluations(self) -> u32 {
+        self.derivatives.saturating_add(self.guards)
+    }
 
     /// Returns the sum of both.
     #[must_use]

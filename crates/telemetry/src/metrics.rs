@@ -26,6 +26,10 @@ pub fn metrics(status: &HostStatus, version: &str) -> String {
     text.one("faults_total", "counter", "Turns of voices that failed.", *faults as f64);
     let muted = status.muted.len() as f64;
     text.one("muted_keys", "gauge", "Keys that are muted after faults.", muted);
+    let left_out = status.left_out.len() as f64;
+    text.one("left_out", "gauge", "Parts of the work that are left out by overload.", left_out);
+    let waited = status.waited as f64;
+    text.one("waited_turns_total", "counter", "Turns of voices with too much work.", waited);
     text.one("dropped_events_total", "counter", "Key events without room.", *dropped as f64);
     text.boards(status);
     text.one("clients", "gauge", "Clients of the stream.", f64::from(status.clients));

@@ -59,6 +59,10 @@ pub struct HostStatus {
     pub dropped: u64,
     /// Keys whose voices are muted, by name.
     pub muted: Vec<String>,
+    /// What is left out now, since ticks have more work than time.
+    pub left_out: Vec<String>,
+    /// Turns of voices that had to wait, since they took more evaluations than they may.
+    pub waited: u64,
     pub boards: Vec<BoardState>,
     /// Clients of the stream.
     pub clients: u32,

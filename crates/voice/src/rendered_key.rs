@@ -12,6 +12,7 @@ use pode::{
 };
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Loudness, Moment};
 use scheduler::observation::{Switch, Switches, VoiceObservation};
+use scheduler::overload::{Simplification, Simplifications};
 use scheduler::values::ModelValues;
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
 
@@ -21,7 +22,7 @@ use crate::carried::{KeyMemory, carry, same_mode};
 use crate::coupling::{CoupledTick, Coupling};
 use crate::damper::DamperTracker;
 use crate::input::{Followed, InputPath};
-use crate::rest::RestDetector;
+use crate::rest::{RestDetector, SleepTime};
 use crate::shift::InputShift;
 
 /// A voice that can be copied, for rehearsals.
@@ -51,6 +52,7 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     /// How many leading entries of the state are coordinates.
     coordinates: usize,
     slopes: SlopeOutput,
+    simplified: Simplifications,
     revision: u32,
     /// The model's input over the tick that was run last.
     signal: Cubic,
@@ -137,6 +139,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             h,
             coordinates: entry.coordinates,
             slopes,
+            simplified: Simplifications::NONE,
             revision: fittings.revision,
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
             switches: Switches::default(),
@@ -176,6 +179,15 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             velocity: middle.rate / scale,
             ahead: late + 0.5 * self.h,
         }
+    }
+
+    fn renders_slopes(&self) -> bool {
+        self.slopes == SlopeOutput::Rendered && !self.simplified.contains(Simplification::Slopes)
+    }
+
+    fn sleep_time(&self) -> SleepTime {
+        let is_short = self.simplified.contains(Simplification::Rest);
+        if is_short { SleepTime::Short } else { SleepTime::Usual }
     }
 
     /// Returns whether the integration has made or lost less energy since `before` than the
@@ -282,7 +294,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let is_whole = gated.finite && !gated.limited && !gated.slewed;
         let is_free =
             is_whole && turn.force.to_bits() == gated.force.to_bits() && done.work.events == 0;
-        if self.slopes == SlopeOutput::Rendered && is_free {
+        if self.renders_slopes() && is_free {
             turn.slope = self.slope(&signal.at(0.5), late);
         }
         turn.work = VoiceWork {
@@ -316,7 +328,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.switches.clear();
-        if let Some(force) = self.rest.force_at(sample.position) {
+        if let Some(force) = self.rest.force_at(sample.position, self.sleep_time()) {
             self.memory.input.go_on(tick, sample);
             (turn.force, turn.idle) = (self.passive(tick, sample.position, force), true);
             if let Some(controller) = &mut self.controller {
@@ -339,6 +351,12 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         if !self.switches.is_empty() {
             seen.switches = self.switches;
         }
+    }
+
+    fn simplify(&mut self, simplified: Simplifications) {
+        self.simplified = simplified;
+        let is_coarse = simplified.contains(Simplification::Steps);
+        self.simulator.set_stretch(if is_coarse { 2.0 } else { 1.0 });
     }
 
     fn reset(&mut self, sample: &KeySample) {

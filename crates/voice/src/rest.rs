@@ -85,11 +85,31 @@ impl<S: State> RestDetector<S> {
         }
     }
 
-    /// The force to hold if the voice sleeps and the key is still at `position` (m).
-    pub(crate) fn force_at(&self, position: f64) -> Option<f64> {
-        let rests = self.patience <= self.calm || self.long <= self.little;
-        let asleep = self.patience <= self.still && rests;
+    /// The force to hold if the voice sleeps and the key is still at `position` (m); `part` of the
+    /// usual time is enough for it to sleep.
+    pub(crate) fn force_at(&self, position: f64, part: SleepTime) -> Option<f64> {
+        let [patience, long] = [self.patience, self.long].map(|ticks| part.of(ticks));
+        let rests = patience <= self.calm || long <= self.little;
+        let asleep = patience <= self.still && rests;
         (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
+    }
+}
+
+/// How long a voice is at rest before it sleeps.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) enum SleepTime {
+    #[default]
+    Usual,
+    /// A quarter of that, while there is too much to do.
+    Short,
+}
+
+impl SleepTime {
+    const fn of(self, ticks: u32) -> u32 {
+        match self {
+            Self::Usual => ticks,
+            Self::Short => ticks.div_ceil(4),
+        }
     }
 }
 

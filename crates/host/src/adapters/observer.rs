@@ -1,11 +1,12 @@
 //! The tick's wait-free end: key events into a ring, counts into atomics.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU8, AtomicU32, AtomicU64, Ordering};
 
 use midi::{NoteEvent as MidiEvent, NoteEventKind, PedalMove, Velocity};
 use rtrb::Producer;
 use scheduler::motion::{KeyEvent, Loudness, Moment, PressureScope};
+use scheduler::overload::{Simplification, Simplifications};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
@@ -30,6 +31,9 @@ pub struct LiveCounters {
     /// CPU time of the last ticks, smoothed (ns).
     pub work_ns: AtomicU64,
     pub missed: AtomicU64,
+    /// A bit for each key whose voice slept in the last tick, the lowest first.
+    pub asleep: [AtomicU64; 2],
+    pub overload: OverloadCounters,
     pub derivatives: AtomicU64,
     pub guards: AtomicU64,
     /// Certain and unknown steps in ticks of a key without an event.
@@ -38,12 +42,79 @@ pub struct LiveCounters {
     pub event_steps: [AtomicU64; 2],
 }
 
+/// What was left out since there was too much to do.
+#[derive(Debug, Default)]
+pub struct OverloadCounters {
+    /// What is left out now, as [`Simplifications::bits`].
+    now: AtomicU8,
+    /// Ticks in which each was left out, in the order of [`Simplification::ALL`].
+    ticks: [AtomicU64; Simplification::ALL.len()],
+    /// Turns of voices that had to wait.
+    waited: AtomicU64,
+    /// A bit for each key whose voice had to wait.
+    waiting: [AtomicU64; 2],
+}
+
+impl OverloadCounters {
+    /// Returns what is left out now.
+    pub fn now(&self) -> Simplifications {
+        Simplifications::of_bits(self.now.load(Ordering::Relaxed))
+    }
+
+    /// Returns the ticks in which each was left out, in the order of [`Simplification::ALL`].
+    pub fn ticks(&self) -> [u64; Simplification::ALL.len()] {
+        self.ticks.each_ref().map(|ticks| ticks.load(Ordering::Relaxed))
+    }
+
+    /// Returns the turns of voices that had to wait, and their keys.
+    pub fn waited(&self) -> (u64, impl Iterator<Item = u8> + use<>) {
+        (self.waited.load(Ordering::Relaxed), keys_of(&self.waiting))
+    }
+
+    fn count(&self, simplified: Simplifications, sums: &Sums) {
+        self.now.store(simplified.bits(), Ordering::Relaxed);
+        for (one, ticks) in Simplification::ALL.into_iter().zip(&self.ticks) {
+            if simplified.contains(one) {
+                ticks.fetch_add(1, Ordering::Relaxed);
+            }
+        }
+        if sums.waited != 0 {
+            self.waited.fetch_add(sums.waited, Ordering::Relaxed);
+            add_keys(&self.waiting, sums.waiting);
+        }
+    }
+}
+
+/// The keys whose bits are set, in order.
+fn keys_of(bits: &[AtomicU64; 2]) -> impl Iterator<Item = u8> + use<> {
+    let [low, high] = bits.each_ref().map(|word| u128::from(word.load(Ordering::Relaxed)));
+    let bits = low | high << 64;
+    (0..128).filter(move |key| bits >> key & 1 == 1)
+}
+
+/// Sets the bits of `keys`, too.
+fn add_keys(bits: &[AtomicU64; 2], keys: u128) {
+    for (word, keys) in bits.iter().zip(words(keys)) {
+        if keys != 0 {
+            word.fetch_or(keys, Ordering::Relaxed);
+        }
+    }
+}
+
+/// The lower and the upper keys.
+fn words(keys: u128) -> [u64; 2] {
+    [keys, keys >> 64].map(|it| u64::try_from(it & u128::from(u64::MAX)).unwrap_or_default())
+}
+
 impl LiveCounters {
     /// The keys whose voices were muted, in order.
-    pub fn muted_keys(&self) -> impl Iterator<Item = u8> {
-        let [low, high] = [0, 1].map(|word| u128::from(self.muted[word].load(Ordering::Relaxed)));
-        let bits = low | high << 64;
-        (0..128).filter(move |key| bits >> key & 1 == 1)
+    pub fn muted_keys(&self) -> impl Iterator<Item = u8> + use<> {
+        keys_of(&self.muted)
+    }
+
+    /// The keys whose voices slept in the last tick, in order.
+    pub fn keys_asleep(&self) -> impl Iterator<Item = u8> + use<> {
+        keys_of(&self.asleep)
     }
 }
 
@@ -125,8 +196,11 @@ struct Sums {
     dropped: u64,
     strikes: u64,
     news: bool,
-    /// A bit for each key that is muted.
-    muted: [u64; 2],
+    /// A bit for each key that is muted, asleep, or had to wait.
+    muted: u128,
+    asleep: u128,
+    waiting: u128,
+    waited: u64,
 }
 
 impl Sums {
@@ -134,8 +208,11 @@ impl Sums {
         self.heard += turn.events.as_slice().len();
         self.strikes += turn.events.strikes() as u64;
         self.active += u32::from(!turn.idle);
+        self.asleep |= u128::from(turn.idle) << key;
+        self.waiting |= u128::from(turn.waited) << key;
+        self.waited += u64::from(turn.waited);
         match turn.fault {
-            Some(VoiceFault::Muted) => self.muted[key / 64] |= 1 << (key % 64),
+            Some(VoiceFault::Muted) => self.muted |= 1 << key,
             Some(_) => self.faults += 1,
             None => {}
         }
@@ -175,11 +252,11 @@ impl TickObserver for TickPublisher {
         ] {
             counter.fetch_add(sum, Ordering::Relaxed);
         }
-        for (muted, bits) in counters.muted.iter().zip(sums.muted) {
-            if bits != 0 {
-                muted.fetch_or(bits, Ordering::Relaxed);
-            }
+        add_keys(&counters.muted, sums.muted);
+        for (word, asleep) in counters.asleep.iter().zip(words(sums.asleep)) {
+            word.store(asleep, Ordering::Relaxed);
         }
+        counters.overload.count(seen.simplified, &sums);
         if sums.news {
             self.bell.ring();
         }

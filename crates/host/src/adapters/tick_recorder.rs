@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::motion::{KEYS, KeyEvent, KeySample, Moment};
 use scheduler::observation::{FollowedKeys, ModelSnapshot, Switch};
+use scheduler::overload::Simplifications;
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
@@ -64,6 +65,8 @@ pub struct TickRow {
     pub skipped: u64,
     /// Whether voices could be felt.
     pub armed: bool,
+    /// What was left out in it.
+    pub simplified: Simplifications,
 }
 
 /// What happened within a tick.
@@ -243,8 +246,8 @@ impl TickObserver for TickRecorder {
             }
         }
         // Behind all that happened in its tick, so that what is told of a tick is whole.
-        let FinishedTick { tick, skipped, armed, .. } = *seen;
-        self.push(RecorderRow::Tick(TickRow { tick, skipped, armed }));
+        let FinishedTick { tick, skipped, armed, simplified, .. } = *seen;
+        self.push(RecorderRow::Tick(TickRow { tick, skipped, armed, simplified }));
     }
 }
 
@@ -276,6 +279,7 @@ mod tests {
                 tick,
                 skipped: 0,
                 armed: true,
+                simplified: Simplifications::NONE,
                 samples: &self.samples,
                 turns: self.turns.as_slice().try_into().expect("all turns"),
                 forces: &[0.0; KEYS],

@@ -144,6 +144,13 @@ impl CurrentVoices {
         self.changed[key].extend(changed);
     }
 
+    /// Returns the instrument of `key`, if its values are as the instrument has them.
+    pub(super) fn untouched_instrument(&self, key: u8) -> Option<&str> {
+        let index = usize::from(key);
+        let name = self.instruments.get(index)?.as_deref()?;
+        self.changed.get(index)?.is_empty().then_some(name)
+    }
+
     /// Returns the models that play and are derived from descriptions, each once.
     pub(super) fn described(&self) -> Vec<&'static ModelEntry> {
         crate::observe::described(self.keys.iter().flatten().map(|voice| voice.model))

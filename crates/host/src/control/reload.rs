@@ -54,6 +54,7 @@ impl RequestHandler {
         let differs = [
             ("tick_hz", old.tick_hz != scene.tick_hz),
             ("lanes", old.lanes != scene.lanes),
+            ("[overload]", old.overload != scene.overload),
             ("[links]", old.links != scene.links),
             ("[rig]", old.rig != scene.rig),
             ("[midi]", old.midi != scene.midi),

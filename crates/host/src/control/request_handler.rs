@@ -139,12 +139,8 @@ impl RequestHandler {
             return self.load(name, keys.or(Some(ALL_KEYS)), who);
         }
         let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
-        let render = self.playing().render;
-        if let Some(unmet) = instrument.needs.unmet(&instrument.name, self.scene.tick_hz, &render) {
-            return Err(unmet.to_string());
-        }
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
-        self.refuse_unstable(&instrument, range)?;
+        self.refuse_unfit(&instrument, range)?;
         let mut playing = self.playing();
         let sounding = range.numbers().filter(|key| playing.keys[usize::from(*key)].is_some());
         let voice = |key| NewVoice::anew(&instrument.voicing, key, &instrument.name);
@@ -157,8 +153,17 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Tries `instrument` on some keys of `range`, as they are, beside the tick.
-    fn refuse_unstable(&self, instrument: &Instrument, range: KeyRange) -> Result<(), String> {
+    /// Asks what `instrument` needs, and tries it on some keys of `range`, as they are, beside the
+    /// tick.
+    pub(super) fn refuse_unfit(
+        &self,
+        instrument: &Instrument,
+        range: KeyRange,
+    ) -> Result<(), String> {
+        let render = self.playing().render;
+        if let Some(unmet) = instrument.needs.unmet(&instrument.name, self.scene.tick_hz, &render) {
+            return Err(unmet.to_string());
+        }
         let mut scene = self.scene_of(&self.playing());
         for key in range.numbers() {
             scene.keys[usize::from(key)] = Some(KeyVoice::new(&instrument.voicing, key));

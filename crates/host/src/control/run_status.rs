@@ -93,6 +93,11 @@ impl RunStatus {
         parts.clients = parts.clients.saturating_sub(1);
     }
 
+    /// Returns the counters of the run, once it is prepared.
+    pub(super) fn counters(&self) -> Option<Arc<LiveCounters>> {
+        self.lock().run.as_ref().map(|run| Arc::clone(&run.counters))
+    }
+
     /// Returns all that is known now.
     pub fn read(&self) -> HostStatus {
         self.lock().status()
@@ -147,6 +152,9 @@ impl StatusParts {
         status.strikes = counters.strikes.load(Relaxed);
         status.faults = counters.faults.load(Relaxed);
         status.dropped = counters.dropped.load(Relaxed);
+        let overload = &counters.overload;
+        status.left_out = overload.now().iter().map(|one| one.name().to_owned()).collect();
+        status.waited = overload.waited().0;
         status.muted = counters.muted_keys().map(|key| key_name(key.into())).collect();
         if self.state == HostState::Starting && 0 < status.deadlines.ticks {
             status.state = HostState::Playing;
@@ -204,7 +212,8 @@ impl StatusSink {
             | Kind::Disarm
             | Kind::Arm
             | Kind::Pedal
-            | Kind::Pressure => return,
+            | Kind::Pressure
+            | Kind::Overload => return,
         };
         let mut parts = self.0.lock();
         if parts.last_faults.len() == KEPT {

@@ -51,6 +51,10 @@ impl MessageSink for StreamSink {
         matches!(topic, Topic::Catalogue | Topic::Voices) || self.publisher.is_followed(topic)
     }
 
+    fn is_thinned(&self) -> bool {
+        true
+    }
+
     fn has_newcomers(&mut self) -> bool {
         let now = self.publisher.followings();
         std::mem::replace(&mut self.followings, now) != now

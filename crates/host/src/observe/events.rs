@@ -3,6 +3,7 @@
 use midi::{Pedal, PedalMove};
 use scheduler::motion::{KeyEvent, Moment};
 use scheduler::observation::Switch;
+use scheduler::overload::Simplification;
 use scheduler::voice::VoiceFault;
 use telemetry::{Event, event::Kind};
 
@@ -125,6 +126,18 @@ pub(super) fn armed(row: &TickRow) -> Event {
     let (kind, text) =
         if row.armed { (Kind::Arm, "voices are felt") } else { (Kind::Disarm, "all forces fade") };
     of_none(kind, row.tick, text.to_owned())
+}
+
+/// What is left out from this tick on.
+pub(super) fn overload(row: &TickRow) -> Event {
+    let names: Vec<_> = row.simplified.iter().map(Simplification::name).collect();
+    let text = if names.is_empty() {
+        "the load has fallen: nothing is left out any more".to_owned()
+    } else {
+        format!("a tick has more work than time: {} left out", names.join(", "))
+    };
+    let simplified = row.simplified.bits().into();
+    Event { simplified, ..of_none(Kind::Overload, row.tick, text) }
 }
 
 fn of_none(kind: Kind, tick: u64, text: String) -> Event {

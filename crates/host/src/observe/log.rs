@@ -79,6 +79,10 @@ impl LogSink {
                 let text = format!("{}: its voice is felt again", key(event.key));
                 self.say(at, Subject::Voices, Level::Info, text);
             }
+            Kind::Overload => {
+                let level = if event.simplified == 0 { Level::Info } else { Level::Warning };
+                self.say(at, Subject::Load, level, event.text.clone());
+            }
             Kind::Unknown
             | Kind::Switch
             | Kind::Strike
@@ -196,6 +200,7 @@ enum Subject {
     Boards,
     Changes,
     Voices,
+    Load,
     Notes,
 }
 
@@ -207,6 +212,7 @@ impl Subject {
             Self::Boards => "boards and links",
             Self::Changes => "changes",
             Self::Voices => "voices that failed",
+            Self::Load => "what is left out",
             Self::Notes => "MIDI messages that were lost",
         }
     }

@@ -6,6 +6,7 @@ use std::sync::mpsc;
 
 use rtrb::Consumer;
 use scheduler::motion::KEYS;
+use scheduler::overload::{Simplification, Simplifications};
 use scheduler::voice::VoiceFault;
 use telemetry::event::Kind;
 use telemetry::{Catalogue, Topic, Update, Voice};
@@ -45,6 +46,11 @@ pub trait MessageSink: Send {
     /// Whether somebody is there who was not when this was asked last: they are told how the keys
     /// are of which it wants rows.
     fn has_newcomers(&mut self) -> bool {
+        false
+    }
+
+    /// Whether it can do without rows of single keys while the tick has too much to do.
+    fn is_thinned(&self) -> bool {
         false
     }
 
@@ -112,6 +118,7 @@ pub struct TelemetryThread {
     /// The last tick that was told of, and whether voices were felt then.
     now: u64,
     armed: bool,
+    simplified: Simplifications,
     dropped: u64,
     /// Ticks at which the slower messages were made last.
     looked: u64,
@@ -182,6 +189,7 @@ impl TelemetryThread {
             early: None,
             now: 0,
             armed: true,
+            simplified: Simplifications::NONE,
             dropped: 0,
             looked: 0,
             summed: 0,
@@ -208,8 +216,14 @@ impl TelemetryThread {
 
     /// Tells the tick which keys are followed.
     fn follow(&self) {
-        let followed = self.sinks.iter().fold(0, |keys, sink| keys | sink.followed_keys());
+        let sinks = self.sinks.iter().filter(|sink| !(self.is_sparse() && sink.is_thinned()));
+        let followed = sinks.fold(0, |keys, sink| keys | sink.followed_keys());
         self.tapped.followed.store(followed);
+    }
+
+    /// Whether rows of single keys are left out where that is possible.
+    const fn is_sparse(&self) -> bool {
+        self.simplified.contains(Simplification::Telemetry)
     }
 
     /// Moves all that is there.
@@ -251,7 +265,10 @@ impl TelemetryThread {
                 Ok(RecorderRow::Key(row)) => {
                     self.keys[usize::from(row.key)].note(&row);
                 }
-                Ok(RecorderRow::Tick(row)) => (self.now, self.armed) = (row.tick, row.armed),
+                Ok(RecorderRow::Tick(row)) => {
+                    (self.now, self.armed) = (row.tick, row.armed);
+                    self.simplified = row.simplified;
+                }
                 Err(_empty) => break,
             }
         }
@@ -413,6 +430,10 @@ impl TelemetryThread {
             self.armed = row.armed;
             self.give(&Update::Event(events::armed(&row)));
         }
+        if row.simplified != self.simplified {
+            self.simplified = row.simplified;
+            self.give(&Update::Event(events::overload(&row)));
+        }
         if let Some(pulse) = pulse {
             self.deadlines.push(&pulse);
             if let Some(event) = events::miss(&pulse) {
@@ -509,7 +530,10 @@ impl TelemetryThread {
 
     fn give_at(&mut self, at: u64, update: &Update) {
         let Some(topic) = update.topic() else { return };
-        for sink in self.sinks.iter_mut().filter(|sink| sink.wants(topic)) {
+        let is_left_out =
+            self.is_sparse() && matches!(topic, Topic::Block(_) | Topic::State(_));
+        let sinks = self.sinks.iter_mut().filter(|sink| sink.wants(topic));
+        for sink in sinks.filter(|sink| !(is_left_out && sink.is_thinned())) {
             sink.take(at, update);
         }
     }
@@ -579,6 +603,7 @@ mod tests {
                 tick,
                 skipped: 0,
                 armed: true,
+                simplified: Simplifications::NONE,
                 samples: &samples,
                 turns: &turns,
                 forces: &[0.0; KEYS],

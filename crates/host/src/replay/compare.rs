@@ -46,6 +46,7 @@ pub(super) fn is_compared(update: &Update) -> bool {
                 | Kind::DamperFall
                 | Kind::Fault
                 | Kind::Recovery
+                | Kind::Overload
         ),
         Update::Catalogue(_)
         | Update::Voice(_)

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use scheduler::motion::{KEYS, KeySample};
+use scheduler::overload::Simplifications;
 use telemetry::event::Kind;
 use telemetry::{Event, KeyBlock, Ticks};
 
@@ -44,6 +45,8 @@ pub(super) struct Feed {
     last: Vec<KeyTick>,
     /// Ticks from which voices are felt or not.
     arms: BTreeMap<u64, Arm>,
+    /// Ticks from which something else is left out.
+    simplified: BTreeMap<u64, Simplifications>,
     /// The first tick before which rows are missing.
     gap: Option<u64>,
 }
@@ -60,6 +63,7 @@ impl Feed {
             rows: vec![VecDeque::new(); KEYS],
             last: vec![nothing; KEYS],
             arms: BTreeMap::new(),
+            simplified: BTreeMap::new(),
             gap: None,
         }
     }
@@ -82,6 +86,11 @@ impl Feed {
     /// Takes what happened, as far as it decides.
     pub(super) fn event(&mut self, event: &Event) {
         let arm = match event.kind() {
+            Kind::Overload => {
+                let bits = u8::try_from(event.simplified).unwrap_or(u8::MAX);
+                self.simplified.insert(event.tick, Simplifications::of_bits(bits));
+                return;
+            }
             Kind::Arm => Arm::On,
             Kind::Disarm => Arm::Off,
             Kind::Unknown
@@ -104,6 +113,11 @@ impl Feed {
     /// Whether voices are felt or not from `tick` on, if that changes there.
     pub(super) fn arm(&mut self, tick: u64) -> Option<Arm> {
         self.arms.remove(&tick)
+    }
+
+    /// What is left out from `tick` on, if that changes there.
+    pub(super) fn simplified(&mut self, tick: u64) -> Option<Simplifications> {
+        self.simplified.remove(&tick)
     }
 
     /// Whether the first rows of keys say that they were run before `tick`.

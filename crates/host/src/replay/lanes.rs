@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::overload::WorkAllowance;
 use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::values::ModelValues;
@@ -32,7 +33,7 @@ struct ReplaySlot {
     render: Render,
     revision: u32,
     /// Ticks in which its lane was not done.
-    pending: Vec<(u64, KeySample)>,
+    pending: Vec<(u64, KeySample, WorkAllowance)>,
     /// What was made in them.
     late: LateResult,
 }
@@ -138,7 +139,7 @@ impl ReplaySlot {
 
     fn run(
         &mut self,
-        (tick, followed): (u64, FollowedKeys),
+        (tick, followed, allowance): (u64, FollowedKeys, WorkAllowance),
         fed: &KeyTick,
         turn: &mut VoiceOutput,
         seen: &mut VoiceObservation,
@@ -151,10 +152,11 @@ impl ReplaySlot {
                     self.catch_up(|_late| true);
                     self.late.hand_over(turn);
                 }
-                self.pending.push((tick, fed.sample));
+                self.pending.push((tick, fed.sample, allowance));
             }
             LaneStatus::Done { unrun } => {
                 self.catch_up(|late| was_run(unrun, tick - late));
+                self.slot.allow(allowance);
                 self.slot.tick(tick, &fed.sample, turn);
                 self.slot.observe(followed, turn, seen);
                 self.late.hand_over(turn);
@@ -164,9 +166,10 @@ impl ReplaySlot {
 
     /// Runs the ticks that came too late, of those that were run.
     fn catch_up(&mut self, was_run: impl Fn(u64) -> bool) {
-        for (tick, sample) in std::mem::take(&mut self.pending) {
+        for (tick, sample, allowance) in std::mem::take(&mut self.pending) {
             if was_run(tick) {
                 let mut turn = VoiceOutput::default();
+                self.slot.allow(allowance);
                 self.slot.tick(tick, &sample, &mut turn);
                 self.late.keep(&turn);
             }
@@ -190,7 +193,7 @@ impl Lanes for ReplayLanes {
             {
                 self.failed.get_or_insert(error);
             }
-            slot.run((input.tick, input.followed), fed, turn, seen);
+            slot.run((input.tick, input.followed, input.allowance), fed, turn, seen);
         }
     }
 }

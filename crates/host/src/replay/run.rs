@@ -198,6 +198,7 @@ impl Replay {
         let output = Box::new(MonitoredOutput { output: nowhere(), sender: told.clone() });
         let desk = MidiDispatcher::new(events, output, scene.midi.curve);
         Ok(Box::new(Self {
+            // What was left out and who waited is in the recording.
             scheduler: scheduler(timetable, scene.render.slew_limit),
             timetable,
             feed: Feed::new(),
@@ -267,7 +268,8 @@ impl Replay {
                     | Kind::Board
                     | Kind::Change
                     | Kind::Disarm
-                    | Kind::Arm => {}
+                    | Kind::Arm
+                    | Kind::Overload => {}
                 }
             }
             Update::Ticks(message) => {
@@ -321,6 +323,9 @@ impl Replay {
             Some(Arm::Off) => self.scheduler.disarm(),
             Some(Arm::On) => self.scheduler.arm(),
             None => {}
+        }
+        if let Some(simplified) = self.feed.simplified(tick) {
+            self.scheduler.simplify(simplified);
         }
         let fed = self.feed.tick(tick);
         for (sample, fed) in self.bus.samples.iter_mut().zip(&fed) {

@@ -11,6 +11,7 @@ mod board_line;
 mod fidelity;
 mod link_line;
 mod note_report;
+mod overload;
 mod step_counts;
 
 pub use board_line::BoardLine;
@@ -19,6 +20,7 @@ pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
 pub use note_report::{ErrorQuantiles, NoteReport, NoteShortfall, UnplayedNotes};
+pub use overload::{OverloadReport, LeftOut};
 pub use step_counts::StepCounts;
 
 /// The report of `letoff run`, as `--json` prints it.
@@ -70,6 +72,8 @@ pub struct RunReport {
     pub midi: MidiReport,
     /// The recording, if there was one.
     pub recording: Option<RecordingReport>,
+    /// What was left out since ticks had more work than time.
+    pub overload: OverloadReport,
     /// What key ranges got that left their fidelity to the host.
     pub fidelity: Vec<ChosenFidelity>,
 }
@@ -121,6 +125,8 @@ pub struct Deadline {
     pub missed: u64,
     /// Of these, because the voices took too long.
     pub missed_own_work: u64,
+    /// Of these, with no more evaluations than a tick that was in time: no model took that time.
+    pub own_work_unexplained: u64,
     /// Of these, because the system woke the tick too late.
     pub missed_woken_late: u64,
     /// Of these, because the system took the processor away.
@@ -206,6 +212,7 @@ impl fmt::Display for RunReport {
             writeln!(f, "              {advice}")?;
         }
         self.deadline.fmt_lines(f, self.skipped)?;
+        self.overload.fmt_lines(f)?;
         if let Some(notes) = &self.notes {
             notes.fmt_lines(f)?;
         }
@@ -247,6 +254,13 @@ impl Deadline {
             "  deadlines   {} missed: {} own work, {} woken late, {} preempted; {skipped} of these never run",
             self.missed, self.missed_own_work, self.missed_woken_late, self.missed_preempted
         )?;
+        if 0 < self.own_work_unexplained {
+            writeln!(
+                f,
+                "              {} of own work with no more evaluations than a tick in time",
+                self.own_work_unexplained
+            )?;
+        }
         if let Some(stolen) = self.stolen_s {
             writeln!(
                 f,

@@ -21,6 +21,8 @@ use std::sync::atomic::AtomicBool;
 use firmware_protocol::key::KeyIndex;
 use hardware::sim::keybed::SimulatedKeybed;
 use performance::{Performance, Struck, assess};
+use scheduler::overload::OverloadRules;
+use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Timetable};
 
 use crate::adapters::observer::{LiveCounters, TickPublisher};
@@ -30,7 +32,7 @@ use crate::control::RunHandle;
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
-use crate::report::{Deadline, Evaluations, NoteReport, NoteShortfall, Realtime};
+use crate::report::{Deadline, Evaluations, NoteReport, NoteShortfall, OverloadReport, Realtime};
 use crate::report::{RunReport, StepCounts, UnplayedNotes};
 use key_source::KeySource;
 use key_transport::KeyTransport;
@@ -144,6 +146,7 @@ struct PreparedRun {
     tick_hz: u32,
     /// Fastest change of a force towards a voice (N/s).
     slew_limit: f64,
+    overload: OverloadRules,
     n_voices: usize,
     n_lanes: NonZeroUsize,
     threads: ThreadPlan,
@@ -232,6 +235,11 @@ impl RunSession {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
             slew_limit: scene.render.slew_limit,
+            overload: if options.virtual_time {
+                scene.overload.in_virtual_time()
+            } else {
+                scene.overload
+            },
             n_voices: voices.len(),
             n_lanes: threads::lanes(scene),
             threads: threads::plan(scene, options),
@@ -330,6 +338,13 @@ impl PreparedRun {
         Ok(Timetable::new(Nanos::ZERO, period))
     }
 
+    /// Returns the scheduler of its ticks.
+    fn scheduler(&self) -> Result<Box<Scheduler>, SessionError> {
+        let mut scheduler = realtime::run::scheduler(self.timetable()?, self.slew_limit);
+        scheduler.set_overload(self.overload);
+        Ok(scheduler)
+    }
+
     fn start_lanes(&mut self) -> std::io::Result<(ThreadedLanes, VoiceSwaps)> {
         ThreadedLanes::start(std::mem::take(&mut self.voices), self.n_lanes, &self.threads)
     }
@@ -383,6 +398,7 @@ impl PreparedRun {
             energy_audit: self.handle.energy().into(),
             midi: self.midi.report(played),
             recording: None,
+            overload: OverloadReport::new(&counters.overload, self.tick_hz),
             fidelity: Vec::new(),
         }
     }

@@ -14,7 +14,7 @@ use crate::observe::Pulses;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
 use realtime::baseline::Baseline;
-use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down, scheduler};
+use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down};
 use realtime::thread::{SchedulingPolicy, WantedPolicy};
 use realtime::wake_latency::HeldLatency;
 use realtime::{memory, run as ticks};
@@ -91,7 +91,7 @@ fn tick(
     standing.advice.extend(lanes.standings().flat_map(|it| it.advice.iter().cloned()));
     standing.advice.dedup();
     prepared.handle.open(swaps);
-    let mut scheduler = scheduler(prepared.timetable()?, prepared.slew_limit);
+    let mut scheduler = prepared.scheduler()?;
     let mut timings = Timings::new().map_err(std::io::Error::other)?;
     let until = Until { stop, ticks: prepared.ticks };
     let counters = Arc::clone(&prepared.counters);

@@ -9,7 +9,7 @@ use super::{PreparedRun, SessionError, no_clock};
 use crate::midi_thread::MidiDispatcher;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
-use realtime::run::{Assembly, Until, scheduler};
+use realtime::run::{Assembly, Until};
 use realtime::virtual_time;
 
 /// Ticks between two looks at the rings.
@@ -25,7 +25,7 @@ pub(super) fn run(
 ) -> Result<RunReport, SessionError> {
     let (mut lanes, swaps) = prepared.start_lanes()?;
     prepared.handle.open(swaps);
-    let mut scheduler = scheduler(prepared.timetable()?, prepared.slew_limit);
+    let mut scheduler = prepared.scheduler()?;
     let until = Until { stop, ticks: prepared.ticks };
     let (mut ticks, mut skipped) = (0, 0);
     let (mut bus, _start) = keys.arm(&prepared, Nanos::ZERO)?;

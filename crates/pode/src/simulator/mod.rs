@@ -123,6 +123,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.impacts = Impacts::NONE;
     }
 
+    /// Makes steps `stretch` times as long as the model asks for from the next tick on, see
+    /// [`Limits::stretch`].
+    pub const fn set_stretch(&mut self, stretch: f64) {
+        self.limits.stretch = stretch;
+    }
+
     /// Forgets what the method carries: the state has jumped, or the mode has changed.
     fn restart(&mut self) {
         self.memory.iter_mut().for_each(PartMemory::restart);

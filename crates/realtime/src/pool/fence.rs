@@ -6,6 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use scheduler::motion::KeySample;
 use scheduler::observation::VoiceObservation;
+use scheduler::overload::Simplifications;
 use scheduler::values::ModelValues;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
@@ -43,6 +44,14 @@ impl Voice for PanicGuard {
     fn observe(&self, seen: &mut VoiceObservation) {
         if !self.panicked {
             self.voice.observe(seen);
+        }
+    }
+
+    fn simplify(&mut self, simplified: Simplifications) {
+        if !self.panicked {
+            // As in `tick`.
+            let run = AssertUnwindSafe(|| self.voice.simplify(simplified));
+            self.panicked = catch_unwind(run).is_err();
         }
     }
 

@@ -7,6 +7,7 @@ use super::*;
 use crate::thread::ThreadPlan;
 use scheduler::motion::{KeyEvent, KeySample, Loudness, Moment};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::overload::WorkAllowance;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
 /// A force that depends on every sample since the start, and work that comes and goes.
@@ -126,7 +127,8 @@ impl Run {
         let position = |key: usize| 0.01 * ((tick as f64) * 0.3 + key as f64).sin();
         let samples = std::array::from_fn(|key| KeySample::fresh(position(key)));
         let Self { lanes, turns, observed, followed } = self;
-        let input = TickInput { tick, samples: &samples, followed: *followed };
+        let allowance = WorkAllowance::ALL;
+        let input = TickInput { tick, samples: &samples, followed: *followed, allowance };
         lanes.run(&input, &mut TickOutput { turns, observed });
         &self.turns
     }

@@ -16,6 +16,7 @@ use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::lane::run_slots;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::overload::WorkAllowance;
 use scheduler::port::{TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
@@ -45,6 +46,7 @@ pub(super) struct Batch {
     pub(super) tick: u64,
     samples: [KeySample; KEYS],
     followed: FollowedKeys,
+    allowance: WorkAllowance,
     /// Valid for the lane's keys if the batch was run.
     pub(super) turns: Box<[VoiceOutput; KEYS]>,
     /// Valid for those keys that were looked at in this tick.
@@ -65,6 +67,7 @@ impl Batch {
             tick: 0,
             samples: [KeySample::default(); KEYS],
             followed: FollowedKeys::NONE,
+            allowance: WorkAllowance::ALL,
             turns: boxed_array(),
             observed: boxed_array(),
             ran: None,
@@ -74,12 +77,10 @@ impl Batch {
 
     /// Runs each voice for the batch's tick.
     fn run(&mut self) {
-        let Self { tick, samples, followed, slots, turns, observed, .. } = self;
-        run_slots(
-            slots,
-            &TickInput { tick: *tick, samples, followed: *followed },
-            &mut TickOutput { turns, observed },
-        );
+        let Self { tick, samples, followed, allowance, slots, turns, observed, .. } = self;
+        let input =
+            TickInput { tick: *tick, samples, followed: *followed, allowance: *allowance };
+        run_slots(slots, &input, &mut TickOutput { turns, observed });
     }
 
     /// Copies what the voices did, and what is new of what is seen of them.
@@ -147,7 +148,7 @@ impl Remote {
         patience: WaitLimit,
     ) {
         (batch.tick, batch.samples, batch.followed) = (input.tick, *input.samples, input.followed);
-        batch.patience = patience;
+        (batch.allowance, batch.patience) = (input.allowance, patience);
         let sent = self.todo.push(batch);
         debug_assert!(sent.is_ok(), "the ring has room for all batches there are");
         self.thread.thread().unpark();

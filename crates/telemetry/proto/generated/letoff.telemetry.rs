@@ -146,6 +146,9 @@ pub struct Event {
     /// Of a pedal: its MIDI controller, 64 sustain, 66 sostenuto, 67 una corda; 0 stands for 64.
     #[prost(uint32, tag = "11")]
     pub controller: u32,
+    /// Of an overload, bits: 1 telemetry, 2 slopes, 4 rest, 8 steps, 16 fidelity.
+    #[prost(uint32, tag = "12")]
+    pub simplified: u32,
 }
 /// Nested message and enum types in `Event`.
 pub mod event {
@@ -180,6 +183,9 @@ pub mod event {
         Pedal = 13,
         /// The key is held down with another force, 0 to 1 in `speed`, of an instrument with aftertouch.
         Pressure = 14,
+        /// From this tick on `simplified` is left out, since a tick has more work than time, or nothing
+        /// is any more; `text` says what.
+        Overload = 15,
     }
     impl Kind {
         /// String value of the enum field names used in the ProtoBuf definition.
@@ -203,6 +209,7 @@ pub mod event {
                 Self::Arm => "ARM",
                 Self::Pedal => "PEDAL",
                 Self::Pressure => "PRESSURE",
+                Self::Overload => "OVERLOAD",
             }
         }
         /// Creates an enum from field names used in the ProtoBuf definition.
@@ -223,6 +230,7 @@ pub mod event {
                 "ARM" => Some(Self::Arm),
                 "PEDAL" => Some(Self::Pedal),
                 "PRESSURE" => Some(Self::Pressure),
+                "OVERLOAD" => Some(Self::Overload),
                 _ => None,
             }
         }

@@ -45,6 +45,7 @@ impl Marks<'_> {
             Kind::Fault => (with_text(&format!("{}: fault", key_name(event.key)), event), true),
             Kind::Recovery => (format!("{} recovered", key_name(event.key)), false),
             Kind::Board => (with_text("board", event), false),
+            Kind::Overload => (with_text("load", event), false),
             Kind::Disarm => ("all forces fade".to_owned(), false),
             Kind::Strike
             | Kind::Miss

@@ -81,5 +81,6 @@ fn limits(bytes: &mut Bytes<'_>) -> Limits {
         longest_step: bytes.odd(|it| it.sized(1e-4, 1.0)),
         forecast: bytes.is_true(),
         event_tolerance: bytes.odd(|it| it.sized(1e-15, 0.1)),
+        stretch: bytes.odd(|it| it.sized(0.1, 10.0)),
     }
 }

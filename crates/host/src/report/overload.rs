@@ -1,0 +1,57 @@
+//! What was left out, since ticks had more work than time.
+
+use std::fmt;
+
+use firmware_protocol::key::KeyIndex;
+use scheduler::overload::Simplification;
+use serde::Serialize;
+
+use crate::adapters::observer::OverloadCounters;
+
+/// What was left out of a run.
+#[derive(Clone, PartialEq, Debug, Default, Serialize)]
+pub struct OverloadReport {
+    /// What was left out for how long; nothing if there was no need.
+    pub left_out: Vec<LeftOut>,
+    /// Turns of voices that had to wait, since they took more evaluations than they may.
+    pub waited: u64,
+    /// The keys of these voices.
+    pub waited_keys: Vec<String>,
+}
+
+/// Something that was left out.
+#[derive(Clone, PartialEq, Debug, Serialize)]
+pub struct LeftOut {
+    /// What, as scenes name it.
+    pub what: &'static str,
+    /// For how long in all (s).
+    pub seconds: f64,
+}
+
+impl OverloadReport {
+    /// Returns what `counters` say, of ticks at `tick_hz` (1/s).
+    pub(crate) fn new(counters: &OverloadCounters, tick_hz: u32) -> Self {
+        let ticks = Simplification::ALL.into_iter().zip(counters.ticks());
+        let left_out = ticks.filter(|(_one, ticks)| 0 < *ticks).map(|(one, ticks)| LeftOut {
+            what: one.name(),
+            seconds: ticks as f64 / f64::from(tick_hz),
+        });
+        let (waited, keys) = counters.waited();
+        let keys = keys.filter_map(|key| Some(KeyIndex::new(key)?.to_string()));
+        Self { left_out: left_out.collect(), waited, waited_keys: keys.collect() }
+    }
+
+    pub(super) fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.left_out.is_empty() {
+            let left_out = self.left_out.iter();
+            let left_out: Vec<_> =
+                left_out.map(|it| format!("{} for {:.2} s", it.what, it.seconds)).collect();
+            writeln!(f, "  overload    left out: {}", left_out.join(", "))?;
+        }
+        if 0 < self.waited {
+            let (turns, keys) = (self.waited, self.waited_keys.join(", "));
+            writeln!(f, "  waited      {turns} turns of {keys}: more evaluations than a voice may")?;
+        }
+        Ok(())
+    }
+}

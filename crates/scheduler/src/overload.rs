@@ -1,0 +1,415 @@
+//! Overload: what is simplified while a tick has more work than time, in which order.
+//!
+//! | simplification | what it leaves out |
+//! |---|---|
+//! | telemetry | rows of single keys on the stream; the overview and recordings go on |
+//! | slopes | the force's slopes between two ticks; boards hold |
+//! | rest | a voice sleeps sooner, and while it still moves a little |
+//! | steps | every other step of methods with fixed steps |
+//! | fidelity | parts of the action of keys at rest: the instrument's next lower fidelity |
+//!
+//! Load is the part of a tick that its work takes: by the processor's time where a clock is read,
+//! and by counted evaluations where the scene gives a number of them.
+//! One simplification is added while the load is above a limit, and the last one is taken back
+//! after it was below another one for a while; that while doubles whenever what was taken back is
+//! needed again, so that a level cannot swing.
+//! The two limits are apart by more than any of them saves.
+
+use crate::lane::LaneReport;
+use crate::time::Period;
+use crate::voice::VoiceWork;
+
+/// Something that is left out while there is too much to do.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Simplification {
+    /// Rows of single keys on the stream.
+    Telemetry,
+    /// Slopes of forces.
+    Slopes,
+    /// Equations of voices that move a little.
+    Rest,
+    /// Every other step.
+    Steps,
+    /// Parts of the action of keys at rest.
+    Fidelity,
+}
+
+impl Simplification {
+    /// All there are, in their usual order.
+    pub const ALL: [Self; 5] =
+        [Self::Telemetry, Self::Slopes, Self::Rest, Self::Steps, Self::Fidelity];
+
+    /// Returns its name in scenes and reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Telemetry => "telemetry",
+            Self::Slopes => "slopes",
+            Self::Rest => "rest",
+            Self::Steps => "steps",
+            Self::Fidelity => "fidelity",
+        }
+    }
+
+    const fn bit(self) -> u8 {
+        1 << self as u8
+    }
+}
+
+/// What is left out in a tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Simplifications(u8);
+
+impl Simplifications {
+    /// Nothing is left out.
+    pub const NONE: Self = Self(0);
+
+    /// Returns the same with one more.
+    #[must_use]
+    pub const fn with(self, one: Simplification) -> Self {
+        Self(self.0 | one.bit())
+    }
+
+    /// Returns whether `one` is among them.
+    pub const fn contains(self, one: Simplification) -> bool {
+        self.0 & one.bit() != 0
+    }
+
+    /// Returns them as bits, in the order of [`Simplification::ALL`].
+    pub const fn bits(self) -> u8 {
+        self.0
+    }
+
+    /// Returns those of `bits` that are known.
+    pub const fn of_bits(bits: u8) -> Self {
+        Self(bits & ((1 << Simplification::ALL.len()) - 1))
+    }
+
+    /// Returns all that are among them.
+    pub fn iter(self) -> impl Iterator<Item = Simplification> {
+        Simplification::ALL.into_iter().filter(move |it| self.contains(*it))
+    }
+}
+
+/// When what is left out.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct OverloadRules {
+    /// What is left out, the first first; `None` behind the last one.
+    pub order: [Option<Simplification>; Simplification::ALL.len()],
+    /// The load above which one more is left out.
+    pub above: f64,
+    /// The load below which the last one is taken back.
+    pub below: f64,
+    /// Evaluations of derivatives and guards that all voices together may take in a tick; without
+    /// a number the processor's time alone is looked at.
+    pub evaluations: Option<u32>,
+    /// Evaluations that one voice may take in a tick; one that takes more is held until the mean is
+    /// no more than that. Without a number it may take [`VOICE_EVALUATIONS`] in a millisecond, and
+    /// in a tick that is shorter.
+    pub voice_evaluations: Option<u32>,
+}
+
+impl OverloadRules {
+    /// Nothing is left out, and no voice waits.
+    pub const OFF: Self = Self {
+        order: [None; Simplification::ALL.len()],
+        above: f64::INFINITY,
+        below: 0.0,
+        evaluations: None,
+        voice_evaluations: Some(u32::MAX),
+    };
+
+    /// Returns the same where no clock decides anything, and a voice may take all the time it needs
+    /// unless a number is given.
+    #[must_use]
+    pub fn in_virtual_time(self) -> Self {
+        Self { voice_evaluations: self.voice_evaluations.or(Some(u32::MAX)), ..self }
+    }
+}
+
+impl Default for OverloadRules {
+    /// All of them in their usual order, above 80 % of a tick, and back below 40 %.
+    fn default() -> Self {
+        Self {
+            order: Simplification::ALL.map(Some),
+            above: 0.8,
+            below: 0.4,
+            evaluations: None,
+            voice_evaluations: None,
+        }
+    }
+}
+
+/// Evaluations that a voice may take in a millisecond, unless a scene gives another number: ten
+/// times what the default instrument ever takes, and less than a millisecond's work.
+pub const VOICE_EVALUATIONS: u32 = 1024;
+
+/// Time over which load is averaged (s).
+const SPAN: f64 = 10e-3;
+
+/// Time after a change in which its effect is waited for (s).
+const SETTLED: f64 = 30e-3;
+
+/// Time of low load before a simplification is taken back (s), the first time and at the most.
+const CALM: (f64, f64) = (1.0, 64.0);
+
+/// A tick's load counts for no more than this: one that a hypervisor stops says nothing of the next.
+const MOST: f64 = 2.0;
+
+/// Decides in each tick what is left out.
+#[derive(Clone, Debug)]
+pub struct OverloadController {
+    rules: OverloadRules,
+    /// Evaluations that one voice may take in a tick.
+    of_voice: u32,
+    /// Tick (s).
+    h: f64,
+    /// How many of the order are left out.
+    level: usize,
+    now: Simplifications,
+    /// The load of the last tick, and its average.
+    last: f64,
+    load: f64,
+    /// Time since the last change, and for which the load was low since then (s).
+    since: f64,
+    calm: f64,
+    /// Time of low load before one is taken back (s).
+    patience: f64,
+    /// The last change took one back.
+    has_fallen: bool,
+}
+
+impl OverloadController {
+    /// Returns a controller of ticks of `period` that has left out nothing yet.
+    pub fn new(rules: OverloadRules, period: Period) -> Self {
+        let h = period.as_secs_f64();
+        Self {
+            rules,
+            of_voice: rules.voice_evaluations.unwrap_or_else(|| usual_evaluations(h)),
+            h,
+            level: 0,
+            now: Simplifications::NONE,
+            last: 0.0,
+            load: 0.0,
+            since: 0.0,
+            calm: 0.0,
+            patience: CALM.0,
+            has_fallen: false,
+        }
+    }
+
+    /// Leaves out `simplified` from the next tick on, whatever the load.
+    pub const fn set(&mut self, simplified: Simplifications) {
+        self.now = simplified;
+    }
+
+    /// Notes that the last tick took `load` of its time.
+    pub const fn note_load(&mut self, load: f64) {
+        self.last = self.last.max(load);
+    }
+
+    /// Notes what the voices did in the last tick; lanes that were late had too much to do.
+    pub fn note_voices(&mut self, voices: &LaneReport) {
+        if let Some(most) = self.rules.evaluations {
+            let evaluations = f64::from(voices.work.evaluations());
+            self.note_load(evaluations / f64::from(most.max(1)));
+        }
+        if 0 < voices.late {
+            self.note_load(1.0);
+        }
+    }
+
+    /// Decides what is left out in the next tick, by what was noted of the last one.
+    pub fn decide(&mut self) -> WorkAllowance {
+        let part = (self.h / SPAN).min(1.0);
+        self.load += part * (self.last.min(MOST) - self.load);
+        self.last = 0.0;
+        self.since += self.h;
+        self.calm = if self.load < self.rules.below { self.calm + self.h } else { 0.0 };
+        if SETTLED <= self.since {
+            if self.rules.above < self.load {
+                self.rise();
+            } else if 0 < self.level && self.patience <= self.calm {
+                self.fall();
+            }
+        }
+        WorkAllowance { simplified: self.now, evaluations: self.of_voice }
+    }
+
+    /// Leaves out one more, if there is one.
+    fn rise(&mut self) {
+        let Some(Some(next)) = self.rules.order.get(self.level) else { return };
+        if self.has_fallen {
+            let is_soon = self.since < 2.0 * self.patience;
+            self.patience = if is_soon { (2.0 * self.patience).min(CALM.1) } else { CALM.0 };
+        }
+        self.level += 1;
+        self.now = self.now.with(*next);
+        self.change(false);
+    }
+
+    /// Takes back the last one.
+    fn fall(&mut self) {
+        self.level -= 1;
+        let left = self.rules.order.iter().take(self.level).flatten();
+        self.now = left.fold(Simplifications::NONE, |all, one| all.with(*one));
+        self.change(true);
+    }
+
+    const fn change(&mut self, has_fallen: bool) {
+        (self.since, self.calm, self.has_fallen) = (0.0, 0.0, has_fallen);
+    }
+}
+
+/// Returns the evaluations that a voice may take in a tick of `h` (s).
+fn usual_evaluations(h: f64) -> u32 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1000 ms")]
+    let milliseconds = (1e3 * h).clamp(1.0, 1e3) as u32;
+    VOICE_EVALUATIONS * milliseconds
+}
+
+/// What voices may do in a tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct WorkAllowance {
+    /// What they leave out.
+    pub simplified: Simplifications,
+    /// Evaluations of derivatives and guards of each.
+    pub evaluations: u32,
+}
+
+impl WorkAllowance {
+    /// All work that there is.
+    pub const ALL: Self = Self { simplified: Simplifications::NONE, evaluations: u32::MAX };
+}
+
+impl Default for WorkAllowance {
+    fn default() -> Self {
+        Self::ALL
+    }
+}
+
+/// The evaluations of a voice beyond those that it may take in a tick.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct WorkDebt(u32);
+
+/// So many ticks' evaluations a voice may take at once.
+const BURST: u32 = 4;
+
+impl WorkDebt {
+    pub(crate) const NONE: Self = Self(0);
+
+    /// Returns what is left of it after `ticks`, in each of which the voice may take `most`.
+    pub(crate) const fn after(self, ticks: u32, most: u32) -> Self {
+        Self(self.0.saturating_sub(ticks.saturating_mul(most)))
+    }
+
+    /// Returns whether a voice that may take `most` in a tick must wait until less is left.
+    pub(crate) const fn must_wait(self, most: u32) -> bool {
+        most.saturating_mul(BURST - 1) < self.0
+    }
+
+    /// Returns the debt after `work`.
+    pub(crate) const fn plus(self, work: VoiceWork) -> Self {
+        Self(self.0.saturating_add(work.evaluations()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::*;
+
+    const KHZ: u32 = 1000;
+
+    /// Returns in which of `ticks` at 1 kHz what changes, where tick n has the load `load(n, level)`.
+    fn changes(ticks: u64, load: impl Fn(u64, usize) -> f64) -> Vec<(u64, u8)> {
+        let period = Period::from_hz(KHZ).expect("a rate");
+        let mut controller = OverloadController::new(OverloadRules::default(), period);
+        let mut before = Simplifications::NONE;
+        let mut changes = Vec::new();
+        for tick in 0..ticks {
+            let now = controller.decide().simplified;
+            if now != before {
+                changes.push((tick, now.bits()));
+                before = now;
+            }
+            controller.note_load(load(tick, controller.level));
+        }
+        changes
+    }
+
+    #[test]
+    fn one_thing_more_is_left_out_in_the_stated_order_until_the_load_fits_and_all_comes_back() {
+        // Too much for a second, however much is left out; then nothing to do.
+        let found = changes(20_000, |tick, _| if tick < 1000 { 1.5 } else { 0.1 });
+        let bits: Vec<_> = found.iter().map(|(_, bits)| *bits).collect();
+        assert_eq!(bits, [1, 3, 7, 15, 31, 15, 7, 3, 1, 0]);
+        let (first, last) = (found[0].0, found[4].0);
+        assert!((3..60).contains(&first) && last - first <= 130, "{found:?}");
+        let back: Vec<_> = found[5..].iter().map(|(tick, _)| *tick).collect();
+        assert!(back.windows(2).all(|it| (990..1100).contains(&(it[1] - it[0]))), "{found:?}");
+    }
+
+    #[test]
+    fn what_is_taken_back_too_soon_is_taken_back_ever_more_rarely() {
+        // Each thing that is left out saves more than the two limits are apart by: the worst case.
+        let swings = changes(120_000, |_, level| if level == 0 { 1.0 } else { 0.3 });
+        assert!(swings.len() <= 14, "{} changes in two minutes", swings.len());
+    }
+
+    #[test]
+    fn a_tick_that_a_hypervisor_stopped_is_no_overload() {
+        let is_stopped = |tick: u64| tick.is_multiple_of(100);
+        assert_eq!(changes(5000, |tick, _| if is_stopped(tick) { 50.0 } else { 0.35 }), []);
+        assert_eq!(changes(5000, |_, _| 0.7), [], "between the limits");
+    }
+
+    #[test]
+    fn nothing_is_left_out_where_nothing_may() {
+        let period = Period::from_hz(KHZ).expect("a rate");
+        let mut controller = OverloadController::new(OverloadRules::OFF, period);
+        for _ in 0..500 {
+            controller.note_load(3.0);
+            assert_eq!(controller.decide(), WorkAllowance::ALL);
+        }
+    }
+
+    #[test]
+    fn counted_evaluations_are_a_load_of_their_own_and_so_are_late_lanes() {
+        let rules = OverloadRules { evaluations: Some(100), ..OverloadRules::default() };
+        let period = Period::from_hz(KHZ).expect("a rate");
+        let loaded = |rules, voices: LaneReport| {
+            let mut controller = OverloadController::new(rules, period);
+            for _ in 0..500 {
+                controller.note_voices(&voices);
+                controller.decide();
+            }
+            controller.now != Simplifications::NONE
+        };
+        let work = VoiceWork { derivatives: 60, guards: 30, ..VoiceWork::NONE };
+        let voices = LaneReport { work, ..LaneReport::default() };
+        assert!(loaded(rules, voices) && !loaded(OverloadRules::default(), voices));
+        assert!(loaded(OverloadRules::default(), LaneReport { late: 1, ..voices }));
+    }
+
+    #[test]
+    fn a_voice_takes_no_more_than_it_may_on_average_and_four_ticks_at_once() {
+        for (work, run) in [(100, 1000), (200, 500), (400, 250), (1000, 100)] {
+            let mut debt = WorkDebt::NONE;
+            let mut runs = 0;
+            for _ in 0..1000 {
+                debt = debt.after(1, 100);
+                if !debt.must_wait(100) {
+                    debt = debt.plus(VoiceWork { derivatives: work, ..VoiceWork::NONE });
+                    runs += 1;
+                }
+            }
+            assert!((run..run + 5).contains(&runs), "{work} evaluations: {runs} of {run} ticks");
+        }
+    }
+
+    #[test]
+    fn bits_of_a_later_version_are_left_alone() {
+        assert_eq!(Simplifications::of_bits(0xff).iter().count(), Simplification::ALL.len());
+    }
+}
