@@ -259,6 +259,65 @@ fn settings_that_change_while_keys_are_held_sound_no_note_and_make_no_step_of_fo
     assert_eq!(replayed.first_difference, None);
 }
 
+/// Waits until `is_so`, or fails after a minute.
+fn wait_until(mut is_so: impl FnMut() -> bool) {
+    let begun = std::time::Instant::now();
+    while !is_so() {
+        assert!(begun.elapsed() < std::time::Duration::from_mins(1), "not even after a minute");
+        std::thread::sleep(std::time::Duration::from_millis(25));
+    }
+}
+
+/// Keys that are played in a run whose ticks may take as much as some of them need.
+const PLAYED: std::ops::Range<u8> = 30..50;
+
+#[test]
+fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_load_falls() {
+    use host::control::{FidelityWatch, Folders, Reply, Request, RequestHandler};
+    let file = folder("overload").join("a.mcap");
+    cli::read_descriptions();
+    let set = [("pianist.performance", "none"), ("overload.evaluations", "150")];
+    let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
+    let scene = Scene::load("default", &set).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
+    let recording = begin(&session, &file);
+    let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
+    let requests = std::sync::Arc::new(requests);
+    let ask = |request: &Request| requests.answer(request, "test");
+    let lowered = || {
+        let Ok(Reply::Scene { toml }) = ask(&Request::Scene {}) else { return Vec::new() };
+        let now = Scene::from_text("now", toml).expect("as it plays");
+        let models = now.keys.iter().zip(&scene.keys).enumerate();
+        let is_other = |(now, first): &(&Option<_>, &Option<scene::KeyVoice>)| {
+            let model = |voice: &Option<scene::KeyVoice>| voice.as_ref().map(|it| it.model.name);
+            model(now) != model(first)
+        };
+        models.filter(|(_key, pair)| is_other(pair)).map(|(key, _pair)| key).collect()
+    };
+    let press = |newtons: f64| {
+        let presses = PLAYED.map(|key| ask(&Request::Press { key, newtons }));
+        presses.fold(Ok(()), |all, one| all.and(one.map(drop)))
+    };
+    let report = common::run_while(session, || {
+        let _load = FidelityWatch::start(requests.clone()).expect("a thread");
+        let mut newtons = 12.0;
+        wait_until(|| {
+            newtons = 12.0 - newtons;
+            // It may not be running yet.
+            let _early = press(newtons);
+            60 <= lowered().len()
+        });
+        press(0.0).expect("let go");
+        wait_until(|| lowered().is_empty());
+    });
+    assert_eq!((report.faults, recording.report().trouble), (0, None));
+    let left_out: Vec<_> = report.overload.left_out.iter().map(|it| it.what).collect();
+    assert_eq!(left_out, ["telemetry", "slopes", "rest", "steps", "fidelity"]);
+    let replayed = again(&file).expect("a replay");
+    assert_eq!(replayed.first_difference, None);
+    assert!(0 < replayed.strikes && 0 < replayed.compared, "{replayed:?}");
+}
+
 #[test]
 fn what_is_no_recording_of_a_whole_run_is_refused_in_a_sentence() {
     let nothing = replay(std::iter::empty(), |_| {}).expect_err("nothing");

@@ -61,6 +61,8 @@ struct LoweredKeys {
     before: BTreeMap<u8, OriginalVoice>,
     /// The next lower fidelity of each instrument, if it has one that is stable.
     lower: BTreeMap<String, Option<Arc<Instrument>>>,
+    /// Keys that were changed and not told of yet.
+    untold: usize,
 }
 
 /// What a key played before.
@@ -79,28 +81,29 @@ impl LoweredKeys {
         let Some(counters) = handler.run.status.counters() else { return };
         let is_wanted = counters.overload.now().contains(Simplification::Fidelity);
         let asleep: Vec<_> = counters.keys_asleep().collect();
-        let changes =
-            if is_wanted { self.to_lower(handler, &asleep) } else { self.to_restore(handler, &asleep) };
-        if changes.is_empty() {
-            return;
-        }
-        let n = changes.len();
-        let names: Vec<_> = changes.keys().copied().collect();
-        let mut playing = handler.playing();
-        let model = changes.values().next().map(|it| it.voice.model);
-        let catalogue = model.and_then(|model| handler.catalogue_with(&playing, model));
-        let before = originals(&playing, &changes);
-        // What is refused now is tried again at the next look.
-        if handler.put_in(&mut playing, changes, catalogue, OVERLOAD).is_err() {
-            return;
-        }
-        drop(playing);
-        if is_wanted {
-            self.before.extend(before);
-            handler.tell(&format!("{n} keys at rest have a lower fidelity"), OVERLOAD);
+        let changes = if is_wanted {
+            self.to_lower(handler, &asleep)
         } else {
-            names.iter().for_each(|key| drop(self.before.remove(key)));
-            handler.tell(&format!("{n} keys have their fidelity again"), OVERLOAD);
+            self.to_restore(handler, &asleep)
+        };
+        if changes.is_empty() {
+            self.tell(handler);
+        } else if let Some(before) = change(handler, changes) {
+            self.untold += before.len();
+            if is_wanted {
+                self.before.extend(before);
+            } else {
+                before.iter().for_each(|(key, _)| drop(self.before.remove(key)));
+            }
+        }
+    }
+
+    /// Tells what was done in the last looks, once there is nothing more to do.
+    fn tell(&mut self, handler: &RequestHandler) {
+        let (changed, lower) = (std::mem::take(&mut self.untold), self.before.len());
+        if 0 < changed {
+            let text = format!("{changed} keys changed at rest; {lower} have a lower fidelity");
+            handler.tell(&text, OVERLOAD);
         }
     }
 
@@ -142,6 +145,20 @@ impl LoweredKeys {
         }
         changes
     }
+}
+
+/// Lets `changes` play; returns what those keys played before, or nothing if they are refused now,
+/// and tried again at the next look.
+fn change(
+    handler: &RequestHandler,
+    changes: BTreeMap<u8, NewVoice>,
+) -> Option<Vec<(u8, OriginalVoice)>> {
+    let mut playing = handler.playing();
+    let before = originals(&playing, &changes);
+    let model = changes.values().next()?.voice.model;
+    let catalogue = handler.catalogue_with(&playing, model);
+    handler.put_in(&mut playing, changes, catalogue, OVERLOAD).ok()?;
+    Some(before)
 }
 
 /// Returns what the keys of `changes` play now.
