@@ -39,8 +39,8 @@ pub struct Scheduler {
 }
 
 /// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (416),
-/// observation (216), force, slope and what safety knows of it (32).
-pub const SCHEDULER_KB: usize = 84;
+/// observation (216), force, slope and what safety knows of it (40).
+pub const SCHEDULER_KB: usize = 85;
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {

@@ -10,6 +10,10 @@
 //! | **Returning** | blend towards the voice; at its end → Following | start again over `n` | → Outage, hold | → Condemned, hold |
 //!
 //! The first tick of an outage or fault holds the last force; zero is sent [`FADE`] after it.
+//! A force that is held or fades is passive: where the key moves with it, it falls as that of a
+//! spring of [`RELAXATION`] does that relaxes, and it never rises again. So it hands the finger at
+//! most what such a spring stores, F²/(2 k), 31 mJ of 25 N and 50 µJ of 1 N, however fast the key
+//! comes up; beyond that only what the force changes within a tick is given.
 //! A fault must reach zero before the voice is heard again; an outage may end on the way.
 //! A tick that was skipped is an outage of every key. A key begins as after a long outage,
 //! so that power-up has no force step either.
@@ -43,6 +47,9 @@ pub const SAFE_FORCE: f64 = 0.0;
 
 /// From the first untrusted tick to the safe force.
 pub const FADE: Nanos = Nanos::from_millis(20);
+
+/// How a force without its voice falls where its key moves with it (N/m).
+pub const RELAXATION: f64 = 1e4;
 
 /// Ticks without a new sample that a voice bridges by extrapolation.
 pub const MAX_EXTRAPOLATED: u32 = 1;
@@ -101,6 +108,8 @@ struct KeySafety {
     state: SafetyState,
     /// The force sent last (N).
     sent: f64,
+    /// Where the key was then (m).
+    position: f64,
 }
 
 impl KeySafety {
@@ -108,10 +117,18 @@ impl KeySafety {
     const SILENT: Self = Self {
         state: SafetyState::Outage { held: SAFE_FORCE, ticks: u32::MAX, left: 0 },
         sent: SAFE_FORCE,
+        position: 0.0,
     };
 
-    /// One row of the table; returns the force to send (N), `ticks` after the last one.
-    fn step(&mut self, trust: Trust, force: f64, ramps: Ramps, ticks: f64) -> f64 {
+    /// One row of the table for a key at `position` (m); returns the force to send (N), `ticks`
+    /// after the last one.
+    fn step(
+        &mut self,
+        trust: Trust,
+        (force, position): (f64, f64),
+        ramps: Ramps,
+        ticks: f64,
+    ) -> f64 {
         let Ramps { fade_ticks, reach } = ramps;
         self.state = match trust {
             Trust::Trusted => self.trusted(fade_ticks),
@@ -119,6 +136,7 @@ impl KeySafety {
             Trust::NotThere => self.not_there(1),
             Trust::Fault => self.fault(),
         };
+        self.relax(position);
         let force = match self.state {
             SafetyState::Following => towards(self.sent, force, reach * ticks),
             SafetyState::Outage { held, ticks, .. } | SafetyState::Condemned { held, ticks } => {
@@ -132,6 +150,20 @@ impl KeySafety {
         // The last gate: a blend of huge forces can overflow, and `f64::clamp` lets NaN through.
         self.sent = if force.is_finite() { force } else { SAFE_FORCE };
         self.sent
+    }
+
+    /// Lets a force without its voice fall as a spring's that relaxes as the key goes to `position`
+    /// (m).
+    fn relax(&mut self, position: f64) {
+        let rise = self.position - position;
+        self.position = position;
+        if let SafetyState::Outage { held, .. } | SafetyState::Condemned { held, .. } =
+            &mut self.state
+        {
+            // What is no number is no way.
+            let lost = (RELAXATION * rise * held.signum()).max(0.0);
+            *held -= lost.min(held.abs()).copysign(*held);
+        }
     }
 
     fn trusted(&self, fade_ticks: u32) -> SafetyState {
@@ -255,7 +287,8 @@ impl KeyGate {
 
     /// Returns what is sent to the key (N), after a tick without a gap.
     pub fn apply(&mut self, turn: &VoiceOutput, sample: &KeySample) -> f64 {
-        self.safety.step(Trust::of(turn, sample), turn.force, self.ramps, 1.0)
+        let wanted = (turn.force, sample.position);
+        self.safety.step(Trust::of(turn, sample), wanted, self.ramps, 1.0)
     }
 
     /// Returns how the force sent last goes on.
@@ -333,7 +366,8 @@ impl Safety {
                 Trust::Trusted | Trust::Fresh if !self.armed => Trust::NotThere,
                 known @ (Trust::Trusted | Trust::Fresh | Trust::NotThere | Trust::Fault) => known,
             };
-            *force = safety.step(trust, turns[key].force, self.ramps, ticks);
+            let wanted = (turns[key].force, samples[key].position);
+            *force = safety.step(trust, wanted, self.ramps, ticks);
             report.count(safety.state);
         }
         report

@@ -14,12 +14,12 @@ const RAMPS: Ramps = Ramps { fade_ticks: N, reach: f64::INFINITY };
 
 /// Steps a key through `ticks` of (trust, voice's force) and returns what was sent.
 fn sent<const T: usize>(mut key: KeySafety, ticks: [(Trust, f64); T]) -> [f64; T] {
-    ticks.map(|(trust, force)| key.step(trust, force, RAMPS, 1.0))
+    ticks.map(|(trust, force)| key.step(trust, (force, 0.0), RAMPS, 1.0))
 }
 
 /// A key that follows its voice and was last sent `force` (N).
 fn following(force: f64) -> KeySafety {
-    KeySafety { state: SafetyState::Following, sent: force }
+    KeySafety { state: SafetyState::Following, sent: force, position: 0.0 }
 }
 
 #[track_caller]
@@ -43,6 +43,35 @@ fn a_trusted_voice_is_felt_as_it_is() {
 #[test]
 fn an_outage_is_held_one_tick_and_then_faded_to_the_safe_force() {
     check(following(4.0), [(NotThere, 9.0); 6], [4.0, 3.0, 2.0, 1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn a_held_force_hands_out_no_more_than_a_spring_stores_however_fast_the_key_comes_up() {
+    let ramps = Ramps { fade_ticks: 20, reach: f64::INFINITY };
+    for (force, speed) in [(1.0, 0.05), (5.0, 1.0), (25.0, 0.2), (25.0, 3.0), (-25.0, -1.0)] {
+        let mut key = KeySafety { position: 0.01, ..following(force) };
+        let (mut given, mut last, mut position) = (0.0, force, 0.01);
+        for _ in 0..30 {
+            position -= speed * 1e-3;
+            // What was sent is felt until the next tick.
+            given += last * speed * 1e-3;
+            let sent = key.step(NotThere, (9.0, position), ramps, 1.0);
+            assert!(sent * force >= 0.0 && sent.abs() <= last.abs());
+            last = sent;
+        }
+        let stored = force * force / (2.0 * RELAXATION);
+        let of_a_tick = force * speed * 1e-3;
+        assert!(given <= stored + of_a_tick, "{force} N at {speed} m/s: {given} J of {stored} J");
+        assert_eq!(last.to_bits(), 0.0_f64.copysign(last).to_bits());
+    }
+}
+
+#[test]
+fn a_held_force_against_which_the_key_moves_falls_by_the_time_alone() {
+    let mut key = following(4.0);
+    let sent = [1e-3, 2e-3, 3e-3].map(|down| key.step(NotThere, (0.0, down), RAMPS, 1.0));
+    assert_eq!(sent.map(f64::to_bits), [4.0, 3.0, 2.0].map(f64::to_bits));
+    assert!((key.step(NotThere, (0.0, f64::NAN), RAMPS, 1.0) - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -83,7 +112,7 @@ fn a_fresh_voice_is_blended_in_from_what_was_felt_before() {
 
 #[test]
 fn trouble_on_the_way_back_starts_from_what_is_felt() {
-    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 2, of: 4 }, sent: 4.0 };
+    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 2, of: 4 }, sent: 4.0, position: 0.0 };
     check(back, [(NotThere, 8.0), (NotThere, 8.0)], [4.0, 3.0]);
     check(back, [(Fault, 8.0), (Trusted, 8.0)], [4.0, 3.0]);
     check(back, [(Fresh, 8.0), (Trusted, 8.0)], [5.0, 6.0]);
@@ -97,13 +126,13 @@ fn a_voice_that_moved_on_during_an_outage_is_met_at_the_slew_limit() {
     let ramps = Ramps { fade_ticks: N, reach: 20.0 };
     let mut key = following(25.0);
     let ticks = [(NotThere, 5.0), (Trusted, -15.0), (Trusted, -25.0), (Trusted, -25.0)];
-    let sent = ticks.map(|(trust, force)| key.step(trust, force, ramps, 1.0));
+    let sent = ticks.map(|(trust, force)| key.step(trust, (force, 0.0), ramps, 1.0));
     assert_eq!(sent.map(f64::to_bits), [25.0, 5.0, -15.0, -25.0].map(f64::to_bits), "{sent:?}");
 }
 
 #[test]
 fn a_return_that_was_cut_short_goes_on_no_faster() {
-    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 1, of: 4 }, sent: 2.0 };
+    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 1, of: 4 }, sent: 2.0, position: 0.0 };
     let ticks = [(NotThere, 8.0), (Trusted, 8.0), (Trusted, 8.0), (Trusted, 8.0)];
     check(back, ticks, [2.0, 4.0, 6.0, 8.0]);
 }
@@ -200,7 +229,7 @@ proptest! {
         let mut key = KeySafety::SILENT;
         for (trust, force) in ticks {
             let trust = if force.is_finite() { trust } else { Fault };
-            let sent = key.step(trust, force, RAMPS, 1.0);
+            let sent = key.step(trust, (force, 0.0), RAMPS, 1.0);
             assert!(sent.is_finite());
             // Two roundings of a blend may leave the range by as many units in the last place.
             assert!(sent.abs() <= LIMIT * (1.0 + 2.0 * f64::EPSILON));
@@ -218,7 +247,7 @@ proptest! {
         let mut key = KeySafety::SILENT;
         let mut last = 0.0;
         for (trust, force) in ticks {
-            let sent = key.step(trust, force, Ramps { fade_ticks, reach }, 1.0);
+            let sent = key.step(trust, (force, 0.0), Ramps { fade_ticks, reach }, 1.0);
             let allowed = reach.max(LIMIT / f64::from(fade_ticks));
             assert!((sent - last).abs() <= allowed + 1e-12, "{last} N to {sent} N, allowed {allowed} N");
             last = sent;
@@ -237,13 +266,13 @@ proptest! {
         assert!(period.span(u64::from(fade_ticks)) <= FADE);
         let mut key = KeySafety::SILENT;
         for (trust, force) in before {
-            key.step(trust, force, ramps, 1.0);
+            key.step(trust, (force, 0.0), ramps, 1.0);
         }
         for tick in 0..fade_ticks {
             let fault = fault_first != (tick % 3 == 2);
-            key.step(if fault { Fault } else { NotThere }, 5.0, ramps, 1.0);
+            key.step(if fault { Fault } else { NotThere }, (5.0, 0.0), ramps, 1.0);
         }
-        let sent = key.step(NotThere, 5.0, ramps, 1.0);
+        let sent = key.step(NotThere, (5.0, 0.0), ramps, 1.0);
         assert!(sent.abs() == 0.0, "{sent} N after the fade");
     }
 }
