@@ -86,7 +86,7 @@ const VOICE_MAY_KNOW: [&str; 10] = [
     "scheduler",
 ];
 
-const SCENE_MAY_KNOW: [&str; 10] = [
+const SCENE_MAY_KNOW: [&str; 11] = [
     "descriptions",
     "diagnostics",
     "firmware-protocol",
@@ -97,6 +97,7 @@ const SCENE_MAY_KNOW: [&str; 10] = [
     "midi",
     "models",
     "pode",
+    "scheduler",
 ];
 
 const HOST_MAY_KNOW: [&str; 17] = [

@@ -8,8 +8,8 @@ use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, system, tell};
 use host::control::{
-    Answers, Clients, ControlServer, DescriptionWatch, FidelityWatch, ProgramListener, RequestHandler, RunHandle,
-    StreamSink, serve, socket_path,
+    Answers, Clients, ControlServer, DescriptionWatch, FidelityWatch, ProgramListener,
+    RequestHandler, RunHandle, StreamSink, serve, socket_path,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};

@@ -22,8 +22,7 @@ pub(super) fn read(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) ->
     rules.above = reader.number(report, "above", LOAD).unwrap_or(rules.above);
     rules.below = reader.number(report, "below", LOAD).unwrap_or(rules.below);
     if rules.above <= rules.below {
-        let message =
-            format!("\"above\" is {} and \"below\" is {}", rules.above, rules.below);
+        let message = format!("\"above\" is {} and \"below\" is {}", rules.above, rules.below);
         let help = "give a load to go back below that is lower, as below = 0.4 with above = 0.8";
         report.say(reader.place, message, help);
     }
@@ -40,7 +39,8 @@ fn read_order(
 ) -> Option<[Option<Simplification>; Simplification::ALL.len()]> {
     let entry = reader.take("order")?;
     let TomlValue::List(nodes) = &entry.node.value else {
-        let help = "write what is left out first, as [\"telemetry\", \"slopes\"], or [] for nothing";
+        let help =
+            "write what is left out first, as [\"telemetry\", \"slopes\"], or [] for nothing";
         read::wrong_type(report, "order", &entry.node, "a list", help);
         return None;
     };

@@ -22,8 +22,8 @@ use super::rig::{self, Rig};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use super::voicing::Voicing;
 use diagnostics::Diagnostics;
-use scheduler::overload::OverloadRules;
 use diagnostics::{choice, quoted};
+use scheduler::overload::OverloadRules;
 
 /// The tick's rate on hardware (Hz).
 const DEFAULT_TICK_HZ: u32 = 1000;

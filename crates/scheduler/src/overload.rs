@@ -15,20 +15,18 @@
 //! needed again, so that a level cannot swing.
 //! The two limits are apart by more than any of them saves.
 
-use crate::lane::LaneReport;
 use crate::time::Period;
-use crate::voice::VoiceWork;
 
 /// Something that is left out while there is too much to do.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Simplification {
     /// Rows of single keys on the stream.
     Telemetry,
-    /// Slopes of forces.
+    /// How forces go on between two ticks.
     Slopes,
     /// Equations of voices that move a little.
     Rest,
-    /// Every other step.
+    /// Accuracy of methods with fixed steps, which become twice as long.
     Steps,
     /// Parts of the action of keys at rest.
     Fidelity,
@@ -207,14 +205,10 @@ impl OverloadController {
         self.last = self.last.max(load);
     }
 
-    /// Notes what the voices did in the last tick; lanes that were late had too much to do.
-    pub fn note_voices(&mut self, voices: &LaneReport) {
+    /// Notes that the voices took so many `evaluations` in the last tick.
+    pub fn note_evaluations(&mut self, evaluations: u32) {
         if let Some(most) = self.rules.evaluations {
-            let evaluations = f64::from(voices.work.evaluations());
-            self.note_load(evaluations / f64::from(most.max(1)));
-        }
-        if 0 < voices.late {
-            self.note_load(1.0);
+            self.note_load(f64::from(evaluations) / f64::from(most.max(1)));
         }
     }
 
@@ -244,7 +238,7 @@ impl OverloadController {
         }
         self.level += 1;
         self.now = self.now.with(*next);
-        self.change(false);
+        (self.since, self.calm, self.has_fallen) = (0.0, 0.0, false);
     }
 
     /// Takes back the last one.
@@ -252,11 +246,7 @@ impl OverloadController {
         self.level -= 1;
         let left = self.rules.order.iter().take(self.level).flatten();
         self.now = left.fold(Simplifications::NONE, |all, one| all.with(*one));
-        self.change(true);
-    }
-
-    const fn change(&mut self, has_fallen: bool) {
-        (self.since, self.calm, self.has_fallen) = (0.0, 0.0, has_fallen);
+        (self.since, self.calm, self.has_fallen) = (0.0, 0.0, true);
     }
 }
 
@@ -307,9 +297,9 @@ impl WorkDebt {
         most.saturating_mul(BURST - 1) < self.0
     }
 
-    /// Returns the debt after `work`.
-    pub(crate) const fn plus(self, work: VoiceWork) -> Self {
-        Self(self.0.saturating_add(work.evaluations()))
+    /// Returns the debt after so many `evaluations`.
+    pub(crate) const fn plus(self, evaluations: u32) -> Self {
+        Self(self.0.saturating_add(evaluations))
     }
 }
 
@@ -375,21 +365,18 @@ mod tests {
     }
 
     #[test]
-    fn counted_evaluations_are_a_load_of_their_own_and_so_are_late_lanes() {
-        let rules = OverloadRules { evaluations: Some(100), ..OverloadRules::default() };
+    fn counted_evaluations_are_a_load_of_their_own_where_their_number_is_limited() {
         let period = Period::from_hz(KHZ).expect("a rate");
-        let loaded = |rules, voices: LaneReport| {
+        let is_loaded = |evaluations| {
+            let rules = OverloadRules { evaluations, ..OverloadRules::default() };
             let mut controller = OverloadController::new(rules, period);
             for _ in 0..500 {
-                controller.note_voices(&voices);
+                controller.note_evaluations(90);
                 controller.decide();
             }
             controller.now != Simplifications::NONE
         };
-        let work = VoiceWork { derivatives: 60, guards: 30, ..VoiceWork::NONE };
-        let voices = LaneReport { work, ..LaneReport::default() };
-        assert!(loaded(rules, voices) && !loaded(OverloadRules::default(), voices));
-        assert!(loaded(OverloadRules::default(), LaneReport { late: 1, ..voices }));
+        assert_eq!([Some(100), Some(200), None].map(is_loaded), [true, false, false]);
     }
 
     #[test]
@@ -400,7 +387,7 @@ mod tests {
             for _ in 0..1000 {
                 debt = debt.after(1, 100);
                 if !debt.must_wait(100) {
-                    debt = debt.plus(VoiceWork { derivatives: work, ..VoiceWork::NONE });
+                    debt = debt.plus(work);
                     runs += 1;
                 }
             }

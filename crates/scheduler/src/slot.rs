@@ -187,7 +187,7 @@ impl<V: Voice> Slot<V> {
         turn.fresh = self.fresh || self.retuned;
         self.retuned = false;
         self.fresh = turn.fault.is_some();
-        self.debt = debt.plus(turn.work);
+        self.debt = debt.plus(turn.work.evaluations());
         self.force = turn.force;
         self.lockout.note(turn.fault, passed);
         self.ran = self.ran.checked_shl(passed).unwrap_or(0) | 1;

@@ -124,7 +124,11 @@ impl Scheduler {
         });
 
         let voices = LaneReport::of(&self.turns);
-        self.overload.note_voices(&voices);
+        self.overload.note_evaluations(voices.work.evaluations());
+        if 0 < voices.late {
+            // The lanes that were late had too much to do.
+            self.overload.note_load(1.0);
+        }
         Some(TickReport {
             tick,
             due: self.timetable.due(tick),

@@ -69,6 +69,7 @@ pub trait Voice {
 }
 
 /// A voice's turn: what it did in one tick, and how far that can be trusted.
+#[expect(clippy::struct_excessive_bools, reason = "flags, of which one follows from another")]
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct VoiceOutput {
     /// Force on the finger, up positive (N).

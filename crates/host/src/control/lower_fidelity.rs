@@ -20,7 +20,7 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Keys that are changed at a look: their voices are built beside a tick that has too much to do.
 const MOST_AT_ONCE: usize = 8;
 
-/// Who changes them.
+/// The writer that telemetry names.
 const OVERLOAD: &str = "overload";
 
 /// Gives keys at rest a lower fidelity while the scheduler leaves fidelity out, on a thread of its
@@ -82,9 +82,9 @@ impl LoweredKeys {
         let is_wanted = counters.overload.now().contains(Simplification::Fidelity);
         let asleep: Vec<_> = counters.keys_asleep().collect();
         let changes = if is_wanted {
-            self.to_lower(handler, &asleep)
+            self.lower_voices(handler, &asleep)
         } else {
-            self.to_restore(handler, &asleep)
+            self.former_voices(handler, &asleep)
         };
         if changes.is_empty() {
             self.tell(handler);
@@ -93,7 +93,7 @@ impl LoweredKeys {
             if is_wanted {
                 self.before.extend(before);
             } else {
-                before.iter().for_each(|(key, _)| drop(self.before.remove(key)));
+                self.before.retain(|key, _| before.iter().all(|(changed, _)| changed != key));
             }
         }
     }
@@ -108,7 +108,7 @@ impl LoweredKeys {
     }
 
     /// Returns the lower voices of some keys that are `asleep`, all of one instrument.
-    fn to_lower(&mut self, handler: &RequestHandler, asleep: &[u8]) -> BTreeMap<u8, NewVoice> {
+    fn lower_voices(&mut self, handler: &RequestHandler, asleep: &[u8]) -> BTreeMap<u8, NewVoice> {
         let playing = handler.playing().clone();
         let mut changes = BTreeMap::new();
         let mut of: Option<&str> = None;
@@ -127,7 +127,7 @@ impl LoweredKeys {
 
     /// Returns the former voices of some keys that are `asleep`, all of one instrument, unless
     /// somebody else changed them meanwhile.
-    fn to_restore(&mut self, handler: &RequestHandler, asleep: &[u8]) -> BTreeMap<u8, NewVoice> {
+    fn former_voices(&mut self, handler: &RequestHandler, asleep: &[u8]) -> BTreeMap<u8, NewVoice> {
         if self.before.is_empty() {
             return BTreeMap::new();
         }

@@ -530,8 +530,7 @@ impl TelemetryThread {
 
     fn give_at(&mut self, at: u64, update: &Update) {
         let Some(topic) = update.topic() else { return };
-        let is_left_out =
-            self.is_sparse() && matches!(topic, Topic::Block(_) | Topic::State(_));
+        let is_left_out = self.is_sparse() && matches!(topic, Topic::Block(_) | Topic::State(_));
         let sinks = self.sinks.iter_mut().filter(|sink| sink.wants(topic));
         for sink in sinks.filter(|sink| !(is_left_out && sink.is_thinned())) {
             sink.take(at, update);

@@ -20,7 +20,7 @@ pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
 pub use note_report::{ErrorQuantiles, NoteReport, NoteShortfall, UnplayedNotes};
-pub use overload::{OverloadReport, LeftOut};
+pub use overload::{LeftOut, OverloadReport};
 pub use step_counts::StepCounts;
 
 /// The report of `letoff run`, as `--json` prints it.

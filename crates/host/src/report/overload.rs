@@ -50,7 +50,10 @@ impl OverloadReport {
         }
         if 0 < self.waited {
             let (turns, keys) = (self.waited, self.waited_keys.join(", "));
-            writeln!(f, "  waited      {turns} turns of {keys}: more evaluations than a voice may")?;
+            writeln!(
+                f,
+                "  waited      {turns} turns of {keys}: more evaluations than a voice may"
+            )?;
         }
         Ok(())
     }

@@ -20,6 +20,7 @@ use std::sync::atomic::AtomicBool;
 
 use firmware_protocol::key::KeyIndex;
 use hardware::sim::keybed::SimulatedKeybed;
+use midi::{NoteEvent, VelocityCurve};
 use performance::{Performance, Struck, assess};
 use scheduler::overload::OverloadRules;
 use scheduler::tick::Scheduler;
@@ -219,9 +220,8 @@ impl RunSession {
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi, &handle)?;
         let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
-        let mut dispatcher = Box::new(MidiDispatcher::new(consumer, output, scene.midi.curve));
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
-        dispatcher.live_while_ticks_go_on(Arc::clone(&counters));
+        let dispatcher = dispatcher(consumer, output, scene.midi.curve, &counters);
         let pedals = observed::pedals(performance.as_ref(), &handle);
         let publisher = TickPublisher::new(
             producer,
@@ -235,11 +235,7 @@ impl RunSession {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
             slew_limit: scene.render.slew_limit,
-            overload: if options.virtual_time {
-                scene.overload.in_virtual_time()
-            } else {
-                scene.overload
-            },
+            overload: scene.overload,
             n_voices: voices.len(),
             n_lanes: threads::lanes(scene),
             threads: threads::plan(scene, options),
@@ -341,7 +337,12 @@ impl PreparedRun {
     /// Returns the scheduler of its ticks.
     fn scheduler(&self) -> Result<Box<Scheduler>, SessionError> {
         let mut scheduler = realtime::run::scheduler(self.timetable()?, self.slew_limit);
-        scheduler.set_overload(self.overload);
+        let is_virtual = self.virtual_time;
+        scheduler.set_overload(if is_virtual {
+            self.overload.in_virtual_time()
+        } else {
+            self.overload
+        });
         Ok(scheduler)
     }
 
@@ -402,6 +403,18 @@ impl PreparedRun {
             fidelity: Vec::new(),
         }
     }
+}
+
+/// Returns what plays `events`, and is alive while `counters` count ticks.
+fn dispatcher(
+    events: rtrb::Consumer<NoteEvent>,
+    output: AnyOutput,
+    curve: VelocityCurve,
+    counters: &Arc<LiveCounters>,
+) -> Box<MidiDispatcher> {
+    let mut dispatcher = Box::new(MidiDispatcher::new(events, output, curve));
+    dispatcher.live_while_ticks_go_on(Arc::clone(counters));
+    dispatcher
 }
 
 /// Returns how the notes came out that the piece asks for before the run's end.

@@ -47,8 +47,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         const CRUMB: f64 = 1e-9;
         /// More lines than any tick can have pieces.
         const MOST_LINES: f64 = 1e12;
-        let own =
-            run.limits.stretch * self.model.longest_step_at(self.mode, &self.state, input);
+        let own = run.limits.stretch * self.model.longest_step_at(self.mode, &self.state, input);
         let longest = self
             .stepper
             .longest_step(&self.model.nature(self.mode), own)

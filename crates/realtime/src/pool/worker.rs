@@ -78,8 +78,7 @@ impl Batch {
     /// Runs each voice for the batch's tick.
     fn run(&mut self) {
         let Self { tick, samples, followed, allowance, slots, turns, observed, .. } = self;
-        let input =
-            TickInput { tick: *tick, samples, followed: *followed, allowance: *allowance };
+        let input = TickInput { tick: *tick, samples, followed: *followed, allowance: *allowance };
         run_slots(slots, &input, &mut TickOutput { turns, observed });
     }
 

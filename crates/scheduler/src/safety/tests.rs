@@ -112,7 +112,11 @@ fn a_fresh_voice_is_blended_in_from_what_was_felt_before() {
 
 #[test]
 fn trouble_on_the_way_back_starts_from_what_is_felt() {
-    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 2, of: 4 }, sent: 4.0, position: 0.0 };
+    let back = KeySafety {
+        state: SafetyState::Returning { from: 0.0, done: 2, of: 4 },
+        sent: 4.0,
+        position: 0.0,
+    };
     check(back, [(NotThere, 8.0), (NotThere, 8.0)], [4.0, 3.0]);
     check(back, [(Fault, 8.0), (Trusted, 8.0)], [4.0, 3.0]);
     check(back, [(Fresh, 8.0), (Trusted, 8.0)], [5.0, 6.0]);
@@ -132,7 +136,11 @@ fn a_voice_that_moved_on_during_an_outage_is_met_at_the_slew_limit() {
 
 #[test]
 fn a_return_that_was_cut_short_goes_on_no_faster() {
-    let back = KeySafety { state: SafetyState::Returning { from: 0.0, done: 1, of: 4 }, sent: 2.0, position: 0.0 };
+    let back = KeySafety {
+        state: SafetyState::Returning { from: 0.0, done: 1, of: 4 },
+        sent: 2.0,
+        position: 0.0,
+    };
     let ticks = [(NotThere, 8.0), (Trusted, 8.0), (Trusted, 8.0), (Trusted, 8.0)];
     check(back, ticks, [2.0, 4.0, 6.0, 8.0]);
 }
