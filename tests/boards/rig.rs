@@ -18,6 +18,24 @@ pub(crate) fn machine() -> MutexGuard<'static, ()> {
     MACHINE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Tries several of `cases` at a time, each in a folder within `folder`: of those that wait for
+/// time-outs nearly all the time.
+pub(crate) fn side_by_side<T: Sync>(
+    folder: &Path,
+    cases: &[T],
+    test: impl Fn(&Path, &T) + Sync,
+) {
+    const AT_ONCE: usize = 4;
+    std::thread::scope(|scope| {
+        for first in 0..AT_ONCE {
+            let (folder, test) = (folder.join(first.to_string()), &test);
+            std::fs::create_dir_all(&folder).expect("a folder");
+            let cases = cases.iter().skip(first).step_by(AT_ONCE);
+            scope.spawn(move || cases.for_each(|case| test(&folder, case)));
+        }
+    });
+}
+
 /// A line for whoever runs the tests, passed or not.
 pub(crate) fn say(line: &str) {
     let _nobody_listens = writeln!(std::io::stderr(), "{line}");
