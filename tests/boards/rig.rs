@@ -18,13 +18,9 @@ pub(crate) fn machine() -> MutexGuard<'static, ()> {
     MACHINE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Tries several of `cases` at a time, each in a folder within `folder`: of those that wait for
-/// time-outs nearly all the time.
-pub(crate) fn side_by_side<T: Sync>(
-    folder: &Path,
-    cases: &[T],
-    test: impl Fn(&Path, &T) + Sync,
-) {
+/// Tests `cases` four at a time, each thread in its own folder within `folder`: for cases that
+/// mostly wait for time-outs, and that a busy machine does not spoil.
+pub(crate) fn side_by_side<T: Sync>(folder: &Path, cases: &[T], test: impl Fn(&Path, &T) + Sync) {
     const AT_ONCE: usize = 4;
     std::thread::scope(|scope| {
         for first in 0..AT_ONCE {
