@@ -206,7 +206,7 @@ fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     use lab::simulate::SimulateError;
     let header = about::ReportHeader::new().fields();
     let args = &SimulateArgs { header, ..args.clone() };
-    lab::simulate::run(args, out).map_err(|error| {
+    lab::simulate::run(args, out, &mut tell).map_err(|error| {
         let text = error.to_string();
         if let SimulateError::Summary(cause) = error {
             cause.into()

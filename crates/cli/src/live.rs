@@ -1,7 +1,7 @@
 //! Progress of what takes long: the rehearsal, a run, keys that are measured.
 //!
 //! Drawn on stderr, and only when a person sees it: a pipe gets the report, and a line every few
-//! seconds while a performance is rehearsed.
+//! seconds while a performance is rehearsed, and one for each key that is measured.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
@@ -104,9 +104,38 @@ impl StatusLine {
     }
 }
 
-/// Returns a bar for `n` keys that are measured one after the other.
-pub(super) fn keys(n: usize) -> ProgressBar {
-    ProgressBar::new(n as u64).with_style(style("{msg:34} {wide_bar} {pos}/{len} keys {eta}"))
+/// Keys that are measured one after the other.
+#[derive(Debug)]
+pub(super) struct KeyProgress(ProgressBar);
+
+impl KeyProgress {
+    pub(super) fn new(n: usize) -> Self {
+        let style = style("{msg:34} {wide_bar} {pos}/{len} keys {eta}");
+        Self(ProgressBar::new(n as u64).with_style(style))
+    }
+
+    /// Shows what is measured now; where there is no terminal, in a line of its own.
+    pub(super) fn show(&self, what: &str) {
+        self.0.set_message(what.to_owned());
+        if self.0.is_hidden() {
+            let (done, all) = (self.0.position(), self.0.length().unwrap_or_default());
+            tell(&format!("measuring {what}, {done} of {all} keys done"));
+        }
+    }
+
+    /// Counts a key as done.
+    pub(super) fn next(&self) {
+        self.0.inc(1);
+    }
+
+    pub(super) fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+
+    /// Returns the bar, which is put aside while somebody is asked.
+    pub(super) const fn bar(&self) -> &ProgressBar {
+        &self.0
+    }
 }
 
 /// Returns the style of `template`; the plain bar, if the template were wrong.

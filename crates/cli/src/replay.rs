@@ -68,7 +68,7 @@ pub(super) fn run(args: &ReplayArgs, out: &mut dyn Write) -> Result<(), Failure>
 }
 
 fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
-    let Replayed { scene, ticks, compared, strikes, faults, .. } = it;
+    let Replayed { scene, ticks, recorded, compared, strikes, faults, .. } = it;
     writeln!(out, "{scene}: {ticks} ticks run again, {strikes} strikes, {faults} faults")?;
     if it.first_difference.is_none() {
         writeln!(
@@ -82,12 +82,13 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
     match (it.incomplete_from, it.missing.is_empty()) {
         (Some(tick), true) => writeln!(
             out,
-            "  from tick {tick} on samples are missing in it, so that nothing could be compared"
+            "  from tick {tick} on samples are missing in it, so that nothing could be compared: \
+             {ticks} of {recorded} ticks were"
         )?,
         (Some(tick), false) => writeln!(
             out,
             "  from tick {tick} on nothing could be compared: what voices were like behind what is \
-             missing is not in it"
+             missing is not in it; {ticks} of {recorded} ticks were"
         )?,
         (None, _) => {}
     }

@@ -1,5 +1,6 @@
 //! `letoff lab soak`: the whole host, with faults in everything around it.
 
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -7,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use scene::{LinksConfig, Override, Scene};
-use soak::{SoakChoice, SoakError, SoakReport, SoakTime, soak};
+use soak::{HostFiles, SoakChoice, SoakError, SoakReport, SoakTime, SupervisedProgram, soak};
 
 use super::arguments::seconds;
 use super::signals::Signals;
@@ -26,7 +27,8 @@ Random dense music is played on all keys while frames are lost, damaged and late
 silent, sensors say NaN, models get impossible values, a tuner sets values, the MIDI port vanishes
 and the disk is full. In virtual time a seed gives the same bits every time, and keys that nothing
 befell are compared with a run without faults. In real time processors are busy beside, clients of
-the stream stall and send rubbish, and the process is stopped for moments.
+the stream stall and send rubbish, the process is stopped for moments, and a supervised host in
+processes of its own is killed at random: it must play again, and no note of it may be stuck.
 
 Exit codes: 0 every promise was kept; 1 one was broken; 2 wrong usage or file.")]
 pub struct SoakArgs {
@@ -63,8 +65,14 @@ pub(super) fn run(args: &SoakArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let folder =
         kept.map_or_else(temporary, Ok).map_err(|error| Failure::Usage(error.to_string()))?;
     let time = if args.real_time { SoakTime::Real } else { SoakTime::Virtual };
-    let choice =
-        SoakChoice { scene, seed: args.seed, seconds: args.duration, time, folder: folder.clone() };
+    let choice = SoakChoice {
+        scene,
+        seed: args.seed,
+        seconds: args.duration,
+        time,
+        folder: folder.clone(),
+        supervised: Some(supervised(&folder)),
+    };
     let tried = until_signal(choice);
     if args.out.is_none() {
         // It was made a moment ago; what cannot be removed lies among temporary files.
@@ -81,6 +89,20 @@ pub(super) fn run(args: &SoakArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
     let broken = report.broken();
     if broken.is_empty() { Ok(()) } else { Err(Failure::Running(broken.join("\nletoff: "))) }
+}
+
+/// Returns this program as the supervisor of a host whose files are in `folder`.
+fn supervised(folder: &Path) -> SupervisedProgram {
+    let HostFiles { scene, midi, socket, last_minutes, .. } = HostFiles::in_folder(folder);
+    let mut port = OsString::from("raw:");
+    port.push(midi);
+    let typed = ["run".into(), "--supervised".into(), "--listen".into(), "none".into()];
+    let files = [scene.into(), "--midi".into(), port, "--black-box".into(), last_minutes.into()];
+    SupervisedProgram {
+        program: host::guardian::program(),
+        arguments: typed.into_iter().chain(files).collect(),
+        environment: vec![("LETOFF_SOCKET".into(), socket.into())],
+    }
 }
 
 /// Returns the scene on simulated keys, without its pianist and its MIDI output.

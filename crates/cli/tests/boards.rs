@@ -62,6 +62,7 @@ fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
     let said = letoff(&calibrate);
     let (out, err) = (text(&said.stdout), text(&said.stderr));
     assert!(said.status.success(), "{out}{err}");
+    assert!(err.contains(": G3, 1 of 2 keys done"), "{err}");
     assert!(out.contains("  F#3        500") && out.contains("  10.1"), "{out}");
     let path = file::path(&folder, board.uid);
     let keys = file::read(&path, board.uid, 2).expect("a good file").expect("a file");
@@ -122,7 +123,7 @@ fn a_key_that_jams_is_named_and_the_other_board_gets_its_file() {
     let err = text(&said.stderr);
     assert_eq!(said.status.code(), Some(1), "{err}");
     assert!(err.contains("A0 of board 0 on /dev/pts/") && err.contains("does not move"), "{err}");
-    assert!(err.contains("since it holds all 1 keys or none"), "{err}");
+    assert!(err.contains("none of its 1 keys was measured, no file written"), "{err}");
     assert!(!file::path(&folder, board.uid).exists());
     assert!(file::path(&folder, good.uid).exists());
     let said = letoff(&["calibrate", "--link", &link, "--board", "9"]);
@@ -261,13 +262,21 @@ fn calibration_is_stopped_as_a_run_is() {
                 assert!(out.starts_with("stopped: 1 of 1 boards"), "{out}");
             }
             Some(signal) => {
+                // The first of two keys is measured, and kept.
+                let is_half = || folder.read("complaints").contains("1 of 2 keys done");
+                eventually("a key", || is_half().then_some(()));
                 let id = i32::try_from(calibrate.id()).ok().and_then(Pid::from_raw);
                 kill_process(id.expect("a process"), signal).expect("it is there");
             }
         }
         assert_eq!(calibrate.wait().expect("it ends").code(), Some(1));
-        assert!(folder.read("complaints").contains("stopped at board 3"), "{signal:?}");
-        assert!(!file::path(&folder, board.uid).exists());
+        let complaints = folder.read("complaints");
+        assert!(complaints.contains("stopped at board 3"), "{signal:?}: {complaints}");
+        let path = file::path(&folder, board.uid);
+        assert!(!path.exists());
+        let kept = file::load_partial(&file::partial(&path), board.uid, 2).expect("a good file");
+        let known = kept.map(|it| it.keys.as_slice().iter().map(Option::is_some).collect());
+        assert_eq!(known, signal.map(|_| vec![true, false]), "{complaints}");
         assert_eq!(board.stop().board().safe_reason(), reason, "{signal:?}");
     }
 }

@@ -100,6 +100,7 @@ fn a_hole_is_named_and_is_no_difference() {
         assert_eq!(replayed.incomplete_from, Some(missing.from));
         let ticks = missing.to.expect("an end") - missing.from + 1;
         assert!((100..4_000).contains(&ticks), "{missing:?}: a sixteenth of all messages");
+        assert_eq!(replayed.recorded, 16_000 - ticks, "four seconds at 4 kHz but for the hole");
     }
     // What comes behind the last tick is nothing that would be missed.
     let end = all.into_iter().chain([Err("it is damaged".to_owned())]);

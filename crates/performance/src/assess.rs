@@ -2,10 +2,15 @@
 
 use std::fmt;
 
-/// A strike further than this from its note's onset belongs to no note (s).
+use crate::align::align;
+
+/// A strike further than this from its note's onset is not in time (s).
 ///
 /// A little more than half of a grand's quickest repetition (15/s).
 pub const WINDOW: f64 = 0.04;
+
+/// A strike later than this after a note's onset is not taken for the note (s).
+pub const REACH: f64 = 5.0;
 
 /// A note that should be heard.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -54,7 +59,7 @@ impl Spread {
 }
 
 /// How a performance went.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
+#[derive(Clone, PartialEq, Debug, Default)]
 pub struct Assessment {
     /// Notes that were wanted.
     pub played: usize,
@@ -67,6 +72,30 @@ pub struct Assessment {
     pub onset_error_ms: Spread,
     /// How far strikes were from their notes' velocities, in MIDI units.
     pub velocity_error: Spread,
+    /// Notes that are missed or late and strikes that are extra, in order of time, then of key.
+    pub deviations: Vec<Deviation>,
+}
+
+/// A note that is missed or late, or a strike that is extra.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Deviation {
+    /// Which key, 0 ..= 87.
+    pub key: u8,
+    /// When the note is wanted, or the extra strike happened (s since the start).
+    pub at: f64,
+    pub kind: DeviationKind,
+}
+
+/// What is wrong with a note.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum DeviationKind {
+    Missed,
+    Extra,
+    /// The note is struck more than [`WINDOW`] after its onset.
+    Late {
+        /// How late (s).
+        by: f64,
+    },
 }
 
 impl fmt::Display for Assessment {
@@ -84,55 +113,83 @@ impl fmt::Display for Assessment {
 
 /// Compares what was wanted with what was struck.
 ///
-/// On each key, notes and strikes that are nearest to each other belong together first; each is
-/// used once, and none is paired over more than [`WINDOW`].
+/// On each key notes and strikes belong together in order, as many as there can be within
+/// [`WINDOW`] and of these the nearest. What is left of a key is late where a strike follows a note
+/// before the next note of the key is struck, and within [`REACH`].
 pub fn assess(expected: &[ExpectedNote], struck: &[Struck]) -> Assessment {
-    let pairs = pair(expected, struck);
-    let onset =
-        |&(note, strike): &(usize, usize)| (struck[strike].at - expected[note].onset).abs() * 1e3;
-    let velocity = |&(note, strike): &(usize, usize)| {
-        f64::from(struck[strike].velocity.abs_diff(expected[note].velocity))
-    };
+    let mut found = NoteFindings::default();
+    for key in 0..=u8::MAX {
+        let mut notes: Vec<_> = expected.iter().filter(|note| note.key == key).collect();
+        let mut strikes: Vec<_> = struck.iter().filter(|strike| strike.key == key).collect();
+        notes.sort_by(|a, b| a.onset.total_cmp(&b.onset));
+        strikes.sort_by(|a, b| a.at.total_cmp(&b.at));
+        found.add(&notes, &strikes);
+    }
+    let NoteFindings { onset_errors, velocity_errors, mut deviations } = found;
+    deviations.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.key.cmp(&b.key)));
     Assessment {
         played: expected.len(),
         struck: struck.len(),
-        missed: expected.len() - pairs.len(),
-        extra: struck.len() - pairs.len(),
-        onset_error_ms: Spread::of(pairs.iter().map(onset).collect()),
-        velocity_error: Spread::of(pairs.iter().map(velocity).collect()),
+        missed: expected.len() - onset_errors.len(),
+        extra: struck.len() - onset_errors.len(),
+        onset_error_ms: Spread::of(onset_errors),
+        velocity_error: Spread::of(velocity_errors),
+        deviations,
     }
 }
 
-/// Which note belongs to which strike, as indices.
-fn pair(expected: &[ExpectedNote], struck: &[Struck]) -> Vec<(usize, usize)> {
-    let mut candidates = candidates(expected, struck);
-    candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
-    let mut note_is_free = vec![true; expected.len()];
-    let mut strike_is_free = vec![true; struck.len()];
-    let mut pairs = Vec::new();
-    for (_distance, note, strike) in candidates {
-        if note_is_free[note] && strike_is_free[strike] {
-            note_is_free[note] = false;
-            strike_is_free[strike] = false;
-            pairs.push((note, strike));
-        }
-    }
-    pairs
+/// What became of the notes of the keys so far.
+#[derive(Default)]
+struct NoteFindings {
+    /// Of each note with a strike, early or late (ms).
+    onset_errors: Vec<f64>,
+    /// Of each note with a strike, in MIDI units.
+    velocity_errors: Vec<f64>,
+    deviations: Vec<Deviation>,
 }
 
-/// Every pair of a note and a strike within the window, with its distance (s).
-fn candidates(expected: &[ExpectedNote], struck: &[Struck]) -> Vec<(f64, usize, usize)> {
-    let mut by_time: Vec<usize> = (0..struck.len()).collect();
-    by_time.sort_by(|a, b| struck[*a].at.total_cmp(&struck[*b].at));
-    let mut found = Vec::new();
-    for (note, wanted) in expected.iter().enumerate() {
-        let first = by_time.partition_point(|i| struck[*i].at < wanted.onset - WINDOW);
-        let near = by_time[first..].iter().take_while(|i| struck[**i].at <= wanted.onset + WINDOW);
-        for &strike in near.filter(|i| struck[**i].key == wanted.key) {
-            found.push(((struck[strike].at - wanted.onset).abs(), note, strike));
+impl NoteFindings {
+    /// Adds one key's notes and strikes, each in order of time.
+    fn add(&mut self, notes: &[&ExpectedNote], strikes: &[&Struck]) {
+        let onsets: Vec<_> = notes.iter().map(|note| note.onset).collect();
+        let times: Vec<_> = strikes.iter().map(|strike| strike.at).collect();
+        let mut from = (0, 0);
+        for (note, strike) in align(&onsets, &times, WINDOW) {
+            self.leave(&notes[from.0..note], &strikes[from.1..strike]);
+            self.pair(notes[note], strikes[strike]);
+            from = (note + 1, strike + 1);
         }
+        self.leave(&notes[from.0..], &strikes[from.1..]);
     }
-    found
+
+    fn pair(&mut self, note: &ExpectedNote, strike: &Struck) {
+        self.onset_errors.push((strike.at - note.onset).abs() * 1e3);
+        self.velocity_errors.push(f64::from(strike.velocity.abs_diff(note.velocity)));
+    }
+
+    /// Adds what lies between two pairs of a key: each note takes the first strike after it.
+    fn leave(&mut self, notes: &[&ExpectedNote], mut strikes: &[&Struck]) {
+        let extra = |strike: &&Struck| Deviation {
+            key: strike.key,
+            at: strike.at,
+            kind: DeviationKind::Extra,
+        };
+        for note in notes {
+            let early = strikes.partition_point(|strike| strike.at < note.onset);
+            self.deviations.extend(strikes[..early].iter().map(extra));
+            strikes = &strikes[early..];
+            let mut kind = DeviationKind::Missed;
+            if let Some((strike, rest)) = strikes.split_first()
+                && strike.at - note.onset <= REACH
+            {
+                kind = DeviationKind::Late { by: strike.at - note.onset };
+                self.pair(note, strike);
+                strikes = rest;
+            }
+            self.deviations.push(Deviation { key: note.key, at: note.onset, kind });
+        }
+        self.deviations.extend(strikes.iter().map(extra));
+    }
 }
 
 #[cfg(test)]
@@ -168,9 +225,29 @@ mod tests {
     #[test]
     fn a_strike_on_another_key_or_too_late_is_a_miss() {
         let notes = [expected(1, 1.0, 60), expected(2, 2.0, 60)];
-        let found = assess(&notes, &[struck(2, 1.0, 60), struck(2, 2.0 + 2.0 * WINDOW, 60)]);
+        let found = assess(&notes, &[struck(2, 1.0, 60), struck(2, 2.0 + 2.0 * REACH, 60)]);
         assert_eq!((found.played, found.struck, found.missed, found.extra), (2, 2, 2, 2));
         assert_eq!(found.onset_error_ms, Spread::default());
+        let kinds: Vec<_> = found.deviations.iter().map(|it| (it.key, it.at, it.kind)).collect();
+        let (missed, extra) = (DeviationKind::Missed, DeviationKind::Extra);
+        assert_eq!(kinds, [(1, 1.0, missed), (2, 1.0, extra), (2, 2.0, missed), (2, 12.0, extra)]);
+    }
+
+    #[test]
+    fn a_note_that_is_four_seconds_late_is_one_late_note() {
+        let found = assess(&[expected(1, 1.0, 60)], &[struck(1, 5.0, 60)]);
+        assert_eq!((found.missed, found.extra), (0, 0));
+        assert!((found.onset_error_ms.max - 4000.0).abs() < 1e-9);
+        let late = DeviationKind::Late { by: 4.0 };
+        assert_eq!(found.deviations, [Deviation { key: 1, at: 1.0, kind: late }]);
+    }
+
+    #[test]
+    fn a_strike_after_the_next_note_s_own_is_not_the_missed_note_s() {
+        let notes = [expected(1, 1.0, 60), expected(1, 3.0, 60)];
+        let found = assess(&notes, &[struck(1, 3.0, 60), struck(1, 3.05, 9)]);
+        assert_eq!((found.missed, found.extra), (1, 1));
+        assert!(found.onset_error_ms.max < 1e-9);
     }
 
     #[test]

@@ -15,13 +15,16 @@
 
 #![forbid(unsafe_code)]
 
+mod align;
 pub mod assess;
 pub mod pianist;
 pub mod rehearse;
 pub mod score;
 pub mod stroke;
 
-pub use assess::{Assessment, ExpectedNote, Spread, Struck, WINDOW, assess};
+pub use assess::{
+    Assessment, Deviation, DeviationKind, ExpectedNote, Spread, Struck, WINDOW, assess,
+};
 pub use pianist::{Performance, Pianist, Progress, ShortStroke};
 pub use rehearse::{
     LATEST, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall, Strike, StrokeTable,

@@ -10,6 +10,8 @@
 //! | `telling` | what telemetry and the log say |
 //! | `recordings` | what became of the recordings |
 //! | `strangers` | in real time: clients that stall or send rubbish, busy processors, a stopped process |
+//! | `killed` | in real time: a supervised host in processes of its own, which is killed |
+//! | `host_files` | the files of that host |
 //! | `trial` | what is tried, and what came of one run |
 //! | `judge` | the verdicts |
 //! | `report` | what is said of them |
@@ -21,7 +23,9 @@
 #![forbid(unsafe_code)]
 
 mod actions;
+mod host_files;
 mod judge;
+mod killed;
 mod music;
 mod plan;
 mod recordings;
@@ -33,6 +37,7 @@ mod telling;
 mod trial;
 mod watch;
 
+pub use host_files::{HostFiles, SupervisedProgram};
 pub use report::{PromiseVerdict, SoakReport};
 pub use run::{SoakError, soak};
 pub use trial::{SoakChoice, SoakTime};

@@ -37,6 +37,8 @@ pub struct Injected {
     pub ports: usize,
     /// What strangers did, in words.
     pub strangers: Vec<String>,
+    /// Times that a supervised host was killed beside the trial.
+    pub kills: usize,
 }
 
 /// What came of a trial.
@@ -92,6 +94,7 @@ impl SoakReport {
                 wrong_values: played.acted.wrong,
                 ports: plan.away.len(),
                 strangers: played.strangers.clone(),
+                kills: played.killed.as_ref().map_or(0, |it| it.kills),
             },
             verdicts,
         }
@@ -133,6 +136,9 @@ impl fmt::Display for SoakReport {
             it.ports
         )?;
         it.strangers.iter().try_for_each(|what| writeln!(f, "            {what}"))?;
+        if 0 < it.kills {
+            writeln!(f, "            a supervised host was killed {} times", it.kills)?;
+        }
         for PromiseVerdict { promise, is_kept, seen } in &self.verdicts {
             writeln!(f, "  {}  {promise}: {seen}", if *is_kept { "kept  " } else { "BROKEN" })?;
         }

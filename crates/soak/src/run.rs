@@ -11,7 +11,9 @@ use midi::{ReconnectingPort, Unavailable};
 use telemetry::recording::RecordingLimits;
 
 use crate::actions::{Actor, RecordingPaths};
+use crate::host_files::HostFiles;
 use crate::judge::judge;
+use crate::killed::{KilledFindings, kill_at_random};
 use crate::plan::SoakPlan;
 use crate::recordings;
 use crate::report::SoakReport;
@@ -89,7 +91,7 @@ fn play(
         Box::new(watch),
     );
     let strangers = beside.is_some().then(|| Strangers::start(&session, requests)).transpose()?;
-    let report = run_beside(session, beside, &now, stop)?;
+    let (report, killed) = run_beside(session, beside, (choice, &now), stop)?;
     let strangers = strangers.map_or_else(Vec::new, Strangers::stop);
     let seen = seen.lock().map_or(None, |mut seen| seen.take()).ok_or(SoakError::Stopped)?;
     if seen.ticks + report.skipped < plan.ticks {
@@ -98,24 +100,31 @@ fn play(
     let recordings = recordings.map_or_else(Vec::new, recordings::look_at);
     let (sounds, told) = (synthesizer.sounds().clone(), telling.told().clone());
     let acted = acted.get().clone();
-    Ok(PlayedTrial { report, seen, sounds, told, acted, strangers, recordings })
+    Ok(PlayedTrial { report, seen, sounds, told, acted, strangers, killed, recordings })
 }
 
-/// Runs `session` to its end, with `actor` on a thread beside it.
+/// Runs `session` to its end, with `actor` on a thread beside it, and in real time with the host that
+/// is killed.
 fn run_beside(
     session: RunSession,
     actor: Option<Actor>,
-    now: &AtomicU64,
+    (choice, now): (&SoakChoice, &AtomicU64),
     stop: &AtomicBool,
-) -> Result<RunReport, SessionError> {
+) -> Result<(RunReport, Option<KilledFindings>), SoakError> {
     let is_over = AtomicBool::new(false);
+    let supervised = choice.supervised.as_ref().filter(|_| actor.is_some());
+    let files = HostFiles::in_folder(&choice.folder);
     std::thread::scope(|scope| {
         if let Some(actor) = actor {
             scope.spawn(|| act_in_time(actor, now, &is_over));
         }
+        let killing = supervised
+            .map(|program| scope.spawn(|| kill_at_random(program, &files, choice.seed, &is_over)));
         let report = session.run(stop);
         is_over.store(true, Ordering::Release);
-        report
+        let panicked = || std::io::Error::other("the thread that kills has panicked");
+        let killed = killing.map(|thread| thread.join().unwrap_or_else(|_panic| Err(panicked())));
+        Ok((report?, killed.transpose()?))
     })
 }
 

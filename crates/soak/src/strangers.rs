@@ -1,7 +1,7 @@
 //! What is beside a run in real time: clients that stall or send rubbish, busy processors, and
 //! somebody who stops the process for a moment.
 //!
-//! A killed process is none of them: what outlives it has to be tried from outside.
+//! The process itself is not killed, since nothing would be left to judge it: see `killed`.
 
 use std::io::{self, Read as _, Write as _};
 use std::net::{Ipv4Addr, SocketAddr, TcpStream};

@@ -22,13 +22,21 @@ pub(crate) struct Sounds {
     pub(crate) digest: Digest,
 }
 
+impl Default for Sounds {
+    fn default() -> Self {
+        let (since, digest) = ([None; 128], Digest::default());
+        Self { since, longest: 0, notes: 0, lost: 0, digest }
+    }
+}
+
 impl Sounds {
     /// Returns the notes that sound.
     pub(crate) fn sounding(&self) -> usize {
         self.since.iter().flatten().count()
     }
 
-    fn take(&mut self, bytes: &[u8], now: u64) {
+    /// Takes a message at `now` (ticks, or another unit of the caller's).
+    pub(crate) fn take(&mut self, bytes: &[u8], now: u64) {
         for byte in bytes {
             self.digest.add(u64::from(*byte));
         }
@@ -54,8 +62,7 @@ pub(crate) struct Synthesizer(Arc<Mutex<Sounds>>);
 
 impl Synthesizer {
     pub(crate) fn new() -> Self {
-        let (since, digest) = ([None; 128], Digest::default());
-        Self(Arc::new(Mutex::new(Sounds { since, longest: 0, notes: 0, lost: 0, digest })))
+        Self(Arc::default())
     }
 
     pub(crate) fn sounds(&self) -> MutexGuard<'_, Sounds> {

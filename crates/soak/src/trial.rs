@@ -6,6 +6,8 @@ use host::report::RunReport;
 use scene::Scene;
 
 use crate::actions::ActionCounts;
+use crate::host_files::SupervisedProgram;
+use crate::killed::KilledFindings;
 use crate::synthesizer::Sounds;
 use crate::telling::ToldEvents;
 use crate::watch::SoakFindings;
@@ -21,6 +23,8 @@ pub struct SoakChoice {
     pub time: SoakTime,
     /// Where recordings go; files of these names must not be there.
     pub folder: PathBuf,
+    /// What is killed beside a trial in real time, if anything is.
+    pub supervised: Option<SupervisedProgram>,
 }
 
 /// The time in which a trial runs.
@@ -42,6 +46,8 @@ pub(crate) struct PlayedTrial {
     pub(crate) acted: ActionCounts,
     /// What strangers did, in words.
     pub(crate) strangers: Vec<String>,
+    /// What became of the host that was killed beside it, if one was.
+    pub(crate) killed: Option<KilledFindings>,
     /// What is wrong with its recordings.
     pub(crate) recordings: Vec<String>,
 }

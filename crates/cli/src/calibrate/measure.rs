@@ -10,7 +10,7 @@ use indicatif::ProgressBar;
 use super::bring_up::MeasuredBoard;
 use super::operator::Operator;
 use super::write::{CalibrationRecord, MeasureOutcome};
-use crate::live;
+use crate::live::KeyProgress;
 
 /// Times that a key is measured again which was interrupted.
 const TRIES: usize = 3;
@@ -36,10 +36,10 @@ pub(super) fn all(
     record: &mut CalibrationRecord,
 ) -> (Keybed<Armed>, Option<Ending>) {
     let n_keys: usize = boards.iter().map(|it| keys(it).len()).sum();
-    let bar = live::keys(n_keys);
+    let progress = KeyProgress::new(n_keys);
     for board in boards {
-        let outcome = self::board(board, &mut bench, grams, &bar);
-        let is_over = matches!(outcome, MeasureOutcome::Stopped);
+        let outcome = self::board(board, &mut bench, grams, &progress);
+        let is_over = outcome.is_stopped;
         // A disk may take its time, and boards that hear nothing meanwhile would trip.
         std::thread::scope(|scope| {
             let writer = scope.spawn(|| record.keep(board, outcome));
@@ -49,7 +49,7 @@ pub(super) fn all(
             break;
         }
     }
-    bar.finish_and_clear();
+    progress.finish();
     let ending = bench.ending();
     (bench.release(), ending)
 }
@@ -60,36 +60,40 @@ fn keys(board: &MeasuredBoard) -> Vec<KeyIndex> {
     (keys.first..keys.first.saturating_add(keys.n)).map_while(KeyIndex::new).collect()
 }
 
-/// Measures the keys of one board.
+/// Measures the keys of one board, until it is stopped.
 fn board(
     board: &MeasuredBoard,
     bench: &mut Bench,
     grams: Option<f64>,
-    bar: &ProgressBar,
+    progress: &KeyProgress,
 ) -> MeasureOutcome {
     let keys = keys(board);
-    let n_keys = keys.len();
-    bar.set_message(format!("{}: rest", board.name));
+    progress.show(&format!("{}: rest", board.name));
     let rests = bench.rests(&keys);
-    let (mut measured, mut refusals) = (Vec::new(), Vec::new());
+    let mut outcome = MeasureOutcome::default();
     for (key, rested) in keys.into_iter().zip(rests) {
-        bar.set_message(format!("{}: {}", board.name, key));
+        progress.show(&format!("{}: {}", board.name, key));
         let rested = rested.map_err(KeyFailure::from);
-        match rested.and_then(|rested| self::key(board, bench, key, &rested, grams, bar)) {
-            Ok(calibration) => measured.push((key, calibration)),
-            Err(KeyFailure::Stopped) => return MeasureOutcome::Stopped,
+        let measured =
+            rested.and_then(|rested| self::key(board, bench, key, &rested, grams, progress.bar()));
+        let measured = match measured {
+            Ok(calibration) => Some(calibration),
+            Err(KeyFailure::Stopped) => {
+                outcome.is_stopped = true;
+                None
+            }
             Err(KeyFailure::Fault(fault)) => {
                 let board = board.name.clone();
-                refusals.push(Refusal::Key { board, key, fault });
+                outcome.refusals.push(Refusal::Key { board, key, fault });
+                None
             }
+        };
+        outcome.keys.push((key, measured));
+        if !outcome.is_stopped {
+            progress.next();
         }
-        bar.inc(1);
     }
-    if refusals.is_empty() {
-        MeasureOutcome::All(measured)
-    } else {
-        MeasureOutcome::Faults(refusals, n_keys)
-    }
+    outcome
 }
 
 /// Measures one key that rests there.

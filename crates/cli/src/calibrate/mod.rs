@@ -40,6 +40,8 @@ use host::control::EmergencyStop;
 
 Nobody may touch the keys meanwhile: each goes down and up by itself, with 1.5 N
 at most; with --weight, once more with twice the weight's force and 0.5 N at most.
+When it is stopped or a key fails, what was measured is kept: in the board's file if
+that has the other keys from before, otherwise beside it for the next time.
 
 With --range one key goes down and up, and then renders a spring, a dashpot and a
 mass at the scene's tick_hz and with its estimator, with 8 N at most. Each is raised

@@ -1,6 +1,6 @@
 //! Writes measurements into files and to the boards.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::{Operation, Status};
@@ -42,14 +42,14 @@ pub(super) struct MeasuredKeyRow {
 }
 
 /// The outcome for the keys of one board.
-#[derive(Debug)]
-pub(super) enum MeasureOutcome {
-    /// All of them, in the order of slots.
-    All(Vec<(KeyIndex, KeyCalibration)>),
-    /// The faults of keys that could not be measured, and the number of all keys.
-    Faults(Vec<Refusal>, usize),
-    /// The measurements were stopped.
-    Stopped,
+#[derive(Debug, Default)]
+pub(super) struct MeasureOutcome {
+    /// All of them, in the order of slots; none where one was not measured.
+    pub(super) keys: Vec<(KeyIndex, Option<KeyCalibration>)>,
+    /// The faults of those that could not be measured.
+    pub(super) refusals: Vec<Refusal>,
+    /// Whether the measurements were stopped.
+    pub(super) is_stopped: bool,
 }
 
 /// The files that were written, and the mistakes.
@@ -62,40 +62,69 @@ pub(super) struct CalibrationRecord {
 }
 
 impl CalibrationRecord {
-    /// Writes the measurements of a board into its file, or records why there are none.
+    /// Writes the measurements of a board into its file, or beside it if keys are wanting that were
+    /// never measured, and records why they are.
     pub(super) fn keep(&mut self, board: &MeasuredBoard, outcome: MeasureOutcome) {
+        let MeasureOutcome { keys, refusals, is_stopped } = outcome;
+        self.wrong.extend(refusals.iter().map(ToString::to_string));
         let name = &board.name;
-        match outcome {
-            MeasureOutcome::All(keys) => self.write(board, &keys),
-            MeasureOutcome::Faults(refusals, of) => {
-                self.wrong.extend(refusals.iter().map(ToString::to_string));
-                self.wrong.push(format!(
-                    "{name}: its file was left as it was, since it holds all {of} keys or none, \
-                     and {} could not be measured; see to them and calibrate it again",
-                    refusals.len()
-                ));
-            }
-            MeasureOutcome::Stopped => self.wrong.push(format!(
-                "stopped at {name}: its file was left as it was, and so were those of boards \
-                 behind it; calibrate them with --board"
-            )),
+        if is_stopped {
+            self.wrong.push(format!(
+                "stopped at {name}: calibrate it again, and the boards behind it, with --board"
+            ));
+        }
+        let measured: Vec<_> = keys.iter().filter_map(|(key, it)| Some((*key, (*it)?))).collect();
+        let (n, of) = (measured.len(), keys.len());
+        if n == 0 {
+            self.wrong.push(format!("{name}: none of its {of} keys was measured, no file written"));
+            return;
+        }
+        let merged: Vec<_> =
+            keys.iter().zip(before(board, of)).map(|((_, now), then)| now.or(then)).collect();
+        let Some(all) = merged.iter().copied().collect::<Option<Vec<_>>>() else {
+            let file = file::partial(&board.file);
+            self.write(board, &file, &measured, &merged);
+            self.wrong.push(format!(
+                "{name}: {n} of {of} keys were measured, and are kept in {} for the next time; its \
+                 file, which holds all keys or none, was not written: see to the others and \
+                 calibrate it again",
+                file.display()
+            ));
+            return;
+        };
+        if n < of {
+            self.wrong.push(format!(
+                "{name}: {n} of {of} keys were measured; its file has of the others what was \
+                 measured before"
+            ));
+        }
+        if self.write(board, &board.file, &measured, &merged) {
+            // What is whole now is in the file; one that stays is overwritten the next time.
+            let _gone = std::fs::remove_file(file::partial(&board.file));
+            self.untold.push((board.clone(), all));
         }
     }
 
-    fn write(&mut self, board: &MeasuredBoard, keys: &[(KeyIndex, KeyCalibration)]) {
-        let calibrations: Vec<_> = keys.iter().map(|(_, it)| *it).collect();
-        if let Err(error) = file::write(&board.file, &sheet(board, &calibrations)) {
+    /// Writes the keys of a board that are known into `path`, and tells whether it could.
+    fn write(
+        &mut self,
+        board: &MeasuredBoard,
+        path: &Path,
+        measured: &[(KeyIndex, KeyCalibration)],
+        known: &[Option<KeyCalibration>],
+    ) -> bool {
+        if let Err(error) = file::write(path, &sheet(board, known)) {
             self.wrong.push(error.to_string());
-            return;
+            return false;
         }
         self.written.push(Written {
             link: board.name.line.clone(),
             number: board.name.number,
             uid: board.found.uid().to_string(),
-            keys: keys.iter().map(MeasuredKeyRow::from).collect(),
-            file: board.file.clone(),
+            keys: measured.iter().map(MeasuredKeyRow::from).collect(),
+            file: path.to_owned(),
         });
-        self.untold.push((board.clone(), calibrations));
+        true
     }
 
     /// Tells the boards what they keep themselves, once nothing is measured any more.
@@ -121,8 +150,18 @@ impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
     }
 }
 
-/// Returns the file of a board.
-fn sheet(board: &MeasuredBoard, keys: &[KeyCalibration]) -> file::CalibrationSheet {
+/// Returns what was measured before of the `n` keys of a board: what stands in its file, or else what
+/// was kept beside it.
+fn before(board: &MeasuredBoard, n: usize) -> Vec<Option<KeyCalibration>> {
+    let (uid, path) = (board.found.uid(), &board.file);
+    // What cannot be read is replaced; the old file is kept as .bak.
+    let whole = file::load(path, uid, n).ok().flatten();
+    let known = whole.or_else(|| file::load_partial(&file::partial(path), uid, n).ok().flatten());
+    known.map_or_else(|| vec![None; n], |sheet| sheet.keys.as_slice().to_vec())
+}
+
+/// Returns the file of a board of whose keys so much is known.
+fn sheet(board: &MeasuredBoard, keys: &[Option<KeyCalibration>]) -> file::CalibrationSheet {
     file::CalibrationSheet {
         uid: board.found.uid(),
         made: OffsetDateTime::now_utc().format(MADE).unwrap_or_default(),

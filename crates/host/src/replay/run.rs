@@ -30,6 +30,8 @@ pub struct Replayed {
     pub scene: String,
     /// Ticks that were run again.
     pub ticks: u64,
+    /// Ticks that the recording tells of: those that were not run again could not be compared.
+    pub recorded: u64,
     /// Messages that were compared: rows, events, MIDI.
     pub compared: u64,
     /// Of these, how many are not the same.
@@ -83,9 +85,6 @@ pub fn replay(
                 progress(replay.ticks);
             }
         }
-        if replay.as_ref().is_some_and(|it| it.feed.gap().is_some()) {
-            break;
-        }
     }
     Ok(replay.ok_or(ReplayError::NoCatalogue)?.finish())
 }
@@ -115,6 +114,7 @@ struct Replay {
     pedals: Vec<PedalMove>,
     is_running: bool,
     ticks: u64,
+    recorded: u64,
     last: u64,
     faults: u64,
     strikes: u64,
@@ -216,6 +216,7 @@ impl Replay {
             pedals: Vec::new(),
             is_running: false,
             ticks: 0,
+            recorded: 0,
             last: 0,
             faults: 0,
             strikes: 0,
@@ -228,7 +229,7 @@ impl Replay {
         self.missing.damaged.get_or_insert(why);
     }
 
-    /// Whether `message` comes behind one that could not be read.
+    /// Whether `message` comes behind one that could not be read, or behind rows that are missing.
     fn is_behind_damage(&mut self, message: &Update) -> bool {
         let is_said_again = matches!(message, Update::Catalogue(_) | Update::Voice(_));
         let period = 1.0 / f64::from(self.scene.tick_hz);
@@ -239,9 +240,11 @@ impl Replay {
             for tick in ticks(message) {
                 self.missing.end(tick, period);
                 self.missing.told = Some(tick);
+                self.recorded += 1;
             }
         }
-        !self.missing.list.is_empty() || self.missing.damaged.is_some()
+        let is_incomplete = self.missing.damaged.is_some() || self.feed.gap().is_some();
+        is_incomplete || !self.missing.list.is_empty()
     }
 
     fn take(&mut self, message: Update) -> Result<(), ReplayError> {
@@ -366,6 +369,7 @@ impl Replay {
         Replayed {
             scene: self.scene.name,
             ticks: self.ticks,
+            recorded: self.recorded,
             compared,
             different,
             first_difference: first,

@@ -19,7 +19,7 @@ pub(crate) use board_line::{muted_keys, stage_words};
 pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
-pub use note_report::{ErrorQuantiles, NoteReport, NoteShortfall, UnplayedNotes};
+pub use note_report::{ErrorQuantiles, NoteDeviation, NoteReport, NoteShortfall, UnplayedNotes};
 pub use overload::{LeftOut, OverloadReport};
 pub use step_counts::StepCounts;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use firmware_protocol::key::KeyIndex;
-use performance::{Assessment, ShortStroke};
+use performance::{Assessment, Deviation, DeviationKind, ShortStroke};
 use serde::Serialize;
 
 /// The quality of a performance.
@@ -21,6 +21,9 @@ pub struct NoteReport {
     pub onset_error_ms: ErrorQuantiles,
     /// How far strikes were from their notes, in MIDI velocities.
     pub velocity_error: ErrorQuantiles,
+    /// Notes that are missed or late though the pianist played them, and strikes that the piece
+    /// does not have, in order of time.
+    pub deviations: Vec<NoteDeviation>,
     /// Softest and loudest speed of the hammer that every key of the piece gives (m/s).
     pub range_m_per_s: Option<(f64, f64)>,
     /// What the pianist knew beforehand that the keys cannot do, in order of time.
@@ -93,12 +96,56 @@ impl NoteShortfall {
     /// What is said of a stroke that falls short.
     pub fn new(short: &ShortStroke) -> Self {
         Self {
-            key: KeyIndex::new(short.key).map_or_else(String::new, |it| it.to_string()),
+            key: name(short.key),
             at_s: short.onset,
             is_left_out: short.why.is_left_out(),
             why: short.why.to_string(),
         }
     }
+}
+
+impl fmt::Display for NoteShortfall {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { key, at_s, why, .. } = self;
+        write!(f, "{key} at {at_s:.3} s is {why}")
+    }
+}
+
+/// A note that is missed or late, or a strike that the piece does not have.
+#[derive(Clone, Debug, Serialize)]
+pub struct NoteDeviation {
+    /// Name of the key, as C4.
+    pub key: String,
+    /// When the note should be heard, or an extra strike was (s since the start of the run).
+    pub at_s: f64,
+    /// `missed`, `late` or `extra`.
+    pub what: &'static str,
+    /// How late the strike was (ms); none unless the note is late.
+    pub late_ms: Option<f64>,
+}
+
+impl NoteDeviation {
+    fn new(it: &Deviation) -> Self {
+        let (what, late_ms) = match it.kind {
+            DeviationKind::Missed => ("missed", None),
+            DeviationKind::Extra => ("extra", None),
+            DeviationKind::Late { by } => ("late", Some(by * 1e3)),
+        };
+        Self { key: name(it.key), at_s: it.at, what, late_ms }
+    }
+}
+
+impl fmt::Display for NoteDeviation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { key, at_s, what, late_ms } = self;
+        write!(f, "{key} at {at_s:.3} s is {what}")?;
+        late_ms.map_or(Ok(()), |late| write!(f, " by {late:.0} ms"))
+    }
+}
+
+/// The name of `key` (0 to 87), as C4.
+fn name(key: u8) -> String {
+    KeyIndex::new(key).map_or_else(String::new, |it| it.to_string())
 }
 
 /// Quantiles of an error.
@@ -112,7 +159,7 @@ pub struct ErrorQuantiles {
 
 impl NoteReport {
     /// What is said of a performance that went as assessed, with the notes that fell short.
-    pub fn new(it: &Assessment, shortfalls: Vec<NoteShortfall>) -> Self {
+    pub fn new(it: &Assessment, shortfalls: &[ShortStroke]) -> Self {
         let spread =
             |it: &performance::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
         Self {
@@ -122,7 +169,8 @@ impl NoteReport {
             extra: it.extra,
             onset_error_ms: spread(&it.onset_error_ms),
             velocity_error: spread(&it.velocity_error),
-            shortfalls,
+            shortfalls: shortfalls.iter().map(NoteShortfall::new).collect(),
+            deviations: it.deviations.iter().map(NoteDeviation::new).collect(),
             unplayed: UnplayedNotes::default(),
             range_m_per_s: None,
         }
@@ -146,13 +194,21 @@ impl NoteReport {
                 "              these keys give {softest:.2} to {loudest:.2} m/s at the string"
             )?;
         }
+        self.fmt_deviations(f)?;
         self.fmt_shortfalls(f)?;
         self.unplayed.fmt_lines(f)
     }
 
+    fn fmt_deviations(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.deviations.is_empty() {
+            return Ok(());
+        }
+        let late = self.deviations.iter().filter(|it| it.late_ms.is_some()).count();
+        writeln!(f, "              not as written, {late} of them late:")?;
+        fmt_first(f, self.deviations.iter())
+    }
+
     fn fmt_shortfalls(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        /// Most notes that are named one by one.
-        const NAMED: usize = 8;
         if self.shortfalls.is_empty() {
             return Ok(());
         }
@@ -162,13 +218,23 @@ impl NoteReport {
             f,
             "              beyond these keys: {left_out} left out, {others} played otherwise"
         )?;
-        for NoteShortfall { key, at_s, why, .. } in self.shortfalls.iter().take(NAMED) {
-            writeln!(f, "                {key} at {at_s:.3} s is {why}")?;
-        }
-        match self.shortfalls.len().saturating_sub(NAMED) {
-            0 => Ok(()),
-            more => writeln!(f, "                and {more} more, which `--json` lists"),
-        }
+        fmt_first(f, self.shortfalls.iter())
+    }
+}
+
+/// Names the first few of `notes`, a line each, and says how many more there are.
+fn fmt_first<T: fmt::Display>(
+    f: &mut fmt::Formatter<'_>,
+    mut notes: impl ExactSizeIterator<Item = T>,
+) -> fmt::Result {
+    /// Most notes that are named one by one.
+    const NAMED: usize = 8;
+    for note in notes.by_ref().take(NAMED) {
+        writeln!(f, "                {note}")?;
+    }
+    match notes.len() {
+        0 => Ok(()),
+        more => writeln!(f, "                and {more} more, which `--json` lists"),
     }
 }
 
@@ -190,12 +256,26 @@ mod tests {
         let report = NoteReport {
             unplayed,
             range_m_per_s: Some((0.12, 4.6)),
-            ..NoteReport::new(&Assessment::default(), Vec::new())
+            ..NoteReport::new(&Assessment::default(), &[])
         };
         let said = Shown(report).to_string();
         assert!(said.contains("3 more on keys without a voice in this scene: A0, C1"), "{said}");
         assert!(said.contains("2 more off the 88 keys or percussion"), "{said}");
         assert!(!said.contains("overlap"), "{said}");
         assert!(said.contains("these keys give 0.12 to 4.60 m/s at the string"), "{said}");
+    }
+
+    #[test]
+    fn a_note_that_is_late_and_a_strike_that_is_extra_are_told_with_key_and_time() {
+        let late = Deviation { key: 39, at: 1.0, kind: DeviationKind::Late { by: 4.0 } };
+        let extra = Deviation { key: 0, at: 2.5, kind: DeviationKind::Extra };
+        let deviations = vec![late, extra];
+        let assessed =
+            Assessment { played: 1, struck: 2, extra: 1, deviations, ..Assessment::default() };
+        let said = Shown(NoteReport::new(&assessed, &[])).to_string();
+        assert!(said.contains("1 of 1 struck, 0 missed, 1 extra"), "{said}");
+        assert!(said.contains("not as written, 1 of them late:\n"), "{said}");
+        assert!(said.contains("C4 at 1.000 s is late by 4000 ms\n"), "{said}");
+        assert!(said.contains("A0 at 2.500 s is extra\n"), "{said}");
     }
 }

@@ -21,7 +21,7 @@ use std::sync::atomic::AtomicBool;
 use firmware_protocol::key::KeyIndex;
 use hardware::sim::keybed::SimulatedKeybed;
 use midi::{NoteEvent, VelocityCurve};
-use performance::{Performance, Struck, assess};
+use performance::{ExpectedNote, Performance, ShortStroke, Struck, assess};
 use scheduler::overload::OverloadRules;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Timetable};
@@ -33,7 +33,7 @@ use crate::control::RunHandle;
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
-use crate::report::{Deadline, Evaluations, NoteReport, NoteShortfall, OverloadReport, Realtime};
+use crate::report::{Deadline, Evaluations, NoteReport, OverloadReport, Realtime};
 use crate::report::{RunReport, StepCounts, UnplayedNotes};
 use key_source::KeySource;
 use key_transport::KeyTransport;
@@ -421,11 +421,22 @@ fn dispatcher(
 fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteReport {
     // A note wanted within a matching window of the end may rightly be struck after it.
     let heard = duration - performance::WINDOW;
-    let expected: Vec<_> =
-        performance.expected.iter().filter(|note| note.onset < heard).copied().collect();
     let struck: Vec<_> = struck.iter().filter(|strike| strike.at < heard).copied().collect();
-    let shortfalls = performance.shortfalls.iter().filter(|it| it.onset < heard);
-    NoteReport::new(&assess(&expected, &struck), shortfalls.map(NoteShortfall::new).collect())
+    let shortfalls: Vec<_> =
+        performance.shortfalls.iter().filter(|it| it.onset < heard).copied().collect();
+    // No strike is a note's that the pianist leaves out.
+    let is_left_out = |note: &ExpectedNote| {
+        let same = |it: &&ShortStroke| (it.key, it.onset) == (note.key, note.onset);
+        shortfalls.iter().find(same).is_some_and(|it| it.why.is_left_out())
+    };
+    let wanted = performance.expected.iter().filter(|note| note.onset < heard);
+    let (left_out, expected): (Vec<_>, Vec<_>) = wanted.copied().partition(is_left_out);
+    let report = NoteReport::new(&assess(&expected, &struck), &shortfalls);
+    NoteReport {
+        played: report.played + left_out.len(),
+        missed: report.missed + left_out.len(),
+        ..report
+    }
 }
 
 /// Returns every key's index; there are as many as the protocol has.

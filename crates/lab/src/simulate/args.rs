@@ -19,7 +19,10 @@ Exit codes: 0 done; 1 the model failed while running, or a file could not be wri
 
 Trajectory columns: t, mode, the states, s, guard_<name> for each guard (empty where the
 present mode does not have it), the outputs (output_<name> where a column has that name).
-Event columns: t, guard, from, to, <state>_before ..., <state>_after ..., impulse.";
+Event columns: t, guard, from, to, <state>_before ..., <state>_after ..., impulse,
+error (how far t may be wrong), projection (how far a constraint moved the state), stands_for (1
+where a guard fired; how many impacts were taken together, in closed form; inf where all that were
+left were taken so, until rest).";
 
 /// Plays one key offline and writes what it did.
 ///

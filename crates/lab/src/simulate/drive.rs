@@ -2,7 +2,7 @@
 
 use models::{Described, Playable};
 use pode::stepper::{Any, ByNeed, Choice};
-use pode::{Advance, Cap, EnergyAudit, Event, Motion, Piece, Signal, Simulator};
+use pode::{Advance, Cap, EnergyAudit, Event, EventCause, Motion, Piece, Signal, Simulator};
 use pode::{State as _, Stepper as _, Tick, Watch};
 
 use super::check::{Start, TickClock};
@@ -48,11 +48,11 @@ fn drive<M: Playable>(
     files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
     let Start { model, mode, state } = *start;
-    let mut follower =
-        Follower { model, clock, audit: EnergyAudit::default(), last: (0.0, mode, state), files };
+    let audit = EnergyAudit::default();
+    let last = (0.0, mode, state);
+    let mut follower = Follower { model, clock, audit, last, closed_form: (0.0, 0), files };
     let mut tally = RunTally::default();
     let mut simulator = Simulator::new(model, clock.method, clock.limits, mode, state);
-    let audit = follower.audit;
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
     for tick in 0..clock.ticks {
         let signal = TickSignal { clock, input, tick };
@@ -73,8 +73,13 @@ fn drive<M: Playable>(
         follower.last = (t, mode, *state);
         let audit = follower.audit;
         follower.files.row(simulator.model(), t, (mode, state), &signal.at(1.0), &audit)?;
+        if !audit.residual().is_finite() {
+            tally.failure = Some(RunFailure::Energy);
+            break;
+        }
     }
-    Ok(tally.report(clock, &follower))
+    let report = tally.report(clock, &follower);
+    Ok(SimulationReport { held: input.held(clock.until), ..report })
 }
 
 /// The input over one tick, with its bounds.
@@ -110,6 +115,8 @@ struct Follower<'a, M: Described> {
     audit: EnergyAudit,
     /// The last instant known to be good: t (s), mode, state.
     last: (f64, M::Mode, M::State),
+    /// Impacts taken in one move short of their sequence's end, and sequences taken to it.
+    closed_form: (f64, u64),
     files: &'a mut OutputFiles,
 }
 
@@ -126,6 +133,11 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
         self.audit.event(model, event);
         let t = self.clock.time(event.tick, event.theta);
         self.last = (t, event.after.0, event.after.1);
+        match event.cause {
+            EventCause::Impacts(n) => self.closed_form.0 += n,
+            EventCause::Settled => self.closed_form.1 += 1,
+            EventCause::Guard(_) => {}
+        }
         self.files.event(model, t, event);
     }
 }
@@ -142,7 +154,7 @@ struct RunTally {
 impl RunTally {
     fn add(&mut self, tick: &Tick) {
         self.projection = self.projection.max(tick.projection);
-        let RunCounts { ticks, steps, evaluations, events, ineffective_events, verdicts } =
+        let RunCounts { ticks, steps, evaluations, events, ineffective_events, verdicts, .. } =
             &mut self.counts;
         *ineffective_events += u64::from(tick.work.ineffective);
         evaluations.rates += u64::from(tick.work.rates);
@@ -179,7 +191,11 @@ impl RunTally {
             method: clock.method.name(),
             step: clock.step,
             until: clock.until,
-            counts: self.counts,
+            counts: RunCounts {
+                impacts_in_closed_form: follower.closed_form.0,
+                settled: follower.closed_form.1,
+                ..self.counts
+            },
             capped: self.capped,
             t: *t,
             mode: mode_name(&model, *mode),
@@ -188,6 +204,7 @@ impl RunTally {
             projection: self.projection,
             state,
             audit: follower.audit,
+            held: Vec::new(),
             failure: self.failure,
         }
     }

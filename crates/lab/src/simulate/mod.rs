@@ -28,16 +28,21 @@ pub use self::args::{Reconstruct, SimulateArgs};
 use self::check::{Start, TickClock};
 pub use self::error::{SimulateError, SimulateMistake};
 pub use self::input::InputMistake;
-use self::input::InputSignal;
 pub(crate) use self::input::InputTable;
+use self::input::{HeldInput, InputSignal};
 use self::output::OutputFiles;
 
-/// Simulates what `args` ask for; the summary goes to `out`.
+/// Simulates what `args` ask for; the summary goes to `out`, and what must be known of the input
+/// beforehand to `note`.
 ///
 /// # Errors
 /// [`SimulateError::Usage`] with every mistake before anything is run or written; the
 /// others while running, with everything produced until then in the files.
-pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError> {
+pub fn run(
+    args: &SimulateArgs,
+    out: &mut dyn Write,
+    note: &mut dyn FnMut(&str),
+) -> Result<(), SimulateError> {
     let mut mistakes = Vec::new();
     let clock = TickClock::check(args, &mut mistakes);
     let mut input_mistakes = Vec::new();
@@ -51,7 +56,7 @@ pub fn run(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), SimulateError
             return Err(SimulateError::Usage(mistakes));
         }
     };
-    let job = SimulationJob { args, clock, input, mistakes, out };
+    let job = SimulationJob { args, clock, input, mistakes, out, note };
     catalogue::visit(model, job).unwrap_or_else(|| Err(SimulateError::Usage(Vec::new())))
 }
 
@@ -62,21 +67,33 @@ struct SimulationJob<'a> {
     input: InputSignal,
     mistakes: Vec<SimulateMistake>,
     out: &'a mut dyn Write,
+    note: &'a mut dyn FnMut(&str),
 }
 
 impl Visitor for SimulationJob<'_> {
     type Output = Result<(), SimulateError>;
 
     fn visit<M: Playable>(self, model: M) -> Self::Output {
-        let Self { args, clock, input, mut mistakes, out } = self;
+        let Self { args, clock, input, mut mistakes, out, note } = self;
         let start = Start::check(model, args, &input, &mut mistakes);
         let (Some(start), true) = (start, mistakes.is_empty()) else {
             return Err(SimulateError::Usage(mistakes));
         };
         let mut files = OutputFiles::create(args, &start).map_err(SimulateError::Usage)?;
+        if let Some(held) = held_note(&input.held(clock.until)) {
+            note(&held);
+        }
         let report = drive::run(&start, (&clock, &input), &mut files)?;
         files.finish()?;
         summary::write(&report, args, out).map_err(SimulateError::Summary)?;
         report.into_result(args)
     }
+}
+
+/// What is said of an input whose rows do not last for the whole run.
+fn held_note(held: &[HeldInput]) -> Option<String> {
+    let told = |it: &HeldInput| format!("s = {:?} from {:?} s to {:?} s", it.s, it.from, it.to);
+    let told: Vec<_> = held.iter().map(told).collect();
+    let held = told.join(" and ");
+    (!told.is_empty()).then(|| format!("the input has no rows there and is held at {held}"))
 }

@@ -9,7 +9,7 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use models::{Described, ModelEntry, Playable};
-use pode::{EnergyAudit, Event, GuardSpec, Motion, Piece, Signal, State as _};
+use pode::{EnergyAudit, Event, EventCause, GuardSpec, Motion, Piece, Signal, State as _};
 
 use super::args::SimulateArgs;
 use super::check::Start;
@@ -120,6 +120,11 @@ impl OutputFiles {
         sheet.numbers(known(model, before));
         sheet.numbers(known(model, after));
         sheet.numbers(&[event.impulse, event.error, event.projection]);
+        match event.cause {
+            EventCause::Guard(_) => sheet.text("1"),
+            EventCause::Impacts(n) => sheet.number(n),
+            EventCause::Settled => sheet.number(f64::INFINITY),
+        }
         if let Err(failure) = sheet.end() {
             self.failure.get_or_insert(failure);
         }
@@ -176,7 +181,7 @@ fn event_header<M: Described>(model: &M) -> Vec<String> {
     let states = |when: &'static str| names.iter().map(move |name| format!("{name}_{when}"));
     let mut header: Vec<String> = ["t", "guard", "from", "to"].map(String::from).to_vec();
     header.extend(states("before").chain(states("after")));
-    header.extend(["impulse", "error", "projection"].map(String::from));
+    header.extend(["impulse", "error", "projection", "stands_for"].map(String::from));
     header
 }
 

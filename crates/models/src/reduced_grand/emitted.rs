@@ -15,7 +15,7 @@ use equations::functions;
 use equations::table::{
     Arguments, BodyTable, DamperTable, DrawingTable, Freedom, FunctionId, Functions, GuardTable,
     Material, MidiTable, ModeTable, ModelTable, NamedQuantity, OutlineTable, ParameterTable,
-    PartTable, PresetTable, RestTable, SeriesTable, SpringTable, WayTable,
+    PartTable, PresetTable, RequirementTable, RestTable, SeriesTable, SpringTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads, math};
 
@@ -296,7 +296,11 @@ pub static TABLE: ModelTable = ModelTable {
             values: 103,
         },
     ],
-    requirements: &[],
+    requirements: &[
+        RequirementTable { text: "zt > R*yb", margin: 104 },
+        RequirementTable { text: "zs > zt", margin: 105 },
+        RequirementTable { text: "yck > yco", margin: 106 },
+    ],
     states: &[
         NamedQuantity { name: "y", unit: "m" },
         NamedQuantity { name: "z", unit: "m" },
@@ -305,9 +309,9 @@ pub static TABLE: ModelTable = ModelTable {
     ],
     coordinates: 2,
     constants: 178,
-    derive_constants: 106,
+    derive_constants: 109,
     input: NamedQuantity { name: "s", unit: "m" },
-    input_per_metre: 104,
+    input_per_metre: 107,
     modes: &[
         ModeTable {
             name: "ACC",
@@ -1557,7 +1561,7 @@ pub static TABLE: ModelTable = ModelTable {
         NamedQuantity { name: "finger.y", unit: "m" },
         NamedQuantity { name: "finger.angle", unit: "rad" },
     ],
-    rest: RestTable { mode: 0, instead: &[], state: 105, is_improved: true },
+    rest: RestTable { mode: 0, instead: &[], state: 108, is_improved: true },
     damper: Some(DamperTable { lift: 0.005, fall: 0.0046, softest_tone: 0.15 }),
     midi: MidiTable { speeds: None, velocity: None, pressure: None },
     drawing: DrawingTable {
@@ -1967,9 +1971,12 @@ impl Functions for ReducedGrandFunctions {
             101 => drawing(given, out),
             102 => preset_default(given, out),
             103 => preset_playable(given, out),
-            104 => input_per_metre(given, out),
-            105 => rest(given, out),
-            106 => derived_constants(given, out),
+            104 => requirement_0(given, out),
+            105 => requirement_1(given, out),
+            106 => requirement_2(given, out),
+            107 => input_per_metre(given, out),
+            108 => rest(given, out),
+            109 => derived_constants(given, out),
             _ => return,
         };
         if done.is_none() {
@@ -7975,6 +7982,37 @@ fn preset_playable(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
     [out[23], out[24], out[25], out[26], out[27], out[28]] = [2.5, 0.1, 45.0, 4.0, 0.003, 0.008];
     [out[29], out[30], out[31], out[32], out[33]] = [0.0005, 0.032, 0.2, 0.0085, 0.0078];
     [out[34], out[35], out[36]] = [0.007, 8000.0, 20.0];
+    Some(())
+}
+
+/// Is positive where a condition on the parameters is met.
+fn requirement_0(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<17>()?;
+    let R = constants[0];
+    let yb = constants[15];
+    let zt = constants[16];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = zt - yb * R;
+    Some(())
+}
+
+/// Is positive where a condition on the parameters is met.
+fn requirement_1(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<22>()?;
+    let zt = constants[16];
+    let zs = constants[21];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = zs - zt;
+    Some(())
+}
+
+/// Is positive where a condition on the parameters is met.
+fn requirement_2(given: &Arguments<'_>, out: &mut [f64]) -> Option<()> {
+    let constants = given.constants.first_chunk::<34>()?;
+    let yck = constants[32];
+    let yco = constants[33];
+    let out = out.first_chunk_mut::<1>()?;
+    out[0] = yck - yco;
     Some(())
 }
 

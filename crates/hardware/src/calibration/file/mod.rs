@@ -16,9 +16,9 @@ use firmware_protocol::key::PerKey;
 use super::KeyCalibration;
 use crate::identity::Uid;
 
-pub use read::load;
+pub use read::{load, load_partial};
 pub use sheet::CalibrationSheet;
-pub use write::{backup, write};
+pub use write::{backup, partial, write};
 
 /// Returns where the files of this user are.
 pub fn usual_folder() -> Option<PathBuf> {
@@ -41,5 +41,7 @@ pub fn read(
     uid: Uid,
     n_keys: usize,
 ) -> Result<Option<PerKey<KeyCalibration>>, String> {
-    Ok(load(path, uid, n_keys)?.map(|sheet| sheet.keys))
+    let whole = |sheet: CalibrationSheet| sheet.keys.as_slice().iter().copied().collect();
+    let keys: Option<Option<Vec<_>>> = load(path, uid, n_keys)?.map(whole);
+    Ok(keys.flatten().map(PerKey::collect))
 }

@@ -22,17 +22,45 @@ const GAINS: (f64, f64) = (0.1, 10.0);
 /// Ways that a key can go (m).
 const TRAVELS: (f64, f64) = (5e-3, 20e-3);
 
+/// Which keys a file must have.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum WantedKeys {
+    All,
+    Any,
+}
+
 /// Reads the whole file of a board of `n_keys` keys; nothing if there is none.
 ///
 /// # Errors
 /// All that is wrong with the file, a sentence on each line.
 pub fn load(path: &Path, uid: Uid, n_keys: usize) -> Result<Option<CalibrationSheet>, String> {
+    load_wanted(path, uid, n_keys, WantedKeys::All)
+}
+
+/// Reads a file that may lack keys of a board of `n_keys` keys; nothing if there is none.
+///
+/// # Errors
+/// All that is wrong with the file, a sentence on each line.
+pub fn load_partial(
+    path: &Path,
+    uid: Uid,
+    n_keys: usize,
+) -> Result<Option<CalibrationSheet>, String> {
+    load_wanted(path, uid, n_keys, WantedKeys::Any)
+}
+
+fn load_wanted(
+    path: &Path,
+    uid: Uid,
+    n_keys: usize,
+    wanted: WantedKeys,
+) -> Result<Option<CalibrationSheet>, String> {
     let bytes = match std::fs::read(path) {
         Ok(bytes) => bytes,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(format!("{} cannot be read: {error}", path.display())),
     };
-    parse(&path.display().to_string(), &bytes, uid, n_keys).map(Some)
+    parse(&path.display().to_string(), &bytes, uid, (n_keys, wanted)).map(Some)
 }
 
 /// Reads the bytes of a file that is called `file` in sentences.
@@ -40,9 +68,9 @@ pub(super) fn parse(
     file: &str,
     bytes: &[u8],
     uid: Uid,
-    n_keys: usize,
+    (n_keys, wanted): (usize, WantedKeys),
 ) -> Result<CalibrationSheet, String> {
-    let mut reader = CalibrationReader { file, mistakes: Vec::new() };
+    let mut reader = CalibrationReader { file, wanted, mistakes: Vec::new() };
     let sheet = reader.read(bytes, uid, n_keys);
     match sheet {
         Some(sheet) if reader.mistakes.is_empty() => Ok(sheet),
@@ -53,6 +81,7 @@ pub(super) fn parse(
 /// Collects what is wrong.
 struct CalibrationReader<'a> {
     file: &'a str,
+    wanted: WantedKeys,
     mistakes: Vec<String>,
 }
 
@@ -120,11 +149,12 @@ impl CalibrationReader<'_> {
     }
 
     /// Returns the keys of all slots.
-    fn keys(&mut self, root: &Table, n_keys: usize) -> Option<PerKey<KeyCalibration>> {
+    fn keys(&mut self, root: &Table, n_keys: usize) -> Option<PerKey<Option<KeyCalibration>>> {
         let Some(tables) = root.get("key").and_then(Item::as_array_of_tables) else {
             self.say(": there is no [[key]]; calibrate the board again");
             return None;
         };
+        let before = self.mistakes.len();
         let mut slots = [None; MOST_KEYS];
         for table in tables {
             let (slot, key) = self.key(table);
@@ -143,10 +173,12 @@ impl CalibrationReader<'_> {
             }
         }
         for (slot, _) in slots.iter().enumerate().take(n_keys).filter(|(_, it)| it.is_none()) {
-            self.say(format_args!(", slot {slot}: it is missing; calibrate the board again"));
+            if self.wanted == WantedKeys::All {
+                self.say(format_args!(", slot {slot}: it is missing; calibrate the board again"));
+            }
         }
-        let keys: Option<Vec<_>> = slots.iter().take(n_keys).map(|key| (*key)?).collect();
-        keys.map(PerKey::collect)
+        let keys = PerKey::collect(slots.iter().take(n_keys).map(|key| key.flatten()));
+        (self.mistakes.len() == before).then_some(keys)
     }
 
     /// Returns a key and its slot, as far as they can be read.

@@ -27,8 +27,8 @@ pub struct CalibrationSheet {
     pub made: String,
     /// Who or what measured it.
     pub by: String,
-    /// Its keys, in the order of slots.
-    pub keys: PerKey<KeyCalibration>,
+    /// Its keys, in the order of slots; none where one is not known.
+    pub keys: PerKey<Option<KeyCalibration>>,
 }
 
 impl CalibrationSheet {
@@ -43,6 +43,7 @@ impl CalibrationSheet {
             self.checksum()
         );
         for (slot, key) in self.keys.as_slice().iter().enumerate() {
+            let Some(key) = key else { continue };
             let KeyCalibration { rest, quantum, gain, bottom, friction } = key;
             // Writing to a text cannot fail.
             let _always = writeln!(
@@ -66,6 +67,10 @@ impl CalibrationSheet {
             digest.update(text.as_bytes());
         }
         for key in self.keys.as_slice() {
+            let Some(key) = key else {
+                digest.update(&[0]);
+                continue;
+            };
             let KeyCalibration { rest, quantum, gain, bottom, friction } = key;
             digest.update(&rest.get().to_le_bytes());
             digest.update(&bottom.get().to_le_bytes());

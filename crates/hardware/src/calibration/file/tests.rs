@@ -4,8 +4,8 @@ use firmware_protocol::key::{MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Counts;
 use proptest::prelude::*;
 
-use super::read::parse;
-use super::{CalibrationSheet, backup, load, read, write};
+use super::read::{WantedKeys, parse as parse_wanted};
+use super::{CalibrationSheet, backup, load, load_partial, read, write};
 use crate::calibration::KeyCalibration;
 use crate::identity::Uid;
 
@@ -21,12 +21,17 @@ fn key(n: i32) -> KeyCalibration {
     }
 }
 
+/// What a whole file says.
+fn parse(file: &str, bytes: &[u8], uid: Uid, n_keys: usize) -> Result<CalibrationSheet, String> {
+    parse_wanted(file, bytes, uid, (n_keys, WantedKeys::All))
+}
+
 fn sheet(n_keys: i32) -> CalibrationSheet {
     CalibrationSheet {
         uid: UID,
         made: "2026-03-14 \"late\"".into(),
         by: "letoff calibrate".into(),
-        keys: PerKey::collect((0..n_keys).map(key)),
+        keys: PerKey::collect((0..n_keys).map(key).map(Some)),
     }
 }
 
@@ -110,6 +115,19 @@ fn a_file_that_is_not_there_is_none_and_one_that_was_replaced_is_kept() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
+#[test]
+fn a_file_without_some_keys_is_no_whole_one_and_is_read_as_what_it_is() {
+    let folder = std::env::temp_dir().join(format!("letoff-partial-{}", std::process::id()));
+    let path = super::partial(&super::path(&folder, UID));
+    let mut keys = sheet(3).keys;
+    keys.as_mut_slice()[1] = None;
+    let some = CalibrationSheet { keys, ..sheet(3) };
+    write(&path, &some).unwrap();
+    assert_eq!(load_partial(&path, UID, 3), Ok(Some(some)));
+    assert!(read(&path, UID, 3).unwrap_err().contains("slot 1: it is missing"));
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
 /// Any key that a file may have.
 fn any_key() -> impl Strategy<Value = KeyCalibration> {
     let travel = 5.1e-3..19.9e-3_f64;
@@ -125,7 +143,12 @@ fn any_key() -> impl Strategy<Value = KeyCalibration> {
 fn any_sheet() -> impl Strategy<Value = CalibrationSheet> {
     let keys = proptest::collection::vec(any_key(), 1..=MOST_KEYS);
     (any::<[u8; 6]>(), ".{0,20}", "\\PC{0,20}", keys).prop_map(|(uid, made, by, keys)| {
-        CalibrationSheet { uid: Uid(uid), made, by, keys: PerKey::collect(keys) }
+        CalibrationSheet {
+            uid: Uid(uid),
+            made,
+            by,
+            keys: PerKey::collect(keys.into_iter().map(Some)),
+        }
     })
 }
 

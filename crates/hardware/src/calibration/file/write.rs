@@ -12,6 +12,12 @@ pub fn backup(path: &Path) -> PathBuf {
     beside(path, ".bak")
 }
 
+/// Returns where the keys are kept that were measured of a board whose file at `path` would not be
+/// whole.
+pub fn partial(path: &Path) -> PathBuf {
+    beside(path, ".partial")
+}
+
 /// Writes `sheet` to `path`, and makes its folder; whatever happens there is the old file or
 /// the new one. The old one is kept, see [`backup`].
 ///

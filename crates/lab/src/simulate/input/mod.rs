@@ -7,6 +7,7 @@ mod spelling;
 mod table;
 
 use pode::Motion;
+use serde::Serialize;
 
 use self::expression::Expression;
 pub use self::mistake::InputMistake;
@@ -62,6 +63,14 @@ impl InputSignal {
         }
     }
 
+    /// Where an end value holds in a run until `until` (s).
+    pub(super) fn held(&self, until: f64) -> Vec<HeldInput> {
+        match self {
+            Self::Rest | Self::Expression(_) => Vec::new(),
+            Self::Table(table) => table.held(until),
+        }
+    }
+
     /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` where they are not
     /// known.
     pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
@@ -71,6 +80,16 @@ impl InputSignal {
             Self::Table(table) => table.bound(from, to),
         }
     }
+}
+
+/// A time over which an end value of the input's rows holds, since there are no rows.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub(super) struct HeldInput {
+    /// Where it begins (s).
+    pub(super) from: f64,
+    /// Where it ends (s).
+    pub(super) to: f64,
+    pub(super) s: f64,
 }
 
 /// Whether a motion can drive a model.

@@ -10,7 +10,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use pode::Motion;
 
 use super::super::args::Reconstruct;
-use super::{InputMistake, NAME};
+use super::{HeldInput, InputMistake, NAME};
 
 /// Mistakes that are shown of one file.
 const MOST_MISTAKES: usize = 10;
@@ -63,6 +63,15 @@ impl InputTable {
     pub(crate) fn at(&self, t: f64) -> Motion {
         let (start, piece) = self.piece_at(t);
         motion(piece, t - start)
+    }
+
+    /// Where an end value holds in a run from 0 to `until` (s), but for a rounding.
+    pub(super) fn held(&self, until: f64) -> Vec<HeldInput> {
+        let [(first, start), (last, end)] = self.ends;
+        let before = HeldInput { from: 0.0, to: first.min(until), s: start };
+        let after = HeldInput { from: last.max(0.0), to: until, s: end };
+        let lasts = |it: &HeldInput| it.to - it.from > CRUMB * until;
+        [before, after].into_iter().filter(lasts).collect()
     }
 
     /// The interval that holds at `t` (s): its start (s) and coefficients.

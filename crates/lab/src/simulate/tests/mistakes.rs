@@ -9,7 +9,7 @@ const RUN: [&str; 4] = ["--until", "1", "--step", "1e-3"];
 #[track_caller]
 fn check(words: &[&str], expected: &[&str]) {
     let mut out = Vec::new();
-    let error = run(&args(&[words, &RUN].concat()), &mut out).expect_err("a mistake");
+    let error = run(&args(&[words, &RUN].concat()), &mut out, &mut |_| ()).expect_err("a mistake");
     assert_eq!(error.exit_code(), 2);
     assert!(matches!(error, SimulateError::Usage(_)));
     assert_eq!(error.to_string().lines().collect::<Vec<_>>(), expected);
@@ -163,4 +163,15 @@ fn an_input_is_never_overwritten() {
         &[&format!("--out and --plot are the same file, {new}")],
     );
     assert!(!std::path::Path::new(&new).exists(), "nothing is created on a mistake");
+}
+
+#[test]
+fn parameters_that_do_not_go_together_as_they_say_are_refused() {
+    let unmet = |model: &str, condition: &str| {
+        format!("{model} needs {condition}, which does not hold: choose other parameters")
+    };
+    check(&["reduced-grand", "--set", "zs=0.03"], &[&unmet("reduced-grand", "zs > zt")]);
+    check(&["reduced-grand", "--set", "zt=0.02"], &[&unmet("reduced-grand", "zt > R*yb")]);
+    check(&["reduced-grand", "--set", "yco=0.009"], &[&unmet("reduced-grand", "yck > yco")]);
+    check(&["cart-pendulum", "--set", "right=-0.1"], &[&unmet("cart-pendulum", "right > left")]);
 }

@@ -49,7 +49,7 @@ fn args(words: &[&str]) -> SimulateArgs {
 /// Runs the command; gives what it prints.
 fn simulate(words: &[&str]) -> Result<String, SimulateError> {
     let mut out = Vec::new();
-    run(&args(words), &mut out)?;
+    run(&args(words), &mut out, &mut |_| ())?;
     Ok(String::from_utf8(out).expect("UTF-8"))
 }
 
@@ -188,7 +188,7 @@ fn capped_ticks_are_a_failure_that_says_what_to_do_and_leaves_its_files() {
     let words = ["bouncing-ball", "--set", "restitution=1", "--until", "200", "--step", "100"];
     let words = [&words[..], &["--out", &out, "--json"]].concat();
     let mut printed = Vec::new();
-    let error = run(&args(&words), &mut printed).expect_err("capped");
+    let error = run(&args(&words), &mut printed, &mut |_| ()).expect_err("capped");
     assert_eq!(error.exit_code(), 1);
     assert_eq!(
         error.to_string(),
@@ -204,7 +204,7 @@ fn capped_ticks_are_a_failure_that_says_what_to_do_and_leaves_its_files() {
     let steps = ["--set", "k2=15e6", "--input", "s=0.099*exp(-((t-0.514)/0.079)^2)"];
     let steps = [&["key-hammer-springs"], &steps[..], &["--until", "1", "--step", "1e-2"]].concat();
     let tolerance = ["--method", "by-need", "--tolerance", "1e-12"];
-    let error = run(&args(&[&steps[..], &tolerance].concat()), &mut Vec::new());
+    let error = run(&args(&[&steps[..], &tolerance].concat()), &mut Vec::new(), &mut |_| ());
     let error = error.expect_err("capped").to_string();
     assert!(error.ends_with("take a shorter --step or a larger --tolerance"), "{error}");
 }
@@ -215,12 +215,73 @@ fn energy_that_the_method_makes_is_told_and_none_where_it_makes_none() {
         let words = ["key-hammer-springs", "--input", "s=0.1*sin(2*pi*t)", "--until", "1"];
         let words = [&words[..], &["--step", step, "--method", "heun"]].concat();
         let mut printed = Vec::new();
-        run(&args(&words), &mut printed).expect("a run");
+        run(&args(&words), &mut printed, &mut |_| ()).expect("a run");
         String::from_utf8(printed).expect("text")
     };
     let (long, short) = (told("0.05"), told("1e-4"));
     assert!(long.contains("of the energy that went through: take a shorter --step"), "{long}");
     assert!(!short.contains("the method made"), "{short}");
+}
+
+#[test]
+fn energy_that_is_not_finite_is_a_fault_and_no_null_in_a_completed_run() {
+    let words = ["bouncing-ball", "--until", "1", "--step", "1e-3", "--initial", "v=1e200"];
+    let words = [&words[..], &["--json"]].concat();
+    let mut printed = Vec::new();
+    let error = run(&args(&words), &mut printed, &mut |_| ()).expect_err("no energy");
+    assert_eq!(error.exit_code(), 1);
+    assert_eq!(
+        error.to_string(),
+        "bouncing-ball failed after t = 0.001 s in mode flight: the energy is not finite, so that \
+         nothing tells whether the motion is right; the last rows of --out show how it came there"
+    );
+    let json: Value = serde_json::from_slice(&printed).expect("JSON");
+    assert_eq!(json["outcome"], "fault: energy");
+}
+
+#[test]
+fn an_event_says_how_many_impacts_it_stands_for() {
+    let folder = Folder::new("impacts");
+    let events = folder.path("events.csv");
+    let ball = ["bouncing-ball", "--until", "5", "--step", "0.5", "--events", &events];
+    let counts = summary(&ball)["counts"].clone();
+    let table = Columns::read(&events);
+    let (names, numbers) = (table.text("guard"), table.numbers("stands_for"));
+    let of = |name: &str| {
+        let named = names.iter().zip(&numbers).filter(|(it, _)| **it == name);
+        named.map(|(_, number)| *number).collect::<Vec<_>>()
+    };
+    let floor = of("floor");
+    assert_eq!(floor, vec![1.0; floor.len()]);
+    assert_eq!(of("settled"), [f64::INFINITY]);
+    assert_eq!(counts["settled"], 1);
+    let together: f64 = of("impacts").iter().sum();
+    assert_eq!(counts["impacts_in_closed_form"], together);
+    let text = simulate(&ball).expect("a run");
+    assert!(text.contains("1 events stand for all that were left"), "{text}");
+}
+
+#[test]
+fn where_the_rows_of_the_input_end_is_told_with_the_value_that_holds() {
+    let folder = Folder::new("held");
+    let input = folder.write("s.csv", "t,s\n0.25,0.1\n0.5,0.2\n");
+    let words = ["bouncing-ball", "--step", "1e-2", "--input", &input, "--json", "--until"];
+    let told = |until: &str| {
+        let (mut printed, mut notes) = (Vec::new(), String::new());
+        run(&args(&[&words[..], &[until]].concat()), &mut printed, &mut |note| notes += note)
+            .expect("a run");
+        let json: Value = serde_json::from_slice(&printed).expect("JSON");
+        (json["held_input"].to_string(), notes)
+    };
+    let (json, note) = told("1");
+    let held = r#"[{"from":0.0,"s":0.1,"to":0.25},{"from":0.5,"s":0.2,"to":1.0}]"#;
+    assert_eq!(json, held);
+    let wanted = "the input has no rows there and is held at s = 0.1 from 0.0 s to 0.25 s and \
+                  s = 0.2 from 0.5 s to 1.0 s";
+    assert_eq!(note, wanted);
+    let whole = folder.write("s.csv", "t,s\n0,0.1\n0.5,0.2\n");
+    assert_eq!(whole, input);
+    assert_eq!(told("0.5"), ("[]".to_owned(), String::new()));
 }
 
 #[test]
@@ -230,7 +291,7 @@ fn a_fault_says_where_and_leaves_what_was_produced() {
     let words = ["bouncing-ball", "--until", "2", "--step", "0.25", "--input", "s=0.1/(1-t)-1"];
     let mut printed = Vec::new();
     let words = [&words[..], &["--out", &out, "--json"]].concat();
-    let error = run(&args(&words), &mut printed).expect_err("a fault");
+    let error = run(&args(&words), &mut printed, &mut |_| ()).expect_err("a fault");
     assert_eq!(error.exit_code(), 1);
     let sentence = error.to_string();
     assert!(sentence.starts_with("bouncing-ball failed after t = "), "{sentence}");

@@ -161,7 +161,7 @@ fn the_columns_of_model_b_are_these() {
         events.names.join(","),
         "t,guard,from,to,theta_h_before,theta_k_before,theta_h_dot_before,theta_k_dot_before,\
          theta_h_after,theta_k_after,theta_h_dot_after,theta_k_dot_after,\
-         impulse,error,projection"
+         impulse,error,projection,stands_for"
     );
     for (mode, release) in trajectory.text("mode").into_iter().zip(trajectory.text("guard_release"))
     {
