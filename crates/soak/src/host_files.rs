@@ -40,11 +40,11 @@ pub struct SupervisedProgram {
 #[derive(Clone, Debug)]
 pub struct HostFiles {
     pub(crate) folder: PathBuf,
-    /// What it plays.
+    /// The scene that it plays.
     pub scene: PathBuf,
     /// The device that it sends MIDI to.
     pub midi: PathBuf,
-    /// Where it listens.
+    /// The socket at which `letoff stop` reaches it.
     pub socket: PathBuf,
     /// The folder where it keeps the minutes before a crash.
     pub last_minutes: PathBuf,
