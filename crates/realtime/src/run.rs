@@ -70,6 +70,8 @@ pub struct Timings {
     /// Misses by own work of ticks in which voices took no more evaluations than in one that was in
     /// time: no model took that time, by counts that no machine changes.
     pub unexplained: u64,
+    /// Misses of ticks that had no time since simulated keys made up for ticks that were skipped.
+    pub by_simulated_keys: u64,
     /// The most evaluations of a tick that was in time.
     most_in_time: u32,
     ledger: Ledger,
@@ -87,6 +89,7 @@ impl Timings {
             work: histogram()?,
             late_turns: 0,
             unexplained: 0,
+            by_simulated_keys: 0,
             most_in_time: 0,
             ledger: Ledger::default(),
         })
@@ -110,7 +113,9 @@ impl Timings {
             Outcome::Missed(MissCause::OwnWork) if evaluations <= self.most_in_time => {
                 self.unexplained += 1;
             }
-            Outcome::Missed(_) => {}
+            Outcome::Missed(_) => {
+                self.by_simulated_keys += u64::from(times.is_late_by_simulated_keys());
+            }
         }
         outcome
     }
@@ -181,7 +186,8 @@ fn tick<B: KeyBus, O: TickObserver>(
     let (due, deadline) = (report.due, report.deadline);
     let work = lanes.work_of_tick(cpu);
     scheduler.note_work(work);
-    Some((report, TickTimes { due, deadline, woken, finished, work }))
+    let simulated = bus.simulated_work();
+    Some((report, TickTimes { due, deadline, woken, finished, work, simulated }))
 }
 
 /// Lanes must be done early enough for their forces to be out by `deadline`.
@@ -207,8 +213,9 @@ mod tests {
             let due = Nanos::from_millis(tick);
             let finished = due.after(Nanos::from_micros(work));
             let deadline = due.after(Nanos::from_millis(1));
-            let times =
-                TickTimes { due, deadline, woken: due, finished, work: Nanos::from_micros(work) };
+            let work = Nanos::from_micros(work);
+            let simulated = Nanos::ZERO;
+            let times = TickTimes { due, deadline, woken: due, finished, work, simulated };
             let work = VoiceWork { derivatives, guards: 100, events: 0, ..VoiceWork::NONE };
             let voices = LaneReport { work, ..LaneReport::default() };
             let safety = SafetyReport::default();

@@ -11,7 +11,9 @@
 //! | otherwise, waking up took at least as long as was stolen | woken late |
 //! | otherwise | preempted |
 //!
-//! Work is never less than the clock says, whatever other ticks took: what the kernel knows that
+//! Simulated keys live on the tick's own thread, and make up for ticks that were skipped; what they
+//! take is no work of the host's, and counts as stolen.
+//! Work is otherwise never less than the clock says, whatever other ticks took: what the kernel knows that
 //! a hypervisor stole is not in a thread's CPU time where the kernel accounts for it, and counts
 //! as own work where it does not, rather than that own work is ever called another's.
 //!
@@ -35,6 +37,8 @@ pub struct TickTimes {
     /// CPU time that it took by its threads' clocks: the tick's own thread without waiting, and
     /// its slowest lane. Exchange with boards, observation and page faults are part of it.
     pub work: Nanos,
+    /// Of this, what simulated keys took.
+    pub simulated: Nanos,
 }
 
 impl TickTimes {
@@ -48,9 +52,20 @@ impl TickTimes {
         self.finished.since(self.woken)
     }
 
-    /// Returns the time between start and end in which the tick did not run.
+    /// Returns the CPU time that is the host's own.
+    pub const fn own_work(&self) -> Nanos {
+        self.work.since(self.simulated)
+    }
+
+    /// Returns the time between start and end in which the host did not run.
     pub const fn stolen(&self) -> Nanos {
-        self.turnaround().since(self.work)
+        self.turnaround().since(self.own_work())
+    }
+
+    /// Returns whether the tick would have had time without simulated keys, and had none with them.
+    pub const fn is_late_by_simulated_keys(&self) -> bool {
+        let slack = self.deadline.since(self.due).as_u64();
+        slack < self.work.as_u64() && self.own_work().as_u64() <= slack
     }
 }
 
@@ -141,7 +156,7 @@ fn judge(times: &TickTimes, late_because: MissCause) -> Outcome {
     let slack = times.deadline.since(times.due);
     if times.finished <= times.deadline {
         Outcome::Met
-    } else if slack < times.work {
+    } else if slack < times.own_work() {
         Outcome::Missed(MissCause::OwnWork)
     } else if times.stolen() <= times.lateness() {
         Outcome::Missed(late_because)
@@ -164,7 +179,22 @@ mod tests {
             woken: Nanos::new(due + late),
             finished: Nanos::new(due + late + work + stolen),
             work: Nanos::new(work),
+            simulated: Nanos::ZERO,
         }
+    }
+
+    #[test]
+    fn what_simulated_keys_take_is_no_work_of_the_host_s() {
+        let long = tick(100, 0, 15, 0);
+        let simulated = |time| TickTimes { simulated: Nanos::new(time), ..long };
+        let cause = |times| Ledger::default().enter(&times, 0);
+        assert_eq!(cause(long), Outcome::Missed(MissCause::OwnWork));
+        assert_eq!(cause(simulated(4)), Outcome::Missed(MissCause::OwnWork));
+        assert_eq!(cause(simulated(5)), Outcome::Missed(MissCause::Preempted));
+        assert!(
+            simulated(5).is_late_by_simulated_keys() && !simulated(4).is_late_by_simulated_keys()
+        );
+        assert!(!tick(100, 0, 8, 5).is_late_by_simulated_keys());
     }
 
     #[track_caller]

@@ -3,6 +3,7 @@
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::overload::{Simplifications, WorkAllowance};
+use crate::time::Nanos;
 use crate::voice::VoiceOutput;
 
 /// The motors and sensors of all keys.
@@ -16,6 +17,11 @@ pub trait KeyBus {
     ///
     /// A bus whose motors hold what they are sent has no use for the slopes.
     fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]);
+
+    /// Returns the processor's time that simulated keys took in the last tick; real ones take none.
+    fn simulated_work(&self) -> Nanos {
+        Nanos::ZERO
+    }
 }
 
 /// Where the voices run.

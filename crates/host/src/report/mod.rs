@@ -127,7 +127,9 @@ pub struct Deadline {
     pub missed_own_work: u64,
     /// Of these, with no more evaluations than a tick that was in time: no model took that time.
     pub own_work_unexplained: u64,
-    /// Of these, because the system woke the tick too late.
+    /// Ticks that had no time since simulated keys made up for ticks that were skipped.
+    pub by_simulated_keys: u64,
+    /// Of the missed, because the system woke the tick too late.
     pub missed_woken_late: u64,
     /// Of these, because the system took the processor away.
     pub missed_preempted: u64,
@@ -259,6 +261,13 @@ impl Deadline {
                 f,
                 "              {} of own work with no more evaluations than a tick in time",
                 self.own_work_unexplained
+            )?;
+        }
+        if 0 < self.by_simulated_keys {
+            writeln!(
+                f,
+                "              {} as simulated keys made up for skipped ticks, which real ones do not",
+                self.by_simulated_keys
             )?;
         }
         if let Some(stolen) = self.stolen_s {

@@ -20,7 +20,7 @@ pub(super) fn find(
     let mut keys = match &scene.links {
         SceneLinks::Simulated => {
             let keybed = Box::new(SimulatedKeybed::new(period, scene.rig.parameters())?);
-            KeySource::Simulated(SimulatedKeys { keybed, trial: None })
+            KeySource::Simulated(SimulatedKeys::new(keybed))
         }
         SceneLinks::Boards(_) if options.virtual_time => return Err(SessionError::RealBoards),
         SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz)?,

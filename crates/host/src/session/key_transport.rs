@@ -119,6 +119,13 @@ impl KeyBus for KeyTransport {
             Self::Boards(keybed, ..) => keybed.send(tick, forces, slopes),
         }
     }
+
+    fn simulated_work(&self) -> Nanos {
+        match self {
+            Self::Simulated(keys) => keys.simulated_work(),
+            Self::Boards(..) => Nanos::ZERO,
+        }
+    }
 }
 
 impl KeyTransport {

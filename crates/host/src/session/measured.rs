@@ -29,6 +29,7 @@ impl MeasuredRun {
             missed: counters.missed,
             missed_own_work: counters.missed_own_work,
             own_work_unexplained: timings.unexplained,
+            by_simulated_keys: timings.by_simulated_keys,
             missed_woken_late: counters.missed_woken_late,
             missed_preempted: counters.missed_preempted,
             stolen_s: baseline.and_then(|it| it.stolen),

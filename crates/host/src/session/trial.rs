@@ -1,8 +1,10 @@
 //! A run that is tried: faults on its simulated keys and wires, and a close look at all of them.
 
 use hardware::sim::keybed::SimulatedKeybed;
+use realtime::clock;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
+use scheduler::time::Nanos;
 
 /// A trial of a run on simulated keys, which stands between them and the scheduler.
 ///
@@ -20,11 +22,22 @@ pub trait RunTrial: Send {
 pub(super) struct SimulatedKeys {
     pub(super) keybed: Box<SimulatedKeybed>,
     pub(super) trial: Option<Box<dyn RunTrial>>,
+    /// CPU time that they took in the last tick.
+    work: Nanos,
+}
+
+impl SimulatedKeys {
+    /// Returns the keys of `keybed`, which are not on trial.
+    pub(super) const fn new(keybed: Box<SimulatedKeybed>) -> Self {
+        Self { keybed, trial: None, work: Nanos::ZERO }
+    }
 }
 
 impl KeyBus for SimulatedKeys {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        let before = clock::thread_cpu();
         self.keybed.receive(tick, samples);
+        self.work = clock::thread_cpu().since(before);
         if let Some(trial) = &mut self.trial {
             trial.receive(tick, samples);
         }
@@ -35,5 +48,9 @@ impl KeyBus for SimulatedKeys {
         if let Some(trial) = &mut self.trial {
             trial.send(tick, forces, &self.keybed);
         }
+    }
+
+    fn simulated_work(&self) -> Nanos {
+        self.work
     }
 }
