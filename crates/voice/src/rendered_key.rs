@@ -45,7 +45,10 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     passivity: PassivityObserver,
     controller: Option<PassivityController>,
     cell: Arc<AuditCell>,
-    /// What the model stores at rest with its key up (J).
+    /// Mode and state at rest with its key up, of the values with which it was built: finding them
+    /// takes longer than a tick where many voices begin at once.
+    up: Option<(M::Mode, M::State)>,
+    /// What the model stores there (J).
     at_rest: f64,
     /// Tick (s).
     h: f64,
@@ -135,6 +138,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             passivity: fittings.passivity,
             controller: fittings.controller,
             cell,
+            up: Some((mode, state)),
             at_rest,
             h,
             coordinates: entry.coordinates,
@@ -144,6 +148,12 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
             switches: Switches::default(),
         }
+    }
+
+    /// Returns mode and state at rest under `input`, which does not move.
+    fn at_rest(&self, input: &Motion) -> (M::Mode, M::State) {
+        let up = self.up.filter(|_| *input == Motion::default());
+        up.unwrap_or_else(|| self.simulator.model().at_rest(input))
     }
 
     /// Model input per metre at the key's front.
@@ -361,7 +371,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
 
     fn reset(&mut self, sample: &KeySample) {
         let input = self.memory.input.reset(sample.position);
-        let (mode, state) = self.simulator.model().at_rest(&input);
+        let (mode, state) = self.at_rest(&input);
         self.memory.shift = InputShift::default();
         if let Some(coupling) = &mut self.memory.coupling {
             coupling.place(&input);
@@ -384,6 +394,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
             self.at_rest = model.energy(mode, &state, &Motion::default());
         }
         self.simulator.set_model(model);
+        self.up = None;
         self.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
