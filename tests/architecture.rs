@@ -86,7 +86,7 @@ const VOICE_MAY_KNOW: [&str; 10] = [
     "scheduler",
 ];
 
-const SCENE_MAY_KNOW: [&str; 11] = [
+const SCENE_MAY_KNOW: [&str; 12] = [
     "descriptions",
     "diagnostics",
     "firmware-protocol",
@@ -96,6 +96,7 @@ const SCENE_MAY_KNOW: [&str; 11] = [
     "links",
     "midi",
     "models",
+    "performance",
     "pode",
     "scheduler",
 ];

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::letoff::{check, folder};
+use crate::letoff::{check, check_words, folder, run};
 
 /// A folder with `name`, which holds `bytes`.
 fn with(name: &str, bytes: &[u8]) -> PathBuf {
@@ -45,6 +45,17 @@ fn a_broken_file_is_refused() {
     // The type of the file and its number of tracks.
     broken[8..12].fill(0xFF);
     check_refused("broken.mid", &broken, "broken.mid");
+}
+
+#[test]
+fn a_check_of_a_scene_reads_its_performance_and_says_where_it_is_named() {
+    let folder = with("junk.mid", b"once upon a time");
+    let scene = "keys = [{ range = \"C4\", instrument = \"grand-springs\" }]\n\
+                 pianist.performance = \"junk.mid\"\n";
+    fs::write(folder.join("scene.toml"), scene).expect("a file");
+    let said = run(&folder, &["check", "scene.toml"]);
+    assert_eq!(said.code, Some(2), "{said:?}");
+    check_words(&said, &["scene.toml:2:23: ", "junk.mid cannot be played", "not a MIDI file"]);
 }
 
 #[test]

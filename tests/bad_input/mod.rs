@@ -5,6 +5,7 @@
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod lab;
+mod limits;
 mod midi_files;
 mod output;
 mod parameters;

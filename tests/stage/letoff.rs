@@ -8,6 +8,8 @@
 
 use std::fmt::Debug;
 use std::fs;
+use std::os::unix::fs::PermissionsExt as _;
+use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
@@ -100,7 +102,34 @@ pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Said {
     Said::new(command(folder, arguments).output().expect("the program runs"))
 }
 
-/// The same, with what it prints going to `out`.
+/// The same, after a shell has done `first`.
+pub(crate) fn run_after(first: &str, folder: &Path, arguments: &[&str]) -> Said {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &format!("{first}; exec \"$0\" \"$@\"")]).arg(program());
+    Said::new(with_arguments(shell, folder, arguments).output().expect("a shell"))
+}
+
+/// Runs `letoff` as the least of all users, after a shell has done `first`, in a folder that every
+/// user may enter; nothing unless this user is root.
+pub(crate) fn run_as_nobody(first: &str, arguments: &[&str]) -> Option<Said> {
+    /// The least of all users.
+    const NOBODY: u32 = 65_534;
+    if !rustix::process::getuid().is_root() {
+        println!("SKIPPED: only root can try it as another user");
+        return None;
+    }
+    let folder = std::env::temp_dir().join(format!("letoff-nobody-{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::set_permissions(&folder, fs::Permissions::from_mode(0o755)).expect("a folder");
+    fs::copy(program(), folder.join("letoff")).expect("a copy that others may run");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &format!("{first}; exec ./letoff \"$@\""), "sh"]).uid(NOBODY).gid(NOBODY);
+    let said = Said::new(with_arguments(shell, &folder, arguments).output().expect("a shell"));
+    fs::remove_dir_all(&folder).expect("it is ours");
+    Some(said)
+}
+
+/// Runs it with what it prints going to `out`.
 pub(crate) fn run_into(out: impl Into<Stdio>, folder: &Path, arguments: &[&str]) -> Said {
     let mut command = command(folder, arguments);
     command.stdout(out).stderr(Stdio::piped());

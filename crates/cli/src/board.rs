@@ -17,7 +17,7 @@ use links::wire::WirePlan;
 use serde::Serialize;
 
 use super::arguments::{number, ratio, seconds, share};
-use super::signals::Signals;
+use super::signals::{Signals, runtime};
 use super::{Failure, print_json, system};
 use host::simulated::fault_script::FaultScript;
 use host::simulated::{
@@ -112,17 +112,14 @@ fn pair(text: &str) -> Result<(u8, u8), String> {
 /// Runs simulated boards, and reports how they ended.
 pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut boards = boards(args)?;
-    if let Some(folder) = &args.links {
-        link_names(&boards, folder)?;
-    }
-    introduce(&boards, args, out)?;
     let stop = Arc::new(AtomicBool::new(false));
     let duration = args.duration.map(clock::from_seconds);
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.map_err(system)?;
-    let boards = runtime.block_on(async {
+    let boards = runtime()?.block_on(async {
         let its_stop = Arc::clone(&stop);
         let mut signals = Signals::new().map_err(system)?;
+        let _names =
+            args.links.as_ref().map(|folder| FixedNames::make(&boards, folder)).transpose()?;
+        introduce(&boards, args, out)?;
         let mut running = tokio::task::spawn_blocking(move || {
             run_boards(&mut boards, duration, &its_stop, &mut report_light);
             boards
@@ -218,24 +215,44 @@ fn keys(args: &BoardArgs, n: u8, number: u8) -> Result<(u8, usize), Failure> {
     Ok((u8::try_from(first).unwrap_or(u8::MAX), len))
 }
 
-/// Makes links of fixed names to the boards' ports.
-fn link_names(boards: &[BoardProcess], folder: &Path) -> Result<(), Failure> {
-    let refuse = |path: &Path, error: io::Error| {
-        Failure::Usage(format!(
-            "--links: {} cannot be made: {error}; give a folder in which you may write",
-            path.display()
-        ))
-    };
-    fs::create_dir_all(folder).map_err(|error| refuse(folder, error))?;
-    for running in boards {
-        let name = folder.join(format!("board{}", running.board().make().id.number()));
-        let port = running.address().trim_start_matches("serial:");
-        let port = port.rsplit_once('@').map_or(port, |(port, _baud)| port);
-        // One of an earlier run may lie there.
-        let _none = fs::remove_file(&name);
-        symlink(port, &name).map_err(|error| refuse(&name, error))?;
+/// Links of fixed names to the boards' ports, which are removed in the end.
+#[derive(Default)]
+struct FixedNames(Vec<(PathBuf, PathBuf)>);
+
+impl FixedNames {
+    /// Makes them in `folder`; one of an earlier run is replaced.
+    fn make(boards: &[BoardProcess], folder: &Path) -> Result<Self, Failure> {
+        let refuse = |path: &Path, error: io::Error| {
+            Failure::Usage(format!(
+                "--links: {} cannot be made: {error}; give a folder in which you may write",
+                path.display()
+            ))
+        };
+        fs::create_dir_all(folder).map_err(|error| refuse(folder, error))?;
+        let mut names = Self::default();
+        for running in boards {
+            let name = folder.join(format!("board{}", running.board().make().id.number()));
+            let port = running.address().trim_start_matches("serial:");
+            let port = PathBuf::from(port.rsplit_once('@').map_or(port, |(port, _baud)| port));
+            if name.is_symlink() {
+                let _gone = fs::remove_file(&name);
+            }
+            symlink(&port, &name).map_err(|error| refuse(&name, error))?;
+            names.0.push((name, port));
+        }
+        Ok(names)
     }
-    Ok(())
+}
+
+impl Drop for FixedNames {
+    fn drop(&mut self) {
+        // Other boards may have taken a name.
+        for (name, port) in &self.0 {
+            if fs::read_link(name).is_ok_and(|there| there == *port) {
+                let _gone = fs::remove_file(name);
+            }
+        }
+    }
 }
 
 /// A board's address, as JSON.

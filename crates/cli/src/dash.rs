@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 
 use super::child_program::{ChildProgram, EndMode};
-use super::signals::Signals;
+use super::signals::{Signals, runtime};
 use super::{Failure, system, tell};
 use host::control::{ControlError, Reply, Request, send, socket_path};
 
@@ -63,8 +63,7 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
     let program = program()?;
     let place = wanted(args, out)?;
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    runtime.map_err(system)?.block_on(async {
+    runtime()?.block_on(async {
         // Before anything is started: nothing of it is left behind.
         let mut signals = Signals::new().map_err(system)?;
         let (host, place) = match place {

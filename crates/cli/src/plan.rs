@@ -20,6 +20,7 @@ use scene::{BoardBus, Boards, FORCES, SAMPLES};
   letoff plan my-scene.toml
   letoff plan --link can:can0 --link can:can1
 
+The default scene, like every scene with simulated keys, has no links: give it --link.
 Boards that the scene does not list are the standard ones: 8 of 11 keys, spread evenly.")]
 pub struct PlanArgs {
     /// What shall be planned.

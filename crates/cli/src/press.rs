@@ -9,7 +9,7 @@ use telemetry::KeyIndex;
 use tokio::io::AsyncReadExt as _;
 
 use super::arguments::{number, seconds};
-use super::signals::Signals;
+use super::signals::{Signals, runtime};
 use super::{Failure, system};
 use host::control::{Reply, Request, hold, send_to_host};
 use host::finger_weight::weight_for;
@@ -41,8 +41,7 @@ pub struct PressArgs {
 
 /// Presses the key and waits.
 pub(super) fn run(args: &PressArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    runtime.map_err(system)?.block_on(async {
+    runtime()?.block_on(async {
         // Before anything is pressed: a signal ends the command in good order.
         let signals = Signals::new().map_err(system)?;
         let newtons = match args.velocity {

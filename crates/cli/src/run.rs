@@ -14,12 +14,12 @@ use super::log::{LogFormat, StderrLog};
 use super::recording::RecordingArgs;
 use super::reload::{self, SceneFile};
 use super::service::ServiceNotifier;
-use super::signals::Signals;
+use super::signals::{Signals, runtime};
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_report, supervisor_args, system, tell};
-use host::control::{RunHandle, StatusSink};
+use host::control::{RunHandle, StatusSink, temporary_folder};
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::RunReport;
@@ -130,7 +130,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     refuse_unstable(&scene)?;
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
     // A mistake is told before anything is rehearsed or recorded.
-    let mut stream = args.stream.wanted(&scene.name, &state_folder()).map_err(Failure::Usage)?;
+    let mut stream = args.stream.wanted(&scene.name, state_folder()).map_err(Failure::Usage)?;
     if let Some(stream) = &mut stream {
         stream.folders.limits = args.recordings.limits();
     }
@@ -188,8 +188,7 @@ fn perform(
     args: &RunArgs,
     wanted: Option<streaming::WantedStream>,
 ) -> Result<Option<Box<RunReport>>, Failure> {
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.map_err(system)?;
+    let runtime = runtime()?;
     let ended = runtime.block_on(host(scene, options, args, wanted));
     if let Ok(None) = ended {
         // What still rehearses is not waited for: no board is armed, and no note has sounded.
@@ -323,7 +322,7 @@ pub(super) fn black_box_folder(wanted: Option<&Path>) -> Option<PathBuf> {
     match wanted {
         Some(folder) if folder == Path::new("none") => None,
         Some(folder) => Some(folder.to_owned()),
-        None => Some(state_folder()),
+        None => state_folder(),
     }
 }
 
@@ -342,9 +341,10 @@ fn keep_last_minutes(session: &RunSession, file: &Path) {
     }
 }
 
-/// Returns the user's own folder for what programs leave behind, or one among temporary files.
-fn state_folder() -> PathBuf {
-    streaming::own_state_folder().unwrap_or_else(|| std::env::temp_dir().join("letoff"))
+/// Returns the user's own folder for what programs leave behind, or one among temporary files;
+/// none if another user has made that one.
+fn state_folder() -> Option<PathBuf> {
+    streaming::own_state_folder().or_else(|| temporary_folder().ok())
 }
 
 /// Ends the run when this thread unwinds: notes off, forces down.

@@ -1,10 +1,14 @@
 //! Signals, for commands that run until they are stopped.
 
+use std::io;
+use std::os::unix::net::UnixStream;
+
 use host::control::{BoardsTold, EmergencyStop};
 
 use rustix::process::Signal;
+use tokio::runtime::Runtime;
 
-use super::Failure;
+use super::{Failure, system};
 
 /// What a hang-up (SIGHUP) means.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -35,12 +39,12 @@ pub(super) struct Signals {
 
 impl Signals {
     /// Listens from now on.
-    pub(super) fn new() -> std::io::Result<Self> {
+    pub(super) fn new() -> io::Result<Self> {
         Self::with(HangUp::Ends)
     }
 
     /// Returns the same where a hang-up means what `hang_up_means` says.
-    pub(super) fn with(hang_up_means: HangUp) -> std::io::Result<Self> {
+    pub(super) fn with(hang_up_means: HangUp) -> io::Result<Self> {
         use tokio::signal::unix::{SignalKind, signal};
         Ok(Self {
             hang_up_means,
@@ -104,4 +108,34 @@ impl Signals {
             },
         }
     }
+}
+
+/// Returns the runtime of a command that runs until it is stopped.
+///
+/// # Errors
+/// If the system gives it too few threads or descriptors: the runtime panics where it finds none
+/// later.
+pub(super) fn runtime() -> Result<Runtime, Failure> {
+    check_limits().map_err(system)?;
+    tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(system)
+}
+
+/// Asks once for the descriptors and threads that a command which runs takes.
+fn check_limits() -> io::Result<()> {
+    /// Pairs of descriptors: a host with a stream, and one client, has 14.
+    const PAIRS: usize = 8;
+    /// Threads beside this one.
+    const THREADS: usize = 4;
+    let _pairs = (0..PAIRS).map(|_| UnixStream::pair()).collect::<io::Result<Vec<_>>>()?;
+    // All are there at once: each waits until what holds it is dropped.
+    let mut threads = Vec::new();
+    for _ in 0..THREADS {
+        let (held, end) = std::sync::mpsc::channel::<()>();
+        threads.push((held, std::thread::Builder::new().spawn(move || end.recv())?));
+    }
+    for (held, thread) in threads {
+        drop(held);
+        let _ended = thread.join();
+    }
+    Ok(())
 }

@@ -11,7 +11,7 @@ use scene::{LinksConfig, Override, Scene};
 use soak::{HostFiles, SoakChoice, SoakError, SoakReport, SoakTime, SupervisedProgram, soak};
 
 use super::arguments::seconds;
-use super::signals::Signals;
+use super::signals::{Signals, runtime};
 use super::{Failure, prepare_report, print_json, system};
 
 /// Shortest trial (s): there must be time to fail and to recover.
@@ -117,8 +117,7 @@ fn scene(name: &str) -> Result<Scene, Failure> {
 
 /// Tries the host until the end or a signal.
 fn until_signal(choice: SoakChoice) -> Result<SoakReport, Failure> {
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    runtime.map_err(system)?.block_on(async {
+    runtime()?.block_on(async {
         let mut signals = Signals::new().map_err(system)?;
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);

@@ -2,7 +2,7 @@
 
 use std::io;
 use std::net::SocketAddr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use hardware::calibration::file::usual_folder;
@@ -60,11 +60,15 @@ pub(super) struct WantedStream {
 
 impl StreamArgs {
     /// Returns the stream that the options ask for, if any; `folder` keeps a certificate of our
-    /// own.
+    /// own, and without one it is another one in each run.
     ///
     /// # Errors
     /// What is wrong with them, in a sentence.
-    pub(super) fn wanted(&self, name: &str, folder: &Path) -> Result<Option<WantedStream>, String> {
+    pub(super) fn wanted(
+        &self,
+        name: &str,
+        folder: Option<PathBuf>,
+    ) -> Result<Option<WantedStream>, String> {
         if self.listen == "none" {
             return Ok(None);
         }
@@ -158,11 +162,11 @@ impl WantedStream {
     }
 }
 
-fn certificate(text: &str, folder: &Path) -> Result<Tls, String> {
+fn certificate(text: &str, folder: Option<PathBuf>) -> Result<Tls, String> {
     match text.split_once(',') {
         Some((chain, key)) => Ok(Tls::Files { chain: chain.into(), key: key.into() }),
         None if text == "self-made" => {
-            Ok(Tls::SelfMade { names: vec!["localhost".into()], folder: Some(folder.to_owned()) })
+            Ok(Tls::SelfMade { names: vec!["localhost".into()], folder })
         }
         None => Err(format!(
             "--tls {text} names no key: write CHAIN.pem,KEY.pem with a comma between, or self-made"

@@ -14,6 +14,7 @@ use rustix::process::{Pid, Signal, kill_process};
 use tokio::signal::unix::{Signal as SignalStream, SignalKind, signal};
 
 use super::run::{RunArgs, black_box_folder};
+use super::signals::runtime;
 use super::{Failure, system, tell};
 
 /// Time between two looks whether the host has ended.
@@ -33,9 +34,9 @@ const ORDERLY: i32 = 2;
 
 /// Runs the host until it ends of its own accord, or crashes too often.
 pub(super) fn run(args: &RunArgs) -> Result<(), Failure> {
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    let runtime = runtime()?;
     let folder = black_box_folder(args.black_box.as_deref());
-    runtime.map_err(system)?.block_on(supervise(folder.as_deref()))
+    runtime.block_on(supervise(folder.as_deref()))
 }
 
 async fn supervise(folder: Option<&Path>) -> Result<(), Failure> {

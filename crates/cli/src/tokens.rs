@@ -83,6 +83,9 @@ fn token(line: &str, before: &[Token]) -> Result<Token, &'static str> {
     if !token.is_plain() {
         return Err("has a secret with other than letters, digits and -._~ in it");
     }
+    if !token.is_long() {
+        return Err("has a secret that can be guessed: `openssl rand -hex 16` makes one");
+    }
     if before.iter().any(|it| it.secret == token.secret) {
         return Err("has the secret of a line before it");
     }
@@ -93,22 +96,32 @@ fn token(line: &str, before: &[Token]) -> Result<Token, &'static str> {
 mod tests {
     use super::*;
 
+    /// What makes a secret long enough.
+    const REST: &str = "-0123456789abcdef";
+
     #[test]
     fn lines_name_roles_and_secrets() {
-        let tokens = parse("# ours\n\nviewer see\n  tuner\ttune \r\nowner own").expect("tokens");
-        let roles: Vec<_> = tokens.iter().map(|it| (it.role, it.secret.as_str())).collect();
+        let tokens =
+            parse(&format!("# ours\n\nviewer see{REST}\n  tuner\ttune{REST} \r\nowner own{REST}"))
+                .expect("tokens");
+        let roles: Vec<_> =
+            tokens.iter().map(|it| (it.role, it.secret.trim_end_matches(REST))).collect();
         let expected = [(Role::Viewer, "see"), (Role::Tuner, "tune"), (Role::Owner, "own")];
         assert_eq!(roles, expected);
     }
 
     #[test]
     fn all_mistakes_are_told_and_no_secret() {
-        let text = "viewer see\nadmin aaaa\nowner\ntuner bb&bb\nowner see\nowner two words";
-        let said = parse(text).expect_err("mistakes");
-        for line in ["line 2 is not", "line 3 is not", "line 4 has a", "line 5 has the", "line 6"] {
+        let text = format!(
+            "viewer see{REST}\nadmin aaaa\nowner\ntuner bb&bb\nowner see{REST}\nowner two words\n\
+             viewer short"
+        );
+        let said = parse(&text).expect_err("mistakes");
+        let lines = ["line 2 is not", "line 3 is not", "line 4 has a", "line 5 has the", "line 6"];
+        for line in [&lines[..], &["line 7 has a secret that can be guessed"]].concat() {
             assert!(said.contains(line), "{line}: {said}");
         }
-        for secret in ["aaaa", "bb&bb", "see", "two words"] {
+        for secret in ["aaaa", "bb&bb", "see", "two words", "short"] {
             assert!(!said.contains(secret), "{said}");
         }
         assert!(parse(&"x\n".repeat(50)).expect_err("mistakes").ends_with("and 40 more"));

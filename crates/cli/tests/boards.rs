@@ -207,6 +207,31 @@ fn a_program_learns_at_once_where_boards_are() {
 }
 
 #[test]
+fn names_of_boards_are_gone_after_them_and_a_file_of_that_name_stays() {
+    for signal in [Signal::TERM, Signal::INT] {
+        let folder = Folder::new("board-names");
+        let mut boards = start(&folder, &["board", "--count", "2", "--links", "names"]);
+        let names = ["names/board0", "names/board1"].map(|name| folder.join(name));
+        eventually("names", || names.iter().all(|name| name.exists()).then_some(()));
+        kill_process(Pid::from_child(&boards), signal).expect("it is there");
+        assert!(boards.wait().expect("it ends").success());
+        assert!(!names.iter().any(|name| name.is_symlink()), "{signal:?}");
+        std::fs::write(&names[1], "not a link").expect("a file");
+        let board = ["board", "--count", "2", "--links", "names", "--duration", "0.1"];
+        folder.refuses(&board, 2, &["names/board1 cannot be made", "exists"]);
+        assert_eq!(folder.read("names/board1"), "not a link");
+        assert!(!names[0].is_symlink());
+    }
+}
+
+#[test]
+fn a_plan_without_links_says_what_it_needs() {
+    let needs = "the scene \"default\" has no boards: give --link";
+    Folder::new("plan").refuses(&["plan"], 2, &[needs]);
+    assert!(text(&letoff(&["plan", "--help"]).stdout).contains("has no links: give it --link"));
+}
+
+#[test]
 fn all_links_that_cannot_be_opened_are_said_at_once() {
     let links = ["--link", "serial:/dev/no-such-1", "--link", "serial:/dev/no-such-2"];
     for command in ["run", "calibrate"] {

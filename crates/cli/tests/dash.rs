@@ -108,7 +108,8 @@ fn a_window_that_fails_is_a_failure() {
 #[test]
 fn the_window_learns_what_lets_it_in() {
     let folder = Folder::new("dash-token");
-    let tokens = folder.write("tokens", "viewer see\nowner own\n");
+    let tokens =
+        folder.write("tokens", "viewer see-0123456789abcdef\nowner own-0123456789abcdef\n");
     std::fs::set_permissions(tokens, Permissions::from_mode(0o600)).expect("a file");
     let run =
         ["run", "springs", "--performance", "none", "--midi", "none", "--listen", "127.0.0.1:0"];
@@ -127,5 +128,5 @@ fn the_window_learns_what_lets_it_in() {
     let (fingerprint, rest) = rest.split_once('\n').expect("lines");
     // 32 pairs of digits, and colons between.
     assert!(fingerprint.len() == 95 && err.contains(fingerprint), "{fingerprint}: {err}");
-    assert_eq!(rest, "token own\n");
+    assert_eq!(rest, "token own-0123456789abcdef\n");
 }

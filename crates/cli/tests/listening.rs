@@ -3,24 +3,31 @@
 
 #![expect(clippy::expect_used, reason = "helpers of tests")]
 
+mod roles;
 mod stranger;
 mod typed;
 
 use std::fs::{File, Permissions};
-use std::io::{Read as _, Write as _};
+use std::io::{ErrorKind, Read as _, Write as _};
 use std::os::unix::fs::PermissionsExt as _;
-use std::os::unix::net::UnixListener;
+use std::os::unix::net::{UnixListener, UnixStream};
 use std::os::unix::process::CommandExt as _;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 use host::control::{ControlError, Reply, Request, send};
+use rustix::fs::{CWD, FileType, Mode, mknodat};
 use rustix::process::{Pid, Signal, getuid, kill_process};
 use stranger::Stranger;
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, Fingerprint};
 use telemetry::{Arrival, ConnectionState, Source as _};
 use typed::{Folder, eventually};
+
+/// Secrets that are as long as they have to be.
+const VIEWER: &str = "see-0123456789abcdef";
+const TUNER: &str = "tune-0123456789abcdef";
+const OWNER: &str = "own-0123456789abcdef";
 
 /// A host on simulated keys that nobody plays, until it is dropped.
 struct Host<'a> {
@@ -35,10 +42,14 @@ struct Host<'a> {
 impl<'a> Host<'a> {
     /// Starts one with `arguments`, and waits until it answers.
     fn start(folder: &'a Folder, arguments: &[&str]) -> Self {
-        let silent =
-            ["run", "springs", "--performance", "none", "--midi", "none", "--black-box", "none"];
+        let silent = ["run", "springs", "--performance", "none", "--midi", "none"];
+        Self::run(folder, &[&silent[..], &["--black-box", "none"], arguments].concat())
+    }
+
+    /// Starts the one that is typed.
+    fn run(folder: &'a Folder, arguments: &[&str]) -> Self {
         let letoff = Path::new(env!("CARGO_BIN_EXE_letoff"));
-        let mut command = folder.command(letoff, &[&silent[..], arguments].concat());
+        let mut command = folder.command(letoff, arguments);
         command.stdout(File::create(folder.join("report")).expect("a file"));
         command.stderr(File::create(folder.join("complaints")).expect("a file"));
         let mut child = command.spawn().expect("a process");
@@ -56,6 +67,14 @@ impl<'a> Host<'a> {
     /// What it has complained of so far.
     fn complaints(&self) -> String {
         self.folder.read("complaints")
+    }
+
+    /// The scene as it sounds now.
+    fn scene(&self) -> String {
+        match send(&self.folder.socket(), &Request::Scene {}) {
+            Ok(Ok(Reply::Scene { toml })) => toml,
+            other => unreachable!("{other:?}"),
+        }
     }
 
     fn dial(&self, token: Option<&str>) -> Dial {
@@ -126,7 +145,7 @@ const LOOPBACK: [&str; 2] = ["--listen", "127.0.0.1:0"];
 #[test]
 fn beyond_this_machine_only_with_tokens_and_tls() {
     let folder = Folder::new("beyond");
-    tokens(&folder, "owner own\n");
+    tokens(&folder, &format!("owner {OWNER}\n"));
     let refused = |options: &[&str], words: &[&str]| {
         // Not even a recording is begun.
         let run = ["run", "springs", "--record", "a.mcap", "--duration", "1"];
@@ -157,8 +176,14 @@ fn on_a_network_that_is_trusted_anybody_may_come() {
 fn all_mistakes_of_a_file_of_tokens_are_told_at_once() {
     let folder = Folder::new("tokens-bad");
     let run = ["run", "springs", "--virtual-time", "--duration", "0.1", "--tokens", "tokens"];
-    tokens(&folder, "viewer see\nadmin aaaa\nowner\n# ours\ntuner bb&bb\nowner see\n");
-    let words = ["tokens: ", "line 2 is not", "line 3 is not", "line 5 has", "line 6 has"];
+    tokens(
+        &folder,
+        &format!(
+            "viewer {OWNER}\nadmin aaaa\nowner\n# ours\ntuner bb&bb\nowner {OWNER}\nowner own\n"
+        ),
+    );
+    let words =
+        ["tokens: ", "line 2 is not", "line 3 is not", "line 5 has", "line 6 has", "line 7 has"];
     folder.refuses(&run, 2, &words);
     let (_code, _out, err) = folder.letoff(&run);
     assert!(!err.contains("aaaa") && !err.contains("bb&bb"), "a secret is shown: {err}");
@@ -174,7 +199,7 @@ fn all_mistakes_of_a_file_of_tokens_are_told_at_once() {
 fn a_file_of_tokens_that_others_read_is_pointed_out() {
     let folder = Folder::new("tokens-mode");
     let run = ["run", "springs", "--virtual-time", "--duration", "0.1", "--tokens", "tokens"];
-    tokens(&folder, "owner own\n");
+    tokens(&folder, &format!("owner {OWNER}\n"));
     let (code, _out, err) = folder.letoff(&run);
     assert_eq!((code, err.as_str()), (Some(0), ""));
     for mode in [0o644, 0o602] {
@@ -189,16 +214,16 @@ fn a_file_of_tokens_that_others_read_is_pointed_out() {
 #[test]
 fn a_token_says_what_somebody_may_do() {
     let folder = Folder::new("roles");
-    tokens(&folder, "viewer see\ntuner tune\nowner own\n");
+    tokens(&folder, &format!("viewer {VIEWER}\ntuner {TUNER}\nowner {OWNER}\n"));
     let host = Host::start(&folder, &[&LOOPBACK[..], &["--tokens", "tokens"]].concat());
-    for wrong in [None, Some("sea"), Some("")] {
+    for wrong in [None, Some("see"), Some("")] {
         assert!(refusal(host.dial(wrong)).contains("asks for a token"), "{wrong:?}");
     }
-    let refused = set(host.dial(Some("see"))).expect_err("a viewer only watches");
+    let refused = set(host.dial(Some(VIEWER))).expect_err("a viewer only watches");
     assert!(refused.contains("a viewer may not"), "{refused}");
-    assert_eq!(set(host.dial(Some("tune"))), Ok(()));
+    assert_eq!(set(host.dial(Some(TUNER))), Ok(()));
     // Whoever may use the socket is the owner.
-    assert_eq!(host.token.as_deref(), Some("own"));
+    assert_eq!(host.token.as_deref(), Some(OWNER));
     assert_eq!(set(host.dial(host.token.as_deref())), Ok(()));
 }
 
@@ -232,13 +257,13 @@ fn printed(complaints: &str) -> Fingerprint {
 #[test]
 fn the_fingerprint_that_is_printed_is_the_certificate_s() {
     let folder = Folder::new("tls");
-    tokens(&folder, "owner own\n");
+    tokens(&folder, &format!("owner {OWNER}\n"));
     let everywhere = ["--listen", "0.0.0.0:0", "--tokens", "tokens", "--tls", "self-made"];
     let first = {
         let host = Host::start(&folder, &everywhere);
         let pin = printed(&host.complaints());
         assert!(host.address.ends_with(&format!("#{pin}")), "{}", host.address);
-        let dial = |pin| Dial { pin, ..host.dial(Some("own")) };
+        let dial = |pin| Dial { pin, ..host.dial(Some(OWNER)) };
         assert_eq!(set(dial(Some(pin))), Ok(()));
         let text = refusal(dial(Some(Fingerprint([7; 32]))));
         assert!(text.contains("another certificate"), "{text}");
@@ -305,10 +330,10 @@ fn a_client_names_files_in_its_folders_only_and_reads_no_others() {
 #[test]
 fn whoever_watches_may_stop_and_hears_what_was_done_before_the_stream_ends() {
     let folder = Folder::new("stop-stream");
-    tokens(&folder, "viewer see\nowner own\n");
+    tokens(&folder, &format!("viewer {VIEWER}\nowner {OWNER}\n"));
     let mut host = Host::start(&folder, &[&LOOPBACK[..], &["--tokens", "tokens"]].concat());
-    let mut viewer = connected(host.dial(Some("see")));
-    let other = connected(host.dial(Some("own")));
+    let mut viewer = connected(host.dial(Some(VIEWER)));
+    let other = connected(host.dial(Some(OWNER)));
     let reply = asked(&mut viewer, &Request::Stop {});
     let Ok(Reply::Stopped { told, boards, .. }) = reply else { unreachable!("{reply:?}") };
     // By either way it is said how many; before the first tick none was armed.
@@ -360,31 +385,28 @@ const VICTIM: &str = "LETOFF_TEST_VICTIM";
 /// What another user of the machine tries, in a process of their own; nothing in any other.
 #[test]
 fn the_other_user() {
-    let Ok(victim) = std::env::var(VICTIM) else { return };
-    let (address, rest) = victim.split_once(' ').expect("an address");
-    let (socket, tmp) = rest.split_once(' ').expect("paths");
-    let dial = |token: Option<&str>| Dial {
-        address: address.into(),
-        token: token.map(str::to_owned),
-        pin: None,
-    };
-    // Not in, nothing is read, recorded, changed or stopped; by the socket neither.
-    for token in [None, Some(""), Some("owner"), Some("own")] {
-        assert!(refusal(dial(token)).contains("asks for a token"), "{token:?}");
-    }
-    for request in [Request::Where {}, Request::Stop {}, Request::Record { file: None }] {
-        let refused = send(Path::new(socket), &request).expect_err("another user's host");
-        assert!(matches!(refused, ControlError::NotYours { .. }), "{refused}");
+    let Ok(victims) = std::env::var(VICTIM) else { return };
+    let [tmp, rehearsing, playing]: [&str; 3] =
+        victims.lines().collect::<Vec<_>>().try_into().expect("a folder and two hosts");
+    for victim in [rehearsing, playing] {
+        let (address, socket) = victim.split_once(' ').expect("an address and a socket");
+        try_to_get_at(address, Path::new(socket));
     }
     // In the place where root's host would listen without a runtime folder.
     let folder = Path::new(tmp).join("letoff-0");
     std::fs::create_dir(&folder).expect("the sticky folder is everybody's");
     std::fs::set_permissions(&folder, Permissions::from_mode(0o777)).expect("a folder");
-    let path = folder.join("letoff.sock");
-    let listener = UnixListener::bind(&path).expect("a socket");
-    std::fs::set_permissions(&path, Permissions::from_mode(0o777)).expect("a socket");
+    let listen = |name: &str| {
+        let path = folder.join(name);
+        let listener = UnixListener::bind(&path).expect("a socket");
+        std::fs::set_permissions(&path, Permissions::from_mode(0o777)).expect("a socket");
+        listener
+    };
+    let (host, _guardian) = (listen("letoff.sock"), listen("letoff.sock.midi"));
+    // And in one where it would keep what it leaves behind, its certificate's key too.
+    std::fs::create_dir(Path::new(tmp).join("letoff")).expect("a folder");
     std::fs::write(Path::new(tmp).join("tried"), "").expect("a file");
-    for stream in listener.incoming() {
+    for stream in host.incoming() {
         let mut stream = stream.expect("a client");
         let _sent = stream.write_all(b"{\"Ok\":{\"reply\":\"done\",\"text\":\"stopped\"}}\n");
         let mut heard = String::new();
@@ -393,22 +415,57 @@ fn the_other_user() {
     }
 }
 
+/// Nothing is read, recorded, changed or stopped by the `socket`, the stream at `address` or the
+/// socket of the MIDI guardian.
+fn try_to_get_at(address: &str, socket: &Path) {
+    for request in [Request::Where {}, Request::Stop {}, Request::Record { file: None }] {
+        let refused = send(socket, &request).expect_err("another user's host");
+        assert!(matches!(refused, ControlError::NotYours { .. }), "{refused}");
+    }
+    let mut guardian = socket.as_os_str().to_owned();
+    guardian.push(".midi");
+    let refused = UnixStream::connect(guardian).expect_err("another user's guardian").kind();
+    // A host that rehearses has none yet.
+    assert!(matches!(refused, ErrorKind::PermissionDenied | ErrorKind::NotFound), "{refused}");
+    for token in [None, Some(""), Some("owner"), Some(OWNER)] {
+        let token = token.map(str::to_owned);
+        let dial = Dial { address: address.into(), token, pin: None };
+        assert!(refusal(dial.clone()).contains("asks for a token"), "{dial:?}");
+    }
+}
+
+/// A cable at `path`, which takes what is sent.
+fn cable(path: &Path) -> File {
+    mknodat(CWD, path, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).expect("a FIFO");
+    File::options().read(true).write(true).open(path).expect("both ends")
+}
+
 #[test]
 fn another_user_of_this_machine_reads_writes_changes_and_stops_nothing() {
     if !getuid().is_root() {
         println!("SKIPPED: only root can try it as another user");
         return;
     }
-    let folder = Folder::shared("other-user");
-    let mut host = Host::start(&folder, &LOOPBACK);
+    let (folder, other_folder) = (Folder::shared("other-user"), Folder::shared("rehearsing"));
     let tmp = folder.join("tmp");
     std::fs::create_dir(&tmp).expect("a folder");
     std::fs::set_permissions(&tmp, Permissions::from_mode(0o1777)).expect("a folder");
     let own = std::env::current_exe().expect("this test");
     std::fs::copy(own, folder.join("test")).expect("a copy that others may run");
-    let victim = format!("{} {} {}", host.address, folder.socket().display(), tmp.display());
+    let cables = [folder.join("cable"), other_folder.join("cable"), folder.join("third")];
+    let _ends = cables.each_ref().map(|path| cable(path));
+    let midi = cables.each_ref().map(|path| format!("raw:{}", path.display()));
+    let silent = |performance, midi| {
+        ["run", "springs", "--performance", performance, "--midi", midi, "--black-box", "none"]
+    };
+    let mut host = Host::run(&folder, &[&silent("none", &midi[0])[..], &LOOPBACK].concat());
+    eventually("a guardian", || folder.join("socket.midi").exists().then_some(()));
+    let rehearsing =
+        Host::run(&other_folder, &[&silent("bach-bwv-846", &midi[1])[..], &LOOPBACK].concat());
+    let victim = |host: &Host<'_>| format!("{} {}", host.address, host.folder.socket().display());
+    let victims = format!("{}\n{}\n{}", tmp.display(), victim(&rehearsing), victim(&host));
     let mut other = Command::new(folder.join("test"));
-    other.args(["--exact", "the_other_user", "--nocapture"]).env(VICTIM, victim);
+    other.args(["--exact", "the_other_user", "--nocapture"]).env(VICTIM, victims);
     other.current_dir(&tmp).uid(NOBODY).gid(NOBODY).stdin(Stdio::null());
     other.stdout(Stdio::null()).stderr(File::create(folder.join("tried")).expect("a file"));
     // The copy is busy for a moment if another test starts a process meanwhile.
@@ -422,18 +479,25 @@ fn another_user_of_this_machine_reads_writes_changes_and_stops_nothing() {
     let letoff = |arguments: &[&str]| {
         let mut command = folder.command(Path::new(env!("CARGO_BIN_EXE_letoff")), arguments);
         command.env_remove("LETOFF_SOCKET").env_remove("XDG_RUNTIME_DIR").env("TMPDIR", &tmp);
+        command.env_remove("HOME");
         let output = command.output().expect("a process");
-        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        (output.status.code(), text(&output.stdout), text(&output.stderr))
     };
-    let (code, err) = letoff(&["stop"]);
+    let (code, _out, err) = letoff(&["stop"]);
     assert!(code == Some(1) && err.contains("user 65534's and no host of yours"), "{err}");
-    let run = ["run", "springs", "--performance", "none", "--midi", "none", "--duration", "0.1"];
-    let (_code, err) = letoff(&[&run[..], &LOOPBACK].concat());
+    let options = ["--duration", "0.1", "--tls", "self-made"];
+    let run = [&silent("none", &midi[2])[..], &options, &LOOPBACK].concat();
+    let (_code, out, err) = letoff(&run);
     assert!(err.contains("belongs to user 65534"), "{err}");
+    assert!(out.contains("unguarded") && out.contains("belongs to user 65534"), "{out}");
+    let kept = |folder: &str| std::fs::read_dir(tmp.join(folder)).expect("a folder").count();
+    assert_eq!((kept("letoff"), kept("letoff-0")), (0, 2), "the sockets only");
     other.kill().and_then(|()| other.wait()).expect("it ends");
     let heard = std::fs::read_to_string(tmp.join("heard")).unwrap_or_default();
     assert_eq!(heard, "", "not even a request was told to them");
-    // The host is as it was, and its own user does all of it.
+    // Both hosts are as they were, and their own user does all of it.
+    assert!(send(&rehearsing.folder.socket(), &Request::Stop {}).is_ok_and(|it| it.is_ok()));
     let mut owner = connected(host.dial(host.token.as_deref()));
     let changes = vec![Change { key: 39, parameter: "k2".into(), value: 901.0 }];
     assert!(asked(&mut owner, &Request::Set { changes }).is_ok());

@@ -67,6 +67,22 @@ fn tempo_changes_hold_for_all_tracks_and_in_the_middle_of_notes() {
 }
 
 #[test]
+fn after_a_tempo_of_zero_the_one_before_holds_on() {
+    let found = score(&[tempo(0, 1_000_000), tempo(50, 0), on(50, 60, 70), off(100, 60)]);
+    assert_eq!(found.notes, [note(39, 1.0, 2.0, 70)]);
+}
+
+#[test]
+fn what_follows_the_last_track_and_is_no_chunk_is_passed_over() {
+    let whole = file(PPQ_100, &[vec![on(0, 60, 70), off(100, 60)]]);
+    for trailing in [&b"12345678"[..], b"\n", b"MTrk\xff\xff\xff\xff and less than that", &[0; 64]]
+    {
+        let more = [&whole, trailing].concat();
+        assert_eq!(read(&more), read(&whole), "{trailing:?}");
+    }
+}
+
+#[test]
 fn smpte_time_ignores_tempo() {
     let timing = Timing::Timecode(Fps::Fps25, 40);
     let track = vec![tempo(0, 100), on(1500, 60, 70), off(500, 60)];

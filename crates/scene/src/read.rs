@@ -257,9 +257,14 @@ fn refuse(
             format!("give {}", quantity.show_range()),
         ),
         QuantityError::NoUnit(value) => (format!("{name} is text without a unit"), example(*value)),
-        QuantityError::WrongUnit(value, unit) => {
-            (format!("{name} has the wrong unit {}", quoted(unit)), example(*value))
-        }
+        // Its number is not the one that is meant: 4 kHz is not 4 Hz.
+        QuantityError::WrongUnit(value, unit) => (
+            format!("{name} has the wrong unit {}", quoted(unit)),
+            match quantity.unit {
+                "1" => example(*value),
+                unit => format!("give it in {unit}, {}", quantity.show_range()),
+            },
+        ),
     };
     report.say(place, message, help);
 }

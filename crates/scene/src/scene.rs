@@ -1,5 +1,6 @@
 //! A scene: which keys, models, parameters, rate, links and MIDI.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use keyboard::KeyRange;
@@ -363,7 +364,13 @@ fn find_performance(
     }
     let path = report.folder(place).join(wanted);
     if path.is_file() {
-        return Some(PerformanceSource::Path(path));
+        let read = fs::read(&path).map_err(|error| error.to_string());
+        let read = read.and_then(|bytes| performance::read(&bytes).map_err(|it| it.to_string()));
+        if let Err(why) = &read {
+            let message = format!("the performance {} cannot be played: {why}", path.display());
+            report.say(place, message, "give another MIDI file");
+        }
+        return read.is_ok().then_some(PerformanceSource::Path(path));
     }
     let (message, help) = if Path::new(wanted).extension().is_some() {
         no_file(&path)

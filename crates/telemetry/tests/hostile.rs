@@ -5,13 +5,13 @@
 
 use std::io::Write as _;
 use std::net::TcpStream;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use telemetry::stream::protocol::{
     ClientFrame, FromClient, FromServer, Level, ParameterValue, Subscription, Text as _, channel_id,
 };
-use telemetry::stream::server::{ServerLimits, Tls};
-use telemetry::stream::{Dial, ServerSettings};
+use telemetry::stream::server::{ServerLimits, Tls, Token};
+use telemetry::stream::{Dial, Role, ServerSettings};
 use telemetry::{Reply, Request, Topic};
 use tokio_tungstenite::tungstenite::{Error, Message};
 
@@ -254,9 +254,52 @@ fn a_thousand_clients() {
     scene.is_served();
 }
 
+/// A secret of `role`.
+fn secret(role: Role) -> String {
+    format!("{}-0123456789abcdef", role.name())
+}
+
+/// A server that lets in viewers and owners by their secrets.
+fn guarded(limits: ServerLimits) -> TestServer {
+    let token = |role| Token { secret: secret(role), role };
+    let tokens = vec![token(Role::Viewer), token(Role::Owner)];
+    TestServer::with(ServerSettings { tokens, limits, ..ServerSettings::default() })
+}
+
+/// Comes in with a `secret`, or fails with the status of the refusal.
+fn knock(test_server: &TestServer, secret: &str) -> Result<RawClient, u16> {
+    let bearer = format!("Bearer {secret}");
+    let knocked = RawClient::connect(test_server.address, "/", &[("Authorization", &bearer)]);
+    knocked.map_err(|error| match *error {
+        Error::Http(response) => response.status().as_u16(),
+        other => unreachable!("{other}"),
+    })
+}
+
+#[test]
+fn idle_viewers_in_every_place_lock_no_owner_out() {
+    let test_server = guarded(ServerLimits { clients: 20, owners: 2, ..ServerLimits::default() });
+    let viewers: Vec<_> = (0..30).map(|_| knock(&test_server, &secret(Role::Viewer))).collect();
+    let inside = viewers.iter().filter(|it| it.is_ok()).count();
+    let turned_away = viewers.iter().filter(|it| matches!(it, Err(503))).count();
+    assert_eq!((inside, turned_away), (18, 12));
+    assert!(knock(&test_server, &secret(Role::Owner)).is_ok());
+}
+
+#[test]
+fn who_guesses_a_token_waits_for_the_refusal_and_nobody_else_does() {
+    let wrong_token = Duration::from_secs(1);
+    let test_server = guarded(ServerLimits { wrong_token, ..ServerLimits::default() });
+    let begun = Instant::now();
+    assert!(knock(&test_server, &secret(Role::Owner)).is_ok());
+    assert!(begun.elapsed() < wrong_token);
+    assert_eq!(knock(&test_server, &secret(Role::Tuner)).err(), Some(401));
+    assert!(wrong_token <= begun.elapsed());
+}
+
 #[test]
 fn connections_that_never_say_who_they_are() {
-    let handshake = Duration::from_secs(2);
+    let handshake = Duration::from_mins(10);
     let mut scene =
         Scene::within(ServerLimits { handshakes: 16, handshake, ..ServerLimits::default() });
     let mut silent: Vec<_> = (0..60)
@@ -266,7 +309,7 @@ fn connections_that_never_say_who_they_are() {
         let _either = stream.write_all(b"GET / HTTP/1.1\r\nHost: x\r\nUpgr");
     }
     scene.is_served();
-    // A new client comes in as they time out, though they hold on.
+    // A new client takes the place of the oldest, though they hold on.
     let mut new = scene.test_server.watcher();
     assert!(new.ask(Request::Scene {}).is_ok());
     scene.is_served();

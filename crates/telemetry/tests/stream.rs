@@ -31,10 +31,14 @@ fn with_token(test_server: &TestServer, token: &str) -> Dial {
     Dial { token: Some(token.to_owned()), ..dial(test_server) }
 }
 
+/// Secrets that are as long as they have to be.
+const SEE: &str = "see-0123456789abcdef";
+const TUNE: &str = "tune-0123456789abcdef";
+
 fn guarded() -> ServerSettings {
     let token = |secret: &str, role| Token { secret: secret.to_owned(), role };
     ServerSettings {
-        tokens: vec![token("see", Role::Viewer), token("tune", Role::Tuner)],
+        tokens: vec![token(SEE, Role::Viewer), token(TUNE, Role::Tuner)],
         origins: vec!["https://app.example".to_owned()],
         ..ServerSettings::default()
     }
@@ -231,13 +235,13 @@ fn a_host_that_fails_over_a_request_goes_on() {
 #[test]
 fn a_token_is_asked_for_and_makes_the_role() {
     let test_server = TestServer::with(guarded());
-    for dial in [dial(&test_server), with_token(&test_server, "sea")] {
+    for dial in [dial(&test_server), with_token(&test_server, "see")] {
         let mut watcher = Watcher::new(dial);
         let standing = watcher.stands(|standing| *standing != ConnectionState::Connecting);
         let ConnectionState::Refused(text) = standing else { panic!("{standing:?}") };
         assert!(text.starts_with("this host asks for a token: give it as ?token=..."), "{text}");
     }
-    let mut tuner = Watcher::new(with_token(&test_server, "tune"));
+    let mut tuner = Watcher::new(with_token(&test_server, TUNE));
     tuner.connected();
     assert_eq!(tuner.ask(Request::Set { changes: vec![set("k2", 9.0)] }), Ok(done("1 set")));
     assert_eq!(
@@ -249,7 +253,7 @@ fn a_token_is_asked_for_and_makes_the_role() {
 #[test]
 fn whoever_may_come_in_may_stop() {
     let test_server = TestServer::with(guarded());
-    for token in ["see", "tune"] {
+    for token in [SEE, TUNE] {
         let mut client = Watcher::new(with_token(&test_server, token));
         client.connected();
         assert_eq!(client.ask(Request::Stop {}), Ok(done("no force on any key")), "{token}");
@@ -289,7 +293,7 @@ fn the_host_hears_of_every_client_that_goes_however_it_goes() {
 #[test]
 fn a_viewer_watches_and_may_not_set() {
     let test_server = TestServer::with(guarded());
-    let mut viewer = Watcher::new(with_token(&test_server, "see"));
+    let mut viewer = Watcher::new(with_token(&test_server, SEE));
     viewer.connected();
     assert_eq!(
         viewer.ask(Request::Set { changes: vec![set("k2", 9.0)] }),
@@ -305,8 +309,8 @@ fn a_viewer_watches_and_may_not_set() {
 fn a_foreign_page_is_answered_with_403() {
     let test_server = TestServer::with(guarded());
     let connect = |origin| {
-        let error =
-            RawClient::connect(test_server.address, "/?token=tune", &[("Origin", origin)]).err()?;
+        let path = format!("/?token={TUNE}");
+        let error = RawClient::connect(test_server.address, &path, &[("Origin", origin)]).err()?;
         match *error {
             Error::Http(response) => Some(response.status().as_u16()),
             other => panic!("{other}"),
@@ -467,7 +471,7 @@ fn a_self_made_certificate_is_recognised_by_its_fingerprint() {
     let test_server = TestServer::with(self_made());
     let pin = test_server.fingerprint;
     assert!(pin.is_some() && test_server.url.starts_with("wss://"));
-    let mut watcher = Watcher::new(Dial { pin, ..with_token(&test_server, "tune") });
+    let mut watcher = Watcher::new(Dial { pin, ..with_token(&test_server, TUNE) });
     watcher.connected();
     assert_eq!(watcher.ask(Request::Set { changes: vec![set("k2", 9.0)] }), Ok(done("1 set")));
     test_server.meet(&mut watcher);
@@ -483,13 +487,13 @@ fn a_host_with_another_certificate_is_refused() {
         ConnectionState::Refused(text) | ConnectionState::Lost(text) => text,
         standing => panic!("{standing:?}"),
     };
-    let wrong = Dial { pin: Some(Fingerprint([7; 32])), ..with_token(&test_server, "tune") };
+    let wrong = Dial { pin: Some(Fingerprint([7; 32])), ..with_token(&test_server, TUNE) };
     let text = refusal(wrong);
     assert!(text.contains("another certificate") && text.contains(&shown), "{text}");
-    let text = refusal(with_token(&test_server, "tune"));
+    let text = refusal(with_token(&test_server, TUNE));
     assert!(text.starts_with("wss:// needs the fingerprint"), "{text}");
     let plain = test_server.url.replace("wss://", "ws://");
-    let text = refusal(Dial { address: plain, ..with_token(&test_server, "tune") });
+    let text = refusal(Dial { address: plain, ..with_token(&test_server, TUNE) });
     assert!(text.contains("speaks no WebSocket"), "{text}");
 }
 

@@ -25,7 +25,7 @@ use self::bring_up::Ready;
 use self::operator::Operator;
 use self::write::CalibrationRecord;
 use super::arguments::note;
-use super::signals::Signals;
+use super::signals::{Signals, runtime};
 use super::target::SceneTarget;
 use super::{Failure, endpoints, print_json, system};
 use host::boards::stop_all;
@@ -144,8 +144,7 @@ fn attended<F: Send + 'static, M: Send + 'static>(
     find: impl FnOnce() -> Result<F, Failure> + Send + 'static,
     measure: impl FnOnce(F, &Endings) -> Result<M, Failure> + Send + 'static,
 ) -> Result<M, Failure> {
-    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.map_err(system)?;
+    let runtime = runtime()?;
     let Some(measured) = runtime.block_on(measured(find, measure))? else {
         // The blocked thread is not waited for: no board is armed.
         runtime.shutdown_background();

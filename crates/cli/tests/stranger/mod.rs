@@ -1,10 +1,15 @@
 //! A client of the stream that talks as it pleases, as other people's viewers and web pages do.
 #![allow(dead_code, reason = "each test program uses its own part")]
+#![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
 
 use std::net::TcpStream;
 use std::time::Duration;
 
-use telemetry::stream::protocol::{FromClient, FromServer, Text as _};
+use telemetry::stream::protocol::{
+    ClientFrame, FromClient, FromServer, ParameterValue, ServerFrame, Service, Subscription,
+    Text as _, channel_id,
+};
+use telemetry::{Request, Topic};
 use tokio_tungstenite::tungstenite::client::{ClientRequestBuilder, client_with_config};
 use tokio_tungstenite::tungstenite::{Error, HandshakeError, Message, WebSocket};
 
@@ -46,5 +51,68 @@ impl Stranger {
                 return found;
             }
         }
+    }
+
+    /// Follows the overview until it comes.
+    pub(crate) fn watch(&mut self) {
+        let subscription = Subscription { id: 1, channel_id: channel_id(Topic::Overview) };
+        self.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
+        self.hear_message(|message| match message {
+            Message::Binary(bytes) => {
+                matches!(ServerFrame::decode(bytes), Ok(ServerFrame::Message { .. })).then_some(())
+            }
+            _ => None,
+        });
+    }
+
+    /// Reads the values of all parameters.
+    pub(crate) fn read_values(&mut self) {
+        self.say(&FromClient::GetParameters { parameter_names: vec![], id: Some("get".into()) });
+        self.hear(|said| match said {
+            FromServer::ParameterValues { id: Some(id), .. } if id == "get" => Some(()),
+            _ => None,
+        });
+    }
+
+    /// What becomes of `request`, whether its service is advertised or not; nothing if the stream
+    /// has none for it.
+    pub(crate) fn ask(&mut self, request: &Request) -> Option<Result<(), String>> {
+        if let Request::Set { changes } = request {
+            let parameters = changes.iter().map(|it| ParameterValue::new(it.name(), it.value));
+            let (parameters, id) = (parameters.collect(), Some("set".to_owned()));
+            self.say(&FromClient::SetParameters { parameters, id });
+        } else {
+            let service = Service::of(request)?.id();
+            let payload = Service::payload(request);
+            let call =
+                ClientFrame::Request { service, call: 1, encoding: "json", payload: &payload };
+            self.0.send(Message::binary(call.encode())).expect("it is sent");
+        }
+        Some(self.hear_message(answer))
+    }
+
+    /// The next message that `found` takes.
+    fn hear_message<T>(&mut self, found: impl Fn(&Message) -> Option<T>) -> T {
+        loop {
+            if let Some(found) = found(&self.0.read().expect("a message")) {
+                return found;
+            }
+        }
+    }
+}
+
+/// What became of a request, if this is its answer.
+fn answer(message: &Message) -> Option<Result<(), String>> {
+    match message {
+        Message::Binary(bytes) => {
+            matches!(ServerFrame::decode(bytes), Ok(ServerFrame::Response { .. })).then_some(Ok(()))
+        }
+        Message::Text(text) => match FromServer::decode(text).expect("a text") {
+            FromServer::ParameterValues { reply: Some(_), .. } => Some(Ok(())),
+            FromServer::ServiceCallFailure { message, .. }
+            | FromServer::Status { message, id: Some(_), .. } => Some(Err(message)),
+            _ => None,
+        },
+        _ => None,
     }
 }

@@ -216,7 +216,9 @@ fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
     if (*low..=*high).contains(&value) {
         return Ok(());
     }
-    Err(format!("{name} is {low} to {high} {unit}, not {value}"))
+    // A number without a unit has the unit 1.
+    let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
+    Err(format!("{name} is {low} to {high}{unit}, not {value}"))
 }
 
 #[cfg(test)]
@@ -252,12 +254,14 @@ mod tests {
             change(3, "k22", 1.0),
             change(3, "g", f64::NAN),
             change(3, "g", -1.0),
+            change(3, "restitution", 2.0),
         ];
         let said = playing().changed(&wrong).expect_err("wrong changes");
-        assert_eq!(said.split("; ").count(), 4, "{said}");
+        assert_eq!(said.split("; ").count(), 5, "{said}");
         assert!(said.contains("key 88 has no voice"), "{said}");
         assert!(said.contains("no parameter \"k22\"") && said.contains("\"k2\""), "{said}");
         assert!(said.contains("g is 0 to 1000 m/s², not NaN"), "{said}");
+        assert!(said.contains("restitution is 0 to 1, not 2"), "{said}");
     }
 
     #[test]

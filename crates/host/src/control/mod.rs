@@ -51,7 +51,7 @@ pub use fingers::{FingerOwner, FingerQueue};
 pub use folders::Folders;
 pub use key_port::{IdentifyTarget, Lights};
 pub use lower_fidelity::FidelityWatch;
-pub use place::socket_path;
+pub use place::{socket_path, temporary_folder};
 pub use programs::ProgramListener;
 pub use request_handler::RequestHandler;
 pub use run_handle::RunHandle;

@@ -1,8 +1,8 @@
 //! The path of the control socket, and its owner.
 //!
 //! A process that may connect to it acts as the host's owner, and a process that listens there is
-//! trusted: so it lies in a folder that only its user can write, and each side checks the user of
-//! the other one.
+//! trusted: so it lies in a folder that only its user can write, its mode lets only that user connect,
+//! and a command checks the user of the host.
 
 use std::fs;
 use std::io;
@@ -27,10 +27,23 @@ pub fn socket_path() -> PathBuf {
     }
     let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
     // Who becomes another user may keep the first one's.
-    let folder = runtime
-        .filter(|folder| owner(folder) == Some(user()))
-        .unwrap_or_else(|| std::env::temp_dir().join(format!("letoff-{}", user())));
-    folder.join("letoff.sock")
+    let folder = runtime.filter(|folder| owner(folder) == Some(user()));
+    folder.unwrap_or_else(temporary).join("letoff.sock")
+}
+
+/// Returns this user's folder among temporary files, where anybody could make it before.
+fn temporary() -> PathBuf {
+    std::env::temp_dir().join(format!("letoff-{}", user()))
+}
+
+/// Returns the same once it is made, and others can write nothing there.
+///
+/// # Errors
+/// If it cannot be made, or is another user's; a sentence.
+pub fn temporary_folder() -> io::Result<PathBuf> {
+    let folder = temporary();
+    prepare_folder(&folder.join("letoff.sock"))?;
+    Ok(folder)
 }
 
 /// Returns the value of `LETOFF_SOCKET`.

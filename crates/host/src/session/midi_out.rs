@@ -1,5 +1,6 @@
 //! Opens the output that a scene asks for.
 
+use std::os::unix::fs::FileTypeExt as _;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -73,6 +74,7 @@ pub(super) fn open(
         MidiOutput::None => return Ok((nowhere(), OpenedOutput::new("none".into(), None))),
         MidiOutput::File(path) => {
             refuse_without_folder(path)?;
+            refuse_pipe(path)?;
             let opened = OpenedOutput::new(path.display().to_string(), None);
             return Ok((Box::new(Smf::new(path)), opened));
         }
@@ -140,4 +142,16 @@ fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
         }
         Some(_) | None => Ok(()),
     }
+}
+
+/// Refuses a FIFO: to open one that nobody reads does not end.
+fn refuse_pipe(path: &Path) -> Result<(), SessionError> {
+    if path.metadata().is_ok_and(|there| there.file_type().is_fifo()) {
+        return Err(SessionError::Midi(format!(
+            "{0} is a pipe, and a MIDI file is written whole at the end: give another name, or \
+             raw:{0} to send the bytes of a cable",
+            path.display()
+        )));
+    }
+    Ok(())
 }

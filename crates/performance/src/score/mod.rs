@@ -89,7 +89,8 @@ pub enum ScoreError {
 /// Reads a MIDI file; never panics, whatever the bytes.
 ///
 /// All tracks are merged, tempo changes are honoured, metrical and SMPTE times are understood.
-/// A note that is never ended ends with the file.
+/// A note that is never ended ends with the file; a tempo of zero, and what follows the last
+/// track, are passed over.
 ///
 /// # Errors
 ///
@@ -98,8 +99,11 @@ pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
     if bytes.is_empty() {
         return Err(ScoreError::Empty);
     }
-    let smf = Smf::parse(bytes).map_err(|error| not_midi_or_truncated(bytes, &error))?;
-    check_whole(bytes)?;
+    // Files wrapped in RIFF are left to the parser.
+    let chunks = if bytes.starts_with(b"MThd") { whole_chunks(bytes)? } else { bytes };
+    let not_midi = |error: midly::Error| error.kind().message().to_owned();
+    let smf =
+        Smf::parse(chunks).map_err(|error| ScoreError::NotMidi { reason: not_midi(error) })?;
     if smf.header.format == Format::Sequential {
         return Err(ScoreError::Patterns);
     }
@@ -117,24 +121,23 @@ pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
     Ok(score)
 }
 
-fn not_midi_or_truncated(bytes: &[u8], error: &midly::Error) -> ScoreError {
-    let not_midi = ScoreError::NotMidi { reason: error.kind().message().to_owned() };
-    if bytes.starts_with(b"MThd") { check_whole(bytes).err().unwrap_or(not_midi) } else { not_midi }
-}
-
-/// Checks that every chunk has the bytes, and the file the tracks, that are announced.
+/// Returns the chunks at the start of `bytes`, without what is none after the last track.
 ///
 /// The parser takes what there is, and a performance that stops in the middle is no help.
-/// Files wrapped in RIFF are left to the parser.
-fn check_whole(bytes: &[u8]) -> Result<(), ScoreError> {
-    if !bytes.starts_with(b"MThd") {
-        return Ok(());
-    }
+///
+/// # Errors
+///
+/// If a chunk has not the bytes, or the file not the tracks, that are announced.
+fn whole_chunks(bytes: &[u8]) -> Result<&[u8], ScoreError> {
     let declared = bytes.get(10..12).and_then(|pair| pair.try_into().ok()).map(u16::from_be_bytes);
+    let declared = declared.unwrap_or(0);
     let mut present = 0_u16;
     let mut rest = bytes;
     while let Some((kind, length, body)) = chunk(rest) {
         let Some(after) = body.get(length..) else {
+            if 0 < present && declared <= present {
+                break;
+            }
             return Err(ScoreError::Truncated {
                 declared: length as u64,
                 present: body.len() as u64,
@@ -143,12 +146,10 @@ fn check_whole(bytes: &[u8]) -> Result<(), ScoreError> {
         present = present.saturating_add(u16::from(&kind == b"MTrk"));
         rest = after;
     }
-    match declared {
-        Some(declared) if present < declared => {
-            Err(ScoreError::TracksMissing { declared, present })
-        }
-        _ => Ok(()),
+    if present < declared {
+        return Err(ScoreError::TracksMissing { declared, present });
     }
+    Ok(bytes.get(..bytes.len() - rest.len()).unwrap_or(bytes))
 }
 
 /// The kind and the announced length of the next chunk, and all bytes after these.

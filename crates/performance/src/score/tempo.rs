@@ -39,9 +39,14 @@ impl Map {
     }
 
     /// Changes the tempo if `event`, which is at `tick`, says so.
+    ///
+    /// A quarter note without a length would let all that follows sound at once: the tempo before
+    /// holds on.
     pub(super) fn follow(&mut self, tick: u64, event: TrackEventKind<'_>) {
         let Some(per_quarter) = self.per_quarter else { return };
-        if let TrackEventKind::Meta(MetaMessage::Tempo(us)) = event {
+        if let TrackEventKind::Meta(MetaMessage::Tempo(us)) = event
+            && us.as_int() > 0
+        {
             self.since = (tick, self.seconds(tick));
             self.tick = f64::from(us.as_int()) * 1e-6 / per_quarter;
         }

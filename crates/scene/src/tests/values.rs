@@ -61,7 +61,7 @@ fn a_performance_is_embedded_or_lies_beside_the_scene() {
     assert_eq!((name, &bytes[..4]), ("bach-bwv-846", b"MThd".as_slice()));
 
     let folder = Folder::new("performance");
-    folder.write("mine.mid", b"MThd");
+    folder.write("mine.mid", bytes);
     let text = format!("{MINIMAL}[pianist]\nperformance = \"mine.mid\"\n");
     let path = folder.write("scene.toml", text.as_bytes());
     let scene = Scene::load(&path, &[]).unwrap();
@@ -96,7 +96,7 @@ fn an_instrument_of_one_s_own_lies_beside_the_scene() {
     // A mistake in the instrument is said once, in the instrument's file.
     folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 N/mm\"\n");
     let expected =
-        format!("{soft}:2:16: \"K\" has the wrong unit \"N/mm\"; give it in N/m, as \"0.2 N/m\"");
+        format!("{soft}:2:16: \"K\" has the wrong unit \"N/mm\"; give it in N/m, 0 to 1e9 N/m");
     assert_eq!(Scene::load(&scene, &[]).unwrap_err().to_string(), expected);
 }
 

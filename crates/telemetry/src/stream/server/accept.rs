@@ -1,5 +1,6 @@
 //! Lets clients in, a bounded number at once.
 
+use std::collections::VecDeque;
 use std::io;
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -7,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use tokio::net::{TcpListener, TcpStream};
-use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore, oneshot, watch};
 use tokio::task::JoinSet;
 use tokio_tungstenite::tungstenite::handshake::server::{ErrorResponse, Request, Response};
 use tokio_tungstenite::tungstenite::http::{HeaderValue, header};
@@ -47,9 +48,11 @@ pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Resul
     const CLOSING: Duration = Duration::from_secs(3);
     let StreamServer { listener, settings, tls, publisher, hub, closer, .. } = server;
     let listener = TcpListener::from_std(listener)?;
-    let handshakes = Arc::new(Semaphore::new(settings.limits.handshakes.max(1)));
     let state = Arc::new(ServerState {
         places: Arc::new(Semaphore::new(settings.limits.clients)),
+        others: Arc::new(Semaphore::new(
+            settings.limits.clients.saturating_sub(settings.limits.owners),
+        )),
         advertised: connection::advertised(),
         acceptor: tls.map(|identity| identity.acceptor),
         count: AtomicU64::new(0),
@@ -64,7 +67,7 @@ pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Resul
     let mut tasks = JoinSet::new();
     tokio::select! {
         () = state.closing() => {}
-        () = receive_all(&state, listener, &handshakes, &mut tasks) => {}
+        () = receive_all(&state, listener, &mut tasks) => {}
     }
     let ends = async { while tasks.join_next().await.is_some() {} };
     let _in_time = tokio::time::timeout(CLOSING, ends).await;
@@ -72,17 +75,32 @@ pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Resul
 }
 
 /// Receives clients, until it is dropped.
-async fn receive_all(
-    state: &Arc<ServerState>,
-    listener: TcpListener,
-    handshakes: &Arc<Semaphore>,
-    tasks: &mut JoinSet<()>,
-) {
+#[expect(clippy::infinite_loop, reason = "a future that is dropped ends")]
+async fn receive_all(state: &Arc<ServerState>, listener: TcpListener, tasks: &mut JoinSet<()>) {
+    let mut handshakes = Handshakes::default();
     loop {
-        // Those that find no place wait in the system's queue, and come in as others time out.
-        let Ok(permit) = Arc::clone(handshakes).acquire_owned().await else { return };
         let (stream, address) = next(&listener, tasks).await;
-        tasks.spawn(receive(Arc::clone(state), stream, address, permit));
+        let crowded_out = handshakes.begin(state.settings.limits.handshakes);
+        tasks.spawn(receive(Arc::clone(state), stream, address, crowded_out));
+    }
+}
+
+/// Clients that are not in yet, the oldest first; each waits for the end of its own channel.
+#[derive(Default)]
+struct Handshakes(VecDeque<oneshot::Sender<()>>);
+
+impl Handshakes {
+    /// Takes in another one, of `most` at once; returns what ends when newer ones have taken its
+    /// place.
+    ///
+    /// A client that means well is in after milliseconds: the oldest is the one that says nothing.
+    fn begin(&mut self, most: usize) -> oneshot::Receiver<()> {
+        self.0.retain(|it| !it.is_closed());
+        let crowded = (self.0.len() + 1).saturating_sub(most.max(1));
+        self.0.drain(..crowded);
+        let (held, crowded_out) = oneshot::channel();
+        self.0.push_back(held);
+        crowded_out
     }
 }
 
@@ -105,24 +123,30 @@ async fn next(listener: &TcpListener, tasks: &mut JoinSet<()>) -> (TcpStream, So
 struct AdmittedClient {
     socket: WebSocketStream<BoxedStream>,
     who: Who,
-    _place: OwnedSemaphorePermit,
+    _place: Place,
 }
 
-/// Lets a client in and holds its connection; `permit` is for the time of the handshakes.
+/// A place among the clients, and among those that are no owners.
+struct Place {
+    _any: OwnedSemaphorePermit,
+    _other: Option<OwnedSemaphorePermit>,
+}
+
+/// Lets a client in, unless it is crowded out before, and holds its connection.
 async fn receive(
     state: Arc<ServerState>,
     stream: TcpStream,
     address: SocketAddr,
-    permit: OwnedSemaphorePermit,
+    crowded_out: oneshot::Receiver<()>,
 ) {
     let limit = state.settings.limits.handshake;
     let entry = tokio::time::timeout(limit, enter(&state, stream, address));
     let entry = tokio::select! {
         entry = entry => entry,
+        _newer = crowded_out => return,
         () = state.closing() => return,
     };
     let Ok(Some(client)) = entry else { return };
-    drop(permit);
     connection::run(&state, client.socket, client.who).await;
 }
 
@@ -166,12 +190,13 @@ async fn enter(
 fn admit(
     state: &ServerState,
     request: &Request,
-) -> Result<(Role, &'static str, OwnedSemaphorePermit), AdmissionError> {
+) -> Result<(Role, &'static str, Place), AdmissionError> {
     let (role, protocol) = admission::admit(&state.settings, request)?;
-    let Ok(place) = Arc::clone(&state.places).try_acquire_owned() else {
-        return Err(AdmissionError::Full);
+    let take = |places: &Arc<Semaphore>| {
+        Arc::clone(places).try_acquire_owned().map_err(|_taken| AdmissionError::Full)
     };
-    Ok((role, protocol, place))
+    let other = (role != Role::Owner).then(|| take(&state.others)).transpose()?;
+    Ok((role, protocol, Place { _any: take(&state.places)?, _other: other }))
 }
 
 fn config(state: &ServerState) -> WebSocketConfig {

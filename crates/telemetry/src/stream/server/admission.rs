@@ -96,12 +96,21 @@ pub(super) fn role(tokens: &[Token], request: &Request) -> Result<Role, Admissio
     if tokens.is_empty() {
         return Ok(Role::Owner);
     }
-    let given = bearer(request.headers()).or_else(|| queried(request.uri().query()?));
-    let given = given.ok_or(AdmissionError::Token)?;
+    let given = given(request).ok_or(AdmissionError::Token)?;
     // All are compared to the end, so that the time tells nothing.
     let known =
         tokens.iter().filter(|token| bool::from(token.secret.as_bytes().ct_eq(given.as_bytes())));
     known.map(|token| token.role).max().ok_or(AdmissionError::Token)
+}
+
+/// Returns whether a request gives a token that is not known, as one that guesses does.
+pub(super) fn guesses(tokens: &[Token], request: &Request) -> bool {
+    !tokens.is_empty() && given(request).is_some() && role(tokens, request).is_err()
+}
+
+/// Returns the token that a request gives.
+fn given(request: &Request) -> Option<&str> {
+    bearer(request.headers()).or_else(|| queried(request.uri().query()?))
 }
 
 /// Returns the token of `Authorization: Bearer <token>`.

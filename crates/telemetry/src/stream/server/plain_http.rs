@@ -34,6 +34,10 @@ pub(super) async fn websocket_or_answer(
 ) -> Option<BoxedStream> {
     let head = read_head(&mut stream).await.ok()?;
     let request = parse(&head);
+    let settings = &state.settings;
+    if request.as_ref().is_some_and(|request| admission::guesses(&settings.tokens, request)) {
+        tokio::time::sleep(settings.limits.wrong_token).await;
+    }
     if request.as_ref().is_some_and(asks_for_websocket) {
         let (reader, writer) = tokio::io::split(stream);
         return Some(Box::new(tokio::io::join(Cursor::new(head).chain(reader), writer)));

@@ -48,12 +48,15 @@ impl Default for ServerSettings {
 /// A secret, and what it is good for.
 #[derive(Clone)]
 pub struct Token {
-    /// Letters, digits and `-._~`, so that it can stand in an address.
+    /// At least [`Self::SHORTEST`] letters, digits and `-._~`, so that it can stand in an address.
     pub secret: String,
     pub role: Role,
 }
 
 impl Token {
+    /// Fewest characters of a secret: 64 random bits in hexadecimal digits.
+    pub const SHORTEST: usize = 16;
+
     /// Makes a token of `role` with a secret of 256 random bits.
     ///
     /// # Errors
@@ -70,7 +73,12 @@ impl Token {
     /// Returns whether the secret can stand in an address as it is.
     pub fn is_plain(&self) -> bool {
         let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
-        !self.secret.is_empty() && self.secret.bytes().all(is_plain)
+        self.secret.bytes().all(is_plain)
+    }
+
+    /// Returns whether nobody can guess the secret, if it is random.
+    pub const fn is_long(&self) -> bool {
+        Self::SHORTEST <= self.secret.len()
     }
 }
 
@@ -104,7 +112,9 @@ pub enum Tls {
 pub struct ServerLimits {
     /// Clients at once; the next ones are turned away.
     pub clients: usize,
-    /// Clients at once that are not in yet; the next ones wait.
+    /// Of these, places that only owners take.
+    pub owners: usize,
+    /// Clients at once that are not in yet; the next one takes the place of the oldest.
     pub handshakes: usize,
     /// Longest message from a client (bytes).
     pub message_bytes: usize,
@@ -120,6 +130,8 @@ pub struct ServerLimits {
     pub control_bytes: usize,
     /// Longest time to get in.
     pub handshake: Duration,
+    /// Time until a wrong token is refused.
+    pub wrong_token: Duration,
     /// Longest time in which a client takes nothing; then it is cut.
     pub stall: Duration,
     /// Longest time in which nothing is heard of a client, which is pinged three times meanwhile.
@@ -130,6 +142,7 @@ impl Default for ServerLimits {
     fn default() -> Self {
         Self {
             clients: 64,
+            owners: 8,
             handshakes: 256,
             message_bytes: 1 << 20,
             messages_per_second: 1000,
@@ -138,6 +151,7 @@ impl Default for ServerLimits {
             control_messages: 1024,
             control_bytes: 16 << 20,
             handshake: Duration::from_secs(5),
+            wrong_token: Duration::from_millis(250),
             stall: Duration::from_secs(10),
             idle: Duration::from_secs(30),
         }
@@ -154,8 +168,15 @@ pub enum Unsafe {
     )]
     Open(SocketAddr, &'static str),
     /// A token that cannot stand in an address.
-    #[error("a token of the stream is empty, or has other than letters, digits and -._~ in it")]
+    #[error("a token of the stream has other than letters, digits and -._~ in it")]
     Token,
+    /// A token that can be guessed.
+    #[error(
+        "a token of the stream has fewer than {shortest} characters: `openssl rand -hex 16` makes \
+         one that nobody guesses",
+        shortest = Token::SHORTEST
+    )]
+    Short,
     /// An origin that any page can send.
     #[error(
         "the origin {0:?} is no web page's: give the page's scheme and name, as https://app.example"
@@ -175,6 +196,9 @@ impl ServerSettings {
         }
         if !self.tokens.iter().all(Token::is_plain) {
             return Err(Unsafe::Token);
+        }
+        if !self.tokens.iter().all(Token::is_long) {
+            return Err(Unsafe::Short);
         }
         match self.origins.iter().find(|origin| !is_origin(origin)) {
             Some(origin) => Err(Unsafe::Origin(origin.clone())),
@@ -223,7 +247,7 @@ mod tests {
         assert_eq!(ServerSettings::default().check(), Ok(()));
         let open_without = |lack| Err(Unsafe::Open(open().address, lack));
         assert_eq!(open().check(), open_without("tokens and TLS"));
-        let with_token = ServerSettings { tokens: token("secret"), ..open() };
+        let with_token = ServerSettings { tokens: token("sixteen-or-more-1"), ..open() };
         assert_eq!(with_token.check(), open_without("TLS"));
         let tls = Some(Tls::SelfMade { names: vec![], folder: None });
         assert_eq!(ServerSettings { tls: tls.clone(), ..open() }.check(), open_without("tokens"));
@@ -233,7 +257,7 @@ mod tests {
 
     #[test]
     fn secrets_and_origins_are_what_can_be_compared() {
-        for secret in ["", "two words", "a&b", "ä"] {
+        for secret in ["two words", "a&b", "ä"] {
             let settings = ServerSettings { tokens: token(secret), ..ServerSettings::default() };
             assert_eq!(settings.check(), Err(Unsafe::Token), "{secret}");
         }
@@ -244,6 +268,18 @@ mod tests {
         }
         let origins = vec!["https://app.example:8443".to_owned()];
         assert_eq!(ServerSettings { origins, ..ServerSettings::default() }.check(), Ok(()));
+    }
+
+    #[test]
+    fn a_secret_that_can_be_guessed_is_refused() {
+        for (secret, refused) in [
+            ("", Err(Unsafe::Short)),
+            ("012345678901234", Err(Unsafe::Short)),
+            ("0123456789012345", Ok(())),
+        ] {
+            let settings = ServerSettings { tokens: token(secret), ..ServerSettings::default() };
+            assert_eq!(settings.check(), refused, "{secret}");
+        }
     }
 
     #[test]

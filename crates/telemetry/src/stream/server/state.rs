@@ -19,6 +19,8 @@ pub(super) struct ServerState {
     pub(super) acceptor: Option<TlsAcceptor>,
     /// A permit for each client that is let in.
     pub(super) places: Arc<Semaphore>,
+    /// A permit for each of those that are no owners.
+    pub(super) others: Arc<Semaphore>,
     /// Number of clients that were let in so far.
     pub(super) count: AtomicU64,
     /// Why the server closes, once it does.

@@ -1,0 +1,50 @@
+//! Systems that give less than a run takes, and pipes that nobody writes or reads.
+
+use std::process::Command;
+
+use crate::letoff::{Said, check, check_words, folder, run_after, run_as_nobody};
+
+const RUN: [&str; 6] = ["run", "springs", "--performance", "none", "--duration", "0.1"];
+
+#[track_caller]
+fn check_refused(said: &Said) {
+    assert_eq!((said.code, said.lines().len()), (Some(1), 1), "{said:?}");
+    check_words(said, &["the system refused", "see `ulimit -a`"]);
+}
+
+#[test]
+fn too_few_descriptors_are_said_in_a_sentence() {
+    let folder = folder("descriptors");
+    for most in 5..20 {
+        check_refused(&run_after(&format!("ulimit -n {most}"), &folder, &RUN));
+    }
+}
+
+#[test]
+fn too_few_threads_are_said_in_a_sentence() {
+    for most in 2..5 {
+        // The options of bash and of dash.
+        let first = format!("ulimit -u {most} 2>/dev/null || ulimit -p {most}");
+        if let Some(said) = run_as_nobody(&first, &RUN) {
+            check_refused(&said);
+        }
+    }
+}
+
+#[test]
+fn pipes_that_nobody_writes_or_reads_are_not_waited_for() {
+    let folder = folder("pipes");
+    for pipe in ["input", "played.mid"] {
+        // One of an earlier run is as good.
+        let made = Command::new("mkfifo").arg(folder.join(pipe)).output();
+        assert!(made.is_ok() && folder.join(pipe).exists(), "{made:?}");
+    }
+    let simulate = ["simulate", "bouncing-ball", "--until", "0.01", "--step", "1e-3"];
+    let simulate = [&simulate[..], &["--input", "input"]].concat();
+    check(&folder, &simulate, 2, &["input has 0 rows"]);
+    // A pipe is read if something writes into it.
+    let said = run_after("printf 't,s\\n0,0\\n1,0\\n' > input &", &folder, &simulate);
+    assert_eq!(said.code, Some(0), "{said:?}");
+    let run = ["run", "--virtual-time", "--duration", "1", "--midi", "played.mid"];
+    check(&folder, &run, 2, &["played.mid is a pipe", "raw:played.mid"]);
+}
