@@ -21,7 +21,7 @@ pub mod rehearse;
 pub mod score;
 pub mod stroke;
 
-pub use assess::{Assessment, ExpectedNote, Spread, Struck, WINDOW, assess};
+pub use assess::{Assessment, Assessor, ExpectedNote, Spread, Struck, WINDOW, assess};
 pub use pianist::{Performance, Pianist, Progress, ShortStroke};
 pub use rehearse::{
     LATEST, PlayOutcome, Practice, Rehearsal, RehearsedStroke, Shortfall, Strike, StrokeTable,
