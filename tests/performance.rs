@@ -157,6 +157,65 @@ fn what_the_keys_cannot_do_is_left_out_and_named() {
     assert!(said.contains(&first), "{said}");
 }
 
+#[test]
+fn a_play_list_is_played_again_and_again() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    let [one, two, output] = ["list-one", "list-two", "list-played"]
+        .map(|it| folder.join(format!("{it}-{}.mid", std::process::id())));
+    // Each lasts 3 s, as its pedal does.
+    fs::write(&one, file(&[(60, 500, 900, 50), (64, 700, 900, 60)])).expect("a file");
+    fs::write(&two, file(&[(60, 0, 300, 70)])).expect("a file");
+    let list = format!("['{}', '{}']", one.display(), two.display());
+    let output = output.to_str().expect("a path that is text");
+    let changes = |n_lanes| {
+        let list = list.as_str();
+        let set = [("lanes", n_lanes), ("pianist.performance", list), ("midi.output", output)];
+        scene("springs", &[&set[..], &[("pianist.repeat", "true")]].concat())
+    };
+    let played = |n_lanes| {
+        let report = run(&changes(n_lanes), 22.5);
+        (report, fs::read(output).expect("the MIDI file"))
+    };
+    let (report, bytes) = played("1");
+    // A second before, two rests of two seconds: a pass of 10 s. The third is stopped at 2.5 s.
+    check(&report, 8);
+    let notes = report.notes.as_ref().expect("a pianist");
+    assert_eq!((notes.pieces, notes.passes, notes.played), (2, 3, 8), "{notes:?}");
+    let said = report.to_string();
+    assert!(said.contains("pieces 2, passes 3; what follows is of one pass"), "{said}");
+    let heard = performance::read(&bytes).expect("what was played");
+    let c4 = heard.notes.iter().filter(|note| note.key == 39).map(|note| note.onset);
+    check_times(c4, &[1.5, 6.0, 11.5, 16.0, 21.5]);
+    // At the end of the run all pedals are lifted.
+    let pedals = heard.pedals.iter().map(|pedal| pedal.at).take_while(|at| *at < 20.0);
+    check_times(pedals, &[3.0, 4.0, 8.0, 9.0, 13.0, 14.0, 18.0, 19.0]);
+    let (again, again_bytes) = played("2");
+    assert_eq!(comparable(&again), comparable(&report), "2 lanes");
+    assert!(again_bytes == bytes, "the MIDI file differs on 2 lanes");
+    let endless = RunOptions { duration: None, virtual_time: true };
+    let refused = RunSession::prepare(&changes("1"), endless, &|_| {}).expect_err("no end");
+    assert!(refused.to_string().contains("does not repeat"), "{refused}");
+}
+
+/// Asserts that there are `times` (s) and are what they should be, to a tick.
+#[track_caller]
+fn check_times(times: impl Iterator<Item = f64>, expected: &[f64]) {
+    let times: Vec<f64> = times.collect();
+    let near = times.iter().zip(expected).all(|(time, wanted)| (time - wanted).abs() < 1e-3);
+    assert!(near && times.len() == expected.len(), "{times:?}");
+}
+
+#[test]
+fn a_play_list_that_is_cut_by_the_end_of_the_run_does_not_begin_again() {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("long.mid");
+    fs::write(&path, file(&[(60, 500, 900, 50), (60, 20_000, 21_000, 50)])).expect("a file");
+    let piece = path.to_str().expect("a path that is text");
+    let set = [("pianist.performance", piece), ("pianist.repeat", "true")];
+    let report = run(&scene("springs", &set), 12.0);
+    let notes = report.notes.expect("a pianist");
+    assert_eq!((notes.passes, notes.played, notes.struck, notes.extra), (1, 1, 1, 0), "{notes:?}");
+}
+
 /// A file of `notes`, with the sustain pedal down from 2 s to 3 s.
 pub(crate) fn file(notes: &[HardNote]) -> Vec<u8> {
     let on =

@@ -12,7 +12,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::tell;
 use host::adapters::observer::LiveCounters;
-use host::session::PianistProgress;
+use host::session::{PianistProgress, RunSession};
 
 /// Time between two updates of the line.
 pub(super) const REFRESH: Duration = Duration::from_millis(200);
@@ -70,23 +70,29 @@ impl RehearsalProgress {
 pub(super) struct StatusLine {
     bar: ProgressBar,
     tick_hz: f64,
+    /// Ticks after which a play list begins again, if it does.
+    pass: Option<u64>,
 }
 
 impl StatusLine {
-    /// Returns the line of a run of `ticks` at `tick_hz`; without an end it shows no bar.
-    pub(super) fn new(tick_hz: u32, ticks: Option<u64>) -> Self {
+    /// Returns the line of a run; without an end it shows no bar.
+    pub(super) fn new(session: &RunSession) -> Self {
+        let ticks = session.ticks();
         let bar = ticks.map_or_else(ProgressBar::no_length, ProgressBar::new);
         let template = if ticks.is_some() { "{wide_bar} {msg}" } else { "{spinner} {msg}" };
-        Self { bar: bar.with_style(style(template)), tick_hz: f64::from(tick_hz) }
+        let tick_hz = f64::from(session.tick_hz());
+        Self { bar: bar.with_style(style(template)), tick_hz, pass: session.pass() }
     }
 
-    /// Shows time, active keys, tick load, misses and notes.
+    /// Shows time, active keys, tick load, misses, notes, and the pass of a list that repeats.
     pub(super) fn show(&self, counters: &LiveCounters) {
         let ticks = counters.ticks.load(Relaxed);
         let load = counters.work_ns.load(Relaxed) as f64 * self.tick_hz * 1e-7;
         self.bar.set_position(ticks);
+        let pass =
+            self.pass.map_or_else(String::new, |pass| format!("  pass {}", 1 + ticks / pass));
         self.bar.set_message(format!(
-            "{:6.1} s  {:2} keys active  load {load:4.1} %  {} missed  {} notes",
+            "{:6.1} s  {:2} keys active  load {load:4.1} %  {} missed  {} notes{pass}",
             ticks as f64 / self.tick_hz,
             counters.active.load(Relaxed),
             counters.missed.load(Relaxed),

@@ -46,10 +46,11 @@ pub struct RunArgs {
     /// The scene again, for those who prefer it as an option.
     #[arg(long = "scene", value_name = "SCENE", conflicts_with = "scene")]
     pub scene_option: Option<String>,
-    /// Length of the run (s); without it, to the end of the performance.
+    /// Length of the run (s); without it, to the end of the last piece.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub duration: Option<f64>,
-    /// What the virtual pianist plays: an embedded piece's name or a MIDI file.
+    /// What the virtual pianist plays: an embedded piece's name or a MIDI file, or a list of them
+    /// in brackets, as a scene has it.
     #[arg(long, value_name = "FILE.mid")]
     pub performance: Option<String>,
     /// Where strikes go: a port's name, `virtual`, a device after `raw:`, a file, or `none`.
@@ -234,7 +235,7 @@ async fn host(
     let may_lower = scene.overload.order.contains(&Some(Simplification::Fidelity));
     let _load = if may_lower && !options.virtual_time { endpoints.watch_load()? } else { None };
     let _programs = endpoints.hear_programs();
-    let line = live::StatusLine::new(session.tick_hz(), session.ticks());
+    let line = live::StatusLine::new(&session);
     log.draw_above(line.bar());
     let stop = Arc::new(AtomicBool::new(false));
     let its_stop = Arc::clone(&stop);

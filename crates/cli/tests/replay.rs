@@ -65,6 +65,30 @@ fn a_piece_on_five_models_comes_out_the_same() {
     assert!(0 < replayed.strikes && 1000 < replayed.compared, "{replayed:?}");
 }
 
+/// Half a second of C4 under a pedal that is never lifted.
+const PIECE: &[u8] = b"MThd\0\0\0\x06\0\0\0\x01\x01\xf4MTrk\0\0\0\x11\
+    \0\xb0\x40\x7f\0\x90\x3c\x40\x83\x74\x80\x3c\x40\0\xff\x2f\0";
+
+#[test]
+fn a_piece_that_repeats_comes_out_the_same_with_its_pedal() {
+    let folder = folder("repeated");
+    std::fs::write(folder.join("piece.mid"), PIECE).expect("a file");
+    let piece = folder.join("piece.mid").display().to_string();
+    let set = [("pianist.performance", piece.as_str()), ("pianist.repeat", "true")];
+    let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
+    let scene = Scene::load("mixed", &set).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let file = folder.join("a.mcap");
+    // A pass of two and a half seconds.
+    record(&scene, FOUR_SECONDS, &file);
+    let replayed = again(&file).expect("a replay");
+    assert_eq!((replayed.first_difference, replayed.strikes), (None, 2));
+    let midi = messages(&file).into_iter().filter_map(|message| match message {
+        Ok(Update::Midi(midi)) if midi.bytes.starts_with(&[0xb0, 0x40]) => Some(midi.bytes[2]),
+        Ok(_) | Err(_) => None,
+    });
+    assert_eq!(midi.collect::<Vec<_>>(), [127, 0, 127, 0]);
+}
+
 #[test]
 fn a_recording_that_breaks_off_is_the_same_as_far_as_it_goes() {
     let file = folder("torn").join("a.mcap");

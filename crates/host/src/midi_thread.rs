@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use hdrhistogram::Histogram;
 use midi::{NoteEvent, NoteEventKind, Output, Player, Schedule, VelocityCurve};
-use performance::Struck;
+use performance::{Assessor, Struck};
 use rtrb::Consumer;
 use scheduler::time::Nanos;
 
@@ -32,7 +32,8 @@ pub struct MidiDispatcher {
     schedule: Schedule,
     player: Player<AnyOutput>,
     curve: VelocityCurve,
-    struck: Vec<Struck>,
+    /// What compares strikes with a performance, if one is played.
+    assessor: Option<Assessor>,
     /// The first error of the output; later ones are counted.
     trouble: Option<String>,
     n_troubles: u64,
@@ -43,8 +44,8 @@ pub struct MidiDispatcher {
 /// The outcome of a dispatcher that is closed.
 #[derive(Debug)]
 pub struct PlaybackSummary {
-    /// Every strike with its velocity.
-    pub struck: Vec<Struck>,
+    /// What compared strikes with a performance, if one was played.
+    pub assessor: Option<Assessor>,
     /// The first error of the output.
     pub trouble: Option<String>,
     /// The number of messages that could not be sent.
@@ -55,7 +56,7 @@ pub struct PlaybackSummary {
 
 impl std::fmt::Debug for MidiDispatcher {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("MidiDispatcher").field("struck", &self.struck.len()).finish_non_exhaustive()
+        f.debug_struct("MidiDispatcher").field("curve", &self.curve).finish_non_exhaustive()
     }
 }
 
@@ -69,11 +70,16 @@ impl MidiDispatcher {
             schedule,
             player,
             curve,
-            struck: Vec::new(),
+            assessor: None,
             trouble: None,
             n_troubles: 0,
             ticks: None,
         }
+    }
+
+    /// Lets `assessor` hear every strike.
+    pub fn assess(&mut self, assessor: Assessor) {
+        self.assessor = Some(assessor);
     }
 
     /// Gives the output no sign of life while the tick of `counters` stands still: what it holds
@@ -164,7 +170,7 @@ impl MidiDispatcher {
         let finished = self.player.finish();
         self.note(finished);
         PlaybackSummary {
-            struck: self.struck,
+            assessor: self.assessor,
             trouble: self.trouble,
             n_troubles: self.n_troubles,
             handover,
@@ -172,9 +178,11 @@ impl MidiDispatcher {
     }
 
     fn play(&mut self, event: NoteEvent) {
-        if let NoteEventKind::Strike { speed, .. } = event.kind {
+        if let (Some(assessor), NoteEventKind::Strike { speed, .. }) =
+            (&mut self.assessor, event.kind)
+        {
             let velocity = self.curve.velocity(speed).get();
-            self.struck.push(Struck { key: event.key, at: event.at, velocity });
+            assessor.hear(Struck { key: event.key, at: event.at, velocity });
         }
         let played = self.player.play(event);
         self.note(played);

@@ -1,5 +1,6 @@
 //! What was wanted against what was struck.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use crate::align::align;
@@ -11,6 +12,9 @@ pub const WINDOW: f64 = 0.04;
 
 /// A strike later than this after a note's onset is not taken for the note (s).
 pub const REACH: f64 = 5.0;
+
+/// Deviations that are kept one by one of a performance that repeats.
+pub const MOST_DEVIATIONS: usize = 1000;
 
 /// A note that should be heard.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -47,14 +51,29 @@ pub struct Spread {
     pub max: f64,
 }
 
-impl Spread {
-    fn of(mut errors: Vec<f64>) -> Self {
-        errors.sort_by(f64::total_cmp);
+/// Errors in whole units, and how often each occurred: little memory for any number of them.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+struct ErrorCounts(BTreeMap<u32, usize>);
+
+impl ErrorCounts {
+    fn add(&mut self, error: u32) {
+        *self.0.entry(error).or_default() += 1;
+    }
+
+    /// Returns how the errors are distributed, of which each unit is `unit`.
+    fn spread(&self, unit: f64) -> Spread {
+        let n: usize = self.0.values().sum();
         let rank = |percent: usize| {
-            let index = (errors.len() * percent).div_ceil(100).saturating_sub(1);
-            errors.get(index).copied().unwrap_or_default()
+            let wanted = (n * percent).div_ceil(100);
+            let mut seen = 0;
+            let mut errors = self.0.iter();
+            let found = errors.find(|(_error, count)| {
+                seen += **count;
+                wanted <= seen
+            });
+            found.map_or(0.0, |(error, _count)| f64::from(*error) * unit)
         };
-        Self { p50: rank(50), p99: rank(99), max: rank(100) }
+        Spread { p50: rank(50), p99: rank(99), max: rank(100) }
     }
 }
 
@@ -68,11 +87,12 @@ pub struct Assessment {
     pub missed: usize,
     /// Strikes without a note.
     pub extra: usize,
-    /// How far strikes were from their onsets, early or late (ms).
+    /// How far strikes were from their onsets, early or late (ms), to a microsecond.
     pub onset_error_ms: Spread,
     /// How far strikes were from their notes' velocities, in MIDI units.
     pub velocity_error: Spread,
-    /// Notes that are missed or late and strikes that are extra, in order of time, then of key.
+    /// Notes that are missed or late and strikes that are extra, in order of time, then of key; the
+    /// first [`MOST_DEVIATIONS`] of a performance that repeats.
     pub deviations: Vec<Deviation>,
 }
 
@@ -118,39 +138,42 @@ impl fmt::Display for Assessment {
 /// before the next note of the key is struck, and within [`REACH`].
 pub fn assess(expected: &[ExpectedNote], struck: &[Struck]) -> Assessment {
     let mut found = NoteFindings::default();
-    for key in 0..=u8::MAX {
-        let mut notes: Vec<_> = expected.iter().filter(|note| note.key == key).collect();
-        let mut strikes: Vec<_> = struck.iter().filter(|strike| strike.key == key).collect();
-        notes.sort_by(|a, b| a.onset.total_cmp(&b.onset));
-        strikes.sort_by(|a, b| a.at.total_cmp(&b.at));
-        found.add(&notes, &strikes);
-    }
-    let NoteFindings { onset_errors, velocity_errors, mut deviations } = found;
-    deviations.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.key.cmp(&b.key)));
-    Assessment {
-        played: expected.len(),
-        struck: struck.len(),
-        missed: expected.len() - onset_errors.len(),
-        extra: struck.len() - onset_errors.len(),
-        onset_error_ms: Spread::of(onset_errors),
-        velocity_error: Spread::of(velocity_errors),
-        deviations,
-    }
+    found.add(expected, struck);
+    found.assessment()
 }
 
-/// What became of the notes of the keys so far.
-#[derive(Default)]
+/// What became of the notes of all passes so far.
+#[derive(Clone, PartialEq, Debug, Default)]
 struct NoteFindings {
-    /// Of each note with a strike, early or late (ms).
-    onset_errors: Vec<f64>,
-    /// Of each note with a strike, in MIDI units.
-    velocity_errors: Vec<f64>,
+    played: usize,
+    struck: usize,
+    /// Notes with a strike.
+    paired: usize,
+    /// How far these strikes were from their onsets, early or late (us).
+    onset: ErrorCounts,
+    /// How far they were from their notes' velocities, as [`Assessment`] has it.
+    velocity: ErrorCounts,
     deviations: Vec<Deviation>,
 }
 
 impl NoteFindings {
+    /// Adds the notes and strikes of one pass.
+    fn add(&mut self, expected: &[ExpectedNote], struck: &[Struck]) {
+        let known = self.deviations.len();
+        for key in 0..=u8::MAX {
+            let mut notes: Vec<_> = expected.iter().filter(|note| note.key == key).collect();
+            let mut strikes: Vec<_> = struck.iter().filter(|strike| strike.key == key).collect();
+            notes.sort_by(|a, b| a.onset.total_cmp(&b.onset));
+            strikes.sort_by(|a, b| a.at.total_cmp(&b.at));
+            self.add_key(&notes, &strikes);
+        }
+        self.played += expected.len();
+        self.struck += struck.len();
+        self.deviations[known..].sort_by(|a, b| a.at.total_cmp(&b.at).then(a.key.cmp(&b.key)));
+    }
+
     /// Adds one key's notes and strikes, each in order of time.
-    fn add(&mut self, notes: &[&ExpectedNote], strikes: &[&Struck]) {
+    fn add_key(&mut self, notes: &[&ExpectedNote], strikes: &[&Struck]) {
         let onsets: Vec<_> = notes.iter().map(|note| note.onset).collect();
         let times: Vec<_> = strikes.iter().map(|strike| strike.at).collect();
         let mut from = (0, 0);
@@ -163,8 +186,10 @@ impl NoteFindings {
     }
 
     fn pair(&mut self, note: &ExpectedNote, strike: &Struck) {
-        self.onset_errors.push((strike.at - note.onset).abs() * 1e3);
-        self.velocity_errors.push(f64::from(strike.velocity.abs_diff(note.velocity)));
+        self.paired += 1;
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "seconds")]
+        self.onset.add(((strike.at - note.onset).abs() * 1e6).round() as u32);
+        self.velocity.add(strike.velocity.abs_diff(note.velocity).into());
     }
 
     /// Adds what lies between two pairs of a key: each note takes the first strike after it.
@@ -189,6 +214,89 @@ impl NoteFindings {
             self.deviations.push(Deviation { key: note.key, at: note.onset, kind });
         }
         self.deviations.extend(strikes.iter().map(extra));
+    }
+
+    fn assessment(self) -> Assessment {
+        Assessment {
+            played: self.played,
+            struck: self.struck,
+            missed: self.played - self.paired,
+            extra: self.struck - self.paired,
+            onset_error_ms: self.onset.spread(1e-3),
+            velocity_error: self.velocity.spread(1.0),
+            deviations: self.deviations,
+        }
+    }
+}
+
+/// Compares a performance with what is struck while it is played, as often as it repeats.
+///
+/// It keeps the strikes of one pass, and of those before their counts.
+#[derive(Clone, Debug)]
+pub struct Assessor {
+    expected: Vec<ExpectedNote>,
+    /// Notes that nobody plays, which are missed.
+    left_out: Vec<ExpectedNote>,
+    /// Length of a pass (s), if there is more than one.
+    repeat: Option<f64>,
+    /// Passes that are over.
+    passes: u64,
+    /// Strikes of the present pass, in time from its beginning.
+    struck: Vec<Struck>,
+    findings: NoteFindings,
+}
+
+impl Assessor {
+    /// Returns an assessor that has heard nothing yet; the notes that are expected and those that
+    /// nobody plays come again after `repeat` (s), if they do.
+    pub fn new(
+        expected: Vec<ExpectedNote>,
+        left_out: Vec<ExpectedNote>,
+        repeat: Option<f64>,
+    ) -> Self {
+        let (struck, findings) = (Vec::new(), NoteFindings::default());
+        Self { expected, left_out, repeat, passes: 0, struck, findings }
+    }
+
+    /// Takes a strike; those of one pass come before those of the next.
+    pub fn hear(&mut self, strike: Struck) {
+        let at = self.in_pass(strike.at);
+        self.struck.push(Struck { at, ..strike });
+    }
+
+    /// Returns how all went that the performance asks for before the end at `duration` (s).
+    pub fn finish(mut self, duration: f64) -> Assessment {
+        // A note wanted within a matching window of the end may rightly be struck after it.
+        let heard = self.in_pass(duration - WINDOW);
+        self.expected.retain(|note| note.onset < heard);
+        self.left_out.retain(|note| note.onset < heard);
+        self.struck.retain(|strike| strike.at < heard);
+        self.end_pass();
+        self.findings.assessment()
+    }
+
+    /// Returns the time since the beginning of the pass in which `at` (s) is; ends those before.
+    fn in_pass(&mut self, at: f64) -> f64 {
+        let Some(length) = self.repeat else { return at };
+        while (self.passes + 1) as f64 * length <= at {
+            self.end_pass();
+            self.passes += 1;
+        }
+        at - self.passes as f64 * length
+    }
+
+    /// Adds the present pass to the findings.
+    fn end_pass(&mut self) {
+        let Self { findings, repeat, .. } = self;
+        let known = findings.deviations.len();
+        findings.add(&self.expected, &self.struck);
+        findings.played += self.left_out.len();
+        let begun = repeat.map_or(0.0, |length| self.passes as f64 * length);
+        findings.deviations[known..].iter_mut().for_each(|it| it.at += begun);
+        if repeat.is_some() {
+            findings.deviations.truncate(MOST_DEVIATIONS);
+        }
+        self.struck.clear();
     }
 }
 
@@ -248,6 +356,24 @@ mod tests {
         let found = assess(&notes, &[struck(1, 3.0, 60), struck(1, 3.05, 9)]);
         assert_eq!((found.missed, found.extra), (1, 1));
         assert!(found.onset_error_ms.max < 1e-9);
+    }
+
+    #[test]
+    fn passes_add_up_to_their_last_note_and_keep_the_strikes_of_one() {
+        let notes = vec![expected(1, 1.0, 60), expected(2, 2.0, 60)];
+        let mut assessor = Assessor::new(notes, Vec::new(), Some(4.0));
+        for pass in 0..1000_u32 {
+            let at = 4.0 * f64::from(pass) + 1.0 + 1e-6 * f64::from(pass % 100);
+            assessor.hear(struck(1, at, 61));
+            assert!(assessor.struck.len() <= 1, "of this pass");
+        }
+        // The last pass is over before its second note; in a pass of silence all is missed.
+        let found = assessor.clone().finish(4.0 * 999.0 + 1.5);
+        assert_eq!((found.played, found.struck, found.missed, found.extra), (1999, 1000, 999, 0));
+        assert!((found.onset_error_ms.p50 - 0.049).abs() < 1e-9, "{found}");
+        assert!((found.onset_error_ms.p99 - 0.098).abs() < 1e-9, "{found}");
+        assert_eq!(found.velocity_error, Spread { p50: 1.0, p99: 1.0, max: 1.0 });
+        assert_eq!(assessor.finish(4.0 * 1001.0).missed, 1000 + 2);
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub mod score;
 pub mod stroke;
 
 pub use assess::{
-    Assessment, Deviation, DeviationKind, ExpectedNote, Spread, Struck, WINDOW, assess,
+    Assessment, Assessor, Deviation, DeviationKind, ExpectedNote, Spread, Struck, WINDOW, assess,
 };
 pub use pianist::{Performance, Pianist, Progress, ShortStroke};
 pub use rehearse::{

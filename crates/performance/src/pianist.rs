@@ -59,6 +59,8 @@ pub struct Performance {
     pub range: Option<(f64, f64)>,
     /// Moves of the pedals, in order of time.
     pub pedals: Vec<PedalMove>,
+    /// The time after which all of it begins again (s), later than its end; once if there is none.
+    pub repeat: Option<f64>,
 }
 
 /// A note that is not played as it is written.
@@ -160,6 +162,7 @@ impl Pianist {
             gestures,
             expected,
             range: None,
+            repeat: None,
             predicted: rehearsed.iter().flatten().filter_map(|s| self.predict(s)).collect(),
             pedals: score
                 .pedals

@@ -160,6 +160,21 @@ fn pedal_moves_are_kept() {
     assert_eq!(moved.len(), expected.len(), "portamento is no pedal");
 }
 
+#[test]
+fn a_piece_follows_after_a_rest_with_its_pedals_up() {
+    let down = MidiMessage::Controller { controller: u7::new(64), value: u7::new(127) };
+    let one = score(&[on(0, 60, 70), event(10, 0, down), off(20, 60)]);
+    let pedals = |it: &Score| it.pedals.iter().map(|it| it.depth).collect::<Vec<_>>();
+    let lifted = one.clone().with_pedals_lifted();
+    assert_eq!((pedals(&one), pedals(&lifted)), (vec![1.0], vec![1.0, 0.0]));
+    assert_eq!(lifted.clone().with_pedals_lifted(), lifted);
+    let later = one.end() + 2.0;
+    let both = lifted.followed_by(one.clone(), 2.0);
+    assert_eq!((both.notes.len(), pedals(&both)), (2, vec![1.0, 0.0, 1.0]));
+    assert_eq!((both.notes[1].onset, both.notes[1].end), (later, later + one.notes[0].end));
+    assert_eq!(both.pedals[2].at.to_bits(), (later + one.pedals[0].at).to_bits());
+}
+
 /// Asserts that `bytes` are refused with `sentence`.
 #[track_caller]
 fn check_refused(bytes: &[u8], sentence: &str) {

@@ -64,7 +64,7 @@ pub use needs::{Needs, Unmet};
 pub use realtime::{LaneCount, ThreadPolicy, ThreadRules};
 pub use render::{InputReconstruction, PassivityMode, Render};
 pub use rig::{FingerName, Rig};
-pub use scene::{Midi, MidiInput, MidiOutput, PerformanceSource, Scene};
+pub use scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, Scene};
 pub use source::Override;
 pub use voicing::Voicing;
 pub use write::written;

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::slice;
 
 use keyboard::KeyRange;
 use midi::VelocityCurve;
@@ -63,8 +64,8 @@ pub struct Scene {
     /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
-    /// The piece of the virtual pianist, if there is one.
-    pub performance: Option<PerformanceSource>,
+    /// The pieces of the virtual pianist, if there are any.
+    pub play_list: Option<PlayList>,
 }
 
 /// The output of strikes, and their velocities; and what program changes switch to.
@@ -109,6 +110,15 @@ pub enum MidiOutput {
 
 /// What stands before the path of a MIDI device file.
 pub(crate) const RAW: &str = "raw:";
+
+/// What the virtual pianist plays, one piece after the other.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct PlayList {
+    /// The pieces in their order, of which there is one at least.
+    pub pieces: Vec<PerformanceSource>,
+    /// Whether it begins again after the last, for ever.
+    pub repeat: bool,
+}
 
 /// A performance for the virtual pianist.
 #[derive(Clone, PartialEq, Eq)]
@@ -229,7 +239,7 @@ impl Scene {
         let keys = (0..).zip(&voicings).map(voice).collect();
         let links = links::read(report, reader, rate);
         let midi = read_midi(report, reader);
-        let performance = read_pianist(report, reader);
+        let play_list = read_pianist(report, reader);
         Self {
             name,
             title,
@@ -246,7 +256,7 @@ impl Scene {
             budget,
             links,
             midi,
-            performance,
+            play_list,
         }
     }
 
@@ -335,30 +345,58 @@ fn midi_output(output: String) -> MidiOutput {
     }
 }
 
-fn read_pianist(
-    report: &mut MistakeList<'_>,
-    scene: &mut TableReader<'_>,
-) -> Option<PerformanceSource> {
+fn read_pianist(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Option<PlayList> {
     let mut reader = scene.table(report, "pianist")?;
-    let performance = reader.text(report, "performance");
-    if reader.take("performance").is_none() {
-        let help = "add performance = \"…\", or leave the table out";
-        report.miss(reader.place, "the pianist has no performance", help);
-    }
+    let pieces = read_pieces(report, &mut reader);
+    let repeat = read_repeat(report, &mut reader);
     reader.finish(report);
-    let (wanted, place) = performance?;
-    find_performance(report, place, &wanted)
+    (!pieces.is_empty()).then_some(PlayList { pieces, repeat })
 }
 
-/// Returns the embedded performance or the file that is `wanted`; "none" is no performance.
+fn read_pieces(
+    report: &mut MistakeList<'_>,
+    pianist: &mut TableReader<'_>,
+) -> Vec<PerformanceSource> {
+    let Some(entry) = pianist.take("performance") else {
+        let help = "add performance = \"…\", or leave the table out";
+        report.miss(pianist.place, "the pianist has no performance", help);
+        return Vec::new();
+    };
+    let node = &entry.node;
+    let nodes =
+        if let TomlValue::List(nodes) = &node.value { nodes } else { slice::from_ref(node) };
+    if nodes.is_empty() {
+        report.say(node.place, "\"performance\" is empty", "name a piece, or give \"none\"");
+    }
+    let mut pieces = Vec::new();
+    for node in nodes {
+        let Some(wanted) = read::text(report, "performance", node) else { continue };
+        if wanted != "none" {
+            pieces.extend(find_performance(report, node.place, &wanted));
+        } else if 1 < nodes.len() {
+            let message = "\"none\" is no piece of a list";
+            report.say(node.place, message, "leave it out, or give performance = \"none\" alone");
+        }
+    }
+    pieces
+}
+
+fn read_repeat(report: &mut MistakeList<'_>, pianist: &mut TableReader<'_>) -> bool {
+    let Some(entry) = pianist.take("repeat") else { return false };
+    if let TomlValue::Truth(repeat) = entry.node.value {
+        return repeat;
+    }
+    let help = "give true to begin again after the last piece, without an end";
+    read::wrong_type(report, "repeat", &entry.node, "true or false", help);
+    false
+}
+
+/// Returns the embedded performance or the file that is `wanted`.
 fn find_performance(
     report: &mut MistakeList<'_>,
     place: Location,
     wanted: &str,
 ) -> Option<PerformanceSource> {
-    if wanted == "none" {
-        return None;
-    }
     if let Some((name, bytes)) = PERFORMANCES.iter().find(|(name, _)| *name == wanted) {
         return Some(PerformanceSource::Embedded(name, bytes));
     }

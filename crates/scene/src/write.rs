@@ -11,7 +11,7 @@ use super::keys::KeyVoice;
 use super::links::{BoardBus, Boards, FORCES, LinksConfig, SAMPLES, bus_at};
 use super::overload;
 use super::realtime::LaneCount;
-use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, RAW, Scene};
+use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, RAW, Scene};
 
 /// Returns the text of `scene`; read again it is the same scene to the last bit.
 pub fn written(scene: &Scene) -> String {
@@ -28,16 +28,22 @@ pub fn written(scene: &Scene) -> String {
     document["rig"] = Item::Table(scene.rig.written());
     document["links"] = Item::Table(links(&scene.links));
     document["midi"] = Item::Table(midi(&scene.midi));
-    if let Some(source) = &scene.performance {
-        let mut pianist = Table::new();
-        pianist["performance"] = value(match source {
-            PerformanceSource::Embedded(name, _bytes) => (*name).to_owned(),
-            PerformanceSource::Path(path) => absolute(path),
-        });
-        document["pianist"] = Item::Table(pianist);
+    if let Some(list) = &scene.play_list {
+        document["pianist"] = Item::Table(pianist(list));
     }
     document["keys"] = Item::ArrayOfTables(keys(&scene.keys));
     document.to_string()
+}
+
+fn pianist(list: &PlayList) -> Table {
+    let name = |source: &PerformanceSource| match source {
+        PerformanceSource::Embedded(name, _bytes) => (*name).to_owned(),
+        PerformanceSource::Path(path) => absolute(path),
+    };
+    let mut table = Table::new();
+    table["performance"] = value(list.pieces.iter().map(name).collect::<Array>());
+    table["repeat"] = value(list.repeat);
+    table
 }
 
 /// Returns a path that means the same wherever the file will lie.
@@ -179,9 +185,9 @@ mod tests {
         let keys = it.keys.iter().map(|voice| voice.as_ref().map(|it| (it.model.name, &it.values)));
         let keys: Vec<_> = keys.collect();
         let Scene { title, tick_hz, lanes, realtime, render, .. } = it;
-        let Scene { links, midi, performance, .. } = it;
+        let Scene { links, midi, play_list, .. } = it;
         format!(
-            "{title} {tick_hz} {lanes:?} {realtime:?} {render:?} {links:?} {midi:?} {performance:?} {keys:?}"
+            "{title} {tick_hz} {lanes:?} {realtime:?} {render:?} {links:?} {midi:?} {play_list:?} {keys:?}"
         )
     }
 
@@ -214,6 +220,8 @@ mod tests {
             ("render.longest_step", "0.3 ms"),
             ("render.force_limit", "12.34567891234567"),
             ("keys.0.parameters.restitution", "0.123456789012345678"),
+            ("pianist.performance", "['bach-bwv-846', 'beethoven-ode-to-joy']"),
+            ("pianist.repeat", "true"),
         ];
         let changed = changed.map(|(name, value)| (name.to_owned(), value.to_owned()));
         let scene = Scene::load("springs", &changed).unwrap_or_else(|wrong| panic!("{wrong}"));

@@ -29,6 +29,10 @@ pub(super) struct Plant {
     gestures: Vec<Gesture>,
     /// The first gesture that is not over yet.
     current: usize,
+    /// Length of a pass (s), if all gestures begin again after it.
+    repeat: Option<f64>,
+    /// When the present pass began (s).
+    pass: f64,
     /// Force of the last tick (N).
     force: f64,
 }
@@ -36,7 +40,15 @@ pub(super) struct Plant {
 impl Plant {
     /// Returns a key at rest whose encoder reads `offset` (counts) there.
     pub(super) fn new(rig: RigParameters, offset: i32) -> Self {
-        Self { rig: KeyRig::new(rig), offset, gestures: Vec::new(), current: 0, force: 0.0 }
+        Self {
+            rig: KeyRig::new(rig),
+            offset,
+            gestures: Vec::new(),
+            current: 0,
+            repeat: None,
+            pass: 0.0,
+            force: 0.0,
+        }
     }
 
     /// Plays `gestures` from now on instead of those before, in the order of their starts.
@@ -44,6 +56,11 @@ impl Plant {
         gestures.sort_by(|one, other| one.start.total_cmp(&other.start));
         self.gestures = gestures;
         self.current = 0;
+    }
+
+    /// Plays its gestures again and again, each pass `length` (s) after the one before.
+    pub(super) const fn repeat_after(&mut self, length: f64) {
+        self.repeat = Some(length);
     }
 
     /// Lets a hand press on the key or grip it from now on.
@@ -97,11 +114,18 @@ impl Plant {
     /// A finger that is there goes on until another one's time has come; one that comes
     /// within the tick is given beforehand, so that it starts at its own time.
     fn gesture(&mut self, t: f64, h: f64) -> Option<Gesture> {
-        while self.is_over(t) {
+        if let Some(length) = self.repeat
+            && self.pass + length <= t
+        {
+            (self.pass, self.current) = ((t / length).floor() * length, 0);
+        }
+        let in_pass = t - self.pass;
+        while self.is_over(in_pass) {
             self.current += 1;
         }
-        let gesture = self.gestures.get(self.current)?;
-        (gesture.start < t + h).then_some(*gesture)
+        let gesture = *self.gestures.get(self.current)?;
+        let (start, release) = (gesture.start + self.pass, gesture.release + self.pass);
+        (gesture.start < in_pass + h).then_some(Gesture { start, release, ..gesture })
     }
 
     /// Tells whether the current gesture has ended, or another one has started since.

@@ -83,6 +83,12 @@ impl SimulatedKeybed {
         self.lines[BoardId::of(key).index()].board.play(BoardId::slot_of(key), gestures);
     }
 
+    /// Plays the gestures of all keys again and again, each pass `length` (s) after the one before:
+    /// longer than the last of them takes.
+    pub fn repeat_after(&mut self, length: f64) {
+        self.lines.iter_mut().for_each(|line| line.board.repeat_after(length));
+    }
+
     /// Lets a hand press on `key` or grip it from now on.
     ///
     /// # Real-time

@@ -127,6 +127,10 @@ pub struct TickPublisher {
     /// Moves of the pedals, in order of time.
     pedals: Box<[PedalMove]>,
     next_pedal: usize,
+    /// Length of a pass (s), if all moves come again after it.
+    repeat: Option<f64>,
+    /// When the present pass began (s).
+    pass: f64,
     /// Tick (s).
     period: f64,
 }
@@ -140,12 +144,18 @@ impl TickPublisher {
         pedals: Box<[PedalMove]>,
         period: f64,
     ) -> Self {
-        Self { ring, bell, counters, pedals, next_pedal: 0, period }
+        Self { ring, bell, counters, pedals, next_pedal: 0, repeat: None, pass: 0.0, period }
     }
 
     /// Plays `pedals` from now on, which are in order of time.
     pub fn set_pedals(&mut self, pedals: Box<[PedalMove]>) {
         (self.pedals, self.next_pedal) = (pedals, 0);
+    }
+
+    /// Plays all pedals again and again if there is a `length` (s), each pass that much after the
+    /// one before.
+    pub const fn repeat_pedals_after(&mut self, length: Option<f64>) {
+        self.repeat = length;
     }
 
     /// Hands over what can be heard of a tick: all of it at once, so that the other end of the
@@ -156,10 +166,16 @@ impl TickPublisher {
     fn publish(&mut self, seen: &FinishedTick<'_>, sums: &mut Sums) {
         let period = self.period;
         let end = Moment { tick: seen.tick, theta: 1.0 }.seconds(period);
+        if let Some(length) = self.repeat
+            && self.pass + length <= end
+        {
+            (self.pass, self.next_pedal) = ((end / length).floor() * length, 0);
+        }
+        let pass = self.pass;
         let pedals = self.pedals.get(self.next_pedal..).unwrap_or_default();
-        let n_pedals = pedals.iter().take_while(|pedal| pedal.at < end).count();
+        let n_pedals = pedals.iter().take_while(|pedal| pass + pedal.at < end).count();
         let pressed = pedals.iter().take(n_pedals).map(|&PedalMove { pedal, at, depth }| {
-            MidiEvent { key: 0, at, kind: NoteEventKind::Pedal { pedal, depth } }
+            MidiEvent { key: 0, at: pass + at, kind: NoteEventKind::Pedal { pedal, depth } }
         });
         let played = (0..).zip(seen.turns).flat_map(|(key, turn)| {
             let event = move |&(at, event): &(Moment, KeyEvent)| MidiEvent {

@@ -58,7 +58,7 @@ impl RequestHandler {
             ("[links]", old.links != scene.links),
             ("[rig]", old.rig != scene.rig),
             ("[midi]", old.midi != scene.midi),
-            ("[pianist]", old.performance != scene.performance),
+            ("[pianist]", old.play_list != scene.play_list),
             ("force_limit or slew_limit", limits(&old.render) != limits(&scene.render)),
             ("which keys have a voice", has_voice(old) != has_voice(scene)),
             // They are the channels on which program changes are heard.

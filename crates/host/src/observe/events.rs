@@ -94,10 +94,10 @@ pub(super) fn miss(pulse: &PulseRow) -> Option<Event> {
     words(pulse.outcome).map(|text| of_none(Kind::Miss, pulse.tick, text.to_owned()))
 }
 
-/// A pedal will be moved.
-pub fn pedal(PedalMove { pedal, at, depth }: PedalMove) -> Event {
-    let controller = pedal.controller().number().into();
-    Event { at, speed: depth, controller, ..of_none(Kind::Pedal, 0, String::new()) }
+/// A pedal will be moved; every `pass` ticks again, if it repeats.
+pub fn pedal(PedalMove { pedal, at, depth }: PedalMove, pass: Option<u64>) -> Event {
+    let (controller, every) = (pedal.controller().number().into(), pass.unwrap_or_default());
+    Event { at, speed: depth, controller, every, ..of_none(Kind::Pedal, 0, String::new()) }
 }
 
 /// The move of a pedal that `event` tells of, unless this host knows no such pedal.
@@ -152,7 +152,7 @@ mod tests {
     fn a_move_of_each_pedal_is_told_and_read_again() {
         for pedal in Pedal::ALL {
             let moved = PedalMove { pedal, at: 1.5, depth: 0.25 };
-            assert_eq!(pedal_move(&super::pedal(moved)), Some(moved));
+            assert_eq!(pedal_move(&super::pedal(moved, None)), Some(moved));
         }
         let old = Event { at: 2.0, speed: 1.0, ..of_none(Kind::Pedal, 0, String::new()) };
         let sustain = PedalMove { pedal: Pedal::Sustain, at: 2.0, depth: 1.0 };

@@ -112,6 +112,8 @@ struct Replay {
     said: Said,
     comparison: Comparison,
     pedals: Vec<PedalMove>,
+    /// Ticks after which pedals move again, if they do.
+    pass: Option<u64>,
     is_running: bool,
     ticks: u64,
     recorded: u64,
@@ -214,6 +216,7 @@ impl Replay {
             said,
             comparison: Comparison::default(),
             pedals: Vec::new(),
+            pass: None,
             is_running: false,
             ticks: 0,
             recorded: 0,
@@ -257,7 +260,10 @@ impl Replay {
             Update::Event(event) => {
                 self.feed.event(event);
                 match event.kind() {
-                    Kind::Pedal => self.pedals.extend(pedal_move(event)),
+                    Kind::Pedal => {
+                        self.pedals.extend(pedal_move(event));
+                        self.pass = Some(event.every).filter(|every| 0 < *every);
+                    }
                     Kind::Fault => self.faults += 1,
                     Kind::Strike => self.strikes += 1,
                     Kind::Unknown
@@ -319,7 +325,10 @@ impl Replay {
             if 0 < tick && self.feed.begins_late(tick) {
                 return Err(ReplayError::Middle(tick));
             }
+            let length =
+                self.pass.map(|ticks| ticks as f64 * self.timetable.period().as_secs_f64());
             self.watchers.publisher.set_pedals(std::mem::take(&mut self.pedals).into());
+            self.watchers.publisher.repeat_pedals_after(length);
             self.is_running = true;
         }
         match self.feed.arm(tick) {

@@ -10,25 +10,29 @@ use serde::Serialize;
 /// The quality of a performance.
 #[derive(Clone, Debug, Serialize)]
 pub struct NoteReport {
-    /// Notes that the piece asks for within the run.
+    /// Pieces of the play list.
+    pub pieces: usize,
+    /// Passes through the list that have begun; 1 unless it repeats.
+    pub passes: u64,
+    /// Notes that the pieces ask for within the run, in all passes.
     pub played: usize,
     pub struck: usize,
     /// Notes asked for and not struck.
     pub missed: usize,
-    /// Strikes that the piece does not have.
+    /// Strikes that the pieces do not have.
     pub extra: usize,
     /// How far strikes were from their onsets, early or late (ms).
     pub onset_error_ms: ErrorQuantiles,
     /// How far strikes were from their notes, in MIDI velocities.
     pub velocity_error: ErrorQuantiles,
-    /// Notes that are missed or late though the pianist played them, and strikes that the piece
-    /// does not have, in order of time.
+    /// Notes that are missed or late though the pianist played them, and strikes that the pieces
+    /// do not have, in order of time.
     pub deviations: Vec<NoteDeviation>,
-    /// Softest and loudest speed of the hammer that every key of the piece gives (m/s).
+    /// Softest and loudest speed of the hammer that every key of the pieces gives (m/s).
     pub range_m_per_s: Option<(f64, f64)>,
-    /// What the pianist knew beforehand that the keys cannot do, in order of time.
+    /// What the pianist knew beforehand that the keys cannot do, in order of time; of one pass.
     pub shortfalls: Vec<NoteShortfall>,
-    /// Notes of the piece that are not among those asked for.
+    /// Notes of the pieces that are not among those asked for; of one pass.
     pub unplayed: UnplayedNotes,
 }
 
@@ -163,6 +167,8 @@ impl NoteReport {
         let spread =
             |it: &performance::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
         Self {
+            pieces: 1,
+            passes: 1,
             played: it.played,
             struck: it.played - it.missed,
             missed: it.missed,
@@ -188,6 +194,13 @@ impl NoteReport {
             "              onset error p50 {:.3} p99 {:.3} max {:.3} ms; velocity error p50 {:.0} p99 {:.0} max {:.0}",
             o.p50, o.p99, o.max, v.p50, v.p99, v.max
         )?;
+        if 1 < self.pieces || 1 < self.passes {
+            let (pieces, passes) = (self.pieces, self.passes);
+            writeln!(
+                f,
+                "              pieces {pieces}, passes {passes}; what follows is of one pass"
+            )?;
+        }
         if let Some((softest, loudest)) = self.range_m_per_s {
             writeln!(
                 f,

@@ -120,6 +120,7 @@ impl KeySource {
             for (key, gestures) in all_keys().zip(&performance.gestures) {
                 keybed.play(key, gestures.clone());
             }
+            performance.repeat.into_iter().for_each(|length| keybed.repeat_after(length));
         }
     }
 
@@ -137,10 +138,12 @@ impl KeySource {
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = Box::new(keybed.arm(terms, PATIENCE_US)?);
-                for (key, gestures) in
-                    prepared.performance.iter().flat_map(|it| all_keys().zip(&it.gestures))
-                {
+                let list = prepared.play_list.as_ref().map(|list| &list.performance);
+                for (key, gestures) in list.iter().flat_map(|it| all_keys().zip(&it.gestures)) {
                     keybed.play(key, gestures);
+                }
+                if let Some(length) = list.and_then(|it| it.repeat) {
+                    keybed.repeat_after(length);
                 }
                 let start = clock::monotonic().after(lead);
                 keybed.begin_at(start.as_u64() / 1_000);

@@ -21,7 +21,7 @@ use std::sync::atomic::AtomicBool;
 use firmware_protocol::key::KeyIndex;
 use hardware::sim::keybed::SimulatedKeybed;
 use midi::{NoteEvent, VelocityCurve};
-use performance::{ExpectedNote, Performance, ShortStroke, Struck, assess};
+use performance::{Assessor, ExpectedNote, Performance, ShortStroke};
 use scheduler::overload::OverloadRules;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Timetable};
@@ -34,7 +34,7 @@ use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, NoteReport, OverloadReport, Realtime};
-use crate::report::{RunReport, StepCounts, UnplayedNotes};
+use crate::report::{RunReport, StepCounts};
 use key_source::KeySource;
 use key_transport::KeyTransport;
 use measured::MeasuredRun;
@@ -51,6 +51,7 @@ use scene::Scene;
 
 pub use fidelity::choose_fidelity;
 pub use pianist::PianistProgress;
+use pianist::RehearsedPlayList;
 pub use trial::RunTrial;
 
 /// The reason why a run could not be prepared or finished.
@@ -111,7 +112,7 @@ pub enum SessionError {
     #[error("the system refused what a run needs: {0}")]
     System(#[from] std::io::Error),
     /// Virtual time would never end.
-    #[error("virtual time needs an end: give --duration, or a performance to play")]
+    #[error("virtual time needs an end: give --duration, or a performance that does not repeat")]
     Endless,
     /// A thread of ours panicked, which is a bug.
     #[error("the {0} thread panicked: its notes were ended; please report what it printed")]
@@ -154,8 +155,7 @@ struct PreparedRun {
     ticks: Option<u64>,
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
-    performance: Option<Performance>,
-    unplayed: UnplayedNotes,
+    play_list: Option<RehearsedPlayList>,
     watchers: Watchers,
     midi: OpenedOutput,
     bell: Arc<WakeFd>,
@@ -199,20 +199,21 @@ impl RunSession {
         let (mut keys, measured) = found_keys::find(scene, period, options, &handle)?;
         let scene = measured.as_ref().unwrap_or(scene);
         let builder = VoiceBuilder::new(scene)?;
-        if scene.performance.is_some() && !keys.has_fingers() {
+        if scene.play_list.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
         let rehearsed = |now: PianistProgress| {
             handle.status.rehearse(now.done, now.total);
             progress(now);
         };
-        let piece = pianist::rehearse(scene, &builder, &keys, options.duration, &rehearsed)?;
-        let (performance, unplayed) = piece.map(|it| (it.performance, it.unplayed)).unzip();
-        let seconds = options.duration.or_else(|| Some(performance.as_ref()?.end() + AFTERGLOW));
+        let play_list = pianist::rehearse(scene, &builder, &keys, options.duration, &rehearsed)?;
+        let performance = play_list.as_ref().map(|list| &list.performance);
+        let once = performance.filter(|it| it.repeat.is_none());
+        let seconds = options.duration.or_else(|| Some(once?.end() + AFTERGLOW));
         if options.virtual_time && seconds.is_none() {
             return Err(SessionError::Endless);
         }
-        if let Some(performance) = &performance {
+        if let Some(performance) = performance {
             keys.load_gestures(performance);
         }
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
@@ -221,15 +222,17 @@ impl RunSession {
         let (output, midi) = midi_out::open(&scene.midi, &handle)?;
         let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
-        let dispatcher = dispatcher(consumer, output, scene.midi.curve, &counters);
-        let pedals = observed::pedals(performance.as_ref(), &handle);
-        let publisher = TickPublisher::new(
+        let curve = scene.midi.curve;
+        let dispatcher = dispatcher(consumer, (output, curve), performance, &counters);
+        let pedals = observed::pedals(play_list.as_ref(), &handle);
+        let mut publisher = TickPublisher::new(
             producer,
             Arc::clone(&bell),
             Arc::clone(&counters),
             pedals.into(),
             period,
         );
+        publisher.repeat_pedals_after(performance.and_then(|it| it.repeat));
         observed::describe(&handle, scene, &midi.report, &counters);
         let prepared = PreparedRun {
             name: scene.name.clone(),
@@ -242,8 +245,7 @@ impl RunSession {
             ticks: seconds.map(|seconds| clock::nearest_integer(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
-            performance,
-            unplayed: unplayed.unwrap_or_default(),
+            play_list,
             watchers: Watchers { publisher, recorder },
             midi,
             bell,
@@ -256,6 +258,11 @@ impl RunSession {
     /// Ticks that the run will take; `None` until it is stopped.
     pub const fn ticks(&self) -> Option<u64> {
         self.prepared.ticks
+    }
+
+    /// Ticks after which its play list begins again, if it does.
+    pub fn pass(&self) -> Option<u64> {
+        self.prepared.play_list.as_ref()?.pass
     }
 
     /// Returns the keys with a voice.
@@ -354,7 +361,7 @@ impl PreparedRun {
     fn report(
         &self,
         ticks: u64,
-        played: PlaybackSummary,
+        mut played: PlaybackSummary,
         measured: MeasuredRun,
         bus: &KeyTransport,
     ) -> RunReport {
@@ -373,9 +380,8 @@ impl PreparedRun {
             lanes: self.n_lanes.get(),
             realtime: measured.realtime,
             deadline: measured.deadline,
-            notes: self.performance.as_ref().map(|it| {
-                let report = notes(it, &played.struck, duration);
-                NoteReport { unplayed: self.unplayed.clone(), range_m_per_s: it.range, ..report }
+            notes: self.play_list.as_ref().zip(played.assessor.take()).map(|(list, assessor)| {
+                notes(list, assessor, (ticks + measured.skipped, duration))
             }),
             events: load(&counters.events),
             strikes: load(&counters.strikes),
@@ -405,37 +411,52 @@ impl PreparedRun {
     }
 }
 
-/// Returns what plays `events`, and is alive while `counters` count ticks.
+/// Returns what plays `events`, compares them with `performance`, and is alive while `counters`
+/// count ticks.
 fn dispatcher(
     events: rtrb::Consumer<NoteEvent>,
-    output: AnyOutput,
-    curve: VelocityCurve,
+    (output, curve): (AnyOutput, VelocityCurve),
+    performance: Option<&Performance>,
     counters: &Arc<LiveCounters>,
 ) -> Box<MidiDispatcher> {
     let mut dispatcher = Box::new(MidiDispatcher::new(events, output, curve));
     dispatcher.live_while_ticks_go_on(Arc::clone(counters));
+    if let Some(performance) = performance {
+        dispatcher.assess(assessor(performance));
+    }
     dispatcher
 }
 
-/// Returns how the notes came out that the piece asks for before the run's end.
-fn notes(performance: &Performance, struck: &[Struck], duration: f64) -> NoteReport {
-    // A note wanted within a matching window of the end may rightly be struck after it.
-    let heard = duration - performance::WINDOW;
-    let struck: Vec<_> = struck.iter().filter(|strike| strike.at < heard).copied().collect();
-    let shortfalls: Vec<_> =
-        performance.shortfalls.iter().filter(|it| it.onset < heard).copied().collect();
-    // No strike is a note's that the pianist leaves out.
+/// Returns what compares strikes with `performance`, in which no strike is a note's that the
+/// pianist leaves out.
+fn assessor(performance: &Performance) -> Assessor {
     let is_left_out = |note: &ExpectedNote| {
         let same = |it: &&ShortStroke| (it.key, it.onset) == (note.key, note.onset);
-        shortfalls.iter().find(same).is_some_and(|it| it.why.is_left_out())
+        performance.shortfalls.iter().find(same).is_some_and(|it| it.why.is_left_out())
     };
-    let wanted = performance.expected.iter().filter(|note| note.onset < heard);
-    let (left_out, expected): (Vec<_>, Vec<_>) = wanted.copied().partition(is_left_out);
-    let report = NoteReport::new(&assess(&expected, &struck), &shortfalls);
+    let expected = performance.expected.iter().copied();
+    let (left_out, expected) = expected.partition(is_left_out);
+    Assessor::new(expected, left_out, performance.repeat)
+}
+
+/// Returns how the notes came out that the play list asks for before the run's end, after so many
+/// ticks and seconds.
+fn notes(
+    list: &RehearsedPlayList,
+    assessor: Assessor,
+    (ticks, duration): (u64, f64),
+) -> NoteReport {
+    let performance = &list.performance;
+    let passes = list.pass.map_or(1, |pass| 1 + ticks.saturating_sub(1) / pass);
+    let shortfalls =
+        performance.shortfalls.iter().filter(|it| it.onset < duration - performance::WINDOW);
+    let shortfalls: Vec<_> = shortfalls.copied().collect();
     NoteReport {
-        played: report.played + left_out.len(),
-        missed: report.missed + left_out.len(),
-        ..report
+        pieces: list.pieces,
+        passes,
+        unplayed: list.unplayed.clone(),
+        range_m_per_s: performance.range,
+        ..NoteReport::new(&assessor.finish(duration), &shortfalls)
     }
 }
 

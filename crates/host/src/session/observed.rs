@@ -6,12 +6,12 @@ use std::sync::mpsc;
 use std::time::Duration;
 
 use midi::PedalMove;
-use performance::Performance;
 use scheduler::observation::FollowedKeys;
 use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
 
 use super::SessionError;
+use super::pianist::RehearsedPlayList;
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
 use crate::control::{RunDescription, RunHandle};
@@ -83,14 +83,14 @@ pub(super) fn voices(
     Ok(voices)
 }
 
-/// Returns the pedals of a performance, and tells all of them beforehand.
-pub(super) fn pedals(performance: Option<&Performance>, handle: &RunHandle) -> Vec<PedalMove> {
-    let pedals = performance.map_or_else(Vec::new, |it| it.pedals.clone());
-    for pedal in &pedals {
-        let event = telemetry::Update::Event(observe::pedal(*pedal));
+/// Returns the pedals of a play list, and tells all of them beforehand.
+pub(super) fn pedals(list: Option<&RehearsedPlayList>, handle: &RunHandle) -> Vec<PedalMove> {
+    let Some(RehearsedPlayList { performance, pass, .. }) = list else { return Vec::new() };
+    for pedal in &performance.pedals {
+        let event = telemetry::Update::Event(observe::pedal(*pedal, *pass));
         handle.tell(TelemetryMessage::Update(Box::new(event)));
     }
-    pedals
+    performance.pedals.clone()
 }
 
 /// Notes for whoever asks what will run.

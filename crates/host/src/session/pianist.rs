@@ -1,4 +1,6 @@
-//! The virtual pianist: reads the piece, rehearses it on the scene's own keys, sits down.
+//! The virtual pianist: reads its pieces, rehearses them on the scene's own keys, sits down.
+//!
+//! A play list is one long score, so that all of it is rehearsed before the first tick.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -11,30 +13,38 @@ use super::SessionError;
 use super::key_source::KeySource;
 use crate::rehearsal::RehearsedKey;
 use crate::report::UnplayedNotes;
-use scene::{PerformanceSource, Scene};
+use realtime::clock;
+use scene::{PerformanceSource, PlayList, Scene};
 use voice::VoiceBuilder;
 
 pub use performance::Progress as PianistProgress;
 
-/// A piece as it will be played.
+/// Silence between two pieces (s), in which fingers and strings come to rest.
+const REST: f64 = 2.0;
+
+/// A play list as it will be played.
 #[derive(Debug)]
-pub(super) struct RehearsedPiece {
+pub(super) struct RehearsedPlayList {
     pub(super) performance: Performance,
-    /// Notes of the piece that no key is asked for.
+    pub(super) pieces: usize,
+    /// Length of a pass in ticks, if the list repeats.
+    pub(super) pass: Option<u64>,
+    /// Notes of the pieces that no key is asked for.
     pub(super) unplayed: UnplayedNotes,
 }
 
-/// Rehearses the scene's piece, up to `duration` (s) if the run ends before the piece does.
+/// Rehearses the scene's play list, up to `duration` (s) if the run ends before the list does.
 pub(super) fn rehearse(
     scene: &Scene,
     builder: &VoiceBuilder<'_>,
     key_source: &KeySource,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
-) -> Result<Option<RehearsedPiece>, SessionError> {
-    let Some(piece) = &scene.performance else { return Ok(None) };
+) -> Result<Option<RehearsedPlayList>, SessionError> {
+    let Some(PlayList { pieces, repeat }) = &scene.play_list else { return Ok(None) };
     let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
-    let score = load(piece)?;
+    let score = load_all(pieces)?;
+    let length = score.end() + technique.lead_in;
     let keys = keys_of(builder, key_source)?;
     let (mut score, unplayed) = within(score, duration, technique.lead_in, &keys);
     without_dynamics(&mut score, scene);
@@ -45,8 +55,20 @@ pub(super) fn rehearse(
         keys[usize::from(key)].clone().unwrap_or_else(|| unreachable!("key {key} has no voice"))
     };
     let pianist = Pianist { curve: scene.midi.curve, technique, ..Pianist::default() };
-    let performance = pianist.prepare(&score, instrument, progress);
-    Ok(Some(RehearsedPiece { performance, unplayed }))
+    let mut performance = pianist.prepare(&score, instrument, progress);
+    let period = builder.period().as_secs_f64();
+    // Of a score that was cut, the length says too little.
+    let length = length.max(performance.end()) + REST - technique.lead_in;
+    let pass = repeat.then(|| clock::nearest_integer((length / period).ceil()));
+    performance.repeat = pass.map(|ticks| ticks as f64 * period);
+    Ok(Some(RehearsedPlayList { performance, pieces: pieces.len(), pass, unplayed }))
+}
+
+/// Reads pieces as one score, in which one begins a rest after the other.
+fn load_all(pieces: &[PerformanceSource]) -> Result<Score, SessionError> {
+    let scores: Vec<_> = pieces.iter().map(load).collect::<Result<_, _>>()?;
+    let lifted = scores.into_iter().map(Score::with_pedals_lifted);
+    Ok(lifted.reduce(|one, next| one.followed_by(next, REST)).unwrap_or_default())
 }
 
 fn load(source: &PerformanceSource) -> Result<Score, SessionError> {

@@ -4,7 +4,7 @@ mod merge;
 mod notes;
 mod tempo;
 
-use midi::{PedalMove, Velocity};
+use midi::{Pedal, PedalMove, Velocity};
 use midly::{Format, Smf};
 
 use notes::NoteCollector;
@@ -23,9 +23,36 @@ pub struct Score {
 }
 
 impl Score {
-    /// When the last note ends (s).
+    /// When the last note ends or the last pedal moves (s).
     pub fn end(&self) -> f64 {
-        self.notes.iter().map(|note| note.end).fold(0.0, f64::max)
+        let moves = self.pedals.iter().map(|pedal| pedal.at);
+        self.notes.iter().map(|note| note.end).chain(moves).fold(0.0, f64::max)
+    }
+
+    /// Returns this score and then `next`, which begins `rest` (s) after the end of this one.
+    #[must_use]
+    pub fn followed_by(mut self, next: Self, rest: f64) -> Self {
+        let later = self.end() + rest;
+        let note = |it: ScoreNote| ScoreNote { onset: it.onset + later, end: it.end + later, ..it };
+        self.notes.extend(next.notes.into_iter().map(note));
+        let pedal = |it: PedalMove| PedalMove { at: it.at + later, ..it };
+        self.pedals.extend(next.pedals.into_iter().map(pedal));
+        self.skipped = self.skipped.saturating_add(next.skipped);
+        self.overlaps = self.overlaps.saturating_add(next.overlaps);
+        self
+    }
+
+    /// Returns the same with every pedal up at its end, as another piece finds them.
+    #[must_use]
+    pub fn with_pedals_lifted(mut self) -> Self {
+        let at = self.end();
+        for pedal in Pedal::ALL {
+            let last = self.pedals.iter().rfind(|it| it.pedal == pedal);
+            if last.is_some_and(|last| 0.0 < last.depth) {
+                self.pedals.push(PedalMove { pedal, at, depth: 0.0 });
+            }
+        }
+        self
     }
 }
 

@@ -24,6 +24,18 @@ fn all_mistakes_are_said_at_once() {
 }
 
 #[test]
+fn every_mistake_of_a_play_list_is_said_at_its_piece() {
+    let text = format!(
+        "{TWO_RANGES}[pianist]\nperformance = [\"bach-bwv-864\", \"none\", 3, \"mine.mid\"]\n\
+         repeat = 2\n"
+    );
+    check(&text, &[], include_str!("golden/play_list.txt"));
+    let text = format!("{MINIMAL}[pianist]\nperformance = []\nrepeat = true\n");
+    let expected = "scene.toml:5:15: \"performance\" is empty; name a piece, or give \"none\"";
+    check(&text, &[], expected);
+}
+
+#[test]
 fn a_wrong_override_is_named_instead_of_a_line() {
     let overrides = [
         ("tick_hz", "fast"),

@@ -29,7 +29,7 @@ fn a_scene_of_three_lines_has_a_default_for_all_else() {
     assert_eq!(scene.render, Render::default());
     assert_eq!(scene.links, LinksConfig::Simulated);
     assert_eq!(scene.midi.output, MidiOutput::None);
-    assert_eq!(scene.performance, None);
+    assert_eq!(scene.play_list, None);
     assert_eq!(scene.keys.iter().flatten().count(), 88);
 }
 
@@ -56,18 +56,24 @@ fn a_parameter_overrides_the_instrument_s_over_the_whole_compass() {
 
 #[test]
 fn a_performance_is_embedded_or_lies_beside_the_scene() {
-    let bach = Scene::load("bach", &[]).unwrap().performance;
-    let Some(PerformanceSource::Embedded(name, bytes)) = bach else { panic!("{bach:?}") };
-    assert_eq!((name, &bytes[..4]), ("bach-bwv-846", b"MThd".as_slice()));
+    let bach = Scene::load("bach", &[]).unwrap().play_list.unwrap();
+    let [PerformanceSource::Embedded(name, bytes)] = &bach.pieces[..] else { panic!("{bach:?}") };
+    assert_eq!((*name, &bytes[..4], bach.repeat), ("bach-bwv-846", b"MThd".as_slice(), false));
 
     let folder = Folder::new("performance");
     folder.write("mine.mid", bytes);
     let text = format!("{MINIMAL}[pianist]\nperformance = \"mine.mid\"\n");
     let path = folder.write("scene.toml", text.as_bytes());
     let scene = Scene::load(&path, &[]).unwrap();
-    assert_eq!(scene.performance, Some(PerformanceSource::Path(folder.0.join("mine.mid"))));
+    let mine = PerformanceSource::Path(folder.0.join("mine.mid"));
+    assert_eq!(scene.play_list, Some(PlayList { pieces: vec![mine.clone()], repeat: false }));
+    let list = "performance = [\"mine.mid\", \"bach-bwv-846\", \"mine.mid\"]\nrepeat = true\n";
+    let list = folder.write("list.toml", format!("{MINIMAL}[pianist]\n{list}").as_bytes());
+    let list = Scene::load(&list, &[]).unwrap().play_list.unwrap();
+    assert_eq!((&list.pieces[0], &list.pieces[2], list.pieces.len()), (&mine, &mine, 3));
+    assert!(list.repeat && matches!(list.pieces[1], PerformanceSource::Embedded(..)), "{list:?}");
     let silenced = Scene::load_as_typed(&path, &owned(&[("pianist.performance", "none")])).unwrap();
-    assert_eq!(silenced.performance, None);
+    assert_eq!(silenced.play_list, None);
 }
 
 #[test]
@@ -127,7 +133,8 @@ fn an_override_reaches_every_table() {
     let expected = Render { stepper: heun, force_limit: 20.0, ..Render::default() };
     assert_eq!(scene.render, expected);
     assert_eq!(scene.midi.curve.name(), "linear");
-    assert_eq!(format!("{:?}", scene.performance), "Some(Embedded(\"beethoven-ode-to-joy\"))");
+    let pieces = format!("{:?}", scene.play_list.unwrap().pieces);
+    assert_eq!(pieces, "[Embedded(\"beethoven-ode-to-joy\")]");
 }
 
 #[test]

@@ -149,6 +149,9 @@ pub struct Event {
     /// Of an overload, bits: 1 telemetry, 2 slopes, 4 rest, 8 steps, 16 fidelity.
     #[prost(uint32, tag = "12")]
     pub simplified: u32,
+    /// Of a pedal: it moves so again after as many ticks, and again; 0 if it does not.
+    #[prost(uint64, tag = "13")]
+    pub every: u64,
 }
 /// Nested message and enum types in `Event`.
 pub mod event {

@@ -230,6 +230,11 @@ impl Keybed<Armed> {
         }
     }
 
+    /// Plays all gestures again and again, each pass `length` (s) after the one before.
+    pub fn repeat_after(&mut self, length: f64) {
+        self.stage.supervisor.repeat_after(length);
+    }
+
     /// Returns the newest sample of every key, as old as it is since it came.
     pub const fn newest(&self) -> &[KeySample; KEYS] {
         self.stage.bus.samples()

@@ -14,6 +14,10 @@ pub(super) struct GestureQueue {
     /// Each with the slot of its key.
     gestures: Vec<(u8, Gesture)>,
     next: usize,
+    /// Length of a pass (s), if all gestures begin again after it.
+    repeat: Option<f64>,
+    /// When the present pass began (s).
+    pass: f64,
 }
 
 impl GestureQueue {
@@ -23,10 +27,15 @@ impl GestureQueue {
         self.gestures.sort_by(|one, other| one.1.start.total_cmp(&other.1.start));
     }
 
+    /// Hands its gestures over again and again, each pass `length` (s) after the one before.
+    pub(super) const fn repeat_after(&mut self, length: f64) {
+        self.repeat = Some(length);
+    }
+
     /// Returns the next gesture, if its time is near and the board's time is known.
     pub(super) fn next(&self, now: u64, origin: u64, clock: &ClockModel) -> Option<Finger> {
         let &(slot, gesture) = self.gestures.get(self.next)?;
-        let at = |seconds: f64| origin + microseconds(seconds);
+        let at = |seconds: f64| origin + microseconds(self.pass + seconds);
         if now + AHEAD_US < at(gesture.start) {
             return None;
         }
@@ -50,6 +59,11 @@ impl GestureQueue {
     /// Goes on to the next gesture: the board has taken this one, or never will.
     pub(super) const fn advance(&mut self) {
         self.next += 1;
+        if let Some(length) = self.repeat
+            && self.next == self.gestures.len()
+        {
+            (self.next, self.pass) = (0, self.pass + length);
+        }
     }
 }
 
@@ -63,4 +77,29 @@ fn microseconds(seconds: f64) -> u64 {
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 fn micro(value: f64) -> u32 {
     (value * 1e6).round() as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gestures_that_repeat_are_handed_over_a_pass_later_and_not_before() {
+        const ORIGIN_US: u64 = 5_000_000;
+        let mut clock = ClockModel::default();
+        let _learned = clock.learn(0, 0, 0);
+        let gesture = |start| Gesture { start, release: start + 0.25, ..Gesture::USUAL };
+        let mut queue = GestureQueue::default();
+        queue.add(3, &[gesture(1.5), gesture(0.5)]);
+        queue.repeat_after(4.0);
+        for due_us in [500_000, 1_500_000, 4_500_000, 5_500_000, 8_500_000].map(|it| it + ORIGIN_US)
+        {
+            assert_eq!(queue.next(due_us - AHEAD_US - 1, ORIGIN_US, &clock), None);
+            let finger =
+                queue.next(due_us - AHEAD_US, ORIGIN_US, &clock).expect("its time is near");
+            assert_eq!((finger.slot, u64::from(finger.start_us)), (3, due_us));
+            assert_eq!(finger.release_us - finger.start_us, 250_000);
+            queue.advance();
+        }
+    }
 }

@@ -57,6 +57,11 @@ impl BoardSupervisor {
         }
     }
 
+    /// Hands all gestures over again and again, each pass `length` (s) after the one before.
+    pub fn repeat_after(&mut self, length: f64) {
+        self.sessions.iter_mut().for_each(|session| session.gestures.repeat_after(length));
+    }
+
     /// Sets the host time from which gestures count (us).
     pub const fn begin_at(&mut self, origin: u64) {
         self.origin = Some(origin);

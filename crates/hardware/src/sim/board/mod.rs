@@ -200,6 +200,11 @@ impl SimulatedBoard {
         }
     }
 
+    /// Plays the gestures of its keys again and again, each pass `length` (s) after the one before.
+    pub fn repeat_after(&mut self, length: f64) {
+        self.keys.iter_mut().for_each(|key| key.repeat_after(length));
+    }
+
     /// Lets a hand press on the key in `slot` or grip it from now on.
     pub fn press(&mut self, slot: usize, hand: HandCommand) {
         if let Some(key) = self.keys.get_mut(slot) {
