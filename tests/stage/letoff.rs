@@ -8,6 +8,7 @@
 
 use std::fmt::Debug;
 use std::fs;
+use std::io::Write as _;
 use std::os::unix::fs::PermissionsExt as _;
 use std::os::unix::process::CommandExt as _;
 use std::path::{Path, PathBuf};
@@ -105,7 +106,7 @@ pub(crate) fn run(folder: &Path, arguments: &[&str]) -> Said {
 /// The same, after a shell has done `first`.
 pub(crate) fn run_after(first: &str, folder: &Path, arguments: &[&str]) -> Said {
     let mut shell = Command::new("sh");
-    shell.args(["-c", &format!("{first}; exec \"$0\" \"$@\"")]).arg(program());
+    shell.args(["-c", &format!("{first}\nexec \"$0\" \"$@\"")]).arg(program());
     Said::new(with_arguments(shell, folder, arguments).output().expect("a shell"))
 }
 
@@ -115,7 +116,7 @@ pub(crate) fn run_as_nobody(first: &str, arguments: &[&str]) -> Option<Said> {
     /// The least of all users.
     const NOBODY: u32 = 65_534;
     if !rustix::process::getuid().is_root() {
-        println!("SKIPPED: only root can try it as another user");
+        let _unheard = writeln!(std::io::stderr(), "SKIPPED: only root can try it as another user");
         return None;
     }
     let folder = std::env::temp_dir().join(format!("letoff-nobody-{}", std::process::id()));
@@ -123,7 +124,7 @@ pub(crate) fn run_as_nobody(first: &str, arguments: &[&str]) -> Option<Said> {
     fs::set_permissions(&folder, fs::Permissions::from_mode(0o755)).expect("a folder");
     fs::copy(program(), folder.join("letoff")).expect("a copy that others may run");
     let mut shell = Command::new("sh");
-    shell.args(["-c", &format!("{first}; exec ./letoff \"$@\""), "sh"]).uid(NOBODY).gid(NOBODY);
+    shell.args(["-c", &format!("{first}\nexec ./letoff \"$@\""), "sh"]).uid(NOBODY).gid(NOBODY);
     let said = Said::new(with_arguments(shell, &folder, arguments).output().expect("a shell"));
     fs::remove_dir_all(&folder).expect("it is ours");
     Some(said)

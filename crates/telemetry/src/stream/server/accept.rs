@@ -123,11 +123,11 @@ async fn next(listener: &TcpListener, tasks: &mut JoinSet<()>) -> (TcpStream, So
 struct AdmittedClient {
     socket: WebSocketStream<BoxedStream>,
     who: Who,
-    _place: Place,
+    _place: ClientPlace,
 }
 
 /// A place among the clients, and among those that are no owners.
-struct Place {
+struct ClientPlace {
     _any: OwnedSemaphorePermit,
     _other: Option<OwnedSemaphorePermit>,
 }
@@ -190,13 +190,13 @@ async fn enter(
 fn admit(
     state: &ServerState,
     request: &Request,
-) -> Result<(Role, &'static str, Place), AdmissionError> {
+) -> Result<(Role, &'static str, ClientPlace), AdmissionError> {
     let (role, protocol) = admission::admit(&state.settings, request)?;
     let take = |places: &Arc<Semaphore>| {
         Arc::clone(places).try_acquire_owned().map_err(|_taken| AdmissionError::Full)
     };
     let other = (role != Role::Owner).then(|| take(&state.others)).transpose()?;
-    Ok((role, protocol, Place { _any: take(&state.places)?, _other: other }))
+    Ok((role, protocol, ClientPlace { _any: take(&state.places)?, _other: other }))
 }
 
 fn config(state: &ServerState) -> WebSocketConfig {
