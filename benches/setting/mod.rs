@@ -3,6 +3,7 @@
 
 use std::f64::consts::TAU;
 use std::fs;
+use std::hint::black_box;
 use std::time::Duration;
 
 use criterion::Criterion;
@@ -13,11 +14,33 @@ use criterion::Criterion;
 #[expect(clippy::print_stderr, reason = "a bench reports to people")]
 pub fn criterion() -> Criterion {
     eprintln!("machine: {}", machine());
-    Criterion::default()
+    let mut criterion = Criterion::default()
         .without_plots()
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_millis(1500))
-        .configure_from_args()
+        .configure_from_args();
+    calibrate(&mut criterion);
+    criterion
+}
+
+/// Measures a loop that no change of ours makes slower: `cargo xtask bench` keeps the others as
+/// multiples of it, so that machines can differ.
+///
+/// Arithmetic that waits for its results, divisions, and reads that depend on what was read, in
+/// about the mixture of a voice.
+fn calibrate(criterion: &mut Criterion) {
+    let table: Vec<f64> = (0..4096).map(|n| 1.0 + f64::from(n * 2654 % 4096) / 4096.0).collect();
+    criterion.bench_function("calibration", |bencher| {
+        bencher.iter(|| {
+            let (mut sum, mut place) = (black_box(1.0_f64), black_box(1_usize));
+            for _ in 0..1000 {
+                let read = table[place];
+                sum = (sum * 0.75 + read).sqrt() + read / (1.0 + sum);
+                place = (place * 5 + usize::from(sum < 2.0)) % table.len();
+            }
+            sum
+        });
+    });
 }
 
 /// The processor's name, how many of them, and the kernel.

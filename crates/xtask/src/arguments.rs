@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 
+use crate::bench::BaselineUse;
 use crate::dist;
 use crate::error::Error;
 use crate::guest_boards::CheckScope;
@@ -36,6 +37,11 @@ Chores of this workspace.
                                     and writes results.json and table.md, by default into
                                     benches/peers/results; a quarter of an hour, with
                                     --quick two minutes and into target/peers/results
+  cargo xtask bench [--write-baseline]
+                                    measures codec, strike to MIDI, ticks and voices of the
+                                    built-in models, and names those that became slower than
+                                    noise since benches/baseline.toml, which --write-baseline
+                                    writes anew; some minutes, on a machine that is idle
   cargo xtask oracle                derives random mechanisms and the built-in models here
                                     and with SymPy, moves linkages here and with MuJoCo,
                                     both installed from PyPI into target/oracle, and
@@ -69,6 +75,8 @@ pub(crate) enum Task {
     GuestBoards(CheckScope),
     /// Compare derived equations with SymPy's, and motions with `MuJoCo`'s.
     Oracle,
+    /// Measure latencies, and compare them with what they were.
+    Bench(BaselineUse),
     /// Measure other people's solvers beside ours.
     Peers(PeerOptions),
     /// Say what there is.
@@ -81,6 +89,10 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
     let task = match name.to_str() {
         Some("demo") => return demo(arguments),
         Some("peers") => return peers(arguments),
+        Some("bench") => {
+            let modes = [BaselineUse::Compare, BaselineUse::Write];
+            return with_flag(arguments, "--write-baseline", modes.map(Task::Bench));
+        }
         Some("test") => Task::Test,
         Some("oracle") => Task::Oracle,
         Some("guest-midi") => Task::GuestMidi,
@@ -90,7 +102,10 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
         Some("guest-service") => {
             return with_profile(arguments, "release", |profile| Task::GuestService { profile });
         }
-        Some("guest-boards") => return guest_boards(arguments),
+        Some("guest-boards") => {
+            let scopes = [CheckScope::Short, CheckScope::Full];
+            return with_flag(arguments, "--full", scopes.map(Task::GuestBoards));
+        }
         Some("help" | "--help" | "-h") => Task::Help,
         _ => return Err(refused(&name)),
     };
@@ -129,17 +144,21 @@ fn with_profile(
     Ok(task(profile))
 }
 
-/// Reads what follows `guest-boards`.
-fn guest_boards(arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
-    let mut form = CheckScope::Short;
+/// Returns the second of two tasks if `flag` follows, else the first.
+fn with_flag(
+    arguments: impl Iterator<Item = OsString>,
+    flag: &str,
+    [mut task, flagged]: [Task; 2],
+) -> Result<Task, Error> {
     for argument in arguments {
-        match argument.to_str() {
-            Some("--full") => form = CheckScope::Full,
-            Some("--help" | "-h") => return Ok(Task::Help),
-            _ => return Err(refused(&argument)),
+        if is_help(&argument) {
+            return Ok(Task::Help);
+        } else if argument != flag {
+            return Err(refused(&argument));
         }
+        task = flagged.clone();
     }
-    Ok(Task::GuestBoards(form))
+    Ok(task)
 }
 
 /// Reads what follows `peers`.
@@ -201,6 +220,8 @@ mod tests {
         check("guest-midi", &Task::GuestMidi);
         check("guest-boards", &Task::GuestBoards(CheckScope::Short));
         check("guest-boards --full", &Task::GuestBoards(CheckScope::Full));
+        check("bench", &Task::Bench(BaselineUse::Compare));
+        check("bench --write-baseline", &Task::Bench(BaselineUse::Write));
         check("help", &Task::Help);
     }
 
@@ -234,5 +255,6 @@ mod tests {
         check_refused("dist release", "release");
         check_refused("dist --profile", "--profile");
         check_refused("guest-boards --fast", "--fast");
+        check_refused("bench --quick", "--quick");
     }
 }

@@ -22,6 +22,8 @@ pub(crate) enum Error {
     Unobtainable { what: String, because: String },
     /// A file or folder could not be read or written.
     File { path: PathBuf, cause: io::Error },
+    /// Benches became slower than noise.
+    Slower(Vec<String>),
     /// Checks in the guest failed, or were not made.
     Guest(String),
     /// A command could not be started.
@@ -71,6 +73,11 @@ impl fmt::Display for Error {
             Self::File { path, cause } => {
                 write!(f, "{} cannot be used: {cause}", path.display())
             }
+            Self::Slower(benches) => write!(
+                f,
+                "slower than before: {}; if that is meant, `cargo xtask bench --write-baseline`",
+                benches.join(", ")
+            ),
             Self::Guest(verdict) => write!(f, "not all is well in the guest: {verdict}"),
             Self::NotStarted { command, cause } => write!(f, "cannot start `{command}`: {cause}"),
             Self::Failed { command } => write!(f, "this command failed: {command}"),

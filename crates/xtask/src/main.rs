@@ -1,6 +1,6 @@
 //! Chores: install what is missing, play the demo, run every test, play to real MIDI ports
 //! and boards over real drivers, make a package and try its service, measure other people's
-//! solvers beside ours, compare derived equations with other people's.
+//! solvers beside ours and what became slower, compare derived equations with other people's.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -9,6 +9,7 @@
 
 mod apt;
 mod arguments;
+mod bench;
 mod command;
 mod demo;
 mod dist;
@@ -53,6 +54,7 @@ fn perform(task: Task) -> Result<(), Error> {
             guest_boards::guest(form, guest::TriedProgram::Release).run().map(drop)
         }
         Task::Oracle => oracle::run(),
+        Task::Bench(usage) => bench::measure(usage),
         Task::Peers(options) => peers::run(&options),
         Task::Help => {
             print!("{USAGE}");
