@@ -75,17 +75,19 @@ proptest! {
     fn any_bytes_as_a_performance(bytes in vec(any::<u8>(), 0..300)) {
         assert!(performance::read(&bytes).is_err());
         let headed = [&BACH[..14], &bytes[..]].concat();
-        with_file("any.mid", &headed, |path| play(&performed(path)));
+        with_file("any.mid", &headed, perform);
     }
 
     #[test]
     fn a_damaged_performance_is_refused_or_played(bytes in damaged(BACH)) {
-        with_file("damaged.mid", &bytes, |path| play(&performed(path)));
+        with_file("damaged.mid", &bytes, perform);
     }
 }
 
-/// The scene `springs` with the performance at `path`.
-fn performed(path: &str) -> Scene {
+/// Plays the scene `springs` with the performance at `path`, unless the scene is refused for it.
+fn perform(path: &str) {
     let overrides = [(String::from("pianist.performance"), String::from(path))];
-    Scene::load("springs", &overrides).expect("the file is there")
+    if let Ok(scene) = Scene::load("springs", &overrides) {
+        play(&scene);
+    }
 }

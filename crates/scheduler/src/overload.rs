@@ -316,16 +316,13 @@ mod tests {
         let period = Period::from_hz(KHZ).expect("a rate");
         let mut controller = OverloadController::new(OverloadRules::default(), period);
         let mut before = Simplifications::NONE;
-        let mut changes = Vec::new();
-        for tick in 0..ticks {
+        let change = |tick| {
             let now = controller.decide().simplified;
-            if now != before {
-                changes.push((tick, now.bits()));
-                before = now;
-            }
             controller.note_load(load(tick, controller.level));
-        }
-        changes
+            let is_other = now != core::mem::replace(&mut before, now);
+            is_other.then(|| (tick, now.bits()))
+        };
+        (0..ticks).filter_map(change).collect()
     }
 
     #[test]
@@ -383,14 +380,13 @@ mod tests {
     fn a_voice_takes_no_more_than_it_may_on_average_and_four_ticks_at_once() {
         for (work, run) in [(100, 1000), (200, 500), (400, 250), (1000, 100)] {
             let mut debt = WorkDebt::NONE;
-            let mut runs = 0;
-            for _ in 0..1000 {
+            let is_run = |_tick: &u32| {
                 debt = debt.after(1, 100);
-                if !debt.must_wait(100) {
-                    debt = debt.plus(work);
-                    runs += 1;
-                }
-            }
+                let is_run = !debt.must_wait(100);
+                debt = debt.plus(if is_run { work } else { 0 });
+                is_run
+            };
+            let runs = (0..1000).filter(is_run).count();
             assert!((run..run + 5).contains(&runs), "{work} evaluations: {runs} of {run} ticks");
         }
     }
