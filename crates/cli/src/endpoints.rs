@@ -8,8 +8,8 @@ use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, system, tell};
 use host::control::{
-    Answers, Clients, ControlServer, DescriptionWatch, FidelityWatch, ProgramListener,
-    RequestHandler, RunHandle, StreamSink, serve, socket_path,
+    Answers, Clients, ControlServer, ProgramListener, RepeatedLook, RequestHandler, RunHandle,
+    StreamSink, follow_load, serve, socket_path, watch_descriptions,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
@@ -53,9 +53,9 @@ impl Endpoints {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub(super) fn watch(&self) -> Result<Option<DescriptionWatch>, Failure> {
+    pub(super) fn watch(&self) -> Result<Option<RepeatedLook>, Failure> {
         let requests = self.requests.as_ref().map(Arc::clone);
-        requests.map(DescriptionWatch::start).transpose().map_err(system)
+        requests.map(watch_descriptions).transpose().map_err(system)
     }
 
     /// Gives keys at rest a lower fidelity while a tick has more work than time, until what is
@@ -63,9 +63,9 @@ impl Endpoints {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub(super) fn watch_load(&self) -> Result<Option<FidelityWatch>, Failure> {
+    pub(super) fn watch_load(&self) -> Result<Option<RepeatedLook>, Failure> {
         let requests = self.requests.as_ref().map(Arc::clone);
-        requests.map(FidelityWatch::start).transpose().map_err(system)
+        requests.map(follow_load).transpose().map_err(system)
     }
 
     /// Listens for program changes, until what is returned is dropped; says so where that cannot

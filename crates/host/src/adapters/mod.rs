@@ -1,4 +1,5 @@
 //! What plugs into the scheduler's ports.
 
+pub mod key_set;
 pub mod observer;
 pub mod tick_recorder;

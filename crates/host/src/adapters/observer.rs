@@ -10,6 +10,7 @@ use scheduler::overload::{Simplification, Simplifications};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
+use super::key_set::AtomicKeySet;
 use realtime::wake_fd::WakeFd;
 
 /// What anybody may look at while the host runs.
@@ -24,15 +25,15 @@ pub struct LiveCounters {
     pub events: AtomicU64,
     /// Turns that ended in a fault; those of a voice that is muted by then do not count.
     pub faults: AtomicU64,
-    /// A bit for each key whose voice was muted, the lowest first.
-    pub muted: [AtomicU64; 2],
+    /// Keys whose voices were muted.
+    pub muted: AtomicKeySet,
     /// Key events that found no room in the ring or in their turn.
     pub dropped: AtomicU64,
     /// CPU time of the last ticks, smoothed (ns).
     pub work_ns: AtomicU64,
     pub missed: AtomicU64,
-    /// A bit for each key whose voice slept in the last tick, the lowest first.
-    pub asleep: [AtomicU64; 2],
+    /// Keys whose voices slept in the last tick.
+    pub asleep: AtomicKeySet,
     pub overload: OverloadCounters,
     pub derivatives: AtomicU64,
     pub guards: AtomicU64,
@@ -51,8 +52,8 @@ pub struct OverloadCounters {
     ticks: [AtomicU64; Simplification::ALL.len()],
     /// Turns of voices that had to wait.
     waited: AtomicU64,
-    /// A bit for each key whose voice had to wait.
-    waiting: [AtomicU64; 2],
+    /// Keys whose voices had to wait.
+    waiting: AtomicKeySet,
 }
 
 impl OverloadCounters {
@@ -68,7 +69,7 @@ impl OverloadCounters {
 
     /// Returns the turns of voices that had to wait, and their keys.
     pub fn waited(&self) -> (u64, impl Iterator<Item = u8> + use<>) {
-        (self.waited.load(Ordering::Relaxed), keys_of(&self.waiting))
+        (self.waited.load(Ordering::Relaxed), self.waiting.keys())
     }
 
     fn count(&self, simplified: Simplifications, sums: &Sums) {
@@ -80,41 +81,8 @@ impl OverloadCounters {
         }
         if sums.waited != 0 {
             self.waited.fetch_add(sums.waited, Ordering::Relaxed);
-            add_keys(&self.waiting, sums.waiting);
+            self.waiting.insert(sums.waiting);
         }
-    }
-}
-
-/// The keys whose bits are set, in order.
-fn keys_of(bits: &[AtomicU64; 2]) -> impl Iterator<Item = u8> + use<> {
-    let [low, high] = bits.each_ref().map(|word| u128::from(word.load(Ordering::Relaxed)));
-    let bits = low | high << 64;
-    (0..128).filter(move |key| bits >> key & 1 == 1)
-}
-
-/// Sets the bits of `keys`, too.
-fn add_keys(bits: &[AtomicU64; 2], keys: u128) {
-    for (word, keys) in bits.iter().zip(words(keys)) {
-        if keys != 0 {
-            word.fetch_or(keys, Ordering::Relaxed);
-        }
-    }
-}
-
-/// The lower and the upper keys.
-fn words(keys: u128) -> [u64; 2] {
-    [keys, keys >> 64].map(|it| u64::try_from(it & u128::from(u64::MAX)).unwrap_or_default())
-}
-
-impl LiveCounters {
-    /// The keys whose voices were muted, in order.
-    pub fn muted_keys(&self) -> impl Iterator<Item = u8> + use<> {
-        keys_of(&self.muted)
-    }
-
-    /// The keys whose voices slept in the last tick, in order.
-    pub fn keys_asleep(&self) -> impl Iterator<Item = u8> + use<> {
-        keys_of(&self.asleep)
     }
 }
 
@@ -268,10 +236,8 @@ impl TickObserver for TickPublisher {
         ] {
             counter.fetch_add(sum, Ordering::Relaxed);
         }
-        add_keys(&counters.muted, sums.muted);
-        for (word, asleep) in counters.asleep.iter().zip(words(sums.asleep)) {
-            word.store(asleep, Ordering::Relaxed);
-        }
+        counters.muted.insert(sums.muted);
+        counters.asleep.store(sums.asleep);
         counters.overload.count(seen.simplified, &sums);
         if sums.news {
             self.bell.ring();

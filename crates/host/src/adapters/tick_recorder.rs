@@ -10,6 +10,8 @@ use scheduler::overload::Simplifications;
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
+use super::key_set::AtomicKeySet;
+
 /// Ticks whose rows may wait: a quarter of a second of all keys at 1 kHz.
 const TICKS: usize = 256;
 
@@ -87,25 +89,6 @@ pub enum EventKind {
     Note(Moment, KeyEvent),
 }
 
-/// The keys that are followed, as the telemetry thread tells the tick.
-#[derive(Debug, Default)]
-pub struct FollowedSet([AtomicU64; 2]);
-
-impl FollowedSet {
-    /// Has `keys` followed from one of the next ticks on: bit n is key n.
-    pub fn store(&self, keys: u128) {
-        const LOW: u128 = u64::MAX as u128;
-        for (word, bits) in self.0.iter().zip([keys & LOW, keys >> 64]) {
-            word.store(u64::try_from(bits).unwrap_or_default(), Ordering::Relaxed);
-        }
-    }
-
-    fn load(&self) -> u128 {
-        let [low, high] = [0, 1].map(|word| u128::from(self.0[word].load(Ordering::Relaxed)));
-        low | high << 64
-    }
-}
-
 /// The rings' other ends.
 #[derive(Debug)]
 pub struct TickRecorderRings {
@@ -113,8 +96,8 @@ pub struct TickRecorderRings {
     pub happenings: Consumer<TickEvent>,
     /// How much found no room.
     pub dropped: Arc<AtomicU64>,
-    /// The keys to be followed; none at first.
-    pub followed: Arc<FollowedSet>,
+    /// The keys to be followed, as the telemetry thread tells the tick; none at first.
+    pub followed: Arc<AtomicKeySet>,
 }
 
 /// Watches ticks for telemetry.
@@ -123,7 +106,7 @@ pub struct TickRecorder {
     rows: Producer<RecorderRow>,
     happenings: Producer<TickEvent>,
     dropped: Arc<AtomicU64>,
-    followed: Arc<FollowedSet>,
+    followed: Arc<AtomicKeySet>,
     /// Keys of which a row was written since they are followed, while their lane was in time: bit
     /// n is key n.
     seen: u128,
@@ -139,7 +122,7 @@ impl TickRecorder {
     pub fn new() -> (Self, TickRecorderRings) {
         let (rows, rows_out) = RingBuffer::new(TICKS * (KEYS + 1));
         let (happenings, happenings_out) = RingBuffer::new(TICKS * KEYS);
-        let (dropped, followed) = (Arc::<AtomicU64>::default(), Arc::<FollowedSet>::default());
+        let (dropped, followed) = (Arc::<AtomicU64>::default(), Arc::<AtomicKeySet>::default());
         let tapped = TickRecorderRings {
             rows: rows_out,
             happenings: happenings_out,

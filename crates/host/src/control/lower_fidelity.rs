@@ -1,9 +1,8 @@
 //! Lower fidelities for keys at rest while a tick has more work than time, and back again.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::Duration;
 
 use keyboard::KeyRange;
@@ -13,6 +12,7 @@ use scheduler::overload::Simplification;
 use super::RequestHandler;
 use super::current_voices::CurrentVoices;
 use super::new_voice::{NewVoice, VoiceHandover};
+use super::repeated_look::RepeatedLook;
 
 /// Time between two looks.
 const LOOK: Duration = Duration::from_millis(50);
@@ -20,39 +20,20 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Keys that are changed at a look: their voices are built beside a tick that has too much to do.
 const MOST_AT_ONCE: usize = 8;
 
+/// Keys of a keyboard.
+const KEYS: u8 = 88;
+
 /// The writer that telemetry names.
 const OVERLOAD: &str = "overload";
 
-/// Gives keys at rest a lower fidelity while the scheduler leaves fidelity out, on a thread of its
-/// own; ends when it is dropped.
-#[derive(Debug)]
-pub struct FidelityWatch {
-    stop: Arc<AtomicBool>,
-}
-
-impl FidelityWatch {
-    /// Watches the run that `handler` answers for.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
-    pub fn start(handler: Arc<RequestHandler>) -> std::io::Result<Self> {
-        let stop = Arc::new(AtomicBool::new(false));
-        let its_stop = Arc::clone(&stop);
-        thread::Builder::new().name("letoff-fidelity".into()).spawn(move || {
-            let mut lowered = LoweredKeys::default();
-            while !its_stop.load(Ordering::Acquire) {
-                thread::sleep(LOOK);
-                lowered.look(&handler);
-            }
-        })?;
-        Ok(Self { stop })
-    }
-}
-
-impl Drop for FidelityWatch {
-    fn drop(&mut self) {
-        self.stop.store(true, Ordering::Release);
-    }
+/// Gives keys at rest a lower fidelity while the scheduler of the run that `handler` answers for
+/// leaves fidelity out, until what is returned is dropped.
+///
+/// # Errors
+/// If the system gives no thread.
+pub fn follow_load(handler: Arc<RequestHandler>) -> io::Result<RepeatedLook> {
+    let mut lowered = LoweredKeys::default();
+    RepeatedLook::start("letoff-fidelity", LOOK, move || lowered.look(&handler))
 }
 
 /// The keys that have a lower fidelity now.
@@ -60,7 +41,7 @@ impl Drop for FidelityWatch {
 struct LoweredKeys {
     before: BTreeMap<u8, OriginalVoice>,
     /// The next lower fidelity of each instrument, if it has one that is stable.
-    lower: BTreeMap<String, Option<Arc<Instrument>>>,
+    lower: BTreeMap<String, Option<Instrument>>,
     /// Keys that were changed and not told of yet.
     untold: usize,
 }
@@ -80,11 +61,11 @@ impl LoweredKeys {
     fn look(&mut self, handler: &RequestHandler) {
         let Some(counters) = handler.run.status.counters() else { return };
         let is_wanted = counters.overload.now().contains(Simplification::Fidelity);
-        let asleep: Vec<_> = counters.keys_asleep().collect();
+        let asleep = counters.asleep.load();
         let changes = if is_wanted {
-            self.lower_voices(handler, &asleep)
+            self.lower_voices(handler, asleep)
         } else {
-            self.former_voices(handler, &asleep)
+            self.former_voices(handler, asleep)
         };
         if changes.is_empty() {
             self.tell(handler);
@@ -107,44 +88,56 @@ impl LoweredKeys {
         }
     }
 
-    /// Returns the lower voices of some keys that are `asleep`, all of one instrument.
-    fn lower_voices(&mut self, handler: &RequestHandler, asleep: &[u8]) -> BTreeMap<u8, NewVoice> {
-        let playing = handler.playing().clone();
+    /// Returns the lower voices of some of the keys `asleep`, all of one instrument.
+    fn lower_voices(&mut self, handler: &RequestHandler, asleep: u128) -> BTreeMap<u8, NewVoice> {
         let mut changes = BTreeMap::new();
-        let mut of: Option<&str> = None;
-        for key in asleep.iter().filter(|key| !self.before.contains_key(key)) {
-            let Some(name) = playing.untouched_instrument(*key) else { continue };
-            if of.is_some_and(|of| of != name) || changes.len() == MOST_AT_ONCE {
+        let mut of = None;
+        // Trying an instrument takes a while, in which others may change voices.
+        for (key, name) in self.untouched(handler, asleep) {
+            if of.as_ref().is_some_and(|of| *of != name) || changes.len() == MOST_AT_ONCE {
                 continue;
             }
-            let lower = self.lower.entry(name.to_owned()).or_insert_with(|| lower(handler, name));
+            let lower = self.lower.entry(name.clone()).or_insert_with(|| lower(handler, &name));
             let Some(lower) = lower else { continue };
+            changes.insert(key, NewVoice::anew(&lower.voicing, key, &lower.name));
             of = Some(name);
-            changes.insert(*key, NewVoice::anew(&lower.voicing, *key, &lower.name));
         }
         changes
     }
 
-    /// Returns the former voices of some keys that are `asleep`, all of one instrument, unless
+    /// Returns the keys `asleep` that have their fidelity and the values of their instruments, with
+    /// the instruments' names.
+    fn untouched(&self, handler: &RequestHandler, asleep: u128) -> Vec<(u8, String)> {
+        let playing = handler.playing();
+        let keys = (0..KEYS).filter(|key| is_in(asleep, *key) && !self.before.contains_key(key));
+        keys.filter_map(|key| Some((key, playing.untouched_instrument(key)?.to_owned()))).collect()
+    }
+
+    /// Returns the former voices of some of the keys `asleep`, all of one instrument, unless
     /// somebody else changed them meanwhile.
-    fn former_voices(&mut self, handler: &RequestHandler, asleep: &[u8]) -> BTreeMap<u8, NewVoice> {
+    fn former_voices(&mut self, handler: &RequestHandler, asleep: u128) -> BTreeMap<u8, NewVoice> {
         if self.before.is_empty() {
             return BTreeMap::new();
         }
-        let playing = handler.playing().clone();
+        let playing = handler.playing();
         self.before.retain(|key, it| playing.untouched_instrument(*key) == Some(it.lower.as_str()));
-        let mut changes = BTreeMap::new();
-        let of = self.before.values().next().map(|it| it.instrument.clone());
-        for (key, it) in &self.before {
-            let is_first = of.as_ref() == Some(&it.instrument);
-            if !is_first || !asleep.contains(key) || changes.len() == MOST_AT_ONCE {
-                continue;
-            }
+        drop(playing);
+        let Some(of) = self.before.values().next().map(|it| &it.instrument) else {
+            return BTreeMap::new();
+        };
+        let former = self.before.iter();
+        let former = former.filter(|(key, it)| is_in(asleep, **key) && it.instrument == *of);
+        let voice = |(key, it): (&u8, &OriginalVoice)| {
             let handover = VoiceHandover::Anew(it.voicing.clone(), it.instrument.clone());
-            changes.insert(*key, NewVoice { voice: it.voice.clone(), handover });
-        }
-        changes
+            (*key, NewVoice { voice: it.voice.clone(), handover })
+        };
+        former.take(MOST_AT_ONCE).map(voice).collect()
     }
+}
+
+/// Whether `key` is one of `keys`.
+const fn is_in(keys: u128, key: u8) -> bool {
+    keys >> key & 1 == 1
 }
 
 /// Lets `changes` play; returns what those keys played before, or nothing if they are refused now,
@@ -182,9 +175,9 @@ fn originals(
 
 /// Returns the next lower fidelity of the instrument called `name`, if it has one that is stable
 /// in the loop of `handler`'s run.
-fn lower(handler: &RequestHandler, name: &str) -> Option<Arc<Instrument>> {
+fn lower(handler: &RequestHandler, name: &str) -> Option<Instrument> {
     let (_fidelity, lower) = Instrument::load(name).ok()?.levels.into_iter().next()?;
     let lower = Instrument::load(&lower).ok()?;
     handler.refuse_unfit(&lower, KeyRange::ALL).ok()?;
-    Some(Arc::new(lower))
+    Some(lower)
 }

@@ -37,6 +37,7 @@ pub(crate) mod place;
 mod programs;
 mod reload;
 mod render_settings;
+mod repeated_look;
 mod request_handler;
 mod run_handle;
 mod run_status;
@@ -50,15 +51,16 @@ pub use emergency::{BoardsTold, EmergencyStop};
 pub use fingers::{FingerOwner, FingerQueue};
 pub use folders::Folders;
 pub use key_port::{IdentifyTarget, Lights};
-pub use lower_fidelity::FidelityWatch;
+pub use lower_fidelity::follow_load;
 pub use place::{socket_path, temporary_folder};
 pub use programs::ProgramListener;
+pub use repeated_look::RepeatedLook;
 pub use request_handler::RequestHandler;
 pub use run_handle::RunHandle;
 pub use run_status::{RunDescription, RunStatus, StatusSink};
 pub use server::{Answers, Clients, ControlServer, serve};
 pub use stream_sink::StreamSink;
-pub use watch::DescriptionWatch;
+pub use watch::watch_descriptions;
 
 pub use telemetry::{Reply, Request};
 

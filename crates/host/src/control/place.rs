@@ -1,8 +1,8 @@
 //! The path of the control socket, and its owner.
 //!
 //! A process that may connect to it acts as the host's owner, and a process that listens there is
-//! trusted: so it lies in a folder that only its user can write, its mode lets only that user connect,
-//! and a command checks the user of the host.
+//! trusted: so it lies in a folder that only its user can write, its mode lets only that user
+//! connect, and a command checks the user of the host.
 
 use std::fs;
 use std::io;

@@ -155,7 +155,7 @@ impl StatusParts {
         let overload = &counters.overload;
         status.left_out = overload.now().iter().map(|one| one.name().to_owned()).collect();
         status.waited = overload.waited().0;
-        status.muted = counters.muted_keys().map(|key| key_name(key.into())).collect();
+        status.muted = counters.muted.keys().map(|key| key_name(key.into())).collect();
         if self.state == HostState::Starting && 0 < status.deadlines.ticks {
             status.state = HostState::Playing;
         }

@@ -1,14 +1,14 @@
 //! Watches the descriptions that play, and loads one that was saved.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::Duration;
 
 use descriptions::FileContents;
 
 use super::RequestHandler;
+use super::repeated_look::RepeatedLook;
 
 /// Time between two looks; what is found twice is read, so that a file is not read while it is
 /// written.
@@ -17,40 +17,18 @@ const LOOK: Duration = Duration::from_millis(100);
 /// Who asks for a description that was saved.
 const WATCH: &str = "--watch";
 
-/// Watches the descriptions that the voices of a host play, and what they are based on, on a
-/// thread of its own; ends when it is dropped.
+/// Watches the descriptions that the voices of the host of `handler` play, and what they are based
+/// on, until what is returned is dropped.
 ///
 /// It compares what stands in the files: editors write into them, or put others into their
 /// places. A file that is not there for a moment changes nothing.
-#[derive(Debug)]
-pub struct DescriptionWatch {
-    stop: Arc<AtomicBool>,
-}
-
-impl DescriptionWatch {
-    /// Watches the descriptions that `handler` knows.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
-    pub fn start(handler: Arc<RequestHandler>) -> std::io::Result<Self> {
-        let stop = Arc::new(AtomicBool::new(false));
-        let its_stop = Arc::clone(&stop);
-        handler.begin_to_watch();
-        thread::Builder::new().name("letoff-watch".into()).spawn(move || {
-            let mut found = FoundContents::default();
-            while !its_stop.load(Ordering::Acquire) {
-                thread::sleep(LOOK);
-                found.look(&handler);
-            }
-        })?;
-        Ok(Self { stop })
-    }
-}
-
-impl Drop for DescriptionWatch {
-    fn drop(&mut self) {
-        self.stop.store(true, Ordering::Release);
-    }
+///
+/// # Errors
+/// If the system gives no thread.
+pub fn watch_descriptions(handler: Arc<RequestHandler>) -> io::Result<RepeatedLook> {
+    handler.begin_to_watch();
+    let mut found = FoundContents::default();
+    RepeatedLook::start("letoff-watch", LOOK, move || found.look(&handler))
 }
 
 /// What was found in files at the last look, where it is not what was read.

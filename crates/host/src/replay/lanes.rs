@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::observation::{FollowedKeys, VoiceObservation};
+use scheduler::observation::VoiceObservation;
 use scheduler::overload::WorkAllowance;
 use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput};
 use scheduler::slot::Slot;
@@ -139,7 +139,7 @@ impl ReplaySlot {
 
     fn run(
         &mut self,
-        (tick, followed, allowance): (u64, FollowedKeys, WorkAllowance),
+        &TickInput { tick, followed, allowance, .. }: &TickInput<'_>,
         fed: &KeyTick,
         turn: &mut VoiceOutput,
         seen: &mut VoiceObservation,
@@ -193,7 +193,7 @@ impl Lanes for ReplayLanes {
             {
                 self.failed.get_or_insert(error);
             }
-            slot.run((input.tick, input.followed, input.allowance), fed, turn, seen);
+            slot.run(input, fed, turn, seen);
         }
     }
 }

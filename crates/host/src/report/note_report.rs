@@ -6,6 +6,7 @@ use std::fmt;
 use firmware_protocol::key::KeyIndex;
 use performance::{Assessment, Deviation, DeviationKind, ShortStroke};
 use serde::Serialize;
+use telemetry::key_name;
 
 /// The quality of a performance.
 #[derive(Clone, Debug, Serialize)]
@@ -100,7 +101,7 @@ impl NoteShortfall {
     /// What is said of a stroke that falls short.
     pub fn new(short: &ShortStroke) -> Self {
         Self {
-            key: name(short.key),
+            key: key_name(short.key.into()),
             at_s: short.onset,
             is_left_out: short.why.is_left_out(),
             why: short.why.to_string(),
@@ -135,7 +136,7 @@ impl NoteDeviation {
             DeviationKind::Extra => ("extra", None),
             DeviationKind::Late { by } => ("late", Some(by * 1e3)),
         };
-        Self { key: name(it.key), at_s: it.at, what, late_ms }
+        Self { key: key_name(it.key.into()), at_s: it.at, what, late_ms }
     }
 }
 
@@ -145,11 +146,6 @@ impl fmt::Display for NoteDeviation {
         write!(f, "{key} at {at_s:.3} s is {what}")?;
         late_ms.map_or(Ok(()), |late| write!(f, " by {late:.0} ms"))
     }
-}
-
-/// The name of `key` (0 to 87), as C4.
-fn name(key: u8) -> String {
-    KeyIndex::new(key).map_or_else(String::new, |it| it.to_string())
 }
 
 /// Quantiles of an error.

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use firmware_protocol::key::KeyIndex;
 use scheduler::overload::Simplification;
 use serde::Serialize;
+use telemetry::key_name;
 
 use crate::adapters::observer::OverloadCounters;
 
@@ -37,7 +37,7 @@ impl OverloadReport {
             seconds: ticks as f64 / f64::from(tick_hz),
         });
         let (waited, keys) = counters.waited();
-        let keys = keys.filter_map(|key| Some(KeyIndex::new(key)?.to_string()));
+        let keys = keys.map(|key| key_name(key.into()));
         Self { left_out: left_out.collect(), waited, waited_keys: keys.collect() }
     }
 

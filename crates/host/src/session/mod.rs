@@ -25,6 +25,7 @@ use performance::{Assessor, ExpectedNote, Performance, ShortStroke};
 use scheduler::overload::OverloadRules;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Timetable};
+use telemetry::key_name;
 
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
@@ -386,10 +387,7 @@ impl PreparedRun {
             events: load(&counters.events),
             strikes: load(&counters.strikes),
             faults: load(&counters.faults),
-            muted: counters
-                .muted_keys()
-                .filter_map(|key| Some(KeyIndex::new(key)?.to_string()))
-                .collect(),
+            muted: counters.muted.keys().map(|key| key_name(key.into())).collect(),
             dropped: load(&counters.dropped),
             work: Evaluations {
                 derivatives: load(&counters.derivatives),

@@ -1,0 +1,41 @@
+//! A thread that looks at something again and again.
+
+use std::io;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
+
+/// Looks at something again and again, on a thread of its own, until it is dropped.
+#[derive(Debug)]
+pub struct RepeatedLook {
+    stop: Arc<AtomicBool>,
+}
+
+impl RepeatedLook {
+    /// Calls `look` on a thread called `name`, with a `pause` before each time.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub(super) fn start(
+        name: &str,
+        pause: Duration,
+        mut look: impl FnMut() + Send + 'static,
+    ) -> io::Result<Self> {
+        let stop = Arc::new(AtomicBool::new(false));
+        let its_stop = Arc::clone(&stop);
+        thread::Builder::new().name(name.into()).spawn(move || {
+            while !its_stop.load(Ordering::Acquire) {
+                thread::sleep(pause);
+                look();
+            }
+        })?;
+        Ok(Self { stop })
+    }
+}
+
+impl Drop for RepeatedLook {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Release);
+    }
+}
