@@ -27,16 +27,22 @@ impl PanicGuard {
     pub fn new(voice: BoxedVoice) -> Self {
         Self { voice, panicked: false }
     }
+
+    /// Does `work` on the voice; nothing, now and later, once it has panicked.
+    fn guarded<T>(&mut self, work: impl FnOnce(&mut BoxedVoice) -> T) -> Option<T> {
+        if self.panicked {
+            return None;
+        }
+        // The voice's state may be broken after unwinding, and is never used again.
+        let done = catch_unwind(AssertUnwindSafe(|| work(&mut self.voice))).ok();
+        self.panicked = done.is_none();
+        done
+    }
 }
 
 impl Voice for PanicGuard {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        if !self.panicked {
-            // The voice's state may be broken after unwinding, and is never used again.
-            let run = AssertUnwindSafe(|| self.voice.tick(tick, sample, turn));
-            self.panicked = catch_unwind(run).is_err();
-        }
-        if self.panicked {
+        if self.guarded(|voice| voice.tick(tick, sample, turn)).is_none() {
             turn.fail(VoiceFault::Panicked);
         }
     }
@@ -48,36 +54,19 @@ impl Voice for PanicGuard {
     }
 
     fn simplify(&mut self, simplified: Simplifications) {
-        if !self.panicked {
-            // As in `tick`.
-            let run = AssertUnwindSafe(|| self.voice.simplify(simplified));
-            self.panicked = catch_unwind(run).is_err();
-        }
+        self.guarded(|voice| voice.simplify(simplified)).unwrap_or_default();
     }
 
     fn reset(&mut self, sample: &KeySample) {
-        if !self.panicked {
-            // As in `tick`.
-            let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.reset(sample)));
-            self.panicked = outcome.is_err();
-        }
+        self.guarded(|voice| voice.reset(sample)).unwrap_or_default();
     }
 
     fn retune(&mut self, values: &ModelValues) -> bool {
-        if self.panicked {
-            return false;
-        }
-        // As in `tick`.
-        let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.retune(values)));
-        self.panicked = outcome.is_err();
-        outcome.unwrap_or(false)
+        self.guarded(|voice| voice.retune(values)).unwrap_or(false)
     }
 
     fn take_over(&mut self, before: &dyn Voice) -> bool {
-        // As in `tick`.
-        let outcome = catch_unwind(AssertUnwindSafe(|| self.voice.take_over(before)));
-        self.panicked |= outcome.is_err();
-        outcome.unwrap_or(false)
+        self.guarded(|voice| voice.take_over(before)).unwrap_or(false)
     }
 
     fn memory(&self) -> Option<&dyn Any> {
