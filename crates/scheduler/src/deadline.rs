@@ -13,9 +13,9 @@
 //!
 //! Simulated keys live on the tick's own thread, and make up for ticks that were skipped; what they
 //! take is no work of the host's, and counts as stolen.
-//! Work is otherwise never less than the clock says, whatever other ticks took: what the kernel knows that
-//! a hypervisor stole is not in a thread's CPU time where the kernel accounts for it, and counts
-//! as own work where it does not, rather than that own work is ever called another's.
+//! Work is otherwise never less than the clock says, whatever other ticks took: what the kernel
+//! knows that a hypervisor stole is not in a thread's CPU time where the kernel accounts for it, and
+//! counts as own work where it does not, rather than that own work is ever called another's.
 //!
 //! A tick that begins late because the one before it was still running did not oversleep: its
 //! lateness has that tick's cause. A tick that was skipped missed its deadline like any other,

@@ -111,7 +111,7 @@ mod tests {
         let mut turns = [VoiceOutput::default(); KEYS];
         let mut observed = [VoiceObservation::default(); KEYS];
         let followed = FollowedKeys::new(1 << 2 | 1 << 7 | 1 << 9, 0);
-        let allowance = WorkAllowance::default();
+        let allowance = WorkAllowance::ALL;
         let input = TickInput { tick: 0, samples: &samples, followed, allowance };
         run_slots(
             &mut slots,

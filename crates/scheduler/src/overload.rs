@@ -4,7 +4,7 @@
 //! |---|---|
 //! | telemetry | rows of single keys on the stream; the overview and recordings go on |
 //! | slopes | the force's slopes between two ticks; boards hold |
-//! | rest | a voice sleeps sooner, and while it still moves a little |
+//! | rest | equations of a voice that has just come to rest: it sleeps sooner |
 //! | steps | every other step of methods with fixed steps |
 //! | fidelity | parts of the action of keys at rest: the instrument's next lower fidelity |
 //!
@@ -12,8 +12,7 @@
 //! and by counted evaluations where the scene gives a number of them.
 //! One simplification is added while the load is above a limit, and the last one is taken back
 //! after it was below another one for a while; that while doubles whenever what was taken back is
-//! needed again, so that a level cannot swing.
-//! The two limits are apart by more than any of them saves.
+//! needed again: one that saves more than the two limits are apart by swings ever more rarely.
 
 use crate::time::Period;
 
@@ -24,7 +23,7 @@ pub enum Simplification {
     Telemetry,
     /// How forces go on between two ticks.
     Slopes,
-    /// Equations of voices that move a little.
+    /// Equations of voices that have just come to rest.
     Rest,
     /// Accuracy of methods with fixed steps, which become twice as long.
     Steps,
@@ -137,8 +136,8 @@ impl Default for OverloadRules {
     }
 }
 
-/// Evaluations that a voice may take in a millisecond, unless a scene gives another number: ten
-/// times what the default instrument ever takes, and less than a millisecond's work.
+/// Evaluations that a voice may take in a millisecond, unless a scene gives another number: four
+/// times what a voice of model B takes at most while it is played.
 pub const VOICE_EVALUATIONS: u32 = 1024;
 
 /// Time over which load is averaged (s).
@@ -269,12 +268,6 @@ pub struct WorkAllowance {
 impl WorkAllowance {
     /// All work that there is.
     pub const ALL: Self = Self { simplified: Simplifications::NONE, evaluations: u32::MAX };
-}
-
-impl Default for WorkAllowance {
-    fn default() -> Self {
-        Self::ALL
-    }
 }
 
 /// The evaluations of a voice beyond those that it may take in a tick.

@@ -45,8 +45,8 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     passivity: PassivityObserver,
     controller: Option<PassivityController>,
     cell: Arc<AuditCell>,
-    /// Mode and state at rest with its key up, of the values with which it was built: finding them
-    /// takes longer than a tick where many voices begin at once.
+    /// Mode and state at rest with its key up, unless values were changed since they were found:
+    /// that takes longer than a tick where many voices begin at once.
     up: Option<(M::Mode, M::State)>,
     /// What the model stores there (J).
     at_rest: f64,
@@ -151,7 +151,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     }
 
     /// Returns mode and state at rest under `input`, which does not move.
-    fn at_rest(&self, input: &Motion) -> (M::Mode, M::State) {
+    fn rest_under(&self, input: &Motion) -> (M::Mode, M::State) {
         let up = self.up.filter(|_| *input == Motion::default());
         up.unwrap_or_else(|| self.simulator.model().at_rest(input))
     }
@@ -371,7 +371,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
 
     fn reset(&mut self, sample: &KeySample) {
         let input = self.memory.input.reset(sample.position);
-        let (mode, state) = self.at_rest(&input);
+        let (mode, state) = self.rest_under(&input);
         self.memory.shift = InputShift::default();
         if let Some(coupling) = &mut self.memory.coupling {
             coupling.place(&input);
@@ -389,12 +389,11 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
             return false;
         }
         let model = model.with_values(values.as_slice());
-        if self.controller.is_some() {
-            let (mode, state) = model.at_rest(&Motion::default());
-            self.at_rest = model.energy(mode, &state, &Motion::default());
+        self.up = self.controller.is_some().then(|| model.at_rest(&Motion::default()));
+        if let Some((mode, state)) = &self.up {
+            self.at_rest = model.energy(*mode, state, &Motion::default());
         }
         self.simulator.set_model(model);
-        self.up = None;
         self.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.

@@ -85,10 +85,10 @@ impl<S: State> RestDetector<S> {
         }
     }
 
-    /// The force to hold if the voice sleeps and the key is still at `position` (m); `part` of the
-    /// usual time is enough for it to sleep.
-    pub(crate) fn force_at(&self, position: f64, part: SleepTime) -> Option<f64> {
-        let [patience, long] = [self.patience, self.long].map(|ticks| part.of(ticks));
+    /// The force to hold if the voice sleeps and the key is still at `position` (m); it
+    /// sleeps after `time` at rest.
+    pub(crate) fn force_at(&self, position: f64, time: SleepTime) -> Option<f64> {
+        let [patience, long] = [self.patience, self.long].map(|ticks| time.of(ticks));
         let rests = patience <= self.calm || long <= self.little;
         let asleep = patience <= self.still && rests;
         (asleep && self.position.to_bits() == position.to_bits()).then_some(self.force)
