@@ -12,48 +12,34 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use rustix::fs::{CWD, FileType, Mode, mknodat};
+use midi::{Message, Output as _, Smf};
 use rustix::process::{Pid, Signal, kill_process};
-use typed::{Folder, eventually};
-
-/// One key range of few keys, so that it is rehearsed at once.
-const SCENE: &str = r#"
-tick_hz = 1000
-[[keys]]
-range = "C4..C5"
-instrument = "grand-springs"
-[links]
-kind = "simulated"
-[pianist]
-performance = "piece.mid"
-"#;
+use soak::HostFiles;
+use typed::{Folder, cable, eventually};
 
 /// The chord that is held, and the note that is repeated above it.
 const CHORD: [u8; 3] = [60, 64, 67];
 const REPEATED: u8 = 72;
 
 /// A chord and the pedal that are held for 100 s, and a note that is repeated twice a second.
-fn piece() -> Vec<u8> {
-    let mut events: Vec<(u32, [u8; 3])> = vec![(0, [0xB0, 64, 127])];
-    events.extend(CHORD.map(|note| (500, [0x90, note, 70])));
+fn write_piece(path: PathBuf) {
+    let mut piece = Smf::new(path);
+    let mut send = |ms: u32, bytes: [u8; 3]| {
+        let message = Message::decode(&bytes).expect("a message");
+        piece.send(f64::from(ms) * 1e-3, message).expect("a time");
+    };
+    send(0, [0xB0, 64, 127]);
+    for note in CHORD {
+        send(500, [0x90, note, 70]);
+    }
     for at in (1000..100_000).step_by(500) {
-        events.extend([(at, [0x90, REPEATED, 70]), (at + 250, [0x80, REPEATED, 64])]);
+        send(at, [0x90, REPEATED, 70]);
+        send(at + 250, [0x80, REPEATED, 64]);
     }
-    events.extend(CHORD.map(|note| (100_000, [0x80, note, 64])));
-    let (mut track, mut now) = (Vec::new(), 0);
-    for (at, bytes) in events {
-        let wait: u32 = at - now;
-        let groups = [wait >> 14, wait >> 7, wait].map(|it| u8::try_from(it & 0x7F).expect("7"));
-        track.extend([groups[0] | 0x80, groups[1] | 0x80, groups[2]]);
-        track.extend(bytes);
-        now = at;
+    for note in CHORD {
+        send(100_000, [0x80, note, 64]);
     }
-    track.extend([0, 0xFF, 0x2F, 0]);
-    // 500 ticks in a quarter of 0.5 s: 1 ms each.
-    let mut file = b"MThd\0\0\0\x06\0\0\0\x01\x01\xF4MTrk".to_vec();
-    file.extend(u32::try_from(track.len()).expect("a short track").to_be_bytes());
-    file.extend(track);
-    file
+    piece.finish().expect("a file");
 }
 
 /// What a synthesizer at the other end of a FIFO hears.
@@ -99,13 +85,10 @@ struct Stand {
 impl Stand {
     fn new(name: &str) -> Self {
         let folder = Folder::new(name);
-        folder.write("scene.toml", SCENE);
-        folder.write("piece.mid", piece());
-        let fifo = folder.join("fifo");
-        mknodat(CWD, &fifo, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).expect("a FIFO");
+        folder.write("scene.toml", HostFiles::SCENE);
+        write_piece(folder.join("piece.mid"));
         let heard = Arc::<Mutex<Heard>>::default();
-        // Open for writing, too: a writer that dies is no end.
-        let cable = OpenOptions::new().read(true).write(true).open(&fifo).expect("the FIFO");
+        let cable = cable(&folder.join("fifo"));
         let its = Arc::clone(&heard);
         std::thread::spawn(move || listen(cable, &its));
         Self { folder, heard }

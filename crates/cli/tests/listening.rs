@@ -16,13 +16,12 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
 use host::control::{ControlError, Reply, Request, send};
-use rustix::fs::{CWD, FileType, Mode, mknodat};
 use rustix::process::{Pid, Signal, getuid, kill_process};
 use stranger::Stranger;
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, Fingerprint};
 use telemetry::{Arrival, ConnectionState, Source as _};
-use typed::{Folder, eventually};
+use typed::{Folder, cable, eventually};
 
 /// Secrets that are as long as they have to be.
 const VIEWER: &str = "see-0123456789abcdef";
@@ -432,12 +431,6 @@ fn try_to_get_at(address: &str, socket: &Path) {
         let dial = Dial { address: address.into(), token, pin: None };
         assert!(refusal(dial.clone()).contains("asks for a token"), "{dial:?}");
     }
-}
-
-/// A cable at `path`, which takes what is sent.
-fn cable(path: &Path) -> File {
-    mknodat(CWD, path, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).expect("a FIFO");
-    File::options().read(true).write(true).open(path).expect("both ends")
 }
 
 #[test]

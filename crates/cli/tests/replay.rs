@@ -3,6 +3,7 @@
 #![expect(clippy::expect_used, reason = "helpers of tests")]
 
 mod common;
+mod typed;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -14,6 +15,7 @@ use scene::Scene;
 use telemetry::Update;
 use telemetry::recording::{Recording, RecordingLimits};
 use telemetry::request::{Change, RenderSetting};
+use typed::eventually;
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -284,21 +286,12 @@ fn settings_that_change_while_keys_are_held_sound_no_note_and_make_no_step_of_fo
     assert_eq!(replayed.first_difference, None);
 }
 
-/// Waits until `is_so`, or fails after a minute.
-fn wait_until(mut is_so: impl FnMut() -> bool) {
-    let begun = std::time::Instant::now();
-    while !is_so() {
-        assert!(begun.elapsed() < std::time::Duration::from_mins(1), "not even after a minute");
-        std::thread::sleep(std::time::Duration::from_millis(25));
-    }
-}
-
 /// Keys that are played in a run whose ticks may take as much as some of them need.
 const PLAYED: std::ops::Range<u8> = 30..50;
 
 #[test]
 fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_load_falls() {
-    use host::control::{FidelityWatch, Folders, Reply, Request, RequestHandler};
+    use host::control::{Folders, Reply, Request, RequestHandler, follow_load};
     let file = folder("overload").join("a.mcap");
     cli::read_descriptions();
     let set = [("pianist.performance", "none"), ("overload.evaluations", "150")];
@@ -323,16 +316,17 @@ fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_lo
         PLAYED.map(|key| ask(&Request::Press { key, newtons })).all(|answer| answer.is_ok())
     };
     let report = common::run_while(session, || {
-        let _load = FidelityWatch::start(requests.clone()).expect("a thread");
+        let _load = follow_load(requests.clone()).expect("a thread");
         let mut newtons = 12.0;
-        wait_until(|| {
+        eventually("60 keys with a lower fidelity", || {
             newtons = 12.0 - newtons;
             // It may not be running yet.
             let _early = press(newtons);
-            60 <= lowered().len()
+            std::thread::sleep(std::time::Duration::from_millis(25));
+            (60 <= lowered().len()).then_some(())
         });
         assert!(press(0.0), "all are let go");
-        wait_until(|| lowered().is_empty());
+        eventually("every fidelity", || lowered().is_empty().then_some(()));
     });
     assert_eq!((report.faults, recording.report().trouble), (0, None));
     let left_out: Vec<_> = report.overload.left_out.iter().map(|it| it.what).collect();

@@ -6,19 +6,8 @@ use std::io;
 use std::os::unix::fs::OpenOptionsExt as _;
 use std::path::{Path, PathBuf};
 
+use midi::{Message, MidiSendError, Output as _, Smf};
 use rustix::fs::{CWD, FileType, Mode, OFlags, mknodat};
-
-/// An octave, so that it is rehearsed at once.
-const SCENE: &str = r#"
-tick_hz = 1000
-[[keys]]
-range = "C4..C5"
-instrument = "grand-springs"
-[links]
-kind = "simulated"
-[pianist]
-performance = "piece.mid"
-"#;
 
 /// A chord that is held until the end of the piece, and a note that is repeated above it.
 const CHORD: [u8; 3] = [60, 64, 67];
@@ -51,6 +40,18 @@ pub struct HostFiles {
 }
 
 impl HostFiles {
+    /// The scene: an octave, so that the piece beside it is rehearsed at once.
+    pub const SCENE: &str = r#"
+tick_hz = 1000
+[[keys]]
+range = "C4..C5"
+instrument = "grand-springs"
+[links]
+kind = "simulated"
+[pianist]
+performance = "piece.mid"
+"#;
+
     /// Returns where they are in the folder of a trial.
     pub fn in_folder(folder: &Path) -> Self {
         let folder = folder.join("killed");
@@ -70,8 +71,10 @@ impl HostFiles {
             Ok(()) | Err(_) => {}
         }
         fs::create_dir_all(&self.folder)?;
-        fs::write(&self.scene, SCENE)?;
-        fs::write(self.folder.join("piece.mid"), piece())?;
+        fs::write(&self.scene, Self::SCENE)?;
+        piece(&self.folder.join("piece.mid"))
+            .and_then(|mut it| it.finish())
+            .map_err(io::Error::other)?;
         mknodat(CWD, &self.midi, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0)?;
         // Open for writing, too: a host that dies is no end.
         let mut options = OpenOptions::new();
@@ -80,52 +83,41 @@ impl HostFiles {
     }
 }
 
-/// Returns the piece as a MIDI file, a tick of which is a millisecond.
-fn piece() -> Vec<u8> {
-    let mut events: Vec<(u32, [u8; 3])> = CHORD.map(|note| (500, [0x90, note, 70])).to_vec();
+/// Returns the piece, which is to be written to `path`.
+fn piece(path: &Path) -> Result<Smf, MidiSendError> {
+    let mut piece = Smf::new(path);
+    let mut send = |ms: u32, is_on: bool, note: u8| {
+        let bytes = if is_on { [0x90, note, 70] } else { [0x80, note, 64] };
+        // All of them are messages.
+        let message = Message::decode(&bytes);
+        message.map_or(Ok(()), |message| piece.send(f64::from(ms) * 1e-3, message))
+    };
+    CHORD.iter().try_for_each(|note| send(500, true, *note))?;
     for at in (1000..LENGTH).step_by(500) {
-        events.extend([(at, [0x90, REPEATED, 70]), (at + 250, [0x80, REPEATED, 64])]);
+        send(at, true, REPEATED)?;
+        send(at + 250, false, REPEATED)?;
     }
-    events.extend(CHORD.map(|note| (LENGTH, [0x80, note, 64])));
-    let (mut track, mut now) = (Vec::new(), 0);
-    for (at, bytes) in events {
-        let [.., high, low] = (at - now).to_be_bytes();
-        let wait = u16::from_be_bytes([high, low]);
-        let [more, last] = [wait >> 7, wait & 0x7f].map(|it| it.to_le_bytes()[0]);
-        track.extend([more | 0x80, last]);
-        track.extend(bytes);
-        now = at;
-    }
-    track.extend([0, 0xff, 0x2f, 0]);
-    // 500 ticks in a quarter note, of which there are two in a second.
-    let mut file = b"MThd\0\0\0\x06\0\0\0\x01\x01\xF4MTrk".to_vec();
-    file.extend(u32::try_from(track.len()).unwrap_or(u32::MAX).to_be_bytes());
-    file.extend(track);
-    file
+    CHORD.iter().try_for_each(|note| send(LENGTH, false, *note))?;
+    Ok(piece)
 }
 
 #[cfg(test)]
 mod tests {
+    use realtime::clock::nearest_integer;
+
     use super::*;
 
     #[test]
     fn the_piece_has_its_notes_at_their_times() {
-        let score = performance_of(&piece());
+        let piece = piece(Path::new("piece.mid")).expect("times that there are");
+        let strike = |(at, message): &(f64, Message)| match *message.encode() {
+            [0x90, note, 70] => Some((nearest_integer(at * 1e3), note)),
+            _ => None,
+        };
+        let score: Vec<_> = piece.messages().iter().filter_map(strike).collect();
         assert_eq!(score.first(), Some(&(500, CHORD[0])));
-        assert_eq!(score.last(), Some(&(LENGTH - 500, REPEATED)));
+        assert_eq!(score.last(), Some(&(u64::from(LENGTH) - 500, REPEATED)));
         assert_eq!(score.len(), 3 + 118);
-    }
-
-    /// The strikes of a file of one track, by their time (ms) and note.
-    fn performance_of(file: &[u8]) -> Vec<(u32, u8)> {
-        let (mut rest, mut now, mut strikes) = (&file[22..], 0, Vec::new());
-        while let [more, last, status, note, _, others @ ..] = rest
-            && *more >= 0x80
-        {
-            now += u32::from(more & 0x7f) * 128 + u32::from(*last);
-            strikes.extend((*status == 0x90).then_some((now, *note)));
-            rest = others;
-        }
-        strikes
+        assert_eq!(piece.messages().len(), 2 * score.len(), "each of them ends");
     }
 }

@@ -1,10 +1,13 @@
 //! `letoff` as it is typed, in a folder of the test's own.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
+use std::fs::File;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+
+use rustix::fs::{CWD, FileType, Mode, mknodat};
 
 /// Long enough for any machine: it only ends what has failed.
 const PATIENCE: Duration = Duration::from_mins(1);
@@ -90,6 +93,13 @@ impl Drop for Folder {
         // What is left behind lies in the target folder.
         let _left = std::fs::remove_dir_all(&self.0);
     }
+}
+
+/// A cable at `path`, which takes what is sent: open for writing, too, since a writer that dies is no
+/// end.
+pub(crate) fn cable(path: &Path) -> File {
+    mknodat(CWD, path, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).expect("a FIFO");
+    File::options().read(true).write(true).open(path).expect("both ends")
 }
 
 /// Waits until there is what `found` looks for.
