@@ -7,8 +7,8 @@ use haptics::Touch;
 use hardware::sim::keybed::SimulatedKeybed;
 use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use scene::Scene;
-use scheduler::motion::KEYS;
-use scheduler::port::KeyBus;
+use scheduler::motion::{KEYS, KeyEvent};
+use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 
 use crate::stage::broken_sensor::BrokenSensor;
 use crate::stage::{Nobody, Stage, key, keybed, play_all, scene, stroke};
@@ -185,6 +185,41 @@ fn a_board_that_was_silent_fades_and_comes_back_when_it_is_armed() {
     check_fade(&felt, WRONG.start, WRONG.end);
     assert_eq!(stage.bus.wire(board()).down, WRONG.end - WRONG.start);
     assert_eq!(stage.bus.board_counts(board()).trips, 1);
+}
+
+/// Hears when the note of the failing key ends.
+#[derive(Default)]
+struct Ends(Vec<u64>);
+
+impl TickObserver for Ends {
+    fn observe(&mut self, seen: &FinishedTick<'_>) {
+        let events = seen.turns[FAILING].events.as_slice();
+        let falls = events.iter().filter(|(_at, it)| matches!(it, KeyEvent::DamperFall { .. }));
+        self.0.extend(falls.map(|_fall| seen.tick));
+    }
+}
+
+/// Returns the ticks in which the note of the failing key, which is held on `bus`, ends.
+fn ends<B: KeyBus>(bus: B) -> Vec<u64> {
+    let mut stage = Stage::new(&scene("springs", &[]), bus).watched_by(Ends::default());
+    for _ in 0..TICKS {
+        stage.tick();
+    }
+    stage.observer.0
+}
+
+#[test]
+fn the_note_of_a_key_ends_when_its_voice_fails_or_its_board_is_silent_for_long() {
+    let scene = scene("springs", &[]);
+    assert!(ends(hands(&scene)).is_empty(), "it is held");
+    assert_eq!(ends(BrokenSensor { keybed: hands(&scene), key: FAILING, ticks: WRONG }), [4000]);
+    let silent_in = |ticks| {
+        let mut bus = hands(&scene);
+        bus.disturb(board(), scripted(ticks, LinkFault::Drop));
+        ends(bus)
+    };
+    // The first sample that does not come is a tick old.
+    assert_eq!([silent_in(4000..4500), silent_in(4000..4600)], [vec![], vec![4500]]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! A voice's place in a lane: which key it plays, whether it must be reset first, and whether
 //! it is still called.
 
-use crate::motion::{KEYS, KeySample};
+use crate::motion::{KEYS, KeyEvent, KeySample, Moment};
 use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::overload::{Simplifications, WorkAllowance, WorkDebt};
 use crate::values::ModelValues;
@@ -27,6 +27,9 @@ const MOST_FAULTS: u32 = 5;
 /// Ticks after which a fault is forgotten: a second at 1 kHz. A fault with its fade and the way
 /// back takes 40 ms, so a voice that flips between the two is muted within half of that.
 const FORGOTTEN: u32 = 1000;
+
+/// Age of a sample, in ticks, beyond which nothing is known of its key: half a second at 1 kHz.
+const LOST: u32 = 500;
 
 /// Counts a voice's faults, so that one that flips between fault and recovery is not felt as a
 /// buzz for ever.
@@ -68,6 +71,8 @@ pub struct Slot<V> {
     /// The voice was retuned since its last tick.
     retuned: bool,
     lockout: Lockout,
+    /// The damper is off the string, as far as was reported.
+    lifted: bool,
     /// In which of the ticks up to `last` it was run: that one is bit 0.
     ran: u32,
     last: u64,
@@ -93,6 +98,7 @@ impl<V> Slot<V> {
             fresh: true,
             retuned: false,
             lockout,
+            lifted: false,
             ran: 0,
             last: 0,
             allowance: WorkAllowance::ALL,
@@ -160,6 +166,8 @@ impl<V: Voice> Slot<V> {
     /// A voice that failed is reset at the next sample, and says that its force is fresh; one
     /// that made energy or fails again and again is muted; one that took more evaluations than it
     /// may waits, as if its lane were late.
+    /// A key of which nothing was heard for long has no turns, and is taken up again as after a
+    /// fault. The damper of a key that failed or is not heard falls, so that its note ends.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         let debt = self.debt.after(passed, self.allowance.evaluations);
@@ -171,7 +179,10 @@ impl<V: Voice> Slot<V> {
             self.voice.simplify(self.told);
         }
         turn.begin();
-        if self.lockout.muted {
+        let is_lost = LOST < sample.age;
+        if is_lost {
+            turn.idle = true;
+        } else if self.lockout.muted {
             turn.fault = Some(VoiceFault::Muted);
         } else if sample.position.is_finite() {
             if self.fresh {
@@ -186,12 +197,31 @@ impl<V: Voice> Slot<V> {
         }
         turn.fresh = self.fresh || self.retuned;
         self.retuned = false;
-        self.fresh = turn.fault.is_some();
+        let is_gone = is_lost || turn.fault.is_some();
+        self.follow_damper(self.fresh || is_gone, tick, turn);
+        self.fresh = is_gone;
         self.debt = debt.plus(turn.work.evaluations());
         self.force = turn.force;
         self.lockout.note(turn.fault, passed);
         self.ran = self.ran.checked_shl(passed).unwrap_or(0) | 1;
         self.last = tick;
+    }
+
+    /// Follows the damper as `turn` reports it, and lets it fall where a voice that begins `anew`
+    /// or does not play does not say that it is off the string.
+    fn follow_damper(&mut self, anew: bool, tick: u64, turn: &mut VoiceOutput) {
+        let was_lifted = self.lifted;
+        self.lifted &= !anew;
+        for (_at, event) in turn.events.as_slice() {
+            match event {
+                KeyEvent::DamperLift => self.lifted = true,
+                KeyEvent::DamperFall { .. } => self.lifted = false,
+                KeyEvent::Strike { .. } | KeyEvent::Pressure { .. } => {}
+            }
+        }
+        if anew && was_lifted && !self.lifted {
+            turn.events.push(Moment { tick, theta: 0.0 }, KeyEvent::DamperFall { speed: 0.0 });
+        }
     }
 
     /// Writes what is seen of the voice after `turn`, its last one, if its key is followed.
@@ -342,6 +372,81 @@ mod tests {
             assert_eq!(!was_called, turn.fault == Some(VoiceFault::Muted), "tick {tick}");
         }
         slot.voice.calls
+    }
+
+    /// Its damper is off the string where its key is down; its force is its key's position.
+    #[derive(Default)]
+    struct Damped {
+        lifted: bool,
+        resets: u32,
+    }
+
+    impl Voice for Damped {
+        fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+            turn.force = sample.position;
+            let is_down = 0.0 < sample.position;
+            let event =
+                if is_down { KeyEvent::DamperLift } else { KeyEvent::DamperFall { speed: 1.0 } };
+            if is_down != core::mem::replace(&mut self.lifted, is_down) {
+                turn.events.push(Moment { tick, theta: 0.5 }, event);
+            }
+        }
+
+        fn reset(&mut self, _sample: &KeySample) {
+            (self.lifted, self.resets) = (false, self.resets + 1);
+        }
+    }
+
+    /// Asserts how the damper goes while a key has `samples`: u for up, d for down, a point where
+    /// nothing is said; returns how often its voice was reset.
+    fn resets_of(samples: impl IntoIterator<Item = (KeySample, char)>) -> u32 {
+        let (mut slot, mut turn) = (Slot::new(3, Damped::default()), VoiceOutput::default());
+        for (tick, (sample, expected)) in (0..).zip(samples) {
+            slot.tick(tick, &sample, &mut turn);
+            let said = match turn.events.as_slice() {
+                [] => '.',
+                [(_at, KeyEvent::DamperLift)] => 'u',
+                [(_at, KeyEvent::DamperFall { .. })] => 'd',
+                events => panic!("{events:?}"),
+            };
+            assert_eq!(said, expected, "tick {tick}");
+        }
+        slot.voice.resets
+    }
+
+    #[test]
+    fn the_damper_of_a_voice_that_fails_falls_and_is_up_again_if_the_key_is_still_down() {
+        let held = [0.0, 0.004, 0.004, f64::NAN, f64::NAN, 0.004, 0.0].map(at);
+        assert_eq!(resets_of(held.into_iter().zip(".u.d.ud".chars())), 2);
+        // Let go while nobody could know.
+        let released = [0.004, f64::NAN, 0.0, 0.0].map(at);
+        assert_eq!(resets_of(released.into_iter().zip("ud..".chars())), 2);
+    }
+
+    #[test]
+    fn the_damper_of_a_muted_voice_falls_and_so_does_that_of_one_that_takes_its_place() {
+        let (mut slot, mut turn) = (Slot::new(3, Damped::default()), VoiceOutput::default());
+        slot.tick(0, &at(0.004), &mut turn);
+        slot.lockout.muted = true;
+        slot.tick(1, &at(0.004), &mut turn);
+        assert!(matches!(turn.events.as_slice(), [(_at, KeyEvent::DamperFall { .. })]), "{turn:?}");
+        slot.replace(Damped::default());
+        slot.tick(2, &at(0.004), &mut turn);
+        assert!(matches!(turn.events.as_slice(), [(_at, KeyEvent::DamperLift)]), "{turn:?}");
+        // The key comes up just as its voice is replaced.
+        slot.replace(Damped::default());
+        slot.tick(3, &at(0.0), &mut turn);
+        assert!(matches!(turn.events.as_slice(), [(_at, KeyEvent::DamperFall { .. })]), "{turn:?}");
+    }
+
+    #[test]
+    fn a_key_that_is_not_heard_for_long_has_no_turns_and_its_note_ends() {
+        let silent = |age| KeySample { age, ..at(0.004) };
+        let bridged = (1..=LOST).map(|age| (silent(age), '.'));
+        let lost = [(silent(LOST + 1), 'd'), (silent(LOST + 2), '.')];
+        let back = [(silent(0), 'u'), (silent(1), '.')];
+        let all = [(silent(0), 'u')].into_iter().chain(bridged).chain(lost).chain(back);
+        assert_eq!(resets_of(all), 2);
     }
 
     #[test]

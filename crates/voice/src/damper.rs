@@ -14,9 +14,10 @@ pub struct DamperTracker {
 }
 
 impl DamperTracker {
-    /// Puts `damper` on the string or off it, by the key's position (m).
+    /// Returns `damper` on the string, of a key at `position` (m): where that lifts it, it leaves
+    /// the string when it is followed.
     pub const fn new(damper: Damper, position: f64) -> Self {
-        Self { damper, lifted: position > damper.lift, position }
+        Self { damper, lifted: false, position }
     }
 
     /// Returns the same place on the string or off it, with the heights of `damper`.
@@ -37,6 +38,8 @@ impl DamperTracker {
         }
         self.lifted = !self.lifted;
         let theta = ((threshold - before) / (position - before)).clamp(0.0, 1.0);
+        // A key that has not moved since it was put there is there all the time.
+        let theta = if before == position { 0.0 } else { theta };
         let at = Moment { tick: tick.saturating_sub(1), theta };
         let event = if self.lifted {
             KeyEvent::DamperLift
@@ -65,6 +68,14 @@ mod tests {
         assert!((at.theta - 0.5).abs() < 1e-9);
         let KeyEvent::DamperFall { speed } = event else { panic!("{event:?}") };
         assert!((speed - 0.2).abs() < 1e-9);
+    }
+
+    #[test]
+    fn of_a_key_that_is_down_when_it_begins_it_lifts_at_once() {
+        let mut damper = DamperTracker::new(DAMPER, 8e-3);
+        let (at, event) = damper.follow(7, 8e-3, 1e-3).expect("a lift");
+        assert_eq!((at, event), (Moment { tick: 6, theta: 0.0 }, KeyEvent::DamperLift));
+        assert_eq!(damper.follow(8, 8e-3, 1e-3), None);
     }
 
     #[test]
