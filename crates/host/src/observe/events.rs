@@ -42,8 +42,15 @@ pub(super) fn note(key: u8, moment: Moment, event: KeyEvent) -> Event {
     }
 }
 
-/// What became of the trust in a key's voice since `before`, if it is another now.
-pub(super) fn trust(row: &KeyRow, before: Option<VoiceFault>) -> Option<Event> {
+/// What became of the trust in a key's voice since the fault `known`, which is that of `row` then.
+///
+/// Of a turn that was late nothing is known: a voice that fails in each turn for which it does not
+/// have to wait fails all the time.
+pub(super) fn trust(row: &KeyRow, known: &mut Option<VoiceFault>) -> Option<Event> {
+    if row.stands.late {
+        return None;
+    }
+    let before = std::mem::replace(known, row.fault);
     let start = Moment { tick: row.tick, theta: 0.0 };
     match (before, row.fault) {
         (_, Some(now)) if before.map(kind) != Some(kind(now)) => {
@@ -146,7 +153,33 @@ fn of_none(kind: Kind, tick: u64, text: String) -> Event {
 
 #[cfg(test)]
 mod tests {
+    use scheduler::motion::KeySample;
+    use scheduler::observation::ModelSnapshot;
+
     use super::*;
+    use crate::adapters::tick_recorder::RowFlags;
+
+    #[test]
+    fn a_voice_that_has_to_wait_between_its_faults_fails_once() {
+        let row = |tick, fault, late| KeyRow {
+            tick,
+            key: 3,
+            sample: KeySample::fresh(0.0),
+            force: 0.0,
+            sent: 0.0,
+            look: ModelSnapshot::default(),
+            fault,
+            stands: RowFlags { idle: false, late, fresh: false, followed: false },
+            ran: 1,
+            events: 0,
+        };
+        let (capped, mut known) = (Some(VoiceFault::Capped { handled: 64 }), None);
+        let turns = [(capped, false), (None, true), (capped, false), (None, true), (None, false)];
+        let told = (0..).zip(turns).filter_map(|(tick, (fault, late))| {
+            trust(&row(tick, fault, late), &mut known).map(|it| (it.tick, it.kind()))
+        });
+        assert_eq!(told.collect::<Vec<_>>(), [(0, Kind::Fault), (4, Kind::Recovery)]);
+    }
 
     #[test]
     fn a_move_of_each_pedal_is_told_and_read_again() {

@@ -410,9 +410,7 @@ impl TelemetryThread {
             flags,
             if probe.is_some() { row.look.structure() } else { u8::MAX },
         );
-        let event = events::trust(row, key.fault);
-        key.fault = row.fault;
-        if let Some(event) = event {
+        if let Some(event) = events::trust(row, &mut key.fault) {
             self.give(&Update::Event(event));
         }
     }
