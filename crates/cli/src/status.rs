@@ -73,6 +73,7 @@ fn text(status: &HostStatus) -> String {
         deadlines.preempted,
         deadlines.skipped
     ));
+    lines.extend(status.pass.map(|pass| format!("  play list   pass {pass}")));
     if let Some([p50, p99, p999, max]) = deadlines.lateness_us {
         let quantiles = format!("p50 {p50:.1} p99 {p99:.1} p99.9 {p999:.1} max {max:.1} us");
         lines.push(format!("  lateness    {quantiles}"));

@@ -46,6 +46,8 @@ pub struct HostStatus {
     /// Strokes that are rehearsed, and how many there are.
     pub rehearsed: [u64; 2],
     pub tick_hz: u32,
+    /// How often the play list has begun, if it begins again and again.
+    pub pass: Option<u64>,
     /// Keys with a voice.
     pub voices: u32,
     /// Of these, whose equations were not computed in the last tick.

@@ -57,6 +57,7 @@ pub use programs::ProgramListener;
 pub use repeated_look::RepeatedLook;
 pub use request_handler::RequestHandler;
 pub use run_handle::RunHandle;
+pub(crate) use run_status::passes;
 pub use run_status::{RunDescription, RunStatus, StatusSink};
 pub use server::{Answers, Clients, ControlServer, serve};
 pub use stream_sink::StreamSink;

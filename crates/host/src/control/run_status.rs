@@ -37,6 +37,8 @@ struct StatusParts {
 #[derive(Clone, Debug)]
 pub struct RunDescription {
     pub tick_hz: u32,
+    /// Ticks after which the play list begins again, if it does.
+    pub pass: Option<u64>,
     /// Keys with a voice.
     pub voices: u32,
     /// The MIDI output in words, or why there is none.
@@ -149,6 +151,7 @@ impl StatusParts {
         (status.tick_hz, status.voices) = (run.tick_hz, run.voices);
         status.asleep = run.voices.saturating_sub(active);
         status.deadlines.ticks = counters.ticks.load(Relaxed);
+        status.pass = run.pass.map(|length| passes(status.deadlines.ticks, length));
         status.strikes = counters.strikes.load(Relaxed);
         status.faults = counters.faults.load(Relaxed);
         status.dropped = counters.dropped.load(Relaxed);
@@ -251,6 +254,11 @@ impl MessageSink for StatusSink {
 }
 
 /// Returns the time (s since 1970).
+/// Returns how often what begins again after `length` ticks has begun within `ticks`.
+pub(crate) fn passes(ticks: u64, length: u64) -> u64 {
+    1 + ticks.saturating_sub(1) / length
+}
+
 fn seconds_now() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |it| it.as_secs())
 }
@@ -264,7 +272,8 @@ mod tests {
         status.prepare("default");
         let midi = "none".to_owned();
         let its_counters = Arc::clone(&counters);
-        let run = RunDescription { tick_hz: 1000, voices: 88, midi, counters: its_counters };
+        let (tick_hz, pass, voices) = (1000, Some(5), 88);
+        let run = RunDescription { tick_hz, pass, voices, midi, counters: its_counters };
         status.describe(run);
         status.enter(HostState::Starting);
         (status, counters)
@@ -278,6 +287,7 @@ mod tests {
         counters.active.store(3, Relaxed);
         let read = status.read();
         assert_eq!((read.state, read.voices, read.asleep), (HostState::Playing, 88, 85));
+        assert_eq!(read.pass, Some(2), "seven ticks of passes of five");
         assert_eq!(status.examine().state, HostState::Stalled);
     }
 

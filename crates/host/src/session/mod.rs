@@ -30,7 +30,7 @@ use telemetry::key_name;
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use voice::{BuildError, VoiceBuilder};
 
-use crate::control::RunHandle;
+use crate::control::{RunHandle, passes};
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
@@ -234,7 +234,8 @@ impl RunSession {
             period,
         );
         publisher.repeat_pedals_after(performance.and_then(|it| it.repeat));
-        observed::describe(&handle, scene, &midi.report, &counters);
+        let pass = play_list.as_ref().and_then(|it| it.pass);
+        observed::describe(&handle, (scene, pass), &midi.report, &counters);
         let prepared = PreparedRun {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
@@ -445,7 +446,7 @@ fn notes(
     (ticks, duration): (u64, f64),
 ) -> NoteReport {
     let performance = &list.performance;
-    let passes = list.pass.map_or(1, |pass| 1 + ticks.saturating_sub(1) / pass);
+    let passes = list.pass.map_or(1, |length| passes(ticks, length));
     let shortfalls =
         performance.shortfalls.iter().filter(|it| it.onset < duration - performance::WINDOW);
     let shortfalls: Vec<_> = shortfalls.copied().collect();

@@ -93,16 +93,17 @@ pub(super) fn pedals(list: Option<&RehearsedPlayList>, handle: &RunHandle) -> Ve
     performance.pedals.clone()
 }
 
-/// Notes for whoever asks what will run.
+/// Notes for whoever asks what will run, with the ticks of a pass where the play list begins again.
 pub(super) fn describe(
     handle: &RunHandle,
-    scene: &Scene,
+    (scene, pass): (&Scene, Option<u64>),
     midi: &MidiReport,
     counters: &Arc<LiveCounters>,
 ) {
     let voices = scene.keys.iter().flatten().count();
     handle.status.describe(RunDescription {
         tick_hz: scene.tick_hz,
+        pass,
         voices: u32::try_from(voices).unwrap_or(u32::MAX),
         midi: midi.words(),
         counters: Arc::clone(counters),
