@@ -198,7 +198,11 @@ impl<V: Voice> Slot<V> {
         turn.fresh = self.fresh || self.retuned;
         self.retuned = false;
         let is_gone = is_lost || turn.fault.is_some();
-        self.follow_damper(self.fresh || is_gone, tick, turn);
+        if self.fresh || is_gone {
+            self.begin_damper(tick, turn);
+        } else {
+            self.follow_damper(turn);
+        }
         self.fresh = is_gone;
         self.debt = debt.plus(turn.work.evaluations());
         self.force = turn.force;
@@ -207,11 +211,8 @@ impl<V: Voice> Slot<V> {
         self.last = tick;
     }
 
-    /// Follows the damper as `turn` reports it, and lets it fall where a voice that begins `anew`
-    /// or does not play does not say that it is off the string.
-    fn follow_damper(&mut self, anew: bool, tick: u64, turn: &mut VoiceOutput) {
-        let was_lifted = self.lifted;
-        self.lifted &= !anew;
+    /// Follows the damper as `turn` reports it.
+    fn follow_damper(&mut self, turn: &VoiceOutput) {
         for (_at, event) in turn.events.as_slice() {
             match event {
                 KeyEvent::DamperLift => self.lifted = true,
@@ -219,7 +220,14 @@ impl<V: Voice> Slot<V> {
                 KeyEvent::Strike { .. } | KeyEvent::Pressure { .. } => {}
             }
         }
-        if anew && was_lifted && !self.lifted {
+    }
+
+    /// Follows the damper of a voice that begins anew or does not play: it falls, unless `turn` says
+    /// that it is off the string.
+    fn begin_damper(&mut self, tick: u64, turn: &mut VoiceOutput) {
+        let was_lifted = core::mem::take(&mut self.lifted);
+        self.follow_damper(turn);
+        if was_lifted && !self.lifted {
             turn.events.push(Moment { tick, theta: 0.0 }, KeyEvent::DamperFall { speed: 0.0 });
         }
     }

@@ -37,9 +37,8 @@ impl DamperTracker {
             return None;
         }
         self.lifted = !self.lifted;
+        // A key that is down when it begins has not moved: the quotient is -∞, and θ is 0.
         let theta = ((threshold - before) / (position - before)).clamp(0.0, 1.0);
-        // A key that has not moved since it was put there is there all the time.
-        let theta = if before == position { 0.0 } else { theta };
         let at = Moment { tick: tick.saturating_sub(1), theta };
         let event = if self.lifted {
             KeyEvent::DamperLift
