@@ -51,7 +51,8 @@ impl FollowedKeys {
 /// It belongs to a key and stays as it is while the voice rests or its lane is late.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct VoiceObservation {
-    /// In which of the last ticks the voice was run: this one is bit 0. None if its lane was late.
+    /// In which of the last ticks the voice was run: this one is bit 0. If its turn was late, those
+    /// before this one, with bit 0 where all of them are known; else nothing is.
     pub ran: u32,
     /// The model when it was run last.
     pub snapshot: ModelSnapshot,

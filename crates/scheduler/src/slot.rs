@@ -76,6 +76,8 @@ pub struct Slot<V> {
     /// In which of the ticks up to `last` it was run: that one is bit 0.
     ran: u32,
     last: u64,
+    /// What is seen of `ran` after its last turn.
+    told_ran: u32,
     allowance: WorkAllowance,
     /// What the voice was told to leave out.
     told: Simplifications,
@@ -101,6 +103,7 @@ impl<V> Slot<V> {
             lifted: false,
             ran: 0,
             last: 0,
+            told_ran: 0,
             allowance: WorkAllowance::ALL,
             told: Simplifications::NONE,
             debt: WorkDebt::NONE,
@@ -111,6 +114,18 @@ impl<V> Slot<V> {
     /// Returns the key that the voice plays.
     pub const fn key(&self) -> usize {
         self.key
+    }
+
+    /// Returns in which of the ticks before `tick` its voice was run, as [`VoiceObservation::ran`]
+    /// says it of a late turn of which nothing is under way.
+    pub fn ran_before(&self, tick: u64) -> u32 {
+        self.ran_until(tick) | 1
+    }
+
+    /// Returns in which of the ticks up to `tick` its voice was run: that one is bit 0.
+    fn ran_until(&self, tick: u64) -> u32 {
+        let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
+        self.ran.checked_shl(passed).unwrap_or(0)
     }
 
     /// Puts `voice` in and hands the old one out.
@@ -172,6 +187,7 @@ impl<V: Voice> Slot<V> {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         let debt = self.debt.after(passed, self.allowance.evaluations);
         if debt.must_wait(self.allowance.evaluations) {
+            self.told_ran = self.ran_before(tick);
             return turn.wait(self.force);
         }
         if self.told != self.allowance.simplified {
@@ -207,7 +223,8 @@ impl<V: Voice> Slot<V> {
         self.debt = debt.plus(turn.work.evaluations());
         self.force = turn.force;
         self.lockout.note(turn.fault, passed);
-        self.ran = self.ran.checked_shl(passed).unwrap_or(0) | 1;
+        self.ran = self.ran_until(tick) | 1;
+        self.told_ran = self.ran;
         self.last = tick;
     }
 
@@ -232,10 +249,16 @@ impl<V: Voice> Slot<V> {
         }
     }
 
+    /// Writes what is seen of the voice that was put in or changed, before it is run.
+    pub fn show(&self, seen: &mut VoiceObservation) {
+        self.voice.observe(seen);
+        seen.switches.clear();
+    }
+
     /// Writes what is seen of the voice after `turn`, its last one, if its key is followed.
     #[inline]
     pub fn observe(&self, followed: FollowedKeys, turn: &VoiceOutput, seen: &mut VoiceObservation) {
-        seen.pass(if turn.waited { 0 } else { self.ran });
+        seen.pass(self.told_ran);
         if turn.is_seen(self.key, followed) {
             self.voice.observe(seen);
             if !turn.was_run() {

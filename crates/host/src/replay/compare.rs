@@ -28,6 +28,11 @@ impl std::fmt::Display for ReplayDifference {
 pub(super) struct Said(Arc<Mutex<VecDeque<Update>>>);
 
 impl Said {
+    /// Forgets what is not compared yet.
+    pub(super) fn clear(&self) {
+        self.lock().clear();
+    }
+
     fn lock(&self) -> MutexGuard<'_, VecDeque<Update>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

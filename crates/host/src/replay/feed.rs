@@ -24,10 +24,9 @@ pub(super) struct KeyTick {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LaneStatus {
     /// Done in time, and not run in these of the last ticks: bit 1 is the one before.
-    Done {
-        unrun: u32,
-    },
-    Late,
+    Done { unrun: u32 },
+    /// The same, if bit 0 is not set; else nothing is known yet.
+    Late { unrun: u32 },
 }
 
 /// Whether voices are felt.
@@ -126,8 +125,13 @@ impl Feed {
         self.rows.iter().filter_map(of).any(|(at, fed)| match fed.lane {
             // A voice that was never run before says so of all ticks before.
             LaneStatus::Done { unrun } => at <= tick && unrun != u32::MAX - 1,
-            LaneStatus::Late => false,
+            LaneStatus::Late { .. } => false,
         })
+    }
+
+    /// Takes what decided from `tick` on for missing.
+    pub(super) fn lose(&mut self, tick: u64) {
+        self.gap.get_or_insert(tick);
     }
 
     /// The first tick before which rows are missing, if there is one.
@@ -170,7 +174,8 @@ fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
         velocity: block.velocity.get(row).copied().filter(|it| !it.is_nan()),
     };
     let unrun = *block.unrun.get(row)?;
-    let lane = if flags & flag::LATE == 0 { LaneStatus::Done { unrun } } else { LaneStatus::Late };
+    let is_late = flags & flag::LATE != 0;
+    let lane = if is_late { LaneStatus::Late { unrun } } else { LaneStatus::Done { unrun } };
     let (revision, events) = (*block.revision.get(row)?, *block.events.get(row)?);
     Some((tick, KeyTick { sample, revision, lane, events }, flags))
 }

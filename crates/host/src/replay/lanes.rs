@@ -36,6 +36,8 @@ struct ReplaySlot {
     pending: Vec<(u64, KeySample, WorkAllowance)>,
     /// What was made in them.
     late: LateResult,
+    /// Whether its lane was late for longer than the recording tells of.
+    is_unknown: bool,
 }
 
 /// The voices of a recording, by key and revision.
@@ -76,10 +78,16 @@ impl ReplayLanes {
                 revision,
                 pending: Vec::new(),
                 late: LateResult::default(),
+                is_unknown: false,
             });
         }
         self.voices.insert((key, revision), recorded);
         Ok(())
+    }
+
+    /// Whether it is not known of some voice which ticks it was run in.
+    pub(super) fn is_unknown(&self) -> bool {
+        self.slots.iter().flatten().any(|slot| slot.is_unknown)
     }
 
     /// What decides in the tick that is run next.
@@ -96,12 +104,12 @@ fn build(scene: &Scene, recorded: &RecordedVoice, revision: u32) -> Result<AnyVo
 }
 
 impl ReplaySlot {
-    /// Makes the changes of this key up to `revision`, as its lane made them between two ticks.
+    /// Makes the changes of this key up to `revision`, as they were made before a tick.
     fn change(
         &mut self,
         revision: u32,
-        voices: &RecordedVoices,
-        scene: &Scene,
+        (voices, scene): (&RecordedVoices, &Scene),
+        seen: &mut VoiceObservation,
     ) -> Result<(), ReplayError> {
         if revision <= self.revision {
             return Ok(());
@@ -114,6 +122,7 @@ impl ReplaySlot {
             self.make(recorded, *revision, scene)?;
         }
         self.revision = revision;
+        self.slot.show(seen);
         Ok(())
     }
 
@@ -141,59 +150,62 @@ impl ReplaySlot {
         &mut self,
         &TickInput { tick, followed, allowance, .. }: &TickInput<'_>,
         fed: &KeyTick,
-        turn: &mut VoiceOutput,
-        seen: &mut VoiceObservation,
-    ) {
+        changes: (&RecordedVoices, &Scene),
+        (turn, seen): (&mut VoiceOutput, &mut VoiceObservation),
+    ) -> Result<(), ReplayError> {
         match fed.lane {
-            LaneStatus::Late => {
+            LaneStatus::Late { unrun } => {
                 turn.hold();
-                seen.pass(0);
-                if 0 < fed.events {
-                    self.catch_up(|_late| true);
+                let mut ran = 0;
+                if unrun & 1 == 0 {
+                    self.catch_up(tick, unrun);
                     self.late.hand_over(turn);
+                    ran = self.slot.ran_before(tick);
                 }
+                self.change(fed.revision, changes, seen)?;
+                seen.pass(ran);
                 self.pending.push((tick, fed.sample, allowance));
             }
             LaneStatus::Done { unrun } => {
-                self.catch_up(|late| was_run(unrun, tick - late));
+                self.catch_up(tick, unrun);
+                self.change(fed.revision, changes, seen)?;
                 self.slot.allow(allowance);
                 self.slot.tick(tick, &fed.sample, turn);
                 self.slot.observe(followed, turn, seen);
                 self.late.hand_over(turn);
             }
         }
+        Ok(())
     }
 
     /// Runs the ticks that came too late, of those that were run.
-    fn catch_up(&mut self, was_run: impl Fn(u64) -> bool) {
-        for (tick, sample, allowance) in std::mem::take(&mut self.pending) {
-            if was_run(tick) {
-                let mut turn = VoiceOutput::default();
-                self.slot.allow(allowance);
-                self.slot.tick(tick, &sample, &mut turn);
-                self.late.keep(&turn);
+    fn catch_up(&mut self, tick: u64, unrun: u32) {
+        for (late, sample, allowance) in std::mem::take(&mut self.pending) {
+            let before = u32::try_from(tick - late).unwrap_or(u32::MAX);
+            match unrun.checked_shr(before) {
+                Some(bit) if bit & 1 == 0 => {
+                    let mut turn = VoiceOutput::default();
+                    self.slot.allow(allowance);
+                    self.slot.tick(late, &sample, &mut turn);
+                    self.late.keep(&turn);
+                }
+                Some(_was_not) => {}
+                None => self.is_unknown = true,
             }
         }
     }
-}
-
-/// Whether the tick `before` this one was run; what is too long ago was not.
-fn was_run(unrun: u32, before: u64) -> bool {
-    u32::try_from(before).ok().and_then(|bit| unrun.checked_shr(bit)).is_some_and(|it| it & 1 == 0)
 }
 
 impl Lanes for ReplayLanes {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         let keys = self.slots.iter_mut().zip(&self.fed);
         let keys = keys.zip(output.turns.iter_mut().zip(output.observed.iter_mut()));
-        for ((slot, fed), (turn, seen)) in keys {
+        let changes = (&self.voices, &self.scene);
+        for ((slot, fed), seen) in keys {
             let Some(slot) = slot else { continue };
-            if fed.lane != LaneStatus::Late
-                && let Err(error) = slot.change(fed.revision, &self.voices, &self.scene)
-            {
+            if let Err(error) = slot.run(input, fed, changes, seen) {
                 self.failed.get_or_insert(error);
             }
-            slot.run(input, fed, turn, seen);
         }
     }
 }

@@ -282,11 +282,19 @@ impl Replay {
                 }
             }
             Update::Ticks(message) => {
+                let from = self.last;
                 for tick in ticks(message) {
                     self.tick(tick)?;
                 }
                 self.pump.pump();
-                self.comparison.window(self.last, &self.said);
+                if self.lanes.is_unknown() {
+                    // Behind the ticks before, nothing can be compared.
+                    self.feed.lose(from + 1);
+                    self.said.clear();
+                    self.comparison.forget_unrun();
+                } else {
+                    self.comparison.window(self.last, &self.said);
+                }
             }
             Update::Catalogue(catalogue) => {
                 self.versions.learn(catalogue)?;

@@ -1,6 +1,7 @@
 //! Turns that came too late: what of them is kept, and counted.
 
 use scheduler::motion::KEYS;
+use scheduler::port::TickOutput;
 use scheduler::slot::Slot;
 use scheduler::voice::{Events, VoiceOutput};
 
@@ -51,17 +52,28 @@ impl LateResult {
 #[derive(Debug)]
 pub(super) struct LateResults {
     kept: Box<[LateResult; KEYS]>,
+    /// In which of the ticks before this one they were run, of those that came back since the last.
+    ran: Box<[Option<u32>; KEYS]>,
     any: bool,
     pub(super) counters: LaneCounters,
 }
 
 impl LateResults {
     pub(super) fn new() -> Self {
-        Self { kept: boxed_array(), any: false, counters: LaneCounters::default() }
+        Self {
+            kept: boxed_array(),
+            ran: boxed_array(),
+            any: false,
+            counters: LaneCounters::default(),
+        }
     }
 
-    /// Keeps what `batch`, which came back too late, says of its keys.
-    pub(super) fn keep(&mut self, batch: &Batch) {
+    /// Keeps what `batch`, which came back too late for `tick` or before, says of its keys.
+    pub(super) fn keep(&mut self, tick: u64, batch: &Batch) {
+        for slot in &batch.slots {
+            self.ran[slot.key()] = Some(slot.ran_before(tick));
+            self.any = true;
+        }
         let Some(cpu) = batch.ran else {
             self.counters.passed += 1;
             return;
@@ -76,15 +88,18 @@ impl LateResults {
         }
     }
 
-    /// Puts what was kept before the events of this tick.
-    pub(super) fn hand_over(&mut self, turns: &mut [VoiceOutput; KEYS]) {
+    /// Puts what was kept before the events of this tick, and says of late turns what is known.
+    pub(super) fn hand_over(&mut self, output: &mut TickOutput<'_>) {
         if !self.any {
             return;
         }
         self.any = false;
-        for (kept, turn) in self.kept.iter_mut().zip(turns) {
-            kept.hand_over(turn);
-            self.any |= !kept.is_empty();
+        for (key, turn) in output.turns.iter_mut().enumerate() {
+            self.kept[key].hand_over(turn);
+            self.any |= !self.kept[key].is_empty();
+            if let Some(ran) = self.ran[key].take().filter(|_| turn.late) {
+                output.observed[key].pass(ran);
+            }
         }
     }
 }

@@ -248,7 +248,7 @@ fn slots_of<'a>(
 impl Lanes for ThreadedLanes {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         if self.remotes.is_empty() {
-            self.swaps.apply(&mut self.inline, &mut []);
+            self.swaps.apply(&mut self.inline, &mut [], output.observed);
             run_slots(&mut self.inline, input, output);
             return;
         }
@@ -256,7 +256,7 @@ impl Lanes for ThreadedLanes {
         for lane in &mut self.remotes {
             lane.begin(input.tick, output, &mut self.latecomers);
         }
-        self.swaps.apply(&mut self.inline, &mut self.remotes);
+        self.swaps.apply(&mut self.inline, &mut self.remotes, output.observed);
         self.share_out();
         self.give(input);
 
@@ -269,7 +269,7 @@ impl Lanes for ThreadedLanes {
         self.times.inline = between.since(before);
         self.times.waiting = after.since(between);
         self.hold_late(output);
-        self.latecomers.hand_over(output.turns);
+        self.latecomers.hand_over(output);
         self.measured.learn(output.turns);
     }
 }

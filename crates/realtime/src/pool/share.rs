@@ -146,7 +146,7 @@ impl RemoteLane {
                     ShareState::Done { cpu }
                 }
                 Some(_) | None => {
-                    latecomers.keep(&batch);
+                    latecomers.keep(tick, &batch);
                     ShareState::Home
                 }
             };

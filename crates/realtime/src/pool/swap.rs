@@ -4,6 +4,7 @@ use std::fmt;
 
 use rtrb::{Consumer, Producer, PushError, RingBuffer};
 use scheduler::motion::KEYS;
+use scheduler::observation::VoiceObservation;
 use scheduler::slot::Slot;
 use scheduler::values::ModelValues;
 
@@ -132,11 +133,17 @@ pub(super) fn rings(has_voice: [bool; KEYS]) -> (VoiceSwaps, InnerEnd) {
 
 impl InnerEnd {
     /// Makes the changes that are waiting, while there is room for what comes out and the next
-    /// one's key is at home.
+    /// one's key is at home; writes what is seen of their voices into `observed`, so that a
+    /// recording tells before which tick they were made, also if that is late.
     ///
     /// # Real-time
     /// At most [`MAX_CHANGES_PER_TICK`] moves of a pointer or models built; frees nothing.
-    pub(super) fn apply(&mut self, inline: &mut [Slot<PanicGuard>], remotes: &mut [RemoteLane]) {
+    pub(super) fn apply(
+        &mut self,
+        inline: &mut [Slot<PanicGuard>],
+        remotes: &mut [RemoteLane],
+        observed: &mut [VoiceObservation; KEYS],
+    ) {
         for _ in 0..MAX_CHANGES_PER_TICK {
             if self.out.is_full() {
                 return;
@@ -144,14 +151,18 @@ impl InnerEnd {
             let Ok(key) = self.into.peek().map(|next| next.key) else { return };
             let here = inline.iter_mut().find(|it| it.key() == key).map(SlotPlace::Here);
             let place = here.or_else(|| remotes.iter_mut().find_map(|it| it.place(key)));
-            let slot = match place {
+            let mut slot = match place {
                 Some(SlotPlace::Here(slot)) => Some(slot),
                 // Its lane is late: the changes behind wait as well, so that they stay in order.
                 Some(SlotPlace::Away { lost: false }) => return,
                 Some(SlotPlace::Away { lost: true }) | None => None,
             };
             let Ok(queued) = self.into.pop() else { return };
-            if let Some(old) = queued.apply(slot) {
+            let old = queued.apply(slot.as_deref_mut());
+            if let Some(slot) = slot {
+                slot.show(&mut observed[key]);
+            }
+            if let Some(old) = old {
                 let sent = self.out.push(old);
                 debug_assert!(sent.is_ok(), "there was room a moment ago");
             }

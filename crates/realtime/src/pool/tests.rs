@@ -328,6 +328,55 @@ fn a_late_lane_is_seen_as_it_was_and_then_tells_which_ticks_it_ran() {
     assert_eq!(run.seen(ELSEWHERE), (0b1_1001, 4.0));
 }
 
+/// Strikes in each tick but the first, after it was told to go on.
+struct Gated(Receiver<()>);
+
+impl Voice for Gated {
+    fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
+        if 0 < tick {
+            // At its end the test tells nothing more.
+            self.0.recv().unwrap_or_default();
+            let strike = KeyEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) };
+            turn.events.push(Moment { tick, theta: 0.5 }, strike);
+        }
+    }
+
+    fn reset(&mut self, _sample: &KeySample) {}
+}
+
+#[test]
+fn a_lane_that_is_late_again_tells_which_ticks_its_events_are_of() {
+    let (go, go_on) = channel();
+    // Alone, or it would be moved to a lane with less work.
+    let (lanes, _swaps) = start(vec![(ELSEWHERE, Box::new(Gated(go_on)) as BoxedVoice)], 2);
+    let mut run = Run::new(lanes);
+    run.tick(0);
+    run.lanes.set_patience(NONE);
+    // Gone before the lanes are, which wait for their voices.
+    let go = go;
+    assert!(run.tick(1)[ELSEWHERE].late);
+    // The last tick that was run, as far as is known.
+    let (mut tick, mut last) = (1, 0);
+    for _ in 0..3 {
+        go.send(()).unwrap();
+        loop {
+            tick += 1;
+            let turn = run.tick(tick)[ELSEWHERE];
+            let ran = run.seen(ELSEWHERE).0;
+            let of = turn.events.as_slice().first().map(|(at, _strike)| at.tick);
+            last = of.unwrap_or(last);
+            // All is known where it came back, run or passed, or was in time; else nothing is.
+            let newest = 1_u32.checked_shl(u32::try_from(tick - last).unwrap()).unwrap_or(0);
+            let newer = newest.wrapping_sub(1);
+            assert!(ran == 0 && of.is_none() || ran & (newest | newer) == newest | 1, "{ran:b}");
+            if of.is_some() {
+                break;
+            }
+            std::thread::yield_now();
+        }
+    }
+}
+
 #[test]
 fn a_key_that_is_not_followed_is_not_looked_at() {
     for n_lanes in 1..=2 {

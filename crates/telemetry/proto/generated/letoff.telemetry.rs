@@ -84,6 +84,7 @@ pub struct KeyBlock {
     #[prost(float, repeated, tag = "13")]
     pub signals: ::prost::alloc::vec::Vec<f32>,
     /// Bits: ticks in which the voice was not run; this one is bit 0, the one before bit 1.
+    /// In a late row bit 0 is not set if the others are known, and all are set if nothing is.
     #[prost(uint32, repeated, tag = "14")]
     pub unrun: ::prost::alloc::vec::Vec<u32>,
     /// Key events that the tick told of.
