@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::cortex::{Processor, build, has_tools};
 use crate::letoff;
 use crate::python::PythonBoard;
-use crate::rig::{Boards, count, judged, machine, number, side_by_side};
+use crate::rig::{Boards, count, judged, machine, number, part_of_machine, side_by_side};
 
 /// Tests the board behind `link`; returns the items that it breaks, and that it keeps.
 fn tested(folder: &Path, link: &str, depth: &str) -> [Vec<String>; 2] {
@@ -124,7 +124,7 @@ fn a_board_written_from_the_document_keeps_every_item_and_each_fault_is_named() 
     };
     check_kept(&folder, 22, start, end);
     // A busy machine breaks more items, and never mends one: several are tested at a time.
-    side_by_side(&folder, &BROKEN, |folder, (arguments, depth, items)| {
+    side_by_side(&folder, 4, &BROKEN, |folder, (arguments, depth, items)| {
         let board = PythonBoard::start(folder, arguments).expect("there is Python");
         let [broken, _kept] = tested(folder, &board.link, depth);
         for item in *items {
@@ -143,7 +143,7 @@ fn boards_that_fail_or_whose_link_is_bad_break_items() {
         (&["--drift", "-40000"], "its clock"),
         (&["--say-schema", "1"], "the values of its hello"),
     ];
-    side_by_side(&folder, &fates, |folder, (arguments, item)| {
+    side_by_side(&folder, 4, &fates, |folder, (arguments, item)| {
         let boards = Boards::start(folder, 1, arguments);
         let [broken, _kept] = tested(folder, &boards.links()[1], "arm");
         assert!(broken.iter().any(|it| it.contains(item)), "{arguments:?}: {broken:?}");
@@ -153,7 +153,7 @@ fn boards_that_fail_or_whose_link_is_bad_break_items() {
 
 #[test]
 fn a_key_is_muted_and_unmuted_and_the_board_says_so() {
-    let _machine = machine();
+    let _machine = part_of_machine();
     let folder = letoff::folder("board-health");
     let boards = Boards::start(&folder, 1, &[]);
     let link = boards.links().remove(1);
@@ -180,7 +180,7 @@ fn a_key_is_muted_and_unmuted_and_the_board_says_so() {
 
 #[test]
 fn a_setting_is_written_to_one_board_and_holds_from_its_next_start() {
-    let _machine = machine();
+    let _machine = part_of_machine();
     let folder = letoff::folder("board-settings");
     let boards = Boards::start(&folder, 2, &["--fate", "1@0.1:restart=0.1"]);
     let links = boards.links();

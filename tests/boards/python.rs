@@ -10,7 +10,7 @@ use std::process::{Child, Command, Stdio};
 use serde_json::Value;
 
 use crate::letoff::{self, Said};
-use crate::rig::{count, interrupt, judged, machine, say, wait_for};
+use crate::rig::{count, interrupt, judged, machine, part_of_machine, say, side_by_side, wait_for};
 
 /// The board's own process.
 pub(crate) struct PythonBoard {
@@ -162,28 +162,41 @@ fn a_board_written_from_the_document_serves_and_what_is_wrong_with_it_is_said() 
     let (said, told) = play(&folder, files, "0.1", &["--say", "max_force_mn=500"]);
     assert!(forces(&told)[1].iter().all(|it| *it <= 500), "{said:?}: {told}");
 
-    for Wrong { way, says, plays } in IN_RUN {
+    side_by_side(&folder, 2, &IN_RUN, |folder, Wrong { way, says, plays }| {
         // Samples can be told to be late by up to 60 ms, longer than these forces are valid.
-        let valid = if way == "late" { "0.02" } else { "0.1" };
+        let valid = if *way == "late" { "0.02" } else { "0.1" };
         let played = judged(way, || {
-            let (said, told) = play(&folder, files, valid, &["--wrong", way, "--at", "1"]);
+            let (said, told) = play(folder, files, valid, &["--wrong", way, "--at", "1"]);
             had_time(&said, &told).then_some((said, told))
         });
-        let Some((said, told)) = played else { continue };
+        let Some((said, told)) = played else { return };
         letoff::check_words(&said, says);
         let [before, after] = forces(&told);
         assert!(before.iter().all(|it| 0 < *it), "{way}: {told}");
-        assert_eq!([0, 1].map(|key| 0 < after[key]), plays, "{way}: {told}, {said:?}");
-        let n = count(&told, "/arm_requests");
-        assert!(n <= 8, "{way}: asked to arm {n} times");
-    }
+        assert_eq!([0, 1].map(|key| 0 < after[key]), *plays, "{way}: {told}, {said:?}");
+        check_armings(way, &told);
+    });
+}
 
-    for (arguments, words) in REFUSED {
-        let (said, told) = play(&folder, files, "0.1", arguments);
+/// A board that does not do as it is asked is not asked for ever.
+#[track_caller]
+fn check_armings(what: &str, told: &Value) {
+    let n = count(told, "/arm_requests");
+    assert!(n <= 8, "{what}: asked to arm {n} times");
+}
+
+#[test]
+fn a_board_that_breaks_the_protocol_is_refused_before_any_force_and_told_why() {
+    let _machine = part_of_machine();
+    let folder = letoff::folder("python-board-refused");
+    if PythonBoard::start(&folder, &[]).is_none() {
+        return;
+    }
+    side_by_side(&folder, 4, &REFUSED, |folder, (arguments, words)| {
+        let (said, told) = play(folder, None, "0.1", arguments);
         assert_eq!(said.code, Some(1), "{arguments:?}: {said:?}");
         letoff::check_words(&said, &["board 5 on", words]);
         assert_eq!(forces(&told), [[0; 2]; 2], "{arguments:?}: {told}");
-        let n = count(&told, "/arm_requests");
-        assert!(n <= 8, "{arguments:?}: asked to arm {n} times");
-    }
+        check_armings(words, &told);
+    });
 }

@@ -2,13 +2,13 @@
 //! 1, since a board may come to power yet; 2 where the scene is wrong.
 
 use crate::letoff;
-use crate::rig::{Boards, arguments, machine};
+use crate::rig::{Boards, arguments, machine, part_of_machine};
 
 /// Asserts that a host is refused boards that were started with `boards`, in a sentence with
 /// all of `words`.
 #[track_caller]
 fn check(name: &str, count: usize, boards: &[&str], words: &[&str]) {
-    let _machine = machine();
+    let _machine = part_of_machine();
     let folder = letoff::folder(name);
     let boards = Boards::start(&folder, count, boards);
     let links = boards.links();
@@ -53,7 +53,7 @@ fn keys_that_no_board_can_carry() {
 
 #[test]
 fn a_board_that_lies_about_what_the_scene_knows() {
-    let _machine = machine();
+    let _machine = part_of_machine();
     let folder = letoff::folder("refused-lie");
     let boards = Boards::start(&folder, 1, &[]);
     let port = folder.join("links/board0");
@@ -70,7 +70,7 @@ fn a_board_that_lies_about_what_the_scene_knows() {
 
 #[test]
 fn a_port_behind_which_nobody_speaks_the_protocol() {
-    let _machine = machine();
+    let _machine = part_of_machine();
     let folder = letoff::folder("refused-printer");
     // Everything that the board says is lost: what comes is no frame.
     let boards = Boards::start(&folder, 1, &["--flip", "1"]);
@@ -82,7 +82,7 @@ fn a_port_behind_which_nobody_speaks_the_protocol() {
 
 #[test]
 fn a_clock_that_runs_too_fast() {
-    let _machine = machine();
+    let _machine = part_of_machine();
     let folder = letoff::folder("refused-drift");
     let boards = Boards::start(&folder, 1, &["--drift", "50000"]);
     let links = boards.links();
@@ -104,7 +104,7 @@ fn a_port_that_is_not_there() {
 
 #[test]
 fn time_that_is_not_real() {
-    let _machine = machine();
+    let _machine = part_of_machine();
     let folder = letoff::folder("refused-virtual");
     let boards = Boards::start(&folder, 1, &[]);
     let links = boards.links();

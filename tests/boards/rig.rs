@@ -3,30 +3,39 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Child;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
 use crate::letoff::{self, Said};
 
-/// One test at a time: each wants the whole machine.
-static MACHINE: Mutex<()> = Mutex::new(());
+/// Whoever is judged by time has the machine alone.
+static MACHINE: RwLock<()> = RwLock::new(());
 
-/// The machine, for one test.
-pub(crate) fn machine() -> MutexGuard<'static, ()> {
-    MACHINE.lock().unwrap_or_else(PoisonError::into_inner)
+/// The whole machine, for one test.
+pub(crate) fn machine() -> RwLockWriteGuard<'static, ()> {
+    MACHINE.write().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Tests `cases` four at a time, each thread in its own folder within `folder`: for cases that
-/// mostly wait for time-outs, and that a busy machine does not spoil.
-pub(crate) fn side_by_side<T: Sync>(folder: &Path, cases: &[T], test: impl Fn(&Path, &T) + Sync) {
-    const AT_ONCE: usize = 4;
+/// A part of the machine, for a test that mostly waits and that others beside it do not spoil.
+pub(crate) fn part_of_machine() -> RwLockReadGuard<'static, ()> {
+    MACHINE.read().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Tests `cases`, `at_once` at a time, each thread in its own folder within `folder`: for cases
+/// that mostly wait, and that a busy machine does not spoil.
+pub(crate) fn side_by_side<T: Sync>(
+    folder: &Path,
+    at_once: usize,
+    cases: &[T],
+    test: impl Fn(&Path, &T) + Sync,
+) {
     std::thread::scope(|scope| {
-        for first in 0..AT_ONCE {
+        for first in 0..at_once {
             let (folder, test) = (folder.join(first.to_string()), &test);
             std::fs::create_dir_all(&folder).expect("a folder");
-            let cases = cases.iter().skip(first).step_by(AT_ONCE);
+            let cases = cases.iter().skip(first).step_by(at_once);
             scope.spawn(move || cases.for_each(|case| test(&folder, case)));
         }
     });

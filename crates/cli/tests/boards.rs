@@ -1,21 +1,17 @@
 //! The commands that speak with boards, against simulated ones behind pseudo-terminals.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
-
-mod common;
-mod typed;
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 
+use firmware_protocol::frame::hello::safe_reason;
 use hardware::calibration::file;
 use hardware::sim::board::BoardMake;
+use rustix::process::{Pid, Signal, kill_process};
 use serde_json::Value;
 
-use common::{Board, make};
-use firmware_protocol::frame::hello::safe_reason;
-use rustix::process::{Pid, Signal, kill_process};
-use typed::{Folder, eventually};
+use crate::common::{Board, make};
+use crate::typed::{Folder, eventually};
 
 fn letoff(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_letoff"));

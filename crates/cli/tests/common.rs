@@ -1,6 +1,4 @@
 //! What tests of hosts share: an end to each, and simulated boards behind pseudo-terminals.
-#![allow(clippy::expect_used, clippy::missing_panics_doc, reason = "helpers of tests")]
-#![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -20,9 +18,9 @@ use scheduler::time::Nanos;
 const LOOK: Nanos = Nanos::from_millis(10);
 
 /// A simulated board behind a port.
-pub struct Board {
-    pub port: PathBuf,
-    pub uid: Uid,
+pub(crate) struct Board {
+    pub(crate) port: PathBuf,
+    pub(crate) uid: Uid,
     stop: Arc<AtomicBool>,
     is_armed: Arc<AtomicBool>,
     thread: Option<JoinHandle<BoardProcess>>,
@@ -30,7 +28,7 @@ pub struct Board {
 
 impl Board {
     /// Sets one of this make going.
-    pub fn start(make: BoardMake) -> Self {
+    pub(crate) fn start(make: BoardMake) -> Self {
         let placed = place(make.id, &WireEndpoint::Pty).expect("a pseudo-terminal");
         let port = placed.address.name().into();
         let mut living =
@@ -51,17 +49,17 @@ impl Board {
     }
 
     /// Whether it renders forces.
-    pub fn is_armed(&self) -> bool {
+    pub(crate) fn is_armed(&self) -> bool {
         self.is_armed.load(Ordering::Acquire)
     }
 
     /// What a command takes for its link.
-    pub fn link(&self) -> String {
+    pub(crate) fn link(&self) -> String {
         format!("serial:{}", self.port.display())
     }
 
     /// Stops it; returns what it has become.
-    pub fn stop(mut self) -> BoardProcess {
+    pub(crate) fn stop(mut self) -> BoardProcess {
         self.stop.store(true, Ordering::Release);
         self.thread.take().expect("it lives").join().expect("it lives well")
     }
@@ -74,13 +72,13 @@ impl Drop for Board {
 }
 
 /// A make of the standard compass.
-pub fn make(number: u8, n_keys: usize) -> BoardMake {
+pub(crate) fn make(number: u8, n_keys: usize) -> BoardMake {
     let id = BoardId::new(number).expect("a board");
     BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
 }
 
 /// Runs `session` while `look` looks; returns its report.
-pub fn run_while(session: RunSession, look: impl FnOnce()) -> RunReport {
+pub(crate) fn run_while(session: RunSession, look: impl FnOnce()) -> RunReport {
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
         let host = scope.spawn(|| session.run(&stop));

@@ -1,9 +1,5 @@
 //! Switching instruments on a running host, over the real socket.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
-mod common;
-
 use std::fs::{self, Permissions};
 use std::io::{BufRead as _, BufReader, Write as _};
 use std::os::unix::fs::PermissionsExt as _;
@@ -12,7 +8,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use common::run_while;
 use host::control::{
     Clients, ControlError, ControlServer, Folders, Reply, Request, RequestHandler, send,
     send_within, serve,
@@ -21,6 +16,8 @@ use host::report::RunReport;
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
 use telemetry::request::Change;
+
+use crate::common::run_while;
 
 /// Runs a host without a pianist, and `clients` beside it; returns its report.
 fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {

@@ -1,16 +1,13 @@
 //! `letoff dash` and what it starts: a window, of which a script takes the place, and a host.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
-mod typed;
-
 use std::fs::Permissions;
 use std::os::unix::fs::PermissionsExt as _;
 use std::process::{Child, ExitStatus, Stdio};
 use std::sync::{Mutex, PoisonError};
 
 use rustix::process::{Pid, Signal, kill_process, test_kill_process};
-use typed::{Folder, eventually};
+
+use crate::typed::{Folder, eventually};
 
 /// Says what it was given and who it is, and stays open.
 const STAYS: &str = "#!/bin/sh

@@ -1,10 +1,6 @@
 //! Hosts that are killed, stopped and started again, and what a synthesizer hears of it: real
 //! processes, and the bytes of a cable in a FIFO.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
-mod typed;
-
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
 use std::io::Read as _;
@@ -15,7 +11,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use midi::{Message, Output as _, Smf};
 use rustix::process::{Pid, Signal, kill_process};
 use soak::HostFiles;
-use typed::{Folder, cable, eventually};
+
+use crate::typed::{Folder, cable, eventually};
 
 /// The chord that is held, and the note that is repeated above it.
 const CHORD: [u8; 3] = [60, 64, 67];

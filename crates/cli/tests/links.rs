@@ -1,12 +1,8 @@
 //! What is seen of lines and boards while a host runs, and the light of one of them.
-#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
-
-mod common;
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use common::{Board, make, run_while};
 use host::control::RunHandle;
 use host::observe::MessageSink;
 use host::session::{RunOptions, RunSession};
@@ -14,6 +10,8 @@ use links::address::Address;
 use scene::{Override, Scene, link_overrides};
 use telemetry::event::Kind;
 use telemetry::{Links, Topic, Update};
+
+use crate::common::{Board, make, run_while};
 
 /// Long enough for any machine: it only ends what has failed.
 const PATIENCE: Duration = Duration::from_mins(1);

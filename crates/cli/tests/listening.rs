@@ -1,11 +1,7 @@
 //! To whom a host streams: `--listen`, `--tokens`, `--tls`, `--origin` and `--insecure`, as they
 //! are typed.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
 mod roles;
-mod stranger;
-mod typed;
 
 use std::fs::{File, Permissions};
 use std::io::{ErrorKind, Read as _, Write as _};
@@ -17,11 +13,12 @@ use std::process::{Child, Command, Stdio};
 
 use host::control::{ControlError, Reply, Request, send};
 use rustix::process::{Pid, Signal, getuid, kill_process};
-use stranger::Stranger;
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, Fingerprint};
 use telemetry::{Arrival, ConnectionState, Source as _};
-use typed::{Folder, cable, eventually};
+
+use crate::stranger::Stranger;
+use crate::typed::{Folder, cable, eventually};
 
 /// Secrets that are as long as they have to be.
 const VIEWER: &str = "see-0123456789abcdef";
@@ -458,7 +455,7 @@ fn another_user_of_this_machine_reads_writes_changes_and_stops_nothing() {
     let victim = |host: &Host<'_>| format!("{} {}", host.address, host.folder.socket().display());
     let victims = format!("{}\n{}\n{}", tmp.display(), victim(&rehearsing), victim(&host));
     let mut other = Command::new(folder.join("test"));
-    other.args(["--exact", "the_other_user", "--nocapture"]).env(VICTIM, victims);
+    other.args(["--exact", "listening::the_other_user", "--nocapture"]).env(VICTIM, victims);
     other.current_dir(&tmp).uid(NOBODY).gid(NOBODY).stdin(Stdio::null());
     other.stdout(Stdio::null()).stderr(File::create(folder.join("tried")).expect("a file"));
     // The copy is busy for a moment if another test starts a process meanwhile.

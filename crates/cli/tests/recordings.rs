@@ -1,10 +1,6 @@
 //! `letoff record`, `letoff replay`, `letoff recover` and `letoff dash`, as they are typed.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
-mod typed;
-
-use typed::Folder;
+use crate::typed::Folder;
 
 /// A recording of three seconds, in which the piece begins.
 fn recorded(folder: &Folder) {

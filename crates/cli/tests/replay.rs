@@ -1,10 +1,5 @@
 //! A run is recorded, and run again from its recording: the same to the last bit.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
-mod common;
-mod typed;
-
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
@@ -15,7 +10,8 @@ use scene::Scene;
 use telemetry::Update;
 use telemetry::recording::{Recording, RecordingLimits};
 use telemetry::request::{Change, RenderSetting};
-use typed::eventually;
+
+use crate::typed::eventually;
 
 /// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
@@ -219,7 +215,7 @@ fn changed_settings(scene: &Scene, file: &Path) {
         Ok(Reply::Scene { toml }) => toml,
         other => unreachable!("{other:?}"),
     };
-    let report = common::run_while(session, || {
+    let report = crate::common::run_while(session, || {
         for key in HELD {
             ask(&Request::Press { key, newtons: 6.0 }).expect("pressed");
         }
@@ -315,7 +311,7 @@ fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_lo
     let press = |newtons: f64| {
         PLAYED.map(|key| ask(&Request::Press { key, newtons })).all(|answer| answer.is_ok())
     };
-    let report = common::run_while(session, || {
+    let report = crate::common::run_while(session, || {
         let _load = follow_load(requests.clone()).expect("a thread");
         let mut newtons = 12.0;
         eventually("60 keys with a lower fidelity", || {

@@ -1,5 +1,4 @@
 //! A host that runs as a process of its own until it is dropped.
-#![allow(dead_code, reason = "each test program uses its own part")]
 
 use std::fs::File;
 use std::path::Path;

@@ -1,11 +1,6 @@
 //! The host as a service: what it says of itself, what it tells a service manager, how its scene
 //! is read again, and its metrics; with real processes.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
-mod running;
-mod typed;
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read as _, Write as _};
 use std::net::TcpStream;
@@ -15,12 +10,13 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use running::{Host, signal};
 use rustix::process::Signal;
 use serde_json::Value;
 use telemetry::stream::{Client, Dial};
 use telemetry::{Arrival, Source as _, Topic, Update};
-use typed::{Folder, eventually};
+
+use crate::running::{Host, signal};
+use crate::typed::{Folder, eventually};
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")

@@ -1,5 +1,4 @@
 //! A client of the stream that talks as it pleases, as other people's viewers and web pages do.
-#![allow(dead_code, reason = "each test program uses its own part")]
 #![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
 
 use std::net::TcpStream;

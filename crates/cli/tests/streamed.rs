@@ -1,23 +1,19 @@
 //! A host and a client of its stream: seen, tuned, pressed.
 
-#![expect(clippy::expect_used, reason = "helpers of tests")]
-
-mod common;
-mod stranger;
-
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use common::run_while;
 use host::control::{Folders, RequestHandler, StreamSink};
 use host::session::{RunOptions, RunSession};
 use scene::Scene;
-use stranger::Stranger;
 use telemetry::request::Change;
 use telemetry::stream::protocol::{FromClient, FromServer, ParameterValue};
 use telemetry::stream::{Client, Dial, ServerSettings, StreamServer, serve};
 use telemetry::{Arrival, Request, Source as _, Topic, Update, event};
+
+use crate::common::run_while;
+use crate::stranger::Stranger;
 
 /// Long enough for any machine: it only ends what has failed.
 const PATIENCE: Duration = Duration::from_mins(1);

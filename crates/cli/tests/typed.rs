@@ -1,5 +1,4 @@
 //! `letoff` as it is typed, in a folder of the test's own.
-#![allow(dead_code, reason = "each test program uses its own part")]
 
 use std::fs::File;
 use std::ops::Deref;

@@ -7,9 +7,9 @@ use std::net::TcpStream;
 use host::control::{Request, send};
 use telemetry::request::{Change, RenderSetting};
 
+use super::{Host, LOOPBACK, OWNER, TUNER, VIEWER, tokens};
 use crate::stranger::Stranger;
 use crate::typed::{Folder, eventually};
-use crate::{Host, LOOPBACK, OWNER, TUNER, VIEWER, tokens};
 
 /// The README with the table.
 const README: &str = include_str!("../../../host/README.md");

@@ -1,0 +1,17 @@
+//! The `letoff` command, as it is typed, and hosts that it starts.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+
+mod boards;
+mod common;
+mod control;
+mod dash;
+mod guardian;
+mod links;
+mod listening;
+mod recordings;
+mod replay;
+mod running;
+mod service;
+mod stranger;
+mod streamed;
+mod typed;
