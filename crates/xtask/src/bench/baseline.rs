@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::error::Error;
 
-/// The least, the middle and the most of all rounds.
+/// The lower quartile, the middle and the upper quartile of all rounds.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct RoundRange([f64; 3]);
 
@@ -16,14 +16,15 @@ impl RoundRange {
     pub(super) fn of(mut rounds: Vec<f64>) -> Self {
         rounds.sort_by(f64::total_cmp);
         let at = |index: usize| rounds.get(index).copied().unwrap_or(f64::NAN);
-        Self([at(0), at(rounds.len() / 2), at(rounds.len().saturating_sub(1))])
+        let last = rounds.len().saturating_sub(1);
+        Self([at(last / 4), at(last / 2), at(last - last / 4)])
     }
 
     const fn middle(self) -> f64 {
         self.0[1]
     }
 
-    /// The most over the least.
+    /// The upper quartile over the lower one.
     const fn noise(self) -> f64 {
         self.0[2] / self.0[0]
     }
@@ -121,7 +122,8 @@ impl BenchBaseline {
             ));
         }
         lines.push(if self.machine == now.machine {
-            "slower or faster: by more than the rounds of both differ".to_owned()
+            "slower or faster: by more than the middle half of the rounds of both differs"
+                .to_owned()
         } else {
             format!(
                 "the baseline is of {}, this is {}: nothing is told; write a baseline here with \
@@ -143,11 +145,11 @@ impl fmt::Display for BenchBaseline {
         writeln!(f, "# Written by `cargo xtask bench --write-baseline`: what benches took,")?;
         writeln!(
             f,
-            "# as multiples of the calibration; the least, middle and most of all rounds."
+            "# as multiples of the calibration; lower quartile, middle and upper quartile of the rounds."
         )?;
         writeln!(f, "machine = \"{}\"", self.machine)?;
-        self.ranges.iter().try_for_each(|(name, RoundRange([least, middle, most]))| {
-            writeln!(f, "{name} = [{least:.7}, {middle:.7}, {most:.7}]")
+        self.ranges.iter().try_for_each(|(name, RoundRange([lower, middle, upper]))| {
+            writeln!(f, "{name} = [{lower:.7}, {middle:.7}, {upper:.7}]")
         })
     }
 }
@@ -161,6 +163,13 @@ mod tests {
             ((*name).to_owned(), RoundRange::of(rounds.to_vec()))
         };
         BenchBaseline { machine: machine.into(), ranges: rounds.iter().map(range).collect() }
+    }
+
+    #[test]
+    fn rounds_that_were_disturbed_are_no_noise() {
+        let rounds = [9.0, 1.0, 1.2, 1.1, 0.1, 1.3, 1.4, 7.0, 0.2];
+        assert_eq!(RoundRange::of(rounds.to_vec()), RoundRange([1.0, 1.2, 1.4]));
+        assert_eq!(RoundRange::of(vec![2.0]), RoundRange([2.0; 3]));
     }
 
     #[test]
