@@ -76,7 +76,7 @@ pub struct Slot<V> {
     /// In which of the ticks up to `last` it was run: that one is bit 0.
     ran: u32,
     last: u64,
-    /// What is seen of `ran` after its last turn.
+    /// What is seen of that after its last turn, which may have waited.
     told_ran: u32,
     allowance: WorkAllowance,
     /// What the voice was told to leave out.
@@ -119,13 +119,8 @@ impl<V> Slot<V> {
     /// Returns in which of the ticks before `tick` its voice was run, as [`VoiceObservation::ran`]
     /// says it of a late turn of which nothing is under way.
     pub fn ran_before(&self, tick: u64) -> u32 {
-        self.ran_until(tick) | 1
-    }
-
-    /// Returns in which of the ticks up to `tick` its voice was run: that one is bit 0.
-    fn ran_until(&self, tick: u64) -> u32 {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
-        self.ran.checked_shl(passed).unwrap_or(0)
+        self.ran.checked_shl(passed).unwrap_or(0) | 1
     }
 
     /// Puts `voice` in and hands the old one out.
@@ -185,9 +180,9 @@ impl<V: Voice> Slot<V> {
     /// fault. The damper of a key that failed or is not heard falls, so that its note ends.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
+        self.told_ran = self.ran_before(tick);
         let debt = self.debt.after(passed, self.allowance.evaluations);
         if debt.must_wait(self.allowance.evaluations) {
-            self.told_ran = self.ran_before(tick);
             return turn.wait(self.force);
         }
         if self.told != self.allowance.simplified {
@@ -223,9 +218,7 @@ impl<V: Voice> Slot<V> {
         self.debt = debt.plus(turn.work.evaluations());
         self.force = turn.force;
         self.lockout.note(turn.fault, passed);
-        self.ran = self.ran_until(tick) | 1;
-        self.told_ran = self.ran;
-        self.last = tick;
+        (self.ran, self.last) = (self.told_ran, tick);
     }
 
     /// Follows the damper as `turn` reports it.

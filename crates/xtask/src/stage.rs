@@ -15,7 +15,7 @@ pub(crate) struct Stage {
     /// What it shows, in a few words.
     pub name: &'static str,
     pub work: StageWork,
-    /// Why it cannot be run here, if that is known before.
+    /// Why it is not to be run here, if that is known before.
     pub skipped: Option<&'static str>,
 }
 
@@ -68,10 +68,14 @@ struct SummaryLine {
 pub(crate) fn run_all(groups: Vec<Vec<Stage>>) -> Result<(), Error> {
     let mut lines = Vec::new();
     let mut result = Ok(());
-    for group in groups {
-        let is_over = result.is_err();
+    for mut group in groups {
+        if result.is_err() {
+            for stage in &mut group {
+                stage.skipped = Some("an earlier stage failed");
+            }
+        }
         let ended: Vec<_> = thread::scope(|scope| {
-            let stages = group.into_iter().map(|stage| scope.spawn(move || end(stage, is_over)));
+            let stages = group.into_iter().map(|stage| scope.spawn(|| end(stage)));
             let running: Vec<_> = stages.collect();
             running.into_iter().map(|it| it.join().unwrap_or_else(|it| resume_unwind(it))).collect()
         });
@@ -84,12 +88,10 @@ pub(crate) fn run_all(groups: Vec<Vec<Stage>>) -> Result<(), Error> {
     result
 }
 
-/// Runs a stage to its end unless it is skipped or all `is_over`; returns its line of the summary,
-/// and what failed.
-fn end(mut stage: Stage, is_over: bool) -> (SummaryLine, Result<(), Error>) {
+/// Runs a stage to its end unless it is skipped; returns its line of the summary, and what failed.
+fn end(mut stage: Stage) -> (SummaryLine, Result<(), Error>) {
     let start = Instant::now();
     let (outcome, result) = match stage.skipped {
-        _ if is_over => (StageOutcome::Skipped("an earlier stage failed".into()), Ok(())),
         Some(reason) => (StageOutcome::Skipped(reason.into()), Ok(())),
         None => match run(&mut stage) {
             Ok(Done::All) => (StageOutcome::Passed, Ok(())),

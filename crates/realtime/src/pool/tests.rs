@@ -372,7 +372,7 @@ fn a_lane_that_is_late_again_tells_which_ticks_its_events_are_of() {
             if of.is_some() {
                 break;
             }
-            std::thread::yield_now();
+            thread::yield_now();
         }
     }
 }
