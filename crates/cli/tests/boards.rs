@@ -18,6 +18,21 @@ fn letoff(arguments: &[&str]) -> Output {
     command.args(arguments).stdin(Stdio::null()).output().expect("the program")
 }
 
+/// The same for what measures keys, tried again if the board's thread, beside other tests, was
+/// given no time meanwhile: then its key is elsewhere all at once.
+fn measured(arguments: &[&str]) -> Output {
+    let starved = ["its reading jumps by", "while the machine does nothing else"];
+    let mut said = letoff(arguments);
+    for _ in 0..2 {
+        let err = text(&said.stderr);
+        if said.status.success() || !starved.iter().any(|it| err.contains(it)) {
+            break;
+        }
+        said = letoff(arguments);
+    }
+    said
+}
+
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
@@ -55,7 +70,7 @@ fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
     let (link, folder) = (board.link(), folder("calibrate"));
     let folder_name = folder.display().to_string();
     let calibrate = ["calibrate", "--link", &link, "--folder", &folder_name];
-    let said = letoff(&calibrate);
+    let said = measured(&calibrate);
     let (out, err) = (text(&said.stdout), text(&said.stderr));
     assert!(said.status.success(), "{out}{err}");
     assert!(err.contains(": G3, 1 of 2 keys done"), "{err}");
@@ -72,7 +87,7 @@ fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
     let err = text(&said.stderr);
     assert_eq!(said.status.code(), Some(2), "{err}");
     assert!(err.contains("would be overwritten; give --yes"), "{err}");
-    let said = letoff(&[&calibrate[..], &["--yes", "--json", "--board", "3"]].concat());
+    let said = measured(&[&calibrate[..], &["--yes", "--json", "--board", "3"]].concat());
     assert!(said.status.success(), "{}", text(&said.stderr));
     let written: Value = serde_json::from_slice(&said.stdout).expect("JSON");
     assert_eq!(written[0]["keys"][1]["key"], "G3");
@@ -85,7 +100,7 @@ fn what_a_key_renders_is_said_beside_the_theory_and_no_file_is_written() {
     let (link, folder) = (board.link(), folder("range"));
     let name = folder.display().to_string();
     let range = ["calibrate", "--range", "--link", &link, "--folder", &name];
-    let said = letoff(&[&range[..], &["--key", "G3", "--json"]].concat());
+    let said = measured(&[&range[..], &["--key", "G3", "--json"]].concat());
     assert!(said.status.success(), "{}", text(&said.stderr));
     let found: Value = serde_json::from_slice(&said.stdout).expect("JSON");
     assert_eq!(found["key"], "G3");
