@@ -1,10 +1,10 @@
 //! Latency benches, compared with what they took when a baseline was written.
 //!
 //! A time says nothing without its machine, so each is kept as a multiple of a loop of arithmetic
-//! (`calibration` in `benches/setting`) that the same process measured less than a second before:
-//! a virtual machine has another speed a few seconds later. Benches take turns over several
-//! rounds, so that what disturbs the machine for a while disturbs all of them a little; of each
-//! round the fastest sample counts, and how far the middle half of the rounds differs is the noise.
+//! that the same process measured a moment before (`calibration` in `benches/setting`). Programs
+//! take turns over several rounds, so that what disturbs the machine for a while disturbs all of
+//! them a little; of each round the fastest sample counts, and how far the middle half of the rounds
+//! differs is the noise.
 
 mod baseline;
 mod sample;
@@ -12,16 +12,16 @@ mod sample;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
-use crate::command::{answer, cargo, root, run, target, words};
+use crate::command::{cargo, root, run, target};
 use crate::error::Error;
 use baseline::{BenchBaseline, RoundRange};
 
 /// Codec, strike to MIDI, a whole tick by activity, and one key from sample to force by model.
 const PROGRAMS: [&str; 4] = ["frame_codec", "strike_to_midi", "tick_88_voices", "voices"];
 
-/// Times that each bench is run.
+/// Times that each program is run.
 const ROUNDS: usize = 9;
 
 /// Short measurements: rounds make up for it.
@@ -69,47 +69,30 @@ pub(crate) fn measure(usage: BaselineUse) -> Result<(), Error> {
 /// What each bench took over all rounds, as multiples of the calibration.
 fn ranges() -> Result<BTreeMap<String, RoundRange>, Error> {
     let home = target()?.join("latency");
-    let mut benches = Vec::new();
-    for program in PROGRAMS {
-        let listed = answer(bench(program, &["--list"]).stderr(Stdio::null()))?;
-        benches.extend(sample::names(&listed, CALIBRATION).map(|name| (program, name)));
-    }
     let mut rounds = BTreeMap::<String, Vec<f64>>::new();
     for round in 1..=ROUNDS {
         println!("round {round} of {ROUNDS}");
-        for (program, name) in &benches {
-            rounds.entry(key(name)).or_default().push(multiple(program, name, &home)?);
+        for program in PROGRAMS {
+            for (name, multiple) in round_of(program, &home)? {
+                rounds.entry(name).or_default().push(multiple);
+            }
         }
     }
     Ok(rounds.into_iter().map(|(name, rounds)| (name, RoundRange::of(rounds))).collect())
 }
 
-/// Runs the calibration and then the bench `name` of `program`, which it returns as a multiple.
-fn multiple(program: &str, name: &str, home: &Path) -> Result<f64, Error> {
+/// Runs `program` once, and returns each of its benches as a multiple of the calibration.
+fn round_of(program: &str, home: &Path) -> Result<Vec<(String, f64)>, Error> {
     if home.exists() {
         fs::remove_dir_all(home).map_err(|cause| Error::file(home, cause))?;
     }
-    let select = format!("^({CALIBRATION}|{name})$");
-    let arguments: Vec<_> = SHORT.split_whitespace().chain([select.as_str()]).collect();
-    let mut command = bench(program, &arguments);
-    let ended = command.env("CRITERION_HOME", home).stdout(Stdio::null()).stderr(Stdio::null());
-    if !ended.status().is_ok_and(|it| it.success()) {
-        return Err(Error::Failed { command: words(&command) });
-    }
-    let times = sample::fastest_of(home)?;
-    let time = |name: &str| times.get(name).ok_or_else(|| Error::unobtainable(name, program));
-    Ok(time(&key(name))? / time(CALIBRATION)?)
-}
-
-/// A bench's name in the baseline, and that of criterion's folder for it.
-fn key(name: &str) -> String {
-    name.replace('/', "_")
-}
-
-/// The benches of `program`, to be run with `arguments`.
-fn bench(program: &str, arguments: &[&str]) -> Command {
     let select = ["bench", "--quiet", "--workspace", "--bench", program, "--"];
-    cargo(select.into_iter().chain(arguments.iter().copied()))
+    let mut command = cargo(select.into_iter().chain(SHORT.split_whitespace()));
+    run(command.env("CRITERION_HOME", home).stdout(Stdio::null()).stderr(Stdio::null()))?;
+    let mut times = sample::fastest_of(home)?;
+    let unit = times.remove(CALIBRATION);
+    let unit = unit.ok_or_else(|| Error::unobtainable("the calibration", program))?;
+    Ok(times.into_iter().map(|(name, time)| (name, time / unit)).collect())
 }
 
 /// The processors' name and how many there are: multiples of another machine are not comparable.

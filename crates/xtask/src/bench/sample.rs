@@ -1,4 +1,4 @@
-//! What criterion says of benches: their names, and their samples as JSON of one known form.
+//! What criterion leaves behind of a bench: its samples, as JSON of one known form.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -25,12 +25,6 @@ pub(super) fn fastest_of(home: &Path) -> Result<BTreeMap<String, f64>, Error> {
     Ok(all)
 }
 
-/// The names of the benches in `listed`, as criterion lists them, but for the one called `but`.
-pub(super) fn names(listed: &str, but: &str) -> impl Iterator<Item = String> {
-    let names = listed.lines().filter_map(|line| line.strip_suffix(": benchmark"));
-    names.filter(move |name| *name != but).map(str::to_owned)
-}
-
 /// The least time of an iteration in `text`, a `sample.json`.
 fn fastest(text: &str) -> Option<f64> {
     let (iterations, times) = (numbers(text, "iters")?, numbers(text, "times")?);
@@ -48,13 +42,6 @@ fn numbers(text: &str, name: &str) -> Option<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn all_benches_are_measured_but_what_they_are_measured_by() {
-        let listed = "calibration: benchmark\nvoice_spring: benchmark\n\nx: test\n";
-        let names: Vec<_> = names(listed, "calibration").collect();
-        assert_eq!(names, ["voice_spring"]);
-    }
 
     #[test]
     fn the_fastest_sample_is_the_least_time_of_an_iteration() {
