@@ -82,8 +82,8 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
     match (it.incomplete_from, it.missing.is_empty()) {
         (Some(tick), true) => writeln!(
             out,
-            "  from tick {tick} on samples are missing in it, so that nothing could be compared: \
-             {ticks} of {recorded} ticks were"
+            "  from tick {tick} on it does not tell all that decided, so that nothing could be \
+             compared: {ticks} of {recorded} ticks were"
         )?,
         (Some(tick), false) => writeln!(
             out,

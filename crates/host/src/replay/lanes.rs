@@ -223,3 +223,43 @@ impl KeyBus for ReplayBus {
 
     fn send(&mut self, _tick: u64, _forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {}
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use scheduler::voice::Voice;
+
+    struct Still;
+
+    impl Voice for Still {
+        fn tick(&mut self, _tick: u64, _sample: &KeySample, _turn: &mut VoiceOutput) {}
+
+        fn reset(&mut self, _sample: &KeySample) {}
+    }
+
+    /// A slot whose lane was late in these ticks, after tick 38 told what was `unrun`.
+    fn caught_up(late: &[u64], unrun: u32) -> ReplaySlot {
+        let mut slot = ReplaySlot {
+            slot: Slot::new(3, PanicGuard::new(Box::new(Still))),
+            render: Scene::load("springs", &[]).expect("a scene of ours").render,
+            revision: 0,
+            pending: Vec::new(),
+            late: LateResult::default(),
+            is_unknown: false,
+        };
+        let at = |tick: &u64| (*tick, KeySample::fresh(0.0), WorkAllowance::ALL);
+        slot.pending = late.iter().map(at).collect();
+        slot.catch_up(38, unrun);
+        assert!(slot.pending.is_empty());
+        slot
+    }
+
+    #[test]
+    fn late_ticks_are_run_as_they_were_and_one_that_is_too_long_ago_is_unknown() {
+        // Ticks 7 and 36 were run, and 9 and 37 were not.
+        let slot = caught_up(&[7, 9, 36, 37], !(1 << 31 | 1 << 2));
+        assert_eq!(slot.slot.ran_before(38), 1 << 31 | 1 << 2 | 1);
+        assert!(!slot.is_unknown);
+        assert!(caught_up(&[6, 36], !(1 << 2)).is_unknown);
+    }
+}

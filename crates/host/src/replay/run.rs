@@ -38,7 +38,8 @@ pub struct Replayed {
     pub different: u64,
     /// The first of them.
     pub first_difference: Option<ReplayDifference>,
-    /// The tick from which on rows are missing, so that nothing could be compared.
+    /// The tick from which on the recording does not tell all that decided, since rows are missing
+    /// or a lane was late for too long, so that nothing could be compared.
     pub incomplete_from: Option<u64>,
     /// What is damaged in the recording.
     pub missing: Vec<MissingTicks>,
