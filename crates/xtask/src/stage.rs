@@ -1,9 +1,7 @@
-//! Stages: what is run in groups, one group after the other, timed, and summed up at the end.
+//! Stages: what is run one after the other, timed, and summed up at the end.
 
 use std::fmt;
-use std::panic::resume_unwind;
 use std::process::Command;
-use std::thread;
 use std::time::{Duration, Instant};
 
 use crate::command;
@@ -15,7 +13,7 @@ pub(crate) struct Stage {
     /// What it shows, in a few words.
     pub name: &'static str,
     pub work: StageWork,
-    /// Why it is not to be run here, if that is known before.
+    /// Why it cannot be run here, if that is known before.
     pub skipped: Option<&'static str>,
 }
 
@@ -60,46 +58,31 @@ struct SummaryLine {
     took: Duration,
 }
 
-/// Runs each group's stages side by side, up to the first group in which one fails, and prints a
-/// summary in any case.
+/// Runs the stages up to the first that fails, and prints a summary in any case.
 ///
 /// # Errors
-/// Names the first command that failed.
-pub(crate) fn run_all(groups: Vec<Vec<Stage>>) -> Result<(), Error> {
+/// Names the command that failed.
+pub(crate) fn run_all(stages: Vec<Stage>) -> Result<(), Error> {
     let mut lines = Vec::new();
     let mut result = Ok(());
-    for mut group in groups {
-        if result.is_err() {
-            for stage in &mut group {
-                stage.skipped = Some("an earlier stage failed");
-            }
-        }
-        let ended: Vec<_> = thread::scope(|scope| {
-            let stages = group.into_iter().map(|stage| scope.spawn(|| end(stage)));
-            let running: Vec<_> = stages.collect();
-            running.into_iter().map(|it| it.join().unwrap_or_else(|it| resume_unwind(it))).collect()
-        });
-        for (line, outcome) in ended {
-            lines.push(line);
-            result = result.and(outcome);
-        }
+    for mut stage in stages {
+        let start = Instant::now();
+        let outcome = match (stage.skipped, &result) {
+            (_, Err(_)) => StageOutcome::Skipped("an earlier stage failed".into()),
+            (Some(reason), Ok(())) => StageOutcome::Skipped(reason.into()),
+            (None, Ok(())) => match run(&mut stage) {
+                Ok(Done::All) => StageOutcome::Passed,
+                Ok(Done::Skipped(reason)) => StageOutcome::Skipped(reason),
+                Err(error) => {
+                    result = Err(error);
+                    StageOutcome::Failed
+                }
+            },
+        };
+        lines.push(SummaryLine { name: stage.name, outcome, took: start.elapsed() });
     }
     print!("\n{}", summary(&lines));
     result
-}
-
-/// Runs a stage to its end unless it is skipped; returns its line of the summary, and what failed.
-fn end(mut stage: Stage) -> (SummaryLine, Result<(), Error>) {
-    let start = Instant::now();
-    let (outcome, result) = match stage.skipped {
-        Some(reason) => (StageOutcome::Skipped(reason.into()), Ok(())),
-        None => match run(&mut stage) {
-            Ok(Done::All) => (StageOutcome::Passed, Ok(())),
-            Ok(Done::Skipped(reason)) => (StageOutcome::Skipped(reason), Ok(())),
-            Err(error) => (StageOutcome::Failed, Err(error)),
-        },
-    };
-    (SummaryLine { name: stage.name, outcome, took: start.elapsed() }, result)
 }
 
 /// Runs one stage, and says how long it took.
@@ -125,9 +108,6 @@ fn summary(lines: &[SummaryLine]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Barrier;
-    use std::sync::atomic::{AtomicUsize, Ordering};
-
     use super::*;
 
     fn line(name: &'static str, outcome: StageOutcome, seconds: f64) -> SummaryLine {
@@ -146,31 +126,11 @@ mod tests {
                         2.0 s  doc tests  FAILED\n";
         assert_eq!(summary(&lines), expected);
     }
-
-    #[test]
-    fn stages_of_a_group_are_all_run_to_their_ends_side_by_side() {
-        static BOTH: Barrier = Barrier::new(2);
-        static ENDED: AtomicUsize = AtomicUsize::new(0);
-        let ends = || {
-            BOTH.wait();
-            ENDED.fetch_add(1, Ordering::Relaxed);
-            Ok(Done::All)
-        };
-        let fails = || {
-            BOTH.wait();
-            Err(Error::Guest("no sound".into()))
-        };
-        let stage = |work| Stage { name: "a chore", work: StageWork::Chore(work), skipped: None };
-        assert!(run_all(vec![vec![stage(fails), stage(ends)]]).is_err());
-        assert_eq!(ENDED.load(Ordering::Relaxed), 1);
-    }
-
     #[test]
     fn a_chore_that_cannot_be_done_here_fails_nothing() {
         let stage = |work| Stage { name: "a chore", work: StageWork::Chore(work), skipped: None };
-        assert!(run_all(vec![vec![stage(|| Ok(Done::Skipped("no kernel".into())))]]).is_ok());
+        assert!(run_all(vec![stage(|| Ok(Done::Skipped("no kernel".into())))]).is_ok());
         let failing = || Err(Error::Guest("no sound".into()));
-        let groups = vec![vec![stage(failing)], vec![stage(|| unreachable!())]];
-        assert!(run_all(groups).is_err());
+        assert!(run_all(vec![stage(failing), stage(|| unreachable!())]).is_err());
     }
 }

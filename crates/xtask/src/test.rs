@@ -43,36 +43,39 @@ pub(crate) fn run() -> Result<(), Error> {
 }
 
 /// All stages, for tests of `program`; `no_bare_target` says why the one for the bare target is
-/// skipped, if it is. What is judged by time is alone; the guest, which waits for a single
-/// emulated processor and has a time of its own, is beside what follows.
+/// skipped, if it is.
 ///
 /// What is built for one stage is there for the next: they all select the whole workspace, since
 /// Cargo compiles dependencies once for each set of features that is asked of them.
-fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Vec<Stage>> {
+fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
     let stage = |name, arguments: &[&str]| {
         let mut command = cargo(arguments);
         command.env(SEED_NAME, std::env::var_os(SEED_NAME).unwrap_or_else(|| SEED.into()));
         command.env(PROGRAM, program);
         Stage { name, work: StageWork::Command(command), skipped: None }
     };
-    let bare = Stage {
-        skipped: no_bare_target,
-        ..stage("the same on bare metal", &no_std(&["--target", BARE_TARGET]))
-    };
-    let chore = |name, chore| Stage { name, work: StageWork::Chore(chore), skipped: None };
     vec![
-        vec![stage("the tick's crates without std", &no_std(&[]))],
-        vec![bare],
+        stage("the tick's crates without std", &no_std(&[])),
+        Stage {
+            skipped: no_bare_target,
+            ..stage("the same on bare metal", &no_std(&["--target", BARE_TARGET]))
+        },
         // Every failing test is shown, not only the first crate's. Outside `cargo bench` each
         // bench runs once.
-        vec![stage("tests, examples and benches", &test(&["--workspace", "--all-targets"]))],
-        vec![
-            stage("examples in the documentation", &test(&["--workspace", "--doc"])),
-            chore("equations and motions beside SymPy's and MuJoCo's", oracle::short),
-            chore("boards in a Debian kernel (QEMU)", || {
+        stage("tests, examples and benches", &test(&["--workspace", "--all-targets"])),
+        stage("examples in the documentation", &test(&["--workspace", "--doc"])),
+        Stage {
+            name: "equations and motions beside SymPy's and MuJoCo's",
+            work: StageWork::Chore(oracle::short),
+            skipped: None,
+        },
+        Stage {
+            name: "boards in a Debian kernel (QEMU)",
+            work: StageWork::Chore(|| {
                 guest_boards::guest(CheckScope::Short, TriedProgram::OfTheTests).run()
             }),
-        ],
+            skipped: None,
+        },
     ]
 }
 
@@ -102,7 +105,7 @@ mod tests {
 
     #[test]
     fn every_crate_is_tested_not_only_the_default_one() {
-        for stage in stages(Path::new("letoff"), None).into_iter().flatten() {
+        for stage in stages(Path::new("letoff"), None) {
             let StageWork::Command(command) = stage.work else { continue };
             let line = words(&command);
             let selects = ["--workspace", "--package"].iter().any(|flag| line.contains(flag));
@@ -112,7 +115,7 @@ mod tests {
 
     #[test]
     fn the_cases_of_property_tests_are_chosen() {
-        for stage in stages(Path::new("letoff"), None).into_iter().flatten() {
+        for stage in stages(Path::new("letoff"), None) {
             let StageWork::Command(command) = stage.work else { continue };
             for set in [SEED_NAME, PROGRAM] {
                 assert!(command.get_envs().any(|(name, value)| name == set && value.is_some()));
@@ -123,7 +126,7 @@ mod tests {
     #[test]
     fn without_the_bare_target_only_that_stage_is_skipped() {
         let stages = stages(Path::new("letoff"), Some("x"));
-        let skipped: Vec<_> = stages.iter().flatten().map(|stage| stage.skipped).collect();
+        let skipped: Vec<_> = stages.iter().map(|stage| stage.skipped).collect();
         assert_eq!(skipped, [None, Some("x"), None, None, None, None]);
     }
 
