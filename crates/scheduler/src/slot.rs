@@ -218,6 +218,7 @@ impl<V: Voice> Slot<V> {
         self.debt = debt.plus(turn.work.evaluations());
         self.force = turn.force;
         self.lockout.note(turn.fault, passed);
+        // Bit 0, set there since all before is known, says now that this tick was run.
         (self.ran, self.last) = (self.told_ran, tick);
     }
 

@@ -16,17 +16,16 @@ pub(super) struct KeyTick {
     /// Which voice it was of; 0 if that is not known.
     pub(super) revision: u32,
     pub(super) lane: LaneStatus,
-    /// Key events that were told of.
-    pub(super) events: u32,
+    /// In which of the last ticks it was not run: bit 1 is the one before. Of a late lane that is
+    /// known if bit 0 is not set.
+    pub(super) unrun: u32,
 }
 
 /// How the key's lane was.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LaneStatus {
-    /// Done in time, and not run in these of the last ticks: bit 1 is the one before.
-    Done { unrun: u32 },
-    /// The same, if bit 0 is not set; else nothing is known yet.
-    Late { unrun: u32 },
+    Done,
+    Late,
 }
 
 /// Whether voices are felt.
@@ -52,12 +51,8 @@ pub(super) struct Feed {
 
 impl Feed {
     pub(super) fn new() -> Self {
-        let nothing = KeyTick {
-            sample: KeySample::default(),
-            revision: 0,
-            lane: LaneStatus::Done { unrun: 0 },
-            events: 0,
-        };
+        let nothing =
+            KeyTick { sample: KeySample::default(), revision: 0, lane: LaneStatus::Done, unrun: 0 };
         Self {
             rows: vec![VecDeque::new(); KEYS],
             last: vec![nothing; KEYS],
@@ -122,10 +117,9 @@ impl Feed {
     /// Whether the first rows of keys say that they were run before `tick`.
     pub(super) fn begins_late(&self, tick: u64) -> bool {
         let of = |rows: &VecDeque<(u64, KeyTick)>| rows.front().copied();
-        self.rows.iter().filter_map(of).any(|(at, fed)| match fed.lane {
+        self.rows.iter().filter_map(of).any(|(at, fed)| {
             // A voice that was never run before says so of all ticks before.
-            LaneStatus::Done { unrun } => at <= tick && unrun != u32::MAX - 1,
-            LaneStatus::Late { .. } => false,
+            fed.lane == LaneStatus::Done && at <= tick && fed.unrun != u32::MAX - 1
         })
     }
 
@@ -149,8 +143,8 @@ impl Feed {
             *last = now.unwrap_or(KeyTick {
                 // It lies still, as it did before.
                 sample: KeySample { age: 0, taken: 0.0, ..last.sample },
-                lane: LaneStatus::Done { unrun: 0 },
-                events: 0,
+                lane: LaneStatus::Done,
+                unrun: 0,
                 revision: last.revision,
             });
         }
@@ -174,8 +168,9 @@ fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
         velocity: block.velocity.get(row).copied().filter(|it| !it.is_nan()),
     };
     let unrun = *block.unrun.get(row)?;
-    let is_late = flags & flag::LATE != 0;
-    let lane = if is_late { LaneStatus::Late { unrun } } else { LaneStatus::Done { unrun } };
-    let (revision, events) = (*block.revision.get(row)?, *block.events.get(row)?);
-    Some((tick, KeyTick { sample, revision, lane, events }, flags))
+    let lane = if flags & flag::LATE == 0 { LaneStatus::Done } else { LaneStatus::Late };
+    let revision = *block.revision.get(row)?;
+    // Not needed, but a whole row has it.
+    block.events.get(row)?;
+    Some((tick, KeyTick { sample, revision, lane, unrun }, flags))
 }

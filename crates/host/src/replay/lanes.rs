@@ -154,11 +154,11 @@ impl ReplaySlot {
         (turn, seen): (&mut VoiceOutput, &mut VoiceObservation),
     ) -> Result<(), ReplayError> {
         match fed.lane {
-            LaneStatus::Late { unrun } => {
+            LaneStatus::Late => {
                 turn.hold();
                 let mut ran = 0;
-                if unrun & 1 == 0 {
-                    self.catch_up(tick, unrun);
+                if fed.unrun & 1 == 0 {
+                    self.catch_up(tick, fed.unrun);
                     self.late.hand_over(turn);
                     ran = self.slot.ran_before(tick);
                 }
@@ -166,8 +166,8 @@ impl ReplaySlot {
                 seen.pass(ran);
                 self.pending.push((tick, fed.sample, allowance));
             }
-            LaneStatus::Done { unrun } => {
-                self.catch_up(tick, unrun);
+            LaneStatus::Done => {
+                self.catch_up(tick, fed.unrun);
                 self.change(fed.revision, changes, seen)?;
                 self.slot.allow(allowance);
                 self.slot.tick(tick, &fed.sample, turn);

@@ -292,7 +292,6 @@ impl Replay {
                     // Behind the ticks before, nothing can be compared.
                     self.feed.lose(from + 1);
                     self.said.clear();
-                    self.comparison.forget_unrun();
                 } else {
                     self.comparison.window(self.last, &self.said);
                 }

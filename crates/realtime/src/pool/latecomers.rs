@@ -70,9 +70,9 @@ impl LateResults {
 
     /// Keeps what `batch`, which came back too late for `tick` or before, says of its keys.
     pub(super) fn keep(&mut self, tick: u64, batch: &Batch) {
+        self.any = true;
         for slot in &batch.slots {
             self.ran[slot.key()] = Some(slot.ran_before(tick));
-            self.any = true;
         }
         let Some(cpu) = batch.ran else {
             self.counters.passed += 1;
@@ -84,7 +84,6 @@ impl LateResults {
         }
         for key in batch.slots.iter().map(Slot::key) {
             self.kept[key].keep(&batch.turns[key]);
-            self.any |= !self.kept[key].is_empty();
         }
     }
 
