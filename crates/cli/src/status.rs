@@ -83,7 +83,7 @@ fn text(status: &HostStatus) -> String {
     }
     if 0 < status.waited {
         let waited = status.waited;
-        lines.push(format!("  waited      {waited} turns of voices that have too much work"));
+        lines.push(format!("  waited      {waited} turns of voices for which there was no time"));
     }
     lines.extend(status.boards.iter().map(board));
     lines.push(format!("  midi        {midi}"));

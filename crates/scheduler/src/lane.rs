@@ -1,5 +1,6 @@
 //! One worker's voices and their share of the tick.
 
+use crate::overload::LaneBudget;
 use crate::port::{Lanes, TickInput, TickOutput};
 use crate::slot::Slot;
 use crate::voice::{Voice, VoiceOutput, VoiceWork};
@@ -12,7 +13,7 @@ pub struct LaneReport {
     pub faults: u32,
     /// Voices whose lane was not done in time.
     pub late: u32,
-    /// Voices that had to wait, since they took more evaluations than they may.
+    /// Voices that had to wait, since they or their lane took more evaluations than they may.
     pub waited: u32,
     /// Work of all voices together.
     pub work: VoiceWork,
@@ -43,21 +44,31 @@ impl LaneReport {
 
 /// Runs each slot's voice, in the order of the slots, and writes its turn and what is seen of it.
 ///
-/// Of other keys nothing is written, and no voice but the slot's own is called.
+/// Where `budget` is spent the voices that are left wait; they become the first ones of the next
+/// tick. Of other keys nothing is written, and no voice but the slot's own is called.
 pub fn run_slots<V: Voice>(
     slots: &mut [Slot<V>],
+    mut budget: LaneBudget,
     input: &TickInput<'_>,
     output: &mut TickOutput<'_>,
 ) {
-    for slot in slots {
+    let mut n_run = 0;
+    for slot in &mut *slots {
         let key = slot.key();
         let turn = &mut output.turns[key];
-        slot.allow(input.allowance);
-        slot.tick(input.tick, &input.samples[key], turn);
+        if budget.is_spent() {
+            slot.wait(input.tick, turn);
+        } else {
+            slot.allow(input.allowance);
+            slot.tick(input.tick, &input.samples[key], turn);
+            budget.spend(turn.work.evaluations());
+            n_run += 1;
+        }
         if input.followed.contains(key) {
             slot.observe(input.followed, turn, &mut output.observed[key]);
         }
     }
+    slots.rotate_left(n_run);
 }
 
 /// The plainest lanes: one, run where it is called.
@@ -68,7 +79,7 @@ pub struct Inline<'a, V> {
 
 impl<V: Voice> Lanes for Inline<'_, V> {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
-        run_slots(self.slots, input, output);
+        run_slots(self.slots, LaneBudget::UNLIMITED, input, output);
     }
 }
 
@@ -115,6 +126,7 @@ mod tests {
         let input = TickInput { tick: 0, samples: &samples, followed, allowance };
         run_slots(
             &mut slots,
+            LaneBudget::UNLIMITED,
             &input,
             &mut TickOutput { turns: &mut turns, observed: &mut observed },
         );
@@ -129,5 +141,44 @@ mod tests {
         assert_eq!(LaneReport::of(&turns), expected);
         let seen = |key: &usize| observed[*key].snapshot.mode == 1;
         assert_eq!((0..KEYS).filter(seen).count(), 2, "slots whose key is followed are looked at");
+    }
+
+    /// Takes ten evaluations in each tick.
+    struct Ten;
+
+    impl Voice for Ten {
+        fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
+            (turn.force, turn.work.derivatives) = (tick as f64, 10);
+        }
+
+        fn reset(&mut self, _sample: &KeySample) {}
+    }
+
+    /// Returns which of seven keys are run in each of four ticks, a bit each, where a lane may take
+    /// so many evaluations.
+    #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
+    fn keys_run(evaluations: u32) -> [u8; 4] {
+        let mut slots = [0, 1, 2, 3, 4, 5, 6].map(|key| Slot::new(key, Ten));
+        let samples = [KeySample::default(); KEYS];
+        let mut turns = [VoiceOutput::default(); KEYS];
+        let mut observed = [VoiceObservation::default(); KEYS];
+        let (followed, allowance) = (FollowedKeys::ALL, WorkAllowance::ALL);
+        [0, 1, 2, 3].map(|tick| {
+            let input = TickInput { tick, samples: &samples, followed, allowance };
+            let mut output = TickOutput { turns: &mut turns, observed: &mut observed };
+            run_slots(&mut slots, LaneBudget::of(evaluations), &input, &mut output);
+            (0..7).fold(0, |keys, key| {
+                let (turn, seen) = (&turns[key], &observed[key]);
+                assert!(turn.waited == turn.late && seen.ran & 1 == 1, "what was run is known");
+                keys | u8::from(!turn.waited) << key
+            })
+        })
+    }
+
+    #[test]
+    fn voices_for_which_a_lane_has_no_time_wait_and_are_first_in_the_next_tick() {
+        assert_eq!(keys_run(30), [0b000_0111, 0b011_1000, 0b100_0011, 0b001_1100]);
+        assert_eq!(keys_run(1), [1, 2, 4, 8], "one is always run");
+        assert_eq!(keys_run(70), [0b111_1111; 4]);
     }
 }

@@ -270,6 +270,33 @@ impl WorkAllowance {
     pub const ALL: Self = Self { simplified: Simplifications::NONE, evaluations: u32::MAX };
 }
 
+/// What the voices of one lane may still take in a tick.
+///
+/// The voice that takes the last of it is not cut off, so that a lane takes no more than one
+/// voice's work beyond it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct LaneBudget(u32);
+
+impl LaneBudget {
+    /// No limit.
+    pub const UNLIMITED: Self = Self(u32::MAX);
+
+    /// Returns a budget of so many `evaluations` of derivatives and guards; one voice is always run.
+    pub const fn of(evaluations: u32) -> Self {
+        Self(if evaluations == 0 { 1 } else { evaluations })
+    }
+
+    pub(crate) const fn is_spent(self) -> bool {
+        self.0 == 0
+    }
+
+    pub(crate) const fn spend(&mut self, evaluations: u32) {
+        if self.0 != u32::MAX {
+            self.0 = self.0.saturating_sub(evaluations);
+        }
+    }
+}
+
 /// The evaluations of a voice beyond those that it may take in a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct WorkDebt(u32);

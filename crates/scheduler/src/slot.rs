@@ -180,11 +180,11 @@ impl<V: Voice> Slot<V> {
     /// fault. The damper of a key that failed or is not heard falls, so that its note ends.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
-        self.told_ran = self.ran_before(tick);
         let debt = self.debt.after(passed, self.allowance.evaluations);
         if debt.must_wait(self.allowance.evaluations) {
-            return turn.wait(self.force);
+            return self.wait(tick, turn);
         }
+        self.told_ran = self.ran_before(tick);
         if self.told != self.allowance.simplified {
             self.told = self.allowance.simplified;
             self.voice.simplify(self.told);
@@ -220,6 +220,12 @@ impl<V: Voice> Slot<V> {
         self.lockout.note(turn.fault, passed);
         // Bit 0, set there since all before is known, says now that this tick was run.
         (self.ran, self.last) = (self.told_ran, tick);
+    }
+
+    /// Holds the voice's force in `tick`, as if its lane were late.
+    pub fn wait(&mut self, tick: u64, turn: &mut VoiceOutput) {
+        self.told_ran = self.ran_before(tick);
+        turn.wait(self.force);
     }
 
     /// Follows the damper as `turn` reports it.

@@ -85,7 +85,7 @@ pub struct VoiceOutput {
     pub idle: bool,
     /// The lane did not finish, or the voice had to wait, so the last force is held.
     pub late: bool,
-    /// The voice had to wait, since it took more evaluations than it may.
+    /// The voice had to wait, since it or its lane took more evaluations than it may.
     pub waited: bool,
     /// First turn after the voice was put in, reset or retuned: its force is unrelated to the
     /// last one.

@@ -29,7 +29,7 @@ pub fn metrics(status: &HostStatus, version: &str) -> String {
     let left_out = status.left_out.len() as f64;
     text.one("left_out", "gauge", "Parts of the work that are left out by overload.", left_out);
     let waited = status.waited as f64;
-    text.one("waited_turns_total", "counter", "Turns of voices with too much work.", waited);
+    text.one("waited_turns_total", "counter", "Turns of voices that had to wait.", waited);
     text.one("dropped_events_total", "counter", "Key events without room.", *dropped as f64);
     text.boards(status);
     text.one("clients", "gauge", "Clients of the stream.", f64::from(status.clients));

@@ -63,7 +63,7 @@ pub struct HostStatus {
     pub muted: Vec<String>,
     /// What is left out now, since ticks have more work than time.
     pub left_out: Vec<String>,
-    /// Turns of voices that had to wait, since they took more evaluations than they may.
+    /// Turns of voices that had to wait, since they or their lane took more evaluations than they may.
     pub waited: u64,
     pub boards: Vec<BoardState>,
     /// Clients of the stream.

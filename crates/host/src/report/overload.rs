@@ -13,7 +13,7 @@ use crate::adapters::observer::OverloadCounters;
 pub struct OverloadReport {
     /// What was left out for how long; nothing if there was no need.
     pub left_out: Vec<LeftOut>,
-    /// Turns of voices that had to wait, since they took more evaluations than they may.
+    /// Turns of voices that had to wait, since they or their lane took more evaluations than they may.
     pub waited: u64,
     /// The keys of these voices.
     pub waited_keys: Vec<String>,
@@ -52,7 +52,7 @@ impl OverloadReport {
             let (turns, keys) = (self.waited, self.waited_keys.join(", "));
             writeln!(
                 f,
-                "  waited      {turns} turns of {keys}: more evaluations than a voice may"
+                "  waited      {turns} turns of {keys}: more evaluations than a voice or its lane may"
             )?;
         }
         Ok(())

@@ -24,6 +24,7 @@ mod balance;
 mod fence;
 mod latecomers;
 mod share;
+mod speed;
 mod swap;
 mod worker;
 
@@ -38,6 +39,7 @@ use std::thread;
 
 use scheduler::lane::run_slots;
 use scheduler::motion::KEYS;
+use scheduler::overload::LaneBudget;
 use scheduler::port::{Lanes, TickInput, TickOutput};
 use scheduler::slot::{Slot, lane_of};
 use scheduler::time::Nanos;
@@ -51,8 +53,9 @@ use super::thread::{SchedulingPolicy, ThreadPlan};
 use balance::MeasuredWork;
 use latecomers::LateResults;
 use share::RemoteLane;
+use speed::LaneSpeed;
 use swap::InnerEnd;
-use worker::{AWAKE, Batch, PoolState, Remote};
+use worker::{AWAKE, Batch, PoolState, Remote, SHARES};
 
 /// Looks at the rings between two offers of the processor to others.
 const LOOKS_PER_YIELD: u64 = 64;
@@ -90,8 +93,11 @@ pub struct ThreadedLanes {
     remotes: Vec<RemoteLane>,
     swaps: InnerEnd,
     measured: MeasuredWork,
+    speed: LaneSpeed,
     shared: Arc<PoolState>,
     patience: WaitLimit,
+    /// What each lane may take in this tick.
+    budgets: [LaneBudget; SHARES],
     latecomers: LateResults,
     times: LaneTimes,
 }
@@ -134,8 +140,10 @@ impl ThreadedLanes {
             remotes: Vec::with_capacity(lanes.len()),
             swaps,
             measured: MeasuredWork::new(),
+            speed: LaneSpeed::default(),
             shared: Arc::default(),
             patience: WaitLimit::Endless,
+            budgets: [LaneBudget::UNLIMITED; SHARES],
             latecomers: LateResults::new(),
             times: LaneTimes::default(),
         };
@@ -155,9 +163,11 @@ impl ThreadedLanes {
     /// CPU time that the last tick needed, if its own thread used `cpu`.
     ///
     /// Time spent waiting for lanes does not count; a lane that took longer than lane 0 does.
-    pub const fn work_of_tick(&self, cpu: Nanos) -> Nanos {
-        let overhang = self.times.slowest.since(self.times.inline);
-        cpu.since(self.times.waiting).after(overhang)
+    pub fn work_of_tick(&mut self, cpu: Nanos) -> Nanos {
+        let LaneTimes { inline, waiting, slowest } = self.times;
+        let own = cpu.since(waiting);
+        self.speed.learn_beside(own.since(inline));
+        own.after(slowest.since(inline))
     }
 
     /// What became of lanes so far.
@@ -168,6 +178,20 @@ impl ThreadedLanes {
     /// How the system schedules the other lanes' threads.
     pub fn standings(&self) -> impl Iterator<Item = &SchedulingPolicy> {
         self.remotes.iter().map(|lane| &lane.remote.standing)
+    }
+
+    /// Runs lane 0's voices on this thread.
+    fn run_inline(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        let [budget, _at_rest] = self.budgets;
+        if self.remotes.is_empty() && self.patience == WaitLimit::Endless {
+            return run_slots(&mut self.inline, budget, input, output);
+        }
+        let before = clock::thread_cpu();
+        run_slots(&mut self.inline, budget, input, output);
+        self.times.inline = clock::thread_cpu().since(before);
+        let work = |slot: &Slot<PanicGuard>| output.turns[slot.key()].work.evaluations();
+        let evaluations = self.inline.iter().map(work).map(u64::from).sum();
+        self.speed.learn(evaluations, self.times.inline, self.patience);
     }
 
     /// Makes lanes equal: one voice goes from the lane with the most to do to that with the
@@ -192,7 +216,7 @@ impl ThreadedLanes {
     fn give(&mut self, input: &TickInput<'_>) {
         self.shared.current.store(input.tick, Ordering::Release);
         for lane in &mut self.remotes {
-            lane.give(input, self.patience);
+            lane.give(input, self.patience, self.budgets);
         }
     }
 
@@ -218,7 +242,7 @@ impl ThreadedLanes {
         for lane in &mut self.remotes {
             lane.take_back(input.tick, output, &mut self.latecomers);
             // What just came back from an earlier tick may still be in time for this one.
-            lane.give(input, self.patience);
+            lane.give(input, self.patience, self.budgets);
             waiting |= lane.is_awaited(self.patience);
         }
         waiting
@@ -228,6 +252,7 @@ impl ThreadedLanes {
     fn hold_late(&mut self, output: &mut TickOutput<'_>) {
         for lane in &self.remotes {
             self.times.slowest = self.times.slowest.max(lane.cpu());
+            self.speed.learn(lane.evaluations(output.turns), lane.cpu(), self.patience);
             self.latecomers.counters.late += u64::from(lane.hold_late(output));
         }
     }
@@ -247,12 +272,13 @@ fn slots_of<'a>(
 
 impl Lanes for ThreadedLanes {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        self.times = LaneTimes::default();
+        self.budgets = self.speed.budgets(self.patience);
         if self.remotes.is_empty() {
             self.swaps.apply(&mut self.inline, &mut [], output.observed);
-            run_slots(&mut self.inline, input, output);
+            self.run_inline(input, output);
             return;
         }
-        self.times = LaneTimes::default();
         for lane in &mut self.remotes {
             lane.begin(input.tick, output, &mut self.latecomers);
         }
@@ -260,14 +286,10 @@ impl Lanes for ThreadedLanes {
         self.share_out();
         self.give(input);
 
+        self.run_inline(input, output);
         let before = clock::thread_cpu();
-        run_slots(&mut self.inline, input, output);
-        let between = clock::thread_cpu();
         self.collect(input, output);
-        let after = clock::thread_cpu();
-
-        self.times.inline = between.since(before);
-        self.times.waiting = after.since(between);
+        self.times.waiting = clock::thread_cpu().since(before);
         self.hold_late(output);
         self.latecomers.hand_over(output);
         self.measured.learn(output.turns);

@@ -1,5 +1,7 @@
 //! A lane on another thread as the tick sees it: two shares, and where each is.
 
+use scheduler::motion::KEYS;
+use scheduler::overload::LaneBudget;
 use scheduler::port::{TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
@@ -117,15 +119,22 @@ impl RemoteLane {
         })
     }
 
-    /// Gives the lane its shares of this tick that are at home and not given yet.
-    pub(super) fn give(&mut self, input: &TickInput<'_>, patience: WaitLimit) {
+    /// Gives the lane its shares of this tick that are at home and not given yet, with what each
+    /// may take.
+    pub(super) fn give(
+        &mut self,
+        input: &TickInput<'_>,
+        patience: WaitLimit,
+        budgets: [LaneBudget; SHARES],
+    ) {
         let Self { remote, shares } = self;
-        for share in shares.iter_mut().filter(|it| it.stands == ShareState::Home) {
+        let home = shares.iter_mut().zip(budgets).filter(|(it, _)| it.stands == ShareState::Home);
+        for (share, budget) in home {
             let Some(batch) = share.batch.take_if(|it| !it.slots.is_empty()) else { continue };
             share.keys.clear();
             // Never grows: there is room for all keys.
             share.keys.extend(batch.slots.iter().map(Slot::key));
-            remote.send(batch, input, patience);
+            remote.send(batch, input, (patience, budget));
             share.stands = ShareState::Running;
         }
     }
@@ -176,6 +185,13 @@ impl RemoteLane {
             | ShareState::Behind { .. }
             | ShareState::Lost => sum,
         })
+    }
+
+    /// Evaluations of the lane's shares that are done.
+    pub(super) fn evaluations(&self, turns: &[VoiceOutput; KEYS]) -> u64 {
+        let is_done = |share: &&Share| matches!(share.stands, ShareState::Done { .. });
+        let keys = self.shares.iter().filter(is_done).flat_map(|share| &share.keys);
+        keys.map(|key| u64::from(turns[*key].work.evaluations())).sum()
     }
 
     /// Holds the forces of what is not done; says whether that is anything.

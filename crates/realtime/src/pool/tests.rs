@@ -282,6 +282,32 @@ fn lanes_become_equal_wherever_the_work_is() {
 }
 
 #[test]
+fn what_a_lane_has_no_time_for_waits_its_turn() {
+    const WORK: u32 = 10;
+    let voice = || Box::new(Steady { work: WORK, is_at_rest: false }) as BoxedVoice;
+    for n_lanes in 1..=2 {
+        let mut run = Run::new(start((0..KEYS).map(|key| (key, voice())).collect(), n_lanes).0);
+        run.tick(0);
+        // Patience without end, and time for 200 evaluations at one in a nanosecond.
+        let (time, share) = (Nanos::from_millis(u64::MAX / 10_000_000), Nanos::new(200));
+        let patience = WaitLimit::Until { time, share };
+        run.lanes.speed.learn(1000, Nanos::new(1000), patience);
+        run.lanes.set_patience(patience);
+        let mut runs = [0; KEYS];
+        for tick in 1..=9 {
+            for (key, turn) in run.tick(tick).iter().enumerate() {
+                assert!((turn.force - 1.0).abs() == 0.0, "a force is held");
+                runs[key] += usize::from(!turn.waited);
+            }
+            let evaluations: u32 = run.turns.iter().map(|turn| turn.work.evaluations()).sum();
+            assert_eq!(evaluations, 20 * WORK * u32::try_from(n_lanes).unwrap(), "tick {tick}");
+        }
+        let (least, most) = (9 * 20 * n_lanes / KEYS, 9 * 20 * n_lanes / KEYS + 1);
+        assert!(runs.iter().all(|n| (least..=most).contains(n)), "{n_lanes} lanes: {runs:?}");
+    }
+}
+
+#[test]
 fn a_lane_that_was_held_up_joins_the_present() {
     let (begun, has_begun) = channel();
     let (go, go_on) = channel();

@@ -16,7 +16,7 @@ use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::lane::run_slots;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
-use scheduler::overload::WorkAllowance;
+use scheduler::overload::{LaneBudget, WorkAllowance};
 use scheduler::port::{TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
@@ -53,6 +53,8 @@ pub(super) struct Batch {
     observed: Box<[VoiceObservation; KEYS]>,
     /// CPU time that the lane took; none if the batch came too late to be run.
     pub(super) ran: Option<Nanos>,
+    /// What the lane may still take in this tick.
+    budget: LaneBudget,
     /// How long it was waited for.
     pub(super) patience: WaitLimit,
 }
@@ -71,15 +73,16 @@ impl Batch {
             turns: boxed_array(),
             observed: boxed_array(),
             ran: None,
+            budget: LaneBudget::UNLIMITED,
             patience: WaitLimit::Endless,
         })
     }
 
     /// Runs each voice for the batch's tick.
     fn run(&mut self) {
-        let Self { tick, samples, followed, allowance, slots, turns, observed, .. } = self;
+        let Self { tick, samples, followed, allowance, slots, turns, observed, budget, .. } = self;
         let input = TickInput { tick: *tick, samples, followed: *followed, allowance: *allowance };
-        run_slots(slots, &input, &mut TickOutput { turns, observed });
+        run_slots(slots, *budget, &input, &mut TickOutput { turns, observed });
     }
 
     /// Copies what the voices did, and what is new of what is seen of them.
@@ -144,10 +147,10 @@ impl Remote {
         &mut self,
         mut batch: Box<Batch>,
         input: &TickInput<'_>,
-        patience: WaitLimit,
+        (patience, budget): (WaitLimit, LaneBudget),
     ) {
         (batch.tick, batch.samples, batch.followed) = (input.tick, *input.samples, input.followed);
-        (batch.allowance, batch.patience) = (input.allowance, patience);
+        (batch.allowance, batch.patience, batch.budget) = (input.allowance, patience, budget);
         let sent = self.todo.push(batch);
         debug_assert!(sent.is_ok(), "the ring has room for all batches there are");
         self.thread.thread().unpark();
