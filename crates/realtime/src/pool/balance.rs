@@ -2,6 +2,7 @@
 
 use scheduler::motion::KEYS;
 use scheduler::slot::Slot;
+use scheduler::time::Nanos;
 use scheduler::voice::VoiceOutput;
 
 use super::worker::boxed_array;
@@ -15,18 +16,26 @@ const SPAN: u64 = 16;
 /// A difference between lanes that is not worth a move is this part of the larger load.
 const WORTH: u64 = 8;
 
-/// What voices took of late, in counted evaluations: no clock decides who runs where.
+/// Lane 0 may wait for the others for this part of its own time before they are taken for slower.
+const WAIT: u64 = 16;
+
+/// The lag of other lanes changes by this part of all work in a tick.
+const LAG_STEP: u64 = 256;
+
+/// What voices took of late, in counted evaluations, and how much later the other lanes begin.
 #[derive(Debug)]
 pub(super) struct MeasuredWork {
     /// The moving average, times [`SPAN`].
     work: Box<[u64; KEYS]>,
     /// Keys whose voices rested in their last turn, a bit each.
     asleep: u128,
+    /// What lane 0 does while the others wake up, in the unit of `work`.
+    lag: u64,
 }
 
 impl MeasuredWork {
     pub(super) fn new() -> Self {
-        Self { work: boxed_array(), asleep: 0 }
+        Self { work: boxed_array(), asleep: 0, lag: 0 }
     }
 
     /// Takes note of a tick; what was held says nothing.
@@ -40,6 +49,22 @@ impl MeasuredWork {
             let bit = 1_u128 << key;
             self.asleep = if turn.idle { self.asleep | bit } else { self.asleep & !bit };
         }
+    }
+
+    /// Takes note of how long lane 0 took for its voices, and then waited for those of the others.
+    pub(super) fn learn_lag(&mut self, inline: Nanos, waiting: Nanos) {
+        let all: u64 = self.work.iter().sum();
+        let step = all / LAG_STEP;
+        self.lag = if inline.as_u64() < WAIT * waiting.as_u64() {
+            (self.lag + step).min(all / 2)
+        } else {
+            self.lag.saturating_sub(step)
+        };
+    }
+
+    /// What another lane has to do beside its voices.
+    pub(super) const fn lag(&self) -> u64 {
+        self.lag
     }
 
     /// Whether the voice of `key` rested in its last turn.
@@ -105,6 +130,27 @@ mod tests {
         let one = slots([3]);
         assert_eq!(measured.to_move(&one, measured.of(&one), 0), None);
         assert_eq!(measured.to_move(&ten, 0, load), None);
+    }
+
+    #[test]
+    fn lanes_for_which_lane_0_waits_have_less_to_do_until_it_waits_no_more() {
+        let mut measured = after(|_key| 100);
+        let (inline, long, short) = (Nanos::new(1600), Nanos::new(101), Nanos::new(99));
+        let all: u64 = measured.work.iter().sum();
+        let mut lag_after = |waiting| {
+            (0..64).for_each(|_| measured.learn_lag(inline, waiting));
+            measured.lag()
+        };
+        assert_eq!(lag_after(long), 64 * (all / 256));
+        assert_eq!(
+            (lag_after(long), lag_after(long), lag_after(long)),
+            (all / 256 * 128, all / 2, all / 2)
+        );
+        assert_eq!(lag_after(short), all / 2 - 64 * (all / 256));
+        for _ in 0..4 {
+            lag_after(short);
+        }
+        assert_eq!(lag_after(short), 0);
     }
 
     #[test]

@@ -12,8 +12,9 @@
 //! ```
 //!
 //! Voices travel with the batches and are with the tick between ticks. They are shared out by
-//! their counted evaluations of late, one move in a tick, so that lanes have equally much to do;
-//! what a voice computes does not depend on where it is.
+//! their counted evaluations of late, one move in a tick, so that lanes end together: those on
+//! other threads, which must wake up first, have less to do the longer lane 0 waits for them.
+//! What a voice computes does not depend on where it is.
 //!
 //! Collecting spins until all lanes are done or the time for it is over. What is not done keeps
 //! its previous forces, marked late: voices at rest before all, since they are run last. When its
@@ -293,6 +294,9 @@ impl Lanes for ThreadedLanes {
         self.hold_late(output);
         self.latecomers.hand_over(output);
         self.measured.learn(output.turns);
+        if self.patience != WaitLimit::Endless {
+            self.measured.learn_lag(self.times.inline, self.times.waiting);
+        }
     }
 }
 

@@ -100,7 +100,8 @@ impl RemoteLane {
             let batch = share.batch.as_ref().filter(|_| share.stands != ShareState::Lost)?;
             Some(measured.of(&batch.slots))
         };
-        self.shares.iter().map(load).sum()
+        let voices: Option<u64> = self.shares.iter().map(load).sum();
+        Some(voices? + measured.lag())
     }
 
     /// The slots that are run first, if they are at home.
