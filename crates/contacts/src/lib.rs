@@ -141,9 +141,7 @@ impl<M: ContactSystem> WithContacts<M> {
         x: &M::State,
         input: &M::Input,
     ) -> FrictionForces {
-        let has_friction =
-            !(mode.contacts.sticking().is_empty() && mode.contacts.sliding().is_empty());
-        if has_friction { self.point(mode, x, input).motion().forces } else { FrictionForces::NONE }
+        self.point(mode, x, input).forces()
     }
 
     const fn point<'a>(

@@ -56,16 +56,29 @@ impl<'a, M: ContactSystem> ContactPoint<'a, M> {
     pub(super) fn motion(&self) -> ContactMotion<M::State> {
         let (structure, contacts) = (self.mode.structure, self.mode.contacts);
         let mut flow = self.system.derivative(structure, contacts.closed(), self.x, self.input);
-        let mut forces = FrictionForces::NONE;
-        for contact in contacts.sliding() {
-            let force = -contacts.state(contact).slip_sign() * self.limits(contact).kinetic;
+        let mut forces = self.sliding();
+        for (contact, force) in forces.iter() {
             flow = flow.plus(force, &self.response(contact));
-            forces.add(contact, force);
         }
         if !contacts.sticking().is_empty() {
             self.hold(&mut flow, &mut forces);
         }
         ContactMotion { flow, forces }
+    }
+
+    /// All friction forces; only those that hold cost what [`ContactPoint::motion`] does.
+    pub(super) fn forces(&self) -> FrictionForces {
+        if self.mode.contacts.sticking().is_empty() { self.sliding() } else { self.motion().forces }
+    }
+
+    /// The friction forces of contacts that slip.
+    fn sliding(&self) -> FrictionForces {
+        let mut forces = FrictionForces::NONE;
+        for contact in self.mode.contacts.sliding() {
+            let sign = self.mode.contacts.state(contact).slip_sign();
+            forces.add(contact, -sign * self.limits(contact).kinetic);
+        }
+        forces
     }
 
     /// Adds the forces that keep all sticking contacts from slipping to `flow`.

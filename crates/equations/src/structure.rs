@@ -1,5 +1,7 @@
 //! A model's table as the structure of a mechanism with contacts.
 
+use core::array;
+
 use contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
     FrictionForces, FrictionLimits, WithContacts,
@@ -22,17 +24,19 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         self.mode(mode).contacts.iter().find(|it| usize::from(it.contact) == contact)
     }
 
-    /// A number of a closed contact's balance: readout, energy, supplied, dissipated.
-    pub(crate) fn contact_sum(
+    /// The sums of all closed contacts' balances: readout, energy, supplied, dissipated.
+    #[inline]
+    pub(crate) fn contact_sums(
         &self,
         (mode, closed): (ModeNumber, ContactIndices),
-        number: usize,
         x: &[f64; N],
         input: &Motion,
-    ) -> f64 {
+    ) -> [f64; 4] {
         let closed = closed.iter().filter_map(|contact| self.contact(mode, contact)?.balance);
-        let one = |balance| self.values::<4>(balance, x, input)[number];
-        closed.map(one).sum()
+        closed.fold([0.0; 4], |sums, balance| {
+            let one: [f64; 4] = self.values(balance, x, input);
+            array::from_fn(|number| sums[number] + one[number])
+        })
     }
 
     /// What the friction forces add to the readout.
@@ -111,7 +115,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
         }
         let (flat, count) = (out.as_flattened(), self.table().states.len());
         let at = |index: usize| flat.get(index).copied().unwrap_or(0.0);
-        let gradient = core::array::from_fn(|i| if i < count { at(2 + i) } else { 0.0 });
+        let gradient = array::from_fn(|i| if i < count { at(2 + i) } else { 0.0 });
         Surface { value: at(0), drift: at(1), gradient }
     }
 
@@ -141,7 +145,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
         input: &Motion,
     ) -> f64 {
         Model::readout(self, mode, x, input)
-            + self.contact_sum((mode, closed), 0, x, input)
+            + self.contact_sums((mode, closed), x, input)[0]
             + self.friction_readout(mode, forces, x, input)
     }
 

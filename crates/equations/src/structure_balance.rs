@@ -1,7 +1,7 @@
 //! The energy of a model with contacts.
 
 use contacts::{ContactIndices, EnergeticContacts, FrictionForces};
-use pode::Motion;
+use pode::{Energetic as _, EnergyBalance, Motion};
 
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
@@ -18,7 +18,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EnergeticContacts
         input: &Motion,
     ) -> f64 {
         pode::Energetic::energy(self, mode, x, input)
-            + self.contact_sum((mode, closed), 1, x, input)
+            + self.contact_sums((mode, closed), x, input)[1]
     }
 
     fn supplied(
@@ -30,7 +30,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EnergeticContacts
         input: &Motion,
     ) -> f64 {
         pode::Energetic::supplied(self, mode, x, input)
-            + self.contact_sum((mode, closed), 2, x, input)
+            + self.contact_sums((mode, closed), x, input)[2]
             + self.friction_readout(mode, forces, x, input) * input.rate
     }
 
@@ -42,6 +42,22 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EnergeticContacts
         input: &Motion,
     ) -> f64 {
         pode::Energetic::dissipated(self, mode, x, input)
-            + self.contact_sum((mode, closed), 3, x, input)
+            + self.contact_sums((mode, closed), x, input)[3]
+    }
+
+    /// All of it: the three share most of their terms.
+    fn balance(
+        &self,
+        mode: ModeNumber,
+        closed: ContactIndices,
+        forces: &FrictionForces,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> EnergyBalance {
+        let [_readout, energy, supplied, dissipated] = self.contact_sums((mode, closed), x, input);
+        let of_contacts = EnergyBalance { energy, supplied, dissipated };
+        let sum = self.balance_of_input(mode, x, input) + of_contacts;
+        let by_friction = self.friction_readout(mode, forces, x, input) * input.rate;
+        EnergyBalance { supplied: sum.supplied + by_friction, ..sum }
     }
 }

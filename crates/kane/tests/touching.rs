@@ -76,3 +76,30 @@ fn a_bearing_sticks_and_slips_as_the_closed_form_does() {
     assert!(audit.sums.dissipated > 0.0, "a slide takes energy");
     assert!(audit.sums.integration.abs() < 1e-9, "{:e}", audit.sums.integration);
 }
+
+/// Energy and powers at one instant, taken together, are those taken one by one: with a contact
+/// that is closed, and with a bearing that holds, and slips each way.
+#[test]
+fn a_balance_is_its_three_numbers() {
+    let (falling, drawn): (Described<2>, Described<2>) =
+        (model(touching::falling(), &[]), model(touching::drawn(), &[]));
+    let input = Motion { position: 0.02, rate: 0.3, ..Motion::default() };
+    let frictions = [ContactState::Stick, ContactState::SlideUp, ContactState::SlideDown];
+    let cases = [(falling, &[ContactState::Closed][..]), (drawn, &frictions[..])];
+    for (described, states) in cases {
+        let model = WithContacts::new(described).unwrap();
+        let (open, _) = model.start(ModeNumber(0), &[0.1, 0.0], &input);
+        for state in states {
+            let (mode, x) = (open.with(0, *state), [-0.01, 0.2]);
+            let balance = model.balance_of_input(mode, &x, &input);
+            let found = [balance.energy, balance.supplied, balance.dissipated];
+            let one_by_one = [
+                model.energy(mode, &x, &input),
+                model.supplied(mode, &x, &input),
+                model.dissipated(mode, &x, &input),
+            ];
+            assert_eq!(found.map(f64::to_bits), one_by_one.map(f64::to_bits), "{state:?}");
+            assert!(balance.energy.abs() > 1e-3, "{state:?} stores something");
+        }
+    }
+}
