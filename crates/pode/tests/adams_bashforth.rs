@@ -6,7 +6,7 @@ use pode::{
     Simulator, State, Step, Stepper,
 };
 
-use crate::common::ONE;
+use crate::common::{ONE, no_input};
 use crate::known::{PENDULUM, check_order, exact, global_error, largest_inside, step};
 
 #[test]
@@ -100,7 +100,7 @@ fn rebound_error<T: Stepper>(steps: i32) -> f64 {
     let mut simulator = Simulator::new(Rebound, T::default(), Limits::default(), (), [1.0, 0.0]);
     let mut recorder = pode::RunRecorder::new(h);
     while recorder.events().len() < 4 {
-        assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
+        assert_eq!(simulator.advance(h, &no_input, &mut recorder).advance, Advance::Completed);
     }
     (recorder.events()[3].t - exact).abs()
 }

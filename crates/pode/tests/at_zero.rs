@@ -6,7 +6,7 @@
 
 use pode::{Advance, GuardId, GuardValue, RunRecorder};
 
-use crate::common::{ONE, Timed, close, count, count_and_flip};
+use crate::common::{ONE, Timed, close, count, count_and_flip, no_input};
 
 /// How a unit of time is cut into ticks.
 const TICKS: [u32; 4] = [1, 10, 143, 1000];
@@ -31,7 +31,7 @@ fn fired(guard: fn(GuardId, f64) -> GuardValue, n: u32) -> Vec<f64> {
     let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
     let mut recorder = RunRecorder::new(h);
     for _ in 0..n {
-        let tick = timed.advance(h, &|_| (), &mut recorder);
+        let tick = timed.advance(h, &no_input, &mut recorder);
         assert_eq!(tick.advance, Advance::Completed);
     }
     recorder.times()
@@ -106,7 +106,7 @@ fn a_reset_that_leaves_its_guard_two_ulps_short_does_not_fire_again() {
         let mut timed = Timed { guards: &ONE, guard, effect: land_short }.start();
         let mut recorder = RunRecorder::new(1.0 / f64::from(n));
         for _ in 0..n {
-            let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
+            let _ = timed.advance(1.0 / f64::from(n), &no_input, &mut recorder);
         }
         assert_eq!(recorder.events().len(), 1, "{n} ticks: {:?}", recorder.events());
     }
@@ -124,7 +124,7 @@ fn a_guard_entered_below_zero_that_rises_and_dips_within_a_step_fires_at_the_dip
         let mut timed = Timed { guards: &FALLS, guard, effect: count }.start();
         let mut recorder = RunRecorder::new(1.0 / f64::from(n));
         for _ in 0..n {
-            let _ = timed.advance(1.0 / f64::from(n), &|_| (), &mut recorder);
+            let _ = timed.advance(1.0 / f64::from(n), &no_input, &mut recorder);
         }
         assert_eq!(recorder.events().len(), 1, "{n} ticks: {:?}", recorder.times());
         close(format_args!("{n} ticks"), recorder.events()[0].t, 0.4, 1e-14);
@@ -140,7 +140,7 @@ fn hops_lower_than_rounding_take_time_and_no_cascade() {
     ball.place(crate::common::BallMode::Flight, [0.0, speed]);
     let mut recorder = RunRecorder::new(1e-7);
     for _ in 0..10 {
-        assert_eq!(ball.advance(1e-7, &|_| (), &mut recorder).advance, Advance::Completed);
+        assert_eq!(ball.advance(1e-7, &no_input, &mut recorder).advance, Advance::Completed);
     }
     close("the first hop", recorder.events()[0].t, hop, 1e-9 * hop);
     // Where a tick ends in the air, it ends within rounding of the floor: the fall is then

@@ -1,5 +1,6 @@
 //! What broke the solver once, one test for each; found by `fuzz/` and by its twin.
 
+use crate::common::no_input;
 use pode::stepper::{Controlled, Dop853, Heun, Rk4};
 use pode::{
     Advance, Bracket, Cap, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, MAX_GUARDS,
@@ -72,7 +73,7 @@ fn start<T: Stepper>(model: Careless, stepper: T) -> Simulator<Careless, T> {
 
 /// How a tick of 1 s ends.
 fn end<T: Stepper>(model: Careless, stepper: T) -> Advance {
-    start(model, stepper).advance(1.0, &|_| (), &mut Silent).advance
+    start(model, stepper).advance(1.0, &no_input, &mut Silent).advance
 }
 
 #[test]
@@ -94,7 +95,7 @@ fn a_longest_step_that_nobody_gives_as_a_number_takes_more_pieces_than_there_are
     for pinned in [None, Some(0.5)] {
         let model = Careless { longest_step: f64::NAN, pinned, ..SOUND };
         let mut simulator = Simulator::new(model, Rk4, limits, (), [0.0]);
-        let tick = simulator.advance(1.0, &|_| (), &mut Silent);
+        let tick = simulator.advance(1.0, &no_input, &mut Silent);
         assert_eq!(tick.advance, Advance::Capped(Cap::Pieces));
     }
 }
@@ -104,7 +105,7 @@ fn a_longest_step_that_one_side_gives_as_a_number_holds() {
     let tick = start(Careless { longest_step: f64::NAN, ..SOUND }, Rk4);
     let limits = Limits { longest_step: 0.25, ..Limits::default() };
     let mut simulator = Simulator::new(*tick.model(), Rk4, limits, (), [0.0]);
-    assert_eq!(simulator.advance(1.0, &|_| (), &mut Silent).work.pieces, 4);
+    assert_eq!(simulator.advance(1.0, &no_input, &mut Silent).work.pieces, 4);
 }
 
 #[test]
@@ -114,11 +115,11 @@ fn steps_that_were_refused_down_to_nothing_grow_again() {
         let mut simulator =
             start(Careless { rate: f64::MAX, ..SOUND }, Controlled::<Dop853>::default());
         for _ in 0..4 {
-            let _ = simulator.advance(h, &|_| (), &mut Silent);
+            let _ = simulator.advance(h, &no_input, &mut Silent);
         }
         simulator.set_model(SOUND);
         simulator.place((), [0.0]);
-        let tick = simulator.advance(1e-3, &|_| (), &mut Silent);
+        let tick = simulator.advance(1e-3, &no_input, &mut Silent);
         assert_eq!(tick.advance, Advance::Completed, "after ticks of {h:e}: {:?}", tick.work);
         assert!((simulator.state()[0] - 1e-3).abs() < 1e-15, "after ticks of {h:e}");
     }
@@ -147,7 +148,7 @@ fn a_guard_that_is_not_a_number_where_only_a_look_finds_it_is_a_fault() {
 #[test]
 fn the_last_of_all_ticks_is_followed_by_the_first() {
     let mut simulator = start(SOUND, Rk4).with_tick(u64::MAX);
-    assert_eq!(simulator.advance(1.0, &|_| (), &mut Silent).advance, Advance::Completed);
+    assert_eq!(simulator.advance(1.0, &no_input, &mut Silent).advance, Advance::Completed);
     assert_eq!(simulator.tick(), 0);
 }
 
@@ -173,7 +174,7 @@ fn pieces_leave_no_gap_where_their_ends_are_rounded() {
         let model = Careless { guards: &ONCE, guard: falls, rate, ..SOUND };
         let model = Careless { longest_step: 1.0 / 3.0, ..model };
         let mut seamless = Seamless::default();
-        let _ = start(model, Heun).advance(1.0, &|_| (), &mut seamless);
+        let _ = start(model, Heun).advance(1.0, &no_input, &mut seamless);
         assert_eq!(seamless.0.to_bits(), 1.0_f64.to_bits(), "speed {n}");
     }
 }

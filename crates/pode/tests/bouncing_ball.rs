@@ -5,7 +5,7 @@
 
 use pode::Limits;
 
-use crate::common::{Ball, BallMode, G, all_completed, close, each_step_and_phase, run};
+use crate::common::{Ball, BallMode, G, all_completed, close, each_step_and_phase, no_input, run};
 
 /// t1 = √(2/g), from 40-digit arithmetic.
 const T1: f64 = 0.451_523_640_985_730_9;
@@ -52,7 +52,7 @@ fn check_bounces(e: f64, h: f64, phase: f64) {
 fn the_ball_never_sinks() {
     let mut ball = Ball::dropped(0.8, 1.0, Limits::default());
     for _ in 0..5000 {
-        let _ = ball.advance(1e-3, &|_| (), &mut pode::Silent);
+        let _ = ball.advance(1e-3, &no_input, &mut pode::Silent);
         assert!(ball.state()[0] >= -1e-14, "the ball is at {}", ball.state()[0]);
     }
 }
@@ -62,7 +62,7 @@ fn an_elastic_ball_keeps_its_energy_over_1e5_bounces() {
     let mut ball = Ball::dropped(1.0, 1.0, Limits::default());
     let mut bounces = 0;
     while bounces < 100_000 {
-        bounces += ball.advance(7e-3, &|_| (), &mut pode::Silent).work.events;
+        bounces += ball.advance(7e-3, &no_input, &mut pode::Silent).work.events;
     }
     let [y, v] = *ball.state();
     let drift = (y * G + 0.5 * v * v) / G - 1.0;

@@ -12,7 +12,9 @@ use pode::{
 };
 use proptest::prelude::*;
 
-use crate::common::{Ball, BallMode, G, STEPS, all_completed, close, each_step_and_phase, run};
+use crate::common::{
+    Ball, BallMode, G, STEPS, all_completed, close, each_step_and_phase, no_input, run,
+};
 
 /// The lowest place that a ball was seen at, between events too.
 #[derive(Debug)]
@@ -33,7 +35,7 @@ fn c1_the_ball_is_never_below_its_floor_not_even_between_ticks() {
             let mut ball = Ball::dropped(e, 1.0, Limits::default());
             let mut lowest = Lowest(1.0);
             while ball.mode() == BallMode::Flight {
-                let _ = ball.advance(h, &|_| (), &mut lowest);
+                let _ = ball.advance(h, &no_input, &mut lowest);
             }
             // An impact is located to rounding of 1 m.
             assert!(lowest.0 > -2e-15, "e {e}, h {h}: {:e}", lowest.0);
@@ -48,7 +50,7 @@ fn c1_an_elastic_ball_keeps_its_energy_at_every_step() {
         let mut ball = Ball::dropped(1.0, 1.0, Limits::default());
         let mut bounces = 0;
         while bounces < most {
-            bounces += ball.advance(h, &|_| (), &mut Silent).work.events;
+            bounces += ball.advance(h, &no_input, &mut Silent).work.events;
         }
         let [y, v] = *ball.state();
         let drift = (y * G + 0.5 * v * v) / G - 1.0;

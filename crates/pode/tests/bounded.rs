@@ -3,7 +3,7 @@
 use pode::stepper::Rk4;
 use pode::{Advance, Cap, GuardId, GuardValue, Limits, Silent, Simulator, Work};
 
-use crate::common::{Ball, ONE, Timed, count};
+use crate::common::{Ball, ONE, Timed, count, no_input};
 
 /// A guard that is negative again as soon as it has fired: each reset goes back 1/64 s.
 fn comes_back() -> Timed {
@@ -22,7 +22,7 @@ fn a_tick_with_exactly_the_most_events_completes_and_one_more_is_capped() {
     {
         let limits = Limits { events, ..Limits::default() };
         let mut simulator = Simulator::new(comes_back(), Rk4, limits, true, [0.0; 3]);
-        let tick = simulator.advance(1.0, &|_| (), &mut Silent);
+        let tick = simulator.advance(1.0, &no_input, &mut Silent);
         assert_eq!((tick.advance, tick.work.events), (advance, events.min(49)));
     }
 }
@@ -33,7 +33,7 @@ fn a_tick_with_exactly_the_most_guards_completes_and_one_more_is_capped() {
     for (guards, advance) in [(2, Advance::Completed), (1, Advance::Capped(Cap::Guards))] {
         let limits = Limits { guards, ..Limits::default() };
         let mut simulator = Simulator::new(far, Rk4, limits, true, [0.0; 3]);
-        let tick = simulator.advance(1e-3, &|_| (), &mut Silent);
+        let tick = simulator.advance(1e-3, &no_input, &mut Silent);
         // Once at the very start, and at the end of the step.
         assert_eq!((tick.advance, tick.work.guards), (advance, guards));
     }
@@ -45,7 +45,7 @@ fn a_tick_with_exactly_the_most_pieces_completes_and_one_more_is_capped() {
     for (pieces, advance) in [(10, Advance::Completed), (9, Advance::Capped(Cap::Pieces))] {
         let limits = Limits { pieces, longest_step: 1e-4, ..Limits::default() };
         let mut simulator = Simulator::new(far, Rk4, limits, true, [0.0; 3]);
-        let tick = simulator.advance(1e-3, &|_| (), &mut Silent);
+        let tick = simulator.advance(1e-3, &no_input, &mut Silent);
         assert_eq!((tick.advance, tick.work.pieces), (advance, pieces));
     }
 }
@@ -65,7 +65,7 @@ fn a_jump_of_a_guard_is_one_event() {
 #[test]
 fn work_of_typical_ticks() {
     let mut ball = Ball::dropped(0.8, 1.0, Limits::default());
-    let mut next = || ball.advance(1e-3, &|_| (), &mut Silent).work;
+    let mut next = || ball.advance(1e-3, &no_input, &mut Silent).work;
     let tick = |pieces, derivatives, guards, readouts, events| Work {
         pieces,
         derivatives,

@@ -6,6 +6,7 @@ use pode::stepper::{ByNeed, Given, Heun, MENU, NeededMethod, Rk4, VelocityVerlet
 use pode::{Dense as _, EquationKind, Nature, Silent, Stepper};
 
 use crate::common::head::{CONTACTS, Head};
+use crate::common::no_input;
 
 /// Relative error after 20 rad of x'' = −ω² x in steps of `h` (s), and its evaluations.
 fn oscillate<T: Stepper>(stepper: T, kind: EquationKind, omega: f64, h: f64) -> (f64, f64) {
@@ -99,7 +100,7 @@ fn a_model_of_linear_modes_moves_on_its_exact_flow() {
     let [k, ..] = CONTACTS[2];
     let mut head = Head { k }.dropped(ByNeed::new(1e-2, 1e-3));
     for _ in 0..2000 {
-        let _ = head.advance(1e-3, &|_| (), &mut Silent);
+        let _ = head.advance(1e-3, &no_input, &mut Silent);
     }
     let [x, v] = *head.state();
     crate::common::close("energy", v * v + 2.0 * crate::common::G * x, 1.0, 1e-12);

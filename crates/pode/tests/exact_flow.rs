@@ -10,7 +10,7 @@ use pode::stepper::Exact;
 use pode::{Advance, Silent};
 
 use crate::common::head::{CONTACTS, Head, MASS, Mode};
-use crate::common::{G, all_completed, close, each_step_and_phase, run};
+use crate::common::{G, all_completed, close, each_step_and_phase, no_input, run};
 
 /// Whatever fills the modes that are not linear: there are none.
 const EXACT: Exact = Exact;
@@ -82,7 +82,7 @@ fn the_impulse_of_a_contact_is_in_the_mean_force_however_ticks_cut_it() {
 #[test]
 fn a_contact_within_one_tick_takes_few_steps() {
     let [k, ..] = CONTACTS[2];
-    let tick = Head { k }.dropped(EXACT).advance(1e-3, &|_| (), &mut Silent);
+    let tick = Head { k }.dropped(EXACT).advance(1e-3, &no_input, &mut Silent);
     // Three guards at the start, four steps of contact and one of flight.
     assert_eq!((tick.advance, tick.work.events), (Advance::Completed, 3));
     assert!(tick.work.pieces <= 8, "{:?}", tick.work);
@@ -94,7 +94,7 @@ fn ten_thousand_seconds_keep_the_energy() {
     let mut head = Head { k }.dropped(EXACT);
     let mut ticks = 0_u32;
     while ticks < 10_000_000 || head.mode() == Mode::Contact {
-        assert_eq!(head.advance(1e-3, &|_| (), &mut Silent).advance, Advance::Completed);
+        assert_eq!(head.advance(1e-3, &no_input, &mut Silent).advance, Advance::Completed);
         ticks += 1;
     }
     close("energy", energy(*head.state()), 1.0, 1e-9);

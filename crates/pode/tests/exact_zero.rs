@@ -9,8 +9,8 @@ use pode::{
     Resets, Silent, Simulator,
 };
 
-use crate::common::close;
 use crate::common::head::{CONTACTS, Head};
+use crate::common::{close, no_input};
 
 /// x'' = −x.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,7 +60,7 @@ fn a_step_that_ends_at_zero_ends() {
             for x in [x, x.next_up(), x.next_down()] {
                 let exact = Exact;
                 let mut it = Simulator::new(Swing, exact, Limits::default(), (), [x, v]);
-                let tick = it.advance(h, &|_| (), &mut Silent);
+                let tick = it.advance(h, &no_input, &mut Silent);
                 assert_eq!(tick.advance, Advance::Completed, "h {h}, from {x}, {v}");
                 let [x1, v1] = *it.state();
                 close("x", x1, x * h.cos() + v * h.sin(), 1e-15);
@@ -75,7 +75,7 @@ fn millions_of_steps_end_at_any_stiffness() {
     for [k, ..] in CONTACTS {
         let mut head = Head { k }.dropped(Exact);
         for n in 0..1_500_000_u32 {
-            let advance = head.advance(7e-3, &|_| (), &mut Silent).advance;
+            let advance = head.advance(7e-3, &no_input, &mut Silent).advance;
             assert_eq!(advance, Advance::Completed, "k {k}, tick {n}");
         }
     }

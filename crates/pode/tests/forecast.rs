@@ -15,7 +15,7 @@ use pode::{
 };
 
 use crate::common::head::{CONTACTS, Head};
-use crate::common::{G, run};
+use crate::common::{G, no_input, run};
 
 /// A pendulum between a wall at its lowest point and seven more that it never reaches:
 /// angle (rad) and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
@@ -122,7 +122,7 @@ fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
     let mut recorder = pode::RunRecorder::new(h);
     let mut derivatives = 0;
     while recorder.events().len() < 3 {
-        let tick = head.advance(h, &|_| (), &mut recorder);
+        let tick = head.advance(h, &no_input, &mut recorder);
         derivatives += tick.work.derivatives;
     }
     ((recorder.events()[2].before[1] - 1.0).abs(), derivatives)
@@ -205,6 +205,6 @@ fn nothing_is_forecast_where_that_is_switched_off() {
     let limits = Limits { forecast: false, ..Limits::default() };
     let model = Walled { is_bounded: true };
     let mut pendulum = Simulator::new(model, Rk4, limits, (), [1.2, 0.0]);
-    let _ = pendulum.advance(1e-3, &|_| (), &mut Silent);
-    assert_eq!(pendulum.advance(1e-3, &|_| (), &mut Silent).work.guards, 8);
+    let _ = pendulum.advance(1e-3, &no_input, &mut Silent);
+    assert_eq!(pendulum.advance(1e-3, &no_input, &mut Silent).work.guards, 8);
 }

@@ -15,7 +15,7 @@ use pode::{
 
 use crate::common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
 use crate::common::stick_slip::StickSlip;
-use crate::common::{G, STEPS, close};
+use crate::common::{G, STEPS, close, no_input};
 
 /// How often each guard fired, and when last (s).
 #[derive(Debug)]
@@ -51,7 +51,7 @@ fn run_for<M: Resets<Input = ()>, T: Stepper>(
 ) {
     let ticks = (seconds / count.h).ceil() as u64;
     while it.tick() < ticks || !ready(it.mode()) {
-        assert_eq!(it.advance(count.h, &|_| (), count).advance, Advance::Completed);
+        assert_eq!(it.advance(count.h, &no_input, count).advance, Advance::Completed);
     }
 }
 
@@ -131,7 +131,7 @@ fn a_slide_of_an_hour_stays_on_its_surface() {
     let limits = Limits { longest_step: 0.02, ..Limits::default() };
     let mut it = Simulator::new(model, Rk4, limits, mode, state);
     for _ in 0..180_000 {
-        assert_eq!(it.advance(0.02, &|_| (), &mut Silent).advance, Advance::Completed);
+        assert_eq!(it.advance(0.02, &no_input, &mut Silent).advance, Advance::Completed);
         let [x, y] = *it.state();
         assert!((x * x + y * y - 1.0).abs() < 1e-15, "it has left the circle: {x}, {y}");
     }

@@ -9,7 +9,7 @@ use pode::{
 
 use crate::common::{
     Ball, BallMode, ONE, STEPS, Timed, all_completed, close, count, count_and_flip,
-    each_step_and_phase, run,
+    each_step_and_phase, no_input, run,
 };
 
 #[test]
@@ -27,7 +27,7 @@ fn a_nan_guard_is_a_fault_in_bounded_work_and_keeps_the_last_state() {
         let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
         let mut before = *timed.state();
         for n in 0..20 {
-            let tick = timed.advance(7e-3, &|_| (), &mut Silent);
+            let tick = timed.advance(7e-3, &no_input, &mut Silent);
             assert!(tick.work.guards <= 60, "{:?}", tick.work);
             match tick.advance {
                 Advance::Completed => before = *timed.state(),
@@ -483,7 +483,7 @@ fn bounces_from(tick: u64, h: f64) -> Vec<(u64, u64, [u64; 2])> {
     let mut ball = Ball::dropped(0.8, 1.0, Limits::default()).with_tick(tick);
     let mut log = Log::default();
     while ball.mode() != BallMode::Rest {
-        let _ = ball.advance(h, &|_| (), &mut log);
+        let _ = ball.advance(h, &no_input, &mut log);
     }
     log.0.iter_mut().for_each(|it| it.0 -= tick);
     log.0
@@ -559,7 +559,7 @@ fn a_recorder_and_a_silent_watch_see_the_same_motion() {
     let mut alone = watched;
     let mut recorder = RunRecorder::new(1e-3);
     for _ in 0..2000 {
-        let with = watched.advance(1e-3, &|_| (), &mut recorder);
-        assert_eq!(with, alone.advance(1e-3, &|_| (), &mut Silent));
+        let with = watched.advance(1e-3, &no_input, &mut recorder);
+        assert_eq!(with, alone.advance(1e-3, &no_input, &mut Silent));
     }
 }

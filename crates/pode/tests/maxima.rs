@@ -1,6 +1,7 @@
 //! The declared maxima of work per tick, with the default limits: for each there is a model
 //! that reaches it to the number, and cannot exceed it, tick after tick.
 
+use crate::common::no_input;
 use pode::stepper::{
     BogackiShampine, ByNeed, Controlled, Dop853, Exact, ExplicitEuler, ExponentialRosenbrock,
     Exprb32, Heun, LinearImplicitMidpoint, Rk4, Rodas3, Rodas4, Ros2, SemiImplicitEuler,
@@ -33,7 +34,7 @@ fn the_default_limits_are_those_tested_here() {
 /// Four ticks of 1 s of `model`.
 fn ticks<T: Stepper>(model: Busy, stepper: T) -> [Tick; 4] {
     let mut simulator = Simulator::new(model, stepper, Limits::default(), false, [0.0; 3]);
-    [0; 4].map(|_| simulator.advance(1.0, &|_| (), &mut Silent))
+    [0; 4].map(|_| simulator.advance(1.0, &no_input, &mut Silent))
 }
 
 const ONE: [GuardSpec; 1] = [GuardSpec::new(0, "g")];
@@ -98,7 +99,7 @@ fn check_steps<T: Stepper>(stepper: T, nature: Nature) {
     let limits = Limits { longest_step: 1e-4, ..LIMITS };
     let mut simulator = Simulator::new(short, stepper, limits, false, [0.0; 3]);
     for _ in 0..4 {
-        let tick = simulator.advance(1.0, &|_| (), &mut Silent);
+        let tick = simulator.advance(1.0, &no_input, &mut Silent);
         assert_eq!((tick.advance, tick.work.pieces), (Advance::Capped(Cap::Pieces), 1024));
         let most = (limits.most_derivatives::<T>(), limits.most_jacobians::<T>());
         assert_eq!((tick.work.derivatives, tick.work.jacobians), most, "{}", T::NAME);

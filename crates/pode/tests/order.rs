@@ -8,10 +8,10 @@ use pode::stepper::{
 };
 use pode::{
     Advance, Dense as _, EquationKind, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model,
-    Nature, Reset, Resets, Silent, Simulator, Stepper, Work,
+    Nature, Reset, Resets, Simulator, Stepper, Work,
 };
 
-use crate::common::ONE;
+use crate::common::{ONE, no_input};
 use crate::known::{
     OSCILLATOR, PENDULUM, Problem, check_order, distance, exact, first_step, global_error,
     largest_inside, step, whole_step,
@@ -150,7 +150,7 @@ fn event_error<T: Stepper>(n: f64) -> f64 {
         let mut simulator = Simulator::new(driven, T::default(), limits, (), start);
         let mut recorder = pode::RunRecorder::new(h);
         while recorder.events().is_empty() {
-            assert_eq!(simulator.advance(h, &|_| (), &mut recorder).advance, Advance::Completed);
+            assert_eq!(simulator.advance(h, &no_input, &mut recorder).advance, Advance::Completed);
         }
         (recorder.events()[0].t - t).abs()
     };
@@ -174,7 +174,8 @@ fn work<T: Stepper>(steps: f64) -> [Work; 2] {
     let mut simulator =
         Simulator::new(Driven { level: -0.3 }, T::default(), limits, (), [0.5, 0.0, 0.0]);
     // Guards are taken anew in the first tick: the second is as later ones are.
-    [(); 2].map(|()| simulator.advance(1e-3, &|_| (), &mut Silent).work)
+    let mut recorder = pode::RunRecorder::new(1e-3);
+    [(); 2].map(|()| simulator.advance(1e-3, &no_input, &mut recorder).work)
 }
 
 #[test]

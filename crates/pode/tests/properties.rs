@@ -9,7 +9,7 @@ use pode::{
 };
 use proptest::prelude::*;
 
-use crate::common::{Ball, G, close};
+use crate::common::{Ball, G, close, no_input};
 
 /// Three balls over one floor: heights, then speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,8 +66,9 @@ fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<
     let start = [a, b, c, 0.0, 0.0, 0.0];
     let mut balls = Simulator::new(model, Rk4, Limits::default(), (), start);
     let mut recorder = RunRecorder::new(h);
-    let readouts: Vec<u64> =
-        (0..500).map(|_| balls.advance(h, &|_| (), &mut recorder).mean_readout.to_bits()).collect();
+    let readouts: Vec<u64> = (0..500)
+        .map(|_| balls.advance(h, &no_input, &mut recorder).mean_readout.to_bits())
+        .collect();
     let events = recorder.events().iter().flat_map(|it| it.after.map(f64::to_bits));
     readouts.into_iter().chain(events).chain(balls.state().map(f64::to_bits)).collect()
 }
@@ -121,7 +122,7 @@ proptest! {
             let mut ball = Ball::dropped(e, height, Limits::default());
             let mut recorder = RunRecorder::new(h);
             for _ in 0..ticks {
-                let _ = ball.advance(h, &|_| (), &mut recorder);
+                let _ = ball.advance(h, &no_input, &mut recorder);
             }
             recorder.events().to_vec()
         };
@@ -144,7 +145,7 @@ proptest! {
         let mut ball = Ball::dropped(e, height, Limits::default());
         for _ in 0..500 {
             let mut audit = EnergyAudit::default();
-            let tick = ball.advance(h, &|_| (), &mut audit);
+            let tick = ball.advance(h, &no_input, &mut audit);
             prop_assert_eq!(tick.advance, Advance::Completed);
             prop_assert!(audit.jumps <= 0.0, "an impact added {} J", audit.jumps);
             // Flight conserves: what is left is the rounding of one tick.
@@ -160,7 +161,7 @@ proptest! {
         let end = 1.5 * (2.0 * height / G).sqrt() * (1.0 + e);
         let mut ticks = 0_u32;
         while f64::from(ticks) * h < end {
-            let _ = ball.advance(h, &|_| (), &mut recorder);
+            let _ = ball.advance(h, &no_input, &mut recorder);
             ticks += 1;
         }
         let t = f64::from(ticks) * h;
@@ -173,7 +174,7 @@ proptest! {
         let mut wave = Simulator::new(Wave { omega }, Rk4, Limits::default(), (), [0.0]);
         let mut recorder = RunRecorder::new(h);
         for _ in 0..400 {
-            let _ = wave.advance(h, &|_| (), &mut recorder);
+            let _ = wave.advance(h, &no_input, &mut recorder);
         }
         let turns = 400.0 * h * omega / std::f64::consts::TAU;
         // cos ωt falls at a quarter of each turn.

@@ -18,7 +18,7 @@ use pode::{
 };
 use proptest::prelude::*;
 
-use crate::common::{all_completed, close, each_step_and_phase, run};
+use crate::common::{all_completed, close, each_step_and_phase, no_input, run};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Block {
@@ -194,7 +194,7 @@ proptest! {
         let end = 4.0 * block.quarter(angle) / (1.0 - ratio) + 0.1;
         let mut ticks = 0_u32;
         while f64::from(ticks) * h < end {
-            let tick = it.advance(h, &|_| (), &mut pode::Silent);
+            let tick = it.advance(h, &no_input, &mut pode::Silent);
             prop_assert!(!matches!(tick.advance, Advance::Faulty(_)), "{:?}", tick);
             ticks += 1;
         }

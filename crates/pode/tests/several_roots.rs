@@ -5,7 +5,9 @@ use pode::{
     GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, RunRecorder, Simulator,
 };
 
-use crate::common::{G, ONE, Timed, all_completed, close, count, each_step_and_phase, run};
+use crate::common::{
+    G, ONE, Timed, all_completed, close, count, each_step_and_phase, no_input, run,
+};
 
 /// Fires on each fall; a rise brings it back without a word.
 const FALLS: [GuardSpec; 1] = [ONE[0].on_crossing()];
@@ -18,7 +20,7 @@ fn check(guard: fn(GuardId, f64) -> GuardValue, effect: Effect, expected: &[f64]
         let mut timed = Timed { guards: &FALLS, guard, effect }.start();
         let mut recorder = RunRecorder::new(h);
         for _ in 0..n {
-            let _ = timed.advance(h, &|_| (), &mut recorder);
+            let _ = timed.advance(h, &no_input, &mut recorder);
         }
         let times = recorder.times();
         assert_eq!(times.len(), expected.len(), "{n} ticks: {times:?}");

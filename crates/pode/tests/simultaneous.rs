@@ -6,7 +6,8 @@ use pode::{
 };
 
 use crate::common::{
-    G, ONE, STEPS, Timed, all_completed, close, count, count_and_flip, each_step_and_phase, run,
+    G, ONE, STEPS, Timed, all_completed, close, count, count_and_flip, each_step_and_phase,
+    no_input, run,
 };
 
 /// Two balls over one floor, e = 0.8: heights, then speeds.
@@ -161,7 +162,7 @@ fn a_boundary_that_rounding_has_moved_still_gives_one_event() {
         let mut timed = Timed { guards: &ONE, guard: falls_at_0_3, effect: count }.start();
         let mut recorder = RunRecorder::new(h);
         for _ in 0..5000 {
-            let _ = timed.advance(h, &|_| (), &mut recorder);
+            let _ = timed.advance(h, &no_input, &mut recorder);
         }
         assert_eq!(recorder.events().len(), 1, "h {h}");
     }

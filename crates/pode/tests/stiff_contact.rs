@@ -12,7 +12,7 @@ use pode::{
 };
 
 use crate::common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
-use crate::common::{G, all_completed, close, each_step_and_phase, run};
+use crate::common::{G, all_completed, close, each_step_and_phase, no_input, run};
 
 /// Relative error of a time in contact.
 fn phase_error() -> f64 {
@@ -68,7 +68,7 @@ fn the_impulse_of_a_contact_within_one_tick_is_in_its_mean_force() {
     // rule over each step errs by r⁴/2880 of it, less than the momentum does.
     for ([k, contact, ..], h) in CONTACTS.into_iter().zip([14e-3, 7e-3, 1e-3]) {
         let mut head = Head { k }.dropped(Rk4);
-        let tick = head.advance(h, &|_| (), &mut pode::Silent);
+        let tick = head.advance(h, &no_input, &mut pode::Silent);
         assert_eq!((tick.advance, tick.work.events), (Advance::Completed, 3), "k {k}");
         let impulse = MASS * (2.0 + G * contact);
         close(
@@ -101,7 +101,7 @@ fn a_minute_of_contacts_keeps_the_energy() {
     let mut head = Head { k }.dropped(Rk4);
     let mut ticks = 0_u32;
     while f64::from(ticks) * 1e-3 < 60.0 || head.mode() == Mode::Contact {
-        assert_eq!(head.advance(1e-3, &|_| (), &mut pode::Silent).advance, Advance::Completed);
+        assert_eq!(head.advance(1e-3, &no_input, &mut pode::Silent).advance, Advance::Completed);
         ticks += 1;
     }
     let [x, v] = *head.state();

@@ -14,7 +14,7 @@ use pode::{
     Simulator,
 };
 
-use crate::common::{G, STEPS};
+use crate::common::{G, STEPS, no_input};
 
 /// A ball over a floor, which never says where it rests.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,7 +65,7 @@ fn check(ball: Ball, height: f64, h: f64) {
     let rest = fall * (1.0 + ball.restitution) / (1.0 - ball.restitution);
     let mut last = Advance::Completed;
     while it.tick() as f64 * h < rest + 200.0 * h {
-        let tick = it.advance(h, &|_| (), &mut Silent);
+        let tick = it.advance(h, &no_input, &mut Silent);
         last = tick.advance;
         let is_known =
             matches!(last, Advance::Completed | Advance::Capped(Cap::Events | Cap::Cascade));

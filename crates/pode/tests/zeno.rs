@@ -11,7 +11,7 @@ use pode::{
     Resets, Silent, Simulator,
 };
 
-use crate::common::{G, all_completed, close, each_step_and_phase, run};
+use crate::common::{G, all_completed, close, each_step_and_phase, no_input, run};
 
 /// A ball over a floor whose restitution falls with the speed of the impact: e0 / (1 + v/v0).
 /// Its ratio of intervals is constant only in the limit.
@@ -236,9 +236,9 @@ fn a_settled_ball_stays_where_it_is() {
     let ball = BALLS[3];
     let mut it = Simulator::new(ball, Rk4, Limits::default(), Mode::Flight, [1.0, 0.0]);
     for _ in 0..6000 {
-        assert_eq!(it.advance(1e-3, &|_| (), &mut Silent).advance, Advance::Completed);
+        assert_eq!(it.advance(1e-3, &no_input, &mut Silent).advance, Advance::Completed);
     }
     assert_eq!((it.mode(), it.state()), (Mode::Rest, &[0.0, 0.0]));
-    let tick = it.advance(1e-3, &|_| (), &mut Silent);
+    let tick = it.advance(1e-3, &no_input, &mut Silent);
     close("its weight", tick.mean_readout, G, 1e-12);
 }

@@ -19,6 +19,10 @@ pub const STEPS: [f64; 3] = [1e-4, 1e-3, 7e-3];
 /// The tick phases: which part of a tick the start is shifted by.
 pub const PHASES: [f64; 3] = [0.0, 1.0 / 3.0, 0.999];
 
+/// The input of a model that takes none. One function, since a simulator is compiled anew for each
+/// closure that it is given.
+pub fn no_input(_: f64) {}
+
 /// Calls `check` for each step size (s) and tick phase.
 pub fn each_step_and_phase(mut check: impl FnMut(f64, f64)) {
     for h in STEPS {
@@ -55,11 +59,11 @@ pub fn run<M: Resets<Input = ()>, T: Stepper>(
     if phase > 0.0 {
         let first = (1.0 - phase) * h;
         recorder.place_tick(0, 0.0, first);
-        ticks.push(simulator.advance(first, &|_| (), &mut recorder));
+        ticks.push(simulator.advance(first, &no_input, &mut recorder));
         recorder.place_tick(1, first, h);
     }
     while recorder.time(simulator.tick(), 0.5) < until {
-        ticks.push(simulator.advance(h, &|_| (), &mut recorder));
+        ticks.push(simulator.advance(h, &no_input, &mut recorder));
     }
     (recorder, ticks)
 }
