@@ -82,8 +82,9 @@ pub struct Slot<V> {
     /// What the voice was told to leave out.
     told: Simplifications,
     debt: WorkDebt,
-    /// Its last force (N).
+    /// Its last force (N), and whether it was at rest.
     force: f64,
+    idle: bool,
 }
 
 impl<V> Slot<V> {
@@ -108,6 +109,7 @@ impl<V> Slot<V> {
             told: Simplifications::NONE,
             debt: WorkDebt::NONE,
             force: 0.0,
+            idle: false,
         }
     }
 
@@ -216,7 +218,7 @@ impl<V: Voice> Slot<V> {
         }
         self.fresh = is_gone;
         self.debt = debt.plus(turn.work.evaluations());
-        self.force = turn.force;
+        (self.force, self.idle) = (turn.force, turn.idle);
         self.lockout.note(turn.fault, passed);
         // Bit 0, set there since all before is known, says now that this tick was run.
         (self.ran, self.last) = (self.told_ran, tick);
@@ -226,6 +228,7 @@ impl<V: Voice> Slot<V> {
     pub fn wait(&mut self, tick: u64, turn: &mut VoiceOutput) {
         self.told_ran = self.ran_before(tick);
         turn.wait(self.force);
+        turn.idle = self.idle;
     }
 
     /// Follows the damper as `turn` reports it.
@@ -604,6 +607,18 @@ mod tests {
         slot.tick(1, &at(0.0), &mut turn);
         assert_eq!((slot.voice.ticks, turn.fresh), (2, false));
         assert!((turn.force - 1.0).abs() < f64::EPSILON);
+    }
+
+    #[test]
+    fn a_voice_that_waits_is_as_it_was() {
+        let mut slot = Slot::new(3, Spy { fails_at: 9, ..Spy::default() });
+        turn_of(&mut slot, 0, 0.004);
+        slot.tick(1, &KeySample { age: LOST + 1, ..at(0.004) }, &mut VoiceOutput::default());
+        let mut turn = VoiceOutput { force: 7.0, ..VoiceOutput::default() };
+        slot.wait(2, &mut turn);
+        let expected = VoiceOutput { idle: true, late: true, waited: true, ..turn };
+        assert_eq!(turn, expected);
+        assert!(turn.force.abs() == 0.0, "not that of another key's turn: {turn:?}");
     }
 
     #[test]
