@@ -82,8 +82,15 @@ pub struct Slot<V> {
     /// What the voice was told to leave out.
     told: Simplifications,
     debt: WorkDebt,
-    /// Its last force (N), and whether it was at rest.
+    held: HeldTurn,
+}
+
+/// What stands in for the turn of a voice that waits.
+#[derive(Clone, Copy, Debug)]
+struct HeldTurn {
+    /// Its last force (N).
     force: f64,
+    /// It was at rest.
     idle: bool,
 }
 
@@ -108,8 +115,7 @@ impl<V> Slot<V> {
             allowance: WorkAllowance::ALL,
             told: Simplifications::NONE,
             debt: WorkDebt::NONE,
-            force: 0.0,
-            idle: false,
+            held: HeldTurn { force: 0.0, idle: false },
         }
     }
 
@@ -218,7 +224,7 @@ impl<V: Voice> Slot<V> {
         }
         self.fresh = is_gone;
         self.debt = debt.plus(turn.work.evaluations());
-        (self.force, self.idle) = (turn.force, turn.idle);
+        self.held = HeldTurn { force: turn.force, idle: turn.idle };
         self.lockout.note(turn.fault, passed);
         // Bit 0, set there since all before is known, says now that this tick was run.
         (self.ran, self.last) = (self.told_ran, tick);
@@ -227,8 +233,8 @@ impl<V: Voice> Slot<V> {
     /// Holds the voice's force in `tick`, as if its lane were late.
     pub fn wait(&mut self, tick: u64, turn: &mut VoiceOutput) {
         self.told_ran = self.ran_before(tick);
-        turn.wait(self.force);
-        turn.idle = self.idle;
+        turn.wait(self.held.force);
+        turn.idle = self.held.idle;
     }
 
     /// Follows the damper as `turn` reports it.
