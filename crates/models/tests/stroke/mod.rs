@@ -154,6 +154,17 @@ pub fn run<M: Described>(
     (h, until): (f64, f64),
     input: impl Fn(f64) -> Motion,
 ) -> (Books<M>, Simulator<M, Rk4>) {
+    run_any(model, start, (h, until), &input)
+}
+
+/// As [`run`]; a simulator is compiled for each model, not for each input.
+#[track_caller]
+fn run_any<M: Described>(
+    model: M,
+    start: (M::Mode, M::State),
+    (h, until): (f64, f64),
+    input: &dyn Fn(f64) -> Motion,
+) -> (Books<M>, Simulator<M, Rk4>) {
     let mut simulator = Simulator::new(model, Rk4, Limits::default(), start.0, start.1);
     let mut books = Books::new(h);
     let ticks = (0_u32..).map(f64::from).take_while(|tick| (tick + 0.5) * h < until);
