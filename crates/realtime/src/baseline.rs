@@ -34,6 +34,17 @@ pub struct BaselineTiming {
     pub standing: SchedulingPolicy,
     /// Time that a hypervisor took from all processors meanwhile, if the kernel counts it (s).
     pub stolen: Option<f64>,
+    /// Between two wake-ups.
+    period: Nanos,
+}
+
+impl BaselineTiming {
+    /// Returns how often it was later than what is left of a period after the usual `work` (ns): so
+    /// often the machine stood still for so long that a tick under way then could not be in time.
+    pub fn stops(&self, work: &Histogram<u64>) -> u64 {
+        let spare = self.period.as_u64().saturating_sub(work.value_at_quantile(0.5));
+        self.lateness.count_between(spare + 1, u64::MAX)
+    }
 }
 
 impl Baseline {
@@ -45,12 +56,13 @@ impl Baseline {
         let lateness = run::histogram().map_err(io::Error::other)?;
         let stop = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stop);
+        let period = timetable.period().span(1);
         let thread =
             std::thread::Builder::new().name("letoff-baseline".into()).spawn(move || {
                 let standing = plan.ask(0);
                 memory::prefault_stack();
                 let lateness = measure(timetable, lateness, &asked);
-                BaselineTiming { lateness, standing, stolen: None }
+                BaselineTiming { lateness, standing, stolen: None, period }
             })?;
         Ok(Self { stop, thread, stolen: stolen() })
     }
@@ -84,5 +96,25 @@ fn measure(
         }
         // As the tick does: a beat that was slept through is skipped.
         tick = timetable.newest(woken.before(half)).unwrap_or(tick).max(tick) + 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stop_is_longer_than_what_a_usual_tick_has_to_spare() {
+        let [mut lateness, mut work] = [(); 2].map(|()| run::histogram().unwrap());
+        for (micros, n) in [(20, 96), (550, 1), (650, 2), (7000, 1)] {
+            lateness.saturating_record_n(1000 * micros, n);
+        }
+        for micros in [300, 400, 900] {
+            work.saturating_record(1000 * micros);
+        }
+        let standing = SchedulingPolicy { policy: String::new(), advice: Vec::new() };
+        let period = Nanos::from_millis(1);
+        let timing = BaselineTiming { lateness, standing, stolen: None, period };
+        assert_eq!(timing.stops(&work), 3);
     }
 }

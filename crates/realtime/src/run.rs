@@ -67,13 +67,12 @@ pub struct Timings {
     pub work: Histogram<u64>,
     /// Voices' turns that were not ready in time and were held.
     pub late_turns: u64,
-    /// Misses by own work of ticks in which voices took no more evaluations than in one that was in
-    /// time: no model took that time, by counts that no machine changes.
-    pub unexplained: u64,
     /// Misses of ticks that had no time since simulated keys made up for ticks that were skipped.
     pub by_simulated_keys: u64,
+    /// Evaluations of the ticks that missed their deadlines by own work.
+    evaluations: Histogram<u64>,
     /// The most evaluations of a tick that was in time.
-    most_in_time: u32,
+    most_in_time: u64,
     ledger: Ledger,
 }
 
@@ -88,8 +87,8 @@ impl Timings {
             turnaround: histogram()?,
             work: histogram()?,
             late_turns: 0,
-            unexplained: 0,
             by_simulated_keys: 0,
+            evaluations: histogram()?,
             most_in_time: 0,
             ledger: Ledger::default(),
         })
@@ -100,6 +99,12 @@ impl Timings {
         self.ledger.counters()
     }
 
+    /// Returns the misses by own work of ticks in which voices took no more evaluations than in one
+    /// that was in time, before or after: no model took that time, by counts that no machine changes.
+    pub fn unexplained(&self) -> u64 {
+        self.evaluations.count_between(0, self.most_in_time)
+    }
+
     /// Enters one tick that was woken `lateness` after the one that was slept for was due.
     fn enter(&mut self, lateness: Nanos, report: &TickReport, times: &TickTimes) -> Outcome {
         self.lateness.saturating_record(lateness.as_u64());
@@ -107,13 +112,11 @@ impl Timings {
         self.work.saturating_record(times.work.as_u64());
         self.late_turns += u64::from(report.voices.late);
         let outcome = self.ledger.enter(times, report.skipped);
-        let evaluations = report.voices.work.evaluations();
+        let evaluations = u64::from(report.voices.work.evaluations());
         match outcome {
             Outcome::Met => self.most_in_time = self.most_in_time.max(evaluations),
-            Outcome::Missed(MissCause::OwnWork) if evaluations <= self.most_in_time => {
-                self.unexplained += 1;
-            }
-            Outcome::Missed(_) => {
+            Outcome::Missed(MissCause::OwnWork) => self.evaluations.saturating_record(evaluations),
+            Outcome::Missed(MissCause::WokenLate | MissCause::Preempted) => {
                 self.by_simulated_keys += u64::from(times.is_late_by_simulated_keys());
             }
         }
@@ -223,10 +226,11 @@ mod tests {
             timings.enter(Nanos::ZERO, &report, &times)
         };
         let own_work = Outcome::Missed(MissCause::OwnWork);
-        assert_eq!(enter(0, 30, 400), Outcome::Met);
-        assert_eq!(enter(1, 1500, 400), own_work);
-        assert_eq!(enter(2, 1500, 401), own_work);
-        let counts = (timings.counters().missed_own_work, timings.unexplained);
-        assert_eq!(counts, (2, 1), "more evaluations than ever in time explain the other one");
+        assert_eq!(enter(0, 1500, 400), own_work);
+        assert_eq!(enter(1, 30, 400), Outcome::Met);
+        assert_eq!(enter(2, 1500, 400), own_work);
+        assert_eq!(enter(3, 1500, 401), own_work);
+        let counts = (timings.counters().missed_own_work, timings.unexplained());
+        assert_eq!(counts, (3, 2), "more evaluations than ever in time explain the other one");
     }
 }

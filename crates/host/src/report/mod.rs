@@ -133,6 +133,9 @@ pub struct Deadline {
     pub missed_woken_late: u64,
     /// Of these, because the system took the processor away.
     pub missed_preempted: u64,
+    /// How often the bare timer was woken later than what a usual tick has to spare; none in virtual
+    /// time.
+    pub timer_stops: Option<u64>,
     /// Time that a hypervisor took from all processors during the run, as the kernel counts it
     /// (s); none where it does not.
     pub stolen_s: Option<f64>,
@@ -268,6 +271,12 @@ impl Deadline {
                 f,
                 "              {} as simulated keys made up for skipped ticks, which real ones do not",
                 self.by_simulated_keys
+            )?;
+        }
+        if let Some(stops) = self.timer_stops.filter(|stops| 0 < *stops) {
+            writeln!(
+                f,
+                "              {stops} times the bare timer was later than a usual tick has to spare"
             )?;
         }
         if let Some(stolen) = self.stolen_s {

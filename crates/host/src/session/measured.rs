@@ -28,10 +28,11 @@ impl MeasuredRun {
         let deadline = Deadline {
             missed: counters.missed,
             missed_own_work: counters.missed_own_work,
-            own_work_unexplained: timings.unexplained,
+            own_work_unexplained: timings.unexplained(),
             by_simulated_keys: timings.by_simulated_keys,
             missed_woken_late: counters.missed_woken_late,
             missed_preempted: counters.missed_preempted,
+            timer_stops: baseline.map(|it| it.stops(&timings.work)),
             stolen_s: baseline.and_then(|it| it.stolen),
             lateness_us: Quantiles::of(&timings.lateness),
             work_us: Quantiles::of(&timings.work),
