@@ -34,7 +34,6 @@ pub struct BaselineTiming {
     pub standing: SchedulingPolicy,
     /// Time that a hypervisor took from all processors meanwhile, if the kernel counts it (s).
     pub stolen: Option<f64>,
-    /// Between two wake-ups.
     period: Nanos,
 }
 
