@@ -10,42 +10,6 @@ use crate::table::Functions;
 impl<F: Functions + Copy, const N: usize, const C: usize> EnergeticContacts
     for EquationModel<F, N, C>
 {
-    fn energy(
-        &self,
-        mode: ModeNumber,
-        closed: ContactIndices,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        pode::Energetic::energy(self, mode, x, input)
-            + self.contact_sums((mode, closed), x, input)[1]
-    }
-
-    fn supplied(
-        &self,
-        mode: ModeNumber,
-        closed: ContactIndices,
-        forces: &FrictionForces,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        pode::Energetic::supplied(self, mode, x, input)
-            + self.contact_sums((mode, closed), x, input)[2]
-            + self.friction_readout(mode, forces, x, input) * input.rate
-    }
-
-    fn dissipated(
-        &self,
-        mode: ModeNumber,
-        closed: ContactIndices,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        pode::Energetic::dissipated(self, mode, x, input)
-            + self.contact_sums((mode, closed), x, input)[3]
-    }
-
-    /// All of it: the three share most of their terms.
     fn balance(
         &self,
         mode: ModeNumber,

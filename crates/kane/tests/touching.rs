@@ -100,6 +100,16 @@ fn a_balance_is_its_three_numbers() {
             ];
             assert_eq!(found.map(f64::to_bits), one_by_one.map(f64::to_bits), "{state:?}");
             assert!(balance.energy.abs() > 1e-3, "{state:?} stores something");
+            // A bearing that slips takes 1.5 N times 0.2 m/s, or gives it where it slips backwards.
+            let taken = match state {
+                ContactState::SlideUp => 0.3,
+                ContactState::SlideDown => -0.3,
+                ContactState::Open | ContactState::Closed | ContactState::Stick => continue,
+            };
+            assert!((balance.dissipated - taken).abs() < 1e-12, "{state:?}: {balance:?}");
+            // ½ · 0.5 kg · 0.2² + ½ · 80 N/m · 0.03², and 80 N/m · 0.03 m · 0.3 m/s.
+            let [energy, supplied] = [balance.energy - 0.046, balance.supplied - 0.72];
+            assert!(energy.abs() < 1e-12 && supplied.abs() < 1e-12, "{state:?}: {balance:?}");
         }
     }
 }

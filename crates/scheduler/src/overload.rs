@@ -278,7 +278,6 @@ impl WorkAllowance {
 pub struct LaneBudget(u32);
 
 impl LaneBudget {
-    /// No limit.
     pub const UNLIMITED: Self = Self(u32::MAX);
 
     /// Returns a budget of so many `evaluations` of derivatives and guards; one voice is always run.
@@ -291,9 +290,7 @@ impl LaneBudget {
     }
 
     pub(crate) const fn spend(&mut self, evaluations: u32) {
-        if self.0 != u32::MAX {
-            self.0 = self.0.saturating_sub(evaluations);
-        }
+        self.0 = self.0.saturating_sub(evaluations);
     }
 }
 

@@ -10,8 +10,8 @@ use contacts::{
 use pode::filippov::Surface;
 use pode::stepper::Exact;
 use pode::{
-    EnergyAudit, EquationKind, GuardId, GuardSpec, GuardValue, Limits, Motion, Nature, Reset,
-    Simulator,
+    EnergyAudit, EnergyBalance, EquationKind, GuardId, GuardSpec, GuardValue, Limits, Motion,
+    Nature, Reset, Simulator,
 };
 
 use crate::common::{all_completed, close, each_step_and_phase};
@@ -106,19 +106,19 @@ impl ContactSystem for Block {
 }
 
 impl EnergeticContacts for Block {
-    fn energy(&self, (): (), _: ContactIndices, x: &[f64; 2], _: &Motion) -> f64 {
-        0.5 * self.mass * x[1] * x[1] + 0.5 * self.k * x[0] * x[0]
-    }
-
-    fn supplied(
+    fn balance(
         &self,
         (): (),
         _: ContactIndices,
         forces: &FrictionForces,
-        _: &[f64; 2],
+        x: &[f64; 2],
         belt: &Motion,
-    ) -> f64 {
-        forces.at(0) * belt.rate
+    ) -> EnergyBalance {
+        EnergyBalance {
+            energy: 0.5 * self.mass * x[1] * x[1] + 0.5 * self.k * x[0] * x[0],
+            supplied: forces.at(0) * belt.rate,
+            dissipated: 0.0,
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use contacts::{
 };
 use pode::filippov::Surface;
 use pode::stepper::Rk4;
-use pode::{EnergyAudit, GuardValue, Limits, Simulator};
+use pode::{EnergyAudit, EnergyBalance, GuardValue, Limits, Simulator};
 use proptest::prelude::*;
 
 use crate::common::{all_completed, close};
@@ -78,20 +78,20 @@ impl ContactSystem for Chain {
 }
 
 impl EnergeticContacts for Chain {
-    fn energy(&self, (): (), _: ContactIndices, x: &[f64; 6], _: &Clock) -> f64 {
-        let each = |i: usize| self.m[i] * x[3 + i] * x[3 + i] + self.k * x[i] * x[i];
-        0.5 * (0..3).map(each).sum::<f64>()
-    }
-
-    fn supplied(
+    fn balance(
         &self,
         (): (),
         _: ContactIndices,
         _: &FrictionForces,
         x: &[f64; 6],
         t: &Clock,
-    ) -> f64 {
-        (0..3).map(|i| self.force(i, t.0) * x[3 + i]).sum()
+    ) -> EnergyBalance {
+        let each = |i: usize| self.m[i] * x[3 + i] * x[3 + i] + self.k * x[i] * x[i];
+        EnergyBalance {
+            energy: 0.5 * (0..3).map(each).sum::<f64>(),
+            supplied: (0..3).map(|i| self.force(i, t.0) * x[3 + i]).sum(),
+            dissipated: 0.0,
+        }
     }
 }
 
