@@ -49,7 +49,8 @@ impl VoicePort {
         sum
     }
 
-    /// Sends `changes` to the voices of their keys, after `tell` was called; all or none.
+    /// Sends `changes` to the voices of their keys, after `tell` was called; all or none. They wait
+    /// a moment for those that were sent before them.
     ///
     /// # Errors
     /// Why none was taken, in a sentence.
@@ -60,7 +61,7 @@ impl VoicePort {
     ) -> Result<(), String> {
         let swaps = self.swaps.as_mut().ok_or(NOT_RUNNING)?;
         let keys: Vec<_> = changes.iter().map(|(key, _change)| *key).collect();
-        swaps.refuse_without_room(&keys)?;
+        swaps.wait_for_room(&keys)?;
         tell();
         for (key, change) in changes {
             swaps.send(key, change).map_err(|refused| format!("key {key}: {refused}"))?;

@@ -1,6 +1,8 @@
 //! Voices and values in between ticks, without the tick waiting or freeing memory.
 
 use std::fmt;
+use std::thread;
+use std::time::{Duration, Instant};
 
 use rtrb::{Consumer, Producer, PushError, RingBuffer};
 use scheduler::motion::KEYS;
@@ -13,6 +15,9 @@ use super::share::{RemoteLane, SlotPlace};
 
 /// Changes that are made in one tick; a whole instrument takes several ticks.
 const MAX_CHANGES_PER_TICK: usize = 4;
+
+/// How long changes wait for those that were sent before them.
+const ROOM_WITHIN: Duration = Duration::from_millis(250);
 
 /// Why a change was not taken; it is given back.
 pub enum Refused {
@@ -98,17 +103,27 @@ impl VoiceSwaps {
         pushed.map_err(|PushError::Full(it)| Refused::Full(Box::new(it.change)))
     }
 
-    /// Says in a sentence why changes for `keys` would not all be taken now.
+    /// Waits until changes for all of `keys` would be taken, [`ROOM_WITHIN`] at most: a whole
+    /// instrument that was just sent takes several ticks. Not for the tick.
     ///
     /// # Errors
-    /// That sentence.
-    pub fn refuse_without_room(&mut self, keys: &[usize]) -> Result<(), String> {
-        self.drain();
+    /// Why they would not, in a sentence.
+    pub fn wait_for_room(&mut self, keys: &[usize]) -> Result<(), String> {
         if let Some(key) = keys.iter().find(|key| !self.has_voice.get(**key).is_some_and(|it| *it))
         {
             return Err(format!("key {key} has no voice in this scene"));
         }
-        if self.into.slots() < keys.len() { Err(TOO_MANY.into()) } else { Ok(()) }
+        let until = Instant::now() + ROOM_WITHIN;
+        loop {
+            self.drain();
+            if keys.len() <= self.into.slots() {
+                return Ok(());
+            }
+            if until <= Instant::now() {
+                return Err(TOO_MANY.into());
+            }
+            thread::sleep(Duration::from_millis(1));
+        }
     }
 
     /// Frees the voices that were replaced and returns how many. Not for the tick.
