@@ -76,6 +76,14 @@ pub enum WaitLimit {
 }
 
 impl WaitLimit {
+    /// What lanes have in a punctual tick, if the tick waits for them until some time.
+    fn share(self) -> Option<Nanos> {
+        match self {
+            Self::Until { share, .. } => Some(share).filter(|share| *share != Nanos::ZERO),
+            Self::Endless => None,
+        }
+    }
+
     fn is_over(self) -> bool {
         match self {
             Self::Endless => false,
@@ -161,7 +169,8 @@ impl ThreadedLanes {
         self.patience = patience;
     }
 
-    /// CPU time that the last tick needed, if its own thread used `cpu`.
+    /// CPU time that the last tick needed, if its own thread used `cpu`; what that took beside the
+    /// lanes is remembered for their budgets.
     ///
     /// Time spent waiting for lanes does not count; a lane that took longer than lane 0 does.
     pub fn work_of_tick(&mut self, cpu: Nanos) -> Nanos {
@@ -294,7 +303,7 @@ impl Lanes for ThreadedLanes {
         self.hold_late(output);
         self.latecomers.hand_over(output);
         self.measured.learn(output.turns);
-        if self.patience != WaitLimit::Endless {
+        if self.patience.share().is_some() {
             self.measured.learn_lag(self.times.inline, self.times.waiting);
         }
     }

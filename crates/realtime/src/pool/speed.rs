@@ -31,9 +31,9 @@ pub(super) struct LaneSpeed {
 impl LaneSpeed {
     /// Takes note of a lane that computed so many `evaluations` in `cpu`.
     pub(super) fn learn(&mut self, evaluations: u64, cpu: Nanos, patience: WaitLimit) {
-        let WaitLimit::Until { share, .. } = patience else { return };
+        let Some(share) = patience.share() else { return };
         let (share, cpu) = (share.as_u64() as f64, cpu.as_u64() as f64);
-        if 0.0 < share && TELLING * share <= cpu {
+        if TELLING * share <= cpu {
             let speed = evaluations as f64 / cpu;
             let known = self.best.map(|best| best * (1.0 - FORGOTTEN));
             self.best = Some(known.map_or(speed, |known| known.max(speed)));
@@ -47,7 +47,7 @@ impl LaneSpeed {
 
     /// Returns what a lane's voices that move, and those at rest, may take in a tick.
     pub(super) fn budgets(&self, patience: WaitLimit) -> [LaneBudget; SHARES] {
-        let (WaitLimit::Until { share, .. }, Some(best)) = (patience, self.best) else {
+        let (Some(share), Some(best)) = (patience.share(), self.best) else {
             return [LaneBudget::UNLIMITED; SHARES];
         };
         let share = share.as_u64() as f64;

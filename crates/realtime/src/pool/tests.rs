@@ -1,6 +1,7 @@
 //! Nothing here depends on timing: a lane that must be late waits for the test.
 
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::time::Duration;
 
 use super::worker::boxed_array;
 use super::*;
@@ -35,6 +36,11 @@ impl Voice for Echo {
     }
 }
 
+/// Waits for the other side of a test, which answers at once or, if the test has failed, never.
+fn wait_for(other: &Receiver<()>) -> Result<(), RecvTimeoutError> {
+    other.recv_timeout(Duration::from_secs(20))
+}
+
 /// Says that it has begun `at` a tick, then waits to be told to go on, and strikes.
 struct Blocking {
     at: u64,
@@ -49,7 +55,7 @@ impl Voice for Blocking {
         (self.last, turn.force) = (tick, 100.0 + tick as f64);
         if tick == self.at {
             self.begun.send(()).unwrap();
-            self.go_on.recv().unwrap();
+            wait_for(&self.go_on).unwrap();
             let moment = Moment { tick, theta: 0.5 };
             turn.events
                 .push(moment, KeyEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) });
@@ -183,7 +189,7 @@ fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
     let turn = run.tick(1)[ELSEWHERE];
     assert!(turn.late && (turn.force - 100.0).abs() == 0.0, "{turn:?}");
     assert!(!run.turns[INLINE].late, "lane 0 is not held up");
-    has_begun.recv().unwrap();
+    wait_for(&has_begun).unwrap();
 
     run.lanes.set_patience(WaitLimit::Endless);
     go.send(()).unwrap();
@@ -220,7 +226,7 @@ impl Voice for Sleeping {
         turn.idle = true;
         if tick == 2 {
             self.0.send(()).unwrap();
-            self.1.recv().unwrap();
+            wait_for(&self.1).unwrap();
         }
     }
 
@@ -233,7 +239,7 @@ struct Listening(Receiver<()>);
 impl Voice for Listening {
     fn tick(&mut self, tick: u64, _sample: &KeySample, _turn: &mut VoiceOutput) {
         if tick == 2 {
-            self.0.recv().unwrap();
+            wait_for(&self.0).unwrap();
         }
     }
 
@@ -317,7 +323,7 @@ fn a_lane_that_was_held_up_joins_the_present() {
     run.tick(0);
     run.lanes.set_patience(NONE);
     run.tick(1);
-    has_begun.recv().unwrap();
+    wait_for(&has_begun).unwrap();
     for tick in 2..10 {
         assert!(run.tick(tick)[ELSEWHERE].late, "tick {tick}");
     }
@@ -342,7 +348,7 @@ fn a_late_lane_is_seen_as_it_was_and_then_tells_which_ticks_it_ran() {
     run.lanes.set_patience(NONE);
     run.tick(1);
     assert_eq!(run.seen(ELSEWHERE), (0, 0.0));
-    has_begun.recv().unwrap();
+    wait_for(&has_begun).unwrap();
     for tick in 2..4 {
         run.tick(tick);
         assert_eq!(run.seen(ELSEWHERE), (0, 0.0), "tick {tick}");
@@ -361,7 +367,7 @@ impl Voice for Gated {
     fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
         if 0 < tick {
             // At its end the test tells nothing more.
-            self.0.recv().unwrap_or_default();
+            wait_for(&self.0).unwrap_or_default();
             let strike = KeyEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) };
             turn.events.push(Moment { tick, theta: 0.5 }, strike);
         }
@@ -465,6 +471,24 @@ fn a_whole_instrument_is_replaced_in_some_ticks() {
     }
     assert!(run.tick(26).iter().all(|turn| (turn.force - 5.0).abs() == 0.0));
     assert_eq!(swaps.drain(), KEYS);
+}
+
+#[test]
+fn a_whole_instrument_waits_for_the_one_before_it_not_for_ever() {
+    let (lanes, mut swaps) = start(echoes(), 2);
+    let mut run = Run::new(lanes);
+    let every_key: Vec<_> = (0..KEYS).collect();
+    assert_eq!(swaps.wait_for_room(&every_key), Ok(()));
+    for key in 0..KEYS {
+        swaps.send(key, VoiceChange::Replace(Box::new(Panicking))).unwrap();
+    }
+    let refused = swaps.wait_for_room(&[3]).unwrap_err();
+    assert!(refused.contains("too many voices are waiting"), "no tick runs: {refused}");
+    let waiting = thread::spawn(move || swaps.wait_for_room(&every_key));
+    for tick in 4..26 {
+        run.tick(tick);
+    }
+    assert_eq!(waiting.join().unwrap(), Ok(()));
 }
 
 #[test]
