@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use telemetry::recording::{ReadError, Recording, Selection, export_csv};
 
 use super::{Failure, print_report, tell};
-use host::replay::{MissingTicks, Replayed, replay};
+use host::replay::{MissingTicks, Replayed, ResumedTicks, replay};
 
 /// What `letoff replay` takes.
 #[derive(Clone, Debug, Args)]
@@ -78,6 +78,9 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
     }
     for missing in &it.missing {
         writeln!(out, "  {}", words(missing))?;
+        if let Some(behind) = &missing.behind {
+            writeln!(out, "  {}", words_behind(behind))?;
+        }
     }
     match (it.incomplete_from, it.missing.is_empty()) {
         (Some(tick), true) => writeln!(
@@ -87,8 +90,8 @@ fn print(it: &Replayed, out: &mut dyn Write) -> Result<(), Failure> {
         )?,
         (Some(tick), false) => writeln!(
             out,
-            "  from tick {tick} on nothing could be compared: what voices were like behind what is \
-             missing is not in it; {ticks} of {recorded} ticks were"
+            "  from tick {tick} on nothing could be compared to the last bit: what voices were like \
+             behind what is missing is not in it; {ticks} of {recorded} ticks were"
         )?,
         (None, _) => {}
     }
@@ -104,6 +107,21 @@ fn words(missing: &MissingTicks) -> String {
         }
         _no_end => format!("what was from tick {from} ({from_s:.3} s) on is missing: {why}"),
     }
+}
+
+/// Returns what came of the ticks behind missing ones, in a sentence.
+fn words_behind(behind: &ResumedTicks) -> String {
+    let ResumedTicks { ticks, compared, .. } = behind;
+    let found = match (behind.agree_from, behind.agree_from_s) {
+        (Some(from), Some(from_s)) => format!(
+            "from tick {from} ({from_s:.3} s) on they are within 10 mN of the recorded ones"
+        ),
+        _to_the_end => "at the end they are not within 10 mN of the recorded ones".to_owned(),
+    };
+    format!(
+        "behind them every voice began anew, at rest where its key was: {ticks} ticks were run, \
+         {compared} forces compared; {found}"
+    )
 }
 
 fn export(recording: &Recording, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {

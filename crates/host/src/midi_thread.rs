@@ -163,18 +163,23 @@ impl MidiDispatcher {
         }
     }
 
-    /// Ends all notes and finishes the output.
+    /// Ends all notes and the output, and says what came of them.
     pub fn close(mut self, handover: Option<Histogram<u64>>) -> PlaybackSummary {
-        let silenced = self.player.silence();
-        self.note(silenced);
-        let finished = self.player.finish();
-        self.note(finished);
+        self.end_notes();
         PlaybackSummary {
             assessor: self.assessor,
             trouble: self.trouble,
             n_troubles: self.n_troubles,
             handover,
         }
+    }
+
+    /// Ends all notes and finishes the output, which takes no more.
+    pub fn end_notes(&mut self) {
+        let silenced = self.player.silence();
+        self.note(silenced);
+        let finished = self.player.finish();
+        self.note(finished);
     }
 
     fn play(&mut self, event: NoteEvent) {

@@ -28,9 +28,9 @@ impl std::fmt::Display for ReplayDifference {
 pub(super) struct Said(Arc<Mutex<VecDeque<Update>>>);
 
 impl Said {
-    /// Forgets what is not compared yet.
-    pub(super) fn clear(&self) {
-        self.lock().clear();
+    /// Hands out what is not compared yet.
+    pub(super) fn take_all(&self) -> VecDeque<Update> {
+        std::mem::take(&mut *self.lock())
     }
 
     fn lock(&self) -> MutexGuard<'_, VecDeque<Update>> {
@@ -99,9 +99,8 @@ impl Comparison {
 
     /// Compares what both said up to `tick`.
     pub(super) fn window(&mut self, tick: u64, said: &Said) {
-        let mut said = std::mem::take(&mut *said.lock());
         let (midi, mut rest): (VecDeque<_>, VecDeque<_>) =
-            said.drain(..).partition(|it| matches!(it, Update::Midi(_)));
+            said.take_all().into_iter().partition(|it| matches!(it, Update::Midi(_)));
         self.said_midi.extend(midi);
         while let Some(recorded) = self.recorded.pop_front() {
             let replayed = rest.pop_front();

@@ -106,12 +106,12 @@ impl Feed {
 
     /// Whether voices are felt or not from `tick` on, if that changes there.
     pub(super) fn arm(&mut self, tick: u64) -> Option<Arm> {
-        self.arms.remove(&tick)
+        last_until(&mut self.arms, tick)
     }
 
     /// What is left out from `tick` on, if that changes there.
     pub(super) fn simplified(&mut self, tick: u64) -> Option<Simplifications> {
-        self.simplified.remove(&tick)
+        last_until(&mut self.simplified, tick)
     }
 
     /// Whether the first rows of keys say that they were run before `tick`.
@@ -150,6 +150,12 @@ impl Feed {
         }
         self.last.clone()
     }
+}
+
+/// Takes the changes up to `tick` out of `changes` and returns the last of them.
+fn last_until<T>(changes: &mut BTreeMap<u64, T>, tick: u64) -> Option<T> {
+    let later = changes.split_off(&tick.saturating_add(1));
+    std::mem::replace(changes, later).into_values().last()
 }
 
 /// The ticks that a message tells of.

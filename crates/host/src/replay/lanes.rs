@@ -71,15 +71,7 @@ impl ReplayLanes {
         let key = usize::try_from(key).unwrap_or(usize::MAX);
         let Some(slot) = self.slots.get_mut(key) else { return Ok(()) };
         if slot.is_none() {
-            let voice = build(&self.scene, &recorded, revision)?;
-            *slot = Some(ReplaySlot {
-                slot: Slot::new(key, PanicGuard::new(voice)),
-                render: recorded.render,
-                revision,
-                pending: Vec::new(),
-                late: LateResult::default(),
-                is_unknown: false,
-            });
+            *slot = Some(ReplaySlot::begin(&self.scene, key, &recorded, revision)?);
         }
         self.voices.insert((key, revision), recorded);
         Ok(())
@@ -88,6 +80,16 @@ impl ReplayLanes {
     /// Whether it is not known of some voice which ticks it was run in.
     pub(super) fn is_unknown(&self) -> bool {
         self.slots.iter().flatten().any(|slot| slot.is_unknown)
+    }
+
+    /// Puts every voice in anew, at rest at its next sample.
+    pub(super) fn begin_anew(&mut self) -> Result<(), ReplayError> {
+        for (key, slot) in self.slots.iter_mut().enumerate() {
+            let Some(old) = slot else { continue };
+            let Some(recorded) = self.voices.get(&(key, old.revision)) else { continue };
+            *old = ReplaySlot::begin(&self.scene, key, recorded, old.revision)?;
+        }
+        Ok(())
     }
 
     /// What decides in the tick that is run next.
@@ -104,6 +106,23 @@ fn build(scene: &Scene, recorded: &RecordedVoice, revision: u32) -> Result<AnyVo
 }
 
 impl ReplaySlot {
+    fn begin(
+        scene: &Scene,
+        key: usize,
+        recorded: &RecordedVoice,
+        revision: u32,
+    ) -> Result<Self, ReplayError> {
+        let voice = build(scene, recorded, revision)?;
+        Ok(Self {
+            slot: Slot::new(key, PanicGuard::new(voice)),
+            render: recorded.render,
+            revision,
+            pending: Vec::new(),
+            late: LateResult::default(),
+            is_unknown: false,
+        })
+    }
+
     /// Makes the changes of this key up to `revision`, as they were made before a tick.
     fn change(
         &mut self,

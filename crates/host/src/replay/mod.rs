@@ -9,14 +9,18 @@
 //! old it was, which lane was late, when a voice was put in or retuned, when voices were
 //! disarmed. All else follows, and is made again by the code that made it.
 
+mod agreement;
 mod compare;
+mod damage;
 mod feed;
 mod lanes;
 mod run;
 mod versions;
 
+pub use agreement::ResumedTicks;
 pub use compare::ReplayDifference;
-pub use run::{MissingTicks, Replayed, replay};
+pub use damage::MissingTicks;
+pub use run::{Replayed, replay};
 
 /// The reason why a recording cannot be run again.
 #[derive(Debug, thiserror::Error)]

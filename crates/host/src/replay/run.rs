@@ -7,10 +7,12 @@ use scheduler::motion::{KEYS, KeySample};
 use scheduler::time::{Nanos, Period, Timetable};
 use serde::Serialize;
 use telemetry::event::Kind;
-use telemetry::{Catalogue, Update, Voice};
+use telemetry::{Catalogue, Event, Ticks, Update, Voice};
 
 use super::ReplayError;
+use super::agreement::Agreement;
 use super::compare::{Comparison, ReplayDifference, Said};
+use super::damage::{MissingTicks, UnreadParts};
 use super::feed::{Arm, Feed, ticks};
 use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
 use super::versions::RecordedVersions;
@@ -28,18 +30,18 @@ use scene::{KeyVoice, Render, Scene};
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Replayed {
     pub scene: String,
-    /// Ticks that were run again.
+    /// Ticks that were run again and compared to the last bit.
     pub ticks: u64,
-    /// Ticks that the recording tells of: those that were not run again could not be compared.
+    /// Ticks that the recording tells of.
     pub recorded: u64,
-    /// Messages that were compared: rows, events, MIDI.
+    /// Messages that were compared to the last bit: rows, events, MIDI.
     pub compared: u64,
     /// Of these, how many are not the same.
     pub different: u64,
     /// The first of them.
     pub first_difference: Option<ReplayDifference>,
     /// The tick from which on the recording does not tell all that decided, since rows are missing
-    /// or a lane was late for too long, so that nothing could be compared.
+    /// or a lane was late for too long, so that nothing is compared to the last bit.
     pub incomplete_from: Option<u64>,
     /// What is damaged in the recording.
     pub missing: Vec<MissingTicks>,
@@ -47,25 +49,11 @@ pub struct Replayed {
     pub strikes: u64,
 }
 
-/// Ticks that a recording has lost.
-#[derive(Clone, PartialEq, Debug, Serialize)]
-pub struct MissingTicks {
-    /// The first of them.
-    pub from: u64,
-    /// The last of them; none if nothing comes after them.
-    pub to: Option<u64>,
-    /// When the first of them began \[s\].
-    pub from_s: f64,
-    /// When the last of them began \[s\].
-    pub to_s: Option<f64>,
-    /// What is damaged, in a sentence.
-    pub why: String,
-}
-
 /// Runs what `messages` recorded, in their order, and compares.
 ///
-/// Where messages cannot be read, ticks are missing. What voices were like behind them is not in
-/// the recording, so it is run again and compared up to there; what is missing is no difference.
+/// Where messages cannot be read, ticks are missing; that is no difference. What voices were like
+/// behind them is not in the recording: it is compared to the last bit up to there, and behind
+/// them every voice begins anew at rest where its key is, and forces are compared.
 ///
 /// # Errors
 /// If it cannot be run; a difference is none.
@@ -80,7 +68,7 @@ pub fn replay(
             (None, Err(why)) => return Err(ReplayError::Beginning(why)),
             (None, Ok(Update::Catalogue(catalogue))) => replay = Some(Replay::begin(&catalogue)?),
             (None, Ok(_too_early)) => {}
-            (Some(replay), Err(why)) => replay.lose(why),
+            (Some(replay), Err(why)) => replay.missing.lose(why),
             (Some(replay), Ok(message)) => {
                 replay.take(message)?;
                 progress(replay.ticks);
@@ -122,42 +110,22 @@ struct Replay {
     faults: u64,
     strikes: u64,
     missing: UnreadParts,
+    knowledge: Knowledge,
+    /// The tick from which on it is not.
+    whole_until: Option<u64>,
 }
 
-/// What could not be read so far.
-#[derive(Debug, Default)]
-struct UnreadParts {
-    /// Why messages could not be read that would come now.
-    damaged: Option<String>,
-    /// The last tick that was told of, run again or not.
-    told: Option<u64>,
-    list: Vec<MissingTicks>,
-}
-
-impl UnreadParts {
-    /// Notes that ticks follow which were not read.
-    fn begin(&mut self, period: f64) {
-        if let Some(why) = self.damaged.take() {
-            let from = self.told.map_or(0, |told| told + 1);
-            self.list.push(MissingTicks {
-                from,
-                to: None,
-                from_s: from as f64 * period,
-                to_s: None,
-                why,
-            });
-        }
-    }
-
-    /// Notes that `tick` was read.
-    fn end(&mut self, tick: u64, period: f64) {
-        if let Some(last) = self.list.last_mut()
-            && last.to.is_none()
-        {
-            let to = tick.saturating_sub(1).max(last.from);
-            (last.to, last.to_s) = (Some(to), Some(to as f64 * period));
-        }
-    }
+/// How much is known of what decided.
+#[derive(Debug)]
+enum Knowledge {
+    /// All of it: everything is compared to the last bit.
+    Whole,
+    /// Ticks are missing; what is read next tells where the keys are.
+    Lost,
+    /// Every voice began anew behind missing ticks: forces are compared.
+    Resumed(Agreement),
+    /// A voice behind missing ticks could not be built.
+    Over,
 }
 
 /// Key events between two windows; a second of all keys.
@@ -224,78 +192,80 @@ impl Replay {
             last: 0,
             faults: 0,
             strikes: 0,
-            missing: UnreadParts::default(),
+            missing: UnreadParts::new(period.as_secs_f64()),
+            knowledge: Knowledge::Whole,
+            whole_until: None,
         }))
     }
 
-    /// Messages that come here could not be read.
-    fn lose(&mut self, why: String) {
-        self.missing.damaged.get_or_insert(why);
+    fn take(&mut self, message: Update) -> Result<(), ReplayError> {
+        self.note_damage(&message);
+        if self.feed.gap().is_some() {
+            return Ok(());
+        }
+        let followed = self.follow(message);
+        if followed.is_err() && self.is_lost() {
+            self.knowledge = Knowledge::Over;
+            return Ok(());
+        }
+        followed
     }
 
-    /// Whether `message` comes behind one that could not be read, or behind rows that are missing.
-    fn is_behind_damage(&mut self, message: &Update) -> bool {
+    /// Whether ticks are missing before the one that is run next.
+    const fn is_lost(&self) -> bool {
+        !matches!(self.knowledge, Knowledge::Whole)
+    }
+
+    /// Notes whether ticks are missing before `message`.
+    fn note_damage(&mut self, message: &Update) {
         let is_said_again = matches!(message, Update::Catalogue(_) | Update::Voice(_));
-        let period = 1.0 / f64::from(self.scene.tick_hz);
-        if !is_said_again {
-            self.missing.begin(period);
+        if self.missing.is_damaged() && !is_said_again {
+            if self.feed.gap().is_none() {
+                self.end_part();
+                self.knowledge = Knowledge::Lost;
+            }
+            self.missing.begin();
         }
         if let Update::Ticks(message) = message {
             for tick in ticks(message) {
-                self.missing.end(tick, period);
-                self.missing.told = Some(tick);
+                self.missing.end(tick);
                 self.recorded += 1;
             }
         }
-        let is_incomplete = self.missing.damaged.is_some() || self.feed.gap().is_some();
-        is_incomplete || !self.missing.list.is_empty()
     }
 
-    fn take(&mut self, message: Update) -> Result<(), ReplayError> {
-        if self.is_behind_damage(&message) {
-            return Ok(());
+    /// Ends what was compared up to a hole, or to the end behind one.
+    fn end_part(&mut self) {
+        match &self.knowledge {
+            Knowledge::Whole => {
+                self.pump.pump();
+                self.comparison.forget_unrun();
+                self.comparison.window(self.last, &self.said);
+                let timed = self.comparison.n_sent();
+                self.comparison.sort_sent(timed);
+                self.comparison.tear(timed);
+                self.comparison.finish(self.last, timed);
+                self.whole_until = Some(if self.is_running { self.last + 1 } else { 0 });
+            }
+            Knowledge::Resumed(agreement) => {
+                let period = self.timetable.period().as_secs_f64();
+                self.missing.resumed(agreement.result(period));
+            }
+            Knowledge::Lost | Knowledge::Over => {}
         }
+    }
+
+    fn follow(&mut self, message: Update) -> Result<(), ReplayError> {
         match &message {
             Update::Voice(voice) => self.voice(voice)?,
-            Update::Block(block) => self.feed.block(block),
-            Update::Event(event) => {
-                self.feed.event(event);
-                match event.kind() {
-                    Kind::Pedal => {
-                        self.pedals.extend(pedal_move(event));
-                        self.pass = Some(event.every).filter(|every| 0 < *every);
-                    }
-                    Kind::Fault => self.faults += 1,
-                    Kind::Strike => self.strikes += 1,
-                    Kind::Unknown
-                    | Kind::Switch
-                    | Kind::DamperLift
-                    | Kind::Pressure
-                    | Kind::DamperFall
-                    | Kind::Recovery
-                    | Kind::Miss
-                    | Kind::Skip
-                    | Kind::Board
-                    | Kind::Change
-                    | Kind::Disarm
-                    | Kind::Arm
-                    | Kind::Overload => {}
+            Update::Block(block) => {
+                self.feed.block(block);
+                if let Knowledge::Resumed(agreement) = &mut self.knowledge {
+                    agreement.expect(block);
                 }
             }
-            Update::Ticks(message) => {
-                let from = self.last;
-                for tick in ticks(message) {
-                    self.tick(tick)?;
-                }
-                self.pump.pump();
-                if self.lanes.is_unknown() {
-                    // Behind the ticks before, nothing can be compared.
-                    self.feed.lose(from + 1);
-                    self.said.clear();
-                } else {
-                    self.comparison.window(self.last, &self.said);
-                }
-            }
+            Update::Event(event) => self.event(event),
+            Update::Ticks(message) => self.window(message)?,
             Update::Catalogue(catalogue) => {
                 self.versions.learn(catalogue)?;
                 self.render = scene_of(catalogue)?.render;
@@ -307,7 +277,76 @@ impl Replay {
             | Update::Midi(_)
             | Update::Log(_) => {}
         }
-        self.comparison.expect(message);
+        if !self.is_lost() {
+            self.comparison.expect(message);
+        }
+        Ok(())
+    }
+
+    fn event(&mut self, event: &Event) {
+        self.feed.event(event);
+        let is_counted = u64::from(!self.is_lost());
+        match event.kind() {
+            Kind::Pedal => {
+                self.pedals.extend(pedal_move(event));
+                self.pass = Some(event.every).filter(|every| 0 < *every);
+            }
+            Kind::Fault => self.faults += is_counted,
+            Kind::Strike => self.strikes += is_counted,
+            Kind::Unknown
+            | Kind::Switch
+            | Kind::DamperLift
+            | Kind::Pressure
+            | Kind::DamperFall
+            | Kind::Recovery
+            | Kind::Miss
+            | Kind::Skip
+            | Kind::Board
+            | Kind::Change
+            | Kind::Disarm
+            | Kind::Arm
+            | Kind::Overload => {}
+        }
+    }
+
+    /// Runs the ticks of a window, whose rows have come before.
+    fn window(&mut self, message: &Ticks) -> Result<(), ReplayError> {
+        match &self.knowledge {
+            Knowledge::Whole => {
+                let from = self.last;
+                for tick in ticks(message) {
+                    self.tick(tick)?;
+                }
+                self.pump.pump();
+                if self.lanes.is_unknown() {
+                    // Behind the ticks before, nothing can be compared.
+                    self.feed.lose(from + 1);
+                    self.said.take_all();
+                } else {
+                    self.comparison.window(self.last, &self.said);
+                }
+            }
+            Knowledge::Lost => {
+                // The rows of this window may be lost in part: they tell where the keys are.
+                for tick in ticks(message) {
+                    self.steer(tick);
+                    self.feed.tick(tick);
+                }
+                self.lanes.begin_anew()?;
+                self.knowledge = Knowledge::Resumed(Agreement::default());
+            }
+            Knowledge::Resumed(_) => {
+                for tick in ticks(message) {
+                    self.tick(tick)?;
+                }
+                self.pump.pump();
+                if let Knowledge::Resumed(agreement) = &mut self.knowledge {
+                    ticks(message).for_each(|tick| agreement.run(tick));
+                    agreement.window(&self.said);
+                }
+            }
+            Knowledge::Over => {}
+        }
         Ok(())
     }
 
@@ -328,17 +367,8 @@ impl Replay {
         self.lanes.learn(message.key, message.revision, part)
     }
 
-    fn tick(&mut self, tick: u64) -> Result<(), ReplayError> {
-        if !self.is_running {
-            if 0 < tick && self.feed.begins_late(tick) {
-                return Err(ReplayError::Middle(tick));
-            }
-            let length =
-                self.pass.map(|ticks| ticks as f64 * self.timetable.period().as_secs_f64());
-            self.watchers.publisher.set_pedals(std::mem::take(&mut self.pedals).into());
-            self.watchers.publisher.repeat_pedals_after(length);
-            self.is_running = true;
-        }
+    /// Arms voices and leaves things out as it was done before `tick`.
+    fn steer(&mut self, tick: u64) {
         match self.feed.arm(tick) {
             Some(Arm::Off) => self.scheduler.disarm(),
             Some(Arm::On) => self.scheduler.arm(),
@@ -347,6 +377,20 @@ impl Replay {
         if let Some(simplified) = self.feed.simplified(tick) {
             self.scheduler.simplify(simplified);
         }
+    }
+
+    fn tick(&mut self, tick: u64) -> Result<(), ReplayError> {
+        if !self.is_running {
+            if 0 < tick && !self.is_lost() && self.feed.begins_late(tick) {
+                return Err(ReplayError::Middle(tick));
+            }
+            let length =
+                self.pass.map(|ticks| ticks as f64 * self.timetable.period().as_secs_f64());
+            self.watchers.publisher.set_pedals(std::mem::take(&mut self.pedals).into());
+            self.watchers.publisher.repeat_pedals_after(length);
+            self.is_running = true;
+        }
+        self.steer(tick);
         let fed = self.feed.tick(tick);
         for (sample, fed) in self.bus.samples.iter_mut().zip(&fed) {
             *sample = fed.sample;
@@ -358,18 +402,40 @@ impl Replay {
             return Err(failed);
         }
         self.desk.drain();
-        self.ticks += u64::from(done.is_some());
+        self.ticks += u64::from(done.is_some() && !self.is_lost());
         self.last = tick;
         Ok(())
     }
 
     fn finish(mut self) -> Replayed {
+        if self.is_lost() {
+            self.end_part();
+        } else {
+            self.end_run();
+        }
+        let Comparison { compared, different, first, .. } = self.comparison;
+        Replayed {
+            scene: self.scene.name,
+            ticks: self.ticks,
+            recorded: self.recorded,
+            compared,
+            different,
+            first_difference: first,
+            incomplete_from: self.whole_until,
+            missing: self.missing.list,
+            faults: self.faults,
+            strikes: self.strikes,
+        }
+    }
+
+    /// Ends what was compared up to the end of the recording.
+    fn end_run(&mut self) {
         self.pump.pump();
         let mut is_torn = self.comparison.forget_unrun() || !self.missing.list.is_empty();
         self.comparison.window(self.last, &self.said);
         let timed = self.comparison.n_sent();
         // Ends the notes, as the run did.
-        drop(self.desk.close(None));
+        self.desk.end_notes();
         self.pump.pump();
         self.comparison.window(self.last, &self.said);
         self.comparison.sort_sent(timed);
@@ -381,19 +447,6 @@ impl Replay {
         if gap.is_none() {
             self.comparison.finish(self.last, timed);
         }
-        let incomplete_from = gap.or_else(|| is_torn.then_some(self.last + 1));
-        let Comparison { compared, different, first, .. } = self.comparison;
-        Replayed {
-            scene: self.scene.name,
-            ticks: self.ticks,
-            recorded: self.recorded,
-            compared,
-            different,
-            first_difference: first,
-            incomplete_from,
-            missing: self.missing.list,
-            faults: self.faults,
-            strikes: self.strikes,
-        }
+        self.whole_until = gap.or_else(|| is_torn.then_some(self.last + 1));
     }
 }
