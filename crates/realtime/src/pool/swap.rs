@@ -103,7 +103,7 @@ impl VoiceSwaps {
         pushed.map_err(|PushError::Full(it)| Refused::Full(Box::new(it.change)))
     }
 
-    /// Waits until changes for all of `keys` would be taken, [`ROOM_WITHIN`] at most: a whole
+    /// Waits until changes for all of `keys` would be taken, a quarter of a second at most: a whole
     /// instrument that was just sent takes several ticks. Not for the tick.
     ///
     /// # Errors
