@@ -46,10 +46,11 @@ fn python() -> Result<PathBuf, Error> {
     peers::python_with(&work, &root().join(REQUIREMENTS))
 }
 
-/// The tests that ask for it.
+/// The tests that ask for it, which are in `kane`. The whole workspace is selected, since for one
+/// package alone Cargo builds what it needs once more, with other features.
 fn compare(python: &PathBuf) -> Command {
     let mut command =
-        cargo(["test", "--package", "kane", "--test", "all", "oracle", "--", "--nocapture"]);
+        cargo(["test", "--workspace", "--test", "all", "oracle", "--", "--nocapture"]);
     command.env(PYTHON, python);
     command
 }
@@ -62,7 +63,7 @@ mod tests {
     #[test]
     fn the_tests_are_given_a_python() {
         let command = compare(&PathBuf::from("python"));
-        assert_eq!(words(&command), "cargo test --package kane --test all oracle -- --nocapture");
+        assert_eq!(words(&command), "cargo test --workspace --test all oracle -- --nocapture");
         assert!(command.get_envs().any(|(name, value)| name == PYTHON && value.is_some()));
         assert!(root().join(REQUIREMENTS).exists());
     }
