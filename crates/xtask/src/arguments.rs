@@ -30,8 +30,8 @@ Chores of this workspace.
                                     about a minute; skipped, and says so, elsewhere
   cargo xtask guest-boards [--full]
                                     plays and breaks boards over real CAN and USB drivers in
-                                    an emulated machine, as guest-midi; two minutes, with
-                                    --full a quarter of an hour
+                                    two emulated machines, as guest-midi; two minutes, with
+                                    --full six
   cargo xtask peers [--quick] [--out DIR]
                                     runs other people's ODE solvers and ours side by side
                                     and writes results.json and table.md, by default into

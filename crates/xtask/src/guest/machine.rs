@@ -1,9 +1,9 @@
-//! The virtual machine: booted, listened to, and ended when its time is over.
+//! Virtual machines: booted, listened to, and ended when their time is over.
 
 use std::io::{BufRead as _, BufReader};
-use std::path::PathBuf;
+use std::path::Path;
 use std::process::{Child, ChildStdout, Command, Stdio};
-use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -12,7 +12,7 @@ use super::verdict::HeardNotes;
 use crate::command;
 use crate::error::Error;
 
-/// How long the guest may say nothing, however long it may take.
+/// How long all guests may say nothing, however long they may take.
 const SILENCE_LIMIT: Duration = Duration::from_mins(3);
 
 /// Emulated throughout, as build servers have no virtualisation.
@@ -24,41 +24,50 @@ const QEMU: &str = "-accel tcg -machine q35 -smp 1 -m 1024 -nodefaults \
 const KERNEL_ARGUMENTS: &str = "console=ttyS0 panic=-1 quiet reboot=t";
 
 /// The emulated machine that is booted.
-pub(super) struct VirtualMachine {
-    pub kernel: PathBuf,
-    pub initrd: PathBuf,
+pub(super) struct VirtualMachine<'a> {
+    pub kernel: &'a Path,
+    pub initrd: &'a Path,
     pub system: GuestSystem,
-    /// How long everything may take.
-    pub time_limit: Duration,
+    /// Which part of the checks it goes through.
+    pub part: &'static str,
 }
 
-impl VirtualMachine {
-    /// Boots, shows the console, and returns the verdict that was given there.
+/// A line of a console, and whose it is.
+pub(super) struct ConsoleLine {
+    part: &'static str,
+    text: String,
+}
+
+impl VirtualMachine<'_> {
+    /// Boots; the lines of its console are sent to `console`, which is closed at its end.
     ///
     /// # Errors
     /// If QEMU does not start.
-    pub(super) fn boot(&self) -> Result<HeardNotes, Error> {
+    pub(super) fn boot(&self, console: Sender<ConsoleLine>) -> Result<QemuGuard, Error> {
         let mut command = self.command();
         println!("$ {}", command::words(&command));
         let failed = |cause| Error::NotStarted { command: "qemu-system-x86_64".into(), cause };
-        let mut qemu = QemuGuard(command.spawn().map_err(failed)?);
-        let lines = qemu.0.stdout.take().map(read);
-        Ok(lines.map_or_else(HeardNotes::default, |lines| listen(&lines, self.time_limit)))
+        let mut qemu = command.spawn().map_err(failed)?;
+        if let Some(output) = qemu.stdout.take() {
+            read(output, self.part, console);
+        }
+        Ok(QemuGuard(qemu))
     }
 
     fn command(&self) -> Command {
         let mut command = Command::new("qemu-system-x86_64");
         let arguments = QEMU.split_whitespace().chain(self.system.machine().split_whitespace());
         command.args(arguments);
-        command.arg("-kernel").arg(&self.kernel).arg("-initrd").arg(&self.initrd);
-        command.args(["-append", KERNEL_ARGUMENTS]);
+        command.arg("-kernel").arg(self.kernel).arg("-initrd").arg(self.initrd);
+        // What the kernel does not know is a variable of the first program's.
+        command.arg("-append").arg(format!("{KERNEL_ARGUMENTS} part={}", self.part));
         command.stdin(Stdio::null()).stdout(Stdio::piped());
         command
     }
 }
 
 /// Ends QEMU with its owner.
-struct QemuGuard(Child);
+pub(super) struct QemuGuard(Child);
 
 impl Drop for QemuGuard {
     fn drop(&mut self) {
@@ -69,35 +78,38 @@ impl Drop for QemuGuard {
     }
 }
 
-/// The lines of the console, as they come.
-fn read(console: ChildStdout) -> Receiver<String> {
-    let (sender, receiver) = mpsc::channel();
+/// Sends on the lines of a console, as they come.
+fn read(output: ChildStdout, part: &'static str, console: Sender<ConsoleLine>) {
     thread::spawn(move || {
-        for line in BufReader::new(console).split(b'\n').map_while(Result::ok) {
-            let line = String::from_utf8_lossy(&line).trim_end().to_owned();
-            if sender.send(line).is_err() {
+        for line in BufReader::new(output).split(b'\n').map_while(Result::ok) {
+            let text = String::from_utf8_lossy(&line).trim_end().to_owned();
+            if console.send(ConsoleLine { part, text }).is_err() {
                 break;
             }
         }
     });
-    receiver
 }
 
-/// Shows all lines, and judges by them; ends at the limits of time.
-fn listen(lines: &Receiver<String>, time_limit: Duration) -> HeardNotes {
+/// Shows all lines of `n_guests`, and judges by them; ends with the last guest or at the limits of
+/// time.
+pub(super) fn listen(
+    lines: &Receiver<ConsoleLine>,
+    n_guests: usize,
+    time_limit: Duration,
+) -> HeardNotes {
     let start = Instant::now();
-    let mut verdict = HeardNotes::default();
+    let mut heard = HeardNotes::of(n_guests);
     loop {
         let left = time_limit.saturating_sub(start.elapsed()).min(SILENCE_LIMIT);
         match lines.recv_timeout(left) {
-            Ok(line) => {
-                println!("{line}");
-                verdict.hear(&line);
+            Ok(ConsoleLine { part, text }) => {
+                println!("{part}: {text}");
+                heard.hear(&text);
             }
-            Err(RecvTimeoutError::Disconnected) => return verdict,
+            Err(RecvTimeoutError::Disconnected) => return heard,
             Err(RecvTimeoutError::Timeout) => {
-                println!("nothing more was said in time: the guest is ended");
-                return verdict;
+                println!("nothing more was said in time: the guests are ended");
+                return heard;
             }
         }
     }
@@ -105,26 +117,28 @@ fn listen(lines: &Receiver<String>, time_limit: Duration) -> HeardNotes {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::mpsc;
+
     use super::*;
 
     #[test]
     fn the_guest_ends_when_its_program_does() {
-        let (kernel, initrd) = ("vmlinuz".into(), "initrd".into());
-        let (system, time_limit) = (GuestSystem::Busybox, Duration::ZERO);
-        let machine = VirtualMachine { kernel, initrd, system, time_limit };
+        let (kernel, initrd) = (Path::new("vmlinuz"), Path::new("initrd"));
+        let machine =
+            VirtualMachine { kernel, initrd, system: GuestSystem::Busybox, part: "fates" };
         let line = command::words(&machine.command());
         assert!(line.contains("-no-reboot -icount shift=0,sleep=off -kernel vmlinuz"), "{line}");
-        assert!(line.ends_with("panic=-1 quiet reboot=t"), "{line}");
+        assert!(line.contains("panic=-1 quiet reboot=t part=fates"), "{line}");
     }
 
     #[test]
     fn a_console_that_closes_ends_the_listening() {
-        let (sender, lines) = mpsc::channel();
-        sender.send("CHECK passed  1.0 s: something".to_owned()).unwrap();
-        drop(sender);
-        assert!(
-            listen(&lines, Duration::from_mins(1)).into_result().is_err(),
-            "no verdict was given"
-        );
+        let (console, lines) = mpsc::channel();
+        for text in ["CHECK passed  1.0 s: something", "VERDICT 0 of 1 checks failed, after 1 s"] {
+            console.send(ConsoleLine { part: "bus", text: text.into() }).unwrap();
+        }
+        drop(console);
+        let heard = listen(&lines, 2, Duration::from_mins(1));
+        assert!(heard.into_result().is_err(), "the other guest gave no verdict");
     }
 }

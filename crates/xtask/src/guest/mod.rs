@@ -14,6 +14,7 @@ mod system;
 mod verdict;
 
 use std::path::{Path, PathBuf};
+use std::sync::mpsc;
 use std::time::Duration;
 
 use crate::apt;
@@ -25,6 +26,7 @@ use crate::tools::{self, Tool};
 use kernel::Kernel;
 use machine::VirtualMachine;
 pub(crate) use system::GuestSystem;
+use verdict::HeardNotes;
 
 /// Four keys of a grand: as many as an emulated processor computes in time.
 pub(crate) const SCENE: &str = include_str!("scene.toml");
@@ -47,6 +49,9 @@ pub(crate) struct GuestCheck {
     pub more: Vec<PathBuf>,
     /// Files of the guest: path beneath its root, and content.
     pub files: Vec<(&'static str, Vec<u8>)>,
+    /// Parts of the checks, each in an emulated machine of its own beside the others; in the guest,
+    /// `$part` says which.
+    pub parts: &'static [&'static str],
     /// How long everything may take.
     pub time_limit: Duration,
     /// Which `letoff` plays.
@@ -98,11 +103,19 @@ impl GuestCheck {
         };
         let program = self.program.obtain(&target)?;
         let initrd = image::make(&folder.join(self.name), self, &kernel, &program)?;
-        let (system, time_limit) = (self.system, self.time_limit);
-        let machine = VirtualMachine { kernel: kernel.image, initrd, system, time_limit };
-        let verdict = machine.boot()?;
-        println!("\n{}: {verdict}", self.plays_on);
-        verdict.into_result().map(|()| Done::All)
+        let heard = self.boot(&kernel.image, &initrd)?;
+        println!("\n{}: {heard}", self.plays_on);
+        heard.into_result().map(|()| Done::All)
+    }
+
+    /// Boots a machine for each part, and returns what all of them said.
+    fn boot(&self, kernel: &Path, initrd: &Path) -> Result<HeardNotes, Error> {
+        let (console, lines) = mpsc::channel();
+        let machine = |&part| VirtualMachine { kernel, initrd, system: self.system, part };
+        let boot = |part| machine(part).boot(console.clone());
+        let running: Vec<_> = self.parts.iter().map(boot).collect::<Result<_, _>>()?;
+        drop(console);
+        Ok(machine::listen(&lines, running.len(), self.time_limit))
     }
 
     /// Everything that comes from elsewhere.

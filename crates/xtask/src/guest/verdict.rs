@@ -1,20 +1,25 @@
-//! The guest's verdict, from the lines of its console.
+//! The verdict of guests, from the lines of their consoles.
 
 use std::fmt;
 
 use crate::error::Error;
 
 /// What was heard so far.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct HeardNotes {
     n_passed: usize,
     /// Those that failed, as the guest put it.
     failed: Vec<String>,
-    /// Whether the guest said that it was done.
-    is_complete: bool,
+    /// How many guests have not yet said that they are done.
+    n_unfinished: usize,
 }
 
 impl HeardNotes {
+    /// Nothing yet, of `n_guests`.
+    pub(super) const fn of(n_guests: usize) -> Self {
+        Self { n_passed: 0, failed: Vec::new(), n_unfinished: n_guests }
+    }
+
     /// Takes a line of the console into account.
     pub(super) fn hear(&mut self, line: &str) {
         if line.starts_with("CHECK passed ") {
@@ -22,14 +27,14 @@ impl HeardNotes {
         } else if let Some(check) = line.strip_prefix("CHECK FAILED ") {
             self.failed.push(check.trim().to_owned());
         } else if line.starts_with("VERDICT ") {
-            self.is_complete = true;
+            self.n_unfinished = self.n_unfinished.saturating_sub(1);
         }
     }
 
     /// # Errors
     /// If a check failed, or not all were made.
     pub(super) fn into_result(self) -> Result<(), Error> {
-        if self.is_complete && self.failed.is_empty() && 0 < self.n_passed {
+        if self.n_unfinished == 0 && self.failed.is_empty() && 0 < self.n_passed {
             Ok(())
         } else {
             Err(Error::Guest(self.to_string()))
@@ -40,8 +45,8 @@ impl HeardNotes {
 impl fmt::Display for HeardNotes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} checks passed, {} failed", self.n_passed, self.failed.len())?;
-        if !self.is_complete {
-            f.write_str(", and the guest did not come to its end")?;
+        if 0 < self.n_unfinished {
+            write!(f, ", and {} of the guests did not come to its end", self.n_unfinished)?;
         }
         self.failed.iter().try_for_each(|check| write!(f, "\n  FAILED  {check}"))
     }
@@ -52,7 +57,7 @@ mod tests {
     use super::*;
 
     fn heard(lines: &[&str]) -> HeardNotes {
-        let mut verdict = HeardNotes::default();
+        let mut verdict = HeardNotes::of(1);
         for line in lines {
             verdict.hear(line);
         }

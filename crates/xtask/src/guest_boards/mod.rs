@@ -60,6 +60,7 @@ pub(crate) fn guest(form: CheckScope, program: TriedProgram) -> GuestCheck {
             ("refusals.sh", include_str!("refusals.sh").into()),
             ("usb.sh", include_str!("usb.sh").into()),
         ],
+        parts: &["bus", "fates"],
         time_limit: Duration::from_mins(minutes),
         program,
     }

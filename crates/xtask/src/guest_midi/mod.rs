@@ -24,6 +24,7 @@ pub(crate) fn guest() -> GuestCheck {
             ("piece.mid", piece::file()),
             ("checks.sh", include_str!("checks.sh").into()),
         ],
+        parts: &["midi"],
         // It takes three minutes of one processor.
         time_limit: Duration::from_mins(20),
         program: TriedProgram::Release,

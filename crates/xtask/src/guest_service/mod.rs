@@ -33,6 +33,7 @@ pub(crate) fn guest(profile: &str) -> GuestCheck {
             ("scene.toml", include_str!("scene.toml").into()),
             ("checks.sh", include_str!("checks.sh").into()),
         ],
+        parts: &["service"],
         time_limit: Duration::from_mins(30),
         program: TriedProgram::Packaged(profile.to_owned()),
     }
