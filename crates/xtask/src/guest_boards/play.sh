@@ -60,8 +60,9 @@ frames() { cat /sys/class/net/vcan0/statistics/tx_packets; }
 # of NAME FILTER: what jq says of the host's report; no matter if there is none.
 of() { jq -r "$2" "$1.json" 2>/dev/null; }
 
-# holds NAME CONDITION: whether it holds of the host's report.
-holds() { jq -e "$2" "$1.json" >/dev/null 2>&1; }
+# holds NAME CONDITION: whether it holds of the host's report; of none nothing holds, where jq alone
+# would find no fault with an empty file.
+holds() { jq -es "last | $2" "$1.json" >/dev/null 2>&1; }
 
 # fair NAME: whether NAME ended well, or said that voices failed for what befell its boards.
 fair() { [ $code = 0 ] || { [ $code = 1 ] && holds "$1" '.faults > 0'; }; }
