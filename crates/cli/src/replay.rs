@@ -111,16 +111,18 @@ fn words(missing: &MissingTicks) -> String {
 
 /// Returns what came of the ticks behind missing ones, in a sentence.
 fn words_behind(behind: &ResumedTicks) -> String {
-    let ResumedTicks { ticks, compared, .. } = behind;
+    let ResumedTicks { ticks, compared, agreeing, largest, .. } = behind;
     let found = match (behind.agree_from, behind.agree_from_s) {
-        (Some(from), Some(from_s)) => format!(
-            "from tick {from} ({from_s:.3} s) on they are within 10 mN of the recorded ones"
-        ),
-        _to_the_end => "at the end they are not within 10 mN of the recorded ones".to_owned(),
+        (Some(from), Some(from_s)) => format!("from tick {from} ({from_s:.3} s) on all are"),
+        _to_the_end => "at the end not all are".to_owned(),
     };
+    let largest = largest.map_or_else(String::new, |it| {
+        let key = telemetry::key_name(it.key);
+        format!(", the largest difference is {:.3} N ({key} in tick {})", it.newtons, it.tick)
+    });
     format!(
         "behind them every voice began anew, at rest where its key was: {ticks} ticks were run, \
-         {compared} forces compared; {found}"
+         {agreeing} of {compared} forces are within 10 mN of the recorded ones{largest}; {found}"
     )
 }
 

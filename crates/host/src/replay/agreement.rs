@@ -18,10 +18,24 @@ pub struct ResumedTicks {
     pub ticks: u64,
     /// Forces that were compared, one for each key and tick.
     pub compared: u64,
+    /// How many of these agree within 10 mN.
+    pub agreeing: u64,
+    /// The largest difference; none if there is none at all.
+    pub largest: Option<ForceDifference>,
     /// The tick from which on all of them agree within 10 mN; none if they do not at the end.
     pub agree_from: Option<u64>,
     /// When it began \[s\].
     pub agree_from_s: Option<f64>,
+}
+
+/// A force of a replay beside the recorded one.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct ForceDifference {
+    /// By how much they differ \[N\].
+    pub newtons: f64,
+    pub tick: u64,
+    /// From 0, A0.
+    pub key: u32,
 }
 
 /// Compares forces, key by key and tick by tick.
@@ -33,6 +47,8 @@ pub(super) struct Agreement {
     first: Option<u64>,
     ticks: u64,
     compared: u64,
+    agreeing: u64,
+    largest: Option<ForceDifference>,
     /// The last tick in which forces were compared.
     last: Option<u64>,
     /// The last tick in which they did not agree.
@@ -64,9 +80,15 @@ impl Agreement {
         let Some(recorded) = self.recorded.remove(&at) else { return };
         self.compared += 1;
         self.last = self.last.max(Some(at.0));
+        let newtons = (force - recorded).abs();
+        let largest = self.largest.map_or(0.0, |it| it.newtons);
+        if largest < newtons {
+            self.largest = Some(ForceDifference { newtons, tick: at.0, key: at.1 });
+        }
         // What is no number agrees with nothing.
-        let agrees = (force - recorded).abs() <= AGREE;
-        if !agrees {
+        if newtons <= AGREE {
+            self.agreeing += 1;
+        } else {
             self.off = self.off.max(Some(at.0));
         }
     }
@@ -78,6 +100,8 @@ impl Agreement {
         ResumedTicks {
             ticks: self.ticks,
             compared: self.compared,
+            agreeing: self.agreeing,
+            largest: self.largest,
             agree_from: from,
             agree_from_s: from.map(|tick| tick as f64 * period),
         }
@@ -122,6 +146,16 @@ mod tests {
         assert_eq!(from(&[1.0; 4], &[1.5, 1.011, 1.0, 1.0]), Some(102));
         assert_eq!(from(&[1.0; 4], &[1.0, 1.0, 1.0, 0.9]), None);
         assert_eq!(from(&[1.0, 1.0, 1.0, f64::NAN], &[1.0; 4]), None);
+    }
+
+    #[test]
+    fn the_largest_difference_is_told_with_its_key_and_tick() {
+        let behind = compared(&[1.0; 4], &[1.0, 1.25, 1.005, 0.875]);
+        assert_eq!(behind.agreeing, 2);
+        let largest = ForceDifference { newtons: 0.25, tick: 101, key: 39 };
+        assert_eq!(behind.largest, Some(largest));
+        let same = compared(&[1.0; 4], &[1.0; 4]);
+        assert_eq!((same.agreeing, same.largest), (4, None));
     }
 
     #[test]

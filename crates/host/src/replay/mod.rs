@@ -17,7 +17,7 @@ mod lanes;
 mod run;
 mod versions;
 
-pub use agreement::ResumedTicks;
+pub use agreement::{ForceDifference, ResumedTicks};
 pub use compare::ReplayDifference;
 pub use damage::MissingTicks;
 pub use run::{Replayed, replay};
