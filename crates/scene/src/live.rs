@@ -37,13 +37,21 @@ impl Render {
         refuse_fixed(&mut report, &changes);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
-            let (ours, places) = (changes.as_slice(), &mut report);
-            overrides::apply(places, &mut root, ours);
-            let mut reader = TableReader::new(places, "the scene", &root)?;
-            Some(render::read(places, &mut reader, tick_hz))
+            for (index, change) in changes.iter().enumerate() {
+                if setting(change).is_some() {
+                    overrides::apply(&mut report, &mut root, index, change);
+                }
+            }
+            let mut reader = TableReader::new(&mut report, "the scene", &root)?;
+            Some(render::read(&mut report, &mut reader, tick_hz))
         });
         report.verdict(read)
     }
+}
+
+/// The name of a setting of `[render]`; none of what is elsewhere.
+fn setting(change: &Override) -> Option<&str> {
+    change.name.strip_prefix("render.")
 }
 
 /// Reports names that are none of `[render]`, and those that are fixed.
@@ -53,12 +61,15 @@ fn refuse_fixed(report: &mut MistakeList<'_>, changes: &[Override]) {
         report.say(Location::At(0), "no setting is given", help);
     }
     for (index, change) in changes.iter().enumerate() {
-        let setting = change.name.strip_prefix("render.");
-        if setting.is_some_and(|name| !FIXED.contains(&name)) {
+        if setting(change).is_some_and(|name| !FIXED.contains(&name)) {
             continue;
         }
         let message = format!("{} does not change while the host plays", quoted(&change.name));
-        let help = "give settings of [render] but its limits, as render.passivity=control";
+        let help = if change.name.starts_with("keys.") {
+            "change instruments by `letoff instruments use`"
+        } else {
+            "give settings of [render] but its limits, as render.passivity=control"
+        };
         report.say(Location::Override(index), message, help);
     }
 }
@@ -101,10 +112,11 @@ mod tests {
             ("render.estimator", "guess"),
             ("render.force_limit", "30"),
             ("tick_hz", "4000"),
+            ("keys.0.instrument", "grand"),
             ("render.longest_step", "1e-6"),
         ]);
-        let wrong = wrong.expect_err("six mistakes");
-        let said = ["passivty", "-1", "\"guess\"", "force_limit", "tick_hz", "may take"];
+        let wrong = wrong.expect_err("a mistake for each change");
+        let said = ["passivty", "-1", "guess", "force_limit", "tick_hz", "keys.0", "may take"];
         assert_eq!(wrong.len(), said.len(), "{wrong:?}");
         assert!(said.iter().all(|word| wrong.iter().any(|it| it.contains(word))), "{wrong:?}");
         assert!(changed(&[]).is_err());

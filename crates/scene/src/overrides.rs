@@ -13,23 +13,26 @@ const DEEPEST: usize = 8;
 /// Names of a key range's voice; a new one replaces all three of the file.
 const VOICE: [&str; 3] = ["instrument", "model", "preset"];
 
-/// Puts `overrides` into the scene `root`, the last of a name winning.
+/// Puts the override with this `index` into the scene `root`; of a name, the last one put in wins.
 ///
 /// `keys.0.…` means the first key range, and `keys.…` all of them.
-pub(super) fn apply(report: &mut MistakeList<'_>, root: &mut DocumentNode, overrides: &[Override]) {
-    for (index, Override { name, value, .. }) in overrides.iter().enumerate() {
-        let place = Location::Override(index);
-        let steps: Vec<&str> = name.split('.').map(str::trim).collect();
-        if steps.iter().any(|step| step.is_empty()) || DEEPEST < steps.len() {
-            let help = "write it as render.stepper=heun or keys.0.instrument=grand-reduced";
-            report.say(place, format!("{} is no name of a value", quoted(name)), help);
-            continue;
-        }
-        let node = DocumentNode::overriding(value, place);
-        match steps.as_slice() {
-            ["keys", rest @ ..] if !rest.is_empty() => set_keys(report, root, rest, &node),
-            steps => set(report, root, steps, 0, &node),
-        }
+pub(super) fn apply(
+    report: &mut MistakeList<'_>,
+    root: &mut DocumentNode,
+    index: usize,
+    Override { name, value, .. }: &Override,
+) {
+    let place = Location::Override(index);
+    let steps: Vec<&str> = name.split('.').map(str::trim).collect();
+    if steps.iter().any(|step| step.is_empty()) || DEEPEST < steps.len() {
+        let help = "write it as render.stepper=heun or keys.0.instrument=grand-reduced";
+        report.say(place, format!("{} is no name of a value", quoted(name)), help);
+        return;
+    }
+    let node = DocumentNode::overriding(value, place);
+    match steps.as_slice() {
+        ["keys", rest @ ..] if !rest.is_empty() => set_keys(report, root, rest, &node),
+        steps => set(report, root, steps, 0, &node),
     }
 }
 

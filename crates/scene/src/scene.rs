@@ -203,7 +203,9 @@ impl Scene {
         let mut report = MistakeList::new(source, overrides);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
-            overrides::apply(&mut report, &mut root, overrides);
+            for (index, change) in overrides.iter().enumerate() {
+                overrides::apply(&mut report, &mut root, index, change);
+            }
             let mut reader = TableReader::new(&mut report, &source.name, &root)?;
             let scene = Self::read(&mut report, &mut reader, stability);
             reader.finish(&mut report);
