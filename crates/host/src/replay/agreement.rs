@@ -34,7 +34,7 @@ pub struct ForceDifference {
     /// By how much they differ \[N\].
     pub newtons: f64,
     pub tick: u64,
-    /// From 0, A0.
+    /// Counted from 0, which is A0.
     pub key: u32,
 }
 
