@@ -8,7 +8,7 @@ use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, system, tell};
 use host::control::{
-    Answers, Clients, ControlServer, ProgramListener, RepeatedLook, RequestHandler, RunHandle,
+    Answers, Clients, ControlServer, ProgramListener, RepeatedLook, RequestHandler, StartingHost,
     StreamSink, follow_load, serve, socket_path, watch_descriptions,
 };
 use host::session::RunSession;
@@ -33,20 +33,21 @@ struct ServedStream {
 }
 
 impl Endpoints {
-    /// Listens for requests to a host that will run `scene`, before anything is rehearsed.
+    /// Answers requests to a host that will run `scene`, before anything is rehearsed; `clients` are
+    /// those of the control socket, which `starting` has answered so far.
     ///
     /// # Errors
     /// If the stream that was asked for cannot be had.
     pub(super) fn open(
         scene: &Scene,
-        handle: &Arc<RunHandle>,
+        starting: &StartingHost,
+        clients: Clients,
         wanted: Option<&streaming::WantedStream>,
     ) -> Result<Self, Failure> {
         let folders = wanted.map(|it| it.folders.clone()).unwrap_or_default();
-        let requests = RequestHandler::new(scene.clone(), Arc::clone(handle), folders);
-        let requests = Arc::new(requests);
+        let requests = starting.begin(scene.clone(), folders);
         let stream = wanted.map(|wanted| stream(wanted, &requests)).transpose()?.flatten();
-        Ok(Self { clients: listen(Arc::clone(&requests)), stream, requests: Some(requests) })
+        Ok(Self { clients, stream, requests: Some(requests) })
     }
 
     /// Watches the descriptions that play, until what is returned is dropped.
@@ -118,23 +119,23 @@ impl Endpoints {
     }
 }
 
-/// Serves this user's control socket by `answers`; says so where that cannot be.
-pub(super) fn listen<A: Answers>(answers: Arc<A>) -> Clients {
+/// Serves this user's control socket by `answers`; returns why where that cannot be.
+pub(super) fn listen<A: Answers>(answers: Arc<A>) -> (Clients, Option<String>) {
     let clients = Clients::default();
     let path = socket_path();
-    match ControlServer::listen(&path) {
-        Ok(server) => {
-            // Ends with the runtime, and takes the socket with it.
-            tokio::spawn(serve(server, answers, clients.clone()));
-        }
-        // A second host, or a machine without a place for sockets, runs all the same.
-        Err(error) => tell(&format!(
+    // A second host, or a machine without a place for sockets, runs all the same.
+    let unheard = ControlServer::listen(&path).map(|server| {
+        // Ends with the runtime, and takes the socket with it.
+        tokio::spawn(serve(server, answers, clients.clone()));
+    });
+    let why = unheard.err().map(|error| {
+        format!(
             "`letoff stop`, `dash` and `instruments use` do not reach this process: {}: {error}; \
              give it a place of its own with LETOFF_SOCKET",
             path.display()
-        )),
-    }
-    clients
+        )
+    });
+    (clients, why)
 }
 
 /// Serves the stream, if its port is free.

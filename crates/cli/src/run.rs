@@ -9,7 +9,7 @@ use clap::Args;
 
 use super::arguments::seconds;
 use super::attend::RunAttendant;
-use super::endpoints::Endpoints;
+use super::endpoints::{self, Endpoints};
 use super::log::{LogFormat, StderrLog};
 use super::recording::RecordingArgs;
 use super::reload::{self, SceneFile};
@@ -19,10 +19,10 @@ use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
 use super::{Failure, live, print_report, supervisor_args, system, tell};
-use host::control::{RunHandle, StatusSink, temporary_folder};
+use host::control::{Clients, RunHandle, StartingHost, StatusSink, temporary_folder};
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
-use host::report::RunReport;
+use host::report::{ChosenFidelity, RunReport};
 use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
@@ -118,28 +118,11 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
         LogFormat::Json.choose();
     }
     args.supervisor.end_with_it()?;
-    let mut scene = Scene::load_as_typed(args.scene(), &args.overrides())
-        .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
-    let fidelity = if args.virtual_time {
-        Vec::new()
-    } else {
-        choose_fidelity(&mut scene).map_err(|error| Failure::Usage(error.to_string()))?
-    };
-    for chosen in &fidelity {
-        tell(&chosen.to_string());
-    }
-    refuse_unstable(&scene)?;
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
-    // A mistake is told before anything is rehearsed or recorded.
-    let mut stream = args.stream.wanted(&scene.name, state_folder()).map_err(Failure::Usage)?;
-    if let Some(stream) = &mut stream {
-        stream.folders.limits = args.recordings.limits();
-    }
-    let Some(mut report) = perform(&scene, options, args, stream)? else {
+    let Some(report) = perform(options, args)? else {
         tell("stopped before it began to play");
         return Ok(());
     };
-    report.fidelity = fidelity;
     if args.json {
         print_report(&report, out)?;
     } else {
@@ -183,14 +166,9 @@ fn without_faults(report: &RunReport) -> Result<(), Failure> {
 
 /// Rehearses, runs until the end or a signal, and reports; nothing if it was stopped before it
 /// began.
-fn perform(
-    scene: &Scene,
-    options: RunOptions,
-    args: &RunArgs,
-    wanted: Option<streaming::WantedStream>,
-) -> Result<Option<Box<RunReport>>, Failure> {
+fn perform(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>, Failure> {
     let runtime = runtime()?;
-    let ended = runtime.block_on(host(scene, options, args, wanted));
+    let ended = runtime.block_on(host(options, args));
     if let Ok(None) = ended {
         // What still rehearses is not waited for: no board is armed, and no note has sounded.
         runtime.shutdown_background();
@@ -198,24 +176,65 @@ fn perform(
     ended
 }
 
-async fn host(
-    scene: &Scene,
+async fn host(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>, Failure> {
+    let mut begun = BegunHost::begin(options, args)?;
+    let asked = args.clone();
+    let work = move || TriedRun::of(&asked).map(Box::new);
+    let tried = begun.signals.unless_stopped(&begun.handle.emergency, work).await?;
+    let Some(tried) = tried.transpose()? else {
+        begun.clients.leave().await;
+        return Ok(None);
+    };
+    Box::pin(play(begun, &tried, options, args)).await
+}
+
+/// A host that hears signals and a stop, and has tried nothing yet.
+struct BegunHost {
+    signals: Signals,
+    log: StderrLog,
+    handle: Arc<RunHandle>,
+    starting: Arc<StartingHost>,
+    clients: Clients,
+    /// Why the control socket does not reach it, if so.
+    unheard: Option<String>,
+    /// The scene's file, if it can be read again.
+    file: Option<SceneFile>,
+}
+
+impl BegunHost {
+    fn begin(options: RunOptions, args: &RunArgs) -> Result<Self, Failure> {
+        let file = SceneFile::of(args.scene(), args.overrides());
+        let file = file.filter(|_| !options.virtual_time);
+        let signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
+        let is_quiet = args.quiet || options.virtual_time;
+        let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
+        let handle = Arc::new(run_handle(options));
+        handle.status.prepare(args.scene());
+        let starting = Arc::new(StartingHost::new(Arc::clone(&handle)));
+        // A run in virtual time takes no requests.
+        let (clients, unheard) = if options.virtual_time {
+            (Clients::default(), None)
+        } else {
+            endpoints::listen(Arc::clone(&starting))
+        };
+        Ok(Self { signals, log, handle, starting, clients, unheard, file })
+    }
+}
+
+async fn play(
+    begun: BegunHost,
+    tried: &TriedRun,
     options: RunOptions,
     args: &RunArgs,
-    wanted: Option<streaming::WantedStream>,
 ) -> Result<Option<Box<RunReport>>, Failure> {
-    let file = SceneFile::of(args.scene(), args.overrides());
-    let file = file.filter(|_| !options.virtual_time);
-    let mut signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
-    let is_quiet = args.quiet || options.virtual_time;
-    let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
-    let handle = Arc::new(run_handle(options));
+    let BegunHost { mut signals, log, handle, starting, clients, unheard, file } = begun;
+    unheard.iter().for_each(|why| tell(why));
+    let scene = &tried.scene;
     handle.status.prepare(&scene.name);
-    // A run in virtual time takes no requests.
     let endpoints = if options.virtual_time {
         Endpoints::default()
     } else {
-        Endpoints::open(scene, &handle, wanted.as_ref())?
+        Endpoints::open(scene, &starting, clients, tried.stream.as_ref())?
     };
     let progress = if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
     let mut notifier = ServiceNotifier::new(Arc::clone(&handle));
@@ -261,7 +280,37 @@ async fn host(
     let done = done.map_err(|panic| Failure::Panicked(panic.to_string()))?;
     let mut report = done.map_err(|error| failure(&error))?;
     report.recording = recording.map(|it| it.report());
+    report.fidelity.clone_from(&tried.fidelity);
     Ok(Some(report))
+}
+
+/// What is run, and was found to be stable.
+struct TriedRun {
+    scene: Scene,
+    /// What keys got that leave their fidelity to this machine.
+    fidelity: Vec<ChosenFidelity>,
+    stream: Option<streaming::WantedStream>,
+}
+
+impl TriedRun {
+    /// Reads the scene that `args` name, chooses the fidelity of keys where ticks are run in real
+    /// time, and refuses what is not stable; arms no board.
+    fn of(args: &RunArgs) -> Result<Self, Failure> {
+        let mut scene = Scene::load_as_typed(args.scene(), &args.overrides())
+            .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
+        let chosen = if args.virtual_time { Ok(Vec::new()) } else { choose_fidelity(&mut scene) };
+        let fidelity = chosen.map_err(|error| Failure::Usage(error.to_string()))?;
+        for chosen in &fidelity {
+            tell(&chosen.to_string());
+        }
+        refuse_unstable(&scene)?;
+        // A mistake is told before anything is rehearsed or recorded.
+        let mut stream = args.stream.wanted(&scene.name, state_folder()).map_err(Failure::Usage)?;
+        if let Some(stream) = &mut stream {
+            stream.folders.limits = args.recordings.limits();
+        }
+        Ok(Self { scene, fidelity, stream })
+    }
 }
 
 /// Returns the handle of a run; one in real time has its MIDI port held by a guardian.

@@ -17,10 +17,10 @@ use host::control::Folders;
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Stream to dashboards and viewers")]
 pub struct StreamArgs {
-    /// Where it streams: an address and port, or `none`. Anything but this machine needs
-    /// --tokens and --tls.
-    #[arg(long, value_name = "ADDRESS:PORT|none", default_value = DEFAULT)]
-    pub listen: String,
+    /// Where it streams: an address and port, or `none`; 127.0.0.1:8765 without, or another port if
+    /// that one is taken. Anything but this machine needs --tokens and --tls.
+    #[arg(long, value_name = "ADDRESS:PORT|none")]
+    pub listen: Option<String>,
     /// A file with who may do what: lines of `viewer`, `tuner` or `owner` and a secret. Without
     /// it there is one secret, made for this run, that this user's `letoff dash` learns.
     #[arg(long, value_name = "FILE")]
@@ -69,11 +69,12 @@ impl StreamArgs {
         name: &str,
         folder: Option<PathBuf>,
     ) -> Result<Option<WantedStream>, String> {
-        if self.listen == "none" {
+        let listen = self.listen.as_deref().unwrap_or(DEFAULT);
+        if listen == "none" {
             return Ok(None);
         }
-        let address: SocketAddr = self.listen.parse().map_err(|_no_address| {
-            format!("--listen {} is no address and port: write {DEFAULT} or none", self.listen)
+        let address: SocketAddr = listen.parse().map_err(|_no_address| {
+            format!("--listen {listen} is no address and port: write {DEFAULT} or none")
         })?;
         let mut settings = ServerSettings {
             address,
@@ -89,7 +90,7 @@ impl StreamArgs {
             // Every user of this machine reaches its loopback.
             settings.tokens.push(Token::random(Role::Owner).map_err(|error| error.to_string())?);
         }
-        let is_usual = self.listen == DEFAULT && self.tokens.is_none() && self.tls.is_none();
+        let is_usual = self.listen.is_none() && self.tokens.is_none() && self.tls.is_none();
         Ok(Some(WantedStream { settings, folders: self.folders(), is_usual }))
     }
 

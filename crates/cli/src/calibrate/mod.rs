@@ -27,7 +27,7 @@ use self::write::CalibrationRecord;
 use super::arguments::note;
 use super::signals::{Signals, runtime};
 use super::target::SceneTarget;
-use super::{Failure, endpoints, print_json, system};
+use super::{Failure, endpoints, print_json, system, tell};
 use host::boards::stop_all;
 use host::control::EmergencyStop;
 
@@ -160,7 +160,8 @@ async fn measured<F: Send + 'static, M: Send + 'static>(
 ) -> Result<Option<M>, Failure> {
     let mut signals = Signals::new().map_err(system)?;
     let endings = Endings::default();
-    let clients = endpoints::listen(Arc::clone(&endings.emergency));
+    let (clients, unheard) = endpoints::listen(Arc::clone(&endings.emergency));
+    unheard.iter().for_each(|why| tell(why));
     let Some(found) = signals.unless_stopped(&endings.emergency, find).await? else {
         clients.leave().await;
         return Ok(None);

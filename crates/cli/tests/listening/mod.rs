@@ -364,12 +364,34 @@ fn a_stop_while_a_piece_is_rehearsed_is_heard_at_once_and_nothing_is_played() {
 }
 
 #[test]
+fn a_stop_is_heard_while_keys_are_tried() {
+    let folder = Folder::new("stop-earlier");
+    // The default scene's keys are tried for longer than it takes to ask.
+    for how in [&["run", "--listen", "none"][..], &["run", "--listen", "none", "--supervised"]] {
+        let mut host = folder.command(Path::new(env!("CARGO_BIN_EXE_letoff")), how);
+        host.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let host = host.spawn().expect("a process");
+        eventually("a socket", || folder.socket().exists().then_some(()));
+        let (code, out, _err) = folder.letoff(&["stop"]);
+        assert_eq!((code, out.contains("nothing will play")), (Some(0), true), "{out}");
+        let ended = host.wait_with_output().expect("it ends");
+        let said = String::from_utf8_lossy(&ended.stderr).into_owned();
+        assert_eq!(ended.status.code(), Some(0), "{said}");
+        assert_eq!(said, "letoff: stopped before it began to play\n");
+    }
+}
+
+#[test]
 fn an_address_that_is_taken_may_be_free_later() {
     let folder = Folder::new("taken");
     let taken = std::net::TcpListener::bind("127.0.0.1:0").expect("a port");
     let address = taken.local_addr().expect("an address").to_string();
     let run = ["run", "springs", "--performance", "none", "--midi", "none", "--listen", &address];
     folder.refuses(&run, 1, &["cannot listen", &address]);
+    // Whoever names the usual address means it; it may be taken already.
+    let _taken = std::net::TcpListener::bind("127.0.0.1:8765");
+    let usual = [&run[..6], &["--listen", "127.0.0.1:8765"]].concat();
+    folder.refuses(&usual, 1, &["cannot listen", "127.0.0.1:8765"]);
 }
 
 /// The least of all users.

@@ -21,7 +21,8 @@
 //! A program change that is heard on a MIDI port is a request for an instrument (`programs`).
 //!
 //! `letoff stop` comes the same way: the run ends with the next tick, and boards are stopped.
-//! The socket listens before the rehearsal, so that a host that only prepares is stopped too.
+//! The socket listens before keys are tried and touches rehearsed (`starting`), so that a host that only
+//! prepares is stopped too.
 
 mod client;
 mod current_voices;
@@ -42,6 +43,7 @@ mod request_handler;
 mod run_handle;
 mod run_status;
 mod server;
+mod starting;
 mod stream_sink;
 mod voice_port;
 mod watch;
@@ -60,6 +62,7 @@ pub use run_handle::RunHandle;
 pub(crate) use run_status::passes;
 pub use run_status::{RunDescription, RunStatus, StatusSink};
 pub use server::{Answers, Clients, ControlServer, serve};
+pub use starting::StartingHost;
 pub use stream_sink::StreamSink;
 pub use watch::watch_descriptions;
 

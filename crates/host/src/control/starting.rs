@@ -1,0 +1,87 @@
+//! The control socket's answers from a host's first moment on.
+
+use std::sync::{Arc, OnceLock};
+use std::time::Duration;
+
+use scene::Scene;
+use telemetry::{Reply, Request};
+
+use super::{Answer, Answers, Folders, RequestHandler, RunHandle};
+
+/// Time between two looks whether the scene is known.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Looks before whoever asks is told to ask again: 3 s, less than a client's patience.
+const MOST_LOOKS: u32 = 150;
+
+/// Answers for a host that still tries its keys: a stop and how it goes at once, and all else when
+/// its scene is known.
+#[derive(Debug)]
+pub struct StartingHost {
+    run: Arc<RunHandle>,
+    requests: OnceLock<Arc<RequestHandler>>,
+}
+
+impl StartingHost {
+    /// Answers for the host behind `run`.
+    pub const fn new(run: Arc<RunHandle>) -> Self {
+        Self { run, requests: OnceLock::new() }
+    }
+
+    /// Answers all requests from now on, to a host that runs `scene`; clients of the stream name
+    /// files in `folders`.
+    pub fn begin(&self, scene: Scene, folders: Folders) -> Arc<RequestHandler> {
+        let make = || Arc::new(RequestHandler::new(scene, Arc::clone(&self.run), folders));
+        Arc::clone(self.requests.get_or_init(make))
+    }
+}
+
+impl StartingHost {
+    fn wait(&self) -> Option<&Arc<RequestHandler>> {
+        (0..MOST_LOOKS).find_map(|_look| {
+            std::thread::sleep(LOOK);
+            self.requests.get()
+        })
+    }
+}
+
+impl Answers for StartingHost {
+    fn reply_to(&self, request: &Request, connection: u64) -> Answer {
+        match (self.requests.get(), request) {
+            (Some(requests), _) => requests.reply_to(request, connection),
+            (None, Request::Stop {}) => self.run.emergency.reply_to(request, connection),
+            (None, Request::Status {}) => {
+                Ok(Reply::Status { status: Box::new(self.run.status.examine()) })
+            }
+            (None, _too_early) => {
+                let starts = "the host is starting, and tries its keys: ask again in a moment";
+                self.wait().ok_or(starts)?.reply_to(request, connection)
+            }
+        }
+    }
+
+    fn left(&self, connection: u64) {
+        if let Some(requests) = self.requests.get() {
+            requests.left(connection);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn while_keys_are_tried_status_is_told_and_all_else_waits_for_the_scene() {
+        let starting = StartingHost::new(Arc::default());
+        let state = starting.reply_to(&Request::Status {}, 1);
+        assert!(matches!(state, Ok(Reply::Status { .. })), "{state:?}");
+        std::thread::scope(|scope| {
+            let told = scope.spawn(|| starting.reply_to(&Request::Scene {}, 1));
+            let springs = Scene::load("springs", &[]).unwrap();
+            let _requests = starting.begin(springs, Folders::default());
+            let told = told.join().unwrap();
+            assert!(matches!(told, Ok(Reply::Scene { .. })), "{told:?}");
+        });
+    }
+}
