@@ -1,6 +1,7 @@
 //! The command's end of the control socket: one request, one reply.
 
 use std::fmt;
+use std::fs;
 use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
@@ -51,16 +52,17 @@ pub enum ControlError {
     #[error(
         "the host{} gave no answer within {} s: it hangs. Boards that hear nothing from it take \
          their forces away by themselves (their watchdogs, within some milliseconds); end it with \
-         {}, and cut the boards' power if a force stays",
+         `{end}`, and cut the boards' power if a force stays",
         .pid.map_or_else(String::new, |pid| format!(" (process {pid})")),
-        .patience.as_secs_f64(),
-        .pid.map_or_else(|| "`pkill -KILL letoff`".to_owned(), |pid| format!("`kill -KILL {pid}`"))
+        .patience.as_secs_f64()
     )]
     Hung {
         /// The number of its process, if it is known.
         pid: Option<i32>,
         /// The time of the wait.
         patience: Duration,
+        /// The command that ends it for good.
+        end: String,
     },
     /// The host went away or the connection failed.
     #[error("the host did not answer: {0}")]
@@ -178,7 +180,7 @@ fn converse(
     let command = command(request);
     let mut stream = connect(path, patience).map_err(|error| {
         if is_late(&error) {
-            return ControlError::Hung { pid: None, patience };
+            return hung(path, None, patience);
         }
         absent(path, command, error)
     })?;
@@ -190,7 +192,7 @@ fn converse(
     }
     let failed = |error: io::Error| {
         if is_late(&error) {
-            return ControlError::Hung { pid: Some(pid), patience };
+            return hung(path, Some(pid), patience);
         }
         ControlError::Silent(error)
     };
@@ -201,6 +203,28 @@ fn converse(
     let mut line = String::new();
     BufReader::new(&stream).read_line(&mut line).map_err(failed)?;
     Ok((serde_json::from_str(&line)?, stream))
+}
+
+/// Returns the error of a host at `path` that hangs; what would start it again is ended with it.
+fn hung(path: &Path, pid: Option<i32>, patience: Duration) -> ControlError {
+    let typed = pid.and_then(|pid| fs::read(format!("/proc/{pid}/cmdline")).ok());
+    let end = match pid {
+        _ if place::is_service(path) => "systemctl stop letoff".to_owned(),
+        None => "pkill -KILL letoff".to_owned(),
+        Some(pid) => match typed.as_deref().and_then(supervisor) {
+            Some(supervisor) => format!("kill -KILL {supervisor} {pid}"),
+            None => format!("kill -KILL {pid}"),
+        },
+    };
+    ControlError::Hung { pid, patience, end }
+}
+
+/// Returns the process that `letoff run --supervised` named to the host that it started, which
+/// `typed` is the command line of.
+fn supervisor(typed: &[u8]) -> Option<u32> {
+    let mut words = typed.split(|byte| *byte == 0);
+    let pid = words.find_map(|word| word.strip_prefix(b"--supervisor="))?;
+    std::str::from_utf8(pid).ok()?.parse().ok()
 }
 
 /// Connects with the same time limit as for an answer: a host that hangs accepts no connection.
@@ -232,4 +256,24 @@ fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError 
 /// Returns whether a wait timed out.
 fn is_late(error: &io::Error) -> bool {
     matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_host_that_hangs_is_ended_with_what_would_start_it_again() {
+        let command = |path, pid| {
+            let text = hung(Path::new(path), pid, PATIENCE).to_string();
+            text.split('`').nth(1).unwrap().to_owned()
+        };
+        assert_eq!(command("/run/letoff/letoff.sock", Some(7)), "systemctl stop letoff");
+        assert_eq!(command("/tmp/letoff.sock", None), "pkill -KILL letoff");
+        // This test has no supervisor.
+        let own = i32::try_from(std::process::id()).unwrap();
+        assert_eq!(command("/tmp/letoff.sock", Some(own)), format!("kill -KILL {own}"));
+        assert_eq!(supervisor(b"letoff\0run\0s.toml\0--supervisor=12\0"), Some(12));
+        assert_eq!(supervisor(b"letoff\0run\0"), None);
+    }
 }

@@ -6,6 +6,7 @@
 
 use std::fs;
 use std::io;
+use std::os::unix::ffi::OsStrExt as _;
 use std::os::unix::fs::{DirBuilderExt as _, FileTypeExt as _, MetadataExt as _};
 use std::path::{Path, PathBuf};
 
@@ -154,8 +155,15 @@ fn listening(listed: &str) -> impl Iterator<Item = PathBuf> {
         let flags = words.nth(3)?;
         let path = PathBuf::from(words.nth(3)?);
         let is_host = flags == LISTENS && path.file_name()? == "letoff.sock";
-        is_host.then_some(path)
+        (is_host && is_plain(&path)).then_some(path)
     })
+}
+
+/// Returns whether `path` can stand in a command that somebody types: anybody may choose one that a
+/// shell or a terminal would obey.
+fn is_plain(path: &Path) -> bool {
+    let is_plain = |it: &u8| it.is_ascii_alphanumeric() || b"/._-+@:".contains(it);
+    path.is_absolute() && path.as_os_str().as_bytes().iter().all(is_plain)
 }
 
 /// Returns the socket of the shipped unit's host.
@@ -187,6 +195,9 @@ Num       RefCount Protocol Flags    Type St Inode Path
 0000000000000000: 00000002 00000000 00010000 0001 01 17 /run/letoff/letoff.sock
 0000000000000000: 00000003 00000000 00000000 0001 03 18 /run/user/7/letoff.sock
 0000000000000000: 00000002 00000000 00010000 0001 01 19 /run/systemd/private
+0000000000000000: 00000002 00000000 00010000 0001 01 22 /tmp/a$(touch${IFS}b)/letoff.sock
+0000000000000000: 00000002 00000000 00010000 0001 01 23 /tmp/\x1b[2J/letoff.sock
+0000000000000000: 00000002 00000000 00010000 0001 01 24 b/letoff.sock
 0000000000000000: 00000002 00000000 00010000 0001 01 20
 0000000000000000: 00000002 00000000 00010000 0001 01 21 @letoff.sock\n";
         assert_eq!(listening(listed).collect::<Vec<_>>(), [Path::new(SERVICE)]);
