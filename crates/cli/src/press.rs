@@ -82,7 +82,10 @@ async fn wait(
     let mut connection = tokio::net::UnixStream::from_std(connection).map_err(system)?;
     let over = async {
         match length {
-            Some(seconds) => tokio::time::sleep(Duration::from_secs_f64(seconds)).await,
+            Some(seconds) => {
+                let length = Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX);
+                tokio::time::sleep(length).await;
+            }
             None => std::future::pending().await,
         }
     };

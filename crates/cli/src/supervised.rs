@@ -6,16 +6,19 @@ use std::collections::VecDeque;
 use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::io;
+use std::os::unix::process::ExitStatusExt as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus};
 use std::time::{Duration, Instant};
 
 use rustix::process::{Pid, Signal, kill_process};
+use telemetry::log::Level;
 use tokio::signal::unix::{Signal as SignalStream, SignalKind, signal};
 
+use super::log::{LogFormat, tell_as};
 use super::run::{RunArgs, black_box_folder};
 use super::signals::runtime;
-use super::{Failure, system, tell};
+use super::{Failure, system};
 
 /// Time between two looks whether the host has ended.
 const LOOK: Duration = Duration::from_millis(50);
@@ -34,6 +37,9 @@ const ORDERLY: i32 = 2;
 
 /// Runs the host until it ends of its own accord, or crashes too often.
 pub(super) fn run(args: &RunArgs) -> Result<(), Failure> {
+    if args.log_json {
+        LogFormat::Json.choose();
+    }
     let runtime = runtime()?;
     let folder = black_box_folder(args.black_box.as_deref());
     runtime.block_on(supervise(folder.as_deref()))
@@ -51,9 +57,13 @@ async fn supervise(folder: Option<&Path>) -> Result<(), Failure> {
             let code = u8::try_from(code).unwrap_or(u8::MAX);
             return if code == 0 { Ok(()) } else { Err(Failure::Told(code)) };
         }
+        // It was told to before it could hear.
+        if is_told && is_told_so(status) {
+            return Ok(());
+        }
         let number = host.id();
         let before = kept.as_ref().map_or_else(String::new, LastMinutes::place);
-        tell(&format!("the host (process {number}) crashed, {status}{before}"));
+        tell_as(Level::Error, &format!("the host (process {number}) crashed, {status}{before}"));
         if is_told {
             return Err(Failure::Running("the host crashed while it ended".to_owned()));
         }
@@ -64,11 +74,15 @@ async fn supervise(folder: Option<&Path>) -> Result<(), Failure> {
                 SPAN.as_secs()
             )));
         };
-        tell(&format!(
-            "it is started again, {n} of at most {MOST_RESTARTS} in {} s",
-            SPAN.as_secs()
-        ));
+        let seconds = SPAN.as_secs();
+        let text = format!("it is started again, {n} of at most {MOST_RESTARTS} in {seconds} s");
+        tell_as(Level::Warning, &text);
     }
+}
+
+/// Returns whether a signal that asks for the end has ended the host.
+fn is_told_so(status: ExitStatus) -> bool {
+    status.signal().is_some_and(|it| [Signal::INT, Signal::TERM].map(Signal::as_raw).contains(&it))
 }
 
 /// Starts the host with what was typed.
