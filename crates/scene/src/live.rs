@@ -37,10 +37,9 @@ impl Render {
         refuse_fixed(&mut report, &changes);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
-            for (index, change) in changes.iter().enumerate() {
-                if setting(change).is_some() {
-                    overrides::apply(&mut report, &mut root, index, change);
-                }
+            let settings = changes.iter().enumerate().filter(|(_, it)| setting(it).is_some());
+            for (index, change) in settings {
+                overrides::apply(&mut report, &mut root, index, change);
             }
             let mut reader = TableReader::new(&mut report, "the scene", &root)?;
             Some(render::read(&mut report, &mut reader, tick_hz))

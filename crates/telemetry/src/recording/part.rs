@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -60,8 +60,13 @@ impl RecordingPart {
             writer.flush()?;
             Ok(writer)
         };
+        let writer = begin().map_err(|error| {
+            // It was made a moment ago, and a later attempt would find it in its way.
+            let _left = fs::remove_file(path);
+            failed(path, &error)
+        })?;
         Ok(Self {
-            writer: begin().map_err(|error| failed(path, &error))?,
+            writer,
             path: path.to_owned(),
             written,
             topics: BTreeSet::new(),
