@@ -228,7 +228,9 @@ async fn play(
     args: &RunArgs,
 ) -> Result<Option<Box<RunReport>>, Failure> {
     let BegunHost { mut signals, log, handle, starting, clients, unheard, file } = begun;
-    unheard.iter().for_each(|why| tell(why));
+    if let Some(why) = &unheard {
+        tell(why);
+    }
     let scene = &tried.scene;
     handle.status.prepare(&scene.name);
     let endpoints = if options.virtual_time {

@@ -161,7 +161,9 @@ async fn measured<F: Send + 'static, M: Send + 'static>(
     let mut signals = Signals::new().map_err(system)?;
     let endings = Endings::default();
     let (clients, unheard) = endpoints::listen(Arc::clone(&endings.emergency));
-    unheard.iter().for_each(|why| tell(why));
+    if let Some(why) = &unheard {
+        tell(why);
+    }
     let Some(found) = signals.unless_stopped(&endings.emergency, find).await? else {
         clients.leave().await;
         return Ok(None);
