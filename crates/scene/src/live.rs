@@ -115,7 +115,7 @@ mod tests {
             ("render.longest_step", "1e-6"),
         ]);
         let wrong = wrong.expect_err("a mistake for each change");
-        let said = ["passivty", "-1", "guess", "force_limit", "tick_hz", "keys.0", "may take"];
+        let said = ["passivty", "-1", "\"guess\"", "force_limit", "tick_hz", "keys.0", "may take"];
         assert_eq!(wrong.len(), said.len(), "{wrong:?}");
         assert!(said.iter().all(|word| wrong.iter().any(|it| it.contains(word))), "{wrong:?}");
         assert!(changed(&[]).is_err());

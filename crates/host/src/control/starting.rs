@@ -34,9 +34,8 @@ impl StartingHost {
         let make = || Arc::new(RequestHandler::new(scene, Arc::clone(&self.run), folders));
         Arc::clone(self.requests.get_or_init(make))
     }
-}
 
-impl StartingHost {
+    /// Waits until the scene is known; nothing if that takes too long.
     fn wait(&self) -> Option<&Arc<RequestHandler>> {
         (0..MOST_LOOKS).find_map(|_look| {
             std::thread::sleep(LOOK);
