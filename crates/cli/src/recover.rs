@@ -70,7 +70,8 @@ fn beside(file: &Path, suffix: &str) -> PathBuf {
 /// Puts what can be read of `file` in the place of `into`, whatever is there: even `file` itself,
 /// which is gone only when the new one is complete and on the disk.
 fn replace(file: &Path, into: &Path) -> Result<Recovered, Failure> {
-    let unfinished = beside(into, "-unfinished");
+    // A name of this process's: what a killed one has left is not in the way.
+    let unfinished = beside(into, &format!("-unfinished-{}", std::process::id()));
     let recovered = recover(file, &unfinished).map_err(|error| failure(&error))?;
     fs::rename(&unfinished, into).map_err(|error| {
         Failure::Running(format!(

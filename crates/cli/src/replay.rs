@@ -44,8 +44,8 @@ pub(super) fn run(args: &ReplayArgs, out: &mut dyn Write) -> Result<(), Failure>
     );
     let messages = recording.messages().filter_map(|message| match message {
         Ok((_at, update)) => Some(Ok(update)),
-        Err(error @ ReadError::Damaged { is_said_again: true, .. }) => {
-            tell(&format!("{error}; it is said again elsewhere, and nothing is missing"));
+        Err(ReadError::Missing(piece)) if piece.is_said_again() => {
+            tell(&format!("{piece}; it is said again elsewhere, and nothing is missing"));
             None
         }
         Err(error) => Some(Err(error.to_string())),

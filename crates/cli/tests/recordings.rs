@@ -183,6 +183,52 @@ fn a_damaged_piece_is_left_out_and_counted() {
     assert!(out.contains("lost: a damaged piece"), "{out}");
 }
 
+/// Names of damaged recordings, and what is done to the bytes of a whole one.
+const DAMAGES: [(&str, fn(&mut Vec<u8>)); 3] = [
+    ("bit", |bytes| {
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 4;
+    }),
+    ("zeros", |bytes| {
+        let middle = bytes.len() / 2;
+        bytes[middle..middle + (64 << 10)].fill(0);
+    }),
+    ("beginning", |bytes| bytes[..64 << 10].fill(0)),
+];
+
+#[test]
+fn what_was_recovered_is_replayed_as_what_it_was_recovered_from() {
+    let folder = Folder::new("recover-replay");
+    recorded(&folder);
+    let whole = std::fs::read(folder.join("a.mcap")).expect("a recording");
+    let replayed = |file: &str| {
+        let (code, out, err) = folder.letoff(&["replay", file, "--json"]);
+        let Ok(mut report) = serde_json::from_str::<serde_json::Value>(&out) else {
+            return (code, err.lines().last().unwrap_or_default().to_owned());
+        };
+        let why = report["missing"][0]["why"].take();
+        assert!(why.as_str().is_some_and(|why| why.starts_with(file)), "{report}: {why}");
+        (code, report.to_string())
+    };
+    for (name, damage) in DAMAGES {
+        let mut bytes = whole.clone();
+        damage(&mut bytes);
+        let (old, new) = (format!("{name}.mcap"), format!("{name}-recovered.mcap"));
+        folder.write(&old, &bytes);
+        let (code, out, err) = folder.letoff(&["recover", &old]);
+        assert_eq!((code, err.as_str()), (Some(0), ""));
+        assert!(!out.contains("`letoff recover"), "it was done: {out}");
+        let (was, is) = (replayed(&old), replayed(&new));
+        if name == "beginning" {
+            assert_eq!((was.0, is.0), (Some(2), Some(2)));
+            assert!(is.1.contains("what it had at its beginning is left out"), "{}", is.1);
+            assert!(is.1.contains("so it cannot be run again, only looked at"), "{}", is.1);
+        } else {
+            assert_eq!((was.0, &was), (Some(0), &is), "{name}");
+        }
+    }
+}
+
 #[test]
 fn only_what_is_named_is_overwritten_by_what_was_recovered() {
     let folder = Folder::new("recover-over");

@@ -205,7 +205,11 @@ fn blocks(recorded: &KeyBlock, replayed: &KeyBlock) -> (u64, String) {
         let (was, is) = (tick(recorded, row), tick(replayed, row));
         let at = was.unwrap_or(recorded.tick);
         if was != is {
-            return (at, format!("key {key}: the replay has a row of {is:?} instead"));
+            let text = is.map_or_else(
+                || "no row of this tick".to_owned(),
+                |is| format!("a row of tick {is} instead"),
+            );
+            return (at, format!("key {key}: the replay has {text}"));
         }
         for (name, cell) in COLUMNS {
             let (was, is) = (cell(recorded, row), cell(replayed, row));

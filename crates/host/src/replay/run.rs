@@ -413,6 +413,10 @@ impl Replay {
         } else {
             self.end_run();
         }
+        if self.whole_until.is_some() {
+            // What could not be read at the end is the reason, or one of them.
+            self.missing.begin();
+        }
         let Comparison { compared, different, first, .. } = self.comparison;
         Replayed {
             scene: self.scene.name,

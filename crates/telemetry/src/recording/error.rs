@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use super::format::{FORMAT, PROFILE};
+use super::missing::MissingPiece;
 use crate::topic;
 
 /// Why a message is not recorded, or a recording not written.
@@ -73,25 +74,8 @@ pub enum OpenError {
 /// Why a part of a recording is not read; what comes after it may well be.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
-    #[error("{} cannot be read any further: {cause}", .path.display())]
-    Io { path: PathBuf, cause: io::Error },
-    #[error(
-        "{} is damaged at byte {at} ({cause}): what it had from {from:.3} s to {to:.3} s is left \
-         out, and `letoff recover {}` makes a complete file of the rest",
-        .path.display(), .path.display()
-    )]
-    Damaged {
-        path: PathBuf,
-        /// Offset in the file (B).
-        at: u64,
-        cause: String,
-        /// Time of the first lost message since the recording's beginning (s).
-        from: f64,
-        /// Time of the last lost message since the recording's beginning (s).
-        to: f64,
-        /// Whether it held only the catalogue and voices, which are repeated elsewhere.
-        is_said_again: bool,
-    },
+    #[error(transparent)]
+    Missing(#[from] MissingPiece),
     /// A message cannot be decoded.
     #[error("{}: {cause}", .path.display())]
     Message { path: PathBuf, cause: topic::TopicDecodeError },

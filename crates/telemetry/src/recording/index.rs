@@ -3,13 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 
-use mcap::records::{ChunkIndex, Footer, MetadataIndex, Record, op};
+use mcap::records::{ChunkIndex, Footer, Metadata, MetadataIndex, Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapResult};
 
 use super::chunk::{Chunk, Inside};
 use super::file_bytes::FileBytes;
-use super::format::{self, LARGEST_CHUNK, Labels};
+use super::format::{self, LARGEST_CHUNK, Labels, PROFILE};
+use super::missing::{self, MissingNote};
 use crate::Topic;
 
 /// Opcode and length of a record (B).
@@ -22,8 +23,8 @@ const DATA_END: u64 = RECORD + 4;
 /// Copies of the labels that are read besides the one at the beginning: a majority of three
 /// stands against one that is damaged.
 const COPIES: usize = 2;
-/// No labels are longer than this (B).
-const LONGEST_LABELS: u64 = 4096;
+/// No metadata are longer than this (B).
+const LONGEST_METADATA: u64 = 4096;
 
 /// The position of a chunk in a file, with its times and topics.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -36,8 +37,10 @@ pub(super) struct ChunkPosition {
     pub(super) last: u64,
     /// Topics of its messages, if the index names them.
     pub(super) topics: Option<Vec<Topic>>,
-    /// Whether it is known to be damaged.
-    pub(super) is_damaged: bool,
+    /// What is wrong with the file here, if nothing can be read.
+    pub(super) wrong: Option<String>,
+    /// Whether it was left out when the file was recovered from a damaged one.
+    pub(super) is_left_out: bool,
 }
 
 impl ChunkPosition {
@@ -58,6 +61,8 @@ pub(super) struct Index {
     pub(super) names_ours: bool,
     /// The last labels behind the file's beginning.
     pub(super) labels: Vec<Labels>,
+    /// What is wrong with the file from which this one was recovered, if that broke off.
+    pub(super) breaks_off: Option<String>,
     /// What a scan of the file found, if there was no summary.
     pub(super) without_summary: Option<IndexScan>,
 }
@@ -80,6 +85,7 @@ impl Index {
             topics: format::topics(),
             names_ours: false,
             labels: Vec::new(),
+            breaks_off: None,
             without_summary: None,
         }
     }
@@ -103,7 +109,28 @@ impl Index {
             first: index.message_start_time,
             last: index.message_end_time,
             topics: (!index.message_index_offsets.is_empty()).then_some(topics),
-            is_damaged: false,
+            wrong: None,
+            is_left_out: false,
+        });
+    }
+
+    /// Takes in what the metadata `record` at `offset` tell: labels, or what is missing.
+    fn tell(&mut self, offset: u64, record: &[u8]) {
+        let Some(metadata) = metadata_in(record) else { return };
+        self.labels.extend(Labels::of(&metadata));
+        let Some(note) = MissingNote::of(&metadata) else { return };
+        let Some((first, last)) = note.span else {
+            self.breaks_off = Some(note.wrong);
+            return;
+        };
+        self.positions.push(ChunkPosition {
+            offset,
+            length: record.len() as u64,
+            first,
+            last,
+            topics: note.topics,
+            wrong: Some(note.wrong),
+            is_left_out: true,
         });
     }
 }
@@ -114,13 +141,14 @@ pub(super) fn summary(file: &FileBytes) -> io::Result<Option<Index>> {
     let bytes = file.read(start, file.size - start)?;
     // The checksum of the whole summary is looked at before any of it is used.
     let Ok((mut index, metadata)) = read_summary(&bytes) else { return Ok(None) };
-    index.positions.sort_by_key(|position| position.offset);
-    for at in metadata.iter().rev().take(COPIES) {
+    let labels = metadata.iter().rev().filter(|at| at.name == PROFILE).take(COPIES);
+    for at in labels.chain(metadata.iter().filter(|at| at.name == missing::NAME)) {
         let is_inside = at.offset.checked_add(at.length).is_some_and(|end| end <= file.size);
-        if is_inside && at.length <= LONGEST_LABELS {
-            index.labels.extend(labels_in(&file.read(at.offset, at.length)?));
+        if is_inside && at.length <= LONGEST_METADATA {
+            index.tell(at.offset, &file.read(at.offset, at.length)?);
         }
     }
+    index.positions.sort_by_key(|position| position.offset);
     let is_inside = |position: &ChunkPosition| {
         position.length > RECORD
             && position.offset.checked_add(position.length).is_some_and(|end| end <= file.size)
@@ -128,11 +156,11 @@ pub(super) fn summary(file: &FileBytes) -> io::Result<Option<Index>> {
     Ok(index.positions.iter().all(is_inside).then_some(index))
 }
 
-/// Returns the labels in the metadata `record`, which begins with its opcode and length.
-fn labels_in(record: &[u8]) -> Option<Labels> {
+/// Returns the metadata in `record`, which begins with its opcode and length.
+fn metadata_in(record: &[u8]) -> Option<Metadata> {
     let body = record.strip_prefix(&[op::METADATA])?.get(8..)?;
     match mcap::parse_record(op::METADATA, body) {
-        Ok(Record::Metadata(metadata)) => Labels::of(&metadata),
+        Ok(Record::Metadata(metadata)) => Some(metadata),
         Ok(_) | Err(_) => None,
     }
 }
@@ -212,8 +240,8 @@ pub(super) fn scan(file: &FileBytes, start: u64) -> io::Result<Index> {
             scan.has_end = true;
             break;
         }
-        if opcode == op::METADATA && length <= LONGEST_LABELS {
-            index.labels.extend(labels_in(&file.read(scan.up_to, length)?));
+        if opcode == op::METADATA && length <= LONGEST_METADATA {
+            index.tell(scan.up_to, &file.read(scan.up_to, length)?);
             index.labels.drain(..index.labels.len().saturating_sub(COPIES));
         }
         let mut length = length;
@@ -242,15 +270,17 @@ fn length_of_damaged(file: &FileBytes, offset: u64, length: u64) -> io::Result<u
 }
 
 /// Returns the position of a piece that cannot be read.
-const fn damaged(offset: u64, length: u64) -> ChunkPosition {
-    ChunkPosition { offset, length, first: 0, last: u64::MAX, topics: None, is_damaged: true }
+fn damaged(offset: u64, length: u64) -> ChunkPosition {
+    let wrong = Some(missing::damaged(offset, "there is no whole chunk"));
+    let (first, last, topics) = (0, u64::MAX, None);
+    ChunkPosition { offset, length, first, last, topics, wrong, is_left_out: false }
 }
 
 /// Sets the times of damaged pieces to the time between their neighbours.
 fn date_damaged(positions: &mut [ChunkPosition]) {
-    let known = |position: &&ChunkPosition| !position.is_damaged;
+    let known = |position: &&ChunkPosition| position.wrong.is_none() || position.is_left_out;
     for i in 0..positions.len() {
-        if positions[i].is_damaged {
+        if !known(&&positions[i]) {
             let before = positions[..i].iter().rev().find(known).map(|position| position.last);
             let after = positions[i..].iter().find(known).map(|position| position.first);
             let first = before.or(after).unwrap_or(0);
@@ -324,5 +354,6 @@ fn scan_chunk(
     }
     let topics = topics.iter().filter_map(|id| index.topics.get(id).copied()).collect();
     let (first, topics) = (first.min(last), Some(topics));
-    Ok(Some(ChunkPosition { offset, length, first, last, topics, is_damaged: false }))
+    let wrong = None;
+    Ok(Some(ChunkPosition { offset, length, first, last, topics, wrong, is_left_out: false }))
 }

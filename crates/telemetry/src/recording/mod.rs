@@ -17,6 +17,7 @@
 //! | metadata `letoff` | format version, run, and which file of the recording it is |
 //! | chunks | messages with their schemas; none is open for longer than a second |
 //! | metadata, catalogue and voices, said again | after the first chunk, every half minute and at the end: a damaged piece takes none of them away |
+//! | metadata `letoff.missing`, in a recovered file | what is not there in its place, and why; at the end, that the old file broke off |
 //! | summary | where the chunks are; missing if the host died, and then found again by reading |
 //!
 //! A file that is not a recording's first begins with the last catalogue and the last voice of
@@ -33,6 +34,7 @@ mod format;
 mod index;
 mod latest;
 mod marks;
+mod missing;
 mod part;
 mod part_file;
 mod playback;
@@ -50,6 +52,7 @@ pub use csv::{Exported, Selection, export_csv};
 pub use error::{ExportError, OpenError, ReadError, RecordError};
 pub use format::FORMAT;
 pub use marks::{Marks, marks};
+pub use missing::MissingPiece;
 pub use playback::{Playback, PlaybackClock};
 pub use reader::{Messages, Recording, Tear};
 pub use recover::{RecoverError, Recovered, recover};

@@ -8,13 +8,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use mcap::records::MessageHeader;
+use mcap::records::{MessageHeader, Metadata};
 use mcap::write::NoSeek;
 use mcap::{Compression, McapError, WriteOptions, Writer};
 
 use super::error::{RecordError, cause};
 use super::format::{self, CHUNK, LIBRARY, Labels, PROFILE};
 use super::latest::Latest;
+use super::missing::MissingNote;
 use super::raw_message::RawMessage;
 use crate::{DESCRIPTORS, Topic};
 
@@ -25,7 +26,7 @@ const BESIDE_TOPIC: u64 = 300;
 /// Size of a chunk in the summary, and of each topic in it (B).
 const CHUNK_INDEX: (u64, u64) = (120, 10);
 
-/// Size of labels in the summary (B).
+/// Size of metadata in the summary (B).
 const METADATA_INDEX: u64 = 40;
 
 /// One file that is being written.
@@ -143,11 +144,16 @@ impl RecordingPart {
         self.writer.flush().map_err(|error| failed(&self.path, &error))
     }
 
-    /// Says once more what the file says of itself, behind what is given to the system.
-    fn label(&mut self, labels: &Labels) -> Result<(), RecordError> {
+    /// Tells what could not be read of the file that this one is made of.
+    pub(super) fn note_missing(&mut self, note: &MissingNote) -> Result<(), RecordError> {
+        self.write_metadata(&note.metadata())
+    }
+
+    /// Writes metadata behind what is given to the system.
+    fn write_metadata(&mut self, metadata: &Metadata) -> Result<(), RecordError> {
         self.flush()?;
         self.summary += METADATA_INDEX;
-        let written = self.writer.write_metadata(&labels.metadata());
+        let written = self.writer.write_metadata(metadata);
         written.map_err(|error| failed(&self.path, &error))
     }
 
@@ -158,7 +164,7 @@ impl RecordingPart {
         latest: &Latest,
         at: u64,
     ) -> Result<(), RecordError> {
-        self.label(labels)?;
+        self.write_metadata(&labels.metadata())?;
         latest.repeated(at).try_for_each(|raw| self.add(&raw))
     }
 
@@ -171,7 +177,7 @@ impl RecordingPart {
     ) -> Result<(), RecordError> {
         // Three labels and more, so that one that is damaged is found out.
         self.repeat(labels, latest, at)?;
-        self.label(labels)
+        self.write_metadata(&labels.metadata())
     }
 
     /// Completes the file and waits until it is on the disk; returns its size (B).

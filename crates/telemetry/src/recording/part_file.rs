@@ -8,10 +8,11 @@ use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapResult};
 
 use super::chunk::{Chunk, Inside};
-use super::error::{OpenError, ReadError, cause};
+use super::error::{OpenError, cause};
 use super::file_bytes::FileBytes;
 use super::format::{LARGEST_CHUNK, Labels, PROFILE};
 use super::index::{self, ChunkPosition, Index};
+use super::missing::{self, MissingPiece};
 use super::raw_message::RawMessage;
 use crate::{Topic, Update};
 
@@ -113,37 +114,71 @@ impl PartFile {
     }
 
     /// Reads the chunk at `place`.
-    pub(super) fn chunk(&self, position: &ChunkPosition) -> Result<Chunk, ReadError> {
-        if position.is_damaged || position.length > LARGEST_CHUNK as u64 {
+    pub(super) fn chunk(&self, position: &ChunkPosition) -> Result<Chunk, MissingPiece> {
+        if let Some(wrong) = &position.wrong {
+            return Err(self.missing(position, wrong.clone()));
+        }
+        if position.length > LARGEST_CHUNK as u64 {
             return Err(self.damaged(position, "there is no whole chunk"));
         }
         let bytes = self.bytes.read(position.offset, position.length);
-        let bytes = bytes.map_err(|cause| ReadError::Io { path: self.path.clone(), cause })?;
+        let bytes = bytes.map_err(|cause| {
+            self.missing(position, format!("cannot be read at byte {} ({cause})", position.offset))
+        })?;
         if bytes.first() != Some(&op::CHUNK) {
             return Err(self.damaged(position, "there is something else than a chunk"));
         }
         Ok(Chunk::new(&bytes))
     }
 
-    pub(super) fn damaged(&self, position: &ChunkPosition, cause: &str) -> ReadError {
-        let seconds = |at: u64| at.saturating_sub(self.began) as f64 * 1e-9;
-        ReadError::Damaged {
+    fn damaged(&self, position: &ChunkPosition, cause: &str) -> MissingPiece {
+        self.missing(position, missing::damaged(position.offset, cause))
+    }
+
+    fn missing(&self, position: &ChunkPosition, wrong: String) -> MissingPiece {
+        MissingPiece {
             path: self.path.clone(),
-            at: position.offset,
-            cause: cause.to_owned(),
-            from: seconds(position.first),
-            to: seconds(position.last),
-            is_said_again: position.topics.as_ref().is_some_and(|topics| {
-                topics.iter().all(|it| matches!(it, Topic::Catalogue | Topic::Voices))
-            }),
+            wrong,
+            span: (position.first, position.last),
+            began: self.began,
+            topics: position.topics.clone(),
+            is_left_out: position.is_left_out,
         }
+    }
+
+    /// Returns what is wrong with it if it breaks off, or if that did from which it was recovered.
+    pub(super) fn breaks_off(&self) -> Option<String> {
+        let scan = self.index.without_summary.filter(|scan| !scan.has_end);
+        let at = scan.map(|scan| {
+            let (up_to, size) = (scan.up_to, self.size());
+            let why = "because its host died or the file was cut";
+            format!("breaks off at byte {up_to} of {size}, {why}")
+        });
+        at.or_else(|| self.index.breaks_off.clone())
+    }
+
+    /// Notes that the recording goes on at `next` (ns since 1970) in another file: if this one
+    /// breaks off, what was between is missing.
+    pub(super) fn note_next(&mut self, next: u64) {
+        let Some(wrong) = self.breaks_off() else { return };
+        let offset = self.index.without_summary.map_or(self.size(), |scan| scan.up_to);
+        let first = self.index.positions.last().map_or(next, |last| last.last);
+        self.index.positions.push(ChunkPosition {
+            offset,
+            length: self.size() - offset,
+            first: first.min(next),
+            last: next,
+            topics: None,
+            wrong: Some(wrong),
+            is_left_out: self.index.breaks_off.is_some(),
+        });
     }
 
     pub(super) fn is_damaged(
         &self,
         position: &ChunkPosition,
         error: &mcap::McapError,
-    ) -> ReadError {
+    ) -> MissingPiece {
         self.damaged(position, &cause(error))
     }
 

@@ -9,6 +9,7 @@ use std::time::Duration;
 
 use super::error::ReadError;
 use super::marks::marks;
+use super::missing::MissingPiece;
 use super::part_file::PartFile;
 use super::raw_message::RawMessage;
 use super::reader::{Recording, update};
@@ -112,7 +113,7 @@ impl Playback {
     }
 
     /// Returns the next message up to now.
-    fn next_raw(&mut self) -> Option<Result<RawMessage, ReadError>> {
+    fn next_raw(&mut self) -> Option<Result<RawMessage, MissingPiece>> {
         let (now, parts) = (Timeline::at(self), self.recording.parts());
         for stream in &mut self.past {
             let next = stream.next(parts, now);
@@ -124,8 +125,10 @@ impl Playback {
         self.main.next(parts, now)
     }
 
-    fn arrive(&self, raw: Result<RawMessage, ReadError>) -> Arrival {
-        let update = raw.and_then(|raw| Ok((raw.made, update(&raw, &self.recording)?)));
+    fn arrive(&self, raw: Result<RawMessage, MissingPiece>) -> Arrival {
+        let update = raw
+            .map_err(ReadError::from)
+            .and_then(|raw| Ok((raw.made, update(&raw, &self.recording)?)));
         match update {
             Ok((at, update)) => arrival(at, update),
             Err(error) => log(Timeline::at(self), Level::Error, error.to_string()),
@@ -240,7 +243,7 @@ impl PlaybackStream {
     }
 
     /// Returns the next message up to `now` (ns since 1970).
-    fn next(&mut self, parts: &[PartFile], now: u64) -> Option<Result<RawMessage, ReadError>> {
+    fn next(&mut self, parts: &[PartFile], now: u64) -> Option<Result<RawMessage, MissingPiece>> {
         let due = self.due.take().filter(|raw| self.walk.topics.contains(&raw.topic));
         let next = due.map(Ok).or_else(|| self.walk.next(parts))?;
         match next {

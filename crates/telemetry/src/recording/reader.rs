@@ -10,6 +10,7 @@ use super::chunk::Inside;
 use super::error::{OpenError, ReadError};
 use super::format::{first_path, part_path};
 use super::index::ChunkPosition;
+use super::missing::MissingPiece;
 use super::part_file::PartFile;
 use super::raw_message::RawMessage;
 use super::walk::Walk;
@@ -212,6 +213,9 @@ impl Recording {
         if self.tear.is_none() {
             self.tear = tear(&part);
         }
+        if let Some(before) = self.parts.last_mut() {
+            before.note_next(part.began);
+        }
         part.began = self.parts.first().map_or(part.began, |first| first.began);
         self.parts.push(part);
     }
@@ -245,7 +249,7 @@ pub struct Messages<'a> {
 
 impl Messages<'_> {
     /// Returns the next message as it lies in the file.
-    pub(super) fn next_raw(&mut self) -> Option<Result<RawMessage, ReadError>> {
+    pub(super) fn next_raw(&mut self) -> Option<Result<RawMessage, MissingPiece>> {
         self.walk.next(&self.recording.parts)
     }
 }
@@ -255,7 +259,10 @@ impl Iterator for Messages<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         let raw = self.next_raw()?;
-        Some(raw.and_then(|raw| Ok((raw.made, update(&raw, self.recording)?))))
+        Some(
+            raw.map_err(ReadError::from)
+                .and_then(|raw| Ok((raw.made, update(&raw, self.recording)?))),
+        )
     }
 }
 
@@ -305,11 +312,7 @@ fn tear(part: &PartFile) -> Option<Tear> {
         Some(scan) if scan.has_end => {
             (format!("{path} has a damaged index, and was read through without it"), scan.up_to)
         }
-        Some(scan) => {
-            let (up_to, size) = (scan.up_to, part.size());
-            let why = "because its host died or the file was cut";
-            (format!("{path} breaks off at byte {up_to} of {size}, {why}"), up_to)
-        }
+        Some(scan) => (format!("{path} {}", part.breaks_off().unwrap_or_default()), scan.up_to),
         None if part.has_damaged_start => (format!("{path} has a damaged beginning"), 0),
         None => return None,
     };

@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::error::{OpenError, ReadError, RecordError};
+use super::error::{OpenError, RecordError};
 use super::latest::Latest;
+use super::missing::{self, MissingNote};
 use super::part::RecordingPart;
 use super::part_file::PartFile;
 use super::raw_message::RawMessage;
@@ -82,11 +83,25 @@ fn save(
                 last = raw.at;
                 saved.note(raw.at);
             }
-            Err(error) => saved.note_loss(&error),
+            Err(piece) => {
+                new.note_missing(&MissingNote::new(&piece))?;
+                // What another file had lost before is no loss of this one.
+                saved.damaged += u64::from(!piece.is_left_out);
+                saved.wrong.push(piece.what());
+            }
         }
     }
+    if let Some(wrong) = part.breaks_off() {
+        let wrong = if part.index.breaks_off.is_some() {
+            wrong
+        } else {
+            missing::recovered_from(&part.path, &wrong)
+        };
+        new.note_missing(&MissingNote { wrong, span: None, topics: None })?;
+    }
     saved.messages = new.messages();
-    new.write_trailer(&part.labels, &latest, last)?;
+    // Later than what the old file said again at its end, which is told from it by its time.
+    new.write_trailer(&part.labels, &latest, last.saturating_add(1))?;
     new.finish()?;
     Ok(saved)
 }
@@ -95,11 +110,6 @@ impl Recovered {
     fn note(&mut self, at: u64) {
         let (first, last) = self.span.unwrap_or((at, at));
         self.span = Some((first.min(at), last.max(at)));
-    }
-
-    fn note_loss(&mut self, error: &ReadError) {
-        self.damaged += 1;
-        self.wrong.push(error.to_string());
     }
 }
 

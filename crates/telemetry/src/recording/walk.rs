@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::chunk::{Chunk, Inside};
-use super::error::ReadError;
+use super::missing::MissingPiece;
 use super::part_file::PartFile;
 use super::raw_message::RawMessage;
 use crate::Topic;
@@ -53,7 +53,7 @@ impl Walk {
     }
 
     /// Returns the next message; after an error it goes on behind what is damaged.
-    pub(super) fn next(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, ReadError>> {
+    pub(super) fn next(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, MissingPiece>> {
         loop {
             let is_open = if self.open.is_none() { self.open(parts)? } else { Ok(()) };
             let found = match is_open {
@@ -72,13 +72,13 @@ impl Walk {
         }
     }
 
-    fn open(&mut self, parts: &[PartFile]) -> Option<Result<(), ReadError>> {
+    fn open(&mut self, parts: &[PartFile]) -> Option<Result<(), MissingPiece>> {
         self.passed = 0;
         Some(self.open_next(parts)?.map(|chunk| self.open = Some(chunk)))
     }
 
     /// Opens the chunk here, or the next one that may have wanted messages; none at the end.
-    fn open_next(&mut self, parts: &[PartFile]) -> Option<Result<Chunk, ReadError>> {
+    fn open_next(&mut self, parts: &[PartFile]) -> Option<Result<Chunk, MissingPiece>> {
         loop {
             let part = parts.get(self.part)?;
             let Some(position) = part.index.positions.get(self.position) else {
@@ -101,7 +101,7 @@ impl Walk {
     }
 
     /// Returns the next wanted message of the open chunk.
-    fn next_inside(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, ReadError>> {
+    fn next_inside(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, MissingPiece>> {
         let part = parts.get(self.part)?;
         let position = part.index.positions.get(self.position)?;
         let chunk = self.open.as_mut()?;

@@ -4,7 +4,9 @@ use std::fs;
 use std::time::Duration;
 
 use telemetry::Update;
-use telemetry::recording::{RecordError, Recorder, Recording, RecordingLimits, RecordingSettings};
+use telemetry::recording::{
+    RecordError, Recorder, Recording, RecordingLimits, RecordingSettings, recover,
+};
 
 use crate::common::{KEYS, at, catalogue, limited, performance, read, settings, small};
 
@@ -105,6 +107,34 @@ fn a_file_that_is_missing_or_none_is_said_and_the_others_are_read() {
     check("take-0003.mcap is no recording: it does not begin as an MCAP file does; what was");
     fs::remove_file(&third).expect("gone");
     check("the file before ");
+}
+
+#[test]
+fn a_file_that_breaks_off_before_the_next_is_a_hole_also_once_it_is_recovered() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    crate::common::record_as(small(&path), &performance(40_000));
+    let second = folder.path().join("take-0002.mcap");
+    let whole = fs::read(&second).expect("a file");
+    fs::write(&second, &whole[..whole.len() / 2]).expect("a file");
+    let (found, wrong) = read(&Recording::open(&path).expect("a recording"));
+    let [hole] = wrong.as_slice() else { panic!("{wrong:?}") };
+    assert!(hole.contains("take-0002.mcap breaks off at byte "), "{hole}");
+    let (_, when) = hole.split_once("what it had from ").expect("when");
+
+    let made = folder.path().join("made.mcap");
+    recover(&second, &made).expect("recovered");
+    let alone = Recording::open(&made).expect("a recording");
+    assert_eq!(read(&alone).1, [""; 0], "nothing comes behind it");
+    fs::rename(&made, &second).expect("moved");
+    let recording = Recording::open(&path).expect("a recording");
+    assert_eq!(recording.tear(), None);
+    let (still, wrong) = read(&recording);
+    let [hole] = wrong.as_slice() else { panic!("{wrong:?}") };
+    assert!(hole.contains("was recovered from take-0002.mcap, which breaks off"), "{hole}");
+    let (when, _advice) = when.split_once(", and").expect("advice");
+    assert!(hole.ends_with(when), "{hole}");
+    assert_eq!(still.len(), found.len());
 }
 
 #[test]

@@ -1,0 +1,129 @@
+//! Pieces of a recording that cannot be read, and how the file that was recovered tells of them.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+use mcap::records::Metadata;
+
+use super::format;
+use crate::Topic;
+
+/// Name of the metadata that tell of a piece.
+pub(super) const NAME: &str = "letoff.missing";
+
+/// A piece of a recording that cannot be read.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct MissingPiece {
+    /// The file that lacks it.
+    pub path: PathBuf,
+    /// What is wrong with the file, as what is said of it.
+    pub wrong: String,
+    /// Times of its first and its last message (ns since 1970), as far as they are known.
+    pub span: (u64, u64),
+    /// Time of the recording's beginning (ns since 1970).
+    pub began: u64,
+    /// Topics of its messages, if they are known.
+    pub topics: Option<Vec<Topic>>,
+    /// Whether it was left out when the file was recovered from a damaged one.
+    pub is_left_out: bool,
+}
+
+impl MissingPiece {
+    /// Whether it held only the catalogue and voices, which are repeated elsewhere.
+    pub fn is_said_again(&self) -> bool {
+        self.topics.as_ref().is_some_and(|topics| {
+            topics.iter().all(|it| matches!(it, Topic::Catalogue | Topic::Voices))
+        })
+    }
+
+    /// Returns what is wrong and what is left out, without advice.
+    pub fn what(&self) -> String {
+        format!("{} {}: what it had {} is left out", self.path.display(), self.wrong, self.when())
+    }
+
+    fn when(&self) -> String {
+        let seconds = |at: u64| at.saturating_sub(self.began) as f64 * 1e-9;
+        match self.span {
+            (_, last) if last <= self.began => "at its beginning".to_owned(),
+            (first, last) if first == last => format!("at {:.3} s", seconds(first)),
+            (first, last) => format!("from {:.3} s to {:.3} s", seconds(first), seconds(last)),
+        }
+    }
+}
+
+impl std::error::Error for MissingPiece {}
+
+impl fmt::Display for MissingPiece {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what())?;
+        if self.is_left_out {
+            return Ok(());
+        }
+        write!(
+            f,
+            ", and `letoff recover {}` makes a complete file of the rest",
+            self.path.display()
+        )
+    }
+}
+
+/// Returns what is said of a file that is damaged at byte `at`.
+pub(super) fn damaged(at: u64, cause: &str) -> String {
+    format!("is damaged at byte {at} ({cause})")
+}
+
+/// Returns what is said of a file that was recovered from `old`, of which `wrong` is said.
+pub(super) fn recovered_from(old: &Path, wrong: &str) -> String {
+    format!("was recovered from {}, which {wrong}", old.file_name().unwrap_or_default().display())
+}
+
+/// What a recovered file tells, in the place of a piece, of what it could not be given.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct MissingNote {
+    /// What is wrong with the file, as what is said of it.
+    pub(super) wrong: String,
+    /// Times of the first and the last message (ns since 1970); none if the file breaks off there.
+    pub(super) span: Option<(u64, u64)>,
+    pub(super) topics: Option<Vec<Topic>>,
+}
+
+impl MissingNote {
+    /// What a file tells of `piece` that is recovered from the one that lacks it.
+    pub(super) fn new(piece: &MissingPiece) -> Self {
+        let wrong = if piece.is_left_out {
+            piece.wrong.clone()
+        } else {
+            recovered_from(&piece.path, &piece.wrong)
+        };
+        Self { wrong, span: Some(piece.span), topics: piece.topics.clone() }
+    }
+
+    pub(super) fn metadata(&self) -> Metadata {
+        let mut entries = vec![("wrong", self.wrong.clone())];
+        if let Some((first, last)) = self.span {
+            entries.extend([("first", first.to_string()), ("last", last.to_string())]);
+        }
+        if let Some(topics) = &self.topics {
+            let channels = topics.iter().map(|topic| format::channel(*topic).to_string());
+            entries.push(("channels", channels.collect::<Vec<_>>().join(" ")));
+        }
+        let entries = entries.into_iter().map(|(name, value)| (name.to_owned(), value));
+        Metadata { name: NAME.to_owned(), metadata: BTreeMap::from_iter(entries) }
+    }
+
+    pub(super) fn of(metadata: &Metadata) -> Option<Self> {
+        if metadata.name != NAME {
+            return None;
+        }
+        let entry = |name: &str| metadata.metadata.get(name);
+        let time = |name: &str| entry(name).and_then(|time| time.parse().ok());
+        let names = format::topics();
+        let topics = entry("channels").map(|channels| {
+            let channels = channels.split(' ').filter_map(|channel| channel.parse().ok());
+            channels.filter_map(|channel: u16| names.get(&channel).copied()).collect()
+        });
+        let span = time("first").zip(time("last"));
+        Some(Self { wrong: entry("wrong")?.clone(), span, topics })
+    }
+}
