@@ -1,7 +1,7 @@
 //! SIGHUP: the scene's file is read again while the host plays.
 
 use std::io::{self, IsTerminal as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use telemetry::log::Level;
@@ -10,14 +10,16 @@ use tokio::sync::Mutex;
 use super::log::LogLines;
 use super::service;
 use super::signals::HangUp;
+use super::supervisor_args::SupervisorArgs;
 use host::control::RequestHandler;
 use scene::{Override, Scene};
 
 /// The file of a scene, and what the command line changes of it.
 #[derive(Clone, Debug)]
 pub(super) struct SceneFile {
-    typed: String,
+    path: PathBuf,
     overrides: Vec<Override>,
+    supervisor: SupervisorArgs,
     /// Held while it is read, so that the last reading is the one that stays.
     turn: Arc<Mutex<()>>,
 }
@@ -25,9 +27,31 @@ pub(super) struct SceneFile {
 impl SceneFile {
     /// Returns the file of the scene that was typed with `overrides`; none of a scene that is part
     /// of the program.
-    pub(super) fn of(typed: &str, overrides: Vec<Override>) -> Option<Self> {
-        let is_file = !scene::scenes().any(|it| it == typed) && Path::new(typed).is_file();
-        is_file.then(|| Self { typed: typed.to_owned(), overrides, turn: Arc::default() })
+    pub(super) fn of(
+        typed: &str,
+        overrides: Vec<Override>,
+        supervisor: SupervisorArgs,
+    ) -> Option<Self> {
+        let is_there = Path::new(typed).is_file() || supervisor.last_scene().is_some();
+        let is_file = is_there && !scene::scenes().any(|it| it == typed);
+        let (path, turn) = (PathBuf::from(typed), Arc::default());
+        is_file.then_some(Self { path, overrides, supervisor, turn })
+    }
+
+    /// Reads it for a host that begins, or what the host before a crash has taken of it; returns
+    /// the text as well.
+    pub(super) fn begin(&self) -> Result<(Scene, String), String> {
+        self.supervisor.last_scene().map_or_else(|| self.read(), |text| self.scene(text))
+    }
+
+    fn read(&self) -> Result<(Scene, String), String> {
+        let text = Scene::file_text(&self.path).map_err(|wrong| wrong.to_string())?;
+        self.scene(text)
+    }
+
+    fn scene(&self, text: String) -> Result<(Scene, String), String> {
+        let scene = Scene::from_file_text(&self.path, text.clone(), &self.overrides);
+        scene.map(|scene| (scene, text)).map_err(|wrong| wrong.to_string())
     }
 
     /// Reads the file again, and lets what can change live play; `log` hears what came of it.
@@ -35,11 +59,12 @@ impl SceneFile {
         let _turn = Arc::clone(&self.turn).lock_owned().await;
         service::reloading();
         let read = move || {
-            let scene = Scene::load_as_typed(&self.typed, &self.overrides);
-            let scene = scene.map_err(|wrong| {
+            let (scene, text) = self.read().map_err(|wrong| {
                 format!("the scene is wrong, and the one that plays goes on:\n{wrong}")
             })?;
-            requests.reload(scene, "SIGHUP")
+            let said = requests.reload(scene, "SIGHUP")?;
+            self.supervisor.keep_scene(&text);
+            Ok(said)
         };
         // Voices are built: not on the thread that hears signals.
         let done = tokio::task::spawn_blocking(read).await;

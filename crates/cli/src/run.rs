@@ -73,8 +73,8 @@ pub struct RunArgs {
     /// To whom it tells what it does.
     #[command(flatten)]
     pub stream: StreamArgs,
-    /// Starts the host again if it crashes, at most five times in 30 s, and keeps what it did in
-    /// the last minutes before.
+    /// Starts the host again if it crashes, at most five times in 30 s, with the scene as it was
+    /// last taken, and keeps what it did in the last minutes before.
     #[arg(long, conflicts_with_all = ["virtual_time", "record"])]
     pub supervised: bool,
     #[command(flatten)]
@@ -96,6 +96,11 @@ pub struct RunArgs {
 impl RunArgs {
     fn scene(&self) -> &str {
         self.scene_option.as_deref().unwrap_or(&self.target.scene)
+    }
+
+    /// Its file; none of a scene that is part of the program.
+    fn scene_file(&self) -> Option<SceneFile> {
+        SceneFile::of(self.scene(), self.overrides(), self.supervisor.clone())
     }
 
     /// Everything that overrides the scene, the named options last.
@@ -203,8 +208,7 @@ struct BegunHost {
 
 impl BegunHost {
     fn begin(options: RunOptions, args: &RunArgs) -> Result<Self, Failure> {
-        let file = SceneFile::of(args.scene(), args.overrides());
-        let file = file.filter(|_| !options.virtual_time);
+        let file = args.scene_file().filter(|_| !options.virtual_time);
         let signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
         let is_quiet = args.quiet || options.virtual_time;
         let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
@@ -298,8 +302,13 @@ impl TriedRun {
     /// Reads the scene that `args` name, chooses the fidelity of keys where ticks are run in real
     /// time, and refuses what is not stable; arms no board.
     fn of(args: &RunArgs) -> Result<Self, Failure> {
-        let mut scene = Scene::load_as_typed(args.scene(), &args.overrides())
-            .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
+        let (mut scene, text) = match args.scene_file() {
+            Some(file) => file.begin().map(|(scene, text)| (scene, Some(text))),
+            None => Scene::load_as_typed(args.scene(), &args.overrides())
+                .map(|scene| (scene, None))
+                .map_err(|diagnostics| diagnostics.to_string()),
+        }
+        .map_err(Failure::Usage)?;
         let chosen = if args.virtual_time { Ok(Vec::new()) } else { choose_fidelity(&mut scene) };
         let fidelity = chosen.map_err(|error| Failure::Usage(error.to_string()))?;
         for chosen in &fidelity {
@@ -310,6 +319,9 @@ impl TriedRun {
         let mut stream = args.stream.wanted(&scene.name, state_folder()).map_err(Failure::Usage)?;
         if let Some(stream) = &mut stream {
             stream.folders.limits = args.recordings.limits();
+        }
+        if let Some(text) = text {
+            args.supervisor.keep_scene(&text);
         }
         Ok(Self { scene, fidelity, stream })
     }

@@ -7,7 +7,7 @@ use telemetry::{BoardState, HostState, HostStatus};
 use time::OffsetDateTime;
 
 use super::{Failure, about, print_report};
-use host::control::{ControlError, Reply, Request, send_to_host};
+use host::control::{ControlError, Reply, Request, end_command, send_to_host};
 
 /// What `letoff status` takes.
 #[derive(Clone, Debug, Args)]
@@ -44,8 +44,9 @@ pub(super) fn run(args: &StatusArgs, out: &mut dyn Write) -> Result<(), Failure>
         return Err(Failure::Running(format!(
             "the host (process {0}) answers, but its ticks do not go on: boards that hear nothing \
              from it take their forces away by themselves (their watchdogs, within some \
-             milliseconds); end it with `kill -KILL {0}` if `letoff stop` does not",
-            status.process
+             milliseconds); end it with `{1}` if `letoff stop` does not",
+            status.process,
+            i32::try_from(status.process).map_or_else(|_| String::new(), end_command)
         )));
     }
     Ok(())

@@ -19,6 +19,7 @@ use super::log::{LogFormat, tell_as};
 use super::run::{RunArgs, black_box_folder};
 use super::signals::runtime;
 use super::{Failure, system};
+use host::control::temporary_folder;
 
 /// Time between two looks whether the host has ended.
 const LOOK: Duration = Duration::from_millis(50);
@@ -47,10 +48,11 @@ pub(super) fn run(args: &RunArgs) -> Result<(), Failure> {
 
 async fn supervise(folder: Option<&Path>) -> Result<(), Failure> {
     let mut signals = PassedSignals::new().map_err(system)?;
+    let scene = LastScene::new();
     let mut crashes = CrashLog::default();
     loop {
         let kept = folder.map(LastMinutes::new);
-        let mut host = start(kept.as_ref()).map_err(system)?;
+        let mut host = start(kept.as_ref(), &scene).map_err(system)?;
         let (status, is_told) = attend(&mut host, &mut signals).await.map_err(system)?;
         if let Some(code) = status.code().filter(|code| *code <= ORDERLY) {
             kept.iter().for_each(LastMinutes::remove);
@@ -86,13 +88,16 @@ fn is_told_so(status: ExitStatus) -> bool {
 }
 
 /// Starts the host with what was typed.
-fn start(kept: Option<&LastMinutes>) -> io::Result<Child> {
+fn start(kept: Option<&LastMinutes>, scene: &LastScene) -> io::Result<Child> {
     let mut typed: Vec<OsString> = std::env::args_os().skip(1).collect();
     typed.retain(|word| word != OsStr::new("--supervised"));
     let mut command = Command::new(host::guardian::program());
     command.args(typed).arg(format!("--supervisor={}", std::process::id()));
     if let Some(kept) = kept {
         command.arg("--last-minutes").arg(&kept.file);
+    }
+    if let Some(file) = &scene.file {
+        command.arg("--last-scene").arg(file);
     }
     command.spawn()
 }
@@ -207,6 +212,32 @@ impl LastMinutes {
         for file in self.files() {
             let _gone = fs::remove_file(file);
         }
+    }
+}
+
+/// The file in which a host keeps the scene that it has taken last, for the one after a crash.
+struct LastScene {
+    /// None if there is no place that is this user's.
+    file: Option<PathBuf>,
+}
+
+impl LastScene {
+    fn new() -> Self {
+        let name = format!("supervised-{}.toml", std::process::id());
+        let scene = Self { file: temporary_folder().ok().map(|folder| folder.join(name)) };
+        // A process of the same number may have been killed.
+        scene.remove();
+        scene
+    }
+
+    fn remove(&self) {
+        let _gone = self.file.as_ref().map(fs::remove_file);
+    }
+}
+
+impl Drop for LastScene {
+    fn drop(&mut self) {
+        self.remove();
     }
 }
 

@@ -1,11 +1,12 @@
 //! What the supervisor of `letoff run --supervised` tells the host that it starts.
 
+use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
 use rustix::process::{Pid, Signal, getppid, set_parent_process_death_signal};
 
-use super::{Failure, system};
+use super::{Failure, system, tell};
 
 /// What a supervisor tells the host that it starts.
 #[derive(Clone, Debug, Args)]
@@ -16,9 +17,28 @@ pub(crate) struct SupervisorArgs {
     /// Where the last minutes are kept for when the host is killed.
     #[arg(long, value_name = "FILE", hide = true)]
     pub(super) last_minutes: Option<PathBuf>,
+    /// Where the text of the scene is kept that was taken last; it is played if there is one.
+    #[arg(long, value_name = "FILE", hide = true)]
+    last_scene: Option<PathBuf>,
 }
 
 impl SupervisorArgs {
+    /// Returns the text of the scene that the host before this one has taken; none if there was no
+    /// host before.
+    pub(super) fn last_scene(&self) -> Option<String> {
+        fs::read_to_string(self.last_scene.as_ref()?).ok()
+    }
+
+    /// Keeps `text` for the host that is started after a crash, which then depends on no file that
+    /// is being edited.
+    pub(super) fn keep_scene(&self, text: &str) {
+        let Some(file) = &self.last_scene else { return };
+        let part = file.with_extension("part");
+        if let Err(error) = fs::write(&part, text).and_then(|()| fs::rename(&part, file)) {
+            tell(&format!("after a crash the scene would be read again from its file: {error}"));
+        }
+    }
+
     /// Has the system end this process, in good order, when its supervisor is gone.
     pub(super) fn end_with_it(&self) -> Result<(), Failure> {
         let Some(supervisor) = self.supervisor else { return Ok(()) };

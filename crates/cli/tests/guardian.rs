@@ -303,6 +303,44 @@ fn a_supervised_host_that_is_killed_plays_on_and_says_where_the_minutes_before_a
 }
 
 #[test]
+fn after_a_crash_a_supervised_host_plays_the_scene_that_it_took_last() {
+    let stand = Stand::new("took-last");
+    let host = stand.start(&["--supervised", "--black-box", "none"]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let first = host.supervised().expect("a host");
+    stand.folder.write("scene.toml", "half a sce");
+    host.send(Signal::HUP);
+    let refused = || stand.complaints().contains("the scene is wrong, and the one that plays");
+    eventually("the new scene is refused", || refused().then_some(()));
+    kill(first, Signal::KILL).expect("it is there");
+    stand.hears("silence", Heard::is_silent);
+    stand.hears("the chord again", Heard::holds_the_chord);
+    // Once the file is right again it is read, with what was typed.
+    stand.folder.write("scene.toml", &format!("{}# right again\n", HostFiles::SCENE));
+    host.send(Signal::HUP);
+    let taken = || stand.complaints().contains("the scene was read again: 0 keys changed");
+    eventually("the scene is taken", || taken().then_some(()));
+    let kept = std::env::temp_dir().join(format!("letoff-{}", rustix::process::getuid().as_raw()));
+    let kept = kept.join(format!("supervised-{}.toml", host.child.id()));
+    assert!(fs::read_to_string(&kept).expect("a scene").ends_with("# right again\n"));
+    host.ends_well();
+    assert!(!kept.exists(), "nothing is left of it");
+}
+
+#[test]
+fn a_stop_between_a_crash_and_the_next_start_is_heard() {
+    let stand = Stand::new("stop-between");
+    let mut host = stand.start(&["--supervised", "--black-box", "none"]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    kill(host.supervised().expect("a host"), Signal::KILL).expect("it is there");
+    let (code, out, err) = stand.folder.letoff(&["stop"]);
+    assert_eq!(code, Some(0), "{out}{err}");
+    let code = eventually("the supervisor ends", || host.child.try_wait().expect("it is ours"));
+    assert_eq!(code.code(), Some(0), "{}", stand.complaints());
+    stand.hears("silence", Heard::is_silent);
+}
+
+#[test]
 fn a_host_ends_well_when_its_supervisor_is_killed() {
     let stand = Stand::new("orphan");
     let mut host = stand.start(&["--supervised", "--black-box", "none"]);

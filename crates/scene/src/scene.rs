@@ -177,6 +177,28 @@ impl Scene {
         Self::check(&source, overrides)
     }
 
+    /// Returns the text of the file at `path`, for [`Scene::from_file_text`].
+    ///
+    /// # Errors
+    ///
+    /// If it cannot be read, or is no text.
+    pub fn file_text(path: &Path) -> Result<String, Diagnostics> {
+        SourceText::read(path).map(|source| source.text)
+    }
+
+    /// Loads the scene whose file at `path` had this `text`, as [`Scene::load_as_typed`] does.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with the scene and with the overrides.
+    pub fn from_file_text(
+        path: &Path,
+        text: String,
+        overrides: &[Override],
+    ) -> Result<Self, Diagnostics> {
+        Self::check(&SourceText::from_bytes(path, text.into_bytes())?, overrides)
+    }
+
     /// Returns the recorded scene of `text`, called `name`; relative paths are to the
     /// working directory.
     ///

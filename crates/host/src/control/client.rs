@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use rustix::net::sockopt::{Timeout, set_socket_timeout, socket_peercred};
 use rustix::net::{AddressFamily, SocketAddrUnix, SocketFlags, SocketType};
@@ -134,6 +134,33 @@ pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
     send_within(PATIENCE, path, request)
 }
 
+/// Time for which a stop waits for the host that a supervisor starts after a crash.
+const NEXT_START: Duration = Duration::from_secs(2);
+
+/// Time between two looks for it.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Stops the same host as [`send_to_host`] asks. Where one has crashed, it waits for the next one:
+/// a host that is started again must not arm what was to be stopped.
+///
+/// # Errors
+/// As [`send`].
+pub fn stop_host() -> Result<Answer, ControlError> {
+    let begun = Instant::now();
+    // A host that ends in good order takes its socket away.
+    let has_crashed = fs::symlink_metadata(place::socket_path()).is_ok();
+    loop {
+        match send_to_host(&Request::Stop {}) {
+            Err(ControlError::NoHost { .. } | ControlError::Silent(_))
+                if has_crashed && begun.elapsed() < NEXT_START =>
+            {
+                std::thread::sleep(LOOK);
+            }
+            answered => return answered,
+        }
+    }
+}
+
 /// Sends `request` to the host of this user, or to the service's if this user has none and none is
 /// named by `LETOFF_SOCKET`.
 ///
@@ -207,16 +234,29 @@ fn converse(
 
 /// Returns the error of a host at `path` that hangs; what would start it again is ended with it.
 fn hung(path: &Path, pid: Option<i32>, patience: Duration) -> ControlError {
-    let typed = pid.and_then(|pid| fs::read(format!("/proc/{pid}/cmdline")).ok());
     let end = match pid {
-        _ if place::is_service(path) => "systemctl stop letoff".to_owned(),
+        _ if place::is_service(path) => END_SERVICE.to_owned(),
         None => "pkill -KILL letoff".to_owned(),
-        Some(pid) => match typed.as_deref().and_then(supervisor) {
-            Some(supervisor) => format!("kill -KILL {supervisor} {pid}"),
-            None => format!("kill -KILL {pid}"),
-        },
+        Some(pid) => end_command(pid),
     };
     ControlError::Hung { pid, patience, end }
+}
+
+/// The command that ends the service's host.
+const END_SERVICE: &str = "systemctl stop letoff";
+
+/// Returns the command that ends the host with process number `pid`, and with it what would start
+/// it again.
+pub fn end_command(pid: i32) -> String {
+    let read = |file: &str| fs::read(format!("/proc/{pid}/{file}")).unwrap_or_default();
+    let groups = read("cgroup");
+    if groups.split(|byte| *byte == b'\n').any(|group| group.ends_with(b"/letoff.service")) {
+        return END_SERVICE.to_owned();
+    }
+    match supervisor(&read("cmdline")) {
+        Some(supervisor) => format!("kill -KILL {supervisor} {pid}"),
+        None => format!("kill -KILL {pid}"),
+    }
 }
 
 /// Returns the process that `letoff run --supervised` named to the host that it started, which

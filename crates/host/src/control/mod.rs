@@ -48,7 +48,7 @@ mod stream_sink;
 mod voice_port;
 mod watch;
 
-pub use client::{ControlError, hold, send, send_to_host, send_within};
+pub use client::{ControlError, end_command, hold, send, send_to_host, send_within, stop_host};
 pub use emergency::{BoardsTold, EmergencyStop};
 pub use fingers::{FingerOwner, FingerQueue};
 pub use folders::Folders;
