@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::letoff::{Said, check, check_words, folder, run_after, run_as_nobody};
+use crate::letoff::{self, Said, check, check_words, folder, run_after, run_as_nobody};
 
 const RUN: [&str; 6] = ["run", "springs", "--performance", "none", "--duration", "0.1"];
 
@@ -49,4 +49,15 @@ fn pipes_that_nobody_writes_or_reads_are_not_waited_for() {
     assert_eq!(said.code, Some(0), "{said:?}");
     let run = ["run", "--virtual-time", "--duration", "1", "--midi", "played.mid"];
     check(&folder, &run, 2, &["played.mid is a pipe", "raw:played.mid"]);
+    let checked = letoff::run(&folder, &["check", "input"]);
+    assert_eq!(checked.code, Some(2), "{checked:?}");
+    check_words(&checked, &["input:1:1: this is neither a scene nor"]);
+    check(&folder, &["instruments", "./input"], 2, &["input"]);
+    check(&folder, &["replay", "input"], 2, &["input cannot be read: it is a folder, a pipe or"]);
+    check(&folder, &["recover", "input"], 2, &["input cannot be read: it is a folder, a pipe or"]);
+    let stream = ["run", "--duration", "1", "--listen", "127.0.0.1:0"];
+    let tokens = [&stream[..], &["--tokens", "input"]].concat();
+    check(&folder, &tokens, 2, &["input"]);
+    let tls = [&tokens[..5], &["--tls", "input,input"]].concat();
+    check(&folder, &tls, 2, &["input cannot be read: it is a folder, a pipe or"]);
 }

@@ -160,17 +160,19 @@ fn a_key_is_muted_and_unmuted_and_the_board_says_so() {
     let asked = |more: &[&str]| {
         let all = [&["devices", "--boards", "--json", "--health", "--link", &link], more].concat();
         let said = letoff::run(&folder, &all);
-        (said.code, said.report()[0]["boards"][0]["health"].clone())
+        (said.code, said.report()[0]["boards"][0].clone())
     };
-    let (code, health) = asked(&["--mute", "C1"]);
+    let (code, board) = asked(&["--mute", "C1"]);
+    let (done, health) = (&board["done"], &board["health"]);
     assert_eq!((code, &health["starts"]), (Some(0), &1.into()), "{health}");
+    assert_eq!(done[0], "C1 has its motor off until the board starts anew");
     let muted = |health: &Value| {
         let keys = health["keys"].as_array().expect("keys").clone();
         let muted = keys.into_iter().filter(|it| it["is_muted"] == true);
         muted.map(|it| it["key"].clone()).collect::<Vec<_>>()
     };
-    assert_eq!(muted(&health), ["C1"], "{health}");
-    assert_eq!(muted(&asked(&["--unmute", "C1"]).1), [""; 0]);
+    assert_eq!(muted(health), ["C1"], "{health}");
+    assert_eq!(muted(&asked(&["--unmute", "C1"]).1["health"]), [""; 0]);
     // A simulation has no bootloader.
     let said = letoff::run(&folder, &["devices", "--boards", "--bootloader", "--link", &link]);
     assert_eq!(said.code, Some(1), "{said:?}");

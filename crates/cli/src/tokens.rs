@@ -1,6 +1,5 @@
 //! The file with the rights of the stream's clients.
 
-use std::fs::File;
 use std::io::{self, Read as _};
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
@@ -41,7 +40,7 @@ pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
 
 /// Returns what is in the file, and who may read it.
 fn text(file: &Path) -> io::Result<(String, u32)> {
-    let opened = File::open(file)?;
+    let opened = diagnostics::open_input(file)?;
     let mode = opened.metadata()?.permissions().mode();
     let mut text = String::new();
     opened.take(LONGEST + 1).read_to_string(&mut text)?;

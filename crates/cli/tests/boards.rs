@@ -53,7 +53,20 @@ fn boards_are_listed_with_their_logs_and_a_dead_link_is_no_end() {
     assert_eq!(said.status.code(), Some(1), "{said:?}");
     assert!(text(&said.stderr).contains("no board can be used on /dev/no-such-port"), "{said:?}");
     let said = text(&said.stdout);
-    let parts = ["it is not there", "board 4 ", "F4..D#5", "simulated fingers", "never armed"];
+    let parts = [
+        "it is not there",
+        "board 4 ",
+        "F4..D#5",
+        "simulated fingers",
+        "never armed",
+        "it blinks for ",
+    ];
+    assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+    let absent = ["--light", "5", "--mute", "A0"];
+    let said = letoff(&[&["devices", "--boards", "--link", &link], &absent[..]].concat());
+    assert_eq!(said.status.code(), Some(1), "{said:?}");
+    let said = text(&said.stderr);
+    let parts = ["no board has the number 5", "no board here has the key A0"];
     assert!(parts.iter().all(|part| said.contains(part)), "{said}");
     let said = letoff(&["devices", "--boards", "--link", &link, "--log", "--json"]);
     let listed: Value = serde_json::from_slice(&said.stdout).expect("JSON");

@@ -316,7 +316,7 @@ fn after_a_crash_a_supervised_host_plays_the_scene_that_it_took_last() {
     stand.hears("silence", Heard::is_silent);
     stand.hears("the chord again", Heard::holds_the_chord);
     // Once the file is right again it is read, with what was typed.
-    stand.folder.write("scene.toml", &format!("{}# right again\n", HostFiles::SCENE));
+    stand.folder.write("scene.toml", format!("{}# right again\n", HostFiles::SCENE));
     host.send(Signal::HUP);
     let taken = || stand.complaints().contains("the scene was read again: 0 keys changed");
     eventually("the scene is taken", || taken().then_some(()));

@@ -183,8 +183,11 @@ fn a_damaged_piece_is_left_out_and_counted() {
     assert!(out.contains("lost: a damaged piece"), "{out}");
 }
 
-/// Names of damaged recordings, and what is done to the bytes of a whole one.
-const DAMAGES: [(&str, fn(&mut Vec<u8>)); 3] = [
+/// Does damage to the bytes of a recording.
+type Damage = fn(&mut Vec<u8>);
+
+/// Names of damaged recordings, and what is done to a whole one.
+const DAMAGES: [(&str, Damage); 3] = [
     ("bit", |bytes| {
         let middle = bytes.len() / 2;
         bytes[middle] ^= 4;

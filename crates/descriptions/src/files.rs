@@ -2,8 +2,6 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::fs::File;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -41,9 +39,7 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, (String, &'static str)>
             (format!("the file cannot be read, {error}"), "make it readable")
         }
     };
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(failed)?;
-    file.take(LONGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
+    let bytes = diagnostics::read_input(path, LONGEST).map_err(failed)?;
     if bytes.len() as u64 > LONGEST {
         let message = format!("the file is longer than {} KiB", LONGEST / 1024);
         return Err((message, "this is no description, choose another"));

@@ -28,6 +28,11 @@ impl ClaimedKeys {
         let last = self.first.checked_add(self.n.checked_sub(1)?)?;
         KeyRange::new(KeyIndex::new(self.first)?, KeyIndex::new(last)?)
     }
+
+    /// Returns whether `key` is one of these.
+    pub fn contains(self, key: KeyIndex) -> bool {
+        key.number().checked_sub(self.first).is_some_and(|slot| slot < self.n)
+    }
 }
 
 impl fmt::Display for ClaimedKeys {
@@ -54,5 +59,7 @@ mod tests {
         let beyond = ClaimedKeys { first: 80, n: 11 }.to_string();
         assert_eq!(beyond, "keys 80 to 90 (A0 is 0, C8 is 87)");
         assert_eq!(ClaimedKeys { first: 3, n: 0 }.to_string(), "no keys");
+        let of = |number| ClaimedKeys { first: 33, n: 11 }.contains(KeyIndex::new(number).unwrap());
+        assert_eq!([32, 33, 43, 44].map(of), [false, true, true, false]);
     }
 }

@@ -1,7 +1,5 @@
 //! The text of a scene or an instrument: embedded, or a file.
 
-use std::fs::File;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use super::embedded::EmbeddedFiles;
@@ -136,9 +134,7 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, (String, String)> {
             (format!("the file cannot be read, {error}"), "make it readable".to_owned())
         }
     };
-    let mut bytes = Vec::new();
-    let file = File::open(path).map_err(failed)?;
-    file.take(LONGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
+    let bytes = diagnostics::read_input(path, LONGEST).map_err(failed)?;
     if bytes.len() as u64 > LONGEST {
         let message = format!("the file is longer than {} KiB", LONGEST / 1024);
         return Err((message, "this is no scene or instrument, choose another".to_owned()));

@@ -23,6 +23,7 @@
 
 #![forbid(unsafe_code)]
 
+mod file;
 mod keys;
 mod messages;
 pub mod metrics;

@@ -8,7 +8,9 @@ use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::frame::hello::feature;
+use firmware_protocol::key::KeyIndex;
 use hardware::calibration::file;
+use hardware::identity::ClaimedKeys;
 use hardware::keybed::{FoundBoard, Identified, Keybed, Offline};
 use hardware::refusal::{Refusal, reason_words};
 use hardware::rt::board_supervisor::LIGHT_S;
@@ -41,6 +43,8 @@ struct BoardRow {
     number: u8,
     uid: String,
     keys: String,
+    #[serde(skip)]
+    range: ClaimedKeys,
     protocol: String,
     firmware: String,
     /// Samples, forces, and how often motors' forces are worked out (1/s).
@@ -60,6 +64,8 @@ struct BoardRow {
     log: Vec<String>,
     /// Settings that were written.
     written: Vec<String>,
+    /// What it did that it was asked to, a sentence each.
+    done: Vec<String>,
     /// How it and its keys are, if it was asked and knows.
     health: Option<HealthRow>,
 }
@@ -83,6 +89,8 @@ pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure
         links.iter().try_for_each(|link| print(link, out))?;
     }
     let mut wrong: Vec<_> = links.iter().flat_map(|link| &link.unwritten).cloned().collect();
+    let boards: Vec<_> = links.iter().flat_map(|link| &link.boards).collect();
+    wrong.extend(absent(args, &boards));
     let empty = links.iter().filter(|link| link.boards.is_empty());
     wrong.extend(empty.map(|link| format!("no board can be used on {}", link.link)));
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
@@ -124,12 +132,7 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
                 Err(refusal) => link.refusals.push(refusal.to_string()),
             }
         }
-        if args.light == Some(board.number)
-            && let Err(refusal) = light(&found, &mut keybed)
-        {
-            link.refusals.push(refusal.to_string());
-        }
-        if let Err(refusal) = change(args, &found, &mut keybed) {
+        if let Err(refusal) = change(args, &found, &mut keybed, &mut board.done) {
             link.unwritten.push(refusal.to_string());
         }
         if args.health && found.hello.features & feature::HEALTH != 0 {
@@ -147,21 +150,44 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     link
 }
 
-/// Mutes and unmutes keys of a board, and lets it start its bootloader, as is wanted.
+/// Lets a board blink, mutes and unmutes its keys, and lets it start its bootloader, as is wanted;
+/// `done` hears of each.
 fn change(
     args: &DevicesArgs,
     found: &FoundBoard,
     keybed: &mut Keybed<Identified>,
+    done: &mut Vec<String>,
 ) -> Result<(), Refusal> {
+    if args.light == Some(found.board.number()) {
+        let _lit: Nothing = light(found, keybed)?;
+        done.push(format!("it blinks for {LIGHT_S} s"));
+    }
     for (keys, muted) in [(&args.mute, 1), (&args.unmute, 0)] {
-        keys.iter().try_for_each(|key| health::mute(found, keybed, *key, muted))?;
+        for key in keys.iter().filter(|key| found.keys().contains(**key)) {
+            health::mute(found, keybed, *key, muted)?;
+            let what = ["has its motor back on", "has its motor off until the board starts anew"];
+            done.push(format!("{key} {}", what[usize::from(muted)]));
+        }
     }
     if args.bootloader {
         let mut asker = keybed.asker(found.line, found.board);
         let wanted = Bootloader { magic: bootloader::MAGIC };
         let _left: Nothing = keybed.ask(&mut asker, Operation::Bootloader, &wanted)?;
+        done.push("it starts its bootloader".to_owned());
     }
     Ok(())
+}
+
+/// Returns what was asked for of boards and keys that are not there, a sentence each.
+fn absent(args: &DevicesArgs, boards: &[&BoardRow]) -> Vec<String> {
+    let has_board = |number: &u8| boards.iter().any(|it| it.number == *number);
+    let has_key = |key: &KeyIndex| boards.iter().any(|it| it.range.contains(*key));
+    let numbers = args.light.iter().chain(&args.board).filter(|number| !has_board(number));
+    let keys = args.mute.iter().chain(&args.unmute).filter(|key| !has_key(key));
+    let mut absent: Vec<_> = numbers.map(|it| format!("no board has the number {it}")).collect();
+    absent.dedup();
+    absent.extend(keys.map(|key| format!("no board here has the key {key}")));
+    absent
 }
 
 /// Returns the description of a board, and the mistakes of its calibration file.
@@ -175,6 +201,7 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
         number: found.board.number(),
         uid: found.uid().to_string(),
         keys: found.keys().to_string(),
+        range: found.keys(),
         protocol: format!("{}.{}", hello.major, hello.minor),
         firmware: format!("{}.{}", hello.firmware_major, hello.firmware_minor),
         sample_hz: hello.max_sample_hz,
@@ -190,6 +217,7 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
         calibration: file.map(|file| file.display().to_string()),
         log: Vec::new(),
         written: Vec::new(),
+        done: Vec::new(),
         health: None,
     };
     (board, read.and_then(Result::err))
@@ -264,7 +292,7 @@ fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
         let file = it.calibration.as_deref().unwrap_or("anywhere");
         let is = if it.is_calibrated { "calibrated in" } else { "no calibration in" };
         writeln!(out, "    {is} {file}")?;
-        it.written.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
+        it.done.iter().chain(&it.written).try_for_each(|line| writeln!(out, "    {line}"))?;
         if let Some(health) = &it.health {
             health::print(health, out)?;
         }

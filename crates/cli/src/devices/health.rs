@@ -70,7 +70,7 @@ fn measured(value: i16, unit: f64) -> Option<f64> {
     (value != NOT_MEASURED).then(|| f64::from(value) * unit)
 }
 
-/// Takes the motor of `key` off (1) or on (0), if it is one of this board's.
+/// Takes the motor of `key`, which is one of this board's, off (1) or on (0).
 pub(super) fn mute(
     found: &FoundBoard,
     keybed: &mut Keybed<Identified>,
@@ -78,9 +78,6 @@ pub(super) fn mute(
     muted: u8,
 ) -> Result<(), Refusal> {
     let slot = key.number().wrapping_sub(found.hello.first_key);
-    if found.hello.n_keys <= slot {
-        return Ok(());
-    }
     let mut asker = keybed.asker(found.line, found.board);
     let _done: Nothing = keybed.ask(&mut asker, Operation::MuteKey, &MuteKey { slot, muted })?;
     Ok(())

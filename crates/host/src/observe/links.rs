@@ -69,6 +69,8 @@ impl LinksWatch {
         let BoardStatistics { samples, refused, .. } = it.statistics;
         (board.samples, board.gaps, board.refused) = (samples.frames, samples.gaps, refused);
         let care = it.status?;
+        // What falls between two looks leaves its count only.
+        let is_armed_anew = 0 < board.armings && board.armings < care.armings;
         board.armings = care.armings;
         board.round_trip = care.round_trip_us.map_or(f64::NAN, f64::from);
         let first_key = u8::try_from(board.first_key).unwrap_or(u8::MAX);
@@ -77,8 +79,14 @@ impl LinksWatch {
         let state: String = std::iter::once(stage_words(care.state)).chain(muted).collect();
         let line = usize::try_from(board.line).ok().and_then(|it| self.links.lines.get(it));
         let line = line.map_or("", |line| line.name.as_str());
-        let told =
-            news(&board.state, &state).then(|| format!("board {} on {line}: {state}", board.id));
+        let told = if news(&board.state, &state) {
+            Some(format!("board {} on {line}: {state}", board.id))
+        } else if is_armed_anew && board.state == state {
+            let text = "it had taken its forces away, and was armed anew";
+            Some(format!("board {} on {line}: {state}; {text}", board.id))
+        } else {
+            None
+        };
         board.state = state;
         told
     }
@@ -122,7 +130,15 @@ mod tests {
     }
 
     fn with_muted(stage: ArmState, muted: [Option<Implausible>; MOST_KEYS]) -> LinkSnapshot {
-        let care = Some(BoardStatus { state: stage, armings: 2, round_trip_us: Some(990) });
+        armed(stage, muted, 2)
+    }
+
+    fn armed(
+        stage: ArmState,
+        muted: [Option<Implausible>; MOST_KEYS],
+        armings: u64,
+    ) -> LinkSnapshot {
+        let care = Some(BoardStatus { state: stage, armings, round_trip_us: Some(990) });
         let statistics = BoardStatistics { muted, ..BoardStatistics::default() };
         LinkSnapshot::Board(0, BoardSnapshot { statistics, status: care })
     }
@@ -165,6 +181,12 @@ mod tests {
             told[0].starts_with("board 3 on can0: armed; C4 is muted: its readings"),
             "{told:?}"
         );
+        look(board(ArmState::Armed));
+        // It tripped and was armed again between two looks.
+        let again = armed(ArmState::Armed, [None; MOST_KEYS], 3);
+        let text = "board 3 on can0: armed; it had taken its forces away, and was armed anew";
+        assert_eq!(look(again).1, [text]);
+        assert_eq!(look(again).1, [""; 0]);
         look(line(WireState::Active, None));
         assert_eq!(look(line(WireState::Off, None)).1, ["can0 is off now"]);
         let unplugged = LineStatistics { down: 900, ..LineStatistics::default() };

@@ -83,8 +83,9 @@ pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMi
     let file = path.display().to_string();
     let mut scan = StrokeScan { file, places: [None; 3], rows: Vec::new(), mistakes: Vec::new() };
     let mut reader = ReaderBuilder::new();
-    match reader.has_headers(false).flexible(true).trim(Trim::All).from_path(path) {
-        Ok(reader) => scan.read(reader),
+    let reader = reader.has_headers(false).flexible(true).trim(Trim::All);
+    match diagnostics::open_input(path) {
+        Ok(file) => scan.read(reader.from_reader(file)),
         Err(error) => scan.say(None, format!("cannot be read: {error}")),
     }
     if scan.mistakes.is_empty() {

@@ -6,6 +6,8 @@ use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
+use crate::file;
+
 /// The bytes of an open file.
 #[derive(Debug)]
 pub(super) struct FileBytes {
@@ -17,7 +19,7 @@ pub(super) struct FileBytes {
 impl FileBytes {
     /// Opens the file `path`.
     pub(super) fn open(path: &Path) -> io::Result<Self> {
-        let file = File::open(path)?;
+        let file = file::open(path)?;
         let size = file.metadata()?.len();
         Ok(Self { file: Mutex::new(file), size, read: AtomicU64::new(0) })
     }

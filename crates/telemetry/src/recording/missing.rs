@@ -1,6 +1,5 @@
 //! Pieces of a recording that cannot be read, and how the file that was recovered tells of them.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -109,7 +108,7 @@ impl MissingNote {
             entries.push(("channels", channels.collect::<Vec<_>>().join(" ")));
         }
         let entries = entries.into_iter().map(|(name, value)| (name.to_owned(), value));
-        Metadata { name: NAME.to_owned(), metadata: BTreeMap::from_iter(entries) }
+        Metadata { name: NAME.to_owned(), metadata: entries.collect() }
     }
 
     pub(super) fn of(metadata: &Metadata) -> Option<Self> {

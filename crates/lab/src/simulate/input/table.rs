@@ -4,23 +4,17 @@
 //! that rates are exact derivatives of what is reconstructed. Outside the table the end
 //! values hold, at rest.
 
-use std::fs::File;
-use std::io;
 use std::path::Path;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
+use diagnostics::open_input;
 use pode::Motion;
-use rustix::event::{PollFd, PollFlags, Timespec, poll};
-use rustix::fs::{CWD, Mode, OFlags, fcntl_setfl, openat};
 
 use super::super::args::Reconstruct;
 use super::{HeldInput, InputMistake, NAME};
 
 /// Mistakes that are shown of one file.
 const MOST_MISTAKES: usize = 10;
-
-/// Time in which a program begins to write into a pipe that is read.
-const PATIENCE: Timespec = Timespec { tv_sec: 1, tv_nsec: 0 };
 
 /// Samples of s with what goes on between them.
 #[derive(Clone, PartialEq, Debug)]
@@ -41,7 +35,7 @@ impl InputTable {
             .has_headers(false)
             .flexible(true)
             .trim(Trim::All)
-            .from_reader(open(path).map_err(|cause| fail(cause.into()))?);
+            .from_reader(open_input(path).map_err(|cause| fail(cause.into()))?);
         let mut scan = TableScan { path, samples: Vec::new(), mistakes: Vec::new() };
         for (row, record) in reader.records().enumerate() {
             let record = record.map_err(fail)?;
@@ -112,17 +106,6 @@ impl InputTable {
             jump.within(most)
         }))
     }
-}
-
-/// Opens a file, or a pipe into which a program writes.
-///
-/// A pipe that nobody opens for writing meanwhile is empty: it would be waited for without end.
-fn open(path: &Path) -> io::Result<File> {
-    let flags = OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NONBLOCK;
-    let opened = openat(CWD, path, flags, Mode::empty())?;
-    let _readable = poll(&mut [PollFd::new(&opened, PollFlags::IN)], Some(&PATIENCE))?;
-    fcntl_setfl(&opened, OFlags::empty())?;
-    Ok(File::from(opened))
 }
 
 impl InputTable {

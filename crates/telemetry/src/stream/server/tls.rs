@@ -101,7 +101,8 @@ fn make(names: &[String]) -> io::Result<(String, String)> {
 
 fn read(chain: &Path, key: &Path) -> io::Result<Identity> {
     let text = |path: &Path| {
-        fs::read_to_string(path).map_err(|error| {
+        let text = crate::file::open(path).and_then(io::read_to_string);
+        text.map_err(|error| {
             io::Error::new(error.kind(), format!("{} cannot be read: {error}", path.display()))
         })
     };

@@ -1,0 +1,14 @@
+//! Files that are read at any place.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::Path;
+
+/// Opens the file `path`; refuses a pipe, which would be waited for, and what has no size.
+pub(crate) fn open(path: &Path) -> io::Result<File> {
+    if fs::metadata(path)?.is_file() {
+        return File::open(path);
+    }
+    let text = "it is a folder, a pipe or a device, and no file";
+    Err(io::Error::new(io::ErrorKind::InvalidInput, text))
+}
