@@ -211,6 +211,7 @@ fn what_was_recovered_is_replayed_as_what_it_was_recovered_from() {
         };
         let why = report["missing"][0]["why"].take();
         assert!(why.as_str().is_some_and(|why| why.starts_with(file)), "{report}: {why}");
+        assert!(report["started"].take().is_string(), "{report}");
         (code, report.to_string())
     };
     for (name, damage) in DAMAGES {

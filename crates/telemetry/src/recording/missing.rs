@@ -123,6 +123,52 @@ impl MissingNote {
             channels.filter_map(|channel: u16| names.get(&channel).copied()).collect()
         });
         let span = time("first").zip(time("last"));
-        Some(Self { wrong: entry("wrong")?.clone(), span, topics })
+        // Whoever made the file: no terminal obeys what it says.
+        let wrong = entry("wrong")?.replace(char::is_control, "\u{FFFD}");
+        Some(Self { wrong, span, topics })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn piece() -> MissingPiece {
+        MissingPiece {
+            path: "takes/one.mcap".into(),
+            wrong: damaged(4711, "no chunk"),
+            span: (3_500_000_000, 4_250_000_000),
+            began: 1_000_000_000,
+            topics: Some(vec![Topic::Ticks, Topic::Block(87)]),
+            is_left_out: false,
+        }
+    }
+
+    #[test]
+    fn a_piece_says_what_is_lost_and_advises_where_it_was_not_recovered_yet() {
+        let says = |it: &MissingPiece| it.to_string();
+        let here = piece();
+        let text = "takes/one.mcap is damaged at byte 4711 (no chunk): what it had from 2.500 s \
+                    to 3.250 s is left out";
+        assert_eq!(here.what(), text);
+        let advice = ", and `letoff recover takes/one.mcap` makes a complete file of the rest";
+        assert_eq!(says(&here), format!("{text}{advice}"));
+        assert_eq!(says(&MissingPiece { is_left_out: true, ..piece() }), text);
+        let at_beginning = MissingPiece { span: (0, 1_000_000_000), ..piece() };
+        assert!(at_beginning.what().ends_with("what it had at its beginning is left out"));
+        let at_once = MissingPiece { span: (2_000_000_000, 2_000_000_000), ..piece() };
+        assert!(at_once.what().ends_with("what it had at 1.000 s is left out"));
+    }
+
+    #[test]
+    fn a_note_comes_back_from_its_metadata_and_commands_no_terminal() {
+        let note = MissingNote::new(&piece());
+        assert_eq!(MissingNote::of(&note.metadata()), Some(note.clone()));
+        assert!(note.wrong.starts_with("was recovered from one.mcap, which is damaged at byte"));
+        let end = MissingNote { wrong: "broke off".into(), span: None, topics: None };
+        assert_eq!(MissingNote::of(&end.metadata()), Some(end.clone()));
+        let hostile = MissingNote { wrong: "\u{1b}[2Jgone\n".into(), ..end };
+        let read = MissingNote::of(&hostile.metadata()).map(|it| it.wrong);
+        assert_eq!(read.as_deref(), Some("\u{FFFD}[2Jgone\u{FFFD}"));
     }
 }
