@@ -124,7 +124,9 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
     args.supervisor.end_with_it()?;
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
-    let Some(report) = perform(options, args)? else {
+    let performed = perform(options, args);
+    args.supervisor.forget_scene();
+    let Some(report) = performed? else {
         tell("stopped before it began to play");
         return Ok(());
     };

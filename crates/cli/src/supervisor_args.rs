@@ -39,6 +39,11 @@ impl SupervisorArgs {
         }
     }
 
+    /// Forgets the scene, at an end in good order: the supervisor may have gone before.
+    pub(super) fn forget_scene(&self) {
+        let _gone = self.last_scene.as_ref().map(fs::remove_file);
+    }
+
     /// Has the system end this process, in good order, when its supervisor is gone.
     pub(super) fn end_with_it(&self) -> Result<(), Failure> {
         let Some(supervisor) = self.supervisor else { return Ok(()) };

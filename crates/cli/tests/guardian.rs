@@ -302,6 +302,13 @@ fn a_supervised_host_that_is_killed_plays_on_and_says_where_the_minutes_before_a
     assert_eq!(left, 1, "what was kept of an orderly run is gone");
 }
 
+/// The file in which a supervised host keeps its scene.
+fn kept_scene(host: &Host<'_>) -> PathBuf {
+    let folder = format!("letoff-{}", rustix::process::getuid().as_raw());
+    let name = format!("supervised-{}.toml", host.child.id());
+    std::env::temp_dir().join(folder).join(name)
+}
+
 #[test]
 fn after_a_crash_a_supervised_host_plays_the_scene_that_it_took_last() {
     let stand = Stand::new("took-last");
@@ -320,8 +327,7 @@ fn after_a_crash_a_supervised_host_plays_the_scene_that_it_took_last() {
     host.send(Signal::HUP);
     let taken = || stand.complaints().contains("the scene was read again: 0 keys changed");
     eventually("the scene is taken", || taken().then_some(()));
-    let kept = std::env::temp_dir().join(format!("letoff-{}", rustix::process::getuid().as_raw()));
-    let kept = kept.join(format!("supervised-{}.toml", host.child.id()));
+    let kept = kept_scene(&host);
     assert!(fs::read_to_string(&kept).expect("a scene").ends_with("# right again\n"));
     host.ends_well();
     assert!(!kept.exists(), "nothing is left of it");
@@ -349,6 +355,7 @@ fn a_host_ends_well_when_its_supervisor_is_killed() {
     host.child.kill().expect("it is there");
     stand.hears("silence", Heard::is_silent);
     eventually("the host has ended", || (!is_there(orphan)).then_some(()));
+    assert!(!kept_scene(&host).exists(), "nothing is left of it");
     eventually("no guardian is left", || stand.guardians().is_empty().then_some(()));
 }
 
