@@ -98,11 +98,6 @@ impl RunArgs {
         self.scene_option.as_deref().unwrap_or(&self.target.scene)
     }
 
-    /// Its file; none of a scene that is part of the program.
-    fn scene_file(&self) -> Option<SceneFile> {
-        SceneFile::of(self.scene(), self.overrides(), self.supervisor.clone())
-    }
-
     /// Everything that overrides the scene, the named options last.
     fn overrides(&self) -> Vec<Override> {
         let named = [
@@ -185,8 +180,8 @@ fn perform(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>
 
 async fn host(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>, Failure> {
     let mut begun = BegunHost::begin(options, args)?;
-    let asked = args.clone();
-    let work = move || TriedRun::of(&asked).map(Box::new);
+    let (asked, file) = (args.clone(), begun.file.clone());
+    let work = move || TriedRun::of(&asked, file.as_ref()).map(Box::new);
     let tried = begun.signals.unless_stopped(&begun.handle.emergency, work).await?;
     let Some(tried) = tried.transpose()? else {
         begun.clients.leave().await;
@@ -210,7 +205,8 @@ struct BegunHost {
 
 impl BegunHost {
     fn begin(options: RunOptions, args: &RunArgs) -> Result<Self, Failure> {
-        let file = args.scene_file().filter(|_| !options.virtual_time);
+        let file = SceneFile::of(args.scene(), args.overrides(), args.supervisor.clone());
+        let file = file.filter(|_| !options.virtual_time);
         let signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
         let is_quiet = args.quiet || options.virtual_time;
         let log = if is_quiet { StderrLog::quiet() } else { StderrLog::start().map_err(system)? };
@@ -301,10 +297,10 @@ struct TriedRun {
 }
 
 impl TriedRun {
-    /// Reads the scene that `args` name, chooses the fidelity of keys where ticks are run in real
+    /// Reads the scene that `args` name, whose `file` it is if it has one, chooses the fidelity of keys where ticks are run in real
     /// time, and refuses what is not stable; arms no board.
-    fn of(args: &RunArgs) -> Result<Self, Failure> {
-        let (mut scene, text) = match args.scene_file() {
+    fn of(args: &RunArgs, file: Option<&SceneFile>) -> Result<Self, Failure> {
+        let (mut scene, text) = match file {
             Some(file) => file.begin().map(|(scene, text)| (scene, Some(text))),
             None => Scene::load_as_typed(args.scene(), &args.overrides())
                 .map(|scene| (scene, None))

@@ -162,11 +162,12 @@ fn change(
         let _lit: Nothing = light(found, keybed)?;
         done.push(format!("it blinks for {LIGHT_S} s"));
     }
-    for (keys, muted) in [(&args.mute, 1), (&args.unmute, 0)] {
+    let off = (&args.mute, 1, "has its motor off until the board starts anew");
+    let on = (&args.unmute, 0, "has its motor back on");
+    for (keys, muted, what) in [off, on] {
         for key in keys.iter().filter(|key| found.keys().contains(**key)) {
             health::mute(found, keybed, *key, muted)?;
-            let what = ["has its motor back on", "has its motor off until the board starts anew"];
-            done.push(format!("{key} {}", what[usize::from(muted)]));
+            done.push(format!("{key} {what}"));
         }
     }
     if args.bootloader {

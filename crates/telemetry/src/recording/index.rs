@@ -10,7 +10,7 @@ use mcap::{MAGIC, McapResult};
 use super::chunk::{Chunk, Inside};
 use super::file_bytes::FileBytes;
 use super::format::{self, LARGEST_CHUNK, Labels, PROFILE};
-use super::missing::{self, MissingNote};
+use super::missing::{self, Defect, MissingNote};
 use crate::Topic;
 
 /// Opcode and length of a record (B).
@@ -37,10 +37,8 @@ pub(super) struct ChunkPosition {
     pub(super) last: u64,
     /// Topics of its messages, if the index names them.
     pub(super) topics: Option<Vec<Topic>>,
-    /// What is wrong with the file here, if nothing can be read.
-    pub(super) wrong: Option<String>,
-    /// Whether it was left out when the file was recovered from a damaged one.
-    pub(super) is_left_out: bool,
+    /// What is wrong here, if it is known that nothing can be read.
+    pub(super) defect: Option<Defect>,
 }
 
 impl ChunkPosition {
@@ -109,8 +107,7 @@ impl Index {
             first: index.message_start_time,
             last: index.message_end_time,
             topics: (!index.message_index_offsets.is_empty()).then_some(topics),
-            wrong: None,
-            is_left_out: false,
+            defect: None,
         });
     }
 
@@ -129,8 +126,7 @@ impl Index {
             first,
             last,
             topics: note.topics,
-            wrong: Some(note.wrong),
-            is_left_out: true,
+            defect: Some(Defect::left_out(note.wrong)),
         });
     }
 }
@@ -271,14 +267,14 @@ fn length_of_damaged(file: &FileBytes, offset: u64, length: u64) -> io::Result<u
 
 /// Returns the position of a piece that cannot be read.
 fn damaged(offset: u64, length: u64) -> ChunkPosition {
-    let wrong = Some(missing::damaged(offset, "there is no whole chunk"));
-    let (first, last, topics) = (0, u64::MAX, None);
-    ChunkPosition { offset, length, first, last, topics, wrong, is_left_out: false }
+    let defect = Some(Defect::damage(offset, "there is no whole chunk"));
+    ChunkPosition { offset, length, first: 0, last: u64::MAX, topics: None, defect }
 }
 
 /// Sets the times of damaged pieces to the time between their neighbours.
 fn date_damaged(positions: &mut [ChunkPosition]) {
-    let known = |position: &&ChunkPosition| position.wrong.is_none() || position.is_left_out;
+    let known =
+        |position: &&ChunkPosition| position.defect.as_ref().is_none_or(|it| it.is_left_out);
     for i in 0..positions.len() {
         if !known(&&positions[i]) {
             let before = positions[..i].iter().rev().find(known).map(|position| position.last);
@@ -354,6 +350,5 @@ fn scan_chunk(
     }
     let topics = topics.iter().filter_map(|id| index.topics.get(id).copied()).collect();
     let (first, topics) = (first.min(last), Some(topics));
-    let wrong = None;
-    Ok(Some(ChunkPosition { offset, length, first, last, topics, wrong, is_left_out: false }))
+    Ok(Some(ChunkPosition { offset, length, first, last, topics, defect: None }))
 }

@@ -11,21 +11,53 @@ use crate::Topic;
 /// Name of the metadata that tell of a piece.
 pub(super) const NAME: &str = "letoff.missing";
 
+/// What is wrong with a file, where something is missing in it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Defect {
+    /// What is said of the file.
+    pub(super) wrong: String,
+    /// Whether it is one of the file that this one was recovered from.
+    pub(super) is_left_out: bool,
+}
+
+impl Defect {
+    /// Returns a defect of the file itself.
+    pub(super) const fn here(wrong: String) -> Self {
+        Self { wrong, is_left_out: false }
+    }
+
+    /// Returns a defect that a recovered file tells of.
+    pub(super) const fn left_out(wrong: String) -> Self {
+        Self { wrong, is_left_out: true }
+    }
+
+    /// Returns the damage at byte `at`.
+    pub(super) fn damage(at: u64, cause: &str) -> Self {
+        Self::here(format!("is damaged at byte {at} ({cause})"))
+    }
+
+    /// Returns what is said of a file that is recovered from `old`, which has this.
+    pub(super) fn recovered_from(&self, old: &Path) -> String {
+        if self.is_left_out {
+            return self.wrong.clone();
+        }
+        let name = old.file_name().unwrap_or_default().display();
+        format!("was recovered from {name}, which {}", self.wrong)
+    }
+}
+
 /// A piece of a recording that cannot be read.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MissingPiece {
     /// The file that lacks it.
     pub path: PathBuf,
-    /// What is wrong with the file, as what is said of it.
-    pub wrong: String,
+    pub(super) defect: Defect,
     /// Times of its first and its last message (ns since 1970), as far as they are known.
     pub span: (u64, u64),
     /// Time of the recording's beginning (ns since 1970).
     pub began: u64,
     /// Topics of its messages, if they are known.
     pub topics: Option<Vec<Topic>>,
-    /// Whether it was left out when the file was recovered from a damaged one.
-    pub is_left_out: bool,
 }
 
 impl MissingPiece {
@@ -38,7 +70,12 @@ impl MissingPiece {
 
     /// Returns what is wrong and what is left out, without advice.
     pub fn what(&self) -> String {
-        format!("{} {}: what it had {} is left out", self.path.display(), self.wrong, self.when())
+        format!(
+            "{} {}: what it had {} is left out",
+            self.path.display(),
+            self.defect.wrong,
+            self.when()
+        )
     }
 
     fn when(&self) -> String {
@@ -56,7 +93,7 @@ impl std::error::Error for MissingPiece {}
 impl fmt::Display for MissingPiece {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.what())?;
-        if self.is_left_out {
+        if self.defect.is_left_out {
             return Ok(());
         }
         write!(
@@ -65,16 +102,6 @@ impl fmt::Display for MissingPiece {
             self.path.display()
         )
     }
-}
-
-/// Returns what is said of a file that is damaged at byte `at`.
-pub(super) fn damaged(at: u64, cause: &str) -> String {
-    format!("is damaged at byte {at} ({cause})")
-}
-
-/// Returns what is said of a file that was recovered from `old`, of which `wrong` is said.
-pub(super) fn recovered_from(old: &Path, wrong: &str) -> String {
-    format!("was recovered from {}, which {wrong}", old.file_name().unwrap_or_default().display())
 }
 
 /// What a recovered file tells, in the place of a piece, of what it could not be given.
@@ -90,11 +117,7 @@ pub(super) struct MissingNote {
 impl MissingNote {
     /// What a file tells of `piece` that is recovered from the one that lacks it.
     pub(super) fn new(piece: &MissingPiece) -> Self {
-        let wrong = if piece.is_left_out {
-            piece.wrong.clone()
-        } else {
-            recovered_from(&piece.path, &piece.wrong)
-        };
+        let wrong = piece.defect.recovered_from(&piece.path);
         Self { wrong, span: Some(piece.span), topics: piece.topics.clone() }
     }
 
@@ -136,11 +159,10 @@ mod tests {
     fn piece() -> MissingPiece {
         MissingPiece {
             path: "takes/one.mcap".into(),
-            wrong: damaged(4711, "no chunk"),
+            defect: Defect::damage(4711, "no chunk"),
             span: (3_500_000_000, 4_250_000_000),
             began: 1_000_000_000,
             topics: Some(vec![Topic::Ticks, Topic::Block(87)]),
-            is_left_out: false,
         }
     }
 
@@ -153,7 +175,10 @@ mod tests {
         assert_eq!(here.what(), text);
         let advice = ", and `letoff recover takes/one.mcap` makes a complete file of the rest";
         assert_eq!(says(&here), format!("{text}{advice}"));
-        assert_eq!(says(&MissingPiece { is_left_out: true, ..piece() }), text);
+        assert_eq!(
+            says(&MissingPiece { defect: Defect::left_out(here.defect.wrong), ..piece() }),
+            text
+        );
         let at_beginning = MissingPiece { span: (0, 1_000_000_000), ..piece() };
         assert!(at_beginning.what().ends_with("what it had at its beginning is left out"));
         let at_once = MissingPiece { span: (2_000_000_000, 2_000_000_000), ..piece() };

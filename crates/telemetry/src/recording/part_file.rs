@@ -12,7 +12,7 @@ use super::error::{OpenError, cause};
 use super::file_bytes::FileBytes;
 use super::format::{LARGEST_CHUNK, Labels, PROFILE};
 use super::index::{self, ChunkPosition, Index};
-use super::missing::{self, MissingPiece};
+use super::missing::{Defect, MissingPiece};
 use super::raw_message::RawMessage;
 use crate::{Topic, Update};
 
@@ -115,15 +115,16 @@ impl PartFile {
 
     /// Reads the chunk at `place`.
     pub(super) fn chunk(&self, position: &ChunkPosition) -> Result<Chunk, MissingPiece> {
-        if let Some(wrong) = &position.wrong {
-            return Err(self.missing(position, wrong.clone()));
+        if let Some(defect) = &position.defect {
+            return Err(self.missing(position, defect.clone()));
         }
         if position.length > LARGEST_CHUNK as u64 {
             return Err(self.damaged(position, "there is no whole chunk"));
         }
         let bytes = self.bytes.read(position.offset, position.length);
         let bytes = bytes.map_err(|cause| {
-            self.missing(position, format!("cannot be read at byte {} ({cause})", position.offset))
+            let wrong = format!("cannot be read at byte {} ({cause})", position.offset);
+            self.missing(position, Defect::here(wrong))
         })?;
         if bytes.first() != Some(&op::CHUNK) {
             return Err(self.damaged(position, "there is something else than a chunk"));
@@ -132,35 +133,34 @@ impl PartFile {
     }
 
     fn damaged(&self, position: &ChunkPosition, cause: &str) -> MissingPiece {
-        self.missing(position, missing::damaged(position.offset, cause))
+        self.missing(position, Defect::damage(position.offset, cause))
     }
 
-    fn missing(&self, position: &ChunkPosition, wrong: String) -> MissingPiece {
+    fn missing(&self, position: &ChunkPosition, defect: Defect) -> MissingPiece {
         MissingPiece {
             path: self.path.clone(),
-            wrong,
+            defect,
             span: (position.first, position.last),
             began: self.began,
             topics: position.topics.clone(),
-            is_left_out: position.is_left_out,
         }
     }
 
     /// Returns what is wrong with it if it breaks off, or if that did from which it was recovered.
-    pub(super) fn breaks_off(&self) -> Option<String> {
+    pub(super) fn breaks_off(&self) -> Option<Defect> {
         let scan = self.index.without_summary.filter(|scan| !scan.has_end);
         let at = scan.map(|scan| {
             let (up_to, size) = (scan.up_to, self.size());
             let why = "because its host died or the file was cut";
-            format!("breaks off at byte {up_to} of {size}, {why}")
+            Defect::here(format!("breaks off at byte {up_to} of {size}, {why}"))
         });
-        at.or_else(|| self.index.breaks_off.clone())
+        at.or_else(|| self.index.breaks_off.clone().map(Defect::left_out))
     }
 
     /// Notes that the recording goes on at `next` (ns since 1970) in another file: if this one
     /// breaks off, what was between is missing.
     pub(super) fn note_next(&mut self, next: u64) {
-        let Some(wrong) = self.breaks_off() else { return };
+        let Some(defect) = self.breaks_off() else { return };
         let offset = self.index.without_summary.map_or(self.size(), |scan| scan.up_to);
         let first = self.index.positions.last().map_or(next, |last| last.last);
         self.index.positions.push(ChunkPosition {
@@ -169,8 +169,7 @@ impl PartFile {
             first: first.min(next),
             last: next,
             topics: None,
-            wrong: Some(wrong),
-            is_left_out: self.index.breaks_off.is_some(),
+            defect: Some(defect),
         });
     }
 

@@ -126,10 +126,7 @@ impl Playback {
     }
 
     fn arrive(&self, raw: Result<RawMessage, MissingPiece>) -> Arrival {
-        let update = raw
-            .map_err(ReadError::from)
-            .and_then(|raw| Ok((raw.made, update(&raw, &self.recording)?)));
-        match update {
+        match update(raw, &self.recording) {
             Ok((at, update)) => arrival(at, update),
             Err(error) => log(Timeline::at(self), Level::Error, error.to_string()),
         }

@@ -259,10 +259,7 @@ impl Iterator for Messages<'_> {
 
     fn next(&mut self) -> Option<Self::Item> {
         let raw = self.next_raw()?;
-        Some(
-            raw.map_err(ReadError::from)
-                .and_then(|raw| Ok((raw.made, update(&raw, self.recording)?))),
-        )
+        Some(update(raw, self.recording))
     }
 }
 
@@ -272,10 +269,16 @@ impl fmt::Debug for Messages<'_> {
     }
 }
 
-/// Decodes a message of `recording`.
-pub(super) fn update(raw: &RawMessage, recording: &Recording) -> Result<Update, ReadError> {
+/// Decodes a message of `recording`; returns it behind the time at which it was made (ns since
+/// 1970).
+pub(super) fn update(
+    raw: Result<RawMessage, MissingPiece>,
+    recording: &Recording,
+) -> Result<(u64, Update), ReadError> {
+    let raw = raw?;
     let path = || recording.path().to_owned();
-    raw.update().map_err(|cause| ReadError::Message { path: path(), cause })
+    let update = raw.update().map_err(|cause| ReadError::Message { path: path(), cause })?;
+    Ok((raw.made, update))
 }
 
 /// Returns the last voices of keys in a chunk up to `at`, each with its time (ns since 1970).
@@ -312,7 +315,10 @@ fn tear(part: &PartFile) -> Option<Tear> {
         Some(scan) if scan.has_end => {
             (format!("{path} has a damaged index, and was read through without it"), scan.up_to)
         }
-        Some(scan) => (format!("{path} {}", part.breaks_off().unwrap_or_default()), scan.up_to),
+        Some(scan) => {
+            let wrong = part.breaks_off().map_or_else(String::new, |it| it.wrong);
+            (format!("{path} {wrong}"), scan.up_to)
+        }
         None if part.has_damaged_start => (format!("{path} has a damaged beginning"), 0),
         None => return None,
     };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::{OpenError, RecordError};
 use super::latest::Latest;
-use super::missing::{self, MissingNote};
+use super::missing::MissingNote;
 use super::part::RecordingPart;
 use super::part_file::PartFile;
 use super::raw_message::RawMessage;
@@ -86,17 +86,13 @@ fn save(
             Err(piece) => {
                 new.note_missing(&MissingNote::new(&piece))?;
                 // What another file had lost before is no loss of this one.
-                saved.damaged += u64::from(!piece.is_left_out);
+                saved.damaged += u64::from(!piece.defect.is_left_out);
                 saved.wrong.push(piece.what());
             }
         }
     }
-    if let Some(wrong) = part.breaks_off() {
-        let wrong = if part.index.breaks_off.is_some() {
-            wrong
-        } else {
-            missing::recovered_from(&part.path, &wrong)
-        };
+    if let Some(defect) = part.breaks_off() {
+        let wrong = defect.recovered_from(&part.path);
         new.note_missing(&MissingNote { wrong, span: None, topics: None })?;
     }
     saved.messages = new.messages();
