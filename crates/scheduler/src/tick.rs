@@ -60,7 +60,8 @@ impl Scheduler {
             timetable,
             next: 0,
             samples: [KeySample::default(); KEYS],
-            turns: [VoiceOutput::default(); KEYS],
+            // Keys without a voice rest for good.
+            turns: [VoiceOutput { idle: true, ..VoiceOutput::default() }; KEYS],
             observed: [VoiceObservation::default(); KEYS],
             forces: [SAFE_FORCE; KEYS],
             slopes: [KeySlope::HELD; KEYS],
