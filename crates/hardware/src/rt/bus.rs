@@ -119,18 +119,21 @@ impl AcyclicHandler for IgnoreAcyclic {
 }
 
 impl KeybedBus {
-    /// Returns a bus that has not heard of any of `boards`: all keys up, samples never taken.
+    /// Returns a bus that has not heard of any of `boards`: all keys up, samples never taken. Keys
+    /// of no board are up, and their samples do not age.
     ///
     /// No two boards on one line may have the same number.
     pub fn new(boards: &[BoardTerms]) -> Self {
         let n_lines = boards.iter().map(|it| it.place.line + 1).max().unwrap_or(0);
         let mut lines = vec![LineEnd::default(); n_lines];
+        let mut samples = [KeySample::fresh(0.0); KEYS];
         for (index, terms) in boards.iter().enumerate() {
             lines[terms.place.line].boards[terms.place.board.index()] = Some(index);
+            samples[terms.place.keys()].iter_mut().for_each(|sample| sample.age = NEVER);
         }
         Self {
             tick: None,
-            samples: [KeySample { age: NEVER, ..KeySample::fresh(0.0) }; KEYS],
+            samples,
             boards: boards.iter().copied().map(BoardEnd::new).collect(),
             lines,
             share_step: 1.0,
@@ -175,9 +178,11 @@ impl KeybedBus {
         let passed = self.tick.map_or(0, |last| tick.saturating_sub(last));
         let passed = u32::try_from(passed).unwrap_or(u32::MAX);
         self.tick = Some(tick);
-        for sample in &mut self.samples {
-            sample.age = sample.age.saturating_add(passed);
-            sample.taken += f64::from(passed);
+        for board in &self.boards {
+            for sample in &mut self.samples[board.terms().place.keys()] {
+                sample.age = sample.age.saturating_add(passed);
+                sample.taken += f64::from(passed);
+            }
         }
     }
 
