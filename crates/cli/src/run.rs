@@ -23,7 +23,7 @@ use host::control::{Clients, RunHandle, StartingHost, StatusSink, temporary_fold
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::{ChosenFidelity, RunReport};
-use host::session::{RunOptions, RunSession, SessionError, choose_fidelity};
+use host::session::{FoundKeys, RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
 use telemetry::recording::RecordingLimits;
@@ -181,13 +181,13 @@ fn perform(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>
 async fn host(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>, Failure> {
     let mut begun = BegunHost::begin(options, args)?;
     let (asked, file) = (args.clone(), begun.file.clone());
-    let work = move || TriedRun::of(&asked, file.as_ref()).map(Box::new);
+    let work = move || TriedRun::of(&asked, file.as_ref(), options).map(Box::new);
     let tried = begun.signals.unless_stopped(&begun.handle.emergency, work).await?;
     let Some(tried) = tried.transpose()? else {
         begun.clients.leave().await;
         return Ok(None);
     };
-    Box::pin(play(begun, &tried, options, args)).await
+    Box::pin(play(begun, *tried, options, args)).await
 }
 
 /// A host that hears signals and a stop, and has tried nothing yet.
@@ -225,7 +225,7 @@ impl BegunHost {
 
 async fn play(
     begun: BegunHost,
-    tried: &TriedRun,
+    tried: TriedRun,
     options: RunOptions,
     args: &RunArgs,
 ) -> Result<Option<Box<RunReport>>, Failure> {
@@ -233,21 +233,21 @@ async fn play(
     if let Some(why) = &unheard {
         tell(why);
     }
-    let scene = &tried.scene;
+    let TriedRun { found, fidelity, stream } = tried;
+    let scene = &found.scene.clone();
     handle.status.prepare(&scene.name);
     let endpoints = if options.virtual_time {
         Endpoints::default()
     } else {
-        Endpoints::open(scene, &starting, clients, tried.stream.as_ref())?
+        Endpoints::open(scene, &starting, clients, stream.as_ref())?
     };
     let progress = if args.quiet { live::ProgressLines::Quiet } else { live::ProgressLines::Told };
     let mut notifier = ServiceNotifier::new(Arc::clone(&handle));
-    let prepared = Box::pin(prepare(scene, options, &handle, &mut signals, progress));
+    let prepared = Box::pin(prepare(found, options, &handle, &mut signals, progress));
     let Some(session) = notifier.beside(prepared).await? else {
         endpoints.leave("the host was stopped before it began to play").await;
         return Ok(None);
     };
-    session.notices().iter().for_each(|notice| tell(notice));
     let recording = record(&handle, args)?;
     handle.status.records(recording.clone());
     if !options.virtual_time {
@@ -284,35 +284,40 @@ async fn play(
     let done = done.map_err(|panic| Failure::Panicked(panic.to_string()))?;
     let mut report = done.map_err(|error| failure(&error))?;
     report.recording = recording.map(|it| it.report());
-    report.fidelity.clone_from(&tried.fidelity);
+    report.fidelity = fidelity;
     Ok(Some(report))
 }
 
-/// What is run, and was found to be stable.
+/// What is run: keys that were found, and are stable if they are simulated.
 struct TriedRun {
-    scene: Scene,
+    found: FoundKeys,
     /// What keys got that leave their fidelity to this machine.
     fidelity: Vec<ChosenFidelity>,
     stream: Option<streaming::WantedStream>,
 }
 
 impl TriedRun {
-    /// Reads the scene that `args` name, whose `file` it is if it has one, chooses the fidelity of keys where ticks are run in real
-    /// time, and refuses what is not stable; arms no board.
-    fn of(args: &RunArgs, file: Option<&SceneFile>) -> Result<Self, Failure> {
-        let (mut scene, text) = match file {
+    /// Reads the scene that `args` name, from `file` if it has one, and finds its keys. Chooses
+    /// their fidelity where ticks are run in real time. Arms no board.
+    fn of(args: &RunArgs, file: Option<&SceneFile>, options: RunOptions) -> Result<Self, Failure> {
+        let (scene, text) = match file {
             Some(file) => file.begin().map(|(scene, text)| (scene, Some(text))),
             None => Scene::load_as_typed(args.scene(), &args.overrides())
                 .map(|scene| (scene, None))
                 .map_err(|diagnostics| diagnostics.to_string()),
         }
         .map_err(Failure::Usage)?;
-        let chosen = if args.virtual_time { Ok(Vec::new()) } else { choose_fidelity(&mut scene) };
+        let mut found = FoundKeys::find(scene, options).map_err(|error| failure(&error))?;
+        let scene = &mut *found.scene;
+        let chosen = if args.virtual_time { Ok(Vec::new()) } else { choose_fidelity(scene) };
         let fidelity = chosen.map_err(|error| Failure::Usage(error.to_string()))?;
         for chosen in &fidelity {
             tell(&chosen.to_string());
         }
-        refuse_unstable(&scene)?;
+        // Those on boards are tried with the delay of their links when the run is prepared.
+        if scene.links == LinksConfig::Simulated {
+            refuse_unstable(scene)?;
+        }
         // A mistake is told before anything is rehearsed or recorded.
         let mut stream = args.stream.wanted(&scene.name, state_folder()).map_err(Failure::Usage)?;
         if let Some(stream) = &mut stream {
@@ -321,7 +326,7 @@ impl TriedRun {
         if let Some(text) = text {
             args.supervisor.keep_scene(&text);
         }
-        Ok(Self { scene, fidelity, stream })
+        Ok(Self { found, fidelity, stream })
     }
 }
 
@@ -347,22 +352,27 @@ fn keep_and_log(session: &RunSession, scene: &Scene, args: &RunArgs, log: &Stder
 /// The reason that clients get when the host was stopped.
 const STOPPED: &str = "the host was stopped: no board renders a force until it is started anew";
 
-/// Prepares the run; nothing if a stop or a signal comes before it is ready.
+/// Prepares the run, and prints notices about its keys; nothing if a stop or a signal comes before
+/// it is ready.
 async fn prepare(
-    scene: &Scene,
+    found: FoundKeys,
     options: RunOptions,
     handle: &Arc<RunHandle>,
     signals: &mut Signals,
     progress: live::ProgressLines,
 ) -> Result<Option<RunSession>, Failure> {
     let rehearsal = live::RehearsalProgress::new(progress);
-    let (scene, its_handle, shown) = (scene.clone(), Arc::clone(handle), rehearsal.clone());
+    let (its_handle, shown, notices) = (Arc::clone(handle), rehearsal.clone(), found.notices());
     let prepare = move || {
-        RunSession::prepare_behind(its_handle, &scene, options, &|progress| shown.show(progress))
+        RunSession::prepare_behind(its_handle, found, options, &|progress| shown.show(progress))
     };
     let prepared = signals.unless_stopped(&handle.emergency, prepare).await;
     rehearsal.finish();
-    prepared?.transpose().map_err(|error| failure(&error))
+    let prepared = prepared?.transpose().map_err(|error| failure(&error))?;
+    for notice in prepared.iter().flat_map(|_| &notices) {
+        tell(notice);
+    }
+    Ok(prepared)
 }
 
 /// Records the whole run, if that is asked for.

@@ -1,5 +1,6 @@
 //! The commands that speak with boards, against simulated ones behind pseudo-terminals.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
@@ -9,6 +10,8 @@ use hardware::calibration::file;
 use hardware::sim::board::BoardMake;
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::Value;
+use telemetry::Update;
+use telemetry::recording::Recording;
 
 use crate::common::{Board, make};
 use crate::typed::{Folder, eventually};
@@ -202,6 +205,75 @@ fn a_run_on_a_board_reports_its_link() {
 }
 
 #[test]
+fn keys_without_a_board_have_no_voice_and_no_rows() {
+    let (board, folder) = (Board::start(make(2, 4)), Folder::new("few-keys"));
+    let link = board.link();
+    let run =
+        ["run", "springs", "--link", &link, "--duration", "2", "--json", "--record", "a.mcap"];
+    let (code, out, err) = folder.letoff(&run);
+    assert_eq!(code, Some(0), "{err}");
+    assert!(err.contains("84 keys of the scene have no board: A0 to F#2, B2 to C8\n"), "{err}");
+    let report: Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(report["voices"], 4);
+    assert!(report["work"]["derivatives"].as_u64().is_some_and(|n| 0 < n), "{report}");
+    let unplayed = &report["notes"]["unplayed"];
+    assert!(unplayed["without_voice"].as_u64().is_some_and(|n| 0 < n), "{unplayed}");
+    let recording = Recording::open(folder.join("a.mcap")).expect("a recording");
+    let mut rows = BTreeMap::<u32, usize>::new();
+    for message in recording.messages() {
+        if let Update::Block(block) = message.expect("a message").1 {
+            *rows.entry(block.key).or_default() += block.after.len();
+        }
+    }
+    let beyond_first = rows.iter().filter(|(_key, n)| 1 < **n).map(|(key, _n)| *key);
+    assert_eq!(beyond_first.collect::<Vec<_>>(), [22, 23, 24, 25], "{rows:?}");
+    let (code, out, err) = folder.letoff(&["replay", "a.mcap"]);
+    assert_eq!(code, Some(0), "{out}{err}");
+}
+
+#[test]
+fn requests_concern_the_keys_that_boards_carry() {
+    let (board, folder) = (Board::start(make(2, 4)), Folder::new("few-keys-asked"));
+    let scene = |instrument: &str| {
+        let port = board.port.display();
+        let text = format!(
+            "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"{instrument}\"\n[midi]\noutput = \"none\"\n\
+             [links]\nkind = \"boards\"\n[[links.bus]]\nserial = \"{port}\"\n"
+        );
+        folder.write("few.toml", text);
+    };
+    scene("grand-springs");
+    let mut host = start(&folder, &["run", "few.toml", "--black-box", "none", "--duration", "60"]);
+    let says = |words: &str| {
+        eventually(words, || folder.read("complaints").contains(words).then_some(()));
+    };
+    says("4 voices at 1000 Hz on boards");
+    let status = || -> Value {
+        let (_code, out, _err) = folder.letoff(&["status", "--json"]);
+        serde_json::from_str(&out).expect("JSON")
+    };
+    let is_asleep = |it: &Value| it["state"] == "playing" && it["asleep"] == 4;
+    let asleep = eventually("four keys sleep", || Some(status()).filter(is_asleep));
+    assert_eq!(asleep["voices"], 4, "{asleep}");
+    let answers = |arguments: &[&str], words: &str| {
+        assert_eq!(folder.letoff(arguments).1, format!("{words}\n"), "{arguments:?}");
+    };
+    answers(&["instruments", "use", "spring-wall"], "4 keys are now spring-wall");
+    answers(&["instruments", "use", "spring", "--keys", "A0..G2"], "1 keys are now spring");
+    answers(&["set", "render.passivity=control"], "render.passivity=control");
+    let none = ["instruments", "use", "spring", "--keys", "C4..B4"];
+    folder.refuses(&none, 2, &["no board carries C4 to B4\n"]);
+    folder.refuses(&["press", "C4"], 2, &["no board carries C4\n"]);
+    folder.refuses(&["press", "G2"], 2, &["these keys are real"]);
+    scene("spring-wall");
+    let pid = Pid::from_child(&host);
+    kill_process(pid, Signal::HUP).expect("it is there");
+    says("SIGHUP: the scene was read again: 4 keys changed");
+    kill_process(pid, Signal::INT).expect("it is there");
+    assert!(host.wait().expect("it ends").success(), "{}", folder.read("complaints"));
+}
+
+#[test]
 fn boards_that_cannot_be_as_typed_are_refused() {
     let check = |arguments: &[&str], words: &str| {
         let said = letoff(&[&["board"], arguments].concat());
@@ -282,7 +354,7 @@ fn a_headless_host_says_what_becomes_of_its_boards_and_who_stops_it() {
     let mut host = start(&folder, &[&run[..], &listen].concat());
     let complaints = || folder.read("complaints");
     let says = |words: &str| eventually(words, || complaints().contains(words).then_some(()));
-    says("letoff: plays \"default\": 88 voices at 1000 Hz on boards on 1 links; MIDI: none\n");
+    says("letoff: plays \"default\": 11 voices at 1000 Hz on boards on 1 links; MIDI: none\n");
     says("letoff: streams at ws://127.0.0.1:");
     says(&format!("letoff: board 2 on {}, G2 to F3: armed\n", board.port.display()));
     let (code, out, err) = folder.letoff(&["stop"]);

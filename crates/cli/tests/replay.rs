@@ -276,7 +276,7 @@ fn changed_settings(scene: &Scene, file: &Path) {
             other => format!("{other:?}"),
         };
         assert!(margin(39).contains("stable, up to "), "{}", margin(39));
-        assert!(margin(88).contains("no voice plays key 88"), "{}", margin(88));
+        assert!(margin(88).contains("there is no key 88"), "{}", margin(88));
         set(&[("render.passivity", "control")]).expect("stable");
         set(&[("render.coupling_stiffness", "\"2 kN/m\""), ("render.coupling_damping", "4")])
             .expect("stable");

@@ -284,12 +284,14 @@ impl Scene {
         }
     }
 
-    /// Gives the keys of `range` one of its levels.
+    /// Gives the keys of `range` one of its levels; a key without a voice stays so.
     pub fn set_fidelity(&mut self, range: KeyRange, level: &FidelityLevel) {
         for key in range.numbers() {
             let index = usize::from(key);
             self.voicings[index] = Some(level.voicing.clone());
-            self.keys[index] = Some(KeyVoice::new(&level.voicing, key));
+            if let Some(voice) = &mut self.keys[index] {
+                *voice = KeyVoice::new(&level.voicing, key);
+            }
         }
     }
 }

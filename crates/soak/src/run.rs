@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use host::control::{Folders, RequestHandler, RunHandle};
 use host::report::RunReport;
-use host::session::{RunOptions, RunSession, SessionError};
+use host::session::{FoundKeys, RunOptions, RunSession, SessionError};
 use midi::{ReconnectingPort, Unavailable};
 use telemetry::recording::RecordingLimits;
 
@@ -69,8 +69,8 @@ fn play(
     let virtual_time = choice.time == SoakTime::Virtual;
     let options = RunOptions { duration: Some(choice.seconds), virtual_time };
     let its_handle = Arc::clone(&handle);
-    let mut session =
-        RunSession::prepare_behind(its_handle, &choice.scene, options, &|_progress| {})?;
+    let found = FoundKeys::find(choice.scene.clone(), options)?;
+    let mut session = RunSession::prepare_behind(its_handle, found, options, &|_progress| {})?;
     let (now, synthesizer) = (Arc::new(AtomicU64::new(0)), Synthesizer::new());
     let port = synthesizer.port(plan.away.clone(), Arc::clone(&now));
     session.send_midi_to(Box::new(ReconnectingPort::connect(port, "synthesizer".to_owned())?));

@@ -47,6 +47,35 @@ impl CurrentVoices {
         Self { render, ..self.clone() }
     }
 
+    /// Returns the voice that plays on `key`.
+    ///
+    /// # Errors
+    /// If none does, in a sentence.
+    pub(super) fn voice(&self, key: u8) -> Result<&KeyVoice, String> {
+        let range = single(key)?;
+        self.keys[usize::from(key)].as_ref().ok_or_else(|| self.missing(range))
+    }
+
+    /// Returns the keys of `range` that have a voice.
+    ///
+    /// # Errors
+    /// If none has, in a sentence.
+    pub(super) fn keys_in(&self, range: KeyRange) -> Result<Vec<u8>, String> {
+        let has_voice = |key: &u8| self.keys[usize::from(*key)].is_some();
+        let keys: Vec<_> = range.numbers().filter(has_voice).collect();
+        if keys.is_empty() { Err(self.missing(range)) } else { Ok(keys) }
+    }
+
+    /// Returns why no voice plays on `keys`, in a sentence.
+    fn missing(&self, keys: KeyRange) -> String {
+        let is_in_scene = |key: u8| self.voicings[usize::from(key)].is_some();
+        if keys.numbers().any(is_in_scene) {
+            format!("no board carries {keys}")
+        } else {
+            format!("no voice of this scene is on {keys}")
+        }
+    }
+
     /// Returns the voices of all keys that `changes` touch, with their new values.
     ///
     /// # Errors
@@ -182,8 +211,7 @@ impl CurrentVoices {
 
     fn apply(&self, change: &Change, voices: &mut BTreeMap<u8, KeyVoice>) -> Result<(), String> {
         let Change { key, parameter: wanted, value } = change;
-        let playing = self.keys.get(usize::from(*key)).and_then(Option::as_ref);
-        let playing = playing.ok_or_else(|| format!("key {key} has no voice in this scene"))?;
+        let playing = self.voice(*key)?;
         let parameters = playing.model.parameters;
         let index = parameters.iter().position(|it| it.name == wanted).ok_or_else(|| {
             let known = parameters.iter().map(|it| it.name);
@@ -195,6 +223,20 @@ impl CurrentVoices {
         voice.values[index] = *value;
         Ok(())
     }
+}
+
+/// Returns `true` if `scene` has a voice for `key`, which was left out since no board carries it.
+pub(crate) fn is_absent(scene: &Scene, key: usize) -> bool {
+    scene.keys[key].is_none() && scene.voicings[key].is_some()
+}
+
+/// Returns the range of one key.
+///
+/// # Errors
+/// If there is no such key, in a sentence.
+pub(super) fn single(key: u8) -> Result<KeyRange, String> {
+    let range = KeyIndex::new(key).and_then(|key| KeyRange::new(key, key));
+    range.ok_or_else(|| format!("there is no key {key}, give 0 to 87"))
 }
 
 /// Returns a value of a key's voice as a parameter of the stream.
@@ -258,7 +300,7 @@ mod tests {
         ];
         let said = playing().changed(&wrong).expect_err("wrong changes");
         assert_eq!(said.split("; ").count(), 5, "{said}");
-        assert!(said.contains("key 88 has no voice"), "{said}");
+        assert!(said.contains("there is no key 88"), "{said}");
         assert!(said.contains("no parameter \"k22\"") && said.contains("\"k2\""), "{said}");
         assert!(said.contains("g is 0 to 1000 m/s², not NaN"), "{said}");
         assert!(said.contains("restitution is 0 to 1, not 2"), "{said}");

@@ -35,6 +35,7 @@ impl RequestHandler {
     /// All that is wrong with it, with lines and carets, or why it cannot be put in now.
     pub(super) fn load(&self, file: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
         let range = keys.map(KeyRange::parse).transpose().map_err(|it| it.to_string())?;
+        range.map(|range| self.playing().keys_in(range)).transpose()?;
         let path = known_path(file);
         let (contents, read) = try_load(Path::new(&path));
         let read = read.map_err(|mistakes| LoadError::Mistakes(rendered(&mistakes)));

@@ -178,6 +178,7 @@ fn originals(
 fn lower(handler: &RequestHandler, name: &str) -> Option<Instrument> {
     let (_fidelity, lower) = Instrument::load(name).ok()?.levels.into_iter().next()?;
     let lower = Instrument::load(&lower).ok()?;
-    handler.refuse_unfit(&lower, KeyRange::ALL).ok()?;
+    let keys = handler.playing().keys_in(KeyRange::ALL).ok()?;
+    handler.refuse_unfit(&lower, &keys).ok()?;
     Some(lower)
 }

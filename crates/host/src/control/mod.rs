@@ -49,6 +49,7 @@ mod voice_port;
 mod watch;
 
 pub use client::{ControlError, end_command, hold, send, send_to_host, send_within, stop_host};
+pub(crate) use current_voices::is_absent;
 pub use emergency::{BoardsTold, EmergencyStop};
 pub use fingers::{FingerOwner, FingerQueue};
 pub use folders::Folders;

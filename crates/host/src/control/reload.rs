@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use scene::{KeyVoice, MidiInput, Render, Scene};
+use scene::{KeyVoice, LinksConfig, MidiInput, Render, Scene};
 
 use super::RequestHandler;
-use super::current_voices::CurrentVoices;
+use super::current_voices::{CurrentVoices, is_absent};
 use super::new_voice::{NewVoice, VoiceHandover};
 use crate::stability::instabilities;
 
@@ -17,6 +17,7 @@ impl RequestHandler {
     /// If it differs in what needs a new start, or a key would not be stable; then nothing is
     /// changed. A sentence.
     pub fn reload(&self, mut scene: Scene, who: &str) -> Result<String, String> {
+        self.put_on_same_keys(&mut scene);
         let fixed = self.fixed_differences(&scene);
         if !fixed.is_empty() {
             return Err(format!(
@@ -42,6 +43,17 @@ impl RequestHandler {
         let text = format!("the scene was read again: {n} keys changed");
         self.tell(&text, who);
         Ok(text)
+    }
+
+    /// Leaves the keys of `scene` out that have no board, and gives it the delay of the links.
+    fn put_on_same_keys(&self, scene: &mut Scene) {
+        if matches!(scene.links, LinksConfig::Simulated) {
+            return;
+        }
+        scene.rig.delay = scene.rig.delay.max(self.scene.rig.delay);
+        for (key, voice) in scene.keys.iter_mut().enumerate() {
+            voice.take_if(|_| is_absent(&self.scene, key));
+        }
     }
 
     /// Returns what of `scene` differs and is fixed from the start on.
@@ -71,7 +83,7 @@ impl RequestHandler {
 /// Gives ranges of `scene` that leave their fidelity to the host the one that plays.
 fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
     for range in std::mem::take(&mut scene.auto) {
-        let voice = playing.keys[range.keys.first().index()].as_ref();
+        let voice = range.keys.numbers().find_map(|key| playing.keys[usize::from(key)].as_ref());
         let plays = |model: &models::catalogue::ModelEntry| {
             voice.is_some_and(|voice| voice.model.is(model))
         };

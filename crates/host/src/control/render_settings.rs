@@ -5,12 +5,11 @@
 
 use std::collections::BTreeSet;
 
-use keyboard::{KeyIndex, KeyRange};
 use scene::{Instrument, Render};
 use telemetry::request::RenderSetting;
 
 use super::RequestHandler;
-use super::current_voices::CurrentVoices;
+use super::current_voices::{CurrentVoices, single};
 use super::new_voice::{NewVoice, VoiceHandover};
 use crate::stability::{examine_keys, instabilities};
 
@@ -53,12 +52,13 @@ impl RequestHandler {
     /// # Errors
     /// If there is no such key, or none that plays, in a sentence.
     pub(super) fn margin(&self, key: u8) -> Result<String, String> {
-        let scene = self.scene_of(&self.playing());
-        let is_played = scene.keys.get(usize::from(key)).is_some_and(Option::is_some);
-        let index = KeyIndex::new(key).filter(|_| is_played);
-        let range = index.and_then(|key| KeyRange::new(key, key));
-        let range = range.ok_or_else(|| format!("no voice plays key {key}"))?;
-        let found = examine_keys(&scene, range).and_then(|found| found.with_margin(&scene));
+        let keys = single(key)?;
+        let scene = {
+            let playing = self.playing();
+            playing.voice(key)?;
+            self.scene_of(&playing)
+        };
+        let found = examine_keys(&scene, keys).and_then(|found| found.with_margin(&scene));
         found.map(|it| it.to_string()).map_err(|it| it.to_string())
     }
 

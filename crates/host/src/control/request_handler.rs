@@ -14,12 +14,12 @@ use telemetry::stream::{Backend, ParameterSetting, Who};
 use telemetry::{Event, Reply, Request, Update, event};
 use voice::VoiceBuilder;
 
-use super::current_voices::CurrentVoices;
+use super::current_voices::{CurrentVoices, is_absent, single};
 use super::description_states::DescriptionStates;
 use super::new_voice::{NewVoice, VoiceHandover};
 use super::{Answer, Answers, FingerOwner, Folders, RunHandle};
 use crate::observe::{self, Origin, TelemetryMessage};
-use crate::stability::examine_keys;
+use crate::stability::instabilities;
 use keyboard::KeyRange;
 
 /// All keys of a keyboard, as a range is typed.
@@ -75,11 +75,11 @@ impl RequestHandler {
             Request::Load { description, keys } => self.load(description, keys.as_deref(), who)?,
             Request::Stop {} => return self.stop(who),
             Request::Press { key, newtons } => {
-                self.run.press(*key, HandCommand::Weight(*newtons), by)?;
+                self.press(*key, HandCommand::Weight(*newtons), by)?;
                 format!("key {key} is pressed with {newtons} N")
             }
             Request::Grip { key, depth } => {
-                self.run.press(*key, depth.map_or(HandCommand::AWAY, HandCommand::Grip), by)?;
+                self.press(*key, depth.map_or(HandCommand::AWAY, HandCommand::Grip), by)?;
                 match depth {
                     Some(depth) => format!("key {key} is held at {depth} times its dip"),
                     None => format!("key {key} is let go"),
@@ -97,17 +97,21 @@ impl RequestHandler {
         Ok(Reply::Done { text: done })
     }
 
-    /// Returns the scene as it sounds now.
+    /// Returns the scene as it sounds now. Keys without a board have the voices that they would
+    /// begin with.
     fn written(&self) -> String {
-        written(&self.scene_of(&self.playing()))
+        let playing = self.playing();
+        let mut scene = self.scene_of(&playing);
+        for ((key, voice), voicing) in (0..).zip(&mut scene.keys).zip(&playing.voicings) {
+            let first = || Some(KeyVoice::new(voicing.as_ref()?, key));
+            *voice = voice.take().or_else(first);
+        }
+        written(&scene)
     }
 
-    /// Returns the scene with the settings and voices of `playing`, on links as they were measured.
+    /// Returns the scene with the settings and voices of `playing`.
     pub(super) fn scene_of(&self, playing: &CurrentVoices) -> Scene {
-        let mut scene =
-            Scene { render: playing.render, keys: playing.keys.clone(), ..self.scene.clone() };
-        scene.rig.delay = self.run.loop_delay().unwrap_or(scene.rig.delay);
-        scene
+        Scene { render: playing.render, keys: playing.keys.clone(), ..self.scene.clone() }
     }
 
     fn whereabouts(&self) -> Answer {
@@ -126,6 +130,14 @@ impl RequestHandler {
         self.run.emergency.ask_and_wait()
     }
 
+    fn press(&self, key: u8, hand: HandCommand, by: FingerOwner) -> Result<(), String> {
+        let range = single(key)?;
+        if is_absent(&self.scene, key.into()) {
+            return Err(format!("no board carries {range}"));
+        }
+        self.run.press(key, hand, by)
+    }
+
     fn set(&self, changes: &[Change], who: &str) -> Result<String, String> {
         let mut playing = self.playing();
         let voices = playing.changed(changes)?;
@@ -140,11 +152,11 @@ impl RequestHandler {
         }
         let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
-        self.refuse_unfit(&instrument, range)?;
+        let keys = self.playing().keys_in(range)?;
+        self.refuse_unfit(&instrument, &keys)?;
         let mut playing = self.playing();
-        let sounding = range.numbers().filter(|key| playing.keys[usize::from(*key)].is_some());
         let voice = |key| NewVoice::anew(&instrument.voicing, key, &instrument.name);
-        let voices: BTreeMap<_, _> = sounding.map(|key| (key, voice(key))).collect();
+        let voices: BTreeMap<_, _> = keys.into_iter().map(|key| (key, voice(key))).collect();
         let n = voices.len();
         let catalogue = self.catalogue_with(&playing, instrument.model());
         self.put_in(&mut playing, voices, catalogue, who)?;
@@ -153,23 +165,19 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Asks what `instrument` needs, and tries it on some keys of `range`, as they are, beside the
-    /// tick.
-    pub(super) fn refuse_unfit(
-        &self,
-        instrument: &Instrument,
-        range: KeyRange,
-    ) -> Result<(), String> {
-        let render = self.playing().render;
-        if let Some(unmet) = instrument.needs.unmet(&instrument.name, self.scene.tick_hz, &render) {
+    /// Asks what `instrument` needs, and tries it on some of `keys`, as they are, beside the tick.
+    pub(super) fn refuse_unfit(&self, instrument: &Instrument, keys: &[u8]) -> Result<(), String> {
+        let mut scene = self.scene_of(&self.playing());
+        let needs = &instrument.needs;
+        if let Some(unmet) = needs.unmet(&instrument.name, scene.tick_hz, &scene.render) {
             return Err(unmet.to_string());
         }
-        let mut scene = self.scene_of(&self.playing());
-        for key in range.numbers() {
-            scene.keys[usize::from(key)] = Some(KeyVoice::new(&instrument.voicing, key));
+        scene.keys.fill(None);
+        for key in keys {
+            scene.keys[usize::from(*key)] = Some(KeyVoice::new(&instrument.voicing, *key));
         }
-        let found = examine_keys(&scene, range).map_err(|it| it.to_string())?;
-        found.unstable.map_or(Ok(()), |it| Err(it.to_string()))
+        let unstable = instabilities(&scene).map_err(|it| it.to_string())?;
+        unstable.into_iter().next().map_or(Ok(()), Err)
     }
 
     /// Sends `voices` to their keys, after `catalogue`, if there is another one.

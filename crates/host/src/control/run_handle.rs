@@ -1,7 +1,7 @@
 //! The parts of a run that requests reach: its voices, its keys, its telemetry and its stop.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, mpsc};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
 use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
@@ -31,8 +31,6 @@ pub struct RunHandle {
     voices: Mutex<VoicePort>,
     keys: Mutex<KeyPort>,
     telemetry: Mutex<TelemetryPort>,
-    /// What was measured on the links to its boards (s).
-    loop_delay: OnceLock<f64>,
 }
 
 /// The way to the telemetry thread of a run.
@@ -100,16 +98,6 @@ impl RunHandle {
 
 /// Fingers and lights of its keys, and the way to them.
 impl RunHandle {
-    /// Notes the delay that was measured on the links to boards (s).
-    pub fn set_loop_delay(&self, delay: f64) {
-        let _once = self.loop_delay.set(delay);
-    }
-
-    /// Returns the delay that was measured on the links to boards (s), if there are any.
-    pub fn loop_delay(&self) -> Option<f64> {
-        self.loop_delay.get().copied()
-    }
-
     /// Lets boards show their lights.
     pub fn lend_lights(&self, lights: Lights) {
         *lock(&self.keys) = KeyPort::Boards(lights);

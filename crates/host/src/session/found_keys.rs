@@ -1,54 +1,80 @@
-//! The keys that a scene asks for, and whether they are stable on the links that they were found on.
+//! The keys that a scene asks for, as they were found.
 
 use hardware::sim::keybed::SimulatedKeybed;
+use keyboard::{KeyIndex, KeyRange};
 use scene::{LinksConfig as SceneLinks, Scene};
+use voice::VoiceBuilder;
 
 use super::key_source::{self, KeySource};
 use super::trial::SimulatedKeys;
 use super::{RunOptions, SessionError};
-use crate::control::RunHandle;
+use crate::control::is_absent;
 use crate::stability::instabilities;
 
-/// Returns the keys of a scene with ticks of `period` (s); and the scene with the delay of their
-/// links, if there are any.
-pub(super) fn find(
-    scene: &Scene,
-    period: f64,
-    options: RunOptions,
-    handle: &RunHandle,
-) -> Result<(KeySource, Option<Scene>), SessionError> {
-    let mut keys = match &scene.links {
-        SceneLinks::Simulated => {
-            let keybed = Box::new(SimulatedKeybed::new(period, scene.rig.parameters())?);
-            KeySource::Simulated(SimulatedKeys::new(keybed))
+/// Keys before a run, and the scene that plays on them.
+pub struct FoundKeys {
+    /// The scene with a voice on these keys only, and with the delay of their links.
+    pub scene: Box<Scene>,
+    pub(super) source: KeySource,
+}
+
+impl std::fmt::Debug for FoundKeys {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("FoundKeys").field("scene", &self.scene.name).finish_non_exhaustive()
+    }
+}
+
+impl FoundKeys {
+    /// Simulates the keys of `scene`, or finds the boards that carry them; arms none.
+    ///
+    /// # Errors
+    /// If links cannot be opened, or boards are missing or refused.
+    pub fn find(scene: Scene, options: RunOptions) -> Result<Self, SessionError> {
+        let mut scene = Box::new(scene);
+        let period = VoiceBuilder::new(&scene)?.period().as_secs_f64();
+        let mut source = match &scene.links {
+            SceneLinks::Simulated => {
+                let keybed = Box::new(SimulatedKeybed::new(period, scene.rig.parameters())?);
+                KeySource::Simulated(SimulatedKeys::new(keybed))
+            }
+            SceneLinks::Boards(_) if options.virtual_time => return Err(SessionError::RealBoards),
+            SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz)?,
+        };
+        if let Some(delay) = source.loop_delay(period) {
+            scene.rig.delay = delay.max(scene.rig.delay);
         }
-        SceneLinks::Boards(_) if options.virtual_time => return Err(SessionError::RealBoards),
-        SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz)?,
-    };
-    let measured = keys.loop_delay(period).map(|delay| on_links(scene, delay));
-    if let Some(measured) = &measured {
-        refuse_unstable(measured, &keys)?;
-        handle.set_loop_delay(measured.rig.delay);
+        for (key, voice) in scene.keys.iter_mut().enumerate() {
+            voice.take_if(|_| !source.carries(key));
+        }
+        Ok(Self { scene, source })
     }
-    Ok((keys, measured))
+
+    /// Refuses keys on boards that are not stable with the delay of their links.
+    pub(super) fn refuse_unstable(&self) -> Result<(), SessionError> {
+        if matches!(self.source, KeySource::Simulated(_)) {
+            return Ok(());
+        }
+        let unstable = instabilities(&self.scene)?;
+        if unstable.is_empty() {
+            return Ok(());
+        }
+        Err(SessionError::Unstable(unstable.join("\nletoff: ")))
+    }
+
+    /// Returns notices about the keys before a run, a sentence on each.
+    pub fn notices(&self) -> Vec<String> {
+        let keys = KeyIndex::all().filter(|key| is_absent(&self.scene, key.index()));
+        let absent = without_board(&keys.collect::<Vec<_>>());
+        absent.into_iter().chain(self.source.notices()).collect()
+    }
 }
 
-/// Returns `scene` on links with this delay (s), or with its own if that is longer.
-fn on_links(scene: &Scene, delay: f64) -> Scene {
-    let mut measured = scene.clone();
-    measured.rig.delay = delay.max(scene.rig.delay);
-    measured
-}
-
-/// Tries the keys of `scene` that boards carry, with the delay that was measured on their links.
-fn refuse_unstable(scene: &Scene, keys: &KeySource) -> Result<(), SessionError> {
-    let mut carried = scene.clone();
-    for (key, voice) in carried.keys.iter_mut().enumerate() {
-        voice.take_if(|_| !keys.carries(key));
-    }
-    let unstable = instabilities(&carried)?;
-    if unstable.is_empty() {
-        return Ok(());
-    }
-    Err(SessionError::Unstable(unstable.join("\nletoff: ")))
+/// Returns the sentence about `keys` without a board, which are in order; `None` if there are none.
+fn without_board(keys: &[KeyIndex]) -> Option<String> {
+    let rows = keys.chunk_by(|key, next| key.number() + 1 == next.number());
+    let ranges = rows.filter_map(|row| KeyRange::new(*row.first()?, *row.last()?));
+    let ranges: Vec<_> = ranges.map(|range| range.to_string()).collect();
+    let (n, ranges) = (keys.len(), ranges.join(", "));
+    let have = if n == 1 { "key of the scene has" } else { "keys of the scene have" };
+    (0 < n).then(|| format!("{n} {have} no board: {ranges}"))
 }

@@ -51,6 +51,7 @@ use realtime::wake_fd::WakeFd;
 use scene::Scene;
 
 pub use fidelity::choose_fidelity;
+pub use found_keys::FoundKeys;
 pub use pianist::PianistProgress;
 use pianist::RehearsedPlayList;
 pub use trial::RunTrial;
@@ -180,26 +181,26 @@ impl RunSession {
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
-        Self::prepare_behind(Arc::default(), scene, options, progress)
+        let found = FoundKeys::find(scene.clone(), options)?;
+        Self::prepare_behind(Arc::default(), found, options, progress)
     }
 
-    /// Returns the same, behind a `handle` by which it is stopped, and by which others reach it
-    /// once it runs.
+    /// Like [`Self::prepare`], but with keys that were found before, and with a caller-supplied
+    /// `handle`. The handle stops the session and carries requests while it runs.
     ///
     /// # Errors
     /// As [`Self::prepare`].
     pub fn prepare_behind(
         handle: Arc<RunHandle>,
-        scene: &Scene,
+        found: FoundKeys,
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
-        handle.status.prepare(&scene.name);
-        let period = VoiceBuilder::new(scene)?.period().as_secs_f64();
-        // Missing boards are reported before the rehearsal.
-        let (mut keys, measured) = found_keys::find(scene, period, options, &handle)?;
-        let scene = measured.as_ref().unwrap_or(scene);
+        handle.status.prepare(&found.scene.name);
+        found.refuse_unstable()?;
+        let (scene, mut keys) = (&found.scene, found.source);
         let builder = VoiceBuilder::new(scene)?;
+        let period = builder.period().as_secs_f64();
         if scene.play_list.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
@@ -207,7 +208,7 @@ impl RunSession {
             handle.status.rehearse(now.done, now.total);
             progress(now);
         };
-        let play_list = pianist::rehearse(scene, &builder, &keys, options.duration, &rehearsed)?;
+        let play_list = pianist::rehearse(scene, &builder, options.duration, &rehearsed)?;
         let performance = play_list.as_ref().map(|list| &list.performance);
         let once = performance.filter(|it| it.repeat.is_none());
         let seconds = options.duration.or_else(|| Some(once?.end() + AFTERGLOW));
@@ -290,11 +291,6 @@ impl RunSession {
     /// Returns the way into its lanes, once it runs in real time.
     pub fn handle(&self) -> Arc<RunHandle> {
         Arc::clone(&self.prepared.handle)
-    }
-
-    /// Returns notices about its keys before it runs, a sentence on each.
-    pub fn notices(&self) -> Vec<String> {
-        self.keys.notices()
     }
 
     /// Has `trial` stand between the scheduler and the simulated keys, which it prepares here;

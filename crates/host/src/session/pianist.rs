@@ -10,7 +10,6 @@ use models::catalogue::{self, Visitor};
 use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
-use super::key_source::KeySource;
 use crate::rehearsal::RehearsedKey;
 use crate::report::UnplayedNotes;
 use realtime::clock;
@@ -37,7 +36,6 @@ pub(super) struct RehearsedPlayList {
 pub(super) fn rehearse(
     scene: &Scene,
     builder: &VoiceBuilder<'_>,
-    key_source: &KeySource,
     duration: Option<f64>,
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<RehearsedPlayList>, SessionError> {
@@ -45,7 +43,7 @@ pub(super) fn rehearse(
     let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
     let score = load_all(pieces)?;
     let length = score.end() + technique.lead_in;
-    let keys = keys_of(builder, key_source)?;
+    let keys = keys_of(builder)?;
     let (mut score, unplayed) = within(score, duration, technique.lead_in, &keys);
     without_dynamics(&mut score, scene);
     let keys = Mutex::new(keys);
@@ -109,13 +107,10 @@ impl Visitor for HasOneVelocity {
     }
 }
 
-/// Returns one key of every voice that has a motor, at rest.
-fn keys_of(
-    builder: &VoiceBuilder<'_>,
-    key_source: &KeySource,
-) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
+/// Returns the key of every voice, at rest.
+fn keys_of(builder: &VoiceBuilder<'_>) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
     let mut keys = vec![None; scheduler::motion::KEYS];
-    for (key, voice) in builder.keys().filter(|(key, _)| key_source.carries(*key)) {
+    for (key, voice) in builder.keys() {
         keys[key] = Some(RehearsedKey::of_scene(builder, key, voice)?);
     }
     Ok(keys)
