@@ -29,6 +29,16 @@ fn an_instrument_without_levels_is_itself_and_auto_has_nothing_to_choose() {
 }
 
 #[test]
+fn a_key_without_a_voice_gets_none_by_a_fidelity() {
+    let mut scene = load(&with("instrument = \"spring-wall\"\nfidelity = \"auto\"\n"), &[]);
+    scene.keys[3] = None;
+    let auto = scene.auto.remove(0);
+    scene.set_fidelity(auto.keys, &auto.levels[0]);
+    assert_eq!(scene.keys.iter().position(Option::is_none), Some(3));
+    assert_eq!(scene.keys.iter().flatten().count(), 87);
+}
+
+#[test]
 fn a_fidelity_that_is_not_there_is_answered_with_those_that_are() {
     let wall = "instrument = \"spring-wall\"\n";
     check_refused(&format!("{wall}fidelity = \"reduced\"\n"), "spring-wall has no fidelity");
