@@ -1,11 +1,14 @@
-//! One whole tick of 88 grands (model B, playable): receive, voices, safety, send, publish.
+//! One whole tick of 88 keys: receive, voices, safety, send, publish.
+//!
+//! The keys play the scene `default`, a mechanism of five bodies each. Cases with `springs` in their
+//! names play the scene `springs`, model B at a key's size.
 //!
 //! The bus is memory, so that the host's own work is measured and not the simulated keys.
 //!
 //! | case | what the keys do |
 //! |---|---|
 //! | idle | all have come to rest |
-//! | active | all move, so all equations run: RK4, guards, no event |
+//! | active | all move, so all equations run: steps and guards, no event |
 //! | event | all 88 hammers are in free flight and meet their strings within this one tick |
 #![expect(clippy::expect_used, reason = "a bench may stop here")]
 
@@ -43,7 +46,8 @@ fn main() {
     let mut criterion = setting::criterion();
     idle(&mut criterion);
     active(&mut criterion);
-    event(&mut criterion);
+    event(&mut criterion, "default", "tick_88_voices/event");
+    springs(&mut criterion);
     criterion.final_summary();
 }
 
@@ -132,13 +136,13 @@ impl TickObserver for Published {
 /// Ticks of the whole host side, voices on one lane as a session has them.
 fn ticks(
     criterion: &mut Criterion,
-    name: &str,
+    (of, name): (&str, &str),
     positions: Vec<[f64; TICKS]>,
     idle: usize,
     observer: impl TickObserver,
 ) {
     let bus = Tables { positions, next: 0 };
-    let mut stage = Stage::new(&scene("default", &[]), bus).watched_by(observer);
+    let mut stage = Stage::new(&scene(of, &[]), bus).watched_by(observer);
     for _ in 0..8 * TICKS {
         stage.tick();
     }
@@ -147,26 +151,37 @@ fn ticks(
     assert_eq!(stage.tick().voices.idle as usize, idle, "{name}");
 }
 
+fn still() -> Vec<[f64; TICKS]> {
+    vec![[0.0; TICKS]; KEYS]
+}
+
+fn swings() -> Vec<[f64; TICKS]> {
+    let quantum = RigParameters::default().quantum;
+    (0..KEYS).map(|key| swing(key as f64 / KEYS as f64, quantum)).collect()
+}
+
 fn idle(criterion: &mut Criterion) {
-    let still = || vec![[0.0; TICKS]; KEYS];
-    ticks(criterion, "tick_88_voices/idle", still(), KEYS, Published::new(ALL_KEYS));
-    ticks(criterion, "tick_88_voices/idle_untapped", still(), KEYS, Published::untapped());
+    let mut case = |name, observer| ticks(criterion, ("default", name), still(), KEYS, observer);
+    case("tick_88_voices/idle", Published::new(ALL_KEYS));
+    case("tick_88_voices/idle_untapped", Published::untapped());
 }
 
 fn active(criterion: &mut Criterion) {
-    let quantum = RigParameters::default().quantum;
-    let swings = (0..KEYS).map(|key| swing(key as f64 / KEYS as f64, quantum));
-    let swings: Vec<_> = swings.collect();
-    ticks(criterion, "tick_88_voices/active", swings.clone(), 0, Published::new(ALL_KEYS));
-    ticks(
-        criterion,
-        "tick_88_voices/active_4_followed",
-        swings.clone(),
-        0,
-        Published::new(FOUR_KEYS),
-    );
-    ticks(criterion, "tick_88_voices/active_untapped", swings.clone(), 0, Published::untapped());
-    ticks(criterion, "tick_88_voices/active_unwatched", swings, 0, stage::Nobody);
+    let mut case = |name, observer| ticks(criterion, ("default", name), swings(), 0, observer);
+    case("tick_88_voices/active", Published::new(ALL_KEYS));
+    case("tick_88_voices/active_4_followed", Published::new(FOUR_KEYS));
+    case("tick_88_voices/active_untapped", Published::untapped());
+    let unwatched = ("default", "tick_88_voices/active_unwatched");
+    ticks(criterion, unwatched, swings(), 0, stage::Nobody);
+}
+
+fn springs(criterion: &mut Criterion) {
+    let mut case = |name, positions, idle| {
+        ticks(criterion, ("springs", name), positions, idle, Published::new(ALL_KEYS));
+    };
+    case("tick_88_voices/springs/idle", still(), KEYS);
+    case("tick_88_voices/springs/active", swings(), 0);
+    event(criterion, "springs", "tick_88_voices/springs/event");
 }
 
 /// A voice that can be put back to where it was.
@@ -193,11 +208,11 @@ impl Voice for Copied {
 }
 
 /// All keys are copies of the middle one, played alike, just before a tick with an event.
-fn event(criterion: &mut Criterion) {
-    let (slot, tick, position) = just_before_a_strike();
+fn event(criterion: &mut Criterion, of: &str, name: &str) {
+    let (slot, tick, position) = just_before_a_strike(of);
     let slots: Vec<_> = (0..KEYS).map(|_| slot.clone()).collect();
     let (mut bus, mut published) = (Held(position), Published::new(ALL_KEYS));
-    criterion.bench_function("tick_88_voices/event", |bencher| {
+    criterion.bench_function(name, |bencher| {
         bencher.iter_batched_ref(
             || (scheduler_at(tick), Copies(slots.clone())),
             |(scheduler, lanes)| {
@@ -235,8 +250,8 @@ fn scheduler_at(tick: u64) -> Box<Scheduler> {
 }
 
 /// The middle key, the tick in which its hammer's flight ends, and where the key is then (m).
-fn just_before_a_strike() -> (Slot<Copied>, u64, f64) {
-    let scene = scene("default", &[]);
+fn just_before_a_strike(of: &str) -> (Slot<Copied>, u64, f64) {
+    let scene = scene(of, &[]);
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let described = scene.keys[39].as_ref().expect("a voice");
     let voice = assembler.voice(described, Arc::default()).expect("a model of ours");
