@@ -3,13 +3,13 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use telemetry::stream::{Closer, Publisher};
+use telemetry::stream::{Closer, Publisher, StreamServer};
 use tokio::task::JoinHandle;
 
 use super::{Failure, streaming, system, tell};
 use host::control::{
     Answers, Clients, ControlServer, ProgramListener, RepeatedLook, RequestHandler, StartingHost,
-    StreamSink, follow_load, serve, socket_path, watch_descriptions,
+    StreamAddress, StreamSink, follow_load, serve, socket_path, watch_descriptions,
 };
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
@@ -45,8 +45,11 @@ impl Endpoints {
         wanted: Option<&streaming::WantedStream>,
     ) -> Result<Self, Failure> {
         let folders = wanted.map(|it| it.folders.clone()).unwrap_or_default();
-        let requests = starting.begin(scene.clone(), folders);
-        let stream = wanted.map(|wanted| stream(wanted, &requests)).transpose()?.flatten();
+        let stream = wanted.map(ListeningStream::open).transpose()?.flatten();
+        // A client that asks for the stream's address waits until there is one.
+        let address = stream.as_ref().map(|it| it.address.clone());
+        let requests = starting.begin(scene.clone(), folders, address);
+        let stream = stream.map(|it| it.serve(&requests));
         Ok(Self { clients, stream, requests: Some(requests) })
     }
 
@@ -138,24 +141,35 @@ pub(super) fn listen<A: Answers>(answers: Arc<A>) -> (Clients, Option<String>) {
     (clients, why)
 }
 
-/// Serves the stream, if its port is free.
-fn stream(
-    wanted: &streaming::WantedStream,
-    requests: &Arc<RequestHandler>,
-) -> Result<Option<ServedStream>, Failure> {
-    let Some(server) = wanted.listen()? else { return Ok(None) };
-    let mut address = server.url();
-    let news = wanted.news(&address);
-    if let Some(fingerprint) = server.fingerprint() {
-        tell(&format!(
-            "the stream's certificate is {fingerprint}: elsewhere, give it to `letoff dash \
-             --fingerprint`"
-        ));
-        address = format!("{address}#{fingerprint}");
+/// A stream that listens and is not served yet.
+struct ListeningStream {
+    server: StreamServer,
+    address: StreamAddress,
+    news: String,
+}
+
+impl ListeningStream {
+    /// Listens, if the port is free.
+    fn open(wanted: &streaming::WantedStream) -> Result<Option<Self>, Failure> {
+        let Some(server) = wanted.listen()? else { return Ok(None) };
+        let mut url = server.url();
+        let news = wanted.news(&url);
+        if let Some(fingerprint) = server.fingerprint() {
+            tell(&format!(
+                "the stream's certificate is {fingerprint}: elsewhere, give it to `letoff dash \
+                 --fingerprint`"
+            ));
+            url = format!("{url}#{fingerprint}");
+        }
+        let address = StreamAddress { url, token: wanted.owner() };
+        Ok(Some(Self { server, address, news }))
     }
-    requests.streams_at(address, wanted.owner());
-    let (publisher, closer) = (server.publisher(), server.closer());
-    let requests = Arc::<RequestHandler>::clone(requests);
-    let serving = tokio::spawn(telemetry::stream::serve(server, requests));
-    Ok(Some(ServedStream { publisher, closer, news, serving }))
+
+    fn serve(self, requests: &Arc<RequestHandler>) -> ServedStream {
+        let Self { server, news, .. } = self;
+        let (publisher, closer) = (server.publisher(), server.closer());
+        let requests = Arc::<RequestHandler>::clone(requests);
+        let serving = tokio::spawn(telemetry::stream::serve(server, requests));
+        ServedStream { publisher, closer, news, serving }
+    }
 }

@@ -58,12 +58,12 @@ pub use lower_fidelity::follow_load;
 pub use place::{socket_path, temporary_folder};
 pub use programs::ProgramListener;
 pub use repeated_look::RepeatedLook;
-pub use request_handler::RequestHandler;
+pub use request_handler::{RequestHandler, StreamAddress};
 pub use run_handle::RunHandle;
 pub(crate) use run_status::passes;
 pub use run_status::{RunDescription, RunStatus, StatusSink};
 pub use server::{Answers, Clients, ControlServer, serve};
-pub use starting::StartingHost;
+pub use starting::{STARTING, StartingHost};
 pub use stream_sink::StreamSink;
 pub use watch::watch_descriptions;
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::net::SocketAddr;
 use std::path::Path;
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use haptics::HandCommand;
 use realtime::pool::{BoxedVoice, VoiceChange};
@@ -38,22 +38,34 @@ pub struct RequestHandler {
     playing: Mutex<CurrentVoices>,
     /// The descriptions that were read while they play; locked after the voices.
     states: Mutex<DescriptionStates>,
-    /// The stream's address and token.
-    stream: OnceLock<(String, Option<String>)>,
+    stream: Option<StreamAddress>,
+}
+
+/// The address of a host's stream.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct StreamAddress {
+    /// URL, with the fingerprint of a self-made certificate after `#`.
+    pub url: String,
+    /// Secret of an owner, if clients need one.
+    pub token: Option<String>,
 }
 
 impl RequestHandler {
-    /// Answers for the host that runs `scene` behind `run`; clients of the stream name files in
-    /// `folders`.
+    /// Answers for the host that runs `scene` behind `run` and streams nothing; clients of the
+    /// stream name files in `folders`.
     pub fn new(scene: Scene, run: Arc<RunHandle>, folders: Folders) -> Self {
         let playing = Mutex::new(CurrentVoices::new(&scene));
-        Self { scene, run, folders, playing, states: Mutex::default(), stream: OnceLock::new() }
+        Self { scene, run, folders, playing, states: Mutex::default(), stream: None }
     }
 
-    /// Answers from now on that the host streams at `address`, to clients that give `token`.
-    pub fn streams_at(&self, address: String, token: Option<String>) {
-        // A host streams at one place only.
-        let _first = self.stream.set((address, token));
+    /// Like [`Self::new`], for a host with a `stream`.
+    pub fn with_stream(
+        scene: Scene,
+        run: Arc<RunHandle>,
+        folders: Folders,
+        stream: Option<StreamAddress>,
+    ) -> Self {
+        Self { stream, ..Self::new(scene, run, folders) }
     }
 
     /// Does what `who` asks for; a request is checked and built as a whole before any of it is
@@ -115,12 +127,11 @@ impl RequestHandler {
     }
 
     fn whereabouts(&self) -> Answer {
-        let (address, token) = self
+        let StreamAddress { url, token } = self
             .stream
-            .get()
-            .cloned()
+            .clone()
             .ok_or("this host streams nothing: start it with --listen 127.0.0.1:8765")?;
-        Ok(Reply::Where { address, token })
+        Ok(Reply::Where { address: url, token })
     }
 
     /// Ends the run, and waits until every board was told.

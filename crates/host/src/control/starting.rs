@@ -6,7 +6,7 @@ use std::time::Duration;
 use scene::Scene;
 use telemetry::{Reply, Request};
 
-use super::{Answer, Answers, Folders, RequestHandler, RunHandle};
+use super::{Answer, Answers, Folders, RequestHandler, RunHandle, StreamAddress};
 
 /// Time between two looks whether the scene is known.
 const LOOK: Duration = Duration::from_millis(20);
@@ -14,8 +14,11 @@ const LOOK: Duration = Duration::from_millis(20);
 /// Looks before whoever asks is told to ask again: 3 s, less than a client's patience.
 const MOST_LOOKS: u32 = 150;
 
+/// Refusal of a host that is not ready within [`MOST_LOOKS`].
+pub const STARTING: &str = "the host is starting, and tries its keys: ask again in a moment";
+
 /// Answers for a host that still tries its keys: a stop and how it goes at once, and all else when
-/// its scene is known.
+/// its scene is known and its stream listens.
 #[derive(Debug)]
 pub struct StartingHost {
     run: Arc<RunHandle>,
@@ -28,10 +31,16 @@ impl StartingHost {
         Self { run, requests: OnceLock::new() }
     }
 
-    /// Answers all requests from now on, to a host that runs `scene`; clients of the stream name
-    /// files in `folders`.
-    pub fn begin(&self, scene: Scene, folders: Folders) -> Arc<RequestHandler> {
-        let make = || Arc::new(RequestHandler::new(scene, Arc::clone(&self.run), folders));
+    /// Answers all requests from now on, to a host that runs `scene` with this `stream`; clients of
+    /// the stream name files in `folders`.
+    pub fn begin(
+        &self,
+        scene: Scene,
+        folders: Folders,
+        stream: Option<StreamAddress>,
+    ) -> Arc<RequestHandler> {
+        let run = Arc::clone(&self.run);
+        let make = || Arc::new(RequestHandler::with_stream(scene, run, folders, stream));
         Arc::clone(self.requests.get_or_init(make))
     }
 
@@ -52,10 +61,7 @@ impl Answers for StartingHost {
             (None, Request::Status {}) => {
                 Ok(Reply::Status { status: Box::new(self.run.status.examine()) })
             }
-            (None, _too_early) => {
-                let starts = "the host is starting, and tries its keys: ask again in a moment";
-                self.wait().ok_or(starts)?.reply_to(request, connection)
-            }
+            (None, _too_early) => self.wait().ok_or(STARTING)?.reply_to(request, connection),
         }
     }
 
@@ -78,9 +84,22 @@ mod tests {
         std::thread::scope(|scope| {
             let told = scope.spawn(|| starting.reply_to(&Request::Scene {}, 1));
             let springs = Scene::load("springs", &[]).unwrap();
-            let _requests = starting.begin(springs, Folders::default());
+            let _requests = starting.begin(springs, Folders::default(), None);
             let told = told.join().unwrap();
             assert!(matches!(told, Ok(Reply::Scene { .. })), "{told:?}");
+        });
+    }
+
+    #[test]
+    fn the_first_answer_names_the_stream() {
+        let starting = StartingHost::new(Arc::default());
+        let (url, token) = ("ws://127.0.0.1:8765".to_owned(), Some("secret".to_owned()));
+        std::thread::scope(|scope| {
+            let reply = scope.spawn(|| starting.reply_to(&Request::Where {}, 1));
+            let springs = Scene::load("springs", &[]).unwrap();
+            let stream = StreamAddress { url: url.clone(), token: token.clone() };
+            let _requests = starting.begin(springs, Folders::default(), Some(stream));
+            assert_eq!(reply.join().unwrap(), Ok(Reply::Where { address: url, token }));
         });
     }
 }
