@@ -10,7 +10,7 @@ use clap::Args;
 use super::child_program::{ChildProgram, EndMode};
 use super::signals::{Signals, runtime};
 use super::{Failure, system, tell};
-use host::control::{ControlError, Reply, Request, send, socket_path};
+use host::control::{ControlError, Reply, Request, STARTING, send, socket_path};
 
 /// What `letoff dash` takes.
 #[derive(Clone, Debug, Args)]
@@ -84,7 +84,7 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
 fn print(out: &mut dyn Write) -> Result<(), Failure> {
     let place = whereabouts();
     let DashTarget { target, token, fingerprint } = place.map_err(|absent| match absent {
-        Absent::Nobody(why) | Absent::Refused(why) => Failure::Running(why),
+        Absent::Nobody(why) | Absent::Starting(why) | Absent::Refused(why) => Failure::Running(why),
     })?;
     let token = token.map_or_else(String::new, |token| format!("/?token={token}"));
     writeln!(out, "{target}{token}")?;
@@ -106,7 +106,7 @@ fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Fa
             Err(Failure::Running(why))
         }
         Err(Absent::Nobody(_)) => Ok(None),
-        Err(Absent::Refused(why)) => Err(Failure::Running(why)),
+        Err(Absent::Starting(why) | Absent::Refused(why)) => Err(Failure::Running(why)),
     }
 }
 
@@ -140,6 +140,8 @@ impl DashTarget {
 enum Absent {
     /// No host runs here.
     Nobody(String),
+    /// One runs, and still tries its keys.
+    Starting(String),
     /// One runs, and streams nothing.
     Refused(String),
 }
@@ -151,6 +153,7 @@ fn whereabouts() -> Result<DashTarget, Absent> {
         Ok(Ok(
             Reply::Done { .. } | Reply::Stopped { .. } | Reply::Scene { .. } | Reply::Status { .. },
         )) => Err(Absent::Refused("the host that runs here said something else".into())),
+        Ok(Err(why)) if why == STARTING => Err(Absent::Starting(why)),
         Ok(Err(why)) => Err(Absent::Refused(why)),
         Err(nobody @ ControlError::NoHost { .. }) => Err(Absent::Nobody(nobody.to_string())),
         Err(other) => Err(Absent::Refused(other.to_string())),
@@ -198,8 +201,10 @@ async fn start(signals: &mut Signals) -> Result<Option<(ChildProgram, DashTarget
 fn look(deadline: Instant) -> Result<Option<DashTarget>, Failure> {
     match whereabouts() {
         Ok(place) => Ok(Some(place)),
-        Err(Absent::Nobody(_)) if Instant::now() < deadline => Ok(None),
-        Err(Absent::Nobody(why) | Absent::Refused(why)) => Err(Failure::Running(why)),
+        Err(Absent::Nobody(_) | Absent::Starting(_)) if Instant::now() < deadline => Ok(None),
+        Err(Absent::Nobody(why) | Absent::Starting(why) | Absent::Refused(why)) => {
+            Err(Failure::Running(why))
+        }
     }
 }
 

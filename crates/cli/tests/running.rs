@@ -4,7 +4,7 @@ use std::fs::File;
 use std::path::Path;
 use std::process::Child;
 
-use host::control::{Reply, Request, send};
+use host::control::{Reply, Request, STARTING, send};
 use rustix::process::{Pid, Signal, kill_process};
 
 use crate::typed::{Folder, eventually};
@@ -46,6 +46,7 @@ impl<'a> Host<'a> {
             assert!(ended.is_none(), "it ended: {}", folder.read("complaints"));
             match send(&folder.socket(), &Request::Where {}).ok()? {
                 Ok(Reply::Where { address, token }) => Some((Some(address), token)),
+                Err(why) if why == STARTING => None,
                 Err(_no_stream) => Some((None, None)),
                 other => unreachable!("{other:?}"),
             }

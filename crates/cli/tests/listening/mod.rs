@@ -11,7 +11,7 @@ use std::os::unix::process::CommandExt as _;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-use host::control::{ControlError, Reply, Request, send};
+use host::control::{ControlError, Reply, Request, STARTING, send};
 use rustix::process::{Pid, Signal, getuid, kill_process};
 use telemetry::request::Change;
 use telemetry::stream::{Client, Dial, Fingerprint};
@@ -54,6 +54,7 @@ impl<'a> Host<'a> {
             assert!(ended.is_none(), "it ended: {}", folder.read("complaints"));
             match send(&folder.socket(), &Request::Where {}).ok()? {
                 Ok(Reply::Where { address, token }) => Some((address, token)),
+                Err(why) if why == STARTING => None,
                 other => unreachable!("{other:?}"),
             }
         });
