@@ -86,7 +86,7 @@ impl Serial {
 }
 
 /// # Real-time
-/// A frame sent costs at most two system calls, none of which waits; a reception at most two
+/// A frame sent costs at most two system calls, none of which waits; a reception at most three
 /// for each piece of 68 bytes. No heap.
 impl Link for Serial {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
