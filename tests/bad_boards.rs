@@ -176,9 +176,16 @@ impl Link for Wire {
     }
 }
 
+/// Longest time in which a board is brought up (us).
+const PATIENCE: u64 = 4_000_000;
+
 /// Brings up board 3, whose clock runs too fast by `drift`.
 fn armed(drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
-    const PATIENCE: u64 = 4_000_000;
+    armed_within(PATIENCE, drift, n_strokes)
+}
+
+/// Like [`armed`], but waits for at most `patience` (us) until it renders forces.
+fn armed_within(patience: u64, drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
     DRIFT.set(drift);
     LATER.set(ASKED_US);
     let line = NamedLink::new("wire", Box::new(Wire::new(n_strokes)));
@@ -193,7 +200,7 @@ fn armed(drift: f64, n_strokes: u32) -> Result<Keybed<Armed>, Refusals> {
         forces: ForcePacking::default(),
         valid_ms: 20,
     };
-    keybed.arm(terms, PATIENCE)
+    keybed.arm(terms, patience)
 }
 
 /// What all voices did.
@@ -322,6 +329,15 @@ fn a_board_that_cannot_be_armed_is_refused_after_few_attempts_with_what_is_wrong
         assert!(sentence.contains("board 3 on wire") && sentence.contains(words), "{sentence}");
         assert!(ARMINGS.get() <= 5 && seconds < 4.0, "{} in {seconds} s", ARMINGS.get());
     }
+}
+
+#[test]
+fn a_board_that_answers_is_not_called_gone_when_time_is_up() {
+    // Its clock is known after eight round trips, which are 10 ms apart.
+    let sentence = armed_within(60_000, 0.0, 0).expect_err("no time").to_string();
+    let words =
+        "board 3 on wire answers, and was not ready within 0.1 s; it was asked for Ping last";
+    assert!(sentence.starts_with(words), "{sentence}");
 }
 
 /// What became of board 3 if this goes wrong with it while its keys are played.

@@ -103,8 +103,15 @@ pub enum Refusal {
     NotHomed { board: BoardName, keys: String },
     #[error("{board} cannot {what}; {instead}")]
     Unable { board: BoardName, what: &'static str, instead: String },
-    #[error("{board} did not answer {asked:?} for {seconds} s; it was there before: see its cable")]
+    #[error(
+        "{board} did not answer {asked:?} for {seconds:.1} s; it was there before: see its cable"
+    )]
     NoAnswer { board: BoardName, asked: Operation, seconds: f64 },
+    #[error(
+        "{board} answers, and was not ready within {seconds:.1} s; it was asked for {asked:?} last: \
+         see what its link carries, and start the host again while the machine does nothing else"
+    )]
+    NotReady { board: BoardName, asked: Operation, seconds: f64 },
     #[error(
         "{board} answered {asked:?} with \"{}\"; its log may say why: `letoff devices --boards \
          --link {link} --log`", status_words(*status)

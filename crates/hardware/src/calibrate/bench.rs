@@ -24,7 +24,11 @@ const RELEASE: f64 = 5.0;
 #[derive(Clone, Copy, Debug)]
 enum Resting {
     /// It is looked at.
-    At(RestMeasurement),
+    At {
+        rest: RestMeasurement,
+        /// When its newest sample came (us).
+        heard: u64,
+    },
     /// It was looked at.
     Done(Result<Rested, CalibrationFault>),
 }
@@ -33,26 +37,27 @@ impl Resting {
     /// What is said of a key of which nothing was heard.
     const SILENT: CalibrationFault = CalibrationFault::Silent { seconds: SILENT_US as f64 * 2e-6 };
 
-    /// Takes where the key is at `t` (s, m), if that is known.
-    fn advance(&mut self, t: f64, position: Option<f64>) {
-        let (Self::At(rest), Some(position)) = (&mut *self, position) else { return };
-        match rest.advance(t, position) {
+    /// Takes where the key is at `now` (us, m), if that is known; gives up a key that has been silent
+    /// for too long.
+    fn advance(&mut self, now: u64, position: Option<f64>) {
+        let Self::At { rest, heard } = self else { return };
+        let Some(position) = position else {
+            if *heard + 2 * SILENT_US < now {
+                *self = Self::Done(Err(Self::SILENT));
+            }
+            return;
+        };
+        *heard = now;
+        match rest.advance(now as f64 * 1e-6, position) {
             Ok(Next::Push(_)) => {}
             Ok(Next::Done(rested)) => *self = Self::Done(Ok(rested)),
             Err(fault) => *self = Self::Done(Err(fault)),
         }
     }
 
-    /// Gives the key up if it `is_silent`.
-    fn end_if(&mut self, is_silent: impl FnOnce() -> bool) {
-        if matches!(self, Self::At(_)) && is_silent() {
-            *self = Self::Done(Err(Self::SILENT));
-        }
-    }
-
     const fn outcome(self) -> Result<Rested, CalibrationFault> {
         match self {
-            Self::At(_) => Err(CalibrationFault::Stopped),
+            Self::At { .. } => Err(CalibrationFault::Stopped),
             Self::Done(outcome) => outcome,
         }
     }
@@ -129,15 +134,13 @@ impl Bench {
 
     /// Measures where all of `keys` rest, at once.
     pub fn rests(&mut self, keys: &[KeyIndex]) -> Vec<Result<Rested, CalibrationFault>> {
-        let mut rests = vec![Resting::At(RestMeasurement::default()); keys.len()];
-        let began = self.keybed.now_us();
-        while self.ending.is_none() && rests.iter().any(|it| matches!(it, Resting::At(_))) {
+        let (rest, heard) = (RestMeasurement::default(), self.keybed.now_us());
+        let mut rests = vec![Resting::At { rest, heard }; keys.len()];
+        while self.ending.is_none() && rests.iter().any(|it| matches!(it, Resting::At { .. })) {
             self.exchange();
-            let t = self.seconds();
-            let is_late = began + 2 * SILENT_US < self.keybed.now_us();
+            let now = self.keybed.now_us();
             for (key, resting) in keys.iter().zip(&mut rests) {
-                resting.advance(t, self.position(*key));
-                resting.end_if(|| is_late && self.position(*key).is_none());
+                resting.advance(now, self.position(*key));
             }
         }
         rests.into_iter().map(Resting::outcome).collect()
@@ -220,10 +223,12 @@ impl Bench {
             if armings.is_none() || self.keybed.armings(key) != armings {
                 break Err(CalibrationFault::Interrupted);
             }
-            if heard + SILENT_US < now {
+            let position = self.position_within(key, oldest_us);
+            // A host that was stopped for as long finds the samples of that time.
+            if position.is_none() && heard + SILENT_US < now {
                 break Err(CalibrationFault::Silent { seconds: SILENT_US as f64 * 1e-6 });
             }
-            let Some(position) = self.position_within(key, oldest_us) else { continue };
+            let Some(position) = position else { continue };
             heard = now;
             match advance(self.seconds(), position) {
                 Ok(Next::Push(push)) => self.forces[key.index()] = -push,
@@ -292,5 +297,20 @@ impl Bench {
     /// Returns the host's clock (s).
     fn seconds(&self) -> f64 {
         self.keybed.now_us() as f64 * 1e-6
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_is_silent_a_second_after_its_newest_sample() {
+        let mut resting = Resting::At { rest: RestMeasurement::default(), heard: 0 };
+        resting.advance(900_000, Some(0.0));
+        resting.advance(1_900_000, None);
+        assert!(matches!(resting, Resting::At { heard: 900_000, .. }), "{resting:?}");
+        resting.advance(1_900_001, None);
+        assert!(matches!(resting.outcome(), Err(CalibrationFault::Silent { .. })), "{resting:?}");
     }
 }

@@ -12,6 +12,8 @@ const LONGEST_STEP: f64 = 5e-3;
 const ABOVE: f64 = 2e-3;
 /// So far a reading can go at once (m).
 const JUMP: f64 = 5e-3;
+/// Time without a position in which a key can go as far as a jump (s): at 1.7 m/s.
+const PAUSE: f64 = 3e-3;
 /// The longest time that one key may take (s).
 const LONGEST: f64 = 60.0;
 
@@ -63,7 +65,13 @@ impl KeyPush {
         }
         let by = (position - self.position).abs();
         if JUMP < by {
-            return Err(CalibrationFault::Jumps { by });
+            // After a pause of the host or the board, the key may have moved there.
+            let is_pause = PAUSE < t - self.times.0;
+            return Err(if is_pause {
+                CalibrationFault::Interrupted
+            } else {
+                CalibrationFault::Jumps { by }
+            });
         }
         if LONGEST < t - began {
             return Err(CalibrationFault::Restless { seconds: LONGEST });

@@ -97,6 +97,15 @@ fn a_sensor_that_reads_wrongly_says_how() {
 }
 
 #[test]
+fn a_key_that_moved_in_a_pause_of_the_host_does_not_jump() {
+    let mut trip = TripMeasurement::new(&RESTED);
+    trip.advance(0.0, 0.0).unwrap();
+    let mut paused = trip;
+    assert_eq!(paused.advance(20.0 * H, 6e-3).unwrap_err(), CalibrationFault::Interrupted);
+    assert!(matches!(trip.advance(H, 6e-3), Err(CalibrationFault::Jumps { .. })));
+}
+
+#[test]
 fn a_motor_of_another_strength_is_known_by_the_weight_that_it_balances() {
     for (strength, spring) in [(1.0, 0.0), (0.8, 0.2), (1.25, 0.0)] {
         let empty = travelled(

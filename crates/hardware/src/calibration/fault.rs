@@ -9,8 +9,7 @@ pub enum CalibrationFault {
     #[error("no samples came for {seconds} s; see its board's cable")]
     Silent { seconds: f64 },
     #[error(
-        "its board took its force away in the middle, since frames were late or lost; calibrate \
-         again while the machine does nothing else"
+        "frames were late or lost in the middle; calibrate again while the machine does nothing else"
     )]
     Interrupted,
     #[error(

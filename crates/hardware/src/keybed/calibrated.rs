@@ -94,7 +94,7 @@ impl Keybed<Calibrated> {
             let now = clock();
             // Those that may not be armed will not be ready, however long that takes.
             if start + patience_us <= now || keybed.is_settled() {
-                let seconds = (now.saturating_sub(start) / 100_000) as f64 * 0.1;
+                let seconds = now.saturating_sub(start) as f64 * 1e-6;
                 let refusals = keybed.refusals(seconds);
                 keybed.disarm();
                 return Err(Refusals(refusals));

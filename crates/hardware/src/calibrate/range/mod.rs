@@ -31,8 +31,6 @@ pub const MOST_FORCE: f64 = 8.0;
 pub const STEP: f64 = 1.25;
 /// The pulse that sets the key in motion (N), and its length (s).
 const PULSE: (f64, f64) = (2.0, 8e-3);
-/// So many periods without a position are a pause of the host.
-const PAUSE: f64 = 3.0;
 /// A key that stood still so long has been let go (s).
 const LET_GO: f64 = 0.2;
 
@@ -133,13 +131,7 @@ impl RangeMeasurement {
     /// Its readings are not those of a key, or it does not come to rest.
     pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<RangeFound>, CalibrationFault> {
         let elapsed = self.elapse(t, position);
-        let seen = self.key.update(t, position);
-        // Nobody looked meanwhile: a jump is the host's doing then, and not the sensor's.
-        let paused = PAUSE * self.terms.period < elapsed;
-        if paused && matches!(seen, Err(CalibrationFault::Jumps { .. })) {
-            return Err(CalibrationFault::Interrupted);
-        }
-        seen?;
+        self.key.update(t, position)?;
         let motion = self.terms.estimator.update(position, elapsed);
         let is_passive = self.observer.is_passive(self.tick, position);
         let (RangePhase::Trying(mut tried) | RangePhase::Placing(mut tried)) = self.phase else {

@@ -5,8 +5,11 @@ use firmware_protocol::key::KeyIndex;
 
 use super::{Armed, BoardReport};
 use crate::keybed::{Keybed, address};
-use crate::refusal::Refusal;
+use crate::refusal::{BoardName, Refusal};
 use crate::rt::board_supervisor::{ArmLockout, ArmState};
+
+/// Time without an answer from which on a board counts as gone (us).
+const SILENCE_US: u64 = 1_000_000;
 
 impl Keybed<Armed> {
     /// Returns why boards do not render forces after `seconds` of trying.
@@ -45,13 +48,21 @@ impl Keybed<Armed> {
                 | ArmState::Disarming
                 | ArmState::Arming { .. }
                 | ArmState::Confirming
-                | ArmState::Armed => {
-                    let asked = self.stage.supervisor.asked(index).unwrap_or(Operation::Hello);
-                    Some(Refusal::NoAnswer { board, asked, seconds })
-                }
+                | ArmState::Armed => Some(self.unready(index, board, seconds)),
             }
         };
         boards.filter_map(refusal).collect()
+    }
+
+    /// Returns why a board that nothing bars is not ready after `seconds`.
+    fn unready(&self, index: usize, board: BoardName, seconds: f64) -> Refusal {
+        let supervisor = &self.stage.supervisor;
+        let asked = supervisor.asked(index).unwrap_or(Operation::Hello);
+        match supervisor.since_answer(index) {
+            Some(us) if us < SILENCE_US => Refusal::NotReady { board, asked, seconds },
+            Some(us) => Refusal::NoAnswer { board, asked, seconds: us as f64 * 1e-6 },
+            None => Refusal::NoAnswer { board, asked, seconds },
+        }
     }
 }
 

@@ -139,6 +139,11 @@ impl BoardSupervisor {
         self.sessions.get(board).is_some_and(BoardSession::answers_late)
     }
 
+    /// Returns the time since a board's newest answer (us), if it has ever answered.
+    pub fn since_answer(&self, board: usize) -> Option<u64> {
+        self.sessions.get(board)?.since_answer(self.now)
+    }
+
     /// Lets a board show its light, as soon as it is armed or may not be.
     pub fn request_light(&mut self, board: usize) {
         if let Some(session) = self.sessions.get_mut(board) {

@@ -42,6 +42,8 @@ pub(super) struct BoardSession {
     declined: u64,
     /// Answers that came when they had been asked for twice.
     late_answers: u64,
+    /// When the newest answer came (us).
+    answered: Option<u64>,
     /// It has started anew, and the numbers of its samples with it.
     is_anew: bool,
 }
@@ -63,6 +65,7 @@ impl BoardSession {
             next_counters: 0,
             declined: 0,
             late_answers: 0,
+            answered: None,
             is_anew: false,
         }
     }
@@ -85,6 +88,11 @@ impl BoardSession {
         /// Answers that may be late by chance.
         const FEW: u64 = 8;
         !self.timing.is_known() && FEW < self.late_answers
+    }
+
+    /// Returns the time from its newest answer until `now` (us), if it has ever answered.
+    pub(super) fn since_answer(&self, now: u64) -> Option<u64> {
+        self.answered.map(|answered| now.saturating_sub(answered))
     }
 
     /// Takes what the board has counted.
@@ -226,6 +234,7 @@ impl BoardSession {
         let Some(received) = self.channel.take_reply(frame) else { return };
         let ReceivedReply { reply, operation, sent_us } = received;
         self.late_answers += u64::from(sent_us.is_none());
+        self.answered = Some(now);
         if reply.status == Status::Done {
             self.on_done(operation, reply.record, sent_us, now);
         } else {
