@@ -7,8 +7,10 @@ use std::process::{Child, Command, Stdio};
 use serde_json::Value;
 
 use crate::letoff;
+use crate::machine_time::{Task, WaitWatch, judged_with_time, say};
 use crate::rig::{
-    count, had_emulated_time, had_host_time, judged, machine, number, print_figures, run, say,
+    count, had_emulated_time, had_host_time, machine, number, print_figures, report, run,
+    run_watched,
 };
 
 const TOOLS: [&str; 2] = ["arm-none-eabi-gcc", "qemu-system-arm"];
@@ -64,6 +66,13 @@ impl Processor {
     }
 }
 
+impl Processor {
+    /// The emulator's threads.
+    pub(crate) fn task(&self) -> Task {
+        Task::process(&self.qemu)
+    }
+}
+
 impl Drop for Processor {
     fn drop(&mut self) {
         let _gone = self.qemu.kill();
@@ -74,17 +83,21 @@ impl Drop for Processor {
 /// Runs the host on these boards; returns the report if `has_time` says that the machine had
 /// time, and no board fell silent meanwhile.
 fn drive(
+    watch: &WaitWatch,
     folder: &Path,
     elfs: &[PathBuf],
     more: &[&str],
     has_time: fn(&Value) -> bool,
 ) -> Option<Value> {
     let boards: Vec<_> = elfs.iter().map(|elf| Processor::start(elf)).collect();
+    for board in &boards {
+        watch.add(board.task());
+    }
     let links: Vec<_> = boards
         .iter()
         .flat_map(|board| ["--link".to_owned(), format!("serial:{}", board.port)])
         .collect();
-    let report = run(folder, &links, more);
+    let report = run(watch, folder, &links, more);
     let is_alive = |board: &Value| count(board, "/rearmed") == 0;
     let boards = report["boards"].as_array().cloned().unwrap_or_default();
     (has_time(&report) && boards.iter().all(is_alive)).then_some(report)
@@ -112,12 +125,14 @@ fn a_piece_is_played_on_one_cortex_m3() {
     let elf = build(&folder, 3);
     let more = ["--duration", "10", "--set", "tick_hz=1000", "--set", "links.valid=0.1"];
     let elfs = [elf];
-    let report = judged("one Cortex-M3", || drive(&folder, &elfs, &more, had_emulated_time));
-    let Some(report) = report else { return };
-    check("one Cortex-M3 under QEMU, 11 keys at 1 kHz", &report, 101.0);
-    let played = count(&report, "/notes/played");
-    assert!(2 < played, "{report}");
-    assert_eq!(count(&report, "/notes/struck"), played, "{report}");
+    judged_with_time("one Cortex-M3", |watch| {
+        let report = drive(watch, &folder, &elfs, &more, had_emulated_time)?;
+        check("one Cortex-M3 under QEMU, 11 keys at 1 kHz", &report, 101.0);
+        let played = count(&report, "/notes/played");
+        assert!(2 < played, "{report}");
+        assert_eq!(count(&report, "/notes/struck"), played, "{report}");
+        Some(())
+    });
 }
 
 /// What comes with the program, at half its rate, is played as written or not at all.
@@ -133,19 +148,22 @@ fn the_default_instrument_at_500_hz_is_played_without_an_extra_strike_or_refused
     let run = ["run", "default", "--json", "--link", &link, "--duration", "10"];
     let slow = ["--set", "tick_hz=500", "--set", "links.valid=0.1"];
     let arguments = [run.as_slice(), &slow].concat();
-    let played = judged("the default instrument on a Cortex-M3 at 500 Hz", || {
-        let said = letoff::run(&folder, &arguments);
+    judged_with_time("the default instrument on a Cortex-M3 at 500 Hz", |watch| {
+        watch.add(processor.task());
+        let said = run_watched(watch, &folder, &arguments);
         if said.code == Some(2) {
             letoff::check_words(&said, &["with grand", "at 500 Hz"]);
             say(&format!("refused: {}", said.err));
-            return Some(None);
+            return Some(());
         }
-        let report = crate::rig::report(&said);
-        had_emulated_time(&report).then_some(Some(report))
+        let report = report(&said);
+        if !had_emulated_time(&report) {
+            return None;
+        }
+        check("one Cortex-M3 under QEMU, 11 keys of a grand at 500 Hz", &report, 101.0);
+        assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
+        Some(())
     });
-    let Some(Some(report)) = played else { return };
-    check("one Cortex-M3 under QEMU, 11 keys of a grand at 500 Hz", &report, 101.0);
-    assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
 }
 
 /// Eight emulated processors beside a host are all that two cores can do: nobody plays.
@@ -163,8 +181,10 @@ fn eight_cortex_m3_exchange_without_a_gap() {
     // A grand's action is not stable at that rate.
     let more = more.into_iter().chain(["--set", "keys.instrument=spring-wall"]);
     let more: Vec<_> = more.chain(calm).collect();
-    let report = judged("eight Cortex-M3", || drive(&folder, &elfs, &more, had_host_time));
-    let Some(report) = report else { return };
-    check("eight Cortex-M3 under QEMU, 88 keys at 250 Hz", &report, 101.0);
-    assert_eq!(report["boards"].as_array().map(Vec::len), Some(8), "{report}");
+    judged_with_time("eight Cortex-M3", |watch| {
+        let report = drive(watch, &folder, &elfs, &more, had_host_time)?;
+        check("eight Cortex-M3 under QEMU, 88 keys at 250 Hz", &report, 101.0);
+        assert_eq!(report["boards"].as_array().map(Vec::len), Some(8), "{report}");
+        Some(())
+    });
 }

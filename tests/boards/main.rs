@@ -11,6 +11,8 @@
 
 #[path = "../stage/letoff.rs"]
 mod letoff;
+#[path = "../stage/machine_time.rs"]
+mod machine_time;
 
 mod conformance;
 mod cortex;

@@ -2,7 +2,8 @@
 //! 1, since a board may come to power yet; 2 where the scene is wrong.
 
 use crate::letoff;
-use crate::rig::{Boards, arguments, machine, part_of_machine};
+use crate::machine_time::with_time;
+use crate::rig::{Boards, arguments, machine, part_of_machine, run_watched};
 
 /// Asserts that a host is refused boards that were started with `boards`, in a sentence with
 /// all of `words`.
@@ -84,13 +85,16 @@ fn a_port_behind_which_nobody_speaks_the_protocol() {
 fn a_clock_that_runs_too_fast() {
     let _machine = part_of_machine();
     let folder = letoff::folder("refused-drift");
-    let boards = Boards::start(&folder, 1, &["--drift", "50000"]);
-    let links = boards.links();
-    let said = letoff::run(&folder, &arguments(&links, &["--performance", "none"]));
-    assert_eq!(said.code, Some(1), "{said:?}");
-    letoff::check_words(&said, &["board 0 on", "% too fast, and at most 3 % is accepted"]);
-    // It had to be armed before its clock could be read, and was given no force.
-    assert_eq!(boards.stop()[0]["counts"]["forces"], 0);
+    with_time("the refusal of a clock that runs too fast", |watch| {
+        let boards = Boards::start(&folder, 1, &["--drift", "50000"]);
+        watch.add(boards.task());
+        let links = boards.links();
+        let said = run_watched(watch, &folder, &arguments(&links, &["--performance", "none"]));
+        assert_eq!(said.code, Some(1), "{said:?}");
+        letoff::check_words(&said, &["board 0 on", "% too fast, and at most 3 % is accepted"]);
+        // It had to be armed before its clock could be read, and was given no force.
+        assert_eq!(boards.stop()[0]["counts"]["forces"], 0);
+    });
 }
 
 #[test]
@@ -119,20 +123,23 @@ fn time_that_is_not_real() {
 fn a_loop_that_is_too_late_for_its_instrument() {
     let _machine = machine();
     let folder = letoff::folder("refused-late");
-    let boards = Boards::start(&folder, 1, &["--late", "3"]);
-    let links = boards.links();
-    let run = ["run", "--json", "--performance", "none", "--duration", "1"].into_iter();
-    let grand: Vec<_> = run.chain(links.iter().map(String::as_str)).collect();
-    let said = letoff::run(&folder, &grand);
-    assert_eq!(said.code, Some(2), "{said:?}");
-    letoff::check_words(&said, &["with the delay of these links", "with grand", "ms of delay"]);
-    // Three milliseconds there, three back, and half a tick in which samples wait.
-    let delay = said.err.split("1000 Hz and ").nth(1).and_then(|it| it.split(' ').next());
-    assert!(delay.and_then(|it| it.parse().ok()).is_some_and(|ms: f64| 6.5 <= ms), "{said:?}");
-    // What bears it is not refused, with the same boards.
-    let spring = [grand.as_slice(), &["--set", "keys.0.instrument=spring"]];
-    let said = letoff::run(&folder, &spring.concat());
-    assert_eq!(said.code, Some(0), "{said:?}");
-    let told = boards.stop();
-    assert_eq!(told[0]["counts"]["armings"], 1, "{told:?}");
+    with_time("the refusal of a loop that is too late", |watch| {
+        let boards = Boards::start(&folder, 1, &["--late", "3"]);
+        watch.add(boards.task());
+        let links = boards.links();
+        let run = ["run", "--json", "--performance", "none", "--duration", "1"].into_iter();
+        let grand: Vec<_> = run.chain(links.iter().map(String::as_str)).collect();
+        let said = run_watched(watch, &folder, &grand);
+        assert_eq!(said.code, Some(2), "{said:?}");
+        letoff::check_words(&said, &["with the delay of these links", "with grand", "ms of delay"]);
+        // Three milliseconds there, three back, and half a tick in which samples wait.
+        let delay = said.err.split("1000 Hz and ").nth(1).and_then(|it| it.split(' ').next());
+        assert!(delay.and_then(|it| it.parse().ok()).is_some_and(|ms: f64| 6.5 <= ms), "{said:?}");
+        // What bears it is not refused, with the same boards.
+        let spring = [grand.as_slice(), &["--set", "keys.0.instrument=spring"]];
+        let said = run_watched(watch, &folder, &spring.concat());
+        assert_eq!(said.code, Some(0), "{said:?}");
+        let told = boards.stop();
+        assert_eq!(told[0]["counts"]["armings"], 1, "{told:?}");
+    });
 }

@@ -1,6 +1,5 @@
 //! Boards in processes of their own, and the host that drives them.
 
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Child;
 use std::sync::{PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
@@ -9,6 +8,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use crate::letoff::{self, Said};
+use crate::machine_time::{Task, WaitWatch, say};
 
 /// Whoever is judged by time has the machine alone.
 static MACHINE: RwLock<()> = RwLock::new(());
@@ -41,11 +41,6 @@ pub(crate) fn side_by_side<T: Sync>(
     });
 }
 
-/// A line for whoever runs the tests, passed or not.
-pub(crate) fn say(line: &str) {
-    let _nobody_listens = writeln!(std::io::stderr(), "{line}");
-}
-
 /// `letoff board` in a process of its own.
 pub(crate) struct Boards {
     child: Option<Child>,
@@ -66,6 +61,11 @@ impl Boards {
         let last = links.join(format!("board{}", count - 1));
         wait_for("the boards' ports", || last.exists());
         boards
+    }
+
+    /// Its threads.
+    pub(crate) fn task(&self) -> Task {
+        Task::process(self.child.as_ref().expect("they live"))
     }
 
     /// The links to all of them, as arguments.
@@ -114,17 +114,23 @@ pub(crate) fn wait_for(what: &str, is_so: impl Fn() -> bool) {
     }
 }
 
+/// Runs `letoff` to its end, and watches it.
+pub(crate) fn run_watched(watch: &WaitWatch, folder: &Path, arguments: &[&str]) -> Said {
+    let child = letoff::start(folder, arguments);
+    watch.add(Task::process(&child));
+    letoff::end(child)
+}
+
 /// Arguments of a run over `links`.
 pub(crate) fn arguments<'a>(links: &'a [String], more: &[&'a str]) -> Vec<&'a str> {
     let run = ["run", "springs", "--json"].into_iter();
     run.chain(links.iter().map(String::as_str)).chain(more.iter().copied()).collect()
 }
 
-/// Runs the host over `links`; returns its report.
+/// Runs the host over `links`, and watches it; returns its report.
 #[track_caller]
-pub(crate) fn run(folder: &Path, links: &[String], more: &[&str]) -> Value {
-    let said = letoff::run(folder, &arguments(links, more));
-    report(&said)
+pub(crate) fn run(watch: &WaitWatch, folder: &Path, links: &[String], more: &[&str]) -> Value {
+    report(&run_watched(watch, folder, &arguments(links, more)))
 }
 
 /// The report of a host that ended well, or in which voices failed: where samples come late, a
@@ -186,17 +192,6 @@ pub(crate) fn had_host_time(report: &Value) -> bool {
     let late =
         count(report, "/deadline/missed_woken_late") + count(report, "/deadline/missed_preempted");
     100 * late <= ticks && number(report, "/deadline/timer_baseline_us/max") < 10e3
-}
-
-/// Tries up to three times for a run in which the machine had time; says so if there is none.
-pub(crate) fn judged<T>(what: &str, mut attempt: impl FnMut() -> Option<T>) -> Option<T> {
-    for _ in 0..3 {
-        if let Some(judged) = attempt() {
-            return Some(judged);
-        }
-    }
-    say(&format!("SKIPPED: {what}: this machine was too busy, three times"));
-    None
 }
 
 /// Prints rates, round trips and gaps of every board.

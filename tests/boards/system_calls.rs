@@ -6,7 +6,8 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::letoff;
-use crate::rig::{Boards, judged, machine, say};
+use crate::machine_time::{judged, say};
+use crate::rig::{Boards, machine};
 
 /// The table's heading in ARCHITECTURE.md.
 const HEADING: &str = "### System calls of a tick";
@@ -185,6 +186,9 @@ fn links_to_boards_are_read_and_written_and_nothing_else() {
     for name in ["read", "write"] {
         assert!(100 < count(&calls, TICK, name), "{name}");
     }
+    // A read of an empty port waits for a thread of the kernel.
+    let is_empty = |it: &&Call| it.name == "read" && it.rest.contains("EAGAIN");
+    assert_eq!(calls.iter().filter(is_empty).count(), 0, "an empty port is not read");
 }
 
 #[test]

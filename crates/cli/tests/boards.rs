@@ -14,26 +14,24 @@ use telemetry::Update;
 use telemetry::recording::Recording;
 
 use crate::common::{Board, make};
+use crate::machine_time::{WaitWatch, with_time};
 use crate::typed::{Folder, eventually};
 
-fn letoff(arguments: &[&str]) -> Output {
+fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_letoff"));
-    command.args(arguments).stdin(Stdio::null()).output().expect("the program")
+    command.args(arguments).stdin(Stdio::null());
+    command
 }
 
-/// The same for what measures keys, tried again if the board's thread, beside other tests, was
-/// given no time meanwhile: then its key is elsewhere all at once.
-fn measured(arguments: &[&str]) -> Output {
-    let starved = ["its reading jumps by", "while the machine does nothing else"];
-    let mut said = letoff(arguments);
-    for _ in 0..2 {
-        let err = text(&said.stderr);
-        if said.status.success() || !starved.iter().any(|it| err.contains(it)) {
-            break;
-        }
-        said = letoff(arguments);
-    }
-    said
+fn letoff(arguments: &[&str]) -> Output {
+    command(arguments).output().expect("the program")
+}
+
+/// Like [`letoff`], for a program that needs the machine's time.
+fn watched(watch: &WaitWatch, arguments: &[&str]) -> Output {
+    let mut command = command(arguments);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    watch.output(&mut command).expect("the program")
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -50,114 +48,133 @@ fn folder(test: &str) -> PathBuf {
 
 #[test]
 fn boards_are_listed_with_their_logs_and_a_dead_link_is_no_end() {
-    let board = Board::start(make(4, 11));
-    let (link, dead) = (board.link(), "serial:/dev/no-such-port");
-    let said = letoff(&["devices", "--boards", "--link", dead, "--link", &link, "--light", "4"]);
-    assert_eq!(said.status.code(), Some(1), "{said:?}");
-    assert!(text(&said.stderr).contains("no board can be used on /dev/no-such-port"), "{said:?}");
-    let said = text(&said.stdout);
-    let parts = [
-        "it is not there",
-        "board 4 ",
-        "F4..D#5",
-        "simulated fingers",
-        "never armed",
-        "it blinks for ",
-    ];
-    assert!(parts.iter().all(|part| said.contains(part)), "{said}");
-    let absent = ["--light", "5", "--mute", "A0"];
-    let said = letoff(&[&["devices", "--boards", "--link", &link], &absent[..]].concat());
-    assert_eq!(said.status.code(), Some(1), "{said:?}");
-    let said = text(&said.stderr);
-    let parts = ["no board has the number 5", "no board here has the key A0"];
-    assert!(parts.iter().all(|part| said.contains(part)), "{said}");
-    let said = letoff(&["devices", "--boards", "--link", &link, "--log", "--json"]);
-    let listed: Value = serde_json::from_slice(&said.stdout).expect("JSON");
-    let it = &listed[0]["boards"][0];
-    assert_eq!(it["uid"], board.uid.to_string());
-    assert!(it["log"][0].as_str().expect("a line").ends_with("  light"), "{listed}");
-    assert_eq!(it["law_hz"], 10_000);
-    assert!(board.stop().board().is_lit());
+    with_time("a list of boards", |watch| {
+        let board = Board::start(make(4, 11), watch);
+        let (link, dead) = (board.link(), "serial:/dev/no-such-port");
+        let said = watched(
+            watch,
+            &["devices", "--boards", "--link", dead, "--link", &link, "--light", "4"],
+        );
+        assert_eq!(said.status.code(), Some(1), "{said:?}");
+        assert!(
+            text(&said.stderr).contains("no board can be used on /dev/no-such-port"),
+            "{said:?}"
+        );
+        let said = text(&said.stdout);
+        let parts = [
+            "it is not there",
+            "board 4 ",
+            "F4..D#5",
+            "simulated fingers",
+            "never armed",
+            "it blinks for ",
+        ];
+        assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        let absent = ["--light", "5", "--mute", "A0"];
+        let said =
+            watched(watch, &[&["devices", "--boards", "--link", &link], &absent[..]].concat());
+        assert_eq!(said.status.code(), Some(1), "{said:?}");
+        let said = text(&said.stderr);
+        let parts = ["no board has the number 5", "no board here has the key A0"];
+        assert!(parts.iter().all(|part| said.contains(part)), "{said}");
+        let said = watched(watch, &["devices", "--boards", "--link", &link, "--log", "--json"]);
+        let listed: Value = serde_json::from_slice(&said.stdout).expect("JSON");
+        let it = &listed[0]["boards"][0];
+        assert_eq!(it["uid"], board.uid.to_string());
+        assert!(it["log"][0].as_str().expect("a line").ends_with("  light"), "{listed}");
+        assert_eq!(it["law_hz"], 10_000);
+        assert!(board.stop().board().is_lit());
+    });
 }
 
 #[test]
 fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
-    let board = Board::start(BoardMake { offset: 500, ..make(3, 2) });
-    let (link, folder) = (board.link(), folder("calibrate"));
-    let folder_name = folder.display().to_string();
-    let calibrate = ["calibrate", "--link", &link, "--folder", &folder_name];
-    let said = measured(&calibrate);
-    let (out, err) = (text(&said.stdout), text(&said.stderr));
-    assert!(said.status.success(), "{out}{err}");
-    assert!(err.contains(": G3, 1 of 2 keys done"), "{err}");
-    assert!(out.contains("  F#3        500") && out.contains("  10.1"), "{out}");
-    let path = file::path(&folder, board.uid);
-    let keys = file::read(&path, board.uid, 2).expect("a good file").expect("a file");
-    for key in keys.as_slice() {
-        assert!((key.rest.get() - 500).abs() <= 2, "{key:?}");
-        assert!((10.15e-3..10.20e-3).contains(&key.travel()), "{key:?}");
-        assert!((0.10..0.14).contains(&key.friction), "{key:?}");
-    }
-    // Nobody can be asked, so nothing is overwritten.
-    let said = letoff(&calibrate);
-    let err = text(&said.stderr);
-    assert_eq!(said.status.code(), Some(2), "{err}");
-    assert!(err.contains("would be overwritten; give --yes"), "{err}");
-    let said = measured(&[&calibrate[..], &["--yes", "--json", "--board", "3"]].concat());
-    assert!(said.status.success(), "{}", text(&said.stderr));
-    let written: Value = serde_json::from_slice(&said.stdout).expect("JSON");
-    assert_eq!(written[0]["keys"][1]["key"], "G3");
-    assert!(file::backup(&path).exists());
+    with_time("the calibration of a simulated board", |watch| {
+        let board = Board::start(BoardMake { offset: 500, ..make(3, 2) }, watch);
+        let (link, folder) = (board.link(), folder("calibrate"));
+        let folder_name = folder.display().to_string();
+        let calibrate = ["calibrate", "--link", &link, "--folder", &folder_name];
+        let said = watched(watch, &calibrate);
+        let (out, err) = (text(&said.stdout), text(&said.stderr));
+        assert!(said.status.success(), "{out}{err}");
+        assert!(err.contains(": G3, 1 of 2 keys done"), "{err}");
+        assert!(out.contains("  F#3        500") && out.contains("  10.1"), "{out}");
+        let path = file::path(&folder, board.uid);
+        let keys = file::read(&path, board.uid, 2).expect("a good file").expect("a file");
+        for key in keys.as_slice() {
+            assert!((key.rest.get() - 500).abs() <= 2, "{key:?}");
+            assert!((10.15e-3..10.20e-3).contains(&key.travel()), "{key:?}");
+            assert!((0.10..0.14).contains(&key.friction), "{key:?}");
+        }
+        // Nobody can be asked, so nothing is overwritten.
+        let said = watched(watch, &calibrate);
+        let err = text(&said.stderr);
+        assert_eq!(said.status.code(), Some(2), "{err}");
+        assert!(err.contains("would be overwritten; give --yes"), "{err}");
+        let said = watched(watch, &[&calibrate[..], &["--yes", "--json", "--board", "3"]].concat());
+        assert!(said.status.success(), "{}", text(&said.stderr));
+        let written: Value = serde_json::from_slice(&said.stdout).expect("JSON");
+        assert_eq!(written[0]["keys"][1]["key"], "G3");
+        assert!(file::backup(&path).exists());
+    });
 }
 
 #[test]
 fn what_a_key_renders_is_said_beside_the_theory_and_no_file_is_written() {
-    let board = Board::start(make(3, 2));
-    let (link, folder) = (board.link(), folder("range"));
-    let name = folder.display().to_string();
-    let range = ["calibrate", "--range", "--link", &link, "--folder", &name];
-    let said = measured(&[&range[..], &["--key", "G3", "--json"]].concat());
-    assert!(said.status.success(), "{}", text(&said.stderr));
-    let found: Value = serde_json::from_slice(&said.stdout).expect("JSON");
-    assert_eq!(found["key"], "G3");
-    let spring = &found["objects"][0];
-    assert!(spring["object"] == "spring" && spring["unit"] == "N/m", "{found}");
-    // Of 1 N·s/m at 1 kHz without delay, by the theory: 2 kN/m, and this link has some.
-    assert!(spring["passive"].as_f64().is_some_and(|it| it < 2e3), "{found}");
-    assert!(!folder.exists());
-    for (wrong, advice) in [
-        (["--key", "A0"], "no board has the key A0; `letoff devices --boards"),
-        (["--key", "H9"], "`H9` is no key: give a note from A0 to C8"),
-        (["--weight", "50"], "cannot be used with"),
-        (["--board", "9"], "no board has the number 9"),
-    ] {
-        let said = letoff(&[&range[..], &wrong].concat());
-        assert_eq!(said.status.code(), Some(2), "{said:?}");
-        assert!(text(&said.stderr).contains(advice), "{said:?}");
-    }
-    assert!(board.stop().board().is_safe());
+    with_time("the range of a key", |watch| {
+        let board = Board::start(make(3, 2), watch);
+        let (link, folder) = (board.link(), folder("range"));
+        let name = folder.display().to_string();
+        let range = ["calibrate", "--range", "--link", &link, "--folder", &name];
+        let said = watched(watch, &[&range[..], &["--key", "G3", "--json"]].concat());
+        assert!(said.status.success(), "{}", text(&said.stderr));
+        let found: Value = serde_json::from_slice(&said.stdout).expect("JSON");
+        assert_eq!(found["key"], "G3");
+        let spring = &found["objects"][0];
+        assert!(spring["object"] == "spring" && spring["unit"] == "N/m", "{found}");
+        // Of 1 N·s/m at 1 kHz without delay, by the theory: 2 kN/m, and this link has some.
+        assert!(spring["passive"].as_f64().is_some_and(|it| it < 2e3), "{found}");
+        assert!(!folder.exists());
+        for (wrong, advice) in [
+            (["--key", "A0"], "no board has the key A0; `letoff devices --boards"),
+            (["--key", "H9"], "`H9` is no key: give a note from A0 to C8"),
+            (["--weight", "50"], "cannot be used with"),
+            (["--board", "9"], "no board has the number 9"),
+        ] {
+            let said = watched(watch, &[&range[..], &wrong].concat());
+            assert_eq!(said.status.code(), Some(2), "{said:?}");
+            assert!(text(&said.stderr).contains(advice), "{said:?}");
+        }
+        assert!(board.stop().board().is_safe());
+    });
 }
 
 #[test]
 fn a_key_that_jams_is_named_and_the_other_board_gets_its_file() {
-    let mut jams = make(0, 1);
-    jams.rig.key.stiction = 3.0;
-    let (board, good) = (Board::start(jams), Board::start(make(1, 1)));
-    let folder = folder("jams");
-    let (link, good_link) = (board.link(), good.link());
-    let links = ["calibrate", "--link", &link, "--link", &good_link];
-    let said = letoff(&[&links[..], &["--folder", &folder.display().to_string()]].concat());
-    let err = text(&said.stderr);
-    assert_eq!(said.status.code(), Some(1), "{err}");
-    assert!(err.contains("A0 of board 0 on /dev/pts/") && err.contains("does not move"), "{err}");
-    assert!(err.contains("none of its 1 keys was measured, no file written"), "{err}");
-    assert!(!file::path(&folder, board.uid).exists());
-    assert!(file::path(&folder, good.uid).exists());
-    let said = letoff(&["calibrate", "--link", &link, "--board", "9"]);
-    let advice = format!("no board has the number 9; `letoff devices --boards --link {link}@");
-    assert!(text(&said.stderr).contains(&advice), "{said:?}");
-    let said = letoff(&["calibrate", "--link", &link, "--weight", "50"]);
-    assert!(text(&said.stderr).contains("needs somebody at a terminal"), "{said:?}");
+    with_time("the calibration of a key that jams", |watch| {
+        let mut jams = make(0, 1);
+        jams.rig.key.stiction = 3.0;
+        let (board, good) = (Board::start(jams, watch), Board::start(make(1, 1), watch));
+        let folder = folder("jams");
+        let (link, good_link) = (board.link(), good.link());
+        let links = ["calibrate", "--link", &link, "--link", &good_link];
+        let said =
+            watched(watch, &[&links[..], &["--folder", &folder.display().to_string()]].concat());
+        let err = text(&said.stderr);
+        assert_eq!(said.status.code(), Some(1), "{err}");
+        assert!(
+            err.contains("A0 of board 0 on /dev/pts/") && err.contains("does not move"),
+            "{err}"
+        );
+        assert!(err.contains("none of its 1 keys was measured, no file written"), "{err}");
+        assert!(!file::path(&folder, board.uid).exists());
+        assert!(file::path(&folder, good.uid).exists());
+        let said = watched(watch, &["calibrate", "--link", &link, "--board", "9"]);
+        let advice = format!("no board has the number 9; `letoff devices --boards --link {link}@");
+        assert!(text(&said.stderr).contains(&advice), "{said:?}");
+        let said = watched(watch, &["calibrate", "--link", &link, "--weight", "50"]);
+        assert!(text(&said.stderr).contains("needs somebody at a terminal"), "{said:?}");
+    });
 }
 
 #[test]
@@ -189,24 +206,31 @@ fn a_scene_that_cannot_fit_is_refused_before_a_link_is_opened() {
 
 #[test]
 fn a_run_on_a_board_reports_its_link() {
-    let board = Board::start(make(2, 11));
-    let link = board.link();
-    let arguments = ["run", "--link", &link, "--performance", "none", "--duration", "1", "--json"];
-    let said = letoff(&arguments);
-    assert!(said.status.success(), "{}", text(&said.stderr));
-    let report: Value = serde_json::from_slice(&said.stdout).expect("JSON");
-    let line = &report["lines"][0];
-    assert_eq!(
-        (line["name"].as_str(), line["state"].as_str()),
-        (board.port.to_str(), Some("active"))
-    );
-    assert!(200.0 < line["seen_hz"].as_f64().expect("a rate"), "{line}");
-    assert!(line["medium"].is_null() && line["planned_load"].is_null(), "{line}");
+    with_time("a run on a simulated board", |watch| {
+        let board = Board::start(make(2, 11), watch);
+        let link = board.link();
+        let arguments =
+            ["run", "--link", &link, "--performance", "none", "--duration", "1", "--json"];
+        let said = watched(watch, &arguments);
+        assert!(said.status.success(), "{}", text(&said.stderr));
+        let report: Value = serde_json::from_slice(&said.stdout).expect("JSON");
+        let line = &report["lines"][0];
+        assert_eq!(
+            (line["name"].as_str(), line["state"].as_str()),
+            (board.port.to_str(), Some("active"))
+        );
+        assert!(200.0 < line["seen_hz"].as_f64().expect("a rate"), "{line}");
+        assert!(line["medium"].is_null() && line["planned_load"].is_null(), "{line}");
+    });
 }
 
 #[test]
 fn keys_without_a_board_have_no_voice_and_no_rows() {
-    let (board, folder) = (Board::start(make(2, 4)), Folder::new("few-keys"));
+    with_time("voices of four keys", check_four_keys);
+}
+
+fn check_four_keys(watch: &WaitWatch) {
+    let (board, folder) = (Board::start(make(2, 4), watch), Folder::new("few-keys"));
     let link = board.link();
     let run =
         ["run", "springs", "--link", &link, "--duration", "2", "--json", "--record", "a.mcap"];
@@ -233,7 +257,11 @@ fn keys_without_a_board_have_no_voice_and_no_rows() {
 
 #[test]
 fn requests_concern_the_keys_that_boards_carry() {
-    let (board, folder) = (Board::start(make(2, 4)), Folder::new("few-keys-asked"));
+    with_time("requests to four keys", check_requests);
+}
+
+fn check_requests(watch: &WaitWatch) {
+    let (board, folder) = (Board::start(make(2, 4), watch), Folder::new("few-keys-asked"));
     let scene = |instrument: &str| {
         let port = board.port.display();
         let text = format!(
@@ -243,7 +271,8 @@ fn requests_concern_the_keys_that_boards_carry() {
         folder.write("few.toml", text);
     };
     scene("grand-springs");
-    let mut host = start(&folder, &["run", "few.toml", "--black-box", "none", "--duration", "60"]);
+    let run = ["run", "few.toml", "--black-box", "none", "--duration", "60"];
+    let mut host = watch.guard(start(&folder, &run));
     let says = |words: &str| {
         eventually(words, || folder.read("complaints").contains(words).then_some(()));
     };
@@ -347,57 +376,65 @@ fn start(folder: &Folder, arguments: &[&str]) -> Child {
 
 #[test]
 fn a_headless_host_says_what_becomes_of_its_boards_and_who_stops_it() {
-    let (board, folder) = (Board::start(make(2, 11)), Folder::new("headless"));
-    let link = board.link();
-    let listen = ["--listen", "127.0.0.1:0", "--black-box", "none"];
-    let run = ["run", "--link", &link, "--performance", "none", "--midi", "none"];
-    let mut host = start(&folder, &[&run[..], &listen].concat());
-    let complaints = || folder.read("complaints");
-    let says = |words: &str| eventually(words, || complaints().contains(words).then_some(()));
-    says("letoff: plays \"default\": 11 voices at 1000 Hz on boards on 1 links; MIDI: none\n");
-    says("letoff: streams at ws://127.0.0.1:");
-    says(&format!("letoff: board 2 on {}, G2 to F3: armed\n", board.port.display()));
-    let (code, out, err) = folder.letoff(&["stop"]);
-    assert_eq!((code, err.as_str()), (Some(0), ""));
-    assert!(out.starts_with("stopped: 1 of 1 boards were told"), "{out}");
-    assert!(host.wait().expect("it ends").success(), "{}", complaints());
-    says("letoff: stop asked for by `letoff stop`\n");
-    assert!(complaints().lines().all(|line| line.starts_with("letoff: ")), "{}", complaints());
-    assert_eq!(board.stop().board().safe_reason(), safe_reason::EMERGENCY_STOP);
+    with_time("the log of a headless host", |watch| {
+        let (board, folder) = (Board::start(make(2, 11), watch), Folder::new("headless"));
+        let link = board.link();
+        let listen = ["--listen", "127.0.0.1:0", "--black-box", "none"];
+        let run = ["run", "--link", &link, "--performance", "none", "--midi", "none"];
+        let mut host = watch.guard(start(&folder, &[&run[..], &listen].concat()));
+        let complaints = || folder.read("complaints");
+        let says = |words: &str| eventually(words, || complaints().contains(words).then_some(()));
+        says("letoff: plays \"default\": 11 voices at 1000 Hz on boards on 1 links; MIDI: none\n");
+        says("letoff: streams at ws://127.0.0.1:");
+        says(&format!("letoff: board 2 on {}, G2 to F3: armed\n", board.port.display()));
+        let (code, out, err) = folder.letoff(&["stop"]);
+        assert_eq!((code, err.as_str()), (Some(0), ""));
+        assert!(out.starts_with("stopped: 1 of 1 boards were told"), "{out}");
+        assert!(host.wait().expect("it ends").success(), "{}", complaints());
+        says("letoff: stop asked for by `letoff stop`\n");
+        assert!(complaints().lines().all(|line| line.starts_with("letoff: ")), "{}", complaints());
+        assert_eq!(board.stop().board().safe_reason(), safe_reason::EMERGENCY_STOP);
+    });
 }
 
 #[test]
 fn calibration_is_stopped_as_a_run_is() {
-    let ends = [(None, safe_reason::EMERGENCY_STOP), (Some(Signal::TERM), safe_reason::DISARMED)];
-    for (signal, reason) in ends {
-        let (board, folder) = (Board::start(make(3, 2)), Folder::new("calibrate-stopped"));
-        let (link, files) = (board.link(), folder.display().to_string());
-        let mut calibrate = start(&folder, &["calibrate", "--link", &link, "--folder", &files]);
-        eventually("a socket", || folder.socket().exists().then_some(()));
-        // Forces go out from here on; how far it is by then does not matter.
-        eventually("it is armed", || board.is_armed().then_some(()));
-        match signal {
-            None => {
-                let (code, out, err) = folder.letoff(&["stop"]);
-                assert_eq!((code, err.as_str()), (Some(0), ""));
-                assert!(out.starts_with("stopped: 1 of 1 boards"), "{out}");
+    with_time("the end of a calibration", |watch| {
+        let ends =
+            [(None, safe_reason::EMERGENCY_STOP), (Some(Signal::TERM), safe_reason::DISARMED)];
+        for (signal, reason) in ends {
+            let (board, folder) =
+                (Board::start(make(3, 2), watch), Folder::new("calibrate-stopped"));
+            let (link, files) = (board.link(), folder.display().to_string());
+            let calibrate = ["calibrate", "--link", &link, "--folder", &files];
+            let mut calibrate = watch.guard(start(&folder, &calibrate));
+            eventually("a socket", || folder.socket().exists().then_some(()));
+            // Forces go out from here on; how far it is by then does not matter.
+            eventually("it is armed", || board.is_armed().then_some(()));
+            match signal {
+                None => {
+                    let (code, out, err) = folder.letoff(&["stop"]);
+                    assert_eq!((code, err.as_str()), (Some(0), ""));
+                    assert!(out.starts_with("stopped: 1 of 1 boards"), "{out}");
+                }
+                Some(signal) => {
+                    // The first of two keys is measured, and kept.
+                    let is_half = || folder.read("complaints").contains("1 of 2 keys done");
+                    eventually("a key", || is_half().then_some(()));
+                    let id = i32::try_from(calibrate.id()).ok().and_then(Pid::from_raw);
+                    kill_process(id.expect("a process"), signal).expect("it is there");
+                }
             }
-            Some(signal) => {
-                // The first of two keys is measured, and kept.
-                let is_half = || folder.read("complaints").contains("1 of 2 keys done");
-                eventually("a key", || is_half().then_some(()));
-                let id = i32::try_from(calibrate.id()).ok().and_then(Pid::from_raw);
-                kill_process(id.expect("a process"), signal).expect("it is there");
-            }
+            assert_eq!(calibrate.wait().expect("it ends").code(), Some(1));
+            let complaints = folder.read("complaints");
+            assert!(complaints.contains("stopped at board 3"), "{signal:?}: {complaints}");
+            let path = file::path(&folder, board.uid);
+            assert!(!path.exists());
+            let kept =
+                file::load_partial(&file::partial(&path), board.uid, 2).expect("a good file");
+            let known = kept.map(|it| it.keys.as_slice().iter().map(Option::is_some).collect());
+            assert_eq!(known, signal.map(|_| vec![true, false]), "{complaints}");
+            assert_eq!(board.stop().board().safe_reason(), reason, "{signal:?}");
         }
-        assert_eq!(calibrate.wait().expect("it ends").code(), Some(1));
-        let complaints = folder.read("complaints");
-        assert!(complaints.contains("stopped at board 3"), "{signal:?}: {complaints}");
-        let path = file::path(&folder, board.uid);
-        assert!(!path.exists());
-        let kept = file::load_partial(&file::partial(&path), board.uid, 2).expect("a good file");
-        let known = kept.map(|it| it.keys.as_slice().iter().map(Option::is_some).collect());
-        assert_eq!(known, signal.map(|_| vec![true, false]), "{complaints}");
-        assert_eq!(board.stop().board().safe_reason(), reason, "{signal:?}");
-    }
+    });
 }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::sync_channel;
 use std::thread::JoinHandle;
 
 use firmware_protocol::key::BoardId;
@@ -13,6 +14,8 @@ use host::report::RunReport;
 use host::session::RunSession;
 use host::simulated::{BoardProcess, WireEndpoint, place, run as run_boards};
 use scheduler::time::Nanos;
+
+use crate::machine_time::{Task, WaitWatch};
 
 /// Time between two looks whether a board is armed.
 const LOOK: Nanos = Nanos::from_millis(10);
@@ -27,8 +30,8 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Sets one of this make going.
-    pub(crate) fn start(make: BoardMake) -> Self {
+    /// Sets one of this make going, on a thread that is watched.
+    pub(crate) fn start(make: BoardMake, watch: &WaitWatch) -> Self {
         let placed = place(make.id, &WireEndpoint::Pty).expect("a pseudo-terminal");
         let port = placed.address.name().into();
         let mut living =
@@ -41,10 +44,13 @@ impl Board {
             its_armed.store(!living.board().is_safe(), Ordering::Release);
             !its_stop.load(Ordering::Acquire)
         };
+        let (tells, task) = sync_channel(1);
         let thread = std::thread::spawn(move || {
+            let _waits = tells.send(Task::this_thread());
             while look(&mut living) {}
             living
         });
+        watch.add(task.recv().expect("a thread"));
         Self { port, uid: Uid(make.uid()), stop, is_armed, thread: Some(thread) }
     }
 

@@ -12,6 +12,7 @@ use telemetry::event::Kind;
 use telemetry::{Links, Topic, Update};
 
 use crate::common::{Board, make, run_while};
+use crate::machine_time::{WaitWatch, with_time};
 
 /// Long enough for any machine: it only ends what has failed.
 const PATIENCE: Duration = Duration::from_mins(1);
@@ -61,7 +62,11 @@ fn told_until(told: &Receiver<Update>, sentence: &str) {
 
 #[test]
 fn boards_are_seen_show_their_light_and_are_missed_when_they_die() {
-    let boards = [3, 4].map(|number| Board::start(make(number, 11)));
+    with_time("what is seen of two boards", check_boards);
+}
+
+fn check_boards(watch: &WaitWatch) {
+    let boards = [3, 4].map(|number| Board::start(make(number, 11), watch));
     let addresses = boards.each_ref().map(Board::link);
     let [three, four] = boards;
     beside_a_host(&addresses, |handle, told| {

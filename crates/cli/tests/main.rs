@@ -8,6 +8,8 @@ mod dash;
 mod guardian;
 mod links;
 mod listening;
+#[path = "../../../tests/stage/machine_time.rs"]
+mod machine_time;
 mod recordings;
 mod replay;
 mod running;
