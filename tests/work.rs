@@ -68,6 +68,7 @@ fn no_tick_of_one_key_exceeds_what_its_limits_declare() {
     const PER_PIECE: u32 = 4;
     let limits = Limits::default();
     let allowed = VoiceWork {
+        units: limits.pieces * PER_PIECE + limits.guards,
         derivatives: limits.pieces * PER_PIECE,
         guards: limits.guards,
         events: limits.events,

@@ -109,7 +109,7 @@ fn a_model_that_diverges_is_counted_and_the_others_play_on() {
         session.run(&AtomicBool::new(false)).expect("a run")
     };
     let report = played(&Scene::from_text("diverging", DIVERGING.into()).expect("a good scene"));
-    assert!(10 < report.faults && report.muted.is_empty(), "it never came back: {report}");
+    assert_eq!((report.faults, report.muted.len()), (4, 1), "it keeps failing: {report}");
     // Every note is another key's; what the diverging one struck, nobody asked for.
     let healthy = played(&scene("springs", &[]));
     let [notes, others] = [&report, &healthy].map(|it| it.notes.as_ref().expect("a pianist"));

@@ -86,6 +86,12 @@ fn text(status: &HostStatus) -> String {
         let waited = status.waited;
         lines.push(format!("  waited      {waited} turns of voices for which there was no time"));
     }
+    if 0 < status.starved {
+        let starved = status.starved;
+        lines.push(format!(
+            "  ERROR       voices waited in {starved} ticks that had time: report it with a recording"
+        ));
+    }
     lines.extend(status.boards.iter().map(board));
     lines.push(format!("  midi        {midi}"));
     lines.push(format!("  clients     {clients} of the stream"));

@@ -190,6 +190,41 @@ fn a_changed_bit_is_found_where_it_is() {
     assert!(first.text.contains("sent force"), "{first}");
 }
 
+/// A key whose first turn needs a thousand steps, in real time: where it is cut off depends on what
+/// its work costs on this machine.
+#[test]
+fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
+    let file = folder("cut-off").join("a.mcap");
+    let parameters = [
+        ("g", "100"),
+        ("front", "0.5"),
+        ("drop", "0.015"),
+        ("shank", "0.16"),
+        ("ms", "0.0005"),
+        ("leads", "0"),
+        ("t_lever", "0"),
+        ("k_knuckle", "1e7"),
+        ("k_lever_pad", "0"),
+        ("wind_k", "1e-6"),
+        ("b_jack", "1"),
+    ];
+    cli::read_descriptions();
+    let mut set: Vec<_> = parameters
+        .map(|(name, value)| (format!("keys.0.parameters.{name}"), value.to_owned()))
+        .to_vec();
+    set.push(("keys.0.range".to_owned(), "C4..C4".to_owned()));
+    set.push(("pianist.performance".to_owned(), "none".to_owned()));
+    let scene = Scene::load("default", &set).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    record(&scene, RunOptions { duration: Some(0.5), virtual_time: false }, &file);
+    let limits = messages(&file).into_iter().filter_map(|message| match message {
+        Ok(Update::Block(block)) => Some(block.limit),
+        Ok(_) | Err(_) => None,
+    });
+    let limits: Vec<_> = limits.flatten().filter(|limit| 0 < *limit).collect();
+    assert!(!limits.is_empty() && limits.iter().all(|limit| *limit < 2000), "{limits:?}");
+    assert_eq!(again(&file).expect("a replay").first_difference, None);
+}
+
 #[test]
 fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     let file = folder("tuned").join("a.mcap");

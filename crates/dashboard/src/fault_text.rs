@@ -84,6 +84,11 @@ pub(crate) const fn event(kind: Kind) -> Option<Explanation> {
             "A tick has more work than time, so something is left out, in the order of the scene.",
             "Give a lower rate, more lanes, or fewer or simpler instruments.",
         ),
+        Kind::Starved => (
+            "voices starved",
+            "Voices waited although the tick had time, so their keys felt an old force.",
+            "This is an error of the host: report it with a recording.",
+        ),
         Kind::Board => ("board or link", "A board or a link changed its state.", "See Links."),
         Kind::Unknown
         | Kind::Switch

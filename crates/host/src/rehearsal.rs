@@ -12,6 +12,7 @@ use scheduler::safety::KeyGate;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
 use scheduler::voice::{Voice, VoiceOutput};
+use scheduler::work::TurnLimit;
 
 use voice::{BuildError, RehearsableVoice, VoiceBuilder};
 
@@ -50,6 +51,10 @@ impl Clone for Copied {
 impl Voice for Copied {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.0.tick(tick, sample, turn);
+    }
+
+    fn limit_work(&mut self, limit: TurnLimit) {
+        self.0.limit_work(limit);
     }
 
     fn reset(&mut self, sample: &KeySample) {

@@ -77,7 +77,7 @@ pub use dense::{Cubic, Dense, DenseBounds, Polynomial};
 pub use enclosure::{Enclosure, GuardBound};
 pub use guard::{Fires, GuardId, GuardSpec, GuardValue, MAX_GUARDS, Reads};
 pub use input::{Motion, Signal};
-pub use limits::Limits;
+pub use limits::{Limits, WorkLimit};
 pub use locate::{Bracket, Located, locate};
 
 pub use model::{Guarded, Model, Reset, Resets, Settling};

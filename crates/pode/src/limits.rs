@@ -16,6 +16,8 @@ pub struct Limits {
     pub guards: u32,
     /// Pieces (steps and parts of steps) in one tick.
     pub pieces: u32,
+    /// Evaluations of derivatives and guards together in one tick.
+    pub work: WorkLimit,
     /// Longest step (s), whatever the model allows.
     pub longest_step: f64,
     /// How much longer than the model asks for its steps are: 1 as it asks; 2 halves the work of a
@@ -26,6 +28,35 @@ pub struct Limits {
     pub forecast: bool,
     /// Width to which an event is bracketed, as a fraction of the tick.
     pub event_tolerance: f64,
+}
+
+/// Limit of the evaluations of derivatives and guards together in one tick; a search for a crossing
+/// that was begun before is finished.
+///
+/// Unlike the other limits it follows from the time that a caller has, and may change between ticks.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct WorkLimit {
+    /// Evaluations in the first quarter of a tick: a model that needs far too many steps is cut off
+    /// there, and one with an impact is not.
+    pub early: u32,
+    /// Evaluations in the whole tick.
+    pub most: u32,
+}
+
+impl WorkLimit {
+    /// No limit.
+    pub const NONE: Self = Self::of(u32::MAX);
+
+    /// Returns one limit for the whole tick.
+    pub const fn of(evaluations: u32) -> Self {
+        Self { early: evaluations, most: evaluations }
+    }
+
+    /// Returns the evaluations that a tick may take until `theta` of it.
+    pub(crate) fn until(self, theta: f64) -> u32 {
+        const EARLY: f64 = 0.25;
+        if theta < EARLY { self.early } else { self.most }
+    }
 }
 
 impl Default for Limits {
@@ -40,6 +71,7 @@ impl Default for Limits {
             followed: 6,
             guards: 8192,
             pieces: 1024,
+            work: WorkLimit::NONE,
             longest_step: f64::INFINITY,
             stretch: 1.0,
             forecast: true,

@@ -23,6 +23,8 @@ pub enum Cap {
     Guards,
     /// Pieces (steps and parts of steps) in one tick.
     Pieces,
+    /// Evaluations of derivatives and guards together, with the limit that was reached.
+    Work(u32),
 }
 
 /// Why the model could not be advanced.
@@ -77,6 +79,12 @@ pub(crate) enum Certainty {
 }
 
 impl Work {
+    /// Returns the evaluations of derivatives and guards.
+    #[inline]
+    pub const fn evaluations(&self) -> u32 {
+        self.derivatives.saturating_add(self.guards)
+    }
+
     /// Counts a step that was kept, whole or up to its first event.
     #[inline]
     pub(crate) const fn judge(&mut self, certainty: Certainty) {

@@ -13,6 +13,7 @@ impl Cap {
             Self::Cascade => "transitions at one instant",
             Self::Guards => "guard evaluations in one tick",
             Self::Pieces => "steps in one tick",
+            Self::Work(_) => "evaluations in one tick",
         }
     }
 
@@ -23,6 +24,7 @@ impl Cap {
             Self::Cascade => "Limits::cascade",
             Self::Guards => "Limits::guards",
             Self::Pieces => "Limits::pieces",
+            Self::Work(_) => "Limits::work",
         }
     }
 }
@@ -57,6 +59,7 @@ impl Limits {
             Cap::Cascade => self.cascade,
             Cap::Guards => self.guards,
             Cap::Pieces => self.pieces,
+            Cap::Work(limit) => limit,
         };
         ReachedMaximum { cap, maximum }
     }
@@ -74,6 +77,7 @@ mod tests {
             (Cap::Cascade, "2 transitions at one instant: raise Limits::cascade"),
             (Cap::Guards, "3 guard evaluations in one tick: raise Limits::guards"),
             (Cap::Pieces, "4 steps in one tick: raise Limits::pieces"),
+            (Cap::Work(5), "5 evaluations in one tick: raise Limits::work"),
         ];
         for (cap, words) in told {
             assert_eq!(limits.reached(cap).to_string(), words);

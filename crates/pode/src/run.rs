@@ -114,6 +114,18 @@ impl<'a, S, W> TickRun<'a, S, W> {
         if !affords {
             self.cap(Cap::Guards);
         }
+        // What a search may take at most is far more than it takes.
+        affords && self.affords_work(1)
+    }
+
+    /// Whether the tick has `n` more evaluations; caps it if not.
+    #[inline]
+    pub(crate) fn affords_work(&mut self, n: u32) -> bool {
+        let limit = self.limits.work.until(self.theta);
+        let affords = n <= limit.saturating_sub(self.work.evaluations());
+        if !affords {
+            self.cap(Cap::Work(limit));
+        }
         affords
     }
 

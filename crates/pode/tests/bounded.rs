@@ -1,7 +1,7 @@
 //! A tick ends within its declared maxima; what a maximum of one more or less changes.
 
 use pode::stepper::Rk4;
-use pode::{Advance, Cap, GuardId, GuardValue, Limits, Silent, Simulator, Work};
+use pode::{Advance, Cap, GuardId, GuardValue, Limits, Silent, Simulator, Work, WorkLimit};
 
 use crate::common::{Ball, ONE, Timed, count, no_input};
 
@@ -48,6 +48,29 @@ fn a_tick_with_exactly_the_most_pieces_completes_and_one_more_is_capped() {
         let tick = simulator.advance(1e-3, &no_input, &mut Silent);
         assert_eq!((tick.advance, tick.work.pieces), (advance, pieces));
     }
+}
+
+#[test]
+fn a_tick_with_exactly_the_most_work_completes_and_one_more_is_capped() {
+    let far = Timed { guards: &ONE, guard: |_, _| GuardValue::new(1.0, 0.0), effect: count };
+    let work = |limits| {
+        let mut simulator = Simulator::new(far, Rk4, limits, true, [0.0; 3]);
+        let tick = simulator.advance(1e-3, &no_input, &mut Silent);
+        (tick.advance, tick.work.evaluations())
+    };
+    let whole = Limits { longest_step: 1e-4, ..Limits::default() };
+    let (advance, needed) = work(whole);
+    assert_eq!(advance, Advance::Completed);
+    assert_eq!(work(Limits { work: WorkLimit::of(needed), ..whole }), (Advance::Completed, needed));
+    for limit in 0..needed {
+        let (advance, done) = work(Limits { work: WorkLimit::of(limit), ..whole });
+        assert_eq!(advance, Advance::Capped(Cap::Work(limit)));
+        // A step that no more fits into is not begun.
+        assert!(done <= limit && limit < done + 6, "{done} of {limit}");
+    }
+    // The first quarter of ten steps is over after three.
+    let early = |early| work(Limits { work: WorkLimit { early, most: needed }, ..whole }).0;
+    assert_eq!([early(20), early(10)], [Advance::Completed, Advance::Capped(Cap::Work(10))]);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use pode::stepper::{
 };
 use pode::{
     Advance, Bracket, Cap, EquationKind, GuardSpec, GuardValue, Limits, Nature, Silent, Simulator,
-    Stepper, Tick, locate,
+    Stepper, Tick, WorkLimit, locate,
 };
 
 use crate::busy::{Busy, Stirred};
@@ -20,6 +20,7 @@ const LIMITS: Limits = Limits {
     followed: 6,
     guards: 8192,
     pieces: 1024,
+    work: WorkLimit::NONE,
     longest_step: f64::INFINITY,
     stretch: 1.0,
     forecast: true,

@@ -10,7 +10,7 @@ use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Timetable};
 
 use super::clock;
-use super::pool::{ThreadedLanes, WaitLimit};
+use super::pool::{self, ThreadedLanes, WaitLimit};
 
 pub use hdrhistogram::CreationError;
 
@@ -19,9 +19,6 @@ const LONGEST: u64 = 1_000_000_000;
 
 /// Significant digits that a histogram keeps: 0.1 %.
 const DIGITS: u8 = 3;
-
-/// Part of a period kept free after the lanes, for safety, sending and observing.
-const RESERVE: u64 = 10;
 
 /// All that a tick touches.
 #[derive(Debug)]
@@ -54,6 +51,26 @@ pub struct TickTiming {
     pub report: TickReport,
     pub times: TickTimes,
     pub outcome: Outcome,
+    /// `true` if voices had to wait although less than half of the tick's time was used: an error
+    /// of ours, which no load explains.
+    pub is_starved: bool,
+}
+
+/// Returns whether voices waited in a tick of `report` although it had time.
+fn is_starved(report: &TickReport, times: &TickTimes) -> bool {
+    let slack = times.deadline.since(times.due).as_u64();
+    0 < report.voices.waited && 2 * times.work.as_u64() < slack
+}
+
+/// Pauses that are remembered, each with its place in the run.
+const MAX_PAUSES: usize = 1000;
+
+/// Ticks that were lost in a row.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Pause {
+    /// First tick after them.
+    pub tick: u64,
+    pub lost: u64,
 }
 
 /// What a run measured, in memory that was there before it began.
@@ -69,6 +86,8 @@ pub struct Timings {
     pub late_turns: u64,
     /// Misses of ticks that had no time since simulated keys made up for ticks that were skipped.
     pub by_simulated_keys: u64,
+    /// The first [`MAX_PAUSES`] pauses.
+    pub pauses: Vec<Pause>,
     /// Evaluations of the ticks that missed their deadlines by own work.
     evaluations: Histogram<u64>,
     /// The most evaluations of a tick that was in time.
@@ -88,6 +107,7 @@ impl Timings {
             work: histogram()?,
             late_turns: 0,
             by_simulated_keys: 0,
+            pauses: Vec::with_capacity(MAX_PAUSES),
             evaluations: histogram()?,
             most_in_time: 0,
             ledger: Ledger::default(),
@@ -111,6 +131,9 @@ impl Timings {
         self.turnaround.saturating_record(times.turnaround().as_u64());
         self.work.saturating_record(times.work.as_u64());
         self.late_turns += u64::from(report.voices.late);
+        if 0 < report.skipped && self.pauses.len() < MAX_PAUSES {
+            self.pauses.push(Pause { tick: report.tick, lost: report.skipped });
+        }
         let outcome = self.ledger.enter(times, report.skipped);
         let evaluations = u64::from(report.voices.work.evaluations());
         match outcome {
@@ -158,7 +181,8 @@ pub fn run<B: KeyBus, O: TickObserver>(
         if let Some((report, times)) = tick(assembly) {
             let lateness = times.woken.since(slept_for);
             let outcome = timings.enter(lateness, &report, &times);
-            watch(&TickTiming { report, times, outcome });
+            let is_starved = is_starved(&report, &times);
+            watch(&TickTiming { report, times, outcome, is_starved });
             ticks += 1 + report.skipped;
         }
     }
@@ -196,7 +220,7 @@ fn tick<B: KeyBus, O: TickObserver>(
 /// Lanes must be done early enough for their forces to be out by `deadline`.
 const fn patience(timetable: Timetable, deadline: Nanos) -> WaitLimit {
     let period = timetable.period().span(1);
-    let reserve = Nanos::new(period.as_u64() / RESERVE);
+    let reserve = Nanos::new(period.as_u64() / pool::RESERVE);
     WaitLimit::Until { time: deadline.before(reserve), share: period.since(reserve) }
 }
 

@@ -27,7 +27,6 @@ pub(super) fn read(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) ->
         report.say(reader.place, message, help);
     }
     rules.evaluations = reader.whole(report, "evaluations", EVALUATIONS);
-    rules.voice_evaluations = reader.whole(report, "voice_evaluations", EVALUATIONS);
     reader.finish(report);
     rules
 }
@@ -79,12 +78,8 @@ pub(super) fn written(rules: &OverloadRules) -> Table {
     table["order"] = value(order.collect::<Array>());
     table["above"] = value(rules.above);
     table["below"] = value(rules.below);
-    let counts =
-        [("evaluations", rules.evaluations), ("voice_evaluations", rules.voice_evaluations)];
-    for (name, count) in counts {
-        if let Some(count) = count {
-            table[name] = value(i64::from(count));
-        }
+    if let Some(count) = rules.evaluations {
+        table["evaluations"] = value(i64::from(count));
     }
     table
 }

@@ -1,9 +1,9 @@
 //! One worker's voices and their share of the tick.
 
-use crate::overload::LaneBudget;
 use crate::port::{Lanes, TickInput, TickOutput};
 use crate::slot::Slot;
 use crate::voice::{Voice, VoiceOutput, VoiceWork};
+use crate::work::{LaneBudget, LaneClock};
 
 /// What voices did in one tick, in numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -13,7 +13,7 @@ pub struct LaneReport {
     pub faults: u32,
     /// Voices whose lane was not done in time.
     pub late: u32,
-    /// Voices that had to wait, since they or their lane took more evaluations than they may.
+    /// Voices that had to wait, since their lane had no time left.
     pub waited: u32,
     /// Work of all voices together.
     pub work: VoiceWork,
@@ -44,25 +44,29 @@ impl LaneReport {
 
 /// Runs each slot's voice, in the order of the slots, and writes its turn and what is seen of it.
 ///
-/// Where `budget` is spent the voices that are left wait; they become the first ones of the next
-/// tick. Of other keys nothing is written, and no voice but the slot's own is called.
-pub fn run_slots<V: Voice>(
+/// Where `budget` has no time left, the other voices wait; they become the first ones of the next
+/// tick. One voice is always run. Of other keys nothing is written, and no voice but the slot's
+/// own is called.
+pub fn run_slots<V: Voice, C: LaneClock>(
     slots: &mut [Slot<V>],
-    mut budget: LaneBudget,
+    mut budget: LaneBudget<'_, C>,
     input: &TickInput<'_>,
     output: &mut TickOutput<'_>,
 ) {
     let mut n_run = 0;
+    let mut has_time = true;
     for slot in &mut *slots {
         let key = slot.key();
         let turn = &mut output.turns[key];
-        if budget.is_spent() {
-            slot.wait(input.tick, turn);
-        } else {
-            slot.allow(input.allowance);
+        let price = budget.price(slot.kind());
+        has_time = has_time && (budget.has_time(price, slot.expected_units()) || n_run == 0);
+        if has_time {
+            slot.allow(input.rules, price.most);
             slot.tick(input.tick, &input.samples[key], turn);
-            budget.spend(turn.work.evaluations());
+            budget.spend(price, turn.work.units);
             n_run += 1;
+        } else {
+            slot.wait(input.tick, turn);
         }
         if input.followed.contains(key) {
             slot.observe(input.followed, turn, &mut output.observed[key]);
@@ -79,7 +83,7 @@ pub struct Inline<'a, V> {
 
 impl<V: Voice> Lanes for Inline<'_, V> {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
-        run_slots(self.slots, LaneBudget::UNLIMITED, input, output);
+        run_slots(self.slots, LaneBudget::unlimited(f64::INFINITY), input, output);
     }
 }
 
@@ -88,8 +92,12 @@ mod tests {
     use super::*;
     use crate::motion::{KEYS, KeySample};
     use crate::observation::{FollowedKeys, VoiceObservation};
-    use crate::overload::WorkAllowance;
+    use crate::overload::Simplifications;
+    use crate::port::TickRules;
     use crate::voice::VoiceFault;
+    use crate::work::{NoClock, VoiceKind, WorkCosts};
+
+    const RULES: TickRules = TickRules { simplified: Simplifications::NONE, hz: 1000 };
 
     /// Rests at even positions, works at odd ones, fails at negative ones.
     struct Parity;
@@ -122,11 +130,10 @@ mod tests {
         let mut turns = [VoiceOutput::default(); KEYS];
         let mut observed = [VoiceObservation::default(); KEYS];
         let followed = FollowedKeys::new(1 << 2 | 1 << 7 | 1 << 9, 0);
-        let allowance = WorkAllowance::ALL;
-        let input = TickInput { tick: 0, samples: &samples, followed, allowance };
+        let input = TickInput { tick: 0, samples: &samples, followed, rules: RULES };
         run_slots(
             &mut slots,
-            LaneBudget::UNLIMITED,
+            LaneBudget::unlimited(f64::INFINITY),
             &input,
             &mut TickOutput { turns: &mut turns, observed: &mut observed },
         );
@@ -143,42 +150,96 @@ mod tests {
         assert_eq!((0..KEYS).filter(seen).count(), 2, "slots whose key is followed are looked at");
     }
 
-    /// Takes ten evaluations in each tick.
-    struct Ten;
+    /// A clock by which each turn of ten units takes `turn` (ns) of `time` (ns).
+    struct TurnClock<'a> {
+        time: f64,
+        turn: f64,
+        turns: &'a core::cell::Cell<u32>,
+        looks: &'a core::cell::Cell<u32>,
+    }
 
-    impl Voice for Ten {
+    impl LaneClock for TurnClock<'_> {
+        fn left(&mut self) -> f64 {
+            self.looks.set(self.looks.get() + 1);
+            self.time - f64::from(self.turns.get()) * self.turn
+        }
+    }
+
+    /// Counts its turns, of ten units each.
+    struct Counted<'a>(&'a core::cell::Cell<u32>);
+
+    impl Voice for Counted<'_> {
         fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
-            (turn.force, turn.work.derivatives) = (tick as f64, 10);
+            self.0.set(self.0.get() + 1);
+            (turn.force, turn.work.units) = (tick as f64, 10);
         }
 
         fn reset(&mut self, _sample: &KeySample) {}
     }
 
-    /// Returns which of seven keys are run in each of four ticks, a bit each, where a lane may take
-    /// so many evaluations.
+    /// Runs seven keys in ticks of 100 ns, by costs of `unit` (ns), while a turn really takes
+    /// `turn` (ns); returns the keys run in each tick, a bit each, and the looks at the clock.
     #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
-    fn keys_run(evaluations: u32) -> [u8; 4] {
-        let mut slots = [0, 1, 2, 3, 4, 5, 6].map(|key| Slot::new(key, Ten));
+    fn keys_run(unit: f64, turn: f64) -> ([u8; 4], u32) {
+        let (turns_run, looks) = (core::cell::Cell::new(0), core::cell::Cell::new(0));
+        let mut slots = [0, 1, 2, 3, 4, 5, 6].map(|key| Slot::new(key, Counted(&turns_run)));
         let samples = [KeySample::default(); KEYS];
         let mut turns = [VoiceOutput::default(); KEYS];
         let mut observed = [VoiceObservation::default(); KEYS];
-        let (followed, allowance) = (FollowedKeys::ALL, WorkAllowance::ALL);
-        [0, 1, 2, 3].map(|tick| {
-            let input = TickInput { tick, samples: &samples, followed, allowance };
+        let costs = WorkCosts::constant(unit);
+        let mut run = |tick, time| {
+            turns_run.set(0);
+            let clock = TurnClock { time, turn, turns: &turns_run, looks: &looks };
+            let budget = LaneBudget::new(&costs, clock, time, time);
+            let input =
+                TickInput { tick, samples: &samples, followed: FollowedKeys::ALL, rules: RULES };
             let mut output = TickOutput { turns: &mut turns, observed: &mut observed };
-            run_slots(&mut slots, LaneBudget::of(evaluations), &input, &mut output);
+            run_slots(&mut slots, budget, &input, &mut output);
             (0..7).fold(0, |keys, key| {
                 let (turn, seen) = (&turns[key], &observed[key]);
                 assert!(turn.waited == turn.late && seen.ran & 1 == 1, "what was run is known");
                 keys | u8::from(!turn.waited) << key
             })
-        })
+        };
+        // What a turn takes is known after the first.
+        run(0, f64::INFINITY);
+        let keys = [1, 2, 3, 4].map(|tick| run(tick, 100.0));
+        (keys, looks.get())
     }
 
     #[test]
     fn voices_for_which_a_lane_has_no_time_wait_and_are_first_in_the_next_tick() {
-        assert_eq!(keys_run(30), [0b000_0111, 0b011_1000, 0b100_0011, 0b001_1100]);
-        assert_eq!(keys_run(1), [1, 2, 4, 8], "one is always run");
-        assert_eq!(keys_run(70), [0b111_1111; 4]);
+        let (keys, _looks) = keys_run(3.0, 30.0);
+        assert_eq!(keys, [0b000_0111, 0b011_1000, 0b100_0011, 0b001_1100]);
+        assert_eq!(keys_run(20.0, 200.0).0, [1, 2, 4, 8], "one is always run");
+    }
+
+    #[test]
+    fn a_cost_that_is_wrong_makes_no_voice_wait_while_there_is_time() {
+        for unit in [1e-3, 1.0, 1e3, 1e6] {
+            let (keys, looks) = keys_run(unit, 10.0);
+            assert_eq!(keys, [0b111_1111; 4], "{unit} ns");
+            assert!(looks <= 4 * 7, "{unit} ns: {looks} looks");
+        }
+        assert_eq!(
+            keys_run(0.5, 5.0),
+            ([0b111_1111; 4], 0),
+            "a lane with little to do looks never"
+        );
+    }
+
+    #[test]
+    fn a_cost_that_is_too_low_is_noticed_at_half_of_the_time() {
+        // By the costs ten turns fit.
+        let (keys, looks) = keys_run(1.0, 25.0);
+        assert_eq!(keys.map(u8::count_ones), [5; 4]);
+        assert_eq!(looks, 4, "one in each tick");
+    }
+
+    #[test]
+    fn a_turn_is_limited_by_its_cost() {
+        let costs = WorkCosts::constant(2.0);
+        let mut budget = LaneBudget::new(&costs, NoClock, 1e6, 1e3);
+        assert_eq!(budget.price(VoiceKind(3)).most, 500);
     }
 }

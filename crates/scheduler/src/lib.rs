@@ -15,6 +15,7 @@
 //! | [`slot`], [`lane`] | which lane runs which voice; one lane's share of the tick |
 //! | [`safety`] | what is sent when a voice cannot be trusted |
 //! | [`tick`] | the tick, top to bottom |
+//! | [`work`] | what work costs, and the time of a lane |
 //! | [`deadline`] | was it in time, and if not, why |
 #![no_std]
 #![forbid(unsafe_code)]
@@ -34,3 +35,4 @@ pub mod tick;
 pub mod time;
 pub mod values;
 pub mod voice;
+pub mod work;

@@ -99,46 +99,24 @@ pub struct OverloadRules {
     /// Evaluations of derivatives and guards that all voices together may take in a tick; without
     /// a number the processor's time alone is looked at.
     pub evaluations: Option<u32>,
-    /// Evaluations that one voice may take in a tick; one that takes more is held until the mean is
-    /// no more than that. Without a number it may take [`VOICE_EVALUATIONS`] in a millisecond, and
-    /// in a tick that is shorter.
-    pub voice_evaluations: Option<u32>,
 }
 
 impl OverloadRules {
-    /// Nothing is left out, and no voice waits.
+    /// Nothing is left out.
     pub const OFF: Self = Self {
         order: [None; Simplification::ALL.len()],
         above: f64::INFINITY,
         below: 0.0,
         evaluations: None,
-        voice_evaluations: Some(u32::MAX),
     };
-
-    /// Returns the same where no clock decides anything, and a voice may take all the time it needs
-    /// unless a number is given.
-    #[must_use]
-    pub fn in_virtual_time(self) -> Self {
-        Self { voice_evaluations: self.voice_evaluations.or(Some(u32::MAX)), ..self }
-    }
 }
 
 impl Default for OverloadRules {
     /// All of them in their usual order, above 80 % of a tick, and back below 40 %.
     fn default() -> Self {
-        Self {
-            order: Simplification::ALL.map(Some),
-            above: 0.8,
-            below: 0.4,
-            evaluations: None,
-            voice_evaluations: None,
-        }
+        Self { order: Simplification::ALL.map(Some), above: 0.8, below: 0.4, evaluations: None }
     }
 }
-
-/// Evaluations that a voice may take in a millisecond, unless a scene gives another number: four
-/// times what a voice of model B takes at most while it is played.
-pub const VOICE_EVALUATIONS: u32 = 1024;
 
 /// Time over which load is averaged (s).
 const SPAN: f64 = 10e-3;
@@ -156,8 +134,6 @@ const MOST: f64 = 2.0;
 #[derive(Clone, Debug)]
 pub struct OverloadController {
     rules: OverloadRules,
-    /// Evaluations that one voice may take in a tick.
-    of_voice: u32,
     /// Tick (s).
     h: f64,
     /// How many of the order are left out.
@@ -181,7 +157,6 @@ impl OverloadController {
         let h = period.as_secs_f64();
         Self {
             rules,
-            of_voice: rules.voice_evaluations.unwrap_or_else(|| usual_evaluations(h)),
             h,
             level: 0,
             now: Simplifications::NONE,
@@ -212,7 +187,7 @@ impl OverloadController {
     }
 
     /// Decides what is left out in the next tick, by what was noted of the last one.
-    pub fn decide(&mut self) -> WorkAllowance {
+    pub fn decide(&mut self) -> Simplifications {
         let part = (self.h / SPAN).min(1.0);
         self.load += part * (self.last.min(MOST) - self.load);
         self.last = 0.0;
@@ -225,7 +200,7 @@ impl OverloadController {
                 self.fall();
             }
         }
-        WorkAllowance { simplified: self.now, evaluations: self.of_voice }
+        self.now
     }
 
     /// Leaves out one more, if there is one.
@@ -249,77 +224,6 @@ impl OverloadController {
     }
 }
 
-/// Returns the evaluations that a voice may take in a tick of `h` (s).
-fn usual_evaluations(h: f64) -> u32 {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1000 ms")]
-    let milliseconds = (1e3 * h).clamp(1.0, 1e3) as u32;
-    VOICE_EVALUATIONS * milliseconds
-}
-
-/// What voices may do in a tick.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct WorkAllowance {
-    /// What they leave out.
-    pub simplified: Simplifications,
-    /// Evaluations of derivatives and guards of each.
-    pub evaluations: u32,
-}
-
-impl WorkAllowance {
-    /// All work that there is.
-    pub const ALL: Self = Self { simplified: Simplifications::NONE, evaluations: u32::MAX };
-}
-
-/// What the voices of one lane may still take in a tick.
-///
-/// The voice that takes the last of it is not cut off, so that a lane takes no more than one
-/// voice's work beyond it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct LaneBudget(u32);
-
-impl LaneBudget {
-    pub const UNLIMITED: Self = Self(u32::MAX);
-
-    /// Returns a budget of so many `evaluations` of derivatives and guards; one voice is always run.
-    pub const fn of(evaluations: u32) -> Self {
-        Self(if evaluations == 0 { 1 } else { evaluations })
-    }
-
-    pub(crate) const fn is_spent(self) -> bool {
-        self.0 == 0
-    }
-
-    pub(crate) const fn spend(&mut self, evaluations: u32) {
-        self.0 = self.0.saturating_sub(evaluations);
-    }
-}
-
-/// The evaluations of a voice beyond those that it may take in a tick.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct WorkDebt(u32);
-
-/// So many ticks' evaluations a voice may take at once.
-const BURST: u32 = 4;
-
-impl WorkDebt {
-    pub(crate) const NONE: Self = Self(0);
-
-    /// Returns what is left of it after `ticks`, in each of which the voice may take `most`.
-    pub(crate) const fn after(self, ticks: u32, most: u32) -> Self {
-        Self(self.0.saturating_sub(ticks.saturating_mul(most)))
-    }
-
-    /// Returns whether a voice that may take `most` in a tick must wait until less is left.
-    pub(crate) const fn must_wait(self, most: u32) -> bool {
-        most.saturating_mul(BURST - 1) < self.0
-    }
-
-    /// Returns the debt after so many `evaluations`.
-    pub(crate) const fn plus(self, evaluations: u32) -> Self {
-        Self(self.0.saturating_add(evaluations))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::vec::Vec;
@@ -334,7 +238,7 @@ mod tests {
         let mut controller = OverloadController::new(OverloadRules::default(), period);
         let mut before = Simplifications::NONE;
         let change = |tick| {
-            let now = controller.decide().simplified;
+            let now = controller.decide();
             controller.note_load(load(tick, controller.level));
             let is_other = now != core::mem::replace(&mut before, now);
             is_other.then(|| (tick, now.bits()))
@@ -374,7 +278,7 @@ mod tests {
         let mut controller = OverloadController::new(OverloadRules::OFF, period);
         for _ in 0..500 {
             controller.note_load(3.0);
-            assert_eq!(controller.decide(), WorkAllowance::ALL);
+            assert_eq!(controller.decide(), Simplifications::NONE);
         }
     }
 
@@ -391,26 +295,6 @@ mod tests {
             controller.now != Simplifications::NONE
         };
         assert_eq!([Some(100), Some(200), None].map(is_loaded), [true, false, false]);
-    }
-
-    /// Returns in how many of 1000 ticks a voice is run that takes `work` evaluations of 100.
-    fn runs(work: u32) -> usize {
-        let mut debt = WorkDebt::NONE;
-        let is_run = |_tick: &u32| {
-            debt = debt.after(1, 100);
-            let is_run = !debt.must_wait(100);
-            debt = debt.plus(work * u32::from(is_run));
-            is_run
-        };
-        (0..1000).filter(is_run).count()
-    }
-
-    #[test]
-    fn a_voice_takes_no_more_than_it_may_on_average_and_four_ticks_at_once() {
-        for (work, expected) in [(100, 1000), (200, 500), (400, 250), (1000, 100)] {
-            let runs = runs(work);
-            assert!((expected..expected + 5).contains(&runs), "{work} evaluations: {runs} ticks");
-        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::observation::{FollowedKeys, VoiceObservation};
-use crate::overload::{Simplifications, WorkAllowance};
+use crate::overload::Simplifications;
 use crate::time::Nanos;
 use crate::voice::VoiceOutput;
 
@@ -38,7 +38,16 @@ pub struct TickInput<'a> {
     pub tick: u64,
     pub samples: &'a [KeySample; KEYS],
     pub followed: FollowedKeys,
-    pub allowance: WorkAllowance,
+    pub rules: TickRules,
+}
+
+/// Rules of a tick for every voice.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TickRules {
+    /// What is left out.
+    pub simplified: Simplifications,
+    /// Rate of the tick (Hz).
+    pub hz: u32,
 }
 
 /// What all lanes write in a tick, each for its own keys.

@@ -4,7 +4,7 @@ use crate::lane::LaneReport;
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::observation::VoiceObservation;
 use crate::overload::{OverloadController, OverloadRules, Simplifications};
-use crate::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
+use crate::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput, TickRules};
 use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
 use crate::time::{Nanos, Timetable};
 use crate::voice::VoiceOutput;
@@ -38,9 +38,9 @@ pub struct Scheduler {
     overload: OverloadController,
 }
 
-/// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (416),
+/// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (424),
 /// observation (216), force, slope and what safety knows of it (40).
-pub const SCHEDULER_KB: usize = 85;
+pub const SCHEDULER_KB: usize = 86;
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
@@ -104,9 +104,10 @@ impl Scheduler {
 
         bus.receive(tick, &mut self.samples);
         let followed = observer.followed();
-        let allowance = self.overload.decide();
+        let rules =
+            TickRules { simplified: self.overload.decide(), hz: self.timetable.period().hz() };
         lanes.run(
-            &TickInput { tick, samples: &self.samples, followed, allowance },
+            &TickInput { tick, samples: &self.samples, followed, rules },
             &mut TickOutput { turns: &mut self.turns, observed: &mut self.observed },
         );
         let safety = self.safety.apply(skipped, &self.samples, &self.turns, &mut self.forces);
@@ -116,7 +117,7 @@ impl Scheduler {
             tick,
             skipped,
             armed: self.safety.is_armed(),
-            simplified: allowance.simplified,
+            simplified: rules.simplified,
             samples: &self.samples,
             turns: &self.turns,
             forces: &self.forces,

@@ -6,6 +6,7 @@ use crate::motion::{KeyEvent, KeySample, KeySlope, Moment};
 use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::overload::Simplifications;
 use crate::values::ModelValues;
+use crate::work::{TurnLimit, VoiceKind};
 
 /// Key events that one voice can report in one tick; more are counted, not kept.
 pub const MAX_EVENTS_PER_TURN: usize = 8;
@@ -39,6 +40,22 @@ pub trait Voice {
     /// Copies numbers.
     fn simplify(&mut self, simplified: Simplifications) {
         let _ = simplified;
+    }
+
+    /// Limits the work of each turn from the next tick on; a turn that needs more ends as
+    /// [`VoiceFault::Capped`].
+    ///
+    /// A voice whose turns are all alike may ignore it.
+    ///
+    /// # Real-time
+    /// Copies two numbers.
+    fn limit_work(&mut self, limit: TurnLimit) {
+        let _ = limit;
+    }
+
+    /// Returns the kind of the voice, by which the cost of its work is learned.
+    fn kind(&self) -> VoiceKind {
+        VoiceKind::default()
     }
 
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
@@ -85,11 +102,13 @@ pub struct VoiceOutput {
     pub idle: bool,
     /// The lane did not finish, or the voice had to wait, so the last force is held.
     pub late: bool,
-    /// The voice had to wait, since it or its lane took more evaluations than it may.
+    /// The voice had to wait, since its lane had no time left.
     pub waited: bool,
     /// First turn after the voice was put in, reset or retuned: its force is unrelated to the
     /// last one.
     pub fresh: bool,
+    /// Units of work to which a turn was limited that is [`VoiceFault::Capped`] by that; 0 of others.
+    pub limit: u32,
 }
 
 impl VoiceOutput {
@@ -98,7 +117,7 @@ impl VoiceOutput {
         (self.force, self.slope) = (0.0, KeySlope::HELD);
         self.events.clear();
         self.work = VoiceWork::NONE;
-        self.fault = None;
+        (self.fault, self.limit) = (None, 0);
         (self.idle, self.late, self.waited, self.fresh) = (false, false, false, false);
     }
 
@@ -145,6 +164,8 @@ impl VoiceOutput {
 /// Evaluations that one tick of one voice took; independent of the machine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct VoiceWork {
+    /// Work in the voice's own unit, whose cost is measured, as [`crate::work`] describes.
+    pub units: u32,
     /// Evaluations of the derivative.
     pub derivatives: u32,
     pub guards: u32,
@@ -157,7 +178,8 @@ pub struct VoiceWork {
 
 impl VoiceWork {
     /// No work at all.
-    pub const NONE: Self = Self { derivatives: 0, guards: 0, events: 0, certain: 0, unknown: 0 };
+    pub const NONE: Self =
+        Self { units: 0, derivatives: 0, guards: 0, events: 0, certain: 0, unknown: 0 };
 
     /// Returns the evaluations of derivatives and guards.
     #[inline]
@@ -170,6 +192,7 @@ impl VoiceWork {
     #[inline]
     pub const fn plus(self, other: Self) -> Self {
         Self {
+            units: self.units.saturating_add(other.units),
             derivatives: self.derivatives.saturating_add(other.derivatives),
             guards: self.guards.saturating_add(other.guards),
             events: self.events.saturating_add(other.events),
@@ -183,6 +206,7 @@ impl VoiceWork {
     #[inline]
     pub fn largest(self, other: Self) -> Self {
         Self {
+            units: self.units.max(other.units),
             derivatives: self.derivatives.max(other.derivatives),
             guards: self.guards.max(other.guards),
             events: self.events.max(other.events),
@@ -199,7 +223,7 @@ pub enum VoiceFault {
     NotFinite,
     /// The sample was not a finite number.
     BadSample,
-    /// A cap on events, cascades or evaluations was reached; the model was held.
+    /// A cap on events, cascades or work was reached; the model was held.
     Capped {
         /// Events handled before giving up.
         handled: u32,

@@ -38,20 +38,29 @@ fn check_steps(felt: &[f64]) {
     }
 }
 
-fn failing(failure: Failure) -> Rig {
+fn failing(failure: Failure, until: u64) -> Rig {
     let mut rig = Rig::new();
-    rig.slots[40] = Slot::new(40, Spring { fails: Some((60, 90, failure)), ..spring(40) });
+    rig.slots[40] = Slot::new(40, Spring { fails: Some((60, until, failure)), ..spring(40) });
     rig
 }
 
 #[test]
 fn a_voice_that_fails_is_silent_within_the_fade_and_comes_back_without_a_step() {
     for failure in [Failure::Reported, Failure::Unnoticed] {
-        let felt = felt(failing(failure));
+        let felt = felt(failing(failure, 63));
         check_steps(&felt);
         assert!(felt[60].to_bits() == felt[59].to_bits(), "the first faulty tick holds");
-        assert!(felt[60 + SILENT..90].iter().all(|force| force.abs() == 0.0));
+        assert!(felt[60 + SILENT].abs() == 0.0, "the fault reaches zero before the voice returns");
         assert!(felt[120..].iter().any(|force| 0.1 < force.abs()), "the voice is back");
+    }
+}
+
+#[test]
+fn a_voice_that_keeps_failing_is_silent_for_good() {
+    for failure in [Failure::Reported, Failure::Unnoticed] {
+        let felt = felt(failing(failure, 64));
+        check_steps(&felt);
+        assert!(felt[60 + SILENT..].iter().all(|force| force.abs() == 0.0), "{failure:?}");
     }
 }
 

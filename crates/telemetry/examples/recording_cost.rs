@@ -145,6 +145,7 @@ fn block(key: u32, tick: u64, ticks: u64, random: &mut Random) -> Update {
         events: vec![0; count],
         signals,
         velocity: Vec::new(),
+        limit: Vec::new(),
     })
 }
 

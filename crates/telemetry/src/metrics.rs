@@ -30,6 +30,9 @@ pub fn metrics(status: &HostStatus, version: &str) -> String {
     text.one("left_out", "gauge", "Parts of the work that are left out by overload.", left_out);
     let waited = status.waited as f64;
     text.one("waited_turns_total", "counter", "Turns of voices that had to wait.", waited);
+    let starved = status.starved as f64;
+    let help = "Ticks in which voices waited although there was time: an error of the host.";
+    text.one("starved_ticks_total", "counter", help, starved);
     text.one("dropped_events_total", "counter", "Key events without room.", *dropped as f64);
     text.boards(status);
     text.one("clients", "gauge", "Clients of the stream.", f64::from(status.clients));

@@ -63,8 +63,11 @@ pub struct HostStatus {
     pub muted: Vec<String>,
     /// What is left out now, since ticks have more work than time.
     pub left_out: Vec<String>,
-    /// Turns of voices that had to wait, since they or their lane took more evaluations than they may.
+    /// Turns of voices that had to wait, since their lanes had no time left.
     pub waited: u64,
+    /// Ticks in which voices waited although there was time: an error of the host.
+    #[serde(default)]
+    pub starved: u64,
     pub boards: Vec<BoardState>,
     /// Clients of the stream.
     pub clients: u32,

@@ -41,6 +41,9 @@ pub struct Followed {
     pub position: f64,
     /// How much after the usual its newest sample was taken before that (s).
     pub late: f64,
+    /// Displacement of the input back to where it was before a pause, if there was one so long that
+    /// the key's motion is not known.
+    pub back: Option<f64>,
 }
 
 /// Samples closer than this are one and the same (ticks).
@@ -153,23 +156,32 @@ impl InputPath {
         self.since.clamp(-MOST_AHEAD, MOST_AHEAD) * self.h
     }
 
-    /// Takes a sample that was taken `elapsed` (s) after the one before.
-    fn learn(&mut self, &KeySample { position, velocity, .. }: &KeySample, elapsed: f64) {
-        self.last = if FORGOTTEN.max(1.5 * self.h) < elapsed {
+    /// Takes a sample that was taken `elapsed` (s) after the one before; returns the displacement
+    /// back to that one, if the time between them was long.
+    fn learn(
+        &mut self,
+        &KeySample { position, velocity, .. }: &KeySample,
+        elapsed: f64,
+    ) -> Option<f64> {
+        if FORGOTTEN.max(1.5 * self.h) < elapsed {
+            let back = (self.last.position - position) * self.scale;
             self.estimator.reset(position);
-            KeyMotion { velocity: velocity.unwrap_or(0.0), ..KeyMotion::at_rest(position) }
-        } else if let Some(velocity) = velocity {
+            self.last =
+                KeyMotion { velocity: velocity.unwrap_or(0.0), ..KeyMotion::at_rest(position) };
+            return Some(back);
+        }
+        self.last = if let Some(velocity) = velocity {
             self.estimator.update_with_speed(position, velocity, elapsed)
         } else {
             self.estimator.update(position, elapsed)
         };
+        None
     }
 
     /// Returns the input over `tick`, at whose start `sample` is the newest.
     pub fn follow(&mut self, tick: u64, sample: &KeySample) -> Followed {
-        if let Some(elapsed) = self.go_on(tick, sample) {
-            self.learn(sample, elapsed * self.h);
-        }
+        let elapsed = self.go_on(tick, sample);
+        let back = elapsed.and_then(|elapsed| self.learn(sample, elapsed * self.h));
         let (motion, position) = if self.since == 0.0 {
             (self.last, sample.position)
         } else {
@@ -187,7 +199,7 @@ impl InputPath {
             }
             Continuation::Samples(_, reconstructor) => reconstructor.push(position * self.scale),
         };
-        Followed { signal, position, late: self.ahead() }
+        Followed { signal, position, late: self.ahead(), back }
     }
 }
 

@@ -7,14 +7,15 @@ use haptics::{DeviceCompensation, ForceGate, KeyMotion, PassivityController, Pas
 use models::{Playable, hammer_speed};
 use pode::input::Cubic;
 use pode::{
-    Advance, Auditor, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator, State as _,
-    Stepper, Watch,
+    Advance, Auditor, Cap, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator,
+    State as _, Stepper, Watch, WorkLimit,
 };
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Loudness, Moment};
 use scheduler::observation::{Switch, Switches, VoiceObservation};
 use scheduler::overload::{Simplification, Simplifications};
 use scheduler::values::ModelValues;
 use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
+use scheduler::work::{TurnLimit, VoiceKind};
 
 use crate::aftertouch::PressureTracker;
 use crate::audit::AuditCell;
@@ -50,6 +51,8 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     up: Option<(M::Mode, M::State)>,
     /// What the model stores there (J).
     at_rest: f64,
+    /// `true` if the last turn failed.
+    has_failed: bool,
     /// Tick (s).
     h: f64,
     /// How many leading entries of the state are coordinates.
@@ -57,10 +60,19 @@ pub struct RenderedKey<M: Playable, T: Stepper> {
     slopes: SlopeOutput,
     simplified: Simplifications,
     revision: u32,
+    kind: VoiceKind,
     /// The model's input over the tick that was run last.
     signal: Cubic,
     /// Changes of mode in that tick.
     switches: Switches,
+}
+
+/// Returns the kind of voices with the model `name` and the method `T`: a hash, 32-bit FNV-1a.
+fn kind_of<T>(name: &str) -> VoiceKind {
+    let bytes = name.bytes().chain(std::any::type_name::<T>().bytes());
+    VoiceKind(
+        bytes.fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)),
+    )
 }
 
 /// Farther than a key moves in a tick (m): twice its dip.
@@ -140,20 +152,33 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             cell,
             up: Some((mode, state)),
             at_rest,
+            has_failed: false,
             h,
             coordinates: entry.coordinates,
             slopes,
             simplified: Simplifications::NONE,
             revision: fittings.revision,
+            kind: kind_of::<T>(entry.name),
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
             switches: Switches::default(),
         }
     }
 
-    /// Returns mode and state at rest under `input`, which does not move.
-    fn rest_under(&self, input: &Motion) -> (M::Mode, M::State) {
-        let up = self.up.filter(|_| *input == Motion::default());
-        up.unwrap_or_else(|| self.simulator.model().at_rest(input))
+    /// Returns mode and state at rest under `input`, which does not move, and the displacement from
+    /// there to where the model's key begins.
+    ///
+    /// To search for the rest takes as long as hundreds of steps. After a failed turn the model
+    /// begins with its key up instead, and follows the player's within 0.3 s.
+    fn rest_under(&self, input: &Motion) -> (M::Mode, M::State, f64) {
+        match self.up {
+            Some((mode, state)) if self.has_failed || *input == Motion::default() => {
+                (mode, state, -input.position)
+            }
+            Some(_) | None => {
+                let (mode, state) = self.simulator.model().at_rest(input);
+                (mode, state, 0.0)
+            }
+        }
     }
 
     /// Model input per metre at the key's front.
@@ -278,7 +303,10 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let is_passive = self.passivity.is_passive(tick, sample.position);
-        let Followed { signal, position, late } = self.memory.input.follow(tick, sample);
+        let Followed { signal, position, late, back } = self.memory.input.follow(tick, sample);
+        if let Some(back) = back {
+            self.memory.shift = InputShift::after_pause(self.memory.shift.now() + back);
+        }
         let signal = self.memory.shift.follow(signal, self.h);
         let damped = self.memory.damper.follow(tick, position, self.h);
         if let Some((at, event)) = damped {
@@ -308,15 +336,18 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             turn.slope = self.slope(&signal.at(0.5), late);
         }
         turn.work = VoiceWork {
+            units: done.work.evaluations(),
             derivatives: done.work.derivatives,
             guards: done.work.guards,
             events: done.work.events,
             certain: done.work.certain,
             unknown: done.work.unknown,
         };
+        turn.limit = limit_reached(done.advance);
         turn.fault = fault(done.advance, done.work.events)
             .or_else(|| (!self.is_explained(&sums)).then_some(VoiceFault::Diverged))
             .or((!is_passive).then_some(VoiceFault::MakesEnergy));
+        self.has_failed = turn.fault.is_some();
         if turn.fault.is_none() {
             self.cell.publish(&self.auditor.sums);
             self.passivity.hold(tick, sample.position, turn.force);
@@ -369,12 +400,23 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.simulator.set_stretch(if is_coarse { 2.0 } else { 1.0 });
     }
 
+    fn limit_work(&mut self, TurnLimit { early, most }: TurnLimit) {
+        self.simulator.limit_work(WorkLimit { early, most });
+    }
+
+    fn kind(&self) -> VoiceKind {
+        self.kind
+    }
+
     fn reset(&mut self, sample: &KeySample) {
         let input = self.memory.input.reset(sample.position);
-        let (mode, state) = self.rest_under(&input);
-        self.memory.shift = InputShift::default();
+        let (mode, state, displacement) = self.rest_under(&input);
+        self.has_failed = false;
+        let is_there = displacement == 0.0;
+        self.memory.shift =
+            if is_there { InputShift::default() } else { InputShift::new(displacement) };
         if let Some(coupling) = &mut self.memory.coupling {
-            coupling.place(&input);
+            coupling.place(&Motion { position: input.position + displacement, ..input });
         }
         self.simulator.place(mode, state);
         self.auditor.forget();
@@ -481,6 +523,14 @@ fn strike<M: Playable>(model: &M, speed: f64) -> KeyEvent {
     let midi = model.midi();
     let loudness = Loudness { hammer_speed: hammer_speed(midi, speed), velocity: midi.velocity };
     KeyEvent::Strike { speed, loudness }
+}
+
+/// Returns the limit of work at which a turn was cut off; 0 if it was not.
+const fn limit_reached(advance: Advance) -> u32 {
+    match advance {
+        Advance::Capped(Cap::Work(limit)) => limit,
+        Advance::Capped(_) | Advance::Completed | Advance::Faulty(_) => 0,
+    }
 }
 
 const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {

@@ -1,24 +1,38 @@
-//! A model's key that other settings would put elsewhere goes there slowly.
+//! A model's key that other settings, or a pause of the machine, would put elsewhere goes there
+//! slowly.
 
 use pode::input::Cubic;
 use pode::{Motion, Signal as _};
 
-/// From where a model's key was to where it belongs (s): slower than a hammer could be thrown by.
+/// Time from where a model's key was to where other settings put it (s): slower than a hammer could
+/// be thrown by.
 const FADE: f64 = 0.3;
 
-/// The way between a model's key and where the player's would put it, after a change.
+/// Time in which a model's key makes up for a pause (s): a whole stroke is played at medium loudness,
+/// and one of which little was left not much louder than it was.
+const CATCH_UP: f64 = 30e-3;
+
+/// Displacement between a model's key and where the player's would put it, after a change.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct InputShift {
-    /// That way at the change (model input).
+    /// Displacement at the change (model input).
     whole: f64,
-    /// What is left of it, 1 to 0.
+    /// Fraction of it that is left, 1 to 0.
     left: f64,
+    /// Time in which it goes (s).
+    fade: f64,
 }
 
 impl InputShift {
-    /// Returns the shift by `way` (model input), which begins to go.
-    pub(crate) const fn new(way: f64) -> Self {
-        Self { whole: way, left: 1.0 }
+    /// Returns a shift by `displacement` (model input), which begins to go.
+    pub(crate) const fn new(displacement: f64) -> Self {
+        Self { whole: displacement, left: 1.0, fade: FADE }
+    }
+
+    /// Returns a shift by the `displacement` (model input) of a key in a pause: a note that was played
+    /// meanwhile sounds late.
+    pub(crate) const fn after_pause(displacement: f64) -> Self {
+        Self { fade: CATCH_UP, ..Self::new(displacement) }
     }
 
     /// Returns what is left (model input).
@@ -35,7 +49,7 @@ impl InputShift {
         if before == 0.0 {
             return key;
         }
-        self.left = (self.left - h / FADE).max(0.0);
+        self.left = (self.left - h / self.fade).max(0.0);
         let Motion { position, rate, acceleration, jerk } = key.at(0.0);
         let moved = h * rate + self.now() - before;
         Cubic::new(

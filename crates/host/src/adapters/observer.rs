@@ -54,6 +54,8 @@ pub struct OverloadCounters {
     waited: AtomicU64,
     /// Keys whose voices had to wait.
     waiting: AtomicKeySet,
+    /// Ticks in which voices waited although there was time.
+    pub starved: AtomicU64,
 }
 
 impl OverloadCounters {

@@ -34,6 +34,8 @@ pub struct KeyRow {
     pub ran: u32,
     /// Number of key events of the turn.
     pub events: u8,
+    /// Units of work after which the turn was cut off; 0 if it was not.
+    pub limit: u32,
 }
 
 /// How a turn stands.
@@ -198,6 +200,7 @@ fn row(key: usize, seen: &FinishedTick<'_>) -> KeyRow {
         stands: RowFlags { idle: turn.idle, late: turn.late, fresh: turn.fresh, followed },
         ran,
         events: u8::try_from(turn.events.as_slice().len()).unwrap_or(u8::MAX),
+        limit: turn.limit,
     }
 }
 

@@ -158,6 +158,7 @@ impl StatusParts {
         let overload = &counters.overload;
         status.left_out = overload.now().iter().map(|one| one.name().to_owned()).collect();
         status.waited = overload.waited().0;
+        status.starved = overload.starved.load(Relaxed);
         status.muted = counters.muted.keys().map(|key| key_name(key.into())).collect();
         if self.state == HostState::Starting && 0 < status.deadlines.ticks {
             status.state = HostState::Playing;
@@ -216,6 +217,7 @@ impl StatusSink {
             | Kind::Arm
             | Kind::Pedal
             | Kind::Pressure
+            | Kind::Starved
             | Kind::Overload => return,
         };
         let mut parts = self.0.lock();

@@ -45,6 +45,14 @@ fn push_velocity(block: &mut KeyBlock, velocity: Option<f64>) {
     }
 }
 
+/// Adds the limit of a turn that was cut off to the rows that were pushed so far.
+fn push_limit(block: &mut KeyBlock, limit: u32) {
+    if 0 < limit || !block.limit.is_empty() {
+        block.limit.resize(block.taken.len() - 1, 0);
+        block.limit.push(limit);
+    }
+}
+
 /// Collects rows of one key.
 #[derive(Debug, Default)]
 pub(super) struct BlockBuilder {
@@ -63,6 +71,7 @@ impl BlockBuilder {
         block.age.push(row.sample.age);
         block.taken.push(row.sample.taken);
         push_velocity(block, row.sample.velocity);
+        push_limit(block, row.limit);
         block.force.push(row.force);
         block.sent.push(row.sent);
         block.mode.push(if probe.is_some() { row.look.structure() } else { u8::MAX });

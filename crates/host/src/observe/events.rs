@@ -101,6 +101,12 @@ pub(super) fn miss(pulse: &PulseRow) -> Option<Event> {
     words(pulse.outcome).map(|text| of_none(Kind::Miss, pulse.tick, text.to_owned()))
 }
 
+/// Voices waited in a tick that had time.
+pub(super) fn starved(tick: u64) -> Event {
+    let text = "voices waited although the tick had time, which is an error of the host: report it";
+    of_none(Kind::Starved, tick, text.to_owned())
+}
+
 /// A pedal will be moved; every `pass` ticks again, if it repeats.
 pub fn pedal(PedalMove { pedal, at, depth }: PedalMove, pass: Option<u64>) -> Event {
     let (controller, every) = (pedal.controller().number().into(), pass.unwrap_or_default());
@@ -172,6 +178,7 @@ mod tests {
             stands: RowFlags { idle: false, late, fresh: false, followed: false },
             ran: 1,
             events: 0,
+            limit: 0,
         };
         let (capped, mut known) = (Some(VoiceFault::Capped { handled: 64 }), None);
         let turns = [(capped, false), (None, true), (capped, false), (None, true), (None, false)];

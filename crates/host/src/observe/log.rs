@@ -83,6 +83,7 @@ impl LogSink {
                 let level = if event.simplified == 0 { Level::Info } else { Level::Warning };
                 self.say(at, Subject::Load, level, event.text.clone());
             }
+            Kind::Starved => self.say(at, Subject::Load, Level::Error, event.text.clone()),
             Kind::Unknown
             | Kind::Switch
             | Kind::Strike

@@ -22,6 +22,8 @@ pub struct PulseRow {
     pub outcome: Outcome,
     /// Evaluations of derivatives and guards.
     pub evaluations: u32,
+    /// `true` if voices waited although the tick had time.
+    pub is_starved: bool,
 }
 
 /// Takes the times of ticks; what finds no room is left out.
@@ -48,7 +50,8 @@ impl Pulses {
             turnaround: times.turnaround().as_u64(),
             work: times.work.as_u64(),
             outcome: pulse.outcome,
-            evaluations: work.derivatives.saturating_add(work.guards),
+            evaluations: work.evaluations(),
+            is_starved: pulse.is_starved,
         });
     }
 }

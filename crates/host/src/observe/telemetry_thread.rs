@@ -437,6 +437,9 @@ impl TelemetryThread {
             if let Some(event) = events::miss(&pulse) {
                 self.give(&Update::Event(event));
             }
+            if pulse.is_starved {
+                self.give(&Update::Event(events::starved(pulse.tick)));
+            }
         }
     }
 

@@ -19,6 +19,8 @@ pub(super) struct KeyTick {
     /// In which of the last ticks it was not run: bit 1 is the one before. Of a late lane that is
     /// known if bit 0 is not set.
     pub(super) unrun: u32,
+    /// Units of work after which its turn was cut off, if it was.
+    pub(super) limit: Option<u32>,
 }
 
 /// How the key's lane was.
@@ -51,8 +53,13 @@ pub(super) struct Feed {
 
 impl Feed {
     pub(super) fn new() -> Self {
-        let nothing =
-            KeyTick { sample: KeySample::default(), revision: 0, lane: LaneStatus::Done, unrun: 0 };
+        let nothing = KeyTick {
+            sample: KeySample::default(),
+            revision: 0,
+            lane: LaneStatus::Done,
+            unrun: 0,
+            limit: None,
+        };
         Self {
             rows: vec![VecDeque::new(); KEYS],
             last: vec![nothing; KEYS],
@@ -99,6 +106,7 @@ impl Feed {
             | Kind::Skip
             | Kind::Board
             | Kind::Change
+            | Kind::Starved
             | Kind::Pedal => return,
         };
         self.arms.insert(event.tick, arm);
@@ -145,6 +153,7 @@ impl Feed {
                 sample: KeySample { age: 0, taken: 0.0, ..last.sample },
                 lane: LaneStatus::Done,
                 unrun: 0,
+                limit: None,
                 revision: last.revision,
             });
         }
@@ -178,5 +187,6 @@ fn row(block: &KeyBlock, row: usize) -> Option<(u64, KeyTick, u8)> {
     let revision = *block.revision.get(row)?;
     // Not needed, but a whole row has it.
     block.events.get(row)?;
-    Some((tick, KeyTick { sample, revision, lane, unrun }, flags))
+    let limit = block.limit.get(row).copied().filter(|limit| 0 < *limit);
+    Some((tick, KeyTick { sample, revision, lane, unrun, limit }, flags))
 }

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::observation::VoiceObservation;
-use scheduler::overload::WorkAllowance;
-use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput};
+use scheduler::port::{KeyBus, Lanes, TickInput, TickOutput, TickRules};
 use scheduler::slot::Slot;
 use scheduler::values::ModelValues;
 use scheduler::voice::VoiceOutput;
@@ -33,7 +32,7 @@ struct ReplaySlot {
     render: Render,
     revision: u32,
     /// Ticks in which its lane was not done.
-    pending: Vec<(u64, KeySample, WorkAllowance)>,
+    pending: Vec<(u64, KeySample, TickRules)>,
     /// What was made in them.
     late: LateResult,
     /// Whether its lane was late for longer than the recording tells of.
@@ -167,7 +166,7 @@ impl ReplaySlot {
 
     fn run(
         &mut self,
-        &TickInput { tick, followed, allowance, .. }: &TickInput<'_>,
+        &TickInput { tick, followed, rules, .. }: &TickInput<'_>,
         fed: &KeyTick,
         changes: (&RecordedVoices, &Scene),
         (turn, seen): (&mut VoiceOutput, &mut VoiceObservation),
@@ -183,12 +182,12 @@ impl ReplaySlot {
                 }
                 self.change(fed.revision, changes, seen)?;
                 seen.pass(ran);
-                self.pending.push((tick, fed.sample, allowance));
+                self.pending.push((tick, fed.sample, rules));
             }
             LaneStatus::Done => {
                 self.catch_up(tick, fed.unrun);
                 self.change(fed.revision, changes, seen)?;
-                self.slot.allow(allowance);
+                self.slot.allow_recorded(rules, fed.limit);
                 self.slot.tick(tick, &fed.sample, turn);
                 self.slot.observe(followed, turn, seen);
                 self.late.hand_over(turn);
@@ -199,12 +198,12 @@ impl ReplaySlot {
 
     /// Runs the ticks that came too late, of those that were run.
     fn catch_up(&mut self, tick: u64, unrun: u32) {
-        for (late, sample, allowance) in std::mem::take(&mut self.pending) {
+        for (late, sample, rules) in std::mem::take(&mut self.pending) {
             let before = u32::try_from(tick - late).unwrap_or(u32::MAX);
             match unrun.checked_shr(before) {
                 Some(bit) if bit & 1 == 0 => {
                     let mut turn = VoiceOutput::default();
-                    self.slot.allow(allowance);
+                    self.slot.allow_recorded(rules, None);
                     self.slot.tick(late, &sample, &mut turn);
                     self.late.keep(&turn);
                 }
@@ -246,6 +245,7 @@ impl KeyBus for ReplayBus {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use scheduler::overload::Simplifications;
     use scheduler::voice::Voice;
 
     struct Still;
@@ -266,7 +266,8 @@ mod tests {
             late: LateResult::default(),
             is_unknown: false,
         };
-        let at = |tick: &u64| (*tick, KeySample::fresh(0.0), WorkAllowance::ALL);
+        let rules = TickRules { simplified: Simplifications::NONE, hz: 1000 };
+        let at = |tick: &u64| (*tick, KeySample::fresh(0.0), rules);
         slot.pending = late.iter().map(at).collect();
         slot.catch_up(38, unrun);
         assert!(slot.pending.is_empty());

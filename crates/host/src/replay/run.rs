@@ -305,6 +305,7 @@ impl Replay {
             | Kind::Change
             | Kind::Disarm
             | Kind::Arm
+            | Kind::Starved
             | Kind::Overload => {}
         }
     }

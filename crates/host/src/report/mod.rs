@@ -74,6 +74,9 @@ pub struct RunReport {
     pub recording: Option<RecordingReport>,
     /// What was left out since ticks had more work than time.
     pub overload: OverloadReport,
+    /// Where ticks were never run, in order; the first 1000 places. A note that was played there may
+    /// be missing.
+    pub pauses: Vec<LostTicks>,
     /// What key ranges got that left their fidelity to the host.
     pub fidelity: Vec<ChosenFidelity>,
 }
@@ -148,6 +151,14 @@ pub struct Deadline {
     pub timer_baseline_us: Quantiles,
 }
 
+/// Ticks in a row that were never run.
+#[derive(Clone, Copy, PartialEq, Debug, Serialize)]
+pub struct LostTicks {
+    /// When the first of them was due (s).
+    pub at_s: f64,
+    pub ticks: u64,
+}
+
 /// Quantiles of a distribution, in microseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[expect(missing_docs, reason = "the names say it")]
@@ -217,6 +228,7 @@ impl fmt::Display for RunReport {
             writeln!(f, "              {advice}")?;
         }
         self.deadline.fmt_lines(f, self.skipped)?;
+        self.fmt_pauses(f)?;
         self.overload.fmt_lines(f)?;
         if let Some(notes) = &self.notes {
             notes.fmt_lines(f)?;
@@ -249,6 +261,24 @@ impl fmt::Display for RunReport {
         board_line::fmt_table(&self.boards, f)?;
         link_line::fmt_table(&self.lines, f)?;
         self.midi.fmt_line(f)
+    }
+}
+
+/// Pauses that are printed, the longest of a run.
+const SHOWN_PAUSES: usize = 5;
+
+impl RunReport {
+    /// Prints where the longest pauses were.
+    fn fmt_pauses(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut longest: Vec<_> = self.pauses.iter().filter(|it| 1 < it.ticks).collect();
+        if longest.is_empty() {
+            return Ok(());
+        }
+        longest.sort_by_key(|it| std::cmp::Reverse(it.ticks));
+        let shown = longest.iter().take(SHOWN_PAUSES);
+        let shown: Vec<_> = shown.map(|it| format!("{} at {:.3} s", it.ticks, it.at_s)).collect();
+        let more = if SHOWN_PAUSES < longest.len() { ", …" } else { "" };
+        writeln!(f, "              ticks lost in a row: {}{more}", shown.join(", "))
     }
 }
 

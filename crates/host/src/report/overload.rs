@@ -1,6 +1,7 @@
 //! What was left out, since ticks had more work than time.
 
 use std::fmt;
+use std::sync::atomic::Ordering;
 
 use scheduler::overload::Simplification;
 use serde::Serialize;
@@ -13,10 +14,12 @@ use crate::adapters::observer::OverloadCounters;
 pub struct OverloadReport {
     /// What was left out for how long; nothing if there was no need.
     pub left_out: Vec<LeftOut>,
-    /// Turns of voices that had to wait, since they or their lane took more evaluations than they may.
+    /// Turns of voices that had to wait, since their lanes had no time left.
     pub waited: u64,
     /// The keys of these voices.
     pub waited_keys: Vec<String>,
+    /// Ticks in which voices waited although there was time: an error of the host.
+    pub starved: u64,
 }
 
 /// Something that was left out.
@@ -38,7 +41,8 @@ impl OverloadReport {
         });
         let (waited, keys) = counters.waited();
         let keys = keys.map(|key| key_name(key.into()));
-        Self { left_out: left_out.collect(), waited, waited_keys: keys.collect() }
+        let starved = counters.starved.load(Ordering::Relaxed);
+        Self { left_out: left_out.collect(), waited, waited_keys: keys.collect(), starved }
     }
 
     pub(super) fn fmt_lines(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -50,9 +54,13 @@ impl OverloadReport {
         }
         if 0 < self.waited {
             let (turns, keys) = (self.waited, self.waited_keys.join(", "));
+            writeln!(f, "  waited      {turns} turns of {keys}: their lanes had no time left")?;
+        }
+        if 0 < self.starved {
             writeln!(
                 f,
-                "  waited      {turns} turns of {keys}: more evaluations than a voice or its lane may"
+                "  ERROR       voices waited in {} ticks that had time: report it with a recording",
+                self.starved
             )?;
         }
         Ok(())

@@ -3,7 +3,7 @@
 use crate::report::{Deadline, Quantiles, Realtime};
 use realtime::baseline;
 use realtime::memory::Locked;
-use realtime::run::Timings;
+use realtime::run::{Pause, Timings};
 use realtime::thread::SchedulingPolicy;
 use realtime::wake_latency::HeldLatency;
 
@@ -13,6 +13,7 @@ pub(super) struct MeasuredRun {
     pub(super) realtime: Realtime,
     pub(super) deadline: Deadline,
     pub(super) skipped: u64,
+    pub(super) pauses: Vec<Pause>,
 }
 
 impl MeasuredRun {
@@ -46,6 +47,6 @@ impl MeasuredRun {
             latency_held: latency.is_held(),
             advice: advice.chain(latency.advice).collect(),
         };
-        Self { realtime, deadline, skipped: counters.skipped }
+        Self { realtime, deadline, skipped: counters.skipped, pauses: timings.pauses.clone() }
     }
 }

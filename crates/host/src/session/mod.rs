@@ -12,6 +12,7 @@ mod pianist;
 mod real;
 mod threads;
 mod trial;
+mod unit_costs;
 mod virtual_run;
 
 use std::num::NonZeroUsize;
@@ -34,7 +35,7 @@ use crate::control::{RunHandle, passes};
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
-use crate::report::{Deadline, Evaluations, NoteReport, OverloadReport, Realtime};
+use crate::report::{Deadline, Evaluations, LostTicks, NoteReport, OverloadReport, Realtime};
 use crate::report::{RunReport, StepCounts};
 use key_source::KeySource;
 use key_transport::KeyTransport;
@@ -46,6 +47,7 @@ use observed::ObservedOutputs;
 pub(crate) use observed::Watchers;
 use realtime::clock;
 use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use realtime::run::Pause;
 use realtime::thread::ThreadPlan;
 use realtime::wake_fd::WakeFd;
 use scene::Scene;
@@ -55,6 +57,7 @@ pub use found_keys::FoundKeys;
 pub use pianist::PianistProgress;
 use pianist::RehearsedPlayList;
 pub use trial::RunTrial;
+use unit_costs::UnitCosts;
 
 /// The reason why a run could not be prepared or finished.
 #[derive(Debug, thiserror::Error)]
@@ -157,6 +160,7 @@ struct PreparedRun {
     ticks: Option<u64>,
     virtual_time: bool,
     voices: Vec<(usize, BoxedVoice)>,
+    unit_costs: UnitCosts,
     play_list: Option<RehearsedPlayList>,
     watchers: Watchers,
     midi: OpenedOutput,
@@ -219,13 +223,12 @@ impl RunSession {
             keys.load_gestures(performance);
         }
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
-        let voices = observed::voices(&builder, &handle)?;
+        let (voices, unit_costs) = observed::voices(&builder, &handle)?;
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi, &handle)?;
-        let output = Box::new(MonitoredOutput { output, sender: observed.sender() });
+        let output: AnyOutput = Box::new(MonitoredOutput { output, sender: observed.sender() });
         let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
-        let curve = scene.midi.curve;
-        let dispatcher = dispatcher(consumer, (output, curve), performance, &counters);
+        let dispatcher = dispatcher(consumer, (output, scene.midi.curve), performance, &counters);
         let pedals = observed::pedals(play_list.as_ref(), &handle);
         let mut publisher = TickPublisher::new(
             producer,
@@ -248,6 +251,7 @@ impl RunSession {
             ticks: seconds.map(|seconds| clock::nearest_integer(seconds / period)),
             virtual_time: options.virtual_time,
             voices,
+            unit_costs,
             play_list,
             watchers: Watchers { publisher, recorder },
             midi,
@@ -324,7 +328,7 @@ impl RunSession {
     pub fn run(self, stop: &AtomicBool) -> Result<RunReport, SessionError> {
         let Self { prepared, keys, dispatcher, observed } = self;
         if prepared.virtual_time {
-            virtual_run::run(*prepared, keys, *dispatcher, observed, stop)
+            virtual_run::run(prepared, keys, dispatcher, observed, stop)
         } else {
             real::run(prepared, keys, dispatcher, observed, stop)
         }
@@ -342,17 +346,15 @@ impl PreparedRun {
     /// Returns the scheduler of its ticks.
     fn scheduler(&self) -> Result<Box<Scheduler>, SessionError> {
         let mut scheduler = realtime::run::scheduler(self.timetable()?, self.slew_limit);
-        let is_virtual = self.virtual_time;
-        scheduler.set_overload(if is_virtual {
-            self.overload.in_virtual_time()
-        } else {
-            self.overload
-        });
+        scheduler.set_overload(self.overload);
         Ok(scheduler)
     }
 
     fn start_lanes(&mut self) -> std::io::Result<(ThreadedLanes, VoiceSwaps)> {
-        ThreadedLanes::start(std::mem::take(&mut self.voices), self.n_lanes, &self.threads)
+        let voices = std::mem::take(&mut self.voices);
+        let (mut lanes, swaps) = ThreadedLanes::start(voices, self.n_lanes, &self.threads)?;
+        self.unit_costs.costs().for_each(|(kind, cost)| lanes.expect_cost(kind, cost));
+        Ok((lanes, swaps))
     }
 
     /// Puts the report together when all is over.
@@ -401,6 +403,7 @@ impl PreparedRun {
             midi: self.midi.report(played),
             recording: None,
             overload: OverloadReport::new(&counters.overload, self.tick_hz),
+            pauses: lost_ticks(&measured.pauses, self.tick_hz),
             fidelity: Vec::new(),
         }
     }
@@ -453,6 +456,12 @@ fn notes(
         range_m_per_s: performance.range,
         ..NoteReport::new(&assessor.finish(duration), &shortfalls)
     }
+}
+
+/// Returns where a run at `tick_hz` (1/s) lost ticks.
+fn lost_ticks(pauses: &[Pause], tick_hz: u32) -> Vec<LostTicks> {
+    let seconds = |tick: u64| tick as f64 / f64::from(tick_hz);
+    pauses.iter().map(|it| LostTicks { at_s: seconds(it.tick - it.lost), ticks: it.lost }).collect()
 }
 
 /// Returns every key's index; there are as many as the protocol has.

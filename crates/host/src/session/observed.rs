@@ -12,6 +12,7 @@ use telemetry::Catalogue;
 
 use super::SessionError;
 use super::pianist::RehearsedPlayList;
+use super::unit_costs::UnitCosts;
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
 use crate::control::{RunDescription, RunHandle};
@@ -68,19 +69,21 @@ pub(super) fn connect(
     Ok((recorder, ObservedOutputs { pulses, pump, catalogue, sender }))
 }
 
-/// Builds the voices of a scene, and tells telemetry of them.
+/// Builds the voices of a scene, measures what their work costs, and sends them to telemetry.
 pub(super) fn voices(
     builder: &VoiceBuilder<'_>,
     handle: &RunHandle,
-) -> Result<Vec<(usize, BoxedVoice)>, SessionError> {
+) -> Result<(Vec<(usize, BoxedVoice)>, UnitCosts), SessionError> {
     let mut voices = Vec::new();
+    let mut costs = UnitCosts::default();
     for (key, voice) in builder.keys() {
         let revision = handle.new_revision();
         handle.tell(of_scene(key, voice, revision));
         let voice = builder.numbered(voice, handle.new_cell(), revision)?;
+        costs.try_voice(&voice, builder.period());
         voices.push((key, voice as BoxedVoice));
     }
-    Ok(voices)
+    Ok((voices, costs))
 }
 
 /// Returns the pedals of a play list, and tells all of them beforehand.

@@ -84,7 +84,7 @@ fn tick(
     mut pulses: Pulses,
     start: Nanos,
     stop: &AtomicBool,
-) -> Result<(Timings, SchedulingPolicy), SessionError> {
+) -> Result<(Box<Timings>, SchedulingPolicy), SessionError> {
     let mut standing = prepared.threads.ask(0);
     memory::prefault_stack();
     let (mut lanes, swaps) = prepared.start_lanes()?;
@@ -92,7 +92,7 @@ fn tick(
     standing.advice.dedup();
     prepared.handle.open(swaps);
     let mut scheduler = prepared.scheduler()?;
-    let mut timings = Timings::new().map_err(std::io::Error::other)?;
+    let mut timings = Box::new(Timings::new().map_err(std::io::Error::other)?);
     let until = Until { stop, ticks: prepared.ticks };
     let counters = Arc::clone(&prepared.counters);
     bus.attend_until(start);
@@ -133,4 +133,5 @@ fn count(counters: &LiveCounters, pulse: &TickTiming) {
     counters.work_ns.store(smoothed, Ordering::Relaxed);
     let too_late = u64::from(pulse.outcome != ::scheduler::deadline::Outcome::Met);
     counters.missed.fetch_add(too_late + pulse.report.skipped, Ordering::Relaxed);
+    counters.overload.starved.fetch_add(u64::from(pulse.is_starved), Ordering::Relaxed);
 }

@@ -17,9 +17,9 @@ const TICKS_PER_LOOK: u64 = 16;
 
 /// Runs all ticks; the MIDI side follows after each tick, on this thread.
 pub(super) fn run(
-    mut prepared: PreparedRun,
+    mut prepared: Box<PreparedRun>,
     keys: KeySource,
-    mut dispatcher: MidiDispatcher,
+    mut dispatcher: Box<MidiDispatcher>,
     observed: ObservedOutputs,
     stop: &AtomicBool,
 ) -> Result<RunReport, SessionError> {
@@ -51,5 +51,10 @@ pub(super) fn run(
     let played = dispatcher.close(None);
     pump.pump();
     drop(pump);
-    Ok(prepared.report(ticks, played, MeasuredRun { realtime, deadline, skipped }, &bus))
+    Ok(prepared.report(
+        ticks,
+        played,
+        MeasuredRun { realtime, deadline, skipped, pauses: Vec::new() },
+        &bus,
+    ))
 }

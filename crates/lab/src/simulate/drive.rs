@@ -173,7 +173,8 @@ impl RunTally {
             Advance::Capped(Cap::Cascade) => *cascade += 1,
             Advance::Capped(Cap::Guards) => *guards += 1,
             Advance::Capped(Cap::Pieces) => *pieces += 1,
-            Advance::Completed | Advance::Faulty(_) => {}
+            // A simulation has all the time that it needs.
+            Advance::Capped(Cap::Work(_)) | Advance::Completed | Advance::Faulty(_) => {}
         }
     }
 

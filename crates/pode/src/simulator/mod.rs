@@ -23,7 +23,7 @@ use crate::forecast::GuardSlot;
 use crate::guard::{MAX_GUARDS, Reads};
 use crate::impacts::Impacts;
 use crate::input::Signal;
-use crate::limits::Limits;
+use crate::limits::{Limits, WorkLimit};
 use crate::model::{Model, Resets};
 use crate::outcome::{Advance, Cap, Fault, Tick};
 use crate::quadrature::{LOBATTO, SIMPSON};
@@ -129,6 +129,11 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.limits.stretch = stretch;
     }
 
+    /// Limits the work of each tick from the next one on, see [`Limits::work`].
+    pub const fn limit_work(&mut self, work: WorkLimit) {
+        self.limits.work = work;
+    }
+
     /// Forgets what the method carries: the state has jumped, or the mode has changed.
     fn restart(&mut self) {
         self.memory.iter_mut().for_each(PartMemory::restart);
@@ -221,6 +226,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     ) {
         if run.work.pieces >= run.limits.pieces {
             return run.cap(Cap::Pieces);
+        }
+        if !run.affords_work(T::EVALUATIONS + T::REFINEMENT) {
+            return;
         }
         run.work.pieces += 1;
         let Some(mut taken) = self.take_step(run, input) else { return };

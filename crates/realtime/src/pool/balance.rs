@@ -7,7 +7,7 @@ use scheduler::voice::VoiceOutput;
 
 use super::worker::boxed_array;
 
-/// What a turn costs beside its evaluations, in evaluations.
+/// What a turn costs beside its units of work, in units.
 const TURN: u64 = 4;
 
 /// Turns over which work is averaged.
@@ -22,7 +22,7 @@ const WAIT: u64 = 16;
 /// The lag of other lanes changes by this part of all work in a tick.
 const LAG_STEP: u64 = 256;
 
-/// What voices took of late, in counted evaluations, and how much later the other lanes begin.
+/// Units of work of voices of late, and how much later the other lanes begin.
 #[derive(Debug)]
 pub(super) struct MeasuredWork {
     /// The moving average, times [`SPAN`].
@@ -44,8 +44,7 @@ impl MeasuredWork {
             if turn.late {
                 continue;
             }
-            let evaluations = u64::from(turn.work.derivatives) + u64::from(turn.work.guards);
-            *average = *average - *average / SPAN + evaluations + TURN;
+            *average = *average - *average / SPAN + u64::from(turn.work.units) + TURN;
             let bit = 1_u128 << key;
             self.asleep = if turn.idle { self.asleep | bit } else { self.asleep & !bit };
         }
@@ -93,12 +92,12 @@ mod tests {
 
     use super::*;
 
-    /// What is known after many ticks in which each key did `work` evaluations.
+    /// What is known after many ticks in which each key did `work` units.
     fn after(work: impl Fn(usize) -> u32) -> MeasuredWork {
         let mut measured = MeasuredWork::new();
         let mut turns = boxed_array::<VoiceOutput>();
         for (key, turn) in turns.iter_mut().enumerate() {
-            turn.work = VoiceWork { derivatives: work(key), ..VoiceWork::NONE };
+            turn.work = VoiceWork { units: work(key), ..VoiceWork::NONE };
             turn.idle = work(key) == 0;
         }
         for _ in 0..200 {

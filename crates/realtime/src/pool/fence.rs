@@ -9,6 +9,7 @@ use scheduler::observation::VoiceObservation;
 use scheduler::overload::Simplifications;
 use scheduler::values::ModelValues;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
+use scheduler::work::{TurnLimit, VoiceKind};
 
 /// A voice of any kind, on whichever lane.
 pub type BoxedVoice = Box<dyn Voice + Send>;
@@ -55,6 +56,14 @@ impl Voice for PanicGuard {
 
     fn simplify(&mut self, simplified: Simplifications) {
         self.guarded(|voice| voice.simplify(simplified)).unwrap_or_default();
+    }
+
+    fn limit_work(&mut self, limit: TurnLimit) {
+        self.guarded(|voice| voice.limit_work(limit)).unwrap_or_default();
+    }
+
+    fn kind(&self) -> VoiceKind {
+        if self.panicked { VoiceKind::default() } else { self.voice.kind() }
     }
 
     fn reset(&mut self, sample: &KeySample) {

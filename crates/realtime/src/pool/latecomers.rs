@@ -78,7 +78,7 @@ impl LateResults {
             self.counters.passed += 1;
             return;
         };
-        match batch.patience {
+        match batch.lane_rules.patience {
             WaitLimit::Until { share, .. } if share < cpu => self.counters.late_own_work += 1,
             WaitLimit::Until { .. } | WaitLimit::Endless => {}
         }

@@ -22,10 +22,10 @@
 //! is passed on with the next tick: a lost damper would leave a note hanging.
 
 mod balance;
+mod cost;
 mod fence;
 mod latecomers;
 mod share;
-mod speed;
 mod swap;
 mod worker;
 
@@ -40,10 +40,11 @@ use std::thread;
 
 use scheduler::lane::run_slots;
 use scheduler::motion::KEYS;
-use scheduler::overload::LaneBudget;
 use scheduler::port::{Lanes, TickInput, TickOutput};
 use scheduler::slot::{Slot, lane_of};
 use scheduler::time::Nanos;
+use scheduler::voice::VoiceOutput;
+use scheduler::work::VoiceKind;
 
 pub use fence::{BoxedVoice, PanicGuard};
 pub use latecomers::{LaneCounters, LateResult};
@@ -52,14 +53,17 @@ pub use swap::{Refused, VoiceChange, VoiceSwaps};
 use super::clock;
 use super::thread::{SchedulingPolicy, ThreadPlan};
 use balance::MeasuredWork;
+use cost::{CostModel, LaneWork};
 use latecomers::LateResults;
 use share::RemoteLane;
-use speed::LaneSpeed;
 use swap::InnerEnd;
-use worker::{AWAKE, Batch, PoolState, Remote, SHARES};
+use worker::{AWAKE, Batch, LaneRules, PoolState, Remote};
 
 /// Looks at the rings between two offers of the processor to others.
 const LOOKS_PER_YIELD: u64 = 64;
+
+/// Part of a period that is kept free after the lanes, for safety, sending and observing: a tenth.
+pub(super) const RESERVE: u64 = 10;
 
 /// How long the tick waits for lanes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -84,6 +88,14 @@ impl WaitLimit {
         }
     }
 
+    /// Returns the time of a lane in a tick of a rate `hz` (ns).
+    const fn lane_time(self, hz: u32) -> f64 {
+        match self {
+            Self::Until { share, .. } if share.as_u64() != 0 => share.as_u64() as f64,
+            Self::Until { .. } | Self::Endless => (1.0 - 1.0 / RESERVE as f64) * 1e9 / hz as f64,
+        }
+    }
+
     fn is_over(self) -> bool {
         match self {
             Self::Endless => false,
@@ -102,13 +114,13 @@ pub struct ThreadedLanes {
     remotes: Vec<RemoteLane>,
     swaps: InnerEnd,
     measured: MeasuredWork,
-    speed: LaneSpeed,
+    cost: Box<CostModel>,
     shared: Arc<PoolState>,
     patience: WaitLimit,
-    /// What each lane may take in this tick.
-    budgets: [LaneBudget; SHARES],
     latecomers: LateResults,
     times: LaneTimes,
+    /// The tick that is run, and its period (s).
+    at: (u64, f64),
 }
 
 /// CPU times of the last tick that concern more than its own thread.
@@ -149,12 +161,12 @@ impl ThreadedLanes {
             remotes: Vec::with_capacity(lanes.len()),
             swaps,
             measured: MeasuredWork::new(),
-            speed: LaneSpeed::default(),
+            cost: Box::new(CostModel::new()),
             shared: Arc::default(),
             patience: WaitLimit::Endless,
-            budgets: [LaneBudget::UNLIMITED; SHARES],
             latecomers: LateResults::new(),
             times: LaneTimes::default(),
+            at: (0, 1e-3),
         };
         for (number, slots) in (1..).zip(lanes) {
             let remote = Remote::start(number, Arc::clone(&pool.shared), plan.clone())?;
@@ -162,6 +174,16 @@ impl ThreadedLanes {
             pool.remotes.push(RemoteLane::new(remote, batches));
         }
         Ok((pool, outer))
+    }
+
+    /// Sets the cost of a unit of work where no clock decides (ns), as in virtual time.
+    pub const fn set_constant_cost(&mut self, unit: f64) {
+        self.cost.set_constant(unit);
+    }
+
+    /// Begins with a measured cost of a unit of work of a `kind` of voice (ns).
+    pub fn expect_cost(&mut self, kind: VoiceKind, unit: f64) {
+        self.cost.expect(kind, unit);
     }
 
     /// Sets how long ticks wait for lanes from now on.
@@ -176,7 +198,7 @@ impl ThreadedLanes {
     pub fn work_of_tick(&mut self, cpu: Nanos) -> Nanos {
         let LaneTimes { inline, waiting, slowest } = self.times;
         let own = cpu.since(waiting);
-        self.speed.learn_beside(own.since(inline));
+        self.cost.learn_beside(own.since(inline), self.at);
         own.after(slowest.since(inline))
     }
 
@@ -192,16 +214,29 @@ impl ThreadedLanes {
 
     /// Runs lane 0's voices on this thread.
     fn run_inline(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
-        let [budget, _at_rest] = self.budgets;
-        if self.remotes.is_empty() && self.patience == WaitLimit::Endless {
-            return run_slots(&mut self.inline, budget, input, output);
-        }
-        let before = clock::thread_cpu();
+        let costs = self.cost.costs(self.patience);
+        let time = self.cost.inline_time(self.patience, input.rules.hz);
+        let is_clocked = !self.remotes.is_empty() || self.patience != WaitLimit::Endless;
+        let before = if is_clocked { clock::thread_cpu() } else { Nanos::ZERO };
+        let budget = cost::budget(costs, (self.patience, true), time, before);
         run_slots(&mut self.inline, budget, input, output);
-        self.times.inline = clock::thread_cpu().since(before);
-        let work = |slot: &Slot<PanicGuard>| output.turns[slot.key()].work.evaluations();
-        let evaluations = self.inline.iter().map(work).map(u64::from).sum();
-        self.speed.learn(evaluations, self.times.inline, self.patience);
+        if is_clocked {
+            self.times.inline = clock::thread_cpu().since(before);
+        }
+    }
+
+    /// Learns what the work of this tick cost, where a clock decides.
+    fn learn_costs(&mut self, turns: &[VoiceOutput; KEYS]) {
+        if self.patience.share().is_none() {
+            return;
+        }
+        let mut work = LaneWork::NONE;
+        work.add(&mut self.inline, turns);
+        self.cost.learn(&work, self.times.inline, self.at);
+        for lane in &mut self.remotes {
+            let cpu = lane.cpu();
+            self.cost.learn(&lane.work(turns), cpu, self.at);
+        }
     }
 
     /// Makes lanes equal: one voice goes from the lane with the most to do to that with the
@@ -225,15 +260,26 @@ impl ThreadedLanes {
 
     fn give(&mut self, input: &TickInput<'_>) {
         self.shared.current.store(input.tick, Ordering::Release);
+        let rules = self.lane_rules(input);
         for lane in &mut self.remotes {
-            lane.give(input, self.patience, self.budgets);
+            lane.give(input, &rules);
+        }
+    }
+
+    /// Returns the rules of the other lanes in a tick.
+    const fn lane_rules(&self, input: &TickInput<'_>) -> LaneRules {
+        LaneRules {
+            patience: self.patience,
+            costs: *self.cost.costs(self.patience),
+            time: self.patience.lane_time(input.rules.hz),
         }
     }
 
     /// Spins until all lanes are done or the time for it is over.
     fn collect(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        let rules = self.lane_rules(input);
         for look in 1_u64.. {
-            let is_over = !self.look(input, output) || self.patience.is_over();
+            let is_over = !self.look(input, &rules, output) || self.patience.is_over();
             if is_over {
                 return;
             }
@@ -247,12 +293,17 @@ impl ThreadedLanes {
     }
 
     /// Takes what is there; says whether a lane is still worth waiting for.
-    fn look(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) -> bool {
+    fn look(
+        &mut self,
+        input: &TickInput<'_>,
+        rules: &LaneRules,
+        output: &mut TickOutput<'_>,
+    ) -> bool {
         let mut waiting = false;
         for lane in &mut self.remotes {
             lane.take_back(input.tick, output, &mut self.latecomers);
             // What just came back from an earlier tick may still be in time for this one.
-            lane.give(input, self.patience, self.budgets);
+            lane.give(input, rules);
             waiting |= lane.is_awaited(self.patience);
         }
         waiting
@@ -262,7 +313,6 @@ impl ThreadedLanes {
     fn hold_late(&mut self, output: &mut TickOutput<'_>) {
         for lane in &self.remotes {
             self.times.slowest = self.times.slowest.max(lane.cpu());
-            self.speed.learn(lane.evaluations(output.turns), lane.cpu(), self.patience);
             self.latecomers.counters.late += u64::from(lane.hold_late(output));
         }
     }
@@ -283,10 +333,11 @@ fn slots_of<'a>(
 impl Lanes for ThreadedLanes {
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         self.times = LaneTimes::default();
-        self.budgets = self.speed.budgets(self.patience);
+        self.at = (input.tick, 1.0 / f64::from(input.rules.hz));
         if self.remotes.is_empty() {
             self.swaps.apply(&mut self.inline, &mut [], output.observed);
             self.run_inline(input, output);
+            self.learn_costs(output.turns);
             return;
         }
         for lane in &mut self.remotes {
@@ -301,6 +352,7 @@ impl Lanes for ThreadedLanes {
         self.collect(input, output);
         self.times.waiting = clock::thread_cpu().since(before);
         self.hold_late(output);
+        self.learn_costs(output.turns);
         self.latecomers.hand_over(output);
         self.measured.learn(output.turns);
         if self.patience.share().is_some() {

@@ -1,7 +1,6 @@
 //! A lane on another thread as the tick sees it: two shares, and where each is.
 
 use scheduler::motion::KEYS;
-use scheduler::overload::LaneBudget;
 use scheduler::port::{TickInput, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
@@ -9,9 +8,10 @@ use scheduler::voice::{VoiceFault, VoiceOutput};
 
 use super::WaitLimit;
 use super::balance::MeasuredWork;
+use super::cost::LaneWork;
 use super::fence::PanicGuard;
 use super::latecomers::LateResults;
-use super::worker::{AWAKE, Batch, Remote, SHARES};
+use super::worker::{AWAKE, Batch, LaneRules, Remote, SHARES};
 
 /// A lane on another thread.
 #[derive(Debug)]
@@ -122,20 +122,14 @@ impl RemoteLane {
 
     /// Gives the lane its shares of this tick that are at home and not given yet, with what each
     /// may take.
-    pub(super) fn give(
-        &mut self,
-        input: &TickInput<'_>,
-        patience: WaitLimit,
-        budgets: [LaneBudget; SHARES],
-    ) {
+    pub(super) fn give(&mut self, input: &TickInput<'_>, rules: &LaneRules) {
         let Self { remote, shares } = self;
-        let home = shares.iter_mut().zip(budgets).filter(|(it, _)| it.stands == ShareState::Home);
-        for (share, budget) in home {
+        for share in shares.iter_mut().filter(|it| it.stands == ShareState::Home) {
             let Some(batch) = share.batch.take_if(|it| !it.slots.is_empty()) else { continue };
             share.keys.clear();
             // Never grows: there is room for all keys.
             share.keys.extend(batch.slots.iter().map(Slot::key));
-            remote.send(batch, input, (patience, budget));
+            remote.send(batch, input, rules);
             share.stands = ShareState::Running;
         }
     }
@@ -188,11 +182,14 @@ impl RemoteLane {
         })
     }
 
-    /// Evaluations of the lane's shares that are done.
-    pub(super) fn evaluations(&self, turns: &[VoiceOutput; KEYS]) -> u64 {
-        let is_done = |share: &&Share| matches!(share.stands, ShareState::Done { .. });
-        let keys = self.shares.iter().filter(is_done).flat_map(|share| &share.keys);
-        keys.map(|key| u64::from(turns[*key].work.evaluations())).sum()
+    /// Work of the lane's shares that are done.
+    pub(super) fn work(&mut self, turns: &[VoiceOutput; KEYS]) -> LaneWork {
+        let mut work = LaneWork::NONE;
+        let is_done = |share: &&mut Share| matches!(share.stands, ShareState::Done { .. });
+        for batch in self.shares.iter_mut().filter(is_done).filter_map(|it| it.batch.as_mut()) {
+            work.add(&mut batch.slots, turns);
+        }
+        work
     }
 
     /// Holds the forces of what is not done; says whether that is anything.

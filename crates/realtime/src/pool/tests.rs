@@ -8,7 +8,8 @@ use super::*;
 use crate::thread::ThreadPlan;
 use scheduler::motion::{KeyEvent, KeySample, Loudness, Moment};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
-use scheduler::overload::WorkAllowance;
+use scheduler::overload::Simplifications;
+use scheduler::port::TickRules;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
 /// A force that depends on every sample since the start, and work that comes and goes.
@@ -23,7 +24,7 @@ impl Voice for Echo {
         turn.force = self.sum.sin() + tick as f64;
         // Now some keys have most to do, now others, and now and then each rests.
         let part = tick / 50 + self.key as u64;
-        turn.work.derivatives = 10 * u32::try_from(part % 7).unwrap().pow(3);
+        turn.work.units = 10 * u32::try_from(part % 7).unwrap().pow(3);
         turn.idle = part.is_multiple_of(3);
     }
 
@@ -133,8 +134,8 @@ impl Run {
         let position = |key: usize| 0.01 * ((tick as f64) * 0.3 + key as f64).sin();
         let samples = std::array::from_fn(|key| KeySample::fresh(position(key)));
         let Self { lanes, turns, observed, followed } = self;
-        let allowance = WorkAllowance::ALL;
-        let input = TickInput { tick, samples: &samples, followed: *followed, allowance };
+        let rules = TickRules { simplified: Simplifications::NONE, hz: 1000 };
+        let input = TickInput { tick, samples: &samples, followed: *followed, rules };
         lanes.run(&input, &mut TickOutput { turns, observed });
         &self.turns
     }
@@ -212,7 +213,7 @@ struct Steady {
 impl Voice for Steady {
     fn tick(&mut self, _tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
         turn.force = 1.0;
-        (turn.work.derivatives, turn.idle) = (self.work, self.is_at_rest);
+        (turn.work.units, turn.idle) = (self.work, self.is_at_rest);
     }
 
     fn reset(&mut self, _sample: &KeySample) {}
@@ -284,32 +285,6 @@ fn lanes_become_equal_wherever_the_work_is() {
         let loads: Vec<_> = others.chain([measured.of(inline)]).collect();
         let (most, least) = (loads.iter().max().unwrap(), loads.iter().min().unwrap());
         assert!(8 * (most - least) <= *most, "{n_lanes} lanes: {loads:?}");
-    }
-}
-
-#[test]
-fn what_a_lane_has_no_time_for_waits_its_turn() {
-    const WORK: u32 = 10;
-    let voice = || Box::new(Steady { work: WORK, is_at_rest: false }) as BoxedVoice;
-    for n_lanes in 1..=2 {
-        let mut run = Run::new(start((0..KEYS).map(|key| (key, voice())).collect(), n_lanes).0);
-        run.tick(0);
-        // Patience without end, and time for 200 evaluations at one in a nanosecond.
-        let (time, share) = (Nanos::from_millis(u64::MAX / 10_000_000), Nanos::new(200));
-        let patience = WaitLimit::Until { time, share };
-        run.lanes.speed.learn(1000, Nanos::new(1000), patience);
-        run.lanes.set_patience(patience);
-        let mut runs = [0; KEYS];
-        for tick in 1..=9 {
-            for (key, turn) in run.tick(tick).iter().enumerate() {
-                assert!((turn.force - 1.0).abs() == 0.0, "a force is held");
-                runs[key] += usize::from(!turn.waited);
-            }
-            let evaluations: u32 = run.turns.iter().map(|turn| turn.work.evaluations()).sum();
-            assert_eq!(evaluations, 20 * WORK * u32::try_from(n_lanes).unwrap(), "tick {tick}");
-        }
-        let (least, most) = (9 * 20 * n_lanes / KEYS, 9 * 20 * n_lanes / KEYS + 1);
-        assert!(runs.iter().all(|n| (least..=most).contains(n)), "{n_lanes} lanes: {runs:?}");
     }
 }
 

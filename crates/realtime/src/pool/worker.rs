@@ -16,13 +16,15 @@ use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::lane::run_slots;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
-use scheduler::overload::{LaneBudget, WorkAllowance};
-use scheduler::port::{TickInput, TickOutput};
+use scheduler::overload::Simplifications;
+use scheduler::port::{TickInput, TickOutput, TickRules};
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;
 use scheduler::voice::VoiceOutput;
+use scheduler::work::WorkCosts;
 
 use super::WaitLimit;
+use super::cost;
 use super::fence::PanicGuard;
 use crate::thread::{SchedulingPolicy, ThreadPlan};
 use crate::{clock, memory};
@@ -46,17 +48,24 @@ pub(super) struct Batch {
     pub(super) tick: u64,
     samples: [KeySample; KEYS],
     followed: FollowedKeys,
-    allowance: WorkAllowance,
+    rules: TickRules,
     /// Valid for the lane's keys if the batch was run.
     pub(super) turns: Box<[VoiceOutput; KEYS]>,
     /// Valid for those keys that were looked at in this tick.
     observed: Box<[VoiceObservation; KEYS]>,
     /// CPU time that the lane took; none if the batch came too late to be run.
     pub(super) ran: Option<Nanos>,
-    /// What the lane may still take in this tick.
-    budget: LaneBudget,
-    /// How long it was waited for.
+    pub(super) lane_rules: LaneRules,
+}
+
+/// Rules of a lane in a tick.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LaneRules {
+    /// How long the tick waits for it.
     pub(super) patience: WaitLimit,
+    pub(super) costs: WorkCosts,
+    /// What it has (ns).
+    pub(super) time: f64,
 }
 
 impl Batch {
@@ -69,20 +78,25 @@ impl Batch {
             tick: 0,
             samples: [KeySample::default(); KEYS],
             followed: FollowedKeys::NONE,
-            allowance: WorkAllowance::ALL,
+            rules: TickRules { simplified: Simplifications::NONE, hz: 1000 },
             turns: boxed_array(),
             observed: boxed_array(),
             ran: None,
-            budget: LaneBudget::UNLIMITED,
-            patience: WaitLimit::Endless,
+            lane_rules: LaneRules {
+                patience: WaitLimit::Endless,
+                costs: WorkCosts::unknown(),
+                time: f64::INFINITY,
+            },
         })
     }
 
-    /// Runs each voice for the batch's tick.
-    fn run(&mut self) {
-        let Self { tick, samples, followed, allowance, slots, turns, observed, budget, .. } = self;
-        let input = TickInput { tick: *tick, samples, followed: *followed, allowance: *allowance };
-        run_slots(slots, *budget, &input, &mut TickOutput { turns, observed });
+    /// Runs each voice for the batch's tick, which begins when the thread's clock reads `began`.
+    fn run(&mut self, began: Nanos) {
+        let Self { tick, samples, followed, rules, slots, turns, observed, lane_rules, .. } = self;
+        let input = TickInput { tick: *tick, samples, followed: *followed, rules: *rules };
+        let LaneRules { patience, costs, time } = lane_rules;
+        let budget = cost::budget(costs, (*patience, self.share == AWAKE), *time, began);
+        run_slots(slots, budget, &input, &mut TickOutput { turns, observed });
     }
 
     /// Copies what the voices did, and what is new of what is seen of them.
@@ -147,10 +161,10 @@ impl Remote {
         &mut self,
         mut batch: Box<Batch>,
         input: &TickInput<'_>,
-        (patience, budget): (WaitLimit, LaneBudget),
+        lane_rules: &LaneRules,
     ) {
         (batch.tick, batch.samples, batch.followed) = (input.tick, *input.samples, input.followed);
-        (batch.allowance, batch.patience, batch.budget) = (input.allowance, patience, budget);
+        (batch.rules, batch.lane_rules) = (input.rules, *lane_rules);
         let sent = self.todo.push(batch);
         debug_assert!(sent.is_ok(), "the ring has room for all batches there are");
         self.thread.thread().unpark();
@@ -183,7 +197,7 @@ fn work(mut todo: Consumer<Box<Batch>>, mut done: Producer<Box<Batch>>, shared: 
         };
         batch.ran = (batch.tick == shared.current.load(Ordering::Acquire)).then(|| {
             let before = clock::thread_cpu();
-            batch.run();
+            batch.run(before);
             clock::thread_cpu().since(before)
         });
         let sent = done.push(batch);

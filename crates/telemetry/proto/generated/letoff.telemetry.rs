@@ -94,6 +94,9 @@ pub struct KeyBlock {
     /// it never did.
     #[prost(double, repeated, tag = "16")]
     pub velocity: ::prost::alloc::vec::Vec<f64>,
+    /// Units of work after which a capped turn was cut off; 0 of other turns. Empty if none was.
+    #[prost(uint32, repeated, tag = "17")]
+    pub limit: ::prost::alloc::vec::Vec<u32>,
 }
 /// Topic `/key/<n>/state`: one key for viewers that take one value with each time.
 #[derive(Clone, PartialEq, ::prost::Message)]
@@ -190,6 +193,8 @@ pub mod event {
         /// From this tick on `simplified` is left out, since a tick has more work than time, or nothing
         /// is any more; `text` says what.
         Overload = 15,
+        /// Voices waited in this tick although it had time: an error of the host.
+        Starved = 16,
     }
     impl Kind {
         /// String value of the enum field names used in the ProtoBuf definition.
@@ -214,6 +219,7 @@ pub mod event {
                 Self::Pedal => "PEDAL",
                 Self::Pressure => "PRESSURE",
                 Self::Overload => "OVERLOAD",
+                Self::Starved => "STARVED",
             }
         }
         /// Creates an enum from field names used in the ProtoBuf definition.
@@ -235,6 +241,7 @@ pub mod event {
                 "PEDAL" => Some(Self::Pedal),
                 "PRESSURE" => Some(Self::Pressure),
                 "OVERLOAD" => Some(Self::Overload),
+                "STARVED" => Some(Self::Starved),
                 _ => None,
             }
         }

@@ -46,9 +46,11 @@ impl Marks<'_> {
             Kind::Recovery => (format!("{} recovered", key_name(event.key)), false),
             Kind::Board => (with_text("board", event), false),
             Kind::Overload => (with_text("load", event), false),
+            Kind::Starved if is_far(&mut self.miss) => (with_text("load", event), true),
             Kind::Disarm => ("all forces fade".to_owned(), false),
             Kind::Strike
             | Kind::Miss
+            | Kind::Starved
             | Kind::Unknown
             | Kind::Switch
             | Kind::DamperLift

@@ -1,6 +1,6 @@
 //! A whole session with an adversary, out of arbitrary bytes.
 
-use pode::Limits;
+use pode::{Limits, WorkLimit};
 
 use super::bytes::Bytes;
 use super::wave::Wave;
@@ -78,6 +78,7 @@ fn limits(bytes: &mut Bytes<'_>) -> Limits {
         followed: u32::from(bytes.byte() % 10),
         guards: 8 * u32::from(bytes.byte()),
         pieces: u32::from(bytes.byte() % 80),
+        work: WorkLimit::NONE,
         longest_step: bytes.odd(|it| it.sized(1e-4, 1.0)),
         forecast: bytes.is_true(),
         event_tolerance: bytes.odd(|it| it.sized(1e-15, 0.1)),
