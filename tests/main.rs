@@ -18,6 +18,7 @@ mod late_samples;
 mod letoff;
 mod overload;
 mod passive;
+mod pauses;
 mod performance;
 mod quiet;
 mod readme;
