@@ -86,7 +86,7 @@ pub struct Timings {
     pub late_turns: u64,
     /// Misses of ticks that had no time since simulated keys made up for ticks that were skipped.
     pub by_simulated_keys: u64,
-    /// The first [`MAX_PAUSES`] pauses.
+    /// The first 1000 pauses.
     pub pauses: Vec<Pause>,
     /// Evaluations of the ticks that missed their deadlines by own work.
     evaluations: Histogram<u64>,

@@ -14,7 +14,7 @@ const LOOK: Duration = Duration::from_millis(20);
 /// Looks before whoever asks is told to ask again: 3 s, less than a client's patience.
 const MOST_LOOKS: u32 = 150;
 
-/// Refusal of a host that is not ready within [`MOST_LOOKS`].
+/// Refusal of a host that is not ready within `MOST_LOOKS` polls.
 pub const STARTING: &str = "the host is starting, and tries its keys: ask again in a moment";
 
 /// Answers for a host that still tries its keys: a stop and how it goes at once, and all else when
