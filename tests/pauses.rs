@@ -1,8 +1,12 @@
 //! The machine pauses: ticks are lost, and what is played meanwhile sounds late.
 
-use haptics::Touch;
+use haptics::{Gesture, Touch};
+use host::rehearsal::RehearsedKey;
+use performance::{Pianist, Score, ScoreNote, Technique};
 use scheduler::motion::KeyEvent;
 use scheduler::port::{FinishedTick, TickObserver};
+
+use voice::VoiceBuilder;
 
 use crate::stage::{Stage, key, keybed, scene, stroke};
 
@@ -65,4 +69,49 @@ fn a_note_that_is_played_while_the_machine_pauses_sounds_late_and_about_as_loud(
     }
     // The key bounces where its force returns.
     assert!(extra <= pauses / 8, "{extra} more strikes than strokes in {pauses} pauses");
+}
+
+/// Gestures that play two soft notes of `velocity` on D3, the second where the first ends.
+fn repeated(scene: &scene::Scene, key: usize, velocity: u8) -> Vec<Gesture> {
+    let builder = VoiceBuilder::new(scene).unwrap();
+    let (_, voice) = builder.keys().next().unwrap();
+    let note = |onset, end, velocity| ScoreNote {
+        key: u8::try_from(key).unwrap(),
+        onset,
+        end,
+        velocity,
+        release: None,
+    };
+    let notes = vec![note(0.0, 0.625, velocity), note(0.625, 1.25, velocity - 3)];
+    let score = Score { notes, ..Score::default() };
+    let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
+    let pianist = Pianist { technique, ..Pianist::default() };
+    let instrument = |_key| RehearsedKey::of_scene(&builder, key, voice).unwrap();
+    let mut performance = pianist.prepare(&score, instrument, |_progress| {});
+    assert_eq!(performance.predicted.len(), 2, "both can be played");
+    std::mem::take(&mut performance.gestures[key])
+}
+
+#[test]
+fn a_repeated_note_is_struck_although_a_tick_is_lost_before() {
+    const D3: usize = 29;
+    let scene = scene("default", &[("keys.0.range", "D3..D3")]);
+    let mut missed = Vec::new();
+    for velocity in [42, 46, 48, 52] {
+        let gestures = repeated(&scene, D3, velocity);
+        for from in (900..1640).step_by(37) {
+            let mut bus = keybed(&scene);
+            bus.play(key(D3), gestures.clone());
+            let mut strikes = Strikes::default();
+            let mut stage = Stage::new(&scene, bus).watched_by(&mut strikes);
+            while stage.tick().tick < from {}
+            stage.pause(1);
+            while stage.tick().tick < 2000 {}
+            drop(stage);
+            if strikes.0.len() != 2 {
+                missed.push((velocity, from, strikes.0.len()));
+            }
+        }
+    }
+    assert!(missed.is_empty(), "velocity, tick, strikes: {missed:?}");
 }

@@ -4,10 +4,9 @@ use std::fmt;
 
 use keyboard::{KeyIndex, KeyRange};
 use scene::{KeyVoice, Scene};
-use voice::VoiceBuilder;
 
 use super::remedy::{Remedy, nearest};
-use super::trial::KeyTrial;
+use super::trial::{UnstableTrial, first_unstable};
 use crate::rehearsal::RehearsalError;
 
 /// Keys of a range that are tried: instruments are graded evenly over the compass.
@@ -39,7 +38,7 @@ pub struct UnstableKey {
     /// The finger under which it does so.
     pub finger: &'static str,
     pub tick_hz: u32,
-    /// The rig's delay (s).
+    /// The rig's delay in that trial (s).
     pub delay: f64,
     /// The nearest settings with which it is stable.
     pub remedy: Option<Remedy>,
@@ -110,26 +109,20 @@ pub fn instabilities(scene: &Scene) -> Result<Vec<String>, RehearsalError> {
 /// # Errors
 /// If voices or the keybed are refused.
 pub fn examine_keys(scene: &Scene, keys: KeyRange) -> Result<RangeStability, RehearsalError> {
-    let builder = VoiceBuilder::new(scene)?;
     let voices: Vec<_> = tried(keys).filter_map(|key| Some((key, voice(scene, key)?))).collect();
     let model = voices.first().map_or("", |(_key, voice)| voice.model.name);
-    let mut unstable = None;
-    for (key, voice) in &voices {
-        let Some((finger, found)) = KeyTrial::of(&builder, (key.index(), voice)).worst()? else {
-            continue;
-        };
-        let remedy = nearest(scene, &voices, *key)?;
-        unstable = Some(UnstableKey {
-            key: *key,
+    let unstable = match first_unstable(scene, voices.iter())? {
+        None => None,
+        Some(UnstableTrial { key, finger, delay, instability }) => Some(UnstableKey {
+            key,
             model,
-            does: found.what(),
+            does: instability.what(),
             finger,
             tick_hz: scene.tick_hz,
-            delay: scene.rig.delay,
-            remedy,
-        });
-        break;
-    }
+            delay,
+            remedy: nearest(scene, &voices, key)?,
+        }),
+    };
     Ok(RangeStability { keys, model, unstable, gain_margin: None })
 }
 
@@ -149,8 +142,7 @@ impl RangeStability {
         for gain in GAINS {
             let mut louder = scene.clone();
             louder.render.force_gain *= gain;
-            let builder = VoiceBuilder::new(&louder)?;
-            if KeyTrial::of(&builder, (key.index(), voice)).worst()?.is_some() {
+            if first_unstable(&louder, [(key, voice)].iter())?.is_some() {
                 break;
             }
             margin = gain;

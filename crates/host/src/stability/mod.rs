@@ -10,4 +10,3 @@ mod remedy;
 mod trial;
 
 pub use examine::{RangeStability, UnstableKey, examine, examine_keys, instabilities};
-pub use trial::{Instability, KeyTrial};

@@ -5,9 +5,8 @@ use std::fmt;
 use haptics::EstimatorName;
 use keyboard::KeyIndex;
 use scene::{KeyVoice, PassivityMode, Scene};
-use voice::VoiceBuilder;
 
-use super::trial::KeyTrial;
+use super::trial::first_unstable;
 use crate::rehearsal::RehearsalError;
 
 /// Rates that boards can keep (Hz).
@@ -46,27 +45,14 @@ pub(super) fn nearest(
         other.tick_hz = remedy.tick_hz.unwrap_or(scene.tick_hz);
         other.render.jerk_density = remedy.jerk_density.unwrap_or(scene.render.jerk_density);
         other.render.passivity = remedy.passivity.unwrap_or(scene.render.passivity);
-        let builder = VoiceBuilder::new(&other)?;
         // The worst first: most candidates are out by it.
         let worst = voices.iter().filter(|it| it.0 == key);
         let rest = voices.iter().filter(|it| it.0 != key);
-        if are_stable(&builder, worst.chain(rest))? {
+        if first_unstable(&other, worst.chain(rest))?.is_none() {
             return Ok(Some(remedy));
         }
     }
     Ok(None)
-}
-
-fn are_stable<'a>(
-    builder: &VoiceBuilder<'_>,
-    voices: impl Iterator<Item = &'a (KeyIndex, &'a KeyVoice)>,
-) -> Result<bool, RehearsalError> {
-    for (key, voice) in voices {
-        if KeyTrial::of(builder, (key.index(), voice)).worst()?.is_some() {
-            return Ok(false);
-        }
-    }
-    Ok(true)
 }
 
 /// Other settings, the nearest first.

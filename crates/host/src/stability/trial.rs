@@ -2,7 +2,8 @@
 
 use haptics::plant::{Gesture, Touch};
 use haptics::{FingerParameters, Grasp, RigParameters, Swing};
-use scene::KeyVoice;
+use keyboard::KeyIndex;
+use scene::{KeyVoice, Scene};
 use scheduler::voice::VoiceFault;
 use voice::VoiceBuilder;
 
@@ -10,7 +11,7 @@ use crate::rehearsal::{RehearsalError, RehearsedKey};
 
 /// What shows that a key's loop is not stable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Instability {
+pub(super) enum Instability {
     /// Its voice fails while somebody plays it.
     Fault(VoiceFault),
     /// It sounds with nobody at it.
@@ -23,7 +24,7 @@ pub enum Instability {
 
 impl Instability {
     /// Returns what the key does, as the end of a sentence that begins with its name.
-    pub const fn what(self) -> &'static str {
+    pub(super) const fn what(self) -> &'static str {
         match self {
             Self::Fault(VoiceFault::MakesEnergy) => "makes energy",
             Self::Fault(_) => "fails while it is played",
@@ -32,6 +33,17 @@ impl Instability {
             Self::Shakes => "shakes when it is let go",
         }
     }
+}
+
+/// A trial in which a key is not stable.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct UnstableTrial {
+    pub(super) key: KeyIndex,
+    /// Name of the finger.
+    pub(super) finger: &'static str,
+    /// Delay of the rig (s).
+    pub(super) delay: f64,
+    pub(super) instability: Instability,
 }
 
 /// The corners of what fingers do, with their names.
@@ -51,6 +63,9 @@ const STROKES: [(f64, f64, f64, Touch); 3] = [
     (0.8, 0.95, 2.5, Touch::Struck),
 ];
 
+/// Parts of the rig's delay at which a key is tried.
+const DELAYS: [f64; 3] = [1.0, 0.5, 0.0];
+
 /// Length of a trial (s).
 const LENGTH: f64 = 1.6;
 
@@ -60,44 +75,51 @@ const QUIET: f64 = 0.3;
 /// Strikes of one stroke beyond which it is a chatter: a pendulum on a cart bounces that often.
 const CHATTER: usize = 6;
 
-/// A key that is to be tried.
-#[derive(Clone, Copy, Debug)]
-pub struct KeyTrial<'a> {
-    builder: &'a VoiceBuilder<'a>,
-    key: (usize, &'a KeyVoice),
-}
-
-impl<'a> KeyTrial<'a> {
-    /// Returns the trial of a key of the builder's scene, with its voice.
-    pub const fn of(builder: &'a VoiceBuilder<'a>, key: (usize, &'a KeyVoice)) -> Self {
-        Self { builder, key }
-    }
-
-    /// Tries all fingers, or the hand if one grips the key; returns the name of the first under
-    /// which the key is not stable, and what shows it.
-    ///
-    /// # Errors
-    /// If the voice or the keybed are refused.
-    pub fn worst(&self) -> Result<Option<(&'static str, Instability)>, RehearsalError> {
-        let hand = self.builder.rig().finger;
-        let hands = match hand.grasp {
-            Grasp::Pushes => FINGERS.to_vec(),
-            Grasp::Grips => vec![("a gripping", hand)],
-        };
-        for (name, finger) in hands {
-            let rig = RigParameters { finger, ..self.builder.rig() };
-            if let Some(found) = self.on_rig(rig)? {
-                return Ok(Some((name, found)));
+/// Tries `voices` of a scene; returns the first trial in which a key is not stable.
+///
+/// A link delays some samples less than others, so shorter delays than the rig's are tried too. A
+/// loop that shakes without a delay and is quiet with one has a limit cycle whose phase happens to
+/// fit: on the link it shakes.
+///
+/// # Errors
+/// If a voice or the keybed are refused.
+pub(super) fn first_unstable<'a>(
+    scene: &Scene,
+    voices: impl Iterator<Item = &'a (KeyIndex, &'a KeyVoice)> + Clone,
+) -> Result<Option<UnstableTrial>, RehearsalError> {
+    let mut tried = scene.clone();
+    for part in if 0.0 < scene.rig.delay { &DELAYS[..] } else { &DELAYS[..1] } {
+        let delay = part * scene.rig.delay;
+        tried.rig.delay = delay;
+        let builder = VoiceBuilder::new(&tried)?;
+        for &(key, voice) in voices.clone() {
+            if let Some((finger, instability)) = worst(&builder, (key.index(), voice))? {
+                return Ok(Some(UnstableTrial { key, finger, delay, instability }));
             }
         }
-        Ok(None)
     }
+    Ok(None)
+}
 
-    /// Tries the key on `rig`.
-    fn on_rig(&self, rig: RigParameters) -> Result<Option<Instability>, RehearsalError> {
-        let key = RehearsedKey::on_rig(self.builder, self.key, rig)?;
-        Ok(play(key, rig.key.bottom_stop.position))
+/// Tries all fingers on a key, or the hand if one grips it; returns the name of the first under
+/// which the key is not stable, and what shows it.
+fn worst(
+    builder: &VoiceBuilder<'_>,
+    key: (usize, &KeyVoice),
+) -> Result<Option<(&'static str, Instability)>, RehearsalError> {
+    let hand = builder.rig().finger;
+    let hands = match hand.grasp {
+        Grasp::Pushes => FINGERS.to_vec(),
+        Grasp::Grips => vec![("a gripping", hand)],
+    };
+    for (name, finger) in hands {
+        let rig = RigParameters { finger, ..builder.rig() };
+        let rehearsed = RehearsedKey::on_rig(builder, key, rig)?;
+        if let Some(found) = play(rehearsed, rig.key.bottom_stop.position) {
+            return Ok(Some((name, found)));
+        }
     }
+    Ok(None)
 }
 
 /// Plays the strokes on a key with a way of `dip` (m).

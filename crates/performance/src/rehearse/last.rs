@@ -15,7 +15,7 @@ const KEPT: [f64; 4] = [0.75, 0.5, 0.25, 0.0];
 const WORTHWHILE: f64 = 5e-3;
 
 /// After a release, a key is at rest by this time (s): no earlier release would help.
-const SETTLED: f64 = 0.6;
+pub(super) const SETTLED: f64 = 0.6;
 
 /// Part of its cost that a stroke may keep where it is not met even so, for a hold to be cut.
 const GAIN: f64 = 0.5;

@@ -3,7 +3,7 @@
 use haptics::plant::{Gesture, Touch};
 
 use super::hand::{KeyRise, PlannedKey};
-use super::{PlayOutcome, Practice, Rehearsal, Strike, table};
+use super::{PlayOutcome, Practice, Rehearsal, Strike, last, table};
 use crate::stroke::PlannedStroke;
 
 /// Most simulations for one stroke and touch.
@@ -23,6 +23,12 @@ const EXTRA_COST: f64 = 100.0;
 
 /// Cost of no strike.
 const MISS_COST: f64 = 1e6;
+
+/// Cost of a stroke that does not strike if a tick is lost on the way.
+const FRAGILE_COST: f64 = 1e3;
+
+/// Changes of the start that a stroke must bear (s): a tick that the machine loses.
+const LOST_TICKS: [f64; 2] = [-1e-3, 1e-3];
 
 /// Time after the onset in which a second strike is looked for (s).
 const WATCH: f64 = 0.08;
@@ -91,6 +97,9 @@ pub(super) fn find<R: Rehearsal>(
             best = last;
         }
     }
+    if best.strike.is_some() && !search.is_sure(hand, best.gesture) {
+        best.cost += FRAGILE_COST;
+    }
     Try { n_tries, ..best }
 }
 
@@ -158,6 +167,20 @@ impl<'a> StrokeSearch<'a> {
         let until = self.wanted.onset.max(self.start + self.delay_from(self.start)) + WATCH;
         let gesture = self.gesture_from(self.start);
         judge(self.practice, self.wanted, gesture, &hand.try_out(gesture, until))
+    }
+
+    /// Whether `gesture` strikes also if a tick is lost: a key that is struck again before it has
+    /// come to rest may only just catch its hammer.
+    fn is_sure<R: Rehearsal>(&self, hand: &PlannedKey<R>, gesture: Gesture) -> bool {
+        if self.earliest + last::SETTLED < gesture.start {
+            return true;
+        }
+        LOST_TICKS.iter().all(|late| {
+            let start = (gesture.start + late).max(self.earliest);
+            let moved = Gesture { start, ..gesture };
+            let outcome = hand.try_out(moved, self.wanted.onset + WATCH);
+            judge(self.practice, self.wanted, moved, &outcome).strike.is_some()
+        })
     }
 
     /// Changes speed and start by what `tried` shows; false if neither can be changed.
