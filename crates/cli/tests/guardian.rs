@@ -7,6 +7,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Stdio};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use midi::{Message, Output as _, Smf};
 use rustix::process::{Pid, Signal, kill_process};
@@ -199,8 +200,9 @@ impl Drop for Host<'_> {
             let _gone = self.child.kill();
             let _ended = self.child.wait();
         }
+        // One that is stopped hears nothing else.
         for guardian in self.stand.guardians() {
-            let _gone = kill(guardian, Signal::TERM);
+            let _gone = kill(guardian, Signal::KILL);
         }
     }
 }
@@ -276,6 +278,88 @@ fn a_guardian_that_is_killed_is_replaced_note_offs_first() {
 #[test]
 fn a_guardian_that_hangs_is_replaced_note_offs_first() {
     check_replaced("guardian-hangs", Signal::STOP);
+}
+
+/// Signals that reach the host and its guardian, and whether the host's comes first.
+type Deaths = (Option<Signal>, Option<Signal>, bool);
+
+/// Every subset of host and guardian, every signal, both orders.
+fn deaths() -> Vec<Deaths> {
+    let signals = [None, Some(Signal::KILL), Some(Signal::STOP), Some(Signal::TERM)];
+    let pairs = signals.iter().flat_map(|host| signals.iter().map(move |it| (*host, *it)));
+    let all = pairs.flat_map(|(host, guardian)| [(host, guardian, true), (host, guardian, false)]);
+    let is_one = |&(host, guardian, host_first): &Deaths| match (host, guardian) {
+        (None, None) => false,
+        (None, _) | (_, None) => host_first,
+        (Some(_), Some(_)) => true,
+    };
+    all.filter(is_one).collect()
+}
+
+/// Has `deaths` come upon a host and a guardian that hold a chord and the pedal, and asserts that
+/// both end, at the latest when the next host opens the port.
+fn check_ended(name: &str, deaths: Deaths) {
+    let (host_signal, guardian_signal, host_first) = deaths;
+    let stand = Stand::new(name);
+    let host = stand.start(&[]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let (guardian, heard) = (stand.guardian(), stand.heard().messages.len());
+    let reach_host = || host_signal.into_iter().for_each(|signal| host.send(signal));
+    let reach_guardian = || {
+        guardian_signal.into_iter().for_each(|signal| kill(guardian, signal).expect("it is there"));
+    };
+    if host_first {
+        reach_host();
+        reach_guardian();
+    } else {
+        reach_guardian();
+        reach_host();
+    }
+    // A host that lives plays on, with its pedal.
+    let has_ended = || {
+        let heard = &stand.heard().messages[heard..];
+        let ends = CHORD.iter().all(|note| heard.contains(&[0x80, *note, 64]));
+        ends && heard.contains(&[0xB0, 64, 0])
+    };
+    let begun = Instant::now();
+    while !has_ended() && begun.elapsed() < Duration::from_secs(3) {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    if has_ended() {
+        return;
+    }
+    let next = stand.start(&["--performance", "none"]);
+    let what = format!("{deaths:?}: the end at the next opening: {}", stand.complaints());
+    eventually(&what, || has_ended().then_some(()));
+    drop(next);
+}
+
+#[test]
+fn notes_and_pedals_end_whatever_dies_in_whatever_order() {
+    let all = deaths();
+    assert_eq!(all.len(), 24);
+    std::thread::scope(|scope| {
+        for first in 0..4 {
+            let mine = all.iter().enumerate().skip(first).step_by(4);
+            scope.spawn(move || {
+                for (index, deaths) in mine {
+                    check_ended(&format!("deaths-{index}"), *deaths);
+                }
+            });
+        }
+    });
+}
+
+#[test]
+fn what_another_host_holds_at_the_same_port_is_not_ended() {
+    let stand = Stand::new("beside");
+    let host = stand.start(&[]);
+    stand.hears("the chord", Heard::holds_the_chord);
+    let beside = stand.start(&["--performance", "none", "--duration", "0.5"]);
+    assert_eq!(beside.end(), Some(0), "{}", stand.complaints());
+    assert!(stand.heard().holds_the_chord());
+    assert_eq!(stand.heard().unasked, 0);
+    host.ends_well();
 }
 
 #[test]

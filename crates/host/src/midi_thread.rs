@@ -22,6 +22,15 @@ const PATIENCE: Duration = Duration::from_millis(50);
 /// note.
 pub(crate) const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
+/// The way in which a run ends.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ending {
+    /// Its time is over, or a signal ended it: what sounds decays as it would.
+    Regular,
+    /// Somebody asked for a stop: the receiver falls silent at once.
+    Emergency,
+}
+
 /// An output of any kind.
 pub type AnyOutput = Box<dyn Output + Send>;
 
@@ -164,8 +173,8 @@ impl MidiDispatcher {
     }
 
     /// Ends all notes and the output, and says what came of them.
-    pub fn close(mut self, handover: Option<Histogram<u64>>) -> PlaybackSummary {
-        self.end_notes();
+    pub fn close(mut self, ending: Ending, handover: Option<Histogram<u64>>) -> PlaybackSummary {
+        self.end_notes(ending);
         PlaybackSummary {
             assessor: self.assessor,
             trouble: self.trouble,
@@ -175,8 +184,11 @@ impl MidiDispatcher {
     }
 
     /// Ends all notes and finishes the output, which takes no more.
-    pub fn end_notes(&mut self) {
-        let silenced = self.player.silence();
+    pub fn end_notes(&mut self, ending: Ending) {
+        let silenced = match ending {
+            Ending::Regular => self.player.silence(),
+            Ending::Emergency => self.player.cut_off(),
+        };
         self.note(silenced);
         let finished = self.player.finish();
         self.note(finished);
@@ -205,6 +217,7 @@ impl MidiDispatcher {
 #[derive(Debug)]
 pub struct MidiThread {
     stop: Arc<AtomicBool>,
+    emergency: Arc<AtomicBool>,
     bell: Arc<WakeFd>,
     thread: std::thread::JoinHandle<PlaybackSummary>,
 }
@@ -222,21 +235,26 @@ impl MidiThread {
         mut handover: Histogram<u64>,
     ) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
+        let emergency = Arc::new(AtomicBool::new(false));
         let (its_stop, its_bell) = (Arc::clone(&stop), Arc::clone(&bell));
+        let its_emergency = Arc::clone(&emergency);
         let plan = plan.below(PRIORITY);
         let thread = std::thread::Builder::new().name("letoff-midi".into()).spawn(move || {
             let _as_the_tick_reports = plan.ask(0);
             dispatcher.attend(&its_bell, start, &its_stop, &mut handover);
-            dispatcher.close(Some(handover))
+            let is_emergency = its_emergency.load(Ordering::Acquire);
+            let ending = if is_emergency { Ending::Emergency } else { Ending::Regular };
+            dispatcher.close(ending, Some(handover))
         })?;
-        Ok(Self { stop, bell, thread })
+        Ok(Self { stop, emergency, bell, thread })
     }
 
     /// Plays what is left, ends all notes, and returns what was seen.
     ///
     /// # Errors
     /// If the thread panicked; its notes were ended while it unwound.
-    pub fn finish(self) -> std::thread::Result<PlaybackSummary> {
+    pub fn finish(self, ending: Ending) -> std::thread::Result<PlaybackSummary> {
+        self.emergency.store(ending == Ending::Emergency, Ordering::Release);
         self.stop.store(true, Ordering::Release);
         self.bell.ring();
         self.thread.join()

@@ -53,17 +53,15 @@ impl<O: Output> NoteGuardian<O> {
         self.n_interruptions
     }
 
-    /// Follows a new host from time `now` (s) on; ends what another one left here, and by `ends`
-    /// what it left to a guardian that is gone.
+    /// Follows a new host from time `now` (s) on; ends what another one left here.
     ///
     /// # Errors
     /// If a message is lost.
-    pub fn begin(&mut self, now: f64, ends: Vec<Message>) -> Result<(), MidiSendError> {
+    pub fn begin(&mut self, now: f64) -> Result<(), MidiSendError> {
         let left = self.leave(now);
-        let ended = self.send_all(now, ends);
         self.sign = HostSign::Heard(now);
         self.n_interruptions = 0;
-        left.and(ended)
+        left
     }
 
     /// Takes a sign of the host's life at time `now` (s); one that was interrupted goes on with
@@ -123,7 +121,7 @@ impl<O: Output> NoteGuardian<O> {
     }
 
     fn silence(&mut self, now: f64) -> Result<(), MidiSendError> {
-        let messages = self.held.silence();
+        let messages = self.held.release();
         self.send_all(now, messages)
     }
 

@@ -51,19 +51,54 @@ impl HeldNotes {
         *self == Self::default()
     }
 
-    /// Returns the messages that end what is held, and forgets it: note-offs, the pressure, the
-    /// pedals, and what others may have left.
-    pub fn silence(&mut self) -> Vec<Message> {
-        let Self { sounding, pressure, .. } = std::mem::take(self);
+    /// Returns the messages that end what is held, and forgets it: note-offs, the pressure, and
+    /// pedals up.
+    pub fn release(&mut self) -> Vec<Message> {
+        let Self { sounding, pressure, pedals } = std::mem::take(self);
         let keys = KeyIndex::all().map(KeyIndex::number);
         let notes = keys.filter(|key| sounding[usize::from(*key)]).filter_map(Note::from_key);
         let offs = notes.map(|note| Message::NoteOff { note, velocity: Velocity::UNKNOWN });
         let pressure = (0 < pressure).then_some(Message::ChannelPressure { value: 0 });
-        let all = [Controller::AllNotesOff, Controller::AllSoundOff];
-        let controllers = Pedal::ALL.map(Pedal::controller).into_iter().chain(all);
-        let controllers =
-            controllers.map(|controller| Message::ControlChange { controller, value: 0 });
-        offs.chain(pressure).chain(controllers).collect()
+        let pedals = pedals.lifted();
+        offs.chain(pressure).chain(pedals).collect()
+    }
+
+    /// Adds what `other` holds.
+    pub(crate) fn add(&mut self, other: &Self) {
+        let both = self.to_bytes().into_iter().zip(other.to_bytes());
+        *self = Self::of(both.map(|(own, other)| own.max(other)));
+    }
+
+    /// Removes what `other` holds too.
+    pub(crate) fn remove(&mut self, other: &Self) {
+        let both = self.to_bytes().into_iter().zip(other.to_bytes());
+        *self = Self::of(both.map(|(own, other)| if 0 < other { 0 } else { own }));
+    }
+
+    /// Returns what is held, a byte for each note, each pedal and the pressure.
+    pub(crate) fn to_bytes(&self) -> [u8; Self::LEN] {
+        let notes = self.sounding.iter().map(|sounds| u8::from(*sounds));
+        let mut all = notes.chain(self.pedals.all().map(|(_, value)| value)).chain([self.pressure]);
+        std::array::from_fn(|_index| all.next().unwrap_or_default())
+    }
+
+    /// Reads the same; returns `None` if bytes are missing.
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let bytes: [u8; Self::LEN] = bytes.get(..Self::LEN)?.try_into().ok()?;
+        Some(Self::of(bytes.into_iter()))
+    }
+
+    /// Length of the bytes.
+    pub(crate) const LEN: usize = KEYS + Pedal::ALL.len() + 1;
+
+    fn of(mut bytes: impl Iterator<Item = u8>) -> Self {
+        let mut next = || bytes.next().unwrap_or_default();
+        let sounding = std::array::from_fn(|_key| next() != 0);
+        let mut pedals = PedalValues::default();
+        for pedal in Pedal::ALL {
+            pedals.set(pedal, next().min(127));
+        }
+        Self { sounding, pedals, pressure: next().min(127) }
     }
 
     /// Returns the messages that put the pedals of a silent receiver where they are here.
@@ -99,8 +134,8 @@ mod tests {
         for message in [on(60), on(64), on(60), off(64), control(Controller::Sostenuto, 90)] {
             assert!(held.follow(message), "{message:?}");
         }
-        let bytes: Vec<_> = held.silence().iter().map(|it| it.encode().to_vec()).collect();
-        let controllers = [64, 66, 67, 123, 120].map(|number| vec![0xB0, number, 0]);
+        let bytes: Vec<_> = held.release().iter().map(|it| it.encode().to_vec()).collect();
+        let controllers = [vec![0xB0, 66, 0]];
         assert_eq!(bytes[..1], [vec![0x80, 60, 64]]);
         assert_eq!(bytes[1..], controllers);
         assert!(held.is_silent());

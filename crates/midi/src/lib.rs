@@ -21,6 +21,7 @@
 pub mod guardian;
 pub mod held;
 pub mod input;
+mod ledger;
 pub mod message;
 pub mod note;
 pub mod output;

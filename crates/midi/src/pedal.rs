@@ -1,6 +1,6 @@
 //! The pedals of a piano, and how far each is pressed.
 
-use crate::message::Controller;
+use crate::message::{Controller, Message};
 
 /// A pedal of a grand.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -52,6 +52,12 @@ impl PedalValues {
     /// Sets where `pedal` is, 0 to 127; returns whether it was elsewhere.
     pub(crate) fn set(&mut self, pedal: Pedal, value: u8) -> bool {
         std::mem::replace(&mut self.0[pedal as usize], value) != value
+    }
+
+    /// Returns the messages that lift the pedals that are down.
+    pub(crate) fn lifted(self) -> impl Iterator<Item = Message> {
+        let down = Pedal::ALL.into_iter().zip(self.0).filter(|(_, value)| 0 < *value);
+        down.map(|(pedal, _)| Message::ControlChange { controller: pedal.controller(), value: 0 })
     }
 
     /// Returns where each pedal is, 0 to 127.

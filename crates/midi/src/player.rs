@@ -162,7 +162,7 @@ impl<O: Output> Player<O> {
         fallen.and(polled)
     }
 
-    /// Silences everything now: held notes, the pedals, and what others may have left.
+    /// Ends everything as a player would who lifts hands and feet: held notes, pressure, pedals.
     ///
     /// # Errors
     ///
@@ -178,11 +178,23 @@ impl<O: Output> Player<O> {
             let sent = self.send(self.now, Message::ChannelPressure { value: 0 });
             outcome = outcome.and(sent);
         }
-        self.pedals = PedalValues::default();
-        let pedals = Pedal::ALL.map(Pedal::controller);
-        for controller in
-            pedals.into_iter().chain([Controller::AllNotesOff, Controller::AllSoundOff])
-        {
+        for lifted in std::mem::take(&mut self.pedals).lifted() {
+            let sent = self.send(self.now, lifted);
+            outcome = outcome.and(sent);
+        }
+        self.stirred = false;
+        outcome
+    }
+
+    /// Silences the receiver at once, in an emergency: after [`Player::silence`] also what others
+    /// have left, and what still decays.
+    ///
+    /// # Errors
+    ///
+    /// The first loss of a message, after all have been tried.
+    pub fn cut_off(&mut self) -> Result<(), MidiSendError> {
+        let mut outcome = self.silence();
+        for controller in [Controller::AllNotesOff, Controller::AllSoundOff] {
             let sent = self.send(self.now, Message::ControlChange { controller, value: 0 });
             outcome = outcome.and(sent);
         }

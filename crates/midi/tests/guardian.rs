@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 
 use midi::guardian::SILENT_AFTER;
-use midi::{Controller, HeldNotes, Message, MessageRecorder, Note, NoteGuardian, Pedal, Velocity};
+use midi::{Controller, Message, MessageRecorder, Note, NoteGuardian, Pedal, Velocity};
 use proptest::prelude::*;
 
 /// A receiver by the letter of the MIDI specification, which shares no line with `HeldNotes`.
@@ -47,7 +47,7 @@ impl Receiver {
 
 fn guardian() -> NoteGuardian<MessageRecorder> {
     let mut guardian = NoteGuardian::new(MessageRecorder::default());
-    guardian.begin(0.0, Vec::new()).unwrap();
+    guardian.begin(0.0).unwrap();
     guardian
 }
 
@@ -108,7 +108,7 @@ fn the_next_host_begins_in_silence() {
     let mut guardian = guardian();
     guardian.play(0.1, on(60)).unwrap();
     guardian.play(0.1, pedal(Pedal::UnaCorda, 127)).unwrap();
-    guardian.begin(0.2, Vec::new()).unwrap();
+    guardian.begin(0.2).unwrap();
     assert!(heard(&guardian).is_silent());
     guardian.hear(0.3).unwrap();
     assert!(heard(&guardian).is_silent(), "pedals of another host are not pressed again");
@@ -121,19 +121,6 @@ fn a_host_that_ends_in_silence_is_not_ended_once_more() {
     guardian.play(0.2, off(60)).unwrap();
     guardian.leave(0.3).unwrap();
     assert_eq!(guardian.output().messages().len(), 2);
-}
-
-#[test]
-fn what_a_guardian_before_this_one_left_is_ended_first() {
-    let mut left = HeldNotes::default();
-    left.follow(on(60));
-    let mut guardian = NoteGuardian::new(MessageRecorder::default());
-    guardian.begin(0.0, left.silence()).unwrap();
-    guardian.play(0.1, on(64)).unwrap();
-    let sent: Vec<_> =
-        guardian.output().messages().iter().map(|it| it.1.encode().to_vec()).collect();
-    assert_eq!(sent.first(), Some(&vec![0x80, 60, 64]));
-    assert_eq!(sent.last(), Some(&vec![0x90, 64, 64]));
 }
 
 /// What may happen to a guardian.
@@ -187,7 +174,7 @@ proptest! {
                 Happening::Message(message) => guardian.play(now, message).unwrap(),
                 Happening::Beat => guardian.hear(now).unwrap(),
                 Happening::Poll => guardian.poll(now).unwrap(),
-                Happening::Begin => guardian.begin(now, Vec::new()).unwrap(),
+                Happening::Begin => guardian.begin(now).unwrap(),
             }
         }
         if is_gone {

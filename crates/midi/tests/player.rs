@@ -137,9 +137,10 @@ fn silence_releases_what_is_held_and_resets_the_rest() {
     player.play(sustain(1.5, 1.0)).expect("memory");
     player.silence().expect("memory");
     assert!(!player.is_sounding(KEY));
-    let controllers = [64, 66, 67, 123, 120].map(|controller| (1.5, [0xB0, controller, 0]));
-    assert_eq!(sent(&player)[2..3], [off(1.5, 64)]);
-    assert_eq!(sent(&player)[3..], controllers);
+    let lifted = (1.5, [0xB0, 64, 0]);
+    assert_eq!(sent(&player)[2..], [off(1.5, 64), lifted]);
+    player.cut_off().expect("memory");
+    assert_eq!(sent(&player)[4..], [123, 120].map(|number| (1.5, [0xB0, number, 0])));
 }
 
 #[test]
@@ -178,9 +179,7 @@ fn a_player_that_goes_away_leaves_no_note_hanging() {
     let mut player = Player::new(output, VelocityCurve::default());
     player.play(strike(1.0, 1.0)).expect("accepted");
     drop(player);
-    let controllers = [64, 66, 67, 123, 120].map(|controller| [0xB0, controller, 0]);
-    assert_eq!(sent.borrow()[1..2], [[0x80, 60, 64]]);
-    assert_eq!(sent.borrow()[2..], controllers);
+    assert_eq!(sent.borrow()[1..], [[0x80, 60, 64]]);
 }
 
 #[test]
@@ -202,8 +201,8 @@ fn silence_tries_every_message_even_if_all_are_lost() {
     let sent = Rc::clone(&output.sent);
     let mut player = Player::new(output, VelocityCurve::default());
     assert!(player.play(strike(1.0, 1.0)).is_err());
-    assert!(player.silence().is_err());
-    assert_eq!(sent.borrow().len(), 1 + 6);
+    assert!(player.cut_off().is_err());
+    assert_eq!(sent.borrow().len(), 1 + 3);
 }
 
 #[test]

@@ -111,6 +111,10 @@ impl MidiSystem for SynthesizerPort {
         self.connected.is_some()
     }
 
+    fn destination(&self) -> Option<String> {
+        None
+    }
+
     fn is_there(&mut self) -> bool {
         let now = self.now();
         !self.away.iter().any(|it| it.contains(&now))

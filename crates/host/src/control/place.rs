@@ -26,10 +26,27 @@ pub fn socket_path() -> PathBuf {
     if let Some(path) = chosen() {
         return path;
     }
+    session().unwrap_or_else(temporary).join("letoff.sock")
+}
+
+/// Returns the runtime directory of the session, if it is this user's: who becomes another user may
+/// keep the first one's.
+fn session() -> Option<PathBuf> {
     let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from);
-    // Who becomes another user may keep the first one's.
-    let folder = runtime.filter(|folder| owner(folder) == Some(user()));
-    folder.unwrap_or_else(temporary).join("letoff.sock")
+    runtime.filter(|folder| owner(folder) == Some(user()))
+}
+
+/// Returns the folder for what outlives a host and not the machine: the service's own, or this
+/// user's, which no other user can write into.
+///
+/// # Errors
+/// If it cannot be made, or is another user's; a sentence.
+pub(crate) fn runtime_folder() -> io::Result<PathBuf> {
+    let service = std::env::var_os("RUNTIME_DIRECTORY").map(PathBuf::from);
+    let folder = service.filter(|folder| owner(folder) == Some(user())).or_else(session);
+    let Some(folder) = folder else { return temporary_folder() };
+    check_folder(&folder.join("letoff.sock"))?;
+    Ok(folder)
 }
 
 /// Returns this user's folder among temporary files, where anybody could make it before.

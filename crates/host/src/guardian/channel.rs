@@ -15,6 +15,9 @@ use rustix::process::{Pid, Signal, kill_process};
 use super::protocol::{GuardianLine, HostLine};
 use crate::control::place;
 
+/// The command that is a guardian.
+const COMMAND: &str = "midi-guardian";
+
 /// Longest line of a guardian (bytes).
 const LONGEST_LINE: usize = 4096;
 
@@ -26,8 +29,8 @@ pub(super) struct GuardianChannel {
     received: Vec<u8>,
     /// The guardian, if this process has started it.
     child: Option<Child>,
-    /// The guardian's process, once it said so.
-    pid: Option<i32>,
+    /// The process behind the socket.
+    pid: Pid,
 }
 
 impl GuardianChannel {
@@ -46,12 +49,13 @@ impl GuardianChannel {
             }
             Err(error) => return Err(error),
         };
-        if socket_peercred(&stream)?.uid.as_raw() != place::user() {
+        let peer = socket_peercred(&stream)?;
+        if peer.uid.as_raw() != place::user() {
             let text = format!("another user listens at {}", path.display());
             return Err(io::Error::new(ErrorKind::PermissionDenied, text));
         }
         stream.set_nonblocking(true)?;
-        Ok(Self { stream, received: Vec::new(), child, pid: None })
+        Ok(Self { stream, received: Vec::new(), child, pid: peer.pid })
     }
 
     /// Sends `line` without waiting.
@@ -90,11 +94,7 @@ impl GuardianChannel {
         let end = self.received.iter().position(|byte| *byte == b'\n');
         let Some(end) = end else { return Ok(None) };
         let text: Vec<u8> = self.received.drain(..=end).collect();
-        let line = serde_json::from_slice(&text)?;
-        if let GuardianLine::Opened { pid } = line {
-            self.pid = Some(pid);
-        }
-        Ok(Some(line))
+        Ok(Some(serde_json::from_slice(&text)?))
     }
 
     /// Waits for the next line that is no beat, at most `patience` for each that comes.
@@ -120,11 +120,15 @@ impl GuardianChannel {
         Ok(())
     }
 
-    /// Ends a guardian that does not answer, so that its port is closed.
+    /// Ends a guardian that does not answer, so that its port is closed and its notes are ended.
     pub(super) fn kill(mut self) {
-        let pid = self.pid.and_then(Pid::from_raw);
-        // One that is gone is as good.
-        let _gone = pid.map(|pid| kill_process(pid, Signal::KILL));
+        // Until a guardian has begun, the process behind its socket is the host that started it.
+        let pid = self.pid.as_raw_nonzero();
+        let command = std::fs::read(format!("/proc/{pid}/cmdline")).unwrap_or_default();
+        if command.split(|byte| *byte == 0).any(|word| word == COMMAND.as_bytes()) {
+            // One that is gone is as good.
+            let _gone = kill_process(self.pid, Signal::KILL);
+        }
         if let Some(child) = &mut self.child {
             let _ended = child.kill().and_then(|()| child.wait());
         }
@@ -146,7 +150,7 @@ fn start(path: &Path) -> io::Result<Child> {
     place::clear(path)?;
     let listener = UnixListener::bind(path)?;
     let mut command = Command::new(program());
-    command.arg("midi-guardian").arg(path).stdin(Stdio::from(OwnedFd::from(listener)));
+    command.arg(COMMAND).arg(path).stdin(Stdio::from(OwnedFd::from(listener)));
     // It outlives this process: it may hold neither its pipes, nor get the terminal's signals.
     command.stdout(Stdio::null()).stderr(Stdio::null()).process_group(0);
     command.spawn()

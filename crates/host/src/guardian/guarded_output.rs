@@ -83,7 +83,7 @@ impl GuardedOutput {
         port: GuardedPort,
         say: SayLine,
     ) -> Result<Self, GuardianTrouble> {
-        let (path, channel) = open(path, &port, Vec::new())?;
+        let (path, channel) = open(path, &port)?;
         Ok(Self {
             path,
             port,
@@ -133,8 +133,7 @@ impl GuardedOutput {
         }
         self.attempted = Some(now);
         let pedals = self.held.pedals();
-        let left = self.held.clone().silence().iter().map(|it| it.encode().to_vec()).collect();
-        let opened = open(&self.path, &self.port, left);
+        let opened = open(&self.path, &self.port);
         let (path, channel) = opened.map_err(|error| failed(error.to_string()))?;
         (self.path, self.channel, self.unanswered) = (path, Some(channel), 0);
         self.held = HeldNotes::default();
@@ -187,26 +186,30 @@ impl Drop for GuardedOutput {
 }
 
 /// Opens `port` behind the guardian at `path`, or behind one of this process's own where that one
-/// declines; it first sends what ends the notes that are `left`.
-fn open(
-    path: &Path,
-    port: &GuardedPort,
-    left: Vec<Vec<u8>>,
-) -> Result<(PathBuf, GuardianChannel), GuardianTrouble> {
+/// declines.
+fn open(path: &Path, port: &GuardedPort) -> Result<(PathBuf, GuardianChannel), GuardianTrouble> {
     let no_guardian =
         |path: &Path, source| GuardianTrouble::NoGuardian { path: path.to_owned(), source };
     let mut own = path.as_os_str().to_owned();
     own.push(format!(".{}", std::process::id()));
-    let hello = HostLine::Hello { version: VERSION, port: port.clone(), left };
+    let hello = HostLine::Hello { version: VERSION, port: port.clone() };
     let mut trouble = io::Error::from(ErrorKind::NotConnected);
     // The first may be just about to end, as its host has; the second is another host's.
     for path in [path, path, Path::new(&own)] {
         let greeted = GuardianChannel::reach(path).and_then(|mut channel| {
             channel.send(&hello)?;
-            channel.wait(PATIENCE).map(|answer| (channel, answer))
+            match channel.wait(PATIENCE) {
+                Ok(answer) => Ok((channel, answer)),
+                Err(error) => {
+                    if error.kind() == ErrorKind::TimedOut {
+                        channel.kill();
+                    }
+                    Err(error)
+                }
+            }
         });
         match greeted {
-            Ok((channel, GuardianLine::Opened { .. })) => return Ok((path.to_owned(), channel)),
+            Ok((channel, GuardianLine::Opened {})) => return Ok((path.to_owned(), channel)),
             Ok((_, GuardianLine::Missing { why })) => return Err(GuardianTrouble::Missing(why)),
             Ok((_, GuardianLine::Refused { why })) => return Err(GuardianTrouble::Refused(why)),
             Ok((_, GuardianLine::Declined { why })) => trouble = io::Error::other(why),

@@ -30,6 +30,9 @@ const LOOK: Duration = Duration::from_millis(50);
 /// How long the port is kept for a host that is started again.
 const KEPT: Duration = Duration::from_mins(1);
 
+/// Hosts that may wait to be let in.
+const BACKLOG: i32 = 16;
+
 /// Time in which the host that started it connects.
 const EXPECTED: Duration = Duration::from_secs(10);
 
@@ -41,6 +44,8 @@ const EXPECTED: Duration = Duration::from_secs(10);
 pub fn attend(path: &Path) -> io::Result<()> {
     let listener = StdListener::from(io::stdin().as_fd().try_clone_to_owned()?);
     listener.local_addr()?;
+    // From now on a client sees this process behind the socket, and not the host that made it.
+    rustix::net::listen(&listener, BACKLOG)?;
     listener.set_nonblocking(true)?;
     // As far as the system allows; a guardian without it is as late as every other program.
     let plan = ThreadPlan { policy: WantedPolicy::Fifo(PRIORITY), cpus: Vec::new() };
@@ -176,7 +181,7 @@ impl GuardianProcess {
                 let why = format!("it is of version {VERSION}, and the host of {version}");
                 return Ok(Some(GuardianLine::Declined { why }));
             }
-            HostLine::Hello { port, left, .. } => return Ok(Some(self.greet(now, port, &left))),
+            HostLine::Hello { port, .. } => return Ok(Some(self.greet(now, port))),
             HostLine::Message { bytes, handed_over } => self.play(now, &bytes, handed_over),
             HostLine::Beat => {
                 let heard = self.open.as_mut().map(|open| open.notes.hear(now));
@@ -195,8 +200,8 @@ impl GuardianProcess {
         Ok(None)
     }
 
-    /// Opens the port of a new host, unless it is open; ends what a guardian before may have left.
-    fn greet(&mut self, now: f64, port: GuardedPort, left: &[Vec<u8>]) -> GuardianLine {
+    /// Opens the port of a new host, unless it is open.
+    fn greet(&mut self, now: f64, port: GuardedPort) -> GuardianLine {
         self.passed_on = PassedOn::default();
         self.after.reset();
         if let Err(why) = self.open(port) {
@@ -204,10 +209,9 @@ impl GuardianProcess {
             let refused = GuardianLine::Refused { why: why.clone() };
             return if is_missing { GuardianLine::Missing { why } } else { refused };
         }
-        let left = left.iter().filter_map(|bytes| Message::decode(bytes).ok()).collect();
-        let begun = self.open.as_mut().map(|open| open.notes.begin(now, left));
+        let begun = self.open.as_mut().map(|open| open.notes.begin(now));
         self.note(begun);
-        GuardianLine::Opened { pid: rustix::process::getpid().as_raw_nonzero().get() }
+        GuardianLine::Opened {}
     }
 
     /// Opens `port`, unless it is the one that is open.
@@ -217,8 +221,9 @@ impl GuardianProcess {
         }
         // The old one first: a device may be opened once only.
         self.open = None;
-        let notes = NoteGuardian::new(port.open()?);
-        self.open = Some(OpenPort { port, notes });
+        let (output, trouble) = port.open()?;
+        self.passed_on.trouble = trouble;
+        self.open = Some(OpenPort { port, notes: NoteGuardian::new(output) });
         Ok(())
     }
 

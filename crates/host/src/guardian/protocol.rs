@@ -1,15 +1,17 @@
 //! What host and guardian tell each other, a line of JSON each.
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 use midi::{MidiPort, RawPort, Unavailable};
 use serde::{Deserialize, Serialize};
 
+use crate::control::place;
 use crate::midi_thread::AnyOutput;
 use crate::report::Quantiles;
 
 /// Number of this protocol; a guardian of another version is left alone.
-pub(super) const VERSION: u32 = 1;
+pub(super) const VERSION: u32 = 2;
 
 /// A port that a guardian opens.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
@@ -23,23 +25,36 @@ pub(crate) enum GuardedPort {
 }
 
 impl GuardedPort {
-    /// Opens the port in this process.
+    /// Opens the port in this process, and ends what a process that is gone has left there; returns
+    /// it with the reason why that cannot be done for this one, if so.
     ///
     /// # Errors
     /// If it is not there, or cannot be opened.
-    pub(crate) fn open(&self) -> Result<AnyOutput, Unavailable> {
-        match self {
-            Self::Virtual => boxed(MidiPort::create()),
-            Self::Named(name) => boxed(MidiPort::connect(name)),
-            Self::Raw(path) => boxed(RawPort::open(Path::new(path))),
-        }
+    pub(crate) fn open(&self) -> Result<(AnyOutput, Option<String>), Unavailable> {
+        let keep = |keep: &mut dyn FnMut(&Path) -> io::Result<()>| {
+            let kept = place::runtime_folder().and_then(|folder| keep(&folder));
+            kept.err().map(|error| {
+                format!("if this process is killed, its notes sound on: no ledger, {error}")
+            })
+        };
+        Ok(match self {
+            Self::Virtual => {
+                let mut port = MidiPort::create()?;
+                let trouble = keep(&mut |folder| port.keep_ledger(folder));
+                (Box::new(port), trouble)
+            }
+            Self::Named(name) => {
+                let mut port = MidiPort::connect(name)?;
+                let trouble = keep(&mut |folder| port.keep_ledger(folder));
+                (Box::new(port), trouble)
+            }
+            Self::Raw(path) => {
+                let mut port = RawPort::open(path)?;
+                let trouble = keep(&mut |folder| port.keep_ledger(folder));
+                (Box::new(port), trouble)
+            }
+        })
     }
-}
-
-fn boxed<O: midi::Output + Send + 'static>(
-    port: Result<O, Unavailable>,
-) -> Result<AnyOutput, Unavailable> {
-    Ok(Box::new(port?))
 }
 
 /// Returns whether the machine has no MIDI for this user, which a host does not fail for.
@@ -59,12 +74,7 @@ pub(super) fn is_missing(why: &Unavailable) -> bool {
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(super) enum HostLine {
     /// Asks for a port; it is the first line of a host.
-    Hello {
-        version: u32,
-        port: GuardedPort,
-        /// Messages that end what a guardian before this one may have left.
-        left: Vec<Vec<u8>>,
-    },
+    Hello { version: u32, port: GuardedPort },
     /// A message for the port.
     Message {
         bytes: Vec<u8>,
@@ -80,8 +90,8 @@ pub(super) enum HostLine {
 /// A line from the guardian.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(super) enum GuardianLine {
-    /// The port is open; this is the process that holds it.
-    Opened { pid: i32 },
+    /// The port is open.
+    Opened {},
     /// There is no MIDI on this machine; a sentence.
     Missing { why: String },
     /// The port cannot be opened; a sentence.

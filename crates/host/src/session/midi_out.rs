@@ -93,8 +93,8 @@ pub(super) fn open(
         // It plays all the same, as a host does that has no place for its sockets.
         Err(why @ GuardianTrouble::NoGuardian { .. }) => {
             match port.open().map_err(GuardianTrouble::from) {
-                Ok(output) => {
-                    Ok((output, OpenedOutput::new(format!("{name}, unguarded: {why}"), None)))
+                Ok((output, trouble)) => {
+                    Ok((output, OpenedOutput::new(format!("{name}, unguarded: {why}"), trouble)))
                 }
                 Err(trouble) => without_port(name, &trouble),
             }
@@ -123,7 +123,9 @@ fn open_port(
     handle: &Arc<RunHandle>,
 ) -> Result<(AnyOutput, Arc<Mutex<GuardianReport>>), GuardianTrouble> {
     let Some(path) = handle.guardian() else {
-        return Ok((port.open()?, Arc::default()));
+        let (output, trouble) = port.open()?;
+        trouble.into_iter().for_each(|text| handle.log(text));
+        return Ok((output, Arc::default()));
     };
     let its = Arc::clone(handle);
     let output = GuardedOutput::open(path, port.clone(), Box::new(move |text| its.log(text)))?;

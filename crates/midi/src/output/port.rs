@@ -1,5 +1,8 @@
 //! A MIDI port of the system: one that exists, or a virtual one of our own.
 
+use std::io;
+use std::path::Path;
+
 use super::ports::CLIENT;
 use super::reconnecting::ReconnectingPort;
 use super::system::{System, Unavailable, WantedPort};
@@ -34,6 +37,14 @@ impl MidiPort {
         let system = System::new(WantedPort::Virtual);
         ReconnectingPort::connect(system, CLIENT.to_owned()).map(Self)
     }
+
+    /// Keeps a ledger in `folder`, as [`ReconnectingPort::keep_ledger`].
+    ///
+    /// # Errors
+    /// If no file can be written in the folder.
+    pub fn keep_ledger(&mut self, folder: &Path) -> io::Result<()> {
+        self.0.keep_ledger(folder)
+    }
 }
 
 impl Output for MidiPort {
@@ -63,7 +74,7 @@ mod tests {
     #[cfg(target_os = "linux")]
     #[test]
     fn without_midi_there_is_an_error_and_no_port() {
-        if std::path::Path::new("/dev/snd/seq").exists() {
+        if Path::new("/dev/snd/seq").exists() {
             return;
         }
         assert_eq!(MidiPort::connect("fluid").err(), Some(Unavailable::NoSequencer));

@@ -27,6 +27,14 @@ impl RawPort {
         let device = DeviceFile { path: path.to_owned(), file: None };
         ReconnectingPort::connect(device, path.display().to_string()).map(Self)
     }
+
+    /// Keeps a ledger in `folder`, as [`ReconnectingPort::keep_ledger`].
+    ///
+    /// # Errors
+    /// If no file can be written in the folder.
+    pub fn keep_ledger(&mut self, folder: &Path) -> io::Result<()> {
+        self.0.keep_ledger(folder)
+    }
 }
 
 impl Output for RawPort {
@@ -95,6 +103,10 @@ impl MidiSystem for DeviceFile {
 
     fn is_there(&mut self) -> bool {
         self.file.is_some()
+    }
+
+    fn destination(&self) -> Option<String> {
+        Some(format!("raw:{}", self.path.display()))
     }
 }
 

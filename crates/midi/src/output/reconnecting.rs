@@ -2,7 +2,11 @@
 
 use keyboard::{KEYS, KeyIndex};
 
+use std::io;
+use std::path::Path;
+
 use super::{MidiSendError, Output, Unavailable};
+use crate::ledger::NoteLedger;
 use crate::message::Message;
 use crate::note::{Note, Velocity};
 use crate::pedal::{Pedal, PedalValues};
@@ -23,6 +27,10 @@ pub trait MidiSystem {
 
     /// Whether the destination still exists: some systems accept messages to a port that has gone.
     fn is_there(&mut self) -> bool;
+
+    /// Returns the full name of the destination, by which other processes know it too; `None` for a
+    /// port of our own, to which programs connect later.
+    fn destination(&self) -> Option<String>;
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -52,7 +60,15 @@ pub struct ReconnectingPort<B> {
     sounds: [Sound; KEYS],
     /// Where the pedals should be.
     pedals: PedalValues,
+    /// What the destination may sound, for the next process that opens the port.
+    ledger: Option<NoteLedger>,
+    /// Messages that end what a process that is gone has left, for whoever connects to a port of
+    /// our own.
+    owed: Vec<Message>,
 }
+
+/// The name of a port of our own in ledgers.
+const OWN: &str = "virtual";
 
 impl<B: MidiSystem> ReconnectingPort<B> {
     /// Connects `backend`, which people call `name`, for the first time.
@@ -69,7 +85,35 @@ impl<B: MidiSystem> ReconnectingPort<B> {
             looked: None,
             sounds,
             pedals: PedalValues::default(),
+            ledger: None,
+            owed: Vec::new(),
         })
+    }
+
+    /// Keeps a ledger of what the destination may sound in `folder`, and ends what processes that
+    /// are gone have left there; what a running one holds is not touched.
+    ///
+    /// # Errors
+    /// If no file can be written in the folder.
+    pub fn keep_ledger(&mut self, folder: &Path) -> io::Result<()> {
+        let destination = self.backend.destination();
+        let (ledger, mut left) = NoteLedger::open(folder, destination.as_deref().unwrap_or(OWN))?;
+        self.ledger = Some(ledger);
+        if left.is_silent() {
+            return Ok(());
+        }
+        let ends = left.release();
+        for message in &ends {
+            if let Message::NoteOff { note, .. } = message {
+                self.hear(*note, Sound::Sounding);
+            }
+        }
+        // A destination that is away gets them when it is back.
+        let _is_sent = ends.iter().all(|message| self.deliver(*message));
+        if destination.is_none() {
+            self.owed = ends;
+        }
+        Ok(())
     }
 
     fn is_due(&self, now: f64) -> bool {
@@ -85,6 +129,9 @@ impl<B: MidiSystem> ReconnectingPort<B> {
             return false;
         }
         self.link = PortState::Up;
+        if let (Some(ledger), Some(name)) = (&mut self.ledger, self.backend.destination()) {
+            let _unwritten = ledger.rename(&name);
+        }
         self.restore()
     }
 
@@ -111,9 +158,12 @@ impl<B: MidiSystem> ReconnectingPort<B> {
     }
 
     fn deliver(&mut self, message: Message) -> bool {
+        // Music goes on if the disk is full.
+        let _unwritten = self.ledger.as_mut().map(|ledger| ledger.begin(message));
         let accepted = self.backend.send(&message.encode());
         if accepted {
             self.remember(message);
+            let _unwritten = self.ledger.as_mut().map(|ledger| ledger.end(message));
         } else {
             self.link = PortState::Down;
         }
@@ -149,6 +199,9 @@ impl<B: MidiSystem> ReconnectingPort<B> {
 
 impl<B: MidiSystem> Output for ReconnectingPort<B> {
     fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
+        for ends in std::mem::take(&mut self.owed) {
+            self.deliver(ends);
+        }
         self.follow_pedals(message);
         if self.link == PortState::Up && self.deliver(message) {
             return Ok(());
@@ -212,6 +265,10 @@ mod tests {
 
         fn is_there(&mut self) -> bool {
             !self.unplugged
+        }
+
+        fn destination(&self) -> Option<String> {
+            Some("plug".to_owned())
         }
     }
 

@@ -9,7 +9,7 @@ use midly::num::{u4, u7, u15, u24, u28};
 use midly::{Format, Header, MetaMessage, MidiMessage, Timing, TrackEvent, TrackEventKind};
 
 use super::{MidiSendError, Output};
-use crate::message::Message;
+use crate::message::{Controller, Message};
 
 /// Length of a quarter note (µs): 120 a minute, what players assume by default.
 const QUARTER_US: u32 = 500_000;
@@ -57,6 +57,14 @@ impl Output for Smf {
     fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError> {
         if !at.is_finite() {
             return Err(MidiSendError::NoSuchTime { at });
+        }
+        // An emergency concerns a receiver that plays now; in a file it would cut the last notes.
+        if let Message::ControlChange {
+            controller: Controller::AllNotesOff | Controller::AllSoundOff,
+            ..
+        } = message
+        {
+            return Ok(());
         }
         self.messages.push((at, message));
         Ok(())
@@ -179,6 +187,8 @@ fn beside(path: &Path) -> PathBuf {
 mod tests {
     use super::*;
     use crate::note::{Note, Velocity};
+    use crate::player::{NoteEvent, NoteEventKind, Player};
+    use crate::velocity::VelocityCurve;
 
     fn note_on(key: u8) -> Message {
         Message::NoteOn { note: Note::from_key(key).unwrap(), velocity: Velocity::UNKNOWN }
@@ -251,6 +261,21 @@ mod tests {
         smf.finish().unwrap();
         assert_eq!(times(&fs::read(&path).unwrap()).len(), 2);
         assert_eq!(fs::read_dir(&folder.0).unwrap().count(), 1, "nothing else is left behind");
+    }
+
+    #[test]
+    fn a_file_ends_with_its_last_notes_also_in_an_emergency() {
+        let folder = folder("end");
+        let path = folder.join("played.mid");
+        let mut player = Player::new(Smf::new(&path), VelocityCurve::default());
+        let kind = NoteEventKind::Strike { speed: 1.0, velocity: None };
+        player.play(NoteEvent { key: 39, at: 0.5, kind }).unwrap();
+        player.cut_off().unwrap();
+        player.finish().unwrap();
+        let sent: Vec<_> =
+            player.output().messages().iter().map(|it| it.1.encode().to_vec()).collect();
+        assert_eq!(sent.len(), 2, "a note-on and its note-off: {sent:?}");
+        assert_eq!(times(&fs::read(&path).unwrap()).len(), 2);
     }
 
     #[test]

@@ -142,6 +142,10 @@ impl MidiSystem for System {
     fn is_there(&mut self) -> bool {
         self.connection.is_some() && self.watch.as_mut().is_none_or(PortWatch::is_there)
     }
+
+    fn destination(&self) -> Option<String> {
+        self.port.clone()
+    }
 }
 
 impl fmt::Debug for System {

@@ -1,0 +1,197 @@
+//! What the destination of a port may still sound, in a file that outlives the process.
+//!
+//! Each process that holds a port has a ledger of its own, which it locks as long as it lives. The
+//! next process that opens the port ends what unlocked ledgers hold, and removes them.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, Read as _, Seek as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use crate::held::HeldNotes;
+use crate::message::Message;
+
+/// End of the names of ledgers.
+const EXTENSION: &str = "notes";
+
+/// Largest number of ledgers that are looked at, and of names that are tried for a new one.
+const MOST_LEDGERS: usize = 1000;
+
+/// Longest ledger (B): what is held, and the name of the port.
+const LONGEST: u64 = 4096;
+
+/// The ledger of a port that this process holds.
+#[derive(Debug)]
+pub(crate) struct NoteLedger {
+    file: File,
+    path: PathBuf,
+    held: HeldNotes,
+}
+
+impl NoteLedger {
+    /// Makes a ledger in `folder` for the port called `port`; returns it with what processes that
+    /// are gone have left at that port, apart from what a running one holds there too.
+    ///
+    /// # Errors
+    /// If no file can be written in the folder.
+    pub(crate) fn open(folder: &Path, port: &str) -> io::Result<(Self, HeldNotes)> {
+        let mut ledger = Self::create(folder)?;
+        let (mut left, mut running) = (HeldNotes::default(), HeldNotes::default());
+        let mut found = Vec::new();
+        for path in ledgers(folder)?.filter(|path| *path != ledger.path).take(MOST_LEDGERS) {
+            let Ok(file) = OpenOptions::new().read(true).write(true).open(&path) else { continue };
+            let is_running = match file.try_lock() {
+                Ok(()) => false,
+                Err(TryLockError::WouldBlock) => true,
+                Err(TryLockError::Error(_)) => continue,
+            };
+            let Some(held) = read(&file, port) else { continue };
+            if is_running {
+                running.add(&held);
+            } else {
+                left.add(&held);
+                found.push((path, file));
+            }
+        }
+        left.remove(&running);
+        // Before the others are removed: this process may be killed as well.
+        ledger.held = left.clone();
+        ledger.rename(port)?;
+        for (path, _locked) in found {
+            fs::remove_file(path)?;
+        }
+        Ok((ledger, left))
+    }
+
+    /// Makes an empty file that nobody else has, and locks it.
+    fn create(folder: &Path) -> io::Result<Self> {
+        let pid = std::process::id();
+        let paths = (0..MOST_LEDGERS).map(|n| folder.join(format!("{pid}-{n}.{EXTENSION}")));
+        for path in paths {
+            match OpenOptions::new().write(true).create_new(true).open(&path) {
+                Ok(file) => {
+                    file.try_lock()?;
+                    return Ok(Self { file, path, held: HeldNotes::default() });
+                }
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Err(io::ErrorKind::AlreadyExists.into())
+    }
+
+    /// Writes that the ledger is of the port called `port` from now on.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub(crate) fn rename(&mut self, port: &str) -> io::Result<()> {
+        self.file.set_len(0)?;
+        self.write(&[&self.held.to_bytes(), port.as_bytes()].concat())
+    }
+
+    /// Writes what `message` begins, which is about to be sent: the process may be killed at any
+    /// time.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub(crate) fn begin(&mut self, message: Message) -> io::Result<()> {
+        let mut held = self.held.clone();
+        held.follow(message);
+        held.add(&self.held);
+        self.note(held)
+    }
+
+    /// Writes what `message` has ended, which was sent.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub(crate) fn end(&mut self, message: Message) -> io::Result<()> {
+        let mut held = self.held.clone();
+        held.follow(message);
+        self.note(held)
+    }
+
+    fn note(&mut self, held: HeldNotes) -> io::Result<()> {
+        if held == self.held {
+            return Ok(());
+        }
+        self.held = held;
+        self.write(&self.held.to_bytes())
+    }
+
+    fn write(&self, bytes: &[u8]) -> io::Result<()> {
+        let mut file = &self.file;
+        file.rewind()?;
+        file.write_all(bytes)
+    }
+}
+
+impl Drop for NoteLedger {
+    fn drop(&mut self) {
+        if self.held.is_silent() {
+            let _gone = fs::remove_file(&self.path);
+        }
+    }
+}
+
+/// Returns the paths of the ledgers in `folder`.
+fn ledgers(folder: &Path) -> io::Result<impl Iterator<Item = PathBuf>> {
+    let paths = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path()));
+    Ok(paths.filter(|path| path.extension().is_some_and(|end| end == EXTENSION)))
+}
+
+/// Returns what a ledger of the port called `port` holds; `None` if it is another port's, or its
+/// process has just made it.
+fn read(file: &File, port: &str) -> Option<HeldNotes> {
+    let mut bytes = Vec::new();
+    file.take(LONGEST).read_to_end(&mut bytes).ok()?;
+    let held = HeldNotes::from_bytes(&bytes)?;
+    (bytes.get(HeldNotes::LEN..)? == port.as_bytes()).then_some(held)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::note::{Note, Velocity};
+
+    fn on(number: u8) -> Message {
+        Message::NoteOn { note: Note::from_number(number).unwrap(), velocity: Velocity::UNKNOWN }
+    }
+
+    /// Leaves the file of `ledger` unlocked, as a process that is killed.
+    fn kill(ledger: NoteLedger) {
+        let copy = ledger.path.with_extension("copy");
+        let path = ledger.path.clone();
+        fs::copy(&path, &copy).unwrap();
+        drop(ledger);
+        fs::rename(copy, path).unwrap();
+    }
+
+    fn offs(mut held: HeldNotes) -> Vec<Vec<u8>> {
+        held.release().iter().map(|it| it.encode().to_vec()).collect()
+    }
+
+    #[test]
+    fn what_a_killed_process_left_is_found_once_and_what_a_running_one_holds_is_not() {
+        let name = format!("letoff-ledger-{}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
+        fs::create_dir_all(&folder).unwrap();
+        let open = |port: &str| NoteLedger::open(&folder, port).unwrap();
+        let (mut killed, left) = open("plug");
+        assert!(left.is_silent());
+        killed.begin(on(60)).unwrap();
+        killed.begin(on(62)).unwrap();
+        kill(killed);
+        let (mut running, left) = open("other");
+        assert!(left.is_silent(), "another port's");
+        running.begin(on(64)).unwrap();
+        running.rename("plug").unwrap();
+        running.begin(on(62)).unwrap();
+        let (next, left) = open("plug");
+        assert_eq!(offs(left), [[0x80, 60, 64]]);
+        kill(next);
+        let (_last, left) = open("plug");
+        assert_eq!(offs(left), [[0x80, 60, 64]], "killed before it could send");
+        drop(running);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}
