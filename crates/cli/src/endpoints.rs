@@ -122,23 +122,49 @@ impl Endpoints {
     }
 }
 
-/// Serves this user's control socket by `answers`; returns why where that cannot be.
-pub(super) fn listen<A: Answers>(answers: Arc<A>) -> (Clients, Option<String>) {
+/// Whether commands reach this process.
+#[derive(Debug, Default)]
+pub(super) struct Reach {
+    /// Why `dash` and other commands do not, in a sentence.
+    pub(super) notice: Option<String>,
+    /// Why not even `letoff stop` does, in a sentence.
+    unstoppable: Option<String>,
+}
+
+impl Reach {
+    /// Prints the notice.
+    ///
+    /// # Errors
+    /// If `drives_boards` and nothing could stop that.
+    pub(super) fn check(&self, drives_boards: bool) -> Result<(), Failure> {
+        let why = self.unstoppable.clone().filter(|_| drives_boards);
+        self.notice.iter().for_each(|notice| tell(notice));
+        why.map_or(Ok(()), |why| Err(Failure::Running(why)))
+    }
+}
+
+/// Serves this user's control socket by `answers`, and stops by the name of this process.
+pub(super) fn listen<A: Answers>(answers: &Arc<A>) -> (Clients, Reach) {
     let clients = Clients::default();
     let path = socket_path();
     // A second host, or a machine without a place for sockets, runs all the same.
-    let unheard = ControlServer::listen(&path).map(|server| {
+    let answer = |server| {
         // Ends with the runtime, and takes the socket with it.
-        tokio::spawn(serve(server, answers, clients.clone()));
-    });
-    let why = unheard.err().map(|error| {
+        tokio::spawn(serve(server, Arc::clone(answers), clients.clone()));
+    };
+    let by_path = ControlServer::listen(&path).map(answer).err();
+    let by_name = ControlServer::listen_by_name().map(answer).err();
+    let notice = by_path.as_ref().map(|error| {
         format!(
-            "`letoff stop`, `dash` and `instruments use` do not reach this process: {}: {error}; \
+            "`letoff set`, `dash` and `instruments use` do not reach this process: {}: {error}; \
              give it a place of its own with LETOFF_SOCKET",
             path.display()
         )
     });
-    (clients, why)
+    let unstoppable = by_path.zip(by_name).map(|(path, name)| {
+        format!("boards are driven only by a host that `letoff stop` reaches: {path}, {name}")
+    });
+    (clients, Reach { notice, unstoppable })
 }
 
 /// A stream that listens and is not served yet.

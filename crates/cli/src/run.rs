@@ -9,7 +9,7 @@ use clap::Args;
 
 use super::arguments::seconds;
 use super::attend::RunAttendant;
-use super::endpoints::{self, Endpoints};
+use super::endpoints::{self, Endpoints, Reach};
 use super::log::{LogFormat, StderrLog};
 use super::recording::RecordingArgs;
 use super::reload::{self, SceneFile};
@@ -197,8 +197,7 @@ struct BegunHost {
     handle: Arc<RunHandle>,
     starting: Arc<StartingHost>,
     clients: Clients,
-    /// Why the control socket does not reach it, if so.
-    unheard: Option<String>,
+    reach: Reach,
     /// The scene's file, if it can be read again.
     file: Option<SceneFile>,
 }
@@ -214,12 +213,12 @@ impl BegunHost {
         handle.status.prepare(args.scene());
         let starting = Arc::new(StartingHost::new(Arc::clone(&handle)));
         // A run in virtual time takes no requests.
-        let (clients, unheard) = if options.virtual_time {
-            (Clients::default(), None)
+        let (clients, reach) = if options.virtual_time {
+            (Clients::default(), Reach::default())
         } else {
-            endpoints::listen(Arc::clone(&starting))
+            endpoints::listen(&starting)
         };
-        Ok(Self { signals, log, handle, starting, clients, unheard, file })
+        Ok(Self { signals, log, handle, starting, clients, reach, file })
     }
 }
 
@@ -229,12 +228,10 @@ async fn play(
     options: RunOptions,
     args: &RunArgs,
 ) -> Result<Option<Box<RunReport>>, Failure> {
-    let BegunHost { mut signals, log, handle, starting, clients, unheard, file } = begun;
-    if let Some(why) = &unheard {
-        tell(why);
-    }
+    let BegunHost { mut signals, log, handle, starting, clients, reach, file } = begun;
     let TriedRun { found, fidelity, stream } = tried;
     let scene = &found.scene.clone();
+    reach.check(scene.links != LinksConfig::Simulated)?;
     handle.status.prepare(&scene.name);
     let endpoints = if options.virtual_time {
         Endpoints::default()

@@ -2,10 +2,41 @@
 
 use std::io::Write;
 
-use super::{Failure, ask};
-use host::control::Request;
+use super::{Failure, ask, tell};
+use host::control::{AskedHost, Reply, Request, hosts_elsewhere, stop_hosts};
 
-/// Stops the running host of this user, and with it every board.
+/// Stops all hosts of this user, and with them every board.
 pub(super) fn run(out: &mut dyn Write) -> Result<(), Failure> {
-    ask::ask(&Request::Stop {}, Failure::Running, out)
+    let asked = stop_hosts();
+    let stopped = report(&asked, out);
+    for pid in hosts_elsewhere() {
+        tell(&format!(
+            "another host of yours plays on (process {pid}): `env -u LETOFF_SOCKET letoff stop`"
+        ));
+    }
+    if asked.is_empty() { ask::ask(&Request::Stop {}, Failure::Running, out) } else { stopped }
+}
+
+/// Prints what became of each host.
+fn report(asked: &[AskedHost], out: &mut dyn Write) -> Result<(), Failure> {
+    let mut failures = Vec::new();
+    for AskedHost { name, answer } in asked {
+        let name = if asked.len() == 1 { String::new() } else { format!("{name}: ") };
+        match answer {
+            Ok(Ok(Reply::Stopped { text, told, boards })) if told == boards => {
+                writeln!(out, "{name}{text}")?;
+            }
+            Ok(Ok(Reply::Stopped { text, .. }) | Err(text)) => {
+                failures.push(format!("{name}{text}"))
+            }
+            Ok(Ok(
+                Reply::Done { .. }
+                | Reply::Scene { .. }
+                | Reply::Where { .. }
+                | Reply::Status { .. },
+            )) => failures.push(format!("{name}what answered is no host of this version")),
+            Err(error) => failures.push(format!("{name}{error}")),
+        }
+    }
+    if failures.is_empty() { Ok(()) } else { Err(Failure::Running(failures.join("\nletoff: "))) }
 }

@@ -14,6 +14,7 @@ mod recordings;
 mod replay;
 mod running;
 mod service;
+mod stopping;
 mod stranger;
 mod streamed;
 mod typed;

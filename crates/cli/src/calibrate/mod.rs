@@ -27,7 +27,7 @@ use self::write::CalibrationRecord;
 use super::arguments::note;
 use super::signals::{Signals, runtime};
 use super::target::SceneTarget;
-use super::{Failure, endpoints, print_json, system, tell};
+use super::{Failure, endpoints, print_json, system};
 use host::boards::stop_all;
 use host::control::EmergencyStop;
 
@@ -160,10 +160,8 @@ async fn measured<F: Send + 'static, M: Send + 'static>(
 ) -> Result<Option<M>, Failure> {
     let mut signals = Signals::new().map_err(system)?;
     let endings = Endings::default();
-    let (clients, unheard) = endpoints::listen(Arc::clone(&endings.emergency));
-    if let Some(why) = &unheard {
-        tell(why);
-    }
+    let (clients, reach) = endpoints::listen(&endings.emergency);
+    reach.check(true)?;
     let Some(found) = signals.unless_stopped(&endings.emergency, find).await? else {
         clients.leave().await;
         return Ok(None);

@@ -30,16 +30,13 @@ pub enum ControlError {
         elsewhere: Elsewhere,
     },
     /// The host there is another user's.
-    #[error(
-        "the host at {path} is {owner}, and does not listen to you: \
-         `sudo LETOFF_SOCKET={path} {command}`",
-        path = .path.display()
-    )]
+    #[error("the host at {} is {owner}, and does not listen to you: {remedy}", .path.display())]
     NotYours {
         path: PathBuf,
         /// Its owner, in words.
         owner: String,
-        command: &'static str,
+        /// What to do.
+        remedy: String,
     },
     /// The socket is held by a program of a user who cannot be trusted.
     #[error(
@@ -107,10 +104,13 @@ fn whose(path: &Path, uid: Option<u32>) -> String {
     }
 }
 
+/// The command that stops hosts.
+const STOP: &str = "letoff stop";
+
 /// Returns the command that asks for `request`.
 const fn command(request: &Request) -> &'static str {
     match request {
-        Request::Stop {} => "letoff stop",
+        Request::Stop {} => STOP,
         Request::UseInstrument { .. } => "letoff instruments use NAME",
         Request::Load { .. } => "letoff model load FILE",
         Request::Render { .. } => "letoff set NAME=VALUE",
@@ -139,6 +139,67 @@ const NEXT_START: Duration = Duration::from_secs(2);
 
 /// Time between two looks for it.
 const LOOK: Duration = Duration::from_millis(20);
+
+/// A host that was asked to stop, and what it answered.
+#[derive(Debug)]
+pub struct AskedHost {
+    /// Name of the host in a sentence.
+    pub name: String,
+    pub answer: Result<Answer, ControlError>,
+}
+
+/// Stops all hosts of this user and of the service; where `LETOFF_SOCKET` is set, those that were
+/// started with it. Returns them with their answers.
+pub fn stop_hosts() -> Vec<AskedHost> {
+    let is_meant = |pid: &u32| place::chosen().is_none() || place::shares_socket(*pid);
+    let pids: Vec<u32> = place::hosts().into_iter().filter(is_meant).collect();
+    // One that hangs holds up no other.
+    std::thread::scope(|scope| {
+        let ask = |pid| {
+            let asked = scope.spawn(move || stop_process(pid));
+            (pid, asked)
+        };
+        let asked: Vec<_> = pids.into_iter().map(ask).collect();
+        let answers = asked.into_iter().map(|(pid, asked)| {
+            let panicked = |_| Err(ControlError::Silent(io::ErrorKind::Other.into()));
+            AskedHost { name: format!("host {pid}"), answer: asked.join().unwrap_or_else(panicked) }
+        });
+        // Another user may have taken a name: such a host is reached by its path.
+        let answers = answers.chain(stop_service());
+        answers.filter(|it| !matches!(it.answer, Err(ControlError::Impostor { .. }))).collect()
+    })
+}
+
+/// Stops the host of the service, if there is one and no other is named.
+fn stop_service() -> Option<AskedHost> {
+    if place::chosen().is_some() {
+        return None;
+    }
+    let answer = send(place::service(), &Request::Stop {});
+    let is_there = !matches!(answer, Err(ControlError::NoHost { .. }));
+    is_there.then(|| AskedHost { name: "the service's host".to_owned(), answer })
+}
+
+/// Returns the processes of this user's hosts that were started with another `LETOFF_SOCKET`.
+pub fn hosts_elsewhere() -> Vec<u32> {
+    let all = place::hosts().into_iter();
+    all.filter(|pid| place::chosen().is_some() && !place::shares_socket(*pid)).collect()
+}
+
+fn stop_process(pid: u32) -> Result<Answer, ControlError> {
+    let address = SocketAddrUnix::new_abstract_name(&place::stop_name(pid));
+    let address = address.map_err(|error| ControlError::Silent(error.into()))?;
+    let end = i32::try_from(pid).map_or_else(|_| String::new(), end_command);
+    let hung = |pid| ControlError::Hung { pid, patience: PATIENCE, end: end.clone() };
+    let stream = connect(&address, PATIENCE).map_err(|error| match error {
+        late if is_late(&late) => hung(i32::try_from(pid).ok()),
+        error => ControlError::Silent(error),
+    })?;
+    let is_ours = |uid| uid == place::user() || uid == 0;
+    let stranger =
+        |uid| ControlError::Impostor { path: PathBuf::from(format!("process {pid}")), uid };
+    exchange(stream, PATIENCE, &Request::Stop {}, (is_ours, stranger, hung)).map(|it| it.0)
+}
 
 /// Stops the same host as [`send_to_host`] asks. Where one has crashed, it waits for the next one:
 /// a host that is started again must not arm what was to be stopped.
@@ -204,24 +265,41 @@ fn converse(
     path: &Path,
     request: &Request,
 ) -> Result<(Answer, UnixStream), ControlError> {
-    let command = command(request);
-    let mut stream = connect(path, patience).map_err(|error| {
-        if is_late(&error) {
-            return hung(path, None, patience);
-        }
-        absent(path, command, error)
+    let hangs = |pid| hung(path, pid, patience);
+    let address = SocketAddrUnix::new(path).map_err(|error| ControlError::Silent(error.into()))?;
+    let stream = connect(&address, patience).map_err(|error| {
+        if is_late(&error) { hangs(None) } else { absent(path, command(request), error) }
     })?;
+    // Only root and the service manager make the folder of the service.
+    let is_ours = |uid| {
+        uid == place::user()
+            || uid == 0
+            || place::is_service(path)
+            || place::is_allowed_to_root(path)
+    };
+    let stranger = |uid| ControlError::Impostor { path: path.to_owned(), uid };
+    exchange(stream, patience, request, (is_ours, stranger, hangs))
+}
+
+/// Sends `request` by `stream` and returns the answer, if `is_ours` trusts the user of the host;
+/// `stranger` and `hangs` make errors of its user and its process.
+fn exchange(
+    mut stream: UnixStream,
+    patience: Duration,
+    request: &Request,
+    (is_ours, stranger, hangs): (
+        impl Fn(u32) -> bool,
+        impl Fn(u32) -> ControlError,
+        impl Fn(Option<i32>) -> ControlError,
+    ),
+) -> Result<(Answer, UnixStream), ControlError> {
     let peer = socket_peercred(&stream).map_err(|error| ControlError::Silent(error.into()))?;
     let (uid, pid) = (peer.uid.as_raw(), peer.pid.as_raw_nonzero().get());
-    let is_ours = uid == place::user() || uid == 0 || place::is_allowed_to_root(path);
-    if !is_ours {
-        return Err(ControlError::Impostor { path: path.to_owned(), uid });
+    if !is_ours(uid) {
+        return Err(stranger(uid));
     }
     let failed = |error: io::Error| {
-        if is_late(&error) {
-            return hung(path, Some(pid), patience);
-        }
-        ControlError::Silent(error)
+        if is_late(&error) { hangs(Some(pid)) } else { ControlError::Silent(error) }
     };
     stream.set_read_timeout(Some(patience)).map_err(ControlError::Silent)?;
     let mut text = serde_json::to_string(request)?;
@@ -268,23 +346,24 @@ fn supervisor(typed: &[u8]) -> Option<u32> {
 }
 
 /// Connects with the same time limit as for an answer: a host that hangs accepts no connection.
-fn connect(path: &Path, patience: Duration) -> io::Result<UnixStream> {
+fn connect(address: &SocketAddrUnix, patience: Duration) -> io::Result<UnixStream> {
     let (family, flags) = (AddressFamily::UNIX, SocketFlags::CLOEXEC);
     let socket = rustix::net::socket_with(family, SocketType::STREAM, flags, None)?;
     set_socket_timeout(&socket, Timeout::Send, Some(patience))?;
-    rustix::net::connect(&socket, &SocketAddrUnix::new(path)?)?;
+    rustix::net::connect(&socket, address)?;
     Ok(UnixStream::from(socket))
 }
 
 /// Returns why no host answers at `path`.
 fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError {
     if error.kind() == io::ErrorKind::PermissionDenied {
-        let owner = place::owner(path);
-        return ControlError::NotYours {
-            path: path.to_owned(),
-            owner: whose(path, owner),
-            command,
+        let owner = whose(path, place::owner(path));
+        let remedy = if place::is_service(path) && command == STOP {
+            format!("`sudo {command}`, or without sudo as a member of the group letoff")
+        } else {
+            format!("`sudo LETOFF_SOCKET={} {command}`", path.display())
         };
+        return ControlError::NotYours { path: path.to_owned(), owner, remedy };
     }
     if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::ConnectionRefused) {
         let elsewhere = Elsewhere { hosts: place::others(path), command };

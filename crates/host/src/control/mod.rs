@@ -48,7 +48,10 @@ mod stream_sink;
 mod voice_port;
 mod watch;
 
-pub use client::{ControlError, end_command, hold, send, send_to_host, send_within, stop_host};
+pub use client::{
+    AskedHost, ControlError, end_command, hold, hosts_elsewhere, send, send_to_host, send_within,
+    stop_host, stop_hosts,
+};
 pub(crate) use current_voices::is_absent;
 pub use emergency::{BoardsTold, EmergencyStop};
 pub use fingers::{FingerOwner, FingerQueue};

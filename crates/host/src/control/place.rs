@@ -153,6 +153,38 @@ pub(crate) fn clear(path: &Path) -> io::Result<()> {
     }
 }
 
+/// Returns the name at which the host of process `pid` of this user hears stops, whatever its path.
+///
+/// The system lists such names, and forgets them with their process.
+pub(super) fn stop_name(pid: u32) -> Vec<u8> {
+    format!("{}{pid}", stop_prefix()).into_bytes()
+}
+
+fn stop_prefix() -> String {
+    format!("letoff/{}/", user())
+}
+
+/// Returns the processes of this user's hosts.
+pub(super) fn hosts() -> Vec<u32> {
+    let listed = fs::read_to_string("/proc/net/unix").unwrap_or_default();
+    let prefix = format!("@{}", stop_prefix());
+    let names = listed.lines().filter_map(|line| line.split_whitespace().nth(7));
+    let pids = names.filter_map(|name| name.strip_prefix(&prefix)?.parse().ok());
+    let mut pids: Vec<u32> = pids.collect();
+    pids.sort_unstable();
+    pids.dedup();
+    pids
+}
+
+/// Returns whether process `pid` was started with the same `LETOFF_SOCKET` as this one.
+pub(super) fn shares_socket(pid: u32) -> bool {
+    let environment = fs::read(format!("/proc/{pid}/environ")).unwrap_or_default();
+    let mut variables = environment.split(|byte| *byte == 0);
+    let own = chosen().map(|path| path.into_os_string());
+    let its = variables.find_map(|variable| variable.strip_prefix(b"LETOFF_SOCKET="));
+    its == own.as_ref().map(|own| own.as_bytes())
+}
+
 /// Returns sockets at which hosts listen elsewhere on this machine, with their owners as far as those can
 /// be seen; `path` is left out.
 pub(super) fn others(path: &Path) -> Vec<(PathBuf, Option<u32>)> {

@@ -2,7 +2,9 @@
 
 use std::fs;
 use std::io;
+use std::os::linux::net::SocketAddrExt as _;
 use std::os::unix::fs::MetadataExt as _;
+use std::os::unix::net::{SocketAddr, UnixListener as StdListener};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -43,12 +45,24 @@ pub trait Answers: Send + Sync + 'static {
     }
 }
 
+/// The number of the first connection by a host's name.
+const FIRST_BY_NAME: u64 = FIRST | 1 << 62;
+
 /// A socket that is removed when the host ends.
 #[derive(Debug)]
 pub struct ControlServer {
     listener: UnixListener,
+    /// The number of its first connection.
+    first: u64,
+    /// The file that was made, if it has one.
+    file: Option<SocketFile>,
+}
+
+/// The file of a socket.
+#[derive(Debug)]
+struct SocketFile {
     path: PathBuf,
-    /// The file that was made: its device and number.
+    /// Its device and number.
     made: (u64, u64),
 }
 
@@ -62,11 +76,26 @@ impl ControlServer {
     pub fn listen(path: &Path) -> io::Result<Self> {
         place::prepare_folder(path)?;
         place::clear(path)?;
-        // Only this user has access to the socket from the beginning.
-        let before = umask(Mode::RWXG | Mode::RWXO | Mode::XUSR);
+        // Only this user has access to the socket from the beginning, and the group of the service.
+        let group = if place::is_service(path) { Mode::XGRP } else { Mode::RWXG };
+        let before = umask(group | Mode::RWXO | Mode::XUSR);
         let bound = UnixListener::bind(path);
         umask(before);
-        Ok(Self { listener: bound?, path: path.to_owned(), made: file(path)? })
+        let file = SocketFile { path: path.to_owned(), made: file(path)? };
+        Ok(Self { listener: bound?, first: FIRST, file: Some(file) })
+    }
+
+    /// Listens at a name of this process, by which `letoff stop` finds it whatever its path; other
+    /// users are not let in.
+    ///
+    /// # Errors
+    /// If the system has no such names, or another process has taken this one.
+    pub fn listen_by_name() -> io::Result<Self> {
+        let address = SocketAddr::from_abstract_name(place::stop_name(std::process::id()))?;
+        let listener = StdListener::bind_addr(&address)?;
+        listener.set_nonblocking(true)?;
+        let listener = UnixListener::from_std(listener)?;
+        Ok(Self { listener, first: FIRST_BY_NAME, file: None })
     }
 }
 
@@ -79,8 +108,10 @@ fn file(path: &Path) -> io::Result<(u64, u64)> {
 impl Drop for ControlServer {
     fn drop(&mut self) {
         // Another process may have replaced it.
-        if file(&self.path).is_ok_and(|there| there == self.made) {
-            let _gone = fs::remove_file(&self.path);
+        if let Some(SocketFile { path, made }) = &self.file
+            && file(path).is_ok_and(|there| there == *made)
+        {
+            let _gone = fs::remove_file(path);
         }
     }
 }
@@ -110,17 +141,19 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
     /// Pause when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
     let holders = Arc::new(Semaphore::new(MOST_CLIENTS as usize));
-    for connection in FIRST.. {
+    for connection in server.first.. {
         let stream = loop {
             match server.listener.accept().await {
                 Ok((stream, _address)) => break stream,
                 Err(_none) => tokio::time::sleep(PAUSE).await,
             }
         };
+        let Some(rights) = Rights::of(&stream, server.file.is_some()) else { continue };
         // A client beyond the limit is dropped, so that the others are served in time.
         if let Ok(place) = Arc::clone(&clients.0).try_acquire_owned() {
             let client = ControlClient {
                 connection,
+                rights,
                 answers: Arc::clone(&answers),
                 holders: Arc::clone(&holders),
             };
@@ -129,9 +162,38 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
     }
 }
 
+/// The requests that a client may make.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Rights {
+    /// All of them.
+    Owner,
+    /// A stop, and how it goes.
+    Group,
+}
+
+impl Rights {
+    /// Returns the rights of who connects by `stream`; `None` if it is a stranger. Only the
+    /// service's group may open the file of a socket beside its owner.
+    fn of(stream: &UnixStream, is_file: bool) -> Option<Self> {
+        let uid = stream.peer_cred().ok()?.uid();
+        if uid == place::user() || uid == 0 {
+            return Some(Self::Owner);
+        }
+        is_file.then_some(Self::Group)
+    }
+
+    const fn include(self, request: &Request) -> bool {
+        match self {
+            Self::Owner => true,
+            Self::Group => matches!(request, Request::Stop {} | Request::Status {}),
+        }
+    }
+}
+
 /// A connection of the control socket.
 struct ControlClient<A> {
     connection: u64,
+    rights: Rights,
     answers: Arc<A>,
     /// A permit for each connection by which something is held.
     holders: Arc<Semaphore>,
@@ -175,6 +237,9 @@ impl<A: Answers> ControlClient<A> {
         let permit = holds.then(|| Arc::clone(&self.holders).try_acquire_owned());
         let (permit, reply) = match (request, permit.transpose()) {
             (Ok(_), Err(_none)) => (None, Err("too many keys are held by commands".to_owned())),
+            (Ok(request), Ok(_)) if !self.rights.include(&request) => {
+                (None, Err("only the host's owner may ask for that".to_owned()))
+            }
             (Ok(request), Ok(permit)) => (permit, self.answer(request).await),
             (Err(error), _) => (None, Err(format!("this is no request of letoff's: {error}"))),
         };
