@@ -23,7 +23,7 @@ use host::control::{Clients, RunHandle, StartingHost, StatusSink, temporary_fold
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::{ChosenFidelity, RunReport};
-use host::session::{FoundKeys, RunOptions, RunSession, SessionError, choose_fidelity};
+use host::session::{FoundKeys, Healing, RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
 use telemetry::recording::RecordingLimits;
@@ -304,7 +304,7 @@ impl TriedRun {
                 .map_err(|diagnostics| diagnostics.to_string()),
         }
         .map_err(Failure::Usage)?;
-        let mut found = FoundKeys::find(scene, options).map_err(|error| failure(&error))?;
+        let mut found = FoundKeys::find(&scene, options).map_err(|error| failure(&error))?;
         let scene = &mut *found.scene;
         let chosen = if args.virtual_time { Ok(Vec::new()) } else { choose_fidelity(scene) };
         let fidelity = chosen.map_err(|error| Failure::Usage(error.to_string()))?;
@@ -426,24 +426,9 @@ impl Drop for StopOnDrop {
 }
 
 fn failure(error: &SessionError) -> Failure {
-    match error {
-        SessionError::Panicked(_) => Failure::Panicked(error.to_string()),
-        // A board that has no power yet is no mistake of the scene's: who starts hosts tries again.
-        SessionError::Boards(refusals) if !refusals.may_pass() => Failure::Usage(error.to_string()),
-        SessionError::System(_) | SessionError::Links(_) | SessionError::Boards(_) => {
-            Failure::Running(error.to_string())
-        }
-        SessionError::Build(_)
-        | SessionError::Rehearsal(_)
-        | SessionError::Keybed(_)
-        | SessionError::BoardRate { .. }
-        | SessionError::Overload(_)
-        | SessionError::Unstable(_)
-        | SessionError::RealBoards
-        | SessionError::NoFingers
-        | SessionError::Performance { .. }
-        | SessionError::NoFolder { .. }
-        | SessionError::Midi(_)
-        | SessionError::Endless => Failure::Usage(error.to_string()),
+    match (error, error.healing()) {
+        (SessionError::Panicked(_), _) => Failure::Panicked(error.to_string()),
+        (_, Healing::Soon | Healing::Later) => Failure::Running(error.to_string()),
+        (_, Healing::Never) => Failure::Usage(error.to_string()),
     }
 }

@@ -476,7 +476,7 @@ fn what_is_no_crash_is_not_tried_again() {
 fn a_port_that_is_not_there_is_told_and_leaves_no_guardian() {
     let stand = Stand::new("absent");
     let midi = ["run", "springs", "--performance", "none", "--midi", "raw:nothing"];
-    stand.folder.refuses(&midi, 2, &["no MIDI can be written to", "there is no such file"]);
+    stand.folder.refuses(&midi, 1, &["no MIDI can be written to", "there is no such file"]);
     eventually("no guardian is left", || stand.guardians().is_empty().then_some(()));
 }
 

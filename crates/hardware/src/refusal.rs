@@ -214,6 +214,39 @@ impl Refusals {
     pub fn may_pass(&self) -> bool {
         !self.0.iter().any(|it| matches!(it, Refusal::Calibration { .. }))
     }
+
+    /// Tells whether another try within seconds may succeed: nothing was refused but what was
+    /// measured, or was not there yet.
+    pub fn may_pass_soon(&self) -> bool {
+        self.0.iter().all(|refusal| match refusal {
+            Refusal::Silent { .. }
+            | Refusal::Missing { .. }
+            | Refusal::Clock { .. }
+            | Refusal::NoSamples { .. }
+            | Refusal::LateAnswers { .. }
+            | Refusal::LateSamples { .. }
+            | Refusal::NoAnswer { .. }
+            | Refusal::NotReady { .. } => true,
+            Refusal::Version { .. }
+            | Refusal::Schema { .. }
+            | Refusal::SameNumber { .. }
+            | Refusal::SameBoard { .. }
+            | Refusal::Value { .. }
+            | Refusal::Keys { .. }
+            | Refusal::OtherKeys { .. }
+            | Refusal::KeyTwice { .. }
+            | Refusal::Exchanged { .. }
+            | Refusal::Unreadable { .. }
+            | Refusal::StaysSafe { .. }
+            | Refusal::NotHomed { .. }
+            | Refusal::Unable { .. }
+            | Refusal::Declined { .. }
+            | Refusal::Latched { .. }
+            | Refusal::NotCalibrated { .. }
+            | Refusal::Calibration { .. }
+            | Refusal::Key { .. } => false,
+        })
+    }
 }
 
 #[cfg(test)]

@@ -69,7 +69,7 @@ fn play(
     let virtual_time = choice.time == SoakTime::Virtual;
     let options = RunOptions { duration: Some(choice.seconds), virtual_time };
     let its_handle = Arc::clone(&handle);
-    let found = FoundKeys::find(choice.scene.clone(), options)?;
+    let found = FoundKeys::find(&choice.scene, options)?;
     let mut session = RunSession::prepare_behind(its_handle, found, options, &|_progress| {})?;
     let (now, synthesizer) = (Arc::new(AtomicU64::new(0)), Synthesizer::new());
     let port = synthesizer.port(plan.away.clone(), Arc::clone(&now));

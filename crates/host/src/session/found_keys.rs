@@ -7,7 +7,7 @@ use voice::VoiceBuilder;
 
 use super::key_source::{self, KeySource};
 use super::trial::SimulatedKeys;
-use super::{RunOptions, SessionError};
+use super::{RunOptions, SessionError, patiently};
 use crate::control::is_absent;
 use crate::stability::instabilities;
 
@@ -25,12 +25,22 @@ impl std::fmt::Debug for FoundKeys {
 }
 
 impl FoundKeys {
-    /// Simulates the keys of `scene`, or finds the boards that carry them; arms none.
+    /// Simulates the keys of `scene`, or finds the boards that carry them; arms none. What is
+    /// missing, or is late in this moment, is tried again for 5 s.
     ///
     /// # Errors
-    /// If links cannot be opened, or boards are missing or refused.
-    pub fn find(scene: Scene, options: RunOptions) -> Result<Self, SessionError> {
-        let mut scene = Box::new(scene);
+    /// If links cannot be opened, boards are missing or refused, or their keys are not stable with
+    /// the delay of their links.
+    pub fn find(scene: &Scene, options: RunOptions) -> Result<Self, SessionError> {
+        patiently(|| {
+            let found = Self::find_now(scene, options)?;
+            found.refuse_unstable()?;
+            Ok(found)
+        })
+    }
+
+    fn find_now(scene: &Scene, options: RunOptions) -> Result<Self, SessionError> {
+        let mut scene = Box::new(scene.clone());
         let period = VoiceBuilder::new(&scene)?.period().as_secs_f64();
         let mut source = match &scene.links {
             SceneLinks::Simulated => {
@@ -50,7 +60,7 @@ impl FoundKeys {
     }
 
     /// Refuses keys on boards that are not stable with the delay of their links.
-    pub(super) fn refuse_unstable(&self) -> Result<(), SessionError> {
+    fn refuse_unstable(&self) -> Result<(), SessionError> {
         if matches!(self.source, KeySource::Simulated(_)) {
             return Ok(());
         }

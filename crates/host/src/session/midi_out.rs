@@ -10,7 +10,7 @@ use crate::control::RunHandle;
 use crate::guardian::{GuardedOutput, GuardedPort, GuardianReport, GuardianTrouble};
 use crate::midi_thread::{AnyOutput, PlaybackSummary};
 use crate::report::{MidiReport, Quantiles};
-use crate::session::SessionError;
+use crate::session::{SessionError, patiently};
 use scene::{Midi, MidiOutput};
 
 /// An output that drops every message.
@@ -81,12 +81,24 @@ pub(super) fn open(
         MidiOutput::Virtual => (GuardedPort::Virtual, "virtual port \"letoff\"".into()),
         MidiOutput::Port(name) => (GuardedPort::Named(name.clone()), format!("port \"{name}\"")),
         MidiOutput::Raw(path) => {
+            refuse_file(path)?;
             let name = format!("device {}", path.display());
             // The guardian may have been started elsewhere.
             (GuardedPort::Raw(std::path::absolute(path)?), name)
         }
     };
-    match open_port(&port, handle) {
+    // A synthesizer may start in this moment too.
+    patiently(|| open_now(&port, &name, handle))
+}
+
+/// Opens `port`, which people call `name`, behind the guardian of `handle`.
+fn open_now(
+    port: &GuardedPort,
+    name: &str,
+    handle: &Arc<RunHandle>,
+) -> Result<(AnyOutput, OpenedOutput), SessionError> {
+    let name = name.to_owned();
+    match open_port(port, handle) {
         Ok((output, guardian)) => {
             Ok((output, OpenedOutput { guardian, ..OpenedOutput::new(name, None) }))
         }
@@ -112,7 +124,7 @@ fn without_port(
     match trouble {
         GuardianTrouble::Missing(_) => Ok((nowhere(), OpenedOutput::new(name, Some(why)))),
         GuardianTrouble::Refused(_) | GuardianTrouble::NoGuardian { .. } => {
-            Err(SessionError::Midi(why))
+            Err(SessionError::MidiPort(why))
         }
     }
 }
@@ -144,6 +156,17 @@ fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
         }
         Some(_) | None => Ok(()),
     }
+}
+
+/// Refuses a file or folder in the place of a device.
+fn refuse_file(path: &Path) -> Result<(), SessionError> {
+    if path.metadata().is_ok_and(|there| there.is_file() || there.is_dir()) {
+        return Err(SessionError::Midi(format!(
+            "{} is neither a device nor a FIFO; a name that ends in .mid writes a file",
+            path.display()
+        )));
+    }
+    Ok(())
 }
 
 /// Refuses a FIFO: to open one that nobody reads does not end.

@@ -18,6 +18,7 @@ mod virtual_run;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
 
 use firmware_protocol::key::KeyIndex;
 use hardware::sim::keybed::SimulatedKeybed;
@@ -81,9 +82,12 @@ pub enum SessionError {
     /// The MIDI file cannot be written there.
     #[error("the MIDI file {path} cannot be written: there is no folder {folder}; make it first")]
     NoFolder { path: String, folder: String },
-    /// The MIDI output is not there.
+    /// The MIDI output is not one that can be opened.
     #[error("the MIDI output cannot be opened: {0}")]
     Midi(String),
+    /// The MIDI port is not there, or another program has it.
+    #[error("the MIDI output cannot be opened: {0}")]
+    MidiPort(String),
     /// Ports or interfaces cannot be opened: a sentence on each.
     #[error("{0}")]
     Links(String),
@@ -122,6 +126,60 @@ pub enum SessionError {
     /// A thread of ours panicked, which is a bug.
     #[error("the {0} thread panicked: its notes were ended; please report what it printed")]
     Panicked(&'static str),
+}
+
+/// Whether time may heal the reason why a run does not begin.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Healing {
+    /// Within seconds: it was measured, or a device is not there yet.
+    Soon,
+    /// Once something outside of the scene has changed.
+    Later,
+    /// Never: it stands in files or on the command line.
+    Never,
+}
+
+impl SessionError {
+    /// Returns whether waiting can heal this.
+    pub fn healing(&self) -> Healing {
+        match self {
+            Self::Boards(refusals) if refusals.may_pass_soon() => Healing::Soon,
+            Self::Boards(refusals) if refusals.may_pass() => Healing::Later,
+            Self::Links(_) | Self::Unstable(_) | Self::MidiPort(_) => Healing::Soon,
+            Self::System(_) | Self::Panicked(_) => Healing::Later,
+            Self::Boards(_)
+            | Self::Build(_)
+            | Self::Rehearsal(_)
+            | Self::Keybed(_)
+            | Self::BoardRate { .. }
+            | Self::Overload(_)
+            | Self::RealBoards
+            | Self::NoFingers
+            | Self::Performance { .. }
+            | Self::NoFolder { .. }
+            | Self::Midi(_)
+            | Self::Endless => Healing::Never,
+        }
+    }
+}
+
+/// How long something that time may heal is tried again.
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// Time between two tries.
+const PAUSE: Duration = Duration::from_millis(250);
+
+/// Tries `attempt` again for seconds while time may heal its failure.
+fn patiently<T>(mut attempt: impl FnMut() -> Result<T, SessionError>) -> Result<T, SessionError> {
+    let begun = Instant::now();
+    loop {
+        match attempt() {
+            Err(error) if error.healing() == Healing::Soon && begun.elapsed() < PATIENCE => {
+                std::thread::sleep(PAUSE);
+            }
+            outcome => return outcome,
+        }
+    }
 }
 
 /// Options of the command line beyond the scene.
@@ -185,7 +243,7 @@ impl RunSession {
         options: RunOptions,
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
-        let found = FoundKeys::find(scene.clone(), options)?;
+        let found = FoundKeys::find(scene, options)?;
         Self::prepare_behind(Arc::default(), found, options, progress)
     }
 
@@ -201,7 +259,6 @@ impl RunSession {
         progress: &(dyn Fn(PianistProgress) + Sync),
     ) -> Result<Self, SessionError> {
         handle.status.prepare(&found.scene.name);
-        found.refuse_unstable()?;
         let (scene, mut keys) = (&found.scene, found.source);
         let builder = VoiceBuilder::new(scene)?;
         let period = builder.period().as_secs_f64();
