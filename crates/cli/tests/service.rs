@@ -404,3 +404,34 @@ fn the_unit_is_right_and_exposes_little() {
     let level: f64 = level.split(' ').next().and_then(|it| it.parse().ok()).expect("a number");
     assert!(level < 2.5, "{said}");
 }
+
+/// Starts that fail, and their exit codes: 1 if waiting can heal it, 2 if it stands in files.
+#[test]
+fn the_exit_code_says_whether_waiting_can_heal() {
+    let folder = Folder::new("exit-codes");
+    folder.write("a-file", "no device");
+    folder.write("wrong.toml", "tick_hz = 0");
+    let _end = crate::typed::cable(&folder.join("pipe.mid"));
+    let silent = ["--performance", "none", "--listen", "none"];
+    let rows: [(&[&str], i32, &str); 9] = [
+        (&["springs", "--link", "serial:no-such-port"], 1, "no-such-port"),
+        (&["springs", "--link", "can:no-such-can"], 1, "no-such-can"),
+        (&["springs", "--midi", "raw:no-such-device"], 1, "no such file"),
+        (&["springs", "--midi", "raw:a-file"], 2, "neither a device nor a FIFO"),
+        (&["springs", "--midi", "pipe.mid"], 2, "is a pipe"),
+        (&["springs", "--midi", "no-folder/played.mid"], 2, "no folder"),
+        (&["wrong.toml"], 2, "tick_hz"),
+        (&["no-such-scene"], 2, "no-such-scene"),
+        (&["default", "--set", "tick_hz=500"], 2, "with grand"),
+    ];
+    std::thread::scope(|scope| {
+        for (run, code, words) in rows {
+            let (folder, all) = (&folder, [&["run"], run, &silent].concat());
+            scope.spawn(move || {
+                let (ended, out, err) = folder.letoff(&all);
+                assert_eq!((ended, out.as_str()), (Some(code), ""), "{all:?}: {err}");
+                assert!(err.contains(words), "{all:?}: {err}");
+            });
+        }
+    });
+}
