@@ -7,6 +7,9 @@ if [ "$1" = remove ] && [ -d /run/systemd/system ]; then
 	systemctl --system daemon-reload >/dev/null || true
 fi
 
+# The service keeps it between two runs.
+rm -rf /run/letoff
+
 if [ "$1" = purge ]; then
 	if command -v deb-systemd-helper >/dev/null; then
 		deb-systemd-helper purge letoff.service >/dev/null || true

@@ -104,6 +104,32 @@ killed() {
 	verdict killed "kill -9: systemd starts it again" $? "process $before, then $(show MainPID); $(state)"
 }
 
+# A key is held, its note sounds on a cable, and all processes of the unit are killed at once.
+all_killed() {
+	mkfifo -m 666 /run/cable
+	cat /run/cable >cable.out &
+	reader=$!
+	exec 9>/run/cable
+	sed -e 's/spring-wall/grand-springs/' -e 's#"none"#"raw:/run/cable"#' /guest/scene.toml >$scene
+	systemctl restart letoff && within 60 plays
+	letoff press C4 --force 8 >press.out 2>&1 &
+	press=$!
+	within 30 sounds 903c
+	before=$(show MainPID)
+	systemctl kill --kill-whom=all -s KILL letoff
+	within 60 eval "! is MainPID $before && ! is MainPID 0 && plays" && within 10 sounds '903c.*803c'
+	verdict all_killed "all of it is killed while a note sounds: the next host ends the note" $? \
+		"$(od -An -tx1 -v cable.out | tr -d '\n'); $(state)"
+	exec 9>&-
+	kill $press $reader
+	rm /run/cable
+	give_scene
+	systemctl restart letoff && within 60 plays
+}
+
+# Whether these bytes came over the cable.
+sounds() { od -An -tx1 -v cable.out | tr -d ' \n' | grep -q "$1"; }
+
 restarted() {
 	before=$(show MainPID)
 	systemctl restart letoff && within 60 eval "! is MainPID $before && plays"
@@ -141,7 +167,7 @@ stopped_by_command() {
 stopped() {
 	start
 	systemctl stop letoff
-	is_down success 0 && [ ! -e /run/letoff ]
+	is_down success 0 && [ -z "$(ls -A /run/letoff)" ]
 	verdict stopped "systemctl stop ends it in time, by itself" $? "$(state)"
 }
 
@@ -198,6 +224,7 @@ confined
 prioritised
 logged
 killed
+all_killed
 restarted
 [ -z "$(show ExecReload)" ] || reloaded
 is WatchdogUSec 0 || hung
