@@ -137,6 +137,24 @@ const AFTER: u64 = 2_000_000_000;
 /// Boxes that one run writes at most: a fault that comes again is the same.
 const MOST_BOXES: u32 = 5;
 
+/// Boxes of all runs that stay in a folder.
+const MOST_KEPT: usize = 20;
+
+/// Removes the oldest boxes in `folder` beyond those that stay.
+fn remove_oldest(folder: &Path) -> std::io::Result<()> {
+    let entries = std::fs::read_dir(folder)?.filter_map(Result::ok);
+    let boxes = entries.filter_map(|entry| {
+        let name = entry.file_name();
+        let is_box = name.to_str().is_some_and(|name| name.starts_with("black-box-"));
+        let written = entry.metadata().and_then(|it| it.modified()).ok()?;
+        is_box.then(|| (written, entry.path()))
+    });
+    let mut boxes: Vec<_> = boxes.collect();
+    boxes.sort();
+    let surplus = boxes.len().saturating_sub(MOST_KEPT);
+    boxes.iter().take(surplus).try_for_each(|(_, path)| std::fs::remove_file(path))
+}
+
 /// Keeps the last seconds, and writes them down when a voice fails.
 pub struct BlackBoxSink {
     kept: BlackBox,
@@ -166,6 +184,8 @@ impl BlackBoxSink {
         let made = std::fs::create_dir_all(&self.folder).map_err(|error| error.to_string());
         let dumped =
             made.and_then(|()| self.kept.dump(&path, &run).map_err(|error| error.to_string()));
+        // A box that cannot be removed costs room only.
+        let _kept = remove_oldest(&self.folder);
         (self.say)(&match dumped {
             Ok(_bytes) => format!(
                 "a voice failed; the seconds around it are in {}: see `letoff dash`",
@@ -203,5 +223,28 @@ impl Drop for BlackBoxSink {
         if self.due.is_some() {
             self.write();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_oldest_boxes_go_and_other_files_stay() {
+        let folder = std::env::temp_dir().join(format!("letoff-boxes-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let begun = std::time::SystemTime::now();
+        for n in 0..MOST_KEPT + 3 {
+            let file = std::fs::File::create(folder.join(format!("black-box-{n}.mcap"))).unwrap();
+            let age = Duration::from_secs(n as u64);
+            file.set_modified(begun.checked_sub(age).unwrap()).unwrap();
+        }
+        std::fs::write(folder.join("recording.mcap"), "").unwrap();
+        remove_oldest(&folder).unwrap();
+        let left = |name: &str| folder.join(name).exists();
+        assert!(left("black-box-0.mcap") && left(&format!("black-box-{}.mcap", MOST_KEPT - 1)));
+        assert!(!left(&format!("black-box-{MOST_KEPT}.mcap")) && left("recording.mcap"));
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 }
