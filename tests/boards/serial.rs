@@ -25,7 +25,18 @@ fn playing(watch: &WaitWatch, folder: &Path, links: &[String]) -> Guarded {
     host
 }
 
-/// What a board may answer at most (us): as long as forces are valid, and a tick.
+/// Eight boards and their links, after the host that played on them was killed.
+fn boards_of_a_killed_host(watch: &WaitWatch, folder: &Path) -> (Boards, Vec<String>) {
+    let boards = Boards::start(folder, 8, &[]);
+    watch.add(boards.task());
+    let links = boards.links();
+    let mut host = playing(watch, folder, &links);
+    host.kill().expect("it lives");
+    let _killed = host.wait();
+    (boards, links)
+}
+
+/// Largest age of a force that a board may apply (us): the time that forces are valid, and a tick.
 const VALID_US: f64 = 21e3;
 
 #[test]
@@ -52,8 +63,8 @@ fn a_piece_is_played_over_eight_ports() {
         assert_eq!(count(&report, "/notes/extra"), 0, "{report}");
         assert_eq!(count(&report, "/links/gaps"), 0, "{report}");
         assert_eq!(count(&report, "/links/refused"), 0, "{report}");
-        // What a hypervisor stole and did not tell the kernel counts as own work: up to a third
-        // of what the kernel was told of.
+        // Time that a hypervisor steals unreported counts as own work: up to a third of the time
+        // that it reports.
         let own_work = count(&report, "/deadline/missed_own_work");
         let told = count(&report, "/deadline/missed_woken_late")
             + count(&report, "/deadline/missed_preempted");
@@ -86,12 +97,7 @@ fn a_host_that_is_killed_leaves_every_board_without_force_and_latched() {
     let _machine = machine();
     let folder = letoff::folder("boards-killed");
     with_time("boards of a host that was killed", |watch| {
-        let boards = Boards::start(&folder, 8, &[]);
-        watch.add(boards.task());
-        let links = boards.links();
-        let mut host = playing(watch, &folder, &links);
-        host.kill().expect("it lives");
-        let _killed = host.wait();
+        let (boards, _links) = boards_of_a_killed_host(watch, &folder);
         std::thread::sleep(Duration::from_millis(500));
         for board in boards.stop() {
             assert_eq!(board["state"], "its forces expired", "{board}");
@@ -109,12 +115,7 @@ fn after_a_kill_the_next_host_arms_the_boards_and_plays() {
     let _machine = machine();
     let folder = letoff::folder("boards-again");
     with_time("the next host after a kill", |watch| {
-        let boards = Boards::start(&folder, 8, &[]);
-        watch.add(boards.task());
-        let links = boards.links();
-        let mut host = playing(watch, &folder, &links);
-        host.kill().expect("it lives");
-        let _killed = host.wait();
+        let (boards, links) = boards_of_a_killed_host(watch, &folder);
         let report = run(watch, &folder, &links, &["--duration", "4"]);
         assert!(report["boards"].as_array().is_some_and(|it| it.len() == 8), "{report}");
         assert!(1 < count(&report, "/notes/struck"), "{report}");

@@ -106,7 +106,7 @@ fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
             assert!((10.15e-3..10.20e-3).contains(&key.travel()), "{key:?}");
             assert!((0.10..0.14).contains(&key.friction), "{key:?}");
         }
-        // Nobody can be asked, so nothing is overwritten.
+        // Without a terminal to ask at, the command overwrites nothing.
         let said = watched(watch, &calibrate);
         let err = text(&said.stderr);
         assert_eq!(said.status.code(), Some(2), "{err}");

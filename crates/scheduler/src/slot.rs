@@ -82,10 +82,10 @@ pub struct Slot<V> {
     lockout: Lockout,
     /// The damper is off the string, as far as was reported.
     lifted: bool,
-    /// In which of the ticks up to `last` it was run: that one is bit 0.
+    /// Ticks in which the voice was run, one bit each: `last` is bit 0, the tick before it bit 1.
     ran: u32,
     last: u64,
-    /// What is seen of that after its last turn, which may have waited.
+    /// Value of `ran` that observers see after the last turn, also if that turn waited.
     told_ran: u32,
     rules: TickRules,
     /// Limit of the work of the next turn.
@@ -117,7 +117,7 @@ enum SlotLimit {
     Recorded(TurnLimit),
 }
 
-/// Rules of a slot that was told none.
+/// Rules of a slot before the first tick sets them.
 const NO_RULES: TickRules = TickRules { simplified: Simplifications::NONE, hz: 1000 };
 
 impl<V> Slot<V> {

@@ -65,7 +65,7 @@ pub struct WorkCosts {
 }
 
 impl WorkCosts {
-    /// Returns costs of which nothing is known.
+    /// Returns costs before any is measured.
     pub const fn unknown() -> Self {
         Self { turn: 0.0, units: [(VoiceKind(0), 0.0); MAX_KINDS], n_kinds: 0, other: None }
     }

@@ -8,8 +8,8 @@ use pode::{Motion, Signal as _};
 /// be thrown by.
 const FADE: f64 = 0.3;
 
-/// Time in which a model's key makes up for a pause (s): a whole stroke is played at medium loudness,
-/// and one of which little was left not much louder than it was.
+/// Time in which a model's key makes up for a pause (s). A whole stroke sounds at medium loudness; a
+/// stroke that was nearly complete at the pause sounds hardly louder than it would have.
 const CATCH_UP: f64 = 30e-3;
 
 /// Displacement between a model's key and where the player's would put it, after a change.

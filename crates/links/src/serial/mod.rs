@@ -27,7 +27,7 @@ pub(super) use stream::{Disconnected, NonBlockingFd};
 
 /// A serial port that was opened, and never waits.
 ///
-/// When it says that the other end is down, it stays down: its owner opens it anew.
+/// A port whose other end is down stays down until its owner opens the port again.
 #[derive(Debug)]
 pub struct Serial {
     framing: Framing,
@@ -35,23 +35,23 @@ pub struct Serial {
     _keeper: Keeper,
 }
 
-/// What must stay open beside the descriptor that carries the bytes.
+/// Descriptor that stays open beside the one that carries the bytes.
 #[derive(Debug)]
 #[expect(dead_code, reason = "held, never read")]
 enum Keeper {
     /// The port with its lock.
     Port(TTYPort),
-    /// The other end of a pseudo-terminal, so that it stays between two clients.
+    /// The other end of a pseudo-terminal, which keeps the terminal alive between two clients.
     OtherEnd(OwnedFd),
 }
 
 impl Serial {
     /// Opens the port at `path` with `baud` bits per second, for this program alone.
     ///
-    /// What had come before is thrown away. A pseudo-terminal takes any `baud` and keeps none.
+    /// Discards the bytes that were received before. A pseudo-terminal ignores `baud`.
     ///
     /// # Errors
-    /// Says what is wrong with the port, and what to do.
+    /// If the port cannot be opened or locked, with the remedy.
     pub fn open(path: &Path, baud: u32) -> Result<Self, Error> {
         let refused = |why| Error::Port { path: path.to_owned(), why };
         let (port, stream) = open(path, baud).map_err(|error| refused(trouble(path, error)))?;
@@ -69,12 +69,12 @@ impl Serial {
     /// The first three bytes of `frame` must not be zero: zeros stand elsewhere on the stream.
     ///
     /// # Errors
-    /// The frame was not taken.
+    /// If the link rejects the frame.
     pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
         let mut wire = [0; MAX_WIRE];
         let len = serial::encode(frame, &mut wire)
             .map_err(|serial::TooLong { len }| SendError::TooLong { len })?;
-        // Behind the byte of stuffing and the first of the frame.
+        // The byte stuffing puts one byte before the frame.
         wire[2] ^= 0x40;
         self.carrier.try_send(&wire[..len])
     }
@@ -104,8 +104,8 @@ impl Link for Serial {
 
 /// Opens a port twice: to set it up, and for the bytes.
 ///
-/// A port that is locked opens no second time, so the lock comes last; until then a shared
-/// one keeps out who asks for a lock.
+/// A locked port cannot be opened again, so the exclusive lock comes last. Until then a shared lock
+/// keeps out programs that ask for an exclusive one.
 fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, NonBlockingFd)> {
     let settings =
         serialport::new(path.to_string_lossy(), baud).exclusive(false).timeout(Duration::ZERO);
@@ -117,7 +117,7 @@ fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, NonBlockingFd)> 
     Ok((port, NonBlockingFd::new(bytes)))
 }
 
-/// Returns what a refusal of the system means, and what to do.
+/// Translates an error of the system into its cause and remedy.
 fn trouble(path: &Path, error: serialport::Error) -> PortTrouble {
     use std::io::ErrorKind as Io;
 

@@ -87,8 +87,8 @@ impl LearnedTime {
         Self { ns, tick, samples: 1 }
     }
 
-    /// Follows what was measured in `tick` of `period` (s): `ratio` times what was expected, of which
-    /// this time is the fraction `weight`.
+    /// Moves towards a measurement in `tick` of `period` (s): the whole took `ratio` times the expected
+    /// time, and this part is the fraction `weight` of it.
     fn follow(&mut self, ratio: f64, weight: f64, (tick, period): (u64, f64)) {
         let passed = tick.saturating_sub(self.tick).max(1) as f64 * period;
         let early = 1.0 / f64::from(self.samples.saturating_add(1));
@@ -114,7 +114,7 @@ pub(super) struct CostModel {
 }
 
 impl CostModel {
-    /// Returns costs of which nothing is learned yet.
+    /// Returns costs before anything is learned.
     pub(super) const fn new() -> Self {
         Self {
             learned: WorkCosts::unknown(),
