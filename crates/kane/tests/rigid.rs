@@ -155,9 +155,17 @@ fn as_many_contacts_close_as_there_are_degrees_of_freedom() {
 #[test]
 fn too_many_configurations_are_counted_and_refused() {
     // 1 + 8 + 28.
-    let said = read("stops.toml", &stops(8, ""), &NoBases).unwrap_err().to_string();
-    for part in ["the rigid contacts would make 37 modes", "32 at most", "stops.toml:12"] {
-        assert!(said.contains(part), "{said} lacks {part}");
+    let modes = "[modes.free]\n[modes.less]\nwithout = [\"s0\"]\n\
+                 guards = [{ name = \"go\", positive = \"0.5 m - x\", to = \"free\" }]\n\
+                 [outputs.push]\nunit = \"N\"\nvalue = \"reaction(s0)\"\n";
+    for (extra, count) in [("", "37"), (modes, "66")] {
+        let said = read("stops.toml", &stops(8, extra), &NoBases).unwrap_err().to_string();
+        for part in
+            [&format!("the rigid contacts would make {count} modes"), "32 at most", "stops.toml:12"]
+        {
+            assert!(said.contains(part), "{said} lacks {part}");
+        }
+        assert_eq!(said.lines().count(), 1, "consequences are no mistakes: {said}");
     }
 }
 
@@ -201,6 +209,7 @@ fn what_a_rigid_contact_says_wrong_is_named() {
         let text = stops(1, "").replace(from, to);
         let said = derive_model("it.toml", &text, &NoBases).unwrap_err().to_string();
         assert!(said.contains(part), "{said} lacks {part}");
+        assert!(!said.contains("no stiffness"), "a consequence: {said}");
     };
     says("rigid = true", "rigid = 1", "rigid is true or false");
     says("rigid = true", "rigid = true, stiffness = \"1 N/m\"", "stiffness");

@@ -60,6 +60,11 @@ impl<'a> Configurations<'a> {
         Self { contacts, modes: modes.iter().map(one).collect() }
     }
 
+    /// Closes no contact in any mode.
+    pub(super) fn keep_open(&mut self) {
+        self.modes.iter_mut().for_each(|mode| mode.most = 0);
+    }
+
     /// How many modes there would be.
     pub(super) fn count(&self) -> usize {
         self.modes.iter().fold(0, |all: usize, mode| all.saturating_add(mode.count()))

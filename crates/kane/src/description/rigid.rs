@@ -18,14 +18,15 @@ const KEYS: [&str; 5] = ["rigid", "gap", "restitution", "scale", "sounds"];
 
 /// Writes out the rigid contacts of a description; without any it stays as it is.
 pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<TomlNode> {
-    let contacts = rigid(report, tree)?;
+    let RigidContacts { contacts, unreadable } = rigid(report, tree)?;
+    let first = contacts.first().map_or(tree.place, |it| it.place);
     let modes = modes(tree);
     for mode in modes.iter().filter(|mode| mode.name.contains(JOINT)) {
         let message =
             format!("{} joins a mode with the rigid contacts that are closed", quoted("+"));
         report.say(mode.place, message, "give the mode a name without it");
     }
-    let configurations = Configurations::of(tree, &contacts, &modes);
+    let mut configurations = Configurations::of(tree, &contacts, &modes);
     let count = configurations.count();
     if count > most_modes() {
         let message = format!("the rigid contacts would make {count} modes");
@@ -34,14 +35,17 @@ pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<T
              some compliant",
             most_modes()
         );
-        report.say(contacts.first()?.place, message, help);
-        return None;
+        report.say(first, message, help);
+        // The rest is read with all names in it, and without conclusions from its modes.
+        configurations.keep_open();
+        report.is_broken = true;
     }
     let mut out = tree.clone();
-    without_rigid(&mut out, &contacts);
+    let written_out: Vec<_> = contacts.iter().map(|it| &it.name).chain(&unreadable).collect();
+    without_rigid(&mut out, &written_out);
     let TomlKind::Table(entries) = &mut out.kind else { return None };
     let constraints = contacts.iter().map(RigidContact::constraint).collect();
-    extend(entries, "constraints", contacts.first()?.place, constraints);
+    extend(entries, "constraints", first, constraints);
     let place = tree.get("modes").map_or(tree.place, |it| it.place);
     entries.retain(|entry| entry.name != "modes");
     extend(entries, "modes", place, configurations.modes());
@@ -51,17 +55,25 @@ pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<T
     Some(out)
 }
 
+/// The rigid contacts of a description.
+#[derive(Default)]
+struct RigidContacts {
+    contacts: Vec<RigidContact>,
+    /// Names of those that have no gap.
+    unreadable: Vec<String>,
+}
+
 /// The rigid contacts; none where there are none.
-fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<Vec<RigidContact>> {
+fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<RigidContacts> {
     let all = tree.get("contacts")?.node.entries()?;
-    let mut found = Vec::new();
+    let mut found = RigidContacts::default();
     for entry in all {
         let Some(rigid) = entry.node.get("rigid") else { continue };
-        if rigid.node.kind != TomlKind::Truth(true) {
-            if rigid.node.kind != TomlKind::Truth(false) {
-                report.say(rigid.place, "rigid is true or false", "write rigid = true");
-            }
+        if rigid.node.kind == TomlKind::Truth(false) {
             continue;
+        }
+        if rigid.node.kind != TomlKind::Truth(true) {
+            report.say(rigid.place, "rigid is true or false", "write rigid = true");
         }
         let Some(mut keys) = KeyReader::new(report, entry) else { continue };
         for key in KEYS {
@@ -71,10 +83,12 @@ fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<Vec<RigidContact>>
         let Some(gap) = entry.node.get("gap") else {
             let message = format!("\"{}\" has no gap", entry.name);
             report.miss(entry.place, message, "write gap = \"…\", positive apart");
+            report.is_broken = true;
+            found.unreadable.push(entry.name.clone());
             continue;
         };
         let value = |name: &str| entry.node.get(name).cloned();
-        found.push(RigidContact {
+        found.contacts.push(RigidContact {
             name: entry.name.clone(),
             place: entry.place,
             gap: gap.node.clone(),
@@ -82,7 +96,7 @@ fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<Vec<RigidContact>>
             restitution: value("restitution"),
         });
     }
-    (!found.is_empty()).then_some(found)
+    (!found.contacts.is_empty() || !found.unreadable.is_empty()).then_some(found)
 }
 
 /// The modes that are written, or the one that there is without any.
@@ -97,12 +111,12 @@ fn modes(tree: &TomlNode) -> Vec<TomlEntry> {
     )
 }
 
-/// Takes the rigid contacts out of the others; what says `rigid = false` says nothing.
-fn without_rigid(tree: &mut TomlNode, contacts: &[RigidContact]) {
+/// Removes the contacts called `rigid` from the others, of which `rigid = false` says nothing.
+fn without_rigid(tree: &mut TomlNode, rigid: &[&String]) {
     let TomlKind::Table(entries) = &mut tree.kind else { return };
     let Some(table) = entries.iter_mut().find(|entry| entry.name == "contacts") else { return };
     let TomlKind::Table(all) = &mut table.node.kind else { return };
-    all.retain(|entry| !contacts.iter().any(|it| it.name == entry.name));
+    all.retain(|entry| !rigid.contains(&&entry.name));
     for entry in all {
         if let TomlKind::Table(keys) = &mut entry.node.kind {
             keys.retain(|key| key.name != "rigid");
