@@ -13,6 +13,7 @@ use super::document;
 use super::embedded::INSTRUMENTS;
 use super::fidelity::{Fidelity, read_levels};
 use super::figures;
+use super::kind::describes_model;
 use super::needs::Needs;
 use super::quantity::Quantity;
 use super::read::TableReader;
@@ -130,6 +131,11 @@ impl Instrument {
 
     /// Reads an instrument from `source`.
     pub(super) fn check(source: &SourceText) -> Result<Self, Diagnostics> {
+        if describes_model(source) {
+            let message = "this is the description of a model, not an instrument".to_owned();
+            let help = "name it in an instrument: model = \"…\"".to_owned();
+            return Err(refuse(Path::new(&source.file), None, message, help));
+        }
         let mut report = MistakeList::new(source, &[]);
         let root = document::parse(&mut report);
         let read = root.and_then(|root| {

@@ -7,6 +7,7 @@ use super::document::{DocumentNode, TomlValue};
 use super::embedded::INSTRUMENTS;
 use super::fidelity::{AutoFidelity, Fidelity, FidelityLevel, WantedFidelity, read_wanted};
 use super::instrument::{Instrument, known_as};
+use super::kind::describes_model;
 use super::needs::{LoopSettings, Unmet};
 use super::read::{self, TableReader};
 use super::report::{Location, MistakeList};
@@ -247,6 +248,12 @@ fn read_instrument(
     name: &str,
 ) -> Option<Instrument> {
     let found = match SourceText::find(&INSTRUMENTS, name, report.folder(place)) {
+        Ok(source) if describes_model(&source) => {
+            let message =
+                format!("{} is the description of a model, not an instrument", quoted(name));
+            report.say(place, message, format!("write model = {} instead", quoted(name)));
+            return None;
+        }
         Ok(source) => Instrument::check(&source),
         Err(SourceError::Unreadable(diagnostics)) => Err(diagnostics),
         Err(SourceError::Unknown((message, help))) => {

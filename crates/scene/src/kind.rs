@@ -70,8 +70,12 @@ impl FileKind {
 
 /// Returns whether the file at `path` is the description of a model, by what stands in it.
 pub fn is_description(path: &Path) -> bool {
-    let source = SourceText::read(path);
-    source.is_ok_and(|source| kind_of(&source) == Ok(FileKind::Model))
+    SourceText::read(path).is_ok_and(|source| describes_model(&source))
+}
+
+/// Returns whether `source` is the description of a model.
+pub(super) fn describes_model(source: &SourceText) -> bool {
+    kind_of(source) == Ok(FileKind::Model)
 }
 
 /// Checks the scene, the instrument or the description of a model at `path`, whichever it is by
@@ -82,7 +86,7 @@ pub fn is_description(path: &Path) -> bool {
 /// All that is wrong with it, or that it is neither.
 pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
     let source = SourceText::read(path)?;
-    if kind_of(&source) == Ok(FileKind::Model) {
+    if describes_model(&source) {
         return load_model(path).map(|_model| FileKind::Model);
     }
     check(&source)
