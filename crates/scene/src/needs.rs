@@ -137,7 +137,7 @@ impl Stable {
         });
         let estimator = self.estimator.filter(|it| *it != render.estimator).map(|it| Lack {
             needed: format!("estimator {}, not {}", it.name(), render.estimator.name()),
-            setting: format!("render.estimator={}", it.name()),
+            setting: format!("render.estimator={:?}", it.name()),
         });
         let reconstruction =
             self.reconstruction.filter(|it| *it != render.reconstruction).map(|it| Lack {
@@ -146,7 +146,7 @@ impl Stable {
                     it.name(),
                     render.reconstruction.name()
                 ),
-                setting: format!("render.reconstruction={}", it.name()),
+                setting: format!("render.reconstruction={:?}", it.name()),
             });
         let density = |limit: f64, word: &str| Lack {
             needed: format!(

@@ -27,7 +27,7 @@ impl fmt::Display for Remedy {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rate = self.tick_hz.map(|hz| format!("tick_hz={hz}"));
         let density = self.jerk_density.map(|it| format!("render.jerk_density={it}"));
-        let passivity = self.passivity.map(|it| format!("render.passivity={}", it.name()));
+        let passivity = self.passivity.map(|it| format!("render.passivity={:?}", it.name()));
         let all: Vec<_> = rate.into_iter().chain(density).chain(passivity).collect();
         f.write_str(&all.join(" and "))
     }
@@ -74,4 +74,16 @@ fn candidates(scene: &Scene) -> Vec<Remedy> {
         .flat_map(|tick_hz| densities().map(move |jerk_density| (tick_hz, jerk_density)));
     let all = all.map(|(tick_hz, jerk_density)| Remedy { tick_hz, jerk_density, passivity: None });
     control.into_iter().chain(all.skip(1)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_are_written_as_a_scene_has_them() {
+        let passivity = Some(PassivityMode::Control);
+        let remedy = Remedy { tick_hz: Some(2000), jerk_density: None, passivity };
+        assert_eq!(remedy.to_string(), "tick_hz=2000 and render.passivity=\"control\"");
+    }
 }
