@@ -48,6 +48,19 @@ fn comments_say_something() {
     assert!(empty.is_empty(), "{} comments say nothing:\n{}", empty.len(), empty.join("\n"));
 }
 
+/// Crates that print paths of their own making, of devices, or on a developer's terminal.
+const PRINT_RAW: [&str; 4] = ["dashboard", "links", "soak", "xtask"];
+
+#[test]
+fn names_of_files_are_escaped_wherever_they_are_printed() {
+    let is_raw = |source: &Source| {
+        let text = std::fs::read_to_string(&source.path).unwrap_or_default();
+        !PRINT_RAW.contains(&source.room.as_str()) && text.contains(".display()")
+    };
+    let raw: Vec<_> = sources::all().into_iter().filter(is_raw).map(|it| it.path).collect();
+    assert!(raw.is_empty(), "use diagnostics::shown instead of display(): {raw:?}");
+}
+
 #[expect(clippy::wildcard_enum_match_arm, reason = "the enum of items is open")]
 fn type_name(item: &Item) -> Option<String> {
     match item {

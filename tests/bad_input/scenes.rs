@@ -70,6 +70,36 @@ fn a_scene_that_is_cut_off_is_refused_where_it_ends() {
 }
 
 #[test]
+fn a_description_in_the_place_of_an_instrument_is_called_what_it_is() {
+    let folder = folder("description-as-instrument");
+    let spring = include_str!("../../configs/models/spring.toml");
+    fs::write(folder.join("mine.toml"), spring).expect("a file");
+    let scene = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"mine.toml\"\n";
+    fs::write(folder.join("scene.toml"), scene).expect("a file");
+    let words = ["scene.toml:3:14: ", "description of a model", "write model = \"mine.toml\""];
+    check(&folder, &["run", "scene.toml"], 2, &words);
+}
+
+#[test]
+fn the_name_of_a_file_is_escaped_in_mistakes_and_in_the_report() {
+    let folder = folder("escaped");
+    let name = "e\u{1b}[31m\nx\u{202e}.toml";
+    let escaped = r"e\u{1b}[31m\nx\u{202e}";
+    fs::write(folder.join(name), "title = \"half of it\"\n[[keys").expect("a file");
+    check(&folder, &["run", name], 2, &[escaped, "not TOML"]);
+    fs::write(folder.join(name), include_str!("../../configs/scenes/springs.toml"))
+        .expect("a file");
+    let said = run(&folder, &["check", name]);
+    assert_eq!(
+        said.out.lines().next(),
+        Some(&*format!("{escaped}.toml: a good scene")),
+        "{said:?}"
+    );
+    let said = run(&folder, &["run", name, "--virtual-time", "--duration", "0.1"]);
+    assert!(said.out.starts_with(&format!("{escaped}: 88 voices")), "{said:?}");
+}
+
+#[test]
 fn an_empty_scene_is_refused() {
     let folder = folder("empty-scene");
     fs::write(folder.join("empty.toml"), "").expect("a file");

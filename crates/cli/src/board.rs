@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{ArgGroup, Args};
+use diagnostics::shown;
 use firmware_protocol::key::{BoardId, KEYS, KEYS_PER_BOARD};
 use haptics::RigParameters;
 use hardware::sim::board::{BoardMake, FakeIdentity};
@@ -225,7 +226,7 @@ impl FixedNames {
         let refuse = |path: &Path, error: io::Error| {
             Failure::Usage(format!(
                 "--links: {} cannot be made: {error}; give a folder in which you may write",
-                path.display()
+                shown(path)
             ))
         };
         fs::create_dir_all(folder).map_err(|error| refuse(folder, error))?;

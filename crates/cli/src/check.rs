@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use diagnostics::shown;
 
 use super::stable::check_stability;
 use super::{Failure, print_json};
@@ -30,7 +31,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
             Ok(FileKind::Scene) => match check_stability(file) {
                 Ok(_) if args.json => {}
                 Ok(ranges) => {
-                    writeln!(out, "{}: a good scene", file.display())?;
+                    writeln!(out, "{}: a good scene", shown(file))?;
                     for range in ranges {
                         writeln!(out, "  {range}")?;
                     }
@@ -38,7 +39,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
                 Err(diagnostics) => wrong.push(diagnostics),
             },
             Ok(_) if args.json => {}
-            Ok(kind) => writeln!(out, "{}: a good {}", file.display(), kind.name())?,
+            Ok(kind) => writeln!(out, "{}: a good {}", shown(file), kind.name())?,
             Err(diagnostics) => wrong.push(diagnostics),
         }
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use diagnostics::shown;
 use telemetry::stream::{Closer, Publisher, StreamServer};
 use tokio::task::JoinHandle;
 
@@ -158,7 +159,7 @@ pub(super) fn listen<A: Answers>(answers: &Arc<A>) -> (Clients, Reach) {
         format!(
             "`letoff set`, `dash` and `instruments use` do not reach this process: {}: {error}; \
              give it a place of its own with LETOFF_SOCKET",
-            path.display()
+            shown(&path)
         )
     });
     let unstoppable = by_path.zip(by_name).map(|(path, name)| {

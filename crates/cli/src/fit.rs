@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use diagnostics::{choice, quoted};
+use diagnostics::{choice, quoted, shown};
 use keyboard::KeyIndex;
 use lab::fit::{FitOutcome, FitSubject, MeasuredStroke, fit, read_stroke, write_fit};
 use lab::piano::SHEET;
@@ -214,7 +214,7 @@ fn tell(
         writeln!(out, "{remark}")?;
     }
     for file in std::iter::once(SHEET).chain(file) {
-        writeln!(out, "{}", args.out.join(file).display())?;
+        writeln!(out, "{}", shown(&args.out.join(file)))?;
     }
     Ok(())
 }

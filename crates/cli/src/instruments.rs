@@ -175,7 +175,7 @@ pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Fai
 /// Asks the running host to switch.
 fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result<(), Failure> {
     // The host may stand in another folder.
-    let path = std::fs::canonicalize(instrument).map(|path| path.display().to_string());
+    let path = std::fs::canonicalize(instrument).map(|path| path.to_string_lossy().into_owned());
     let instrument = path.unwrap_or_else(|_no_file| instrument.to_owned());
     ask::ask(&Request::UseInstrument { instrument, keys }, Failure::Usage, out)
 }

@@ -54,6 +54,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use diagnostics::shown;
 
 use lab::simulate::SimulateArgs;
 use telemetry::log::Level;
@@ -227,5 +228,5 @@ fn prepare_report(folder: Option<&Path>) -> Result<(), Failure> {
 /// Prints where the page of a report is, in the folder that was asked for.
 fn print_page(folder: Option<&Path>, page: &str, out: &mut dyn Write) -> Result<(), Failure> {
     let page = folder.map(|folder| folder.join(page)).unwrap_or_default();
-    Ok(writeln!(out, "{}", page.display())?)
+    Ok(writeln!(out, "{}", shown(&page))?)
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, CommandFactory as _};
 use clap_complete::aot::{Shell, generate_to};
+use diagnostics::shown;
 
 use super::{Failure, Letoff};
 
@@ -25,7 +26,7 @@ pub struct ManualArgs {
 pub(super) fn run(args: &ManualArgs) -> Result<(), Failure> {
     let folder = &args.folder;
     write(folder).map_err(|error| {
-        let place = folder.display();
+        let place = shown(folder);
         Failure::Usage(format!("{place} cannot be written to: {error}; choose another folder"))
     })
 }
@@ -76,6 +77,6 @@ mod tests {
         let folder = std::env::current_exe().unwrap();
         let failure = run(&ManualArgs { folder: folder.clone() }).unwrap_err();
         let Failure::Usage(text) = failure else { unreachable!("{failure:?}") };
-        assert!(text.contains(&folder.display().to_string()), "{text}");
+        assert!(text.contains(&shown(&folder)), "{text}");
     }
 }

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use diagnostics::{choice, quoted};
+use diagnostics::{choice, quoted, shown};
 use indicatif::ProgressBar;
 use lab::piano::{
     Examination, Figure, JOBS, PianoSubject, SHEET, examine, figure_names, write_sheet,
@@ -124,7 +124,7 @@ fn tell(args: &PianoArgs, examined: &[Examination], out: &mut dyn Write) -> Resu
         }
     }
     let page = args.out.as_deref().map(|folder: &Path| folder.join(SHEET)).unwrap_or_default();
-    Ok(writeln!(out, "{}", page.display())?)
+    Ok(writeln!(out, "{}", shown(&page))?)
 }
 
 /// A figure in a line: its value, and what was expected.

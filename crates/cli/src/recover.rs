@@ -5,6 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use diagnostics::{escaped, shown};
 use serde::Serialize;
 use telemetry::recording::{RecordError, RecoverError, Recovered, recover};
 
@@ -76,8 +77,8 @@ fn replace(file: &Path, into: &Path) -> Result<Recovered, Failure> {
     fs::rename(&unfinished, into).map_err(|error| {
         Failure::Running(format!(
             "{} cannot take the place of {}: {error}; move it there yourself",
-            unfinished.display(),
-            into.display()
+            shown(&unfinished),
+            shown(into)
         ))
     })?;
     Ok(recovered)
@@ -107,7 +108,7 @@ impl Saved {
         let Recovered { messages, span, cut, damaged, wrong } = recovered;
         let nanos = span.map_or(0, |(first, last)| last - first);
         Self {
-            file: file.display().to_string(),
+            file: file.to_string_lossy().into_owned(),
             messages,
             seconds: nanos as f64 / 1e9,
             cut_bytes: cut,
@@ -130,13 +131,13 @@ impl Saved {
 }
 
 fn print(it: &Saved, old: &Path, out: &mut dyn Write) -> Result<(), Failure> {
-    writeln!(out, "{}: {} messages of {:.1} s", it.file, it.messages, it.seconds)?;
+    writeln!(out, "{}: {} messages of {:.1} s", escaped(&it.file), it.messages, it.seconds)?;
     for wrong in &it.wrong {
         writeln!(out, "  {wrong}")?;
     }
     let losses = it.losses();
     if it.wrong.is_empty() && losses.is_empty() {
-        writeln!(out, "  {} was complete, and this is a copy of it", old.display())?;
+        writeln!(out, "  {} was complete, and this is a copy of it", shown(old))?;
     } else if losses.is_empty() {
         writeln!(out, "  nothing of what it had was lost")?;
     } else {

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use diagnostics::shown;
 use indicatif::{ProgressBar, ProgressStyle};
 use telemetry::recording::{ReadError, Recording, Selection, export_csv};
 
@@ -128,13 +129,13 @@ fn words_behind(behind: &ResumedTicks) -> String {
 
 fn export(recording: &Recording, folder: &Path, out: &mut dyn Write) -> Result<(), Failure> {
     std::fs::create_dir_all(folder)
-        .map_err(|error| Failure::Usage(format!("{}: {error}", folder.display())))?;
+        .map_err(|error| Failure::Usage(format!("{}: {error}", shown(folder))))?;
     let exported = export_csv(recording, folder, &Selection::default());
     let exported = exported.map_err(|error| Failure::Running(error.to_string()))?;
     for wrong in &exported.wrong {
         tell(wrong);
     }
     let (files, rows, events) = (exported.files.len(), exported.rows, exported.events);
-    writeln!(out, "{}: {files} files, {rows} rows, {events} events", folder.display())?;
+    writeln!(out, "{}: {files} files, {rows} rows, {events} events", shown(folder))?;
     Ok(())
 }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
+use diagnostics::shown;
 use scene::{LinksConfig, Override, Scene};
 use soak::{HostFiles, SoakChoice, SoakError, SoakReport, SoakTime, SupervisedProgram, soak};
 
@@ -142,7 +143,7 @@ fn write(report: &SoakReport, path: &Path) -> Result<(), Failure> {
     let mut text = Vec::new();
     print_json(report, &mut text)?;
     let written = std::fs::write(path, text);
-    written.map_err(|error| Failure::Running(format!("{}: {error}", path.display())))
+    written.map_err(|error| Failure::Running(format!("{}: {error}", shown(path))))
 }
 
 /// Makes a folder that only this user can look into.

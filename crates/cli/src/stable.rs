@@ -17,9 +17,9 @@ pub(super) fn refuse_unstable(scene: &Scene) -> Result<(), Failure> {
 /// Tries the keys of the scene in `file`, which is a good one; returns what was found of each range,
 /// with its margin, or what is wrong.
 pub(super) fn check_stability(file: &Path) -> Result<Vec<RangeStability>, Diagnostics> {
-    let scene = Scene::load(&file.display().to_string(), &[])?;
+    let scene = Scene::load(&file.to_string_lossy(), &[])?;
     let wrong = |message: String, help: String| Diagnostic {
-        file: file.display().to_string(),
+        file: file.to_string_lossy().into_owned(),
         line: None,
         column: None,
         message,

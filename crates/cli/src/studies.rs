@@ -18,7 +18,7 @@ use super::progress::bar;
 use super::soak::{self, SoakArgs};
 use super::stability::{self, StabilityArgs};
 use super::{Failure, print_report};
-use diagnostics::{choice, quoted};
+use diagnostics::{choice, quoted, shown};
 
 /// What `letoff lab` takes.
 #[derive(Clone, Debug, Args)]
@@ -222,7 +222,7 @@ fn tell(args: &AccuracyArgs, report: &StudyReport, out: &mut dyn Write) -> Resul
     Ok(writeln!(
         out,
         "{}: {} scenarios, {} runs, {wrong} of them with wrong events or without an end",
-        page.display(),
+        shown(&page),
         report.measured.len(),
         rows().count(),
     )?)

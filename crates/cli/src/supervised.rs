@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus};
 use std::time::{Duration, Instant};
 
+use diagnostics::shown;
 use rustix::process::{Pid, Signal, kill_process};
 use telemetry::log::Level;
 use tokio::signal::unix::{Signal as SignalStream, SignalKind, signal};
@@ -200,7 +201,7 @@ impl LastMinutes {
 
     /// Returns where they are, as the end of a sentence.
     fn place(&self) -> String {
-        let files: Vec<_> = self.files().iter().map(|it| it.display().to_string()).collect();
+        let files: Vec<_> = self.files().iter().map(|it| shown(it)).collect();
         if files.is_empty() {
             return "; it had recorded nothing yet".to_owned();
         }

@@ -4,6 +4,7 @@ use std::io::{self, Read as _};
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 
+use diagnostics::shown;
 use telemetry::stream::Role;
 use telemetry::stream::server::Token;
 
@@ -23,14 +24,14 @@ const MOST_TOLD: usize = 10;
 /// # Errors
 /// All that is wrong with it, in a sentence without a secret.
 pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
-    let wrong = |what: &str| format!("{}: {what}", file.display());
+    let wrong = |what: &str| format!("{}: {what}", shown(file));
     let (text, mode) = text(file).map_err(|error| wrong(&error.to_string()))?;
     if u64::try_from(text.len()).is_ok_and(|length| LONGEST < length) {
         return Err(wrong("it is longer than 64 KiB, which no file of tokens is"));
     }
     let tokens = parse(&text).map_err(|mistakes| wrong(&mistakes))?;
     if mode & OTHERS != 0 {
-        let file = file.display();
+        let file = shown(file);
         tell(&format!(
             "everybody on this machine can read or change the tokens in {file}: `chmod 600 {file}`"
         ));

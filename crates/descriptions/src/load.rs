@@ -187,7 +187,7 @@ fn derive(
 /// The diagnostics of a file of which nothing else is known.
 fn refusal(path: &Path, message: String, help: &str) -> Diagnostics {
     Diagnostics::new(vec![Diagnostic {
-        file: path.display().to_string(),
+        file: path.to_string_lossy().into_owned(),
         line: None,
         column: None,
         message,

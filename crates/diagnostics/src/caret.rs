@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use crate::Diagnostics;
+use crate::{Diagnostics, is_unprintable};
 
 /// Widest line that is shown whole (characters).
 const WIDEST: usize = 120;
@@ -37,5 +37,5 @@ fn point(out: &mut String, text: &str, line: usize, column: usize) {
 }
 
 fn untabbed(character: char) -> char {
-    if character.is_control() { ' ' } else { character }
+    if is_unprintable(character) { ' ' } else { character }
 }

@@ -2,14 +2,18 @@
 //!
 //! [`Diagnostic`] is one mistake with its line and column, [`Diagnostics`] all of one file;
 //! [`rendered`] shows them with their lines; [`choice`] and [`nearest`] say which name was probably
-//! meant; [`open_input`] opens the file in the first place.
+//! meant; [`shown`] and [`quoted`] make names fit to be printed; [`open_input`] opens the file in the first place.
 
 mod caret;
 mod diagnostic;
+#[cfg(unix)]
 mod input;
+mod shown;
 mod suggest;
 
 pub use caret::rendered;
 pub use diagnostic::{Diagnostic, Diagnostics};
+#[cfg(unix)]
 pub use input::{open_input, read_input};
-pub use suggest::{choice, nearest, quoted};
+pub use shown::{escaped, is_unprintable, shown};
+pub use suggest::{choice, nearest, quoted, shortened};

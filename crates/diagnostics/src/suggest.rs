@@ -1,15 +1,21 @@
 //! Names in messages: quoted, and the nearest that would have been right.
 
+use std::borrow::Cow;
+
 /// Longest piece of somebody's text that is repeated in a message (characters).
 const LONGEST: usize = 60;
 
 /// `text` in quotes, on one line, shortened if it is very long.
 pub fn quoted(text: &str) -> String {
-    if text.chars().nth(LONGEST).is_none() {
-        return format!("{text:?}");
+    format!("{:?}", shortened(text))
+}
+
+/// Returns `text`, or its beginning and `…` if it is very long.
+pub fn shortened(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _character)) => format!("{}…", &text[..end]).into(),
+        None => text.into(),
     }
-    let short: String = text.chars().take(LONGEST).chain(['…']).collect();
-    format!("{short:?}")
 }
 
 /// What to do about `wrong`, where one of `known` is right.

@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use diagnostics::shown;
+
 /// Why something could not be set up.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -22,6 +24,6 @@ pub enum Error {
         first: u8,
         n_keys: usize,
     },
-    #[error("{path} cannot be written: {source}; see to the folder and its rights")]
+    #[error("{} cannot be written: {source}; see to the folder and its rights", shown(.path))]
     Unwritable { path: PathBuf, source: io::Error },
 }

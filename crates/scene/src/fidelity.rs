@@ -106,7 +106,7 @@ pub(super) fn known_instrument(
         return None;
     }
     let path = folder.join(name);
-    Some(std::path::absolute(&path).unwrap_or(path).display().to_string())
+    Some(std::path::absolute(&path).unwrap_or(path).to_string_lossy().into_owned())
 }
 
 /// Reads what a scene says of a range's fidelity; all of it without a word.

@@ -48,7 +48,7 @@ pub fn fitted_text(name_or_path: &str, fitted: &FittedValues<'_>) -> Result<Stri
     document["doc"] = value(fitted.doc);
     if let Some(file) = instrument.model().file {
         let absolute = std::path::absolute(file).unwrap_or_else(|_| file.into());
-        document["model"] = value(absolute.display().to_string());
+        document["model"] = value(absolute.to_string_lossy().as_ref());
     }
     let parameters = document.entry("parameters").or_insert_with(|| Item::Table(Table::new()));
     for (name, new) in fitted.values {

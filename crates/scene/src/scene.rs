@@ -23,7 +23,7 @@ use super::report::{Location, MistakeList};
 use super::rig::{self, Rig};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use super::voicing::Voicing;
-use diagnostics::Diagnostics;
+use diagnostics::{Diagnostics, shown};
 use diagnostics::{choice, quoted};
 use scheduler::overload::OverloadRules;
 
@@ -431,7 +431,7 @@ fn find_performance(
         let read = fs::read(&path).map_err(|error| error.to_string());
         let read = read.and_then(|bytes| performance::read(&bytes).map_err(|it| it.to_string()));
         if let Err(why) = &read {
-            let message = format!("the performance {} cannot be played: {why}", path.display());
+            let message = format!("the performance {} cannot be played: {why}", shown(&path));
             report.say(place, message, "give another MIDI file");
         }
         return read.is_ok().then_some(PerformanceSource::Path(path));

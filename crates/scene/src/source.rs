@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::embedded::EmbeddedFiles;
-use diagnostics::{Diagnostic, Diagnostics};
+use diagnostics::{Diagnostic, Diagnostics, escaped, shown};
 
 /// Longest file that is read (bytes); the largest scene of ours has two thousand.
 const LONGEST: u64 = 1 << 18;
@@ -66,9 +66,9 @@ impl SourceText {
     /// If they are no text.
     pub(super) fn from_bytes(path: &Path, bytes: Vec<u8>) -> Result<Self, Diagnostics> {
         let text = String::from_utf8(bytes).map_err(|error| not_text(path, &error))?;
-        let name = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        let name = escaped(&path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy());
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        Ok(Self { file: path.display().to_string(), name, folder, text })
+        Ok(Self { file: path.to_string_lossy().into_owned(), name, folder, text })
     }
 
     /// Returns the embedded file of that name, or the file at that path below `folder`.
@@ -119,7 +119,7 @@ fn is_path(text: &str) -> bool {
 /// Returns the message and the help for a file that is not there.
 pub(super) fn no_file(path: &Path) -> (String, String) {
     let base = match std::env::current_dir() {
-        Ok(folder) if path.is_relative() => format!(" in {}", folder.display()),
+        Ok(folder) if path.is_relative() => format!(" in {}", shown(&folder)),
         Ok(_) | Err(_) => String::new(),
     };
     let path = diagnostics::quoted(&path.to_string_lossy());
@@ -159,7 +159,7 @@ pub(super) fn refuse(
     help: String,
 ) -> Diagnostics {
     Diagnostics::new(vec![Diagnostic {
-        file: path.display().to_string(),
+        file: path.to_string_lossy().into_owned(),
         line: position.map(|(line, _)| line),
         column: position.map(|(_, column)| column),
         message,

@@ -48,7 +48,7 @@ fn pianist(list: &PlayList) -> Table {
 
 /// Returns a path that means the same wherever the file will lie.
 fn absolute(path: &std::path::Path) -> String {
-    std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).display().to_string()
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).to_string_lossy().into_owned()
 }
 
 fn midi(it: &Midi) -> Table {

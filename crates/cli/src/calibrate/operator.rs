@@ -3,6 +3,7 @@
 use std::io::{self, BufRead, IsTerminal as _, Write as _};
 use std::path::PathBuf;
 
+use diagnostics::shown;
 use hardware::calibrate::Bench;
 
 use super::CalibrateArgs;
@@ -34,7 +35,7 @@ impl Operator {
         if files.is_empty() || self.agrees {
             return Ok(());
         }
-        let names: Vec<_> = files.iter().map(|it| it.display().to_string()).collect();
+        let names: Vec<_> = files.iter().map(|it| shown(it)).collect();
         let names = names.join(", ");
         if !self.is_there {
             let text = format!("{names} would be overwritten; give --yes to do so");

@@ -2,13 +2,15 @@
 
 use std::io::Write;
 
+use diagnostics::shown;
+
 use super::write::{MeasuredKeyRow, Written};
 use crate::Failure;
 
 /// Prints a table for each board.
 pub(super) fn print(boards: &[Written], out: &mut dyn Write) -> Result<(), Failure> {
     for Written { link, number, uid, file, keys } in boards {
-        writeln!(out, "board {number} on {link} ({uid}), in {}", file.display())?;
+        writeln!(out, "board {number} on {link} ({uid}), in {}", shown(file))?;
         writeln!(
             out,
             "  {:4} {:>9} {:>9} {:>10} {:>10} {:>6}",

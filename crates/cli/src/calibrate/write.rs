@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::key::{KeyIndex, PerKey};
@@ -88,7 +89,7 @@ impl CalibrationRecord {
                 "{name}: {n} of {of} keys were measured, and are kept in {} for the next time; its \
                  file, which holds all keys or none, was not written: see to the others and \
                  calibrate it again",
-                file.display()
+                shown(&file)
             ));
             return;
         };

@@ -2,6 +2,7 @@
 
 use std::io::Write;
 
+use diagnostics::shown;
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::bootloader::{self, Bootloader};
 use firmware_protocol::acyclic::light::Light;
@@ -215,7 +216,7 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
         safe_reason: reason_words(hello.safe_reason),
         config_crc: format!("{:08x}", hello.config_crc),
         is_calibrated,
-        calibration: file.map(|file| file.display().to_string()),
+        calibration: file.map(|file| shown(&file)),
         log: Vec::new(),
         written: Vec::new(),
         done: Vec::new(),

@@ -3,6 +3,7 @@
 use std::io::Write;
 
 use clap::Args;
+use diagnostics::shown;
 use firmware_protocol::key::KeyIndex;
 use links::address::Address;
 use links::discovery;
@@ -144,7 +145,7 @@ fn section<T, E: std::fmt::Display>(
 
 fn serial() -> Section {
     section("Serial ports", discovery::serial_ports(), |port| Device {
-        name: port.path.display().to_string(),
+        name: shown(&port.path),
         detail: line(&port),
         obstacle: port.obstacle.map(|it| it.to_string()),
         advice: port.advice,

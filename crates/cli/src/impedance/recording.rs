@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use diagnostics::shown;
 use impedance::{ForceHold, RecordedStroke};
 use keyboard::KeyIndex;
 use telemetry::recording::{Recording, Row, rows};
@@ -20,7 +21,7 @@ pub(super) fn read_stroke(
     let recording = Recording::open(path).map_err(|error| error.to_string())?;
     let catalogue = recording.catalogue().map_err(|error| error.to_string())?;
     let hz = catalogue.map(|it| it.tick_hz).filter(|hz| *hz > 0);
-    let file = path.display();
+    let file = shown(path);
     let hz = hz.ok_or_else(|| format!("{file} does not say at which rate it was recorded"))?;
     let held = ForceHold { period: 1.0 / f64::from(hz), delay };
     let name = format!("{key} of {file}");

@@ -16,6 +16,6 @@ impl Bases for FileBases<'_> {
         }
         let path = Path::new(from).parent().unwrap_or_else(|| Path::new("")).join(base);
         let bytes = self.0.read(&path)?;
-        Ok((path.display().to_string(), bytes))
+        Ok((path.to_string_lossy().into_owned(), bytes))
     }
 }

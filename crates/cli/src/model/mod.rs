@@ -13,7 +13,7 @@ use kane::{DerivedModel, derive_model};
 
 use self::bases::FileBases;
 use super::{Failure, ask};
-use diagnostics::{choice, quoted};
+use diagnostics::{choice, escaped, quoted, shown};
 use host::control::Request;
 
 /// Makes this program read descriptions of models, as the command does when it starts.
@@ -112,7 +112,7 @@ pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> 
 /// Asks the running host, which may stand in another folder.
 fn load(args: &LoadArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let path = std::path::absolute(&args.file).unwrap_or_else(|_unknown| args.file.clone());
-    let description = path.display().to_string();
+    let description = path.to_string_lossy().into_owned();
     ask::ask(&Request::Load { description, keys: args.keys.clone() }, Failure::Usage, out)
 }
 
@@ -151,9 +151,11 @@ fn derived(wanted: &str) -> Result<DerivedModel, Failure> {
 
 fn file_text(path: &str, files: &DescriptionFiles) -> Result<String, Failure> {
     let bytes = files.read(Path::new(path));
-    let bytes = bytes.map_err(|why| Failure::Usage(format!("{path}: {why}; correct the path")))?;
-    String::from_utf8(bytes)
-        .map_err(|_error| Failure::Usage(format!("{path} is not UTF-8; save it as UTF-8 text")))
+    let bytes = bytes
+        .map_err(|why| Failure::Usage(format!("{}: {why}; correct the path", escaped(path))))?;
+    String::from_utf8(bytes).map_err(|_error| {
+        Failure::Usage(format!("{} is not UTF-8; save it as UTF-8 text", escaped(path)))
+    })
 }
 
 fn new(args: &NewArgs, out: &mut dyn Write) -> Result<(), Failure> {
@@ -162,14 +164,14 @@ fn new(args: &NewArgs, out: &mut dyn Write) -> Result<(), Failure> {
     };
     let file: &Path = &args.file;
     let refused = |error: std::io::Error| {
-        Failure::Usage(format!("{} cannot be written, {error}; take another name", file.display()))
+        Failure::Usage(format!("{} cannot be written, {error}; take another name", shown(file)))
     };
     let mut written = std::fs::File::create_new(file).map_err(refused)?;
     written.write_all(text.as_bytes()).map_err(refused)?;
     Ok(writeln!(
         out,
         "{0}: a copy of {1}; `letoff check {0}` names mistakes, `letoff simulate {0}` runs it",
-        file.display(),
+        shown(file),
         args.from
     )?)
 }

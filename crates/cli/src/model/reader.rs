@@ -19,7 +19,7 @@ impl DescriptionReader for CompilingReader {
         text: &str,
         files: &DescriptionFiles,
     ) -> Result<ReadModel, Diagnostics> {
-        let name = path.display().to_string();
+        let name = path.to_string_lossy().into_owned();
         let model = derive_model(&name, text, &FileBases(files))?;
         let functions = native::compile(model.program.tapes()).map_err(|error| {
             Diagnostics::new(vec![Diagnostic {

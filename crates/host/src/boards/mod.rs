@@ -4,6 +4,7 @@ pub mod planning;
 
 use std::path::PathBuf;
 
+use diagnostics::shown;
 use firmware_protocol::frame::hello::feature;
 use firmware_protocol::key::PerKey;
 use hardware::calibration::{KeyCalibration, file};
@@ -110,7 +111,7 @@ pub fn calibration(
         Some(calibration) => Ok(calibration),
         None if found.hello.features & feature::FINGERS != 0 => Ok(nominal(found)),
         None => {
-            let file = path.map_or_else(|| found.uid().to_string(), |it| it.display().to_string());
+            let file = path.map_or_else(|| found.uid().to_string(), |it| shown(&it));
             let bus = boards.buses.get(found.line);
             let link = bus.map_or_else(|| name.line.clone(), |bus| bus.address.to_string());
             Err(Refusal::NotCalibrated { board: board(), link, file })

@@ -7,6 +7,7 @@ use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use diagnostics::shown;
 use rustix::net::sockopt::{Timeout, set_socket_timeout, socket_peercred};
 use rustix::net::{AddressFamily, SocketAddrUnix, SocketFlags, SocketType};
 
@@ -21,7 +22,7 @@ pub enum ControlError {
     /// No host listens there.
     #[error(
         "no host is running here ({path}){elsewhere}",
-        path = .path.display()
+        path = shown(.path)
     )]
     NoHost {
         /// The socket at which it was expected.
@@ -30,7 +31,7 @@ pub enum ControlError {
         elsewhere: Elsewhere,
     },
     /// The host there is another user's.
-    #[error("the host at {} is {owner}, and does not listen to you: {remedy}", .path.display())]
+    #[error("the host at {} is {owner}, and does not listen to you: {remedy}", shown(.path))]
     NotYours {
         path: PathBuf,
         /// Its owner, in words.
@@ -42,7 +43,7 @@ pub enum ControlError {
     #[error(
         "what listens at {path} is user {uid}'s and no host of yours: nothing was asked; see what \
          it is, and give LETOFF_SOCKET the path of your own",
-        path = .path.display()
+        path = shown(.path)
     )]
     Impostor { path: PathBuf, uid: u32 },
     /// The host connects and does not answer in time.
@@ -83,7 +84,7 @@ impl fmt::Display for Elsewhere {
         }
         for (path, uid) in &self.hosts {
             let sudo = if *uid == Some(place::user()) { "" } else { "sudo " };
-            let (owner, path) = (whose(path, *uid), path.display());
+            let (owner, path) = (whose(path, *uid), shown(path));
             write!(
                 f,
                 "; {owner} listens at {path}: `{sudo}LETOFF_SOCKET={path} {}`",
@@ -361,7 +362,7 @@ fn absent(path: &Path, command: &'static str, error: io::Error) -> ControlError 
         let remedy = if place::is_service(path) && command == STOP {
             format!("`sudo {command}`, or without sudo as a member of the group letoff")
         } else {
-            format!("`sudo LETOFF_SOCKET={} {command}`", path.display())
+            format!("`sudo LETOFF_SOCKET={} {command}`", shown(path))
         };
         return ControlError::NotYours { path: path.to_owned(), owner, remedy };
     }

@@ -60,5 +60,5 @@ impl DescriptionStates {
 /// Returns the path by which the file `name` is known.
 pub(super) fn known_path(name: &str) -> String {
     let path = std::path::absolute(name).unwrap_or_else(|_unknown| Path::new(name).to_owned());
-    path.display().to_string()
+    path.to_string_lossy().into_owned()
 }

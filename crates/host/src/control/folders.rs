@@ -4,7 +4,7 @@ use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Component, Path, PathBuf};
 
-use diagnostics::{choice, quoted};
+use diagnostics::{choice, is_unprintable, quoted, shown};
 use scene::instruments;
 use telemetry::recording::RecordingLimits;
 
@@ -29,15 +29,15 @@ impl Folders {
         let folder =
             folder.ok_or("this host lets no client record: give it --recordings FOLDER")?;
         let file = file_in(folder, name).filter(|file| has_ending(file, "mcap")).ok_or_else(|| {
-            let (name, folder) = (quoted(name), folder.display());
+            let (name, folder) = (quoted(name), shown(folder));
             format!(
                 "recordings go into {folder} on the host's machine: give a file's name without a \
                  folder and with .mcap, not {name}"
             )
         })?;
         let made = DirBuilder::new().recursive(true).mode(0o700).create(folder);
-        made.map_err(|error| format!("the folder {} cannot be made: {error}", folder.display()))?;
-        Ok(file.display().to_string())
+        made.map_err(|error| format!("the folder {} cannot be made: {error}", shown(folder)))?;
+        Ok(file.to_string_lossy().into_owned())
     }
 
     /// Returns the instrument that a client calls `name`: an embedded one, or a file's path.
@@ -51,7 +51,7 @@ impl Folders {
         }
         self.file(name).ok_or_else(|| {
             let own = self.instruments.as_deref().map_or_else(String::new, |folder| {
-                format!(", or a file in {} on the host's machine", folder.display())
+                format!(", or a file in {} on the host's machine", shown(folder))
             });
             let (wanted, choice) = (quoted(name), choice(name, &embedded));
             format!("there is no instrument {wanted} for clients: {choice}{own}")
@@ -66,7 +66,7 @@ impl Folders {
         self.file(name).ok_or_else(|| {
             let place = self.instruments.as_deref().map_or_else(
                 || "this host has no folder of them: give it --instruments FOLDER".to_owned(),
-                |folder| format!("they are in {} on the host's machine", folder.display()),
+                |folder| format!("they are in {} on the host's machine", shown(folder)),
             );
             format!("there is no description {} for clients: {place}", quoted(name))
         })
@@ -80,7 +80,7 @@ impl Folders {
         // Where a symbolic link leads may be anywhere.
         let file = fs::canonicalize(file).ok().filter(|file| file.is_file())?;
         let is_inside = file.starts_with(fs::canonicalize(folder).ok()?);
-        is_inside.then(|| file.display().to_string())
+        is_inside.then(|| file.to_string_lossy().into_owned())
     }
 }
 
@@ -92,7 +92,7 @@ fn file_in(folder: &Path, name: &str) -> Option<PathBuf> {
     let (Some(Component::Normal(file)), None) = (parts.next(), parts.next()) else { return None };
     let text = file.to_str()?;
     let is_plain =
-        !text.starts_with('.') && !text.contains(char::is_control) && file == name.as_os_str();
+        !text.starts_with('.') && !text.contains(is_unprintable) && file == name.as_os_str();
     is_plain.then(|| folder.join(file))
 }
 
@@ -123,6 +123,7 @@ mod tests {
             "/var/lib/x/../a.mcap",
             "/var/lib/x",
             "a\nb.mcap",
+            "a\u{202e}b.mcap",
             "/var/lib/x/y/a.mcap",
         ] {
             assert_eq!(file_in(folder, bad), None, "{bad:?}");
@@ -137,12 +138,12 @@ mod tests {
         let folders = Folders { instruments: Some(folder.clone()), ..Folders::default() };
         assert_eq!(folders.instrument("grand-springs"), Ok("grand-springs".to_owned()));
         let mine = fs::canonicalize(folder.join("mine.toml")).expect("the file");
-        assert_eq!(folders.instrument("mine"), Ok(mine.display().to_string()));
+        assert_eq!(folders.instrument("mine"), Ok(mine.to_string_lossy().into_owned()));
         for foreign in ["/etc/passwd", "../mine.toml", "link.toml", "no", "Cargo.toml"] {
             let refused = folders.instrument(foreign).expect_err(foreign);
             assert!(refused.contains("no instrument") && !refused.contains("root:"), "{refused}");
         }
-        assert_eq!(folders.description("mine.toml"), Ok(mine.display().to_string()));
+        assert_eq!(folders.description("mine.toml"), Ok(mine.to_string_lossy().into_owned()));
         for foreign in ["/etc/passwd", "../mine.toml", "link.toml", "spring-wall"] {
             let refused = folders.description(foreign).expect_err(foreign);
             assert!(refused.contains("no description") && !refused.contains("root:"), "{refused}");

@@ -8,6 +8,7 @@ use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use descriptions::{FileContents, rendered, try_load};
+use diagnostics::escaped;
 use keyboard::KeyRange;
 use models::catalogue::ModelEntry;
 use scene::{Render, Scene};
@@ -75,7 +76,7 @@ impl RequestHandler {
         *self.states() = states;
         let version = observe::version(model);
         let keys = if n == 0 { "the same keys".to_owned() } else { format!("{n} keys") };
-        let text = format!("{keys} play version {version} of {} ({path})", model.name);
+        let text = format!("{keys} play version {version} of {} ({})", model.name, escaped(path));
         self.tell(&text, who);
         Ok(text)
     }
@@ -89,7 +90,8 @@ impl RequestHandler {
         let mut states = self.states();
         states.note_read(path, contents, mistakes);
         self.run.tell(self.catalogue(playing.render, &playing.described(), &states));
-        let text = format!("{path} is wrong, and the version before it plays on:\n{mistakes}");
+        let text =
+            format!("{} is wrong, and the version before it plays on:\n{mistakes}", escaped(path));
         let entry = Log { level: log::Level::Error.into(), text };
         self.run.tell(TelemetryMessage::Update(Box::new(Update::Log(entry))));
     }

@@ -10,6 +10,7 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::os::unix::fs::{DirBuilderExt as _, FileTypeExt as _, MetadataExt as _};
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
 use rustix::process::getuid;
 
 /// The socket of a host that the shipped unit starts.
@@ -88,7 +89,7 @@ pub(crate) fn prepare_folder(path: &Path) -> io::Result<()> {
     let folder = folder(path);
     match fs::DirBuilder::new().mode(0o700).create(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            let above = folder.parent().unwrap_or(folder).display();
+            let above = shown(folder.parent().unwrap_or(folder));
             let text = format!("there is no folder {above} (make it first, or correct TMPDIR)");
             return Err(io::Error::new(error.kind(), text));
         }
@@ -112,14 +113,14 @@ pub(super) fn check_folder(path: &Path) -> io::Result<()> {
     if let Some(uid) = stranger {
         return refuse(format!(
             "the folder {} belongs to user {uid}, who could answer in a host's place",
-            folder.display()
+            shown(folder)
         ));
     }
     let mode = target.mode();
     if mode & OTHERS_WRITE != 0 && mode & STICKY == 0 {
         return refuse(format!(
             "others can write into {0} and could answer in a host's place (`chmod go-w {0}`)",
-            folder.display()
+            shown(folder)
         ));
     }
     Ok(())

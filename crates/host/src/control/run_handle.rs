@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
+use diagnostics::escaped;
 use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
 use pode::EnergyAudit;
@@ -198,7 +199,7 @@ impl TelemetryPort {
             return Err(format!("{} is being recorded: end it first", going.report().file));
         }
         self.recording = Some(self.begin(Path::new(file), limits)?);
-        Ok(format!("{file} is being recorded"))
+        Ok(format!("{} is being recorded", escaped(file)))
     }
 }
 

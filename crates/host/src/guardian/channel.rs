@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
+use diagnostics::shown;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::net::sockopt::socket_peercred;
 use rustix::process::{Pid, Signal, kill_process};
@@ -51,7 +52,7 @@ impl GuardianChannel {
         };
         let peer = socket_peercred(&stream)?;
         if peer.uid.as_raw() != place::user() {
-            let text = format!("another user listens at {}", path.display());
+            let text = format!("another user listens at {}", shown(path));
             return Err(io::Error::new(ErrorKind::PermissionDenied, text));
         }
         stream.set_nonblocking(true)?;

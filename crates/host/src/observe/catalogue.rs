@@ -53,7 +53,7 @@ fn description(entry: &ModelEntry) -> Option<Description> {
     let version = version_of(entry)?;
     let texts = version.contents.texts().into_iter();
     let file = |(path, text): (PathBuf, String)| DescriptionFile {
-        path: path.display().to_string(),
+        path: path.to_string_lossy().into_owned(),
         text,
     };
     Some(Description {

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
 
+use diagnostics::shown;
 use telemetry::event::Kind;
 use telemetry::recording::{
     BlackBox, RecordError, Recorder, RecordingLimits, RecordingSettings, RecordingStatus,
@@ -36,7 +37,7 @@ impl RecordingHandle {
         let settings =
             RecordingSettings { limits, ..RecordingSettings::new(file, super::run_id()) };
         let recorder = Recorder::create(settings)?;
-        let file = file.display().to_string();
+        let file = shown(file);
         let report = Arc::new(Mutex::new(RecordingReport { file, ..RecordingReport::default() }));
         let it = Self { report, stop: Arc::default() };
         let (recorder, log) = (Some(recorder), sender.clone());
@@ -189,7 +190,7 @@ impl BlackBoxSink {
         (self.say)(&match dumped {
             Ok(_bytes) => format!(
                 "a voice failed; the seconds around it are in {}: see `letoff dash`",
-                path.display()
+                shown(&path)
             ),
             Err(error) => format!("a voice failed, and the black box cannot be written: {error}"),
         });

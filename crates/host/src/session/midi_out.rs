@@ -4,6 +4,7 @@ use std::os::unix::fs::FileTypeExt as _;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use diagnostics::shown;
 use midi::{Message, MidiSendError, Output, Smf};
 
 use crate::control::RunHandle;
@@ -75,14 +76,14 @@ pub(super) fn open(
         MidiOutput::File(path) => {
             refuse_without_folder(path)?;
             refuse_pipe(path)?;
-            let opened = OpenedOutput::new(path.display().to_string(), None);
+            let opened = OpenedOutput::new(shown(path), None);
             return Ok((Box::new(Smf::new(path)), opened));
         }
         MidiOutput::Virtual => (GuardedPort::Virtual, "virtual port \"letoff\"".into()),
         MidiOutput::Port(name) => (GuardedPort::Named(name.clone()), format!("port \"{name}\"")),
         MidiOutput::Raw(path) => {
             refuse_file(path)?;
-            let name = format!("device {}", path.display());
+            let name = format!("device {}", shown(path));
             // The guardian may have been started elsewhere.
             (GuardedPort::Raw(std::path::absolute(path)?), name)
         }
@@ -149,10 +150,7 @@ fn open_port(
 fn refuse_without_folder(path: &Path) -> Result<(), SessionError> {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
-            Err(SessionError::NoFolder {
-                path: path.display().to_string(),
-                folder: folder.display().to_string(),
-            })
+            Err(SessionError::NoFolder { path: shown(path), folder: shown(folder) })
         }
         Some(_) | None => Ok(()),
     }
@@ -163,7 +161,7 @@ fn refuse_file(path: &Path) -> Result<(), SessionError> {
     if path.metadata().is_ok_and(|there| there.is_file() || there.is_dir()) {
         return Err(SessionError::Midi(format!(
             "{} is neither a device nor a FIFO; a name that ends in .mid writes a file",
-            path.display()
+            shown(path)
         )));
     }
     Ok(())
@@ -175,7 +173,7 @@ fn refuse_pipe(path: &Path) -> Result<(), SessionError> {
         return Err(SessionError::Midi(format!(
             "{0} is a pipe, and a MIDI file is written whole at the end: give another name, or \
              raw:{0} to send the bytes of a cable",
-            path.display()
+            shown(path)
         )));
     }
     Ok(())

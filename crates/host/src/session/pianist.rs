@@ -4,6 +4,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
+use diagnostics::shown;
 use haptics::Gesture;
 use models::Playable;
 use models::catalogue::{self, Visitor};
@@ -75,7 +76,7 @@ fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
     let (name, score) = match source {
         PerformanceSource::Embedded(name, bytes) => ((*name).to_owned(), read(bytes)),
         PerformanceSource::Path(path) => {
-            let name = path.display().to_string();
+            let name = shown(path);
             let bytes = std::fs::read(path).map_err(|error| failed(&name, error.to_string()))?;
             (name, read(&bytes))
         }

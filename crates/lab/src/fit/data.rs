@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
-use diagnostics::{choice, quoted};
+use diagnostics::{choice, quoted, shown};
 
 /// The columns that a file may have; the first may be left out.
 const COLUMNS: [&str; 3] = ["time_s", "travel_m", "force_n"];
@@ -80,7 +80,7 @@ impl fmt::Display for DataMistake {
 /// # Errors
 /// Every mistake in it, of many the first ones.
 pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMistake>> {
-    let file = path.display().to_string();
+    let file = shown(path);
     let mut scan = StrokeScan { file, places: [None; 3], rows: Vec::new(), mistakes: Vec::new() };
     let mut reader = ReaderBuilder::new();
     let reader = reader.has_headers(false).flexible(true).trim(Trim::All);

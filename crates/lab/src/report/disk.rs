@@ -4,9 +4,11 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
+
 /// Which file or folder could not be written, and why.
 #[derive(Debug, thiserror::Error)]
-#[error("cannot write {}: {cause}", path.display())]
+#[error("cannot write {}: {cause}", shown(path))]
 pub struct DiskError {
     pub path: PathBuf,
     pub cause: io::Error,

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -74,7 +75,7 @@ pub(super) enum Author {
 
 /// Why a file of other codes' results cannot be used.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-#[error("{}: {what}; give the results.json that benches/peers writes", path.display())]
+#[error("{}: {what}; give the results.json that benches/peers writes", shown(path))]
 pub struct BadPeers {
     pub path: PathBuf,
     pub what: String,

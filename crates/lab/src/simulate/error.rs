@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use super::input::InputMistake;
 use descriptions::MissingModel;
-use diagnostics::nearest;
+use diagnostics::{nearest, shown};
 
 /// Why a simulation did not come to its end.
 #[derive(Debug, thiserror::Error)]
@@ -41,7 +41,7 @@ pub enum SimulateError {
         tolerance: bool,
     },
     /// A file could not be written to its end.
-    #[error("cannot write {}: {cause}; make room there or choose another file", path.display())]
+    #[error("cannot write {}: {cause}; make room there or choose another file", shown(path))]
     Write { path: PathBuf, cause: csv::Error },
     /// The summary could not be written; the files are complete.
     #[error("cannot write the summary: {0}")]
@@ -127,10 +127,10 @@ pub enum SimulateMistake {
     #[error(transparent)]
     Input(#[from] InputMistake),
     /// Two files are the same.
-    #[error("{first} and {second} are the same file, {}", path.display())]
+    #[error("{first} and {second} are the same file, {}", shown(path))]
     SameFile { first: &'static str, second: &'static str, path: PathBuf },
     /// A file cannot be created.
-    #[error("cannot create {}: {cause}", path.display())]
+    #[error("cannot create {}: {cause}", shown(path))]
     Create { path: PathBuf, cause: io::Error },
 }
 

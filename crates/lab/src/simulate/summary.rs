@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use diagnostics::shown;
 use pode::stepper::Choice;
 use pode::{Cap, EnergyAudit, Fault, Limits};
 use serde::Serialize;
@@ -333,7 +334,7 @@ pub(super) fn write(
     writeln!(out, "{}", report.text())?;
     for (what, path) in [("rows", &args.out), ("events", &args.events), ("plot", &args.plot)] {
         if let Some(path) = path {
-            writeln!(out, "{what:<7} {}", path.display())?;
+            writeln!(out, "{what:<7} {}", shown(path))?;
         }
     }
     out.flush()

@@ -15,6 +15,8 @@ mod watch;
 use std::io;
 use std::path::PathBuf;
 
+use diagnostics::shown;
+
 pub use memory::MessageRecorder;
 pub use port::MidiPort;
 pub(crate) use ports::{CLIENT, look_for_sequencer};
@@ -74,8 +76,8 @@ pub enum MidiSendError {
     NoGuardian { reason: String },
     /// The recording could not be written.
     #[error(
-        "{path} could not be written ({source}): all {messages} messages are still in memory, \
-         make room and finish again"
+        "{} could not be written ({source}), and its {messages} messages are lost with this run: \
+         make room or choose another file, then run again", shown(.path)
     )]
     Write {
         path: PathBuf,

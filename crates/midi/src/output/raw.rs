@@ -5,6 +5,7 @@ use std::io::{self, Write as _};
 use std::os::unix::fs::{FileTypeExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
 use rustix::fs::OFlags;
 
 use super::reconnecting::{MidiSystem, ReconnectingPort};
@@ -25,7 +26,7 @@ impl RawPort {
     /// If there is none, it may not be written to, or nothing reads from the FIFO.
     pub fn open(path: &Path) -> Result<Self, Unavailable> {
         let device = DeviceFile { path: path.to_owned(), file: None };
-        ReconnectingPort::connect(device, path.display().to_string()).map(Self)
+        ReconnectingPort::connect(device, shown(path)).map(Self)
     }
 
     /// Keeps a ledger in `folder`, as [`ReconnectingPort::keep_ledger`].
@@ -92,7 +93,7 @@ impl MidiSystem for DeviceFile {
     fn connect(&mut self) -> Result<(), Unavailable> {
         self.file = None;
         let opened = self.open();
-        let path = || self.path.display().to_string();
+        let path = || shown(&self.path);
         self.file = Some(opened.map_err(|reason| Unavailable::NoDevice { path: path(), reason })?);
         Ok(())
     }

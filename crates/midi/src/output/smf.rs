@@ -299,7 +299,7 @@ mod tests {
         for _ in 0..2 {
             let error = smf.finish().unwrap_err().to_string();
             assert!(error.starts_with("/dev/full could not be written"), "{error}");
-            assert!(error.contains("all 1 messages are still in memory"), "{error}");
+            assert!(error.contains("its 1 messages are lost with this run: make room"), "{error}");
         }
         assert_eq!(smf.messages().len(), 1);
         assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());

@@ -95,7 +95,7 @@ pub fn overrides(addresses: &[Address]) -> Vec<Override> {
 pub(super) fn bus_at(address: &Address) -> String {
     match address {
         Address::Serial { port, baud } => {
-            format!("{{ serial = {:?}, baud = {baud} }}", port.display().to_string())
+            format!("{{ serial = {:?}, baud = {baud} }}", port.to_string_lossy())
         }
         Address::Can { interface, mode: CanMode::Fd } => format!("{{ can = {interface:?} }}"),
         Address::Can { interface, mode: CanMode::Classic } => {

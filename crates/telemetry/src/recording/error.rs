@@ -3,6 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
+use diagnostics::shown;
+
 use super::format::{FORMAT, PROFILE};
 use super::missing::MissingPiece;
 use crate::topic;
@@ -10,18 +12,18 @@ use crate::topic;
 /// Why a message is not recorded, or a recording not written.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
-    #[error("{} is there already: choose another name, or move it away", .0.display())]
+    #[error("{} is there already: choose another name, or move it away", shown(.0))]
     Exists(PathBuf),
-    #[error("{} cannot be made: {cause}", .path.display())]
+    #[error("{} cannot be made: {cause}", shown(.path))]
     Create { path: PathBuf, cause: io::Error },
-    #[error("{} cannot be written any further, and ends here: {cause}", .path.display())]
+    #[error("{} cannot be written any further, and ends here: {cause}", shown(.path))]
     Write { path: PathBuf, cause: String },
-    #[error("{} cannot be removed to make room, and the recording ends here: {cause}", .path.display())]
+    #[error("{} cannot be removed to make room, and the recording ends here: {cause}", shown(.path))]
     Remove { path: PathBuf, cause: io::Error },
     #[error(
         "only {} MiB are free where {} lies, less than the {} MiB that are to stay: \
          the recording ends here, and what is recorded is complete",
-        .free >> 20, .path.display(), .lowest >> 20
+        .free >> 20, shown(.path), .lowest >> 20
     )]
     LowDisk {
         path: PathBuf,
@@ -33,7 +35,7 @@ pub enum RecordError {
     #[error(
         "{} is not begun: only {} MiB are free there, less than the {} MiB that are to stay; \
          free some, name a file on another disk, or allow less with --min-free",
-        .path.display(), .free >> 20, .lowest >> 20
+        shown(.path), .free >> 20, .lowest >> 20
     )]
     NoRoom {
         path: PathBuf,
@@ -53,21 +55,21 @@ pub enum RecordError {
 /// Why a file is not opened.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
-    #[error("{} cannot be read: {cause}", .path.display())]
+    #[error("{} cannot be read: {cause}", shown(.path))]
     Io { path: PathBuf, cause: io::Error },
     /// The file is no MCAP file.
-    #[error("{} is no recording: it does not begin as an MCAP file does", .0.display())]
+    #[error("{} is no recording: it does not begin as an MCAP file does", shown(.0))]
     NotMcap(PathBuf),
     /// The file is an MCAP file of another program.
-    #[error("{} is an MCAP file, but no recording of {PROFILE}'s: it does not say so", .0.display())]
+    #[error("{} is an MCAP file, but no recording of {PROFILE}'s: it does not say so", shown(.0))]
     NotOurs(PathBuf),
     #[error(
         "{} is of format {found}, and this {PROFILE} reads {FORMAT}: \
-         use the {PROFILE} that recorded it", .path.display()
+         use the {PROFILE} that recorded it", shown(.path)
     )]
     Version { path: PathBuf, found: String },
     /// The file breaks off before the first message.
-    #[error("{} breaks off before anything was recorded: there is nothing to read", .0.display())]
+    #[error("{} breaks off before anything was recorded: there is nothing to read", shown(.0))]
     Empty(PathBuf),
 }
 
@@ -77,19 +79,19 @@ pub enum ReadError {
     #[error(transparent)]
     Missing(#[from] MissingPiece),
     /// A message cannot be decoded.
-    #[error("{}: {cause}", .path.display())]
+    #[error("{}: {cause}", shown(.path))]
     Message { path: PathBuf, cause: topic::TopicDecodeError },
 }
 
 /// Why a recording is not made into tables.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
-    #[error("{} is there already: choose another folder, or move it away", .0.display())]
+    #[error("{} is there already: choose another folder, or move it away", shown(.0))]
     Exists(PathBuf),
-    #[error("{} cannot be written: {cause}", .path.display())]
+    #[error("{} cannot be written: {cause}", shown(.path))]
     Write { path: PathBuf, cause: String },
     /// Without a catalogue nothing has a name or a time.
-    #[error("{} has no catalogue, which says how long a tick is: it cannot be made into tables", .0.display())]
+    #[error("{} has no catalogue, which says how long a tick is: it cannot be made into tables", shown(.0))]
     NoCatalogue(PathBuf),
     #[error(transparent)]
     Read(#[from] ReadError),

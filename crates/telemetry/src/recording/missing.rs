@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
 use mcap::records::Metadata;
 
 use super::format;
@@ -41,7 +42,7 @@ impl Defect {
         if self.is_left_out {
             return self.wrong.clone();
         }
-        let name = old.file_name().unwrap_or_default().display();
+        let name = shown(Path::new(old.file_name().unwrap_or_default()));
         format!("was recovered from {name}, which {}", self.wrong)
     }
 }
@@ -72,7 +73,7 @@ impl MissingPiece {
     pub fn what(&self) -> String {
         format!(
             "{} {}: what it had {} is left out",
-            self.path.display(),
+            shown(&self.path),
             self.defect.wrong,
             self.when()
         )
@@ -96,11 +97,7 @@ impl fmt::Display for MissingPiece {
         if self.defect.is_left_out {
             return Ok(());
         }
-        write!(
-            f,
-            ", and `letoff recover {}` makes a complete file of the rest",
-            self.path.display()
-        )
+        write!(f, ", and `letoff recover {}` makes a complete file of the rest", shown(&self.path))
     }
 }
 

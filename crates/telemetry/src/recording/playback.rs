@@ -7,6 +7,8 @@ use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::Duration;
 
+use diagnostics::shown;
+
 use super::error::ReadError;
 use super::marks::marks;
 use super::missing::MissingPiece;
@@ -172,7 +174,7 @@ impl Source for Playback {
     }
 
     fn name(&self) -> String {
-        self.recording.path().display().to_string()
+        shown(self.recording.path())
     }
 
     fn timeline(&mut self) -> Option<&mut dyn Timeline> {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
 use mcap::records::MessageHeader;
 
 use super::chunk::Inside;
@@ -61,7 +62,7 @@ impl Recording {
             }
         }
         if let Some(later) = recording.next_path(2).filter(|later| later.exists()) {
-            let text = format!("the file before {} is missing", later.display());
+            let text = format!("the file before {} is missing", shown(&later));
             recording.note_loss(later, &text);
         }
         Ok(recording)
@@ -305,7 +306,7 @@ fn voices_in(
 
 /// Returns what is missing of a file that has no summary or no beginning.
 fn tear(part: &PartFile) -> Option<Tear> {
-    let path = part.path.display();
+    let path = shown(&part.path);
     let damaged = match part.index.without_summary.map_or(0, |scan| scan.damaged) {
         0 => String::new(),
         1 => ", but for one damaged piece".to_owned(),

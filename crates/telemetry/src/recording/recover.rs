@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use diagnostics::shown;
+
 use super::error::{OpenError, RecordError};
 use super::latest::Latest;
 use super::missing::MissingNote;
@@ -32,7 +34,7 @@ pub enum RecoverError {
     #[error(transparent)]
     Open(#[from] OpenError),
     /// The old file has no message in it.
-    #[error("{} has nothing in it that could be saved: no file is made of it", .0.display())]
+    #[error("{} has nothing in it that could be saved: no file is made of it", shown(.0))]
     Nothing(PathBuf),
     #[error(transparent)]
     Record(#[from] RecordError),

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::path::Path;
 
+use diagnostics::shown;
 use firmware_protocol::key::{MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Counts;
 use toml_edit::{Document, Item, Table};
@@ -58,9 +59,9 @@ fn load_wanted(
     let bytes = match std::fs::read(path) {
         Ok(bytes) => bytes,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(format!("{} cannot be read: {error}", path.display())),
+        Err(error) => return Err(format!("{} cannot be read: {error}", shown(path))),
     };
-    parse(&path.display().to_string(), &bytes, uid, (n_keys, wanted)).map(Some)
+    parse(&shown(path), &bytes, uid, (n_keys, wanted)).map(Some)
 }
 
 /// Reads the bytes of a file that is called `file` in sentences.

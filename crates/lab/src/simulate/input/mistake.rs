@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use diagnostics::shown;
+
 /// One mistake in an input.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -25,10 +27,10 @@ pub enum InputMistake {
     #[error("--input: s or one of its first three derivatives is not finite at t = 0")]
     NotFinite,
     /// The file cannot be read.
-    #[error("cannot read {}: {cause}", path.display())]
+    #[error("cannot read {}: {cause}", shown(path))]
     Read { path: PathBuf, cause: csv::Error },
     /// Something in the file is wrong.
-    #[error("{}, line {line}, column {column}: {problem}", path.display())]
+    #[error("{}, line {line}, column {column}: {problem}", shown(path))]
     Cell {
         path: PathBuf,
         /// Line of the file, from 1.
@@ -38,7 +40,7 @@ pub enum InputMistake {
         problem: String,
     },
     /// The number of further mistakes in the same file.
-    #[error("{}: {more} more mistakes", path.display())]
+    #[error("{}: {more} more mistakes", shown(path))]
     More {
         path: PathBuf,
         /// Mistakes that are not shown.
@@ -47,6 +49,6 @@ pub enum InputMistake {
     /// A reconstruction without samples.
     #[error("--reconstruct is for an --input from a CSV file")]
     NothingToReconstruct,
-    #[error("{} has {rows} rows: an input needs at least 2", path.display())]
+    #[error("{} has {rows} rows: an input needs at least 2", shown(path))]
     TooShort { path: PathBuf, rows: usize },
 }

@@ -5,6 +5,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
+use diagnostics::shown;
 use tokio_rustls::TlsAcceptor;
 use tokio_rustls::rustls::pki_types::pem::PemObject as _;
 use tokio_rustls::rustls::pki_types::{CertificateDer, PrivateKeyDer};
@@ -73,7 +74,7 @@ fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
             let text = format!(
                 "the certificate cannot be kept in {}: {error}; let this user write there, or \
                  give a certificate's files",
-                folder.display()
+                shown(folder)
             );
             io::Error::new(error.kind(), text)
         })?;
@@ -103,7 +104,7 @@ fn read(chain: &Path, key: &Path) -> io::Result<Identity> {
     let text = |path: &Path| {
         let text = crate::file::open(path).and_then(io::read_to_string);
         text.map_err(|error| {
-            io::Error::new(error.kind(), format!("{} cannot be read: {error}", path.display()))
+            io::Error::new(error.kind(), format!("{} cannot be read: {error}", shown(path)))
         })
     };
     parse(&text(chain)?, &text(key)?)
