@@ -33,6 +33,14 @@ fn a_parameter_that_is_not_there_is_answered_with_the_nearest() {
 }
 
 #[test]
+fn a_name_of_8_kb_is_shortened() {
+    let set = format!("{}=1", "x".repeat(8000));
+    let arguments = ["run", "springs", "--virtual-time", "--set", &set];
+    let said = check(&folder("long"), &arguments, 2, &["--set xxx", "x…: there is no key"]);
+    assert!(said.err.len() < 500, "{said:?}");
+}
+
+#[test]
 fn several_wrong_overrides_are_all_reported() {
     let folder = folder("several");
     let sets = ["--set", "tick_hz=0", "--set", "lanes=99", "--set", "nonsense=1"];

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::source::{Override, SourceText};
-use diagnostics::{Diagnostic, Diagnostics};
+use diagnostics::{Diagnostic, Diagnostics, shortened};
 
 /// Most mistakes that are reported of one file.
 const MOST: usize = 100;
@@ -116,7 +116,7 @@ impl<'a> MistakeList<'a> {
             Location::At(offset) => (self.source.file.clone(), Some(self.position(offset))),
             Location::Override(index) => {
                 let typed = self.overrides.get(index).map(|it| &it.typed);
-                (typed.unwrap_or(&self.source.file).clone(), None)
+                (shortened(typed.unwrap_or(&self.source.file)).into_owned(), None)
             }
         }
     }

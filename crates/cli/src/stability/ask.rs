@@ -170,7 +170,7 @@ pub(crate) fn set_quantities(
         let value = values.get(*what);
         if !(low..=high).contains(&value) {
             let unit = entry.unit;
-            mistakes.push(format!("--{} {value} is not from {low} to {high} {unit}", entry.name));
+            mistakes.push(format!("--{} {value:?} is not from {low} to {high} {unit}", entry.name));
         }
     }
 }
@@ -212,7 +212,7 @@ fn in_range(parameter: &Parameter, value: f64) -> Result<f64, String> {
     if (low..=high).contains(&value) {
         return Ok(value);
     }
-    Err(format!("{name} = {value} is not from {low} to {high} {unit}"))
+    Err(format!("{name} = {value:?} is not from {low} to {high} {unit}"))
 }
 
 /// Returns the estimators that were named; the usual ones if none was.

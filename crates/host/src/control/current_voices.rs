@@ -260,7 +260,7 @@ fn refuse(parameter: &Parameter, value: f64) -> Result<(), String> {
     }
     // A number without a unit has the unit 1.
     let unit = if *unit == "1" { String::new() } else { format!(" {unit}") };
-    Err(format!("{name} is {low} to {high}{unit}, not {value}"))
+    Err(format!("{name} is {low} to {high}{unit}, not {value:?}"))
 }
 
 #[cfg(test)]

@@ -66,11 +66,11 @@ impl KeyPort {
             KeyIndex::new(key).ok_or_else(|| format!("there is no key {key}, give 0 to 87"))?;
         match hand {
             HandCommand::Weight(newtons) if !(0.0..=HARDEST).contains(&newtons) => {
-                return Err(format!("a key is pressed with 0 to {HARDEST} N, not {newtons}"));
+                return Err(format!("a key is pressed with 0 to {HARDEST} N, not {newtons:?}"));
             }
             HandCommand::Grip(depth) if !(HIGHEST..=DEEPEST).contains(&depth) => {
                 return Err(format!(
-                    "a hand holds a key at {HIGHEST} to {DEEPEST} times its dip, not {depth}"
+                    "a hand holds a key at {HIGHEST} to {DEEPEST} times its dip, not {depth:?}"
                 ));
             }
             HandCommand::Weight(_) | HandCommand::Grip(_) => {}
@@ -118,6 +118,12 @@ impl Lights {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_weight_of_300_digits_is_refused_in_a_few() {
+        let refused = KeyPort::default().press(39, HandCommand::Weight(1e300), None).unwrap_err();
+        assert!(refused.ends_with(" N, not 1e300"), "{refused}");
+    }
 
     #[test]
     fn a_board_that_is_not_there_is_refused_with_those_that_are() {

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 
+use diagnostics::shortened;
 use scene::{Instrument, Render};
 use telemetry::request::RenderSetting;
 
@@ -41,7 +42,7 @@ impl RequestHandler {
         let catalogue = self.catalogue(tried.render, &playing.described(), &self.states());
         self.put_in(&mut next, voices.collect(), Some(catalogue), who)?;
         *playing = next;
-        let named = |it: &RenderSetting| format!("{}={}", it.name, it.value);
+        let named = |it: &RenderSetting| format!("{}={}", it.name, shortened(&it.value));
         let text = settings.iter().map(named).collect::<Vec<_>>().join(" ");
         self.tell(&text, who);
         Ok(text)
