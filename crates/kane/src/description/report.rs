@@ -1,6 +1,6 @@
 //! The mistakes that are found while a description is read.
 
-use diagnostics::{Diagnostic, Diagnostics};
+use diagnostics::{Diagnostic, Diagnostics, escaped};
 
 use super::source::{DescriptionSource, LineIndex, SourcePlace};
 
@@ -79,7 +79,7 @@ impl FindingList {
         let (line, column) = self.position(place).unwrap_or((1, 1));
         match self.sources.get(place.source) {
             Some((source, _)) if place.source != from.source => {
-                format!("{}:{line}:{column}", source.name)
+                format!("{}:{line}:{column}", escaped(&source.name))
             }
             _ => format!("line {line}, column {column}"),
         }
