@@ -3,27 +3,10 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::deny;
 use crate::command::{self, cargo};
 use crate::error::Error;
 use crate::files;
-
-/// Licences that the programs may be linked under; of an expression with `OR` one is enough.
-const ACCEPTED: [&str; 13] = [
-    "0BSD",
-    "Apache-2.0",
-    "Apache-2.0 WITH LLVM-exception",
-    "BSD-2-Clause",
-    "BSD-3-Clause",
-    "BSL-1.0",
-    "ISC",
-    "MIT",
-    "MPL-2.0",
-    "Unicode-3.0",
-    "Unlicense",
-    "Zlib",
-    // Of the window's fonts.
-    "OFL-1.1 AND Ubuntu-font-1.0",
-];
 
 /// How the names of files begin that have such a text, in small letters.
 const NAMES: [&str; 6] = ["license", "licence", "copying", "copyright", "notice", "unlicense"];
@@ -77,7 +60,8 @@ impl LinkedCrate {
 /// Names the command, the file, or the crate whose licence does not allow to link it.
 pub(super) fn third_party() -> Result<String, Error> {
     let crates = linked()?;
-    if let Some(refused) = crates.iter().find(|it| !is_accepted(&it.licence)) {
+    let accepted = accepted()?;
+    if let Some(refused) = crates.iter().find(|it| !is_accepted(&it.licence, &accepted)) {
         let LinkedCrate { name, licence, .. } = refused;
         let because = format!("{name} is linked, and its licence is \"{licence}\"");
         return Err(Error::unobtainable("a package that may be passed on", because));
@@ -125,13 +109,15 @@ fn linked() -> Result<Vec<LinkedCrate>, Error> {
     Ok(crates)
 }
 
+/// Returns the licences that the programs may be linked under.
+fn accepted() -> Result<Vec<String>, Error> {
+    Ok(deny::list("allow")?.into_iter().flatten().collect())
+}
+
 /// Whether each part of the expression can be met by a licence that is accepted.
-fn is_accepted(expression: &str) -> bool {
+fn is_accepted(expression: &str, accepted: &[String]) -> bool {
     let plain = expression.replace(['(', ')'], "").replace('/', " OR ");
-    let is_known = |licence: &str| {
-        let licence = licence.trim();
-        ACCEPTED.iter().any(|accepted| accepted.split(" AND ").any(|part| part == licence))
-    };
+    let is_known = |licence: &str| accepted.iter().any(|it| it == licence.trim());
     plain.split(" AND ").all(|part| part.split(" OR ").any(is_known))
 }
 
@@ -164,18 +150,21 @@ mod tests {
     fn every_crate_that_is_linked_may_be() {
         let crates = linked().expect("a graph of crates");
         assert!(crates.len() > 100, "{} crates", crates.len());
-        let refused: Vec<_> = crates.iter().filter(|it| !is_accepted(&it.licence)).collect();
+        let accepted = accepted().expect("deny.toml");
+        let refused: Vec<_> =
+            crates.iter().filter(|it| !is_accepted(&it.licence, &accepted)).collect();
         assert!(refused.is_empty(), "{refused:?}");
     }
 
     #[test]
     fn an_expression_is_accepted_if_each_part_of_it_can_be() {
+        let accepted = ["MIT", "Unicode-3.0"].map(String::from);
         for good in ["MIT", "MIT/Apache-2.0", "MIT OR GPL-3.0-only", "(MIT OR X) AND Unicode-3.0"] {
-            assert!(is_accepted(good), "{good}");
+            assert!(is_accepted(good, &accepted), "{good}");
         }
         for bad in ["", "GPL-3.0-only", "MIT AND GPL-3.0-only", "(MIT OR ISC) AND AGPL-3.0", "AND"]
         {
-            assert!(!is_accepted(bad), "{bad}");
+            assert!(!is_accepted(bad, &accepted), "{bad}");
         }
     }
 

@@ -2,6 +2,7 @@
 //! completions, and the licences of what is linked.
 
 mod control;
+mod deny;
 mod licences;
 mod tree;
 
