@@ -11,6 +11,7 @@ mod faults;
 mod fidelity;
 mod figure6;
 mod fit;
+mod fuzz;
 mod grand;
 mod impedance;
 mod late_samples;

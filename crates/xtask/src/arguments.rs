@@ -5,6 +5,7 @@ use std::ffi::OsString;
 use crate::bench::BaselineUse;
 use crate::dist;
 use crate::error::Error;
+use crate::fuzz::FuzzOptions;
 use crate::guest_boards::CheckScope;
 use crate::peers::PeerOptions;
 
@@ -46,6 +47,13 @@ Chores of this workspace.
                                     and with SymPy, moves linkages here and with MuJoCo,
                                     both installed from PyPI into target/oracle, and
                                     compares accelerations, forces and motions; three minutes
+  cargo xtask fuzz [--mutations N] [--kind KIND] [--seed N] [--program PATH]
+                                    gives damaged scenes, descriptions, instruments, MIDI, CSV,
+                                    recordings, tokens, play lists and calibration files, 1000
+                                    of each, to a release build with limits of memory and
+                                    processor time, and keeps those on which it panics, takes
+                                    more than 5 s of processor time or ends with a code that is
+                                    not documented; half an hour
   cargo xtask help                  prints this
 
 Example: cargo xtask demo -- --duration 5
@@ -79,6 +87,8 @@ pub(crate) enum Task {
     Bench(BaselineUse),
     /// Measure other people's solvers beside ours.
     Peers(PeerOptions),
+    /// Give damaged files to the program.
+    Fuzz(FuzzOptions),
     /// Say what there is.
     Help,
 }
@@ -89,6 +99,10 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
     let task = match name.to_str() {
         Some("demo") => return demo(arguments),
         Some("peers") => return peers(arguments),
+        Some("fuzz") => {
+            let options = FuzzOptions::parse(arguments)?;
+            return Ok(options.map_or(Task::Help, Task::Fuzz));
+        }
         Some("bench") => {
             let modes = [BaselineUse::Compare, BaselineUse::Write];
             return with_flag(arguments, "--write-baseline", modes.map(Task::Bench));

@@ -26,6 +26,8 @@ pub(crate) enum Error {
     Slower(Vec<String>),
     /// Checks in the guest failed, or were not made.
     Guest(String),
+    /// The program did not stand damaged files, which are kept in `folder`.
+    Fuzz { failed: usize, folder: PathBuf },
     /// A command could not be started.
     NotStarted { command: String, cause: io::Error },
     /// A command ended without success.
@@ -79,6 +81,9 @@ impl fmt::Display for Error {
                 benches.join(", ")
             ),
             Self::Guest(verdict) => write!(f, "not all is well in the guest: {verdict}"),
+            Self::Fuzz { failed, folder } => {
+                write!(f, "{failed} runs failed; the damaged files are in {}", folder.display())
+            }
             Self::NotStarted { command, cause } => write!(f, "cannot start `{command}`: {cause}"),
             Self::Failed { command } => write!(f, "this command failed: {command}"),
         }

@@ -1,6 +1,7 @@
 //! Chores: install what is missing, play the demo, run every test, play to real MIDI ports
 //! and boards over real drivers, make a package and try its service, measure other people's
-//! solvers beside ours and what became slower, compare derived equations with other people's.
+//! solvers beside ours and what became slower, compare derived equations with other people's, and
+//! give damaged files to the program.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -15,6 +16,7 @@ mod demo;
 mod dist;
 mod error;
 mod files;
+mod fuzz;
 mod guest;
 mod guest_boards;
 mod guest_midi;
@@ -55,6 +57,7 @@ fn perform(task: Task) -> Result<(), Error> {
         }
         Task::Oracle => oracle::run(),
         Task::Bench(usage) => bench::measure(usage),
+        Task::Fuzz(options) => fuzz::run(&options),
         Task::Peers(options) => peers::run(&options),
         Task::Help => {
             print!("{USAGE}");
