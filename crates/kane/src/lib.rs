@@ -23,4 +23,4 @@ pub mod system;
 
 pub use expressions::{graph, tape, taylor};
 pub use formulas as text;
-pub use program::{DerivedModel, derive_model};
+pub use program::{DerivedModel, derive_model, derive_unless_cancelled};

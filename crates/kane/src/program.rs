@@ -1,5 +1,8 @@
 //! From a description's text to a program, with every obstacle as a mistake in the file.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
 use diagnostics::{Diagnostic, Diagnostics};
 
 use crate::assemble::Program;
@@ -29,23 +32,44 @@ impl DerivedModel {
 /// in mistakes and is given to `bases`.
 ///
 /// # Errors
-/// All mistakes of the file; of the derivation, those of all modes; a `[rest]` that is none.
+/// All mistakes of the file; of the derivation, those of all modes; a `[rest]` that is none; more
+/// work than [`crate::graph::MAX_WORK`].
 pub fn derive_model(
     name: &str,
     text: &str,
     bases: &dyn Bases,
 ) -> Result<DerivedModel, Diagnostics> {
-    let description = read(name, text, bases)?;
-    let system = derive(description.mechanism.clone()).map_err(|errors| {
+    derive_unless_cancelled(name, text, bases, &Arc::default())
+}
+
+/// Like [`derive_model`], but ends early, with a mistake, once `is_cancelled` is set.
+///
+/// # Errors
+/// As of [`derive_model`].
+#[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+pub fn derive_unless_cancelled(
+    name: &str,
+    text: &str,
+    bases: &dyn Bases,
+    is_cancelled: &Arc<AtomicBool>,
+) -> Result<DerivedModel, Diagnostics> {
+    let mut description = read(name, text, bases)?;
+    description.mechanism.graph.cancel_by(Arc::clone(is_cancelled));
+    let mut system = derive(description.mechanism.clone()).map_err(|errors| {
         Diagnostics::new(errors.iter().map(|it| obstacle(name, text, it)).collect())
     })?;
     let program = system.clone().assemble().map_err(|error| {
         let help = "describe a smaller model, or leave out what it does not need";
         Diagnostics::new(vec![at(name, None, error.to_string(), help)])
     })?;
-    if let Some(mistake) = rest_check::check(&description.mechanism, &program, &system.state) {
+    if let Some(mistake) =
+        rest_check::check(&description.mechanism, &program, &system.state, is_cancelled)
+    {
         return Err(Diagnostics::new(vec![mistake]));
     }
+    // What is printed of it later is another matter.
+    description.mechanism.graph.lift_limits();
+    system.mechanism.graph.lift_limits();
     Ok(DerivedModel { description, system, program })
 }
 

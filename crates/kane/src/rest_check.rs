@@ -1,15 +1,54 @@
 //! Whether a mechanism rests where its description says so.
 
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
 use diagnostics::Diagnostic;
-use equations::table::{Functions as _, ModelTable};
+use equations::table::{Arguments, FunctionId, Functions, ModelTable};
 use equations::{EquationModel, ModeNumber};
 
 use crate::assemble::{Program, TapeFunctions};
-use crate::graph::Place;
+use crate::graph::{MAX_WORK, Place, WorkEnd};
 use crate::mechanism::Mechanism;
 
 /// The keys at the ends of the compass, on which presets are looked at.
 const KEYS: [u8; 2] = [0, 87];
+
+/// Instructions that are evaluated in the time of one operand of a graph.
+const INSTRUCTIONS: u64 = 16;
+
+/// Functions that are evaluated no more once their work is done, or nobody waits for it.
+struct LimitedFunctions<'a> {
+    functions: &'a TapeFunctions,
+    /// Instructions that were evaluated, and that may be.
+    done: AtomicU64,
+    most: u64,
+    is_cancelled: &'a AtomicBool,
+}
+
+impl LimitedFunctions<'_> {
+    /// Returns why it evaluates no more, if it does not.
+    fn end(&self) -> Option<WorkEnd> {
+        if self.done.load(Ordering::Relaxed) > self.most {
+            Some(WorkEnd::TooMuch)
+        } else {
+            self.is_cancelled.load(Ordering::Relaxed).then_some(WorkEnd::Cancelled)
+        }
+    }
+}
+
+impl Functions for LimitedFunctions<'_> {
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        let tape = self.functions.tapes().get(usize::from(function));
+        let instructions = tape.map_or(0, |tape| tape.instructions.len() as u64);
+        self.done.fetch_add(instructions, Ordering::Relaxed);
+        if self.end().is_some() {
+            // A descent without numbers ends within a few steps.
+            out.fill(f64::NAN);
+        } else {
+            self.functions.call(function, arguments, out);
+        }
+    }
+}
 
 /// What is wrong with a pose at rest.
 struct RestingFault {
@@ -28,23 +67,34 @@ enum FaultKind {
 }
 
 /// Returns the first preset and key on which the mechanism does not rest, as a mistake of its
-/// `[rest]`; none where nothing is stated, or where it says that it starts there.
+/// `[rest]`, or that too many are to be looked at; none where nothing is stated, or where it says
+/// that it starts there.
 pub(crate) fn check(
     mechanism: &Mechanism,
     program: &Program,
     state: &[Place],
+    is_cancelled: &AtomicBool,
 ) -> Option<Diagnostic> {
     let (file, line, column) = mechanism.rest.place.clone()?;
     if mechanism.rest.is_start {
         return None;
     }
+    let functions = LimitedFunctions {
+        functions: &program.functions,
+        done: AtomicU64::new(0),
+        most: INSTRUCTIONS * MAX_WORK.saturating_sub(program.work),
+        is_cancelled,
+    };
     let ranges: Vec<_> = state.iter().map_while(|place| range(mechanism, *place)).collect();
     let presets = 0..program.table.presets.len();
-    let mut cases = presets.flat_map(|preset| KEYS.map(|key| (preset, key)));
-    let (message, help) = cases.find_map(|case| {
-        let fault = fault(program.table, &program.functions, &ranges, case)?;
-        Some(said(program.table, &fault, case))
-    })?;
+    let cases = presets.flat_map(|preset| KEYS.map(|key| (preset, key)));
+    let mut looked = cases.map_while(|case| {
+        let fault = fault(program.table, &functions, &ranges, case);
+        functions.end().is_none().then_some((case, fault))
+    });
+    let found = looked.find_map(|(case, fault)| Some(said(program.table, &fault?, case)));
+    let given_up = || Some((functions.end()?.to_string(), "describe a smaller model".to_owned()));
+    let (message, help) = found.or_else(given_up)?;
     Some(Diagnostic { file, line: Some(line), column: Some(column), message, help })
 }
 
@@ -57,7 +107,7 @@ fn range(mechanism: &Mechanism, place: Place) -> Option<(f64, f64)> {
 /// What does not rest; none for a model that is larger than what is looked at.
 fn fault(
     table: &'static ModelTable,
-    functions: &TapeFunctions,
+    functions: &LimitedFunctions<'_>,
     ranges: &[(f64, f64)],
     case: (usize, u8),
 ) -> Option<RestingFault> {
@@ -72,12 +122,12 @@ fn fault(
 
 fn fault_of<const N: usize, const C: usize>(
     table: &'static ModelTable,
-    functions: &TapeFunctions,
+    functions: &LimitedFunctions<'_>,
     ranges: &[(f64, f64)],
     case: (usize, u8),
 ) -> Option<RestingFault> {
-    let pose =
-        EquationModel::<&TapeFunctions, N, C>::rest_of_preset(table, functions, case).ok()?;
+    let pose = EquationModel::<&LimitedFunctions<'_>, N, C>::rest_of_preset(table, functions, case)
+        .ok()?;
     let of = |entry, kind| RestingFault { mode: pose.mode, entry, kind };
     if let Some((entry, rate)) = pose.imbalance {
         return Some(of(entry, FaultKind::Moves(rate)));
@@ -90,15 +140,11 @@ fn fault_of<const N: usize, const C: usize>(
 }
 
 /// Whether the values of a preset are different for the last key.
-fn is_graded(table: &ModelTable, functions: &TapeFunctions, preset: usize) -> bool {
+fn is_graded(table: &ModelTable, functions: &LimitedFunctions<'_>, preset: usize) -> bool {
     let values = |key: u8| {
         let mut values = vec![0.0; table.parameters.len()];
-        let arguments = equations::table::Arguments {
-            constants: &[],
-            state: &[],
-            input: &[0.0; 4],
-            extra: &[f64::from(key)],
-        };
+        let arguments =
+            Arguments { constants: &[], state: &[], input: &[0.0; 4], extra: &[f64::from(key)] };
         if let Some(preset) = table.presets.get(preset) {
             functions.call(preset.values, &arguments, &mut values);
         }

@@ -36,3 +36,4 @@ mod sounding;
 mod spring_wall;
 mod stated;
 mod touching;
+mod work;

@@ -36,6 +36,9 @@ impl Graph {
 
     /// Returns the sum of `terms`, each times its factor.
     pub fn sum(&mut self, terms: &[(Node, f64)]) -> Node {
+        if self.given_up().is_some() {
+            return self.constant(0.0);
+        }
         let mut collected = order::Sum::default();
         for (node, factor) in terms {
             collected.add(self, *node, *factor);
@@ -73,6 +76,9 @@ impl Graph {
 
     /// Returns the product of `factors`, each to its exponent.
     pub fn product(&mut self, factors: &[(Node, i32)]) -> Node {
+        if self.given_up().is_some() {
+            return self.constant(0.0);
+        }
         let mut collected = order::Product::new();
         for (node, exponent) in factors {
             collected.multiply(self, *node, *exponent);

@@ -30,7 +30,7 @@ impl Tangent {
                 self.known.insert(reached, derivative);
             }
         }
-        self.known[&node]
+        self.known.get(&node).copied().unwrap_or(node)
     }
 
     /// The derivative of a node whose operands' derivatives are known.

@@ -15,11 +15,13 @@ mod operation;
 mod order;
 mod substitute;
 mod trigonometry;
+mod work;
 
 pub use derivative::Tangent;
 pub use functions::{BinaryFunction, UnaryFunction};
 pub use operation::{NodeOperation, NodeTerms, Place};
 pub use substitute::Substitution;
+pub use work::{MAX_WORK, WorkEnd};
 
 use std::collections::HashMap;
 
@@ -39,6 +41,7 @@ impl Node {
 pub struct Graph {
     operations: Vec<NodeOperation>,
     known: HashMap<NodeOperation, Node>,
+    work: work::WorkMeter,
 }
 
 impl Graph {
@@ -74,6 +77,10 @@ impl Graph {
         if let Some(node) = self.known.get(&operation) {
             return *node;
         }
+        self.spend(1);
+        if self.given_up().is_some() && !self.is_empty() {
+            return Node(0);
+        }
         let place = u32::try_from(self.operations.len()).unwrap_or(u32::MAX);
         let node = Node(place);
         self.operations.push(operation.clone());
@@ -99,9 +106,15 @@ impl Graph {
             .any(|it| matches!(self.operation(it), NodeOperation::Symbol(place) if on(*place)))
     }
 
-    /// Returns every node that `outputs` are made of, themselves included, operands first.
+    /// Returns every node that `outputs` are made of, themselves included, operands first; none
+    /// if work on the graph was given up.
     pub fn reached(&self, outputs: &[Node]) -> Vec<Node> {
         let Some(last) = outputs.iter().max() else { return Vec::new() };
+        // A node that is passed over is much less than an operand.
+        self.spend(1 + last.index() / 32);
+        if self.given_up().is_some() {
+            return Vec::new();
+        }
         let mut is_reached = vec![false; last.index() + 1];
         for output in outputs {
             is_reached[output.index()] = true;

@@ -22,9 +22,11 @@ impl Sum {
 
     /// Adds `node` times `factor`; a sum's terms one by one.
     pub(super) fn add(&mut self, graph: &Graph, node: Node, factor: f64) {
+        graph.spend(1);
         match graph.operation(node) {
             NodeOperation::Number(bits) => self.number += factor * f64::from_bits(*bits),
             NodeOperation::Sum(number, terms) if terms.len() <= MOST_FLATTENED => {
+                graph.spend(terms.len());
                 self.number += factor * f64::from_bits(*number);
                 for (term, inner) in terms {
                     self.enter(*term, factor * f64::from_bits(*inner));
@@ -64,9 +66,11 @@ impl Product {
     /// Multiplies by `node` to `exponent`; a product's factors one by one, a multiple's number
     /// apart.
     pub(super) fn multiply(&mut self, graph: &Graph, node: Node, exponent: i32) {
+        graph.spend(1);
         match graph.operation(node) {
             NodeOperation::Number(bits) => self.number *= f64::from_bits(*bits).powi(exponent),
             NodeOperation::Product(factors) if factors.len() <= MOST_FLATTENED => {
+                graph.spend(factors.len());
                 for (factor, inner) in factors {
                     self.enter(*factor, exponent.saturating_mul(*inner));
                 }

@@ -25,7 +25,7 @@ impl Substitution {
                 self.known.insert(reached, replaced);
             }
         }
-        self.known[&node]
+        self.known.get(&node).copied().unwrap_or(node)
     }
 
     fn one(&self, graph: &mut Graph, node: Node) -> Node {

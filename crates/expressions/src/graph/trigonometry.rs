@@ -32,6 +32,7 @@ impl Graph {
         &self,
         terms: &[(Node, f64)],
     ) -> Option<(Vec<(Box<[(Node, i32)]>, f64)>, Vec<(Node, f64)>)> {
+        self.spend(terms.len());
         let mut cosines: HashMap<SquaredFactor, usize> = HashMap::new();
         for (at, (node, _)) in terms.iter().enumerate() {
             cosines.extend(self.squares(*node, UnaryFunction::Cos).map(|square| (square, at)));

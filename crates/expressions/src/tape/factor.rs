@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::forms::{FormId, Forms, TapeForm};
+use crate::graph::Graph;
 
 /// FactorPairs within factors are looked for this deep.
 const DEEPEST: u8 = 12;
@@ -29,7 +30,7 @@ type Monomial = (f64, Vec<(FormId, i32)>);
 
 impl Forms {
     /// Takes common factors out of all sums; only of products that nobody else uses.
-    pub(super) fn factor_sums(&mut self) {
+    pub(super) fn factor_sums(&mut self, graph: &Graph) {
         let uses = self.uses();
         let lengths = self
             .all
@@ -40,9 +41,10 @@ impl Forms {
         let longest = if work <= MOST_WORK { MOST_TERMS } else { SHORT };
         for id in 0..uses.len() {
             let TapeForm::Sum(number, terms) = &self.all[id] else { continue };
-            if terms.len() > longest {
+            if terms.len() > longest || graph.given_up().is_some() {
                 continue;
             }
+            graph.spend(terms.len() * terms.len());
             let monomials: Vec<Monomial> = terms
                 .iter()
                 .map(|(term, factor)| (*factor, self.factors_of(*term, uses[*term])))

@@ -17,10 +17,11 @@ impl Tape {
     pub fn lower(graph: &Graph, layout: &ArgumentLayout, outputs: &[Node]) -> Result<Self, Place> {
         let mut forms = Forms::new(graph, layout, outputs)?;
         forms.use_ready(graph, layout);
-        forms.factor_sums();
+        graph.spend(forms.all.len());
+        forms.factor_sums(graph);
         forms.share_inverses();
-        forms.share_products();
-        forms.share_sums();
+        forms.share_products(graph);
+        forms.share_sums(graph);
         let mut lowering =
             Lowering { writer: TapeWriter::default(), slots: vec![None; forms.all.len()] };
         for id in order::of(&forms) {

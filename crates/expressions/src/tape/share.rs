@@ -9,11 +9,15 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
 use super::forms::{FormId, Forms, TapeForm};
+use crate::graph::Graph;
 
 /// Sums and products of more parts are left alone; fewer where there are very many of them.
 const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
 /// Pairs that are looked at: a second or so.
 const MOST_PAIRS: usize = 400_000;
+
+/// Work on a pair, in operands of the graph.
+const PAIR: usize = 4;
 
 /// Two parts: bases of products, or terms of sums with the second's factor over the first's.
 type FormPair = (FormId, FormId, u64);
@@ -42,29 +46,33 @@ impl Forms {
     }
 
     /// Shares pairs of factors.
-    pub(super) fn share_products(&mut self) {
-        self.share(&FactorPairs);
+    pub(super) fn share_products(&mut self, graph: &Graph) {
+        self.share(graph, &FactorPairs);
     }
 
     /// Shares pairs of terms.
-    pub(super) fn share_sums(&mut self) {
-        self.share(&TermPairs);
+    pub(super) fn share_sums(&mut self, graph: &Graph) {
+        self.share(graph, &TermPairs);
     }
 
-    fn share(&mut self, kind: &dyn Pairs) {
+    fn share(&mut self, graph: &Graph, kind: &dyn Pairs) {
         let Some(most_parts) = self.most_parts(kind) else { return };
         let mut owners = Owners::new();
         for (id, form) in self.all.iter().enumerate() {
             if kind.parts(form) > most_parts {
                 continue;
             }
-            for pair in kind.pairs(form) {
+            let pairs = kind.pairs(form);
+            graph.spend(PAIR * pairs.len());
+            for pair in pairs {
                 owners.entry(pair).or_default().insert(id);
             }
         }
         let mut queue: BinaryHeap<(usize, Reverse<FormPair>)> =
             owners.iter().map(|(pair, of)| (of.len(), Reverse(*pair))).collect();
-        while let Some((count, Reverse(pair))) = queue.pop() {
+        while let Some((count, Reverse(pair))) = queue.pop()
+            && graph.given_up().is_none()
+        {
             let now = owners.get(&pair).map_or(0, BTreeSet::len);
             if now < 2 {
                 continue;
@@ -73,7 +81,7 @@ impl Forms {
                 queue.push((now, Reverse(pair)));
                 continue;
             }
-            let changed = self.extract(kind, &mut owners, pair);
+            let changed = self.extract(graph, kind, &mut owners, pair);
             let counted =
                 changed.into_iter().map(|it| (owners.get(&it).map_or(0, BTreeSet::len), it));
             queue.extend(counted.filter(|it| it.0 > 1).map(|(count, it)| (count, Reverse(it))));
@@ -91,6 +99,7 @@ impl Forms {
     /// Makes `pair` a form of its own; returns the pairs that are new.
     fn extract(
         &mut self,
+        graph: &Graph,
         kind: &dyn Pairs,
         owners: &mut Owners,
         pair: FormPair,
@@ -102,7 +111,9 @@ impl Forms {
                 owners.entry(old).or_default().remove(&owner);
             }
             kind.replace(&mut self.all[owner], pair, part);
-            for pair in kind.pairs(&self.all[owner]) {
+            let pairs = kind.pairs(&self.all[owner]);
+            graph.spend(2 * PAIR * pairs.len());
+            for pair in pairs {
                 owners.entry(pair).or_default().insert(owner);
                 new.insert(pair);
             }

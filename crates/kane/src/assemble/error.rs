@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::graph::Place;
+use crate::graph::{Place, WorkEnd};
 
 /// Why a system is no program.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -17,6 +17,8 @@ pub enum AssemblyError {
     TooManyGuards(usize),
     /// More functions or constants than a number has room for.
     TooManyFunctions(usize),
+    /// Its functions were not made to their end.
+    GivenUp(WorkEnd),
 }
 
 impl fmt::Display for AssemblyError {
@@ -28,6 +30,7 @@ impl fmt::Display for AssemblyError {
             Self::TooManyStates(found) => write!(f, "the state has {found} entries, too many"),
             Self::TooManyModes(found) => write!(f, "there are {found} modes, too many"),
             Self::TooManyGuards(found) => write!(f, "there are {found} guards, too many"),
+            Self::GivenUp(end) => end.fmt(f),
             Self::TooManyFunctions(found) => {
                 write!(f, "there are {found} functions or constants, too many")
             }

@@ -122,8 +122,12 @@ impl FunctionList {
             self.layout.place(Place::Parameter(number), Argument::Constant(number));
             self.placed += 1;
         }
-        Tape::lower(graph, &self.layout, outputs)
-            .map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))
+        let tape = Tape::lower(graph, &self.layout, outputs);
+        // What was given up may read anything.
+        if let Some(end) = graph.given_up() {
+            return Err(AssemblyError::GivenUp(end));
+        }
+        tape.map_err(|place| AssemblyError::UnknownSymbol(name.to_owned(), place))
     }
 
     /// Adds what a tape computes, once.

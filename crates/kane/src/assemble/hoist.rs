@@ -53,7 +53,9 @@ impl Hoisting {
 
     /// What stands for `node` where it is used.
     fn used(&mut self, graph: &mut Graph, node: Node) -> Node {
-        if !self.is_fixed[&node] {
+        // A node that was not seen: work on the graph was given up.
+        let Some(is_fixed) = self.is_fixed.get(&node) else { return node };
+        if !is_fixed {
             return self.rewritten[&node];
         }
         if matches!(graph.operation(node), NodeOperation::Number(_) | NodeOperation::Symbol(_)) {

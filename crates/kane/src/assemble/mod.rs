@@ -38,6 +38,8 @@ pub struct Program {
     pub functions: TapeFunctions,
     /// What each function is for: `B1_derivative`.
     pub names: Vec<String>,
+    /// Work that reading, deriving and assembling took: of at most [`crate::graph::MAX_WORK`].
+    pub work: u64,
 }
 
 impl Program {

@@ -76,7 +76,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
         drawing,
     };
     let FunctionList { functions, names, .. } = functions;
-    Ok(Program { table: Box::leak(Box::new(table)), functions, names })
+    Ok(Program { table: Box::leak(Box::new(table)), functions, names, work: graph.work() })
 }
 
 /// The function from parameters to what follows from them alone, and how many numbers both are.

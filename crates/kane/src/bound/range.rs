@@ -55,7 +55,8 @@ impl Ranges {
                 self.known.insert(reached, range);
             }
         }
-        self.known[&node]
+        let unknown = Range { centre: node, spread: node, size: node };
+        self.known.get(&node).copied().unwrap_or(unknown)
     }
 
     /// The range of a node whose operands' ranges are known.

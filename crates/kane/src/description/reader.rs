@@ -91,11 +91,15 @@ impl MechanismReader {
         source: DescriptionSource,
         bases: &dyn Bases,
     ) -> Result<Description, Diagnostics> {
+        self.graph.limit_work();
         let mut doc = String::new();
         if let Some(tree) = bases::merged(&mut self.report, source, bases) {
             let tree = rigid::written_out(&mut self.report, &tree).unwrap_or(tree);
             self.names.is_broken = self.report.is_broken;
             doc = self.all(&tree);
+        }
+        if let Some(end) = self.graph.given_up() {
+            self.report.replace(bases::start(0), end.to_string(), "describe a smaller model");
         }
         let mechanism = Mechanism { graph: self.graph, ..self.mechanism };
         let sources = self.report.verdict()?;

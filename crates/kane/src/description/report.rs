@@ -49,6 +49,12 @@ impl FindingList {
         });
     }
 
+    /// Records a mistake of which all others may be consequences.
+    pub(super) fn replace(&mut self, place: SourcePlace, message: String, help: &str) {
+        self.found.clear();
+        self.say(place, message, help);
+    }
+
     /// Records what is missing, unless part of the file is unreadable.
     pub(super) fn miss(
         &mut self,

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::graph::WorkEnd;
+
 /// A reason for which a mechanism has no equations of motion, with what to do about it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct DerivationError {
@@ -31,6 +33,8 @@ pub enum DerivationObstacle {
     ImplicitForce { what: String },
     /// A reset map that sets what is not in the state.
     NotInState { guard: String, name: String },
+    /// The derivation was not brought to its end.
+    GivenUp(WorkEnd),
 }
 
 impl fmt::Display for DerivationError {
@@ -88,6 +92,7 @@ impl fmt::Display for DerivationObstacle {
                 "the reset map of {guard} sets {name}, which is solved in every mode; set what \
                  it follows from"
             ),
+            Self::GivenUp(end) => write!(f, "{end}; describe a smaller model"),
         }
     }
 }

@@ -69,6 +69,9 @@ fn derived(
         } else {
             Err(obstacles)
         };
+        if let Some(end) = graph.given_up() {
+            return Err(in_mode(&mechanism, number, vec![DerivationObstacle::GivenUp(end)]));
+        }
         match motion {
             Ok(motion) => motions.push(motion),
             Err(obstacles) => errors.extend(in_mode(&mechanism, number, obstacles)),
@@ -87,7 +90,11 @@ fn derived(
             number,
             state: &state,
         };
-        match scope.equations(graph) {
+        let equations = scope.equations(graph);
+        if let Some(end) = graph.given_up() {
+            return Err(in_mode(&mechanism, number, vec![DerivationObstacle::GivenUp(end)]));
+        }
+        match equations {
             Ok(equations) => modes.push(equations),
             Err(obstacles) => errors.extend(in_mode(&mechanism, number, obstacles)),
         }

@@ -73,7 +73,7 @@ impl NumericPose {
             let value = self.one(graph, &values, node);
             values.insert(node, value);
         }
-        nodes.iter().map(|node| values[node]).collect()
+        nodes.iter().map(|node| values.get(node).copied().unwrap_or(0.0)).collect()
     }
 
     /// The value of a node whose operands' values are known.

@@ -129,6 +129,10 @@ impl<'a> Orientations<'a> {
     pub(super) fn dot(&mut self, graph: &mut Graph, x: &FrameVector, y: &FrameVector) -> Node {
         let mut terms = Vec::new();
         for (frame, left) in &x.parts {
+            // With many bodies these loops alone would be long.
+            if graph.given_up().is_some() {
+                break;
+            }
             for (other, right) in &y.parts {
                 let matrix = self.matrix(graph, *other, *frame);
                 terms.extend(bilinear(graph, left, &matrix, right));
