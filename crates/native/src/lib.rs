@@ -13,6 +13,8 @@ mod translate;
 
 pub use call::NativeFunctions;
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use cranelift_codegen::settings::{self, Configurable as _};
 use cranelift_codegen::{Context, ir};
 use cranelift_frontend::FunctionBuilderContext;
@@ -23,6 +25,11 @@ use expressions::tape::Tape;
 use self::call::Entry;
 use self::functions::Callees;
 
+/// Largest number of instructions of all functions together.
+///
+/// A model with so many takes about a second; the largest of the program has a tenth.
+pub const MAX_INSTRUCTIONS: usize = 150_000;
+
 /// Why there is no machine code.
 #[derive(Debug, thiserror::Error)]
 pub enum NativeError {
@@ -32,6 +39,10 @@ pub enum NativeError {
     Order { function: usize },
     #[error("the code generator failed: {0}")]
     Generator(#[from] Box<ModuleError>),
+    #[error("its functions have {found} instructions, more than {MAX_INSTRUCTIONS}")]
+    TooMany { found: usize },
+    #[error("it was cancelled before its end")]
+    Cancelled,
     #[error("a setting of the code generator is unknown: {0}")]
     Setting(#[from] settings::SetError),
 }
@@ -46,14 +57,32 @@ impl From<ModuleError> for NativeError {
 ///
 /// # Errors
 /// A processor that the code generator does not know, a tape whose operands do not stand before
-/// their use, or no memory for code.
+/// their use, more than [`MAX_INSTRUCTIONS`], or no memory for code.
 pub fn compile(functions: &[Tape]) -> Result<NativeFunctions, NativeError> {
+    compile_unless_cancelled(functions, &AtomicBool::new(false))
+}
+
+/// Like [`compile`], but ends early once `is_cancelled` is set.
+///
+/// # Errors
+/// As of [`compile`]; that it was cancelled.
+pub fn compile_unless_cancelled(
+    functions: &[Tape],
+    is_cancelled: &AtomicBool,
+) -> Result<NativeFunctions, NativeError> {
+    let found = functions.iter().map(|tape| tape.instructions.len()).sum();
+    if found > MAX_INSTRUCTIONS {
+        return Err(NativeError::TooMany { found });
+    }
     let mut module = module()?;
     let callees = Callees::declare(&mut module)?;
     let mut context = module.make_context();
     let mut builder = FunctionBuilderContext::new();
     let mut ids = Vec::with_capacity(functions.len());
     for (function, tape) in functions.iter().enumerate() {
+        if is_cancelled.load(Ordering::Relaxed) {
+            return Err(NativeError::Cancelled);
+        }
         if !tape.is_ordered() {
             return Err(NativeError::Order { function });
         }

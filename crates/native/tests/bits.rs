@@ -4,7 +4,7 @@ use equations::table::{Arguments, Functions as _};
 use expressions::graph::Graph;
 use expressions::tape::{self, Instruction, Tape, TapeSlot};
 use expressions::taylor::Recursion;
-use native::{NativeError, compile};
+use native::{MAX_INSTRUCTIONS, NativeError, compile, compile_unless_cancelled};
 use proptest::prelude::*;
 
 use crate::common::{layout, lever, trees, values};
@@ -150,4 +150,17 @@ fn the_two_functions_of_a_series_give_the_tapes_bits() {
             assert_eq!(bits(&out), bits(&expected), "tape {number}");
         }
     }
+}
+
+#[test]
+fn more_code_than_can_be_played_is_refused() {
+    let of = |length: usize| Tape {
+        instructions: (0..length).map(|n| Instruction::Number(n as f64)).collect(),
+        outputs: vec![TapeSlot(0)],
+    };
+    assert!(compile(&[of(MAX_INSTRUCTIONS)]).is_ok());
+    let refused = compile(&[of(MAX_INSTRUCTIONS), of(1)]);
+    assert!(matches!(refused, Err(NativeError::TooMany { .. })), "{refused:?}");
+    let cancelled = compile_unless_cancelled(&[of(1)], &true.into());
+    assert!(matches!(cancelled, Err(NativeError::Cancelled)), "{cancelled:?}");
 }
