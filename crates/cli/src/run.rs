@@ -171,10 +171,8 @@ fn without_faults(report: &RunReport) -> Result<(), Failure> {
 fn perform(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>, Failure> {
     let runtime = runtime()?;
     let ended = runtime.block_on(host(options, args));
-    if let Ok(None) = ended {
-        // What still rehearses is not waited for: no board is armed, and no note has sounded.
-        runtime.shutdown_background();
-    }
+    // What still rehearses or loads a description is not waited for: no board is armed any more.
+    runtime.shutdown_background();
     ended
 }
 
@@ -184,6 +182,7 @@ async fn host(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunRepor
     let work = move || TriedRun::of(&asked, file.as_ref(), options).map(Box::new);
     let tried = begun.signals.unless_stopped(&begun.handle.emergency, work).await?;
     let Some(tried) = tried.transpose()? else {
+        begun.handle.background.cancel_all();
         begun.clients.leave().await;
         return Ok(None);
     };
@@ -276,6 +275,7 @@ async fn play(
     let running = tokio::task::spawn_blocking(move || session.run(&its_stop).map(Box::new));
     let done = attendant.until_over(running).await;
     drop(attendant);
+    handle.background.cancel_all();
     let why = handle.emergency.answered().map_or("the run is over", |_| STOPPED);
     endpoints.leave(why).await;
     let done = done.map_err(|panic| Failure::Panicked(panic.to_string()))?;
@@ -366,6 +366,9 @@ async fn prepare(
     let prepared = signals.unless_stopped(&handle.emergency, prepare).await;
     rehearsal.finish();
     let prepared = prepared?.transpose().map_err(|error| failure(&error))?;
+    if prepared.is_none() {
+        handle.background.cancel_all();
+    }
     for notice in prepared.iter().flat_map(|_| &notices) {
         tell(notice);
     }

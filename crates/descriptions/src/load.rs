@@ -1,6 +1,7 @@
 //! From a path to an entry of the catalogue, each version once.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use diagnostics::{Diagnostic, Diagnostics, choice, quoted};
@@ -103,7 +104,8 @@ fn shipped(name: &str) -> Option<Result<&'static ModelEntry, MissingModel>> {
     if let Some(known) = loaded.iter().find(|entry| entry.name == name) {
         return Some(Ok(known));
     }
-    let entry = derive(Path::new(name), text, &DescriptionFiles::default(), None);
+    let entry =
+        derive((Path::new(name), text), &DescriptionFiles::default(), None, &Arc::default());
     Some(entry.inspect(|entry| loaded.push(entry)).map_err(MissingModel::Wrong))
 }
 
@@ -123,11 +125,15 @@ pub fn unknown_model(wanted: &str) -> MissingModel {
 /// # Errors
 /// All that is wrong with the description.
 pub fn load_model(path: &Path) -> Result<&'static ModelEntry, Diagnostics> {
-    try_load(path).1
+    try_load(path, &Arc::default()).1
 }
 
-/// Does the same, and returns the files that were read, too, right or wrong.
-pub fn try_load(path: &Path) -> (FileContents, Result<&'static ModelEntry, Diagnostics>) {
+/// Like [`load_model`], but returns the files that were read, too, right or wrong, and ends early,
+/// with a mistake, once `is_cancelled` is set.
+pub fn try_load(
+    path: &Path,
+    is_cancelled: &Arc<AtomicBool>,
+) -> (FileContents, Result<&'static ModelEntry, Diagnostics>) {
     let files = DescriptionFiles::default();
     let place = path.canonicalize().unwrap_or_else(|_unknown| absolute(path));
     let is_same = |it: &&KnownVersion| it.place == place && it.version.contents.is_current();
@@ -135,7 +141,7 @@ pub fn try_load(path: &Path) -> (FileContents, Result<&'static ModelEntry, Diagn
         return (FileContents::clone(&same.version.contents), Ok(same.version.entry));
     }
     // Nobody who asks for a version waits until another one is derived.
-    let entry = read(path, &files);
+    let entry = read(path, &files, is_cancelled);
     let contents = files.into_contents();
     let entry = match entry {
         Ok(entry) => entry,
@@ -158,28 +164,32 @@ fn known() -> MutexGuard<'static, Vec<KnownVersion>> {
 }
 
 /// Reads, derives and registers the description at `path`.
-fn read(path: &Path, files: &DescriptionFiles) -> Result<&'static ModelEntry, Diagnostics> {
+fn read(
+    path: &Path,
+    files: &DescriptionFiles,
+    is_cancelled: &Arc<AtomicBool>,
+) -> Result<&'static ModelEntry, Diagnostics> {
     let refuse = |(message, help): (String, &str)| refusal(path, message, help);
     let bytes = files.read_or_help(path).map_err(refuse)?;
     let text = std::str::from_utf8(&bytes).map_err(|error| {
         let message = format!("byte {} is not UTF-8", error.valid_up_to());
         refuse((message, "save the file as UTF-8 text"))
     })?;
-    derive(path, text, files, Some(&absolute(path)))
+    derive((path, text), files, Some(&absolute(path)), is_cancelled)
 }
 
 /// Derives and registers the description `text` at `path`, which is a `file` or part of the program.
 fn derive(
-    path: &Path,
-    text: &str,
+    (path, text): (&Path, &str),
     files: &DescriptionFiles,
     file: Option<&Path>,
+    is_cancelled: &Arc<AtomicBool>,
 ) -> Result<&'static ModelEntry, Diagnostics> {
     let Some(reader) = reader() else {
         let message = "this program cannot read descriptions of models".to_owned();
         return Err(refusal(path, message, "name a model that it contains as Rust"));
     };
-    let model = reader.read(path, text, files)?;
+    let model = reader.read((path, text), files, is_cancelled)?;
     register_model(model.table, model.functions, file)
         .map_err(|large| refusal(path, large.to_string(), "describe a smaller model"))
 }

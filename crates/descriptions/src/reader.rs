@@ -1,7 +1,8 @@
 //! Who makes a table and functions of a description.
 
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, OnceLock};
 
 use diagnostics::Diagnostics;
 use equations::table::{Functions, ModelTable};
@@ -25,16 +26,17 @@ impl std::fmt::Debug for ReadModel {
 
 /// Makes a table and functions of a description.
 pub trait DescriptionReader: Send + Sync {
-    /// Reads the description at `path`, whose contents are `text`; what it is based on is read
-    /// through `files`, so that it is known which files it is made of.
+    /// Reads the description `source`, its path and its text; what it is based on is read
+    /// through `files`, so that it is known which files it is made of. It ends early, with a
+    /// mistake, once `is_cancelled` is set.
     ///
     /// # Errors
     /// All that is wrong with it.
     fn read(
         &self,
-        path: &Path,
-        text: &str,
+        source: (&Path, &str),
         files: &DescriptionFiles,
+        is_cancelled: &Arc<AtomicBool>,
     ) -> Result<ReadModel, Diagnostics>;
 }
 

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use descriptions::{
     MissingModel, find_model, install, keep_file, load_model, rendered, try_load, version_of,
@@ -36,12 +37,12 @@ fn versions_keep_what_stood_in_their_files_and_are_read_again_without_the_disk()
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("kept-ball.toml");
     fs::write(&path, "[modes]").unwrap();
-    let (contents, first) = try_load(&path);
+    let (contents, first) = try_load(&path, &Arc::default());
     let first = first.unwrap();
     assert!(contents.is_current());
     fs::write(&path, "no ball").unwrap();
     assert!(!contents.is_current() && !contents.now().lacks_one_of(&contents));
-    let (wrong, mistakes) = try_load(&path);
+    let (wrong, mistakes) = try_load(&path, &Arc::default());
     assert!(wrong.is_current() && wrong == contents.now());
     let shown = rendered(&mistakes.unwrap_err());
     assert!(shown.ends_with("begin with [modes]\n  no ball\n  ^"), "{shown}");

@@ -7,6 +7,8 @@
 )]
 
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use descriptions::{DescriptionFiles, DescriptionReader, ReadModel};
 use diagnostics::{Diagnostic, Diagnostics};
@@ -202,9 +204,9 @@ pub struct BallReader;
 impl DescriptionReader for BallReader {
     fn read(
         &self,
-        path: &Path,
-        text: &str,
+        (path, text): (&Path, &str),
         _files: &DescriptionFiles,
+        _is_cancelled: &Arc<AtomicBool>,
     ) -> Result<ReadModel, Diagnostics> {
         if text.starts_with("[modes") {
             return Ok(ReadModel { table: &TABLE, functions: &Ball });

@@ -1,7 +1,8 @@
 //! Descriptions that are read while the host plays: their newest versions take over.
 //!
 //! Nothing of it is in the tick: a description is read, checked, derived and compiled on the
-//! thread that asks for it, and so are the voices built. What is wrong changes nothing.
+//! thread that asks for it, and so are the voices built. What is wrong changes nothing. One
+//! description is loaded at a time, and none for a client that has disconnected.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -14,9 +15,9 @@ use models::catalogue::ModelEntry;
 use scene::{Render, Scene};
 use telemetry::{Log, Update, log};
 
-use super::RequestHandler;
 use super::current_voices::CurrentVoices;
 use super::description_states::{DescriptionStates, known_path};
+use super::{FingerOwner, RequestHandler};
 use crate::observe::{self, TelemetryMessage};
 
 /// Why a description does not play.
@@ -34,11 +35,17 @@ impl RequestHandler {
     ///
     /// # Errors
     /// All that is wrong with it, with lines and carets, or why it cannot be put in now.
-    pub(super) fn load(&self, file: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
+    pub(super) fn load(
+        &self,
+        file: &str,
+        keys: Option<&str>,
+        (who, by): (&str, FingerOwner),
+    ) -> Result<String, String> {
         let range = keys.map(KeyRange::parse).transpose().map_err(|it| it.to_string())?;
         range.map(|range| self.playing().keys_in(range)).transpose()?;
         let path = known_path(file);
-        let (contents, read) = try_load(Path::new(&path));
+        let load = |is_cancelled: &_| try_load(Path::new(&path), is_cancelled);
+        let (contents, read) = self.run.background.load(by, load)?;
         let read = read.map_err(|mistakes| LoadError::Mistakes(rendered(&mistakes)));
         let played = read.and_then(|model| self.play(model, (range, &path, &contents), who));
         match played {

@@ -24,6 +24,7 @@
 //! The socket listens before keys are tried and touches rehearsed (`starting`), so that a host that only
 //! prepares is stopped too.
 
+mod background;
 mod client;
 mod current_voices;
 mod description_states;
@@ -48,6 +49,7 @@ mod stream_sink;
 mod voice_port;
 mod watch;
 
+pub use background::BackgroundWork;
 pub use client::{
     AskedHost, ControlError, end_command, hold, hosts_elsewhere, send, send_to_host, send_within,
     stop_host, stop_hosts,

@@ -82,9 +82,11 @@ impl RequestHandler {
             Request::Set { changes } => self.set(changes, who)?,
             Request::Render { settings } => self.change_settings(settings, who)?,
             Request::UseInstrument { instrument, keys } => {
-                self.switch(instrument, keys.as_deref(), who)?
+                self.switch(instrument, keys.as_deref(), (who, by))?
             }
-            Request::Load { description, keys } => self.load(description, keys.as_deref(), who)?,
+            Request::Load { description, keys } => {
+                self.load(description, keys.as_deref(), (who, by))?
+            }
             Request::Stop {} => return self.stop(who),
             Request::Press { key, newtons } => {
                 self.press(*key, HandCommand::Weight(*newtons), by)?;
@@ -137,6 +139,7 @@ impl RequestHandler {
     /// Ends the run, and waits until every board was told.
     fn stop(&self, who: &str) -> Answer {
         self.run.emergency.ask();
+        self.run.background.cancel_all();
         self.run.log(format!("stop asked for by {who}"));
         self.run.emergency.ask_and_wait()
     }
@@ -157,11 +160,18 @@ impl RequestHandler {
         Ok(format!("{} values on {n} keys", changes.len()))
     }
 
-    fn switch(&self, name: &str, keys: Option<&str>, who: &str) -> Result<String, String> {
+    fn switch(
+        &self,
+        name: &str,
+        keys: Option<&str>,
+        (who, by): (&str, FingerOwner),
+    ) -> Result<String, String> {
         if is_description(Path::new(name)) {
-            return self.load(name, keys.or(Some(ALL_KEYS)), who);
+            return self.load(name, keys.or(Some(ALL_KEYS)), (who, by));
         }
-        let instrument = Instrument::load(name).map_err(|it| it.to_string())?;
+        // Its model may be a description.
+        let instrument = self.run.background.load(by, |_flag| Instrument::load(name))?;
+        let instrument = instrument.map_err(|it| it.to_string())?;
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
         let keys = self.playing().keys_in(range)?;
         self.refuse_unfit(&instrument, &keys)?;

@@ -15,7 +15,7 @@ use voice::AuditCell;
 
 use super::key_port::{KeyPort, Lights};
 use super::voice_port::VoicePort;
-use super::{EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING, RunStatus};
+use super::{BackgroundWork, EmergencyStop, FingerOwner, FingerQueue, NOT_RUNNING, RunStatus};
 use crate::observe::{RecordingHandle, TelemetryMessage};
 
 /// The way from requests into a run, from its preparation to its end.
@@ -25,6 +25,8 @@ use crate::observe::{RecordingHandle, TelemetryMessage};
 #[derive(Debug, Default)]
 pub struct RunHandle {
     pub emergency: EmergencyStop,
+    /// What is done for it beside the tick.
+    pub background: BackgroundWork,
     /// What it does, for whoever asks.
     pub status: Arc<RunStatus>,
     /// The socket of the guardian that is to hold its MIDI port; none holds it otherwise.
@@ -117,8 +119,10 @@ impl RunHandle {
         lock(&self.keys).press(key, hand, by)
     }
 
-    /// Releases all keys that the client with this connection has pressed.
+    /// Releases all keys that the client with this connection has pressed, and cancels what it
+    /// waits for.
     pub fn leave(&self, connection: u64) {
+        self.background.cancel(connection);
         lock(&self.keys).leave(connection);
     }
 

@@ -11,7 +11,9 @@ use std::time::Duration;
 
 use rustix::fs::Mode;
 use rustix::process::umask;
-use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
+use tokio::io::{
+    AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader, Interest, Ready,
+};
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use tokio::time::timeout;
@@ -240,7 +242,7 @@ impl<A: Answers> ControlClient<A> {
             (Ok(request), Ok(_)) if !self.rights.include(&request) => {
                 (None, Err("only the host's owner may ask for that".to_owned()))
             }
-            (Ok(request), Ok(permit)) => (permit, self.answer(request).await),
+            (Ok(request), Ok(permit)) => (permit, self.answer(request, &stream).await),
             (Err(error), _) => (None, Err(format!("this is no request of letoff's: {error}"))),
         };
         let is_held = reply.is_ok();
@@ -253,10 +255,20 @@ impl<A: Answers> ControlClient<A> {
     }
 
     /// Building a keyboard of voices may take a while: not on the thread that hears signals.
-    async fn answer(&self, request: Request) -> Answer {
+    async fn answer(&self, request: Request, stream: &UnixStream) -> Answer {
+        /// Time between two looks whether the client is still there.
+        const LOOK: Duration = Duration::from_millis(100);
         let (answers, connection) = (Arc::clone(&self.answers), self.connection);
-        let answer = move || answers.reply_to(&request, connection);
-        let answered = tokio::task::spawn_blocking(answer).await;
-        answered.unwrap_or_else(|panic| Err(panic.to_string()))
+        let mut answered =
+            tokio::task::spawn_blocking(move || answers.reply_to(&request, connection));
+        loop {
+            if let Ok(answer) = timeout(LOOK, &mut answered).await {
+                return answer.unwrap_or_else(|panic| Err(panic.to_string()));
+            }
+            // A client that sends no more may still read the answer.
+            if stream.ready(Interest::WRITABLE).await.is_ok_and(Ready::is_write_closed) {
+                self.answers.left(self.connection);
+            }
+        }
     }
 }

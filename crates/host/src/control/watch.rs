@@ -44,7 +44,7 @@ impl FoundContents {
                 self.0.remove(file);
             } else if self.0.get(file) == Some(&now) {
                 // What is wrong was told; what was refused now is tried again at the next look.
-                let _told = handler.load(file, None, WATCH);
+                let _told = handler.load(file, None, (WATCH, None));
             } else {
                 self.0.insert(file, now);
             }
