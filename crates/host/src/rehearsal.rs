@@ -2,10 +2,12 @@
 
 use std::fmt;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use haptics::{Gesture, HandCommand, RigParameters};
 use hardware::sim::key::SimulatedKey;
 use performance::{PlayOutcome, Rehearsal, Strike};
+use realtime::clock;
 use scene::KeyVoice;
 use scheduler::motion::{KeyEvent, KeySample, Moment};
 use scheduler::safety::KeyGate;
@@ -25,7 +27,58 @@ pub enum RehearsalError {
     /// The simulated keybed refuses the scene's period.
     #[error("the simulated keybed cannot run the scene: {0}")]
     Keybed(#[from] hardware::Error),
+    /// The pieces need more ticks than [`MAX_REHEARSED_TICKS`].
+    #[error(
+        "the pieces take too long to rehearse, more than {MAX_REHEARSED_TICKS} ticks of all keys \
+         together: play fewer or shorter ones, or a part of them with --duration"
+    )]
+    TooLong,
+    #[error("the rehearsal was cancelled before its end")]
+    Cancelled,
 }
+
+/// Largest work of a rehearsal: ticks of all keys together, with everything that is tried.
+///
+/// A processor takes some minutes for them; a piece of an hour at 1 kHz needs a third.
+pub const MAX_REHEARSED_TICKS: u64 = 1_000_000_000;
+
+/// The work of a rehearsal, counted by all its keys and their copies.
+#[derive(Debug)]
+pub struct RehearsalWork {
+    left: AtomicU64,
+    is_cancelled: Arc<AtomicBool>,
+}
+
+impl RehearsalWork {
+    /// Returns the work of at most `ticks`, which ends early once `is_cancelled` is set.
+    pub const fn new(ticks: u64, is_cancelled: Arc<AtomicBool>) -> Self {
+        Self { left: AtomicU64::new(ticks), is_cancelled }
+    }
+
+    /// Returns whether it was brought to its end.
+    ///
+    /// # Errors
+    /// If it took too long, or was cancelled.
+    pub fn verdict(&self) -> Result<(), RehearsalError> {
+        if self.is_cancelled.load(Ordering::Relaxed) {
+            Err(RehearsalError::Cancelled)
+        } else if self.left.load(Ordering::Relaxed) == 0 {
+            Err(RehearsalError::TooLong)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Counts `ticks`; says whether there is anything left.
+    fn spend(&self, ticks: u64) -> bool {
+        let less = |left: u64| Some(left.saturating_sub(ticks));
+        let _before = self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, less);
+        self.verdict().is_ok()
+    }
+}
+
+/// Ticks after which a key counts its work.
+const PACE: u64 = 256;
 
 /// One key of the simulated keybed and its voice, in virtual time.
 ///
@@ -37,6 +90,8 @@ pub struct RehearsedKey {
     gate: KeyGate,
     tick: u64,
     period: f64,
+    /// Of the rehearsal that it belongs to.
+    work: Option<Arc<RehearsalWork>>,
 }
 
 /// A boxed voice that can be cloned with its slot.
@@ -76,7 +131,13 @@ impl RehearsedKey {
             gate: KeyGate::new(period, slew),
             tick: 0,
             period: period.as_secs_f64(),
+            work: None,
         }
+    }
+
+    /// Counts the ticks of the key, and those of its copies, as `work` from now on.
+    pub fn count_by(&mut self, work: Arc<RehearsalWork>) {
+        self.work = Some(work);
     }
 }
 
@@ -159,6 +220,7 @@ impl Clone for RehearsedKey {
             gate: self.gate,
             tick: self.tick,
             period: self.period,
+            work: self.work.clone(),
         }
     }
 }
@@ -174,13 +236,52 @@ impl Rehearsal for RehearsedKey {
         self.take(gestures.to_vec());
         let mut outcome = PlayOutcome::default();
         while self.now() < until {
-            let turn = self.step();
-            turn.events.as_slice().iter().for_each(|it| self.note(it, &mut outcome));
+            let first = self.tick;
+            while self.now() < until && self.tick - first < PACE {
+                let turn = self.step();
+                turn.events.as_slice().iter().for_each(|it| self.note(it, &mut outcome));
+            }
+            let ticks = self.tick - first;
+            if self.work.as_ref().is_some_and(|work| !work.spend(ticks)) {
+                // What the key does is not asked for any more, but its time goes on.
+                self.tick = self.tick.max(clock::nearest_integer((until / self.period).ceil()));
+                break;
+            }
         }
         outcome
     }
 
     fn depth(&self) -> f64 {
         self.position()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use scene::Scene;
+
+    use super::*;
+
+    #[test]
+    fn a_rehearsal_ends_where_its_work_ends_however_long_the_piece() {
+        let springs = Scene::load("springs", &[]).unwrap();
+        let builder = VoiceBuilder::new(&springs).unwrap();
+        let (key, voice) = builder.keys().next().unwrap();
+        let counted_by = |work: &Arc<RehearsalWork>| {
+            let mut key = RehearsedKey::of_scene(&builder, key, voice).unwrap();
+            key.count_by(Arc::clone(work));
+            key
+        };
+        let work = Arc::new(RehearsalWork::new(10_000, Arc::default()));
+        let mut counted = counted_by(&work);
+        counted.play(&[], 9.0);
+        assert!(work.verdict().is_ok());
+        // Thirty years.
+        counted.clone().play(&[], 1e9);
+        assert!(matches!(work.verdict(), Err(RehearsalError::TooLong)));
+        let is_cancelled = Arc::new(AtomicBool::new(true));
+        let work = Arc::new(RehearsalWork::new(10_000, is_cancelled));
+        counted_by(&work).play(&[], 1e9);
+        assert!(matches!(work.verdict(), Err(RehearsalError::Cancelled)));
     }
 }

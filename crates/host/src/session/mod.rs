@@ -265,11 +265,7 @@ impl RunSession {
         if scene.play_list.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let rehearsed = |now: PianistProgress| {
-            handle.status.rehearse(now.done, now.total);
-            progress(now);
-        };
-        let play_list = pianist::rehearse(scene, &builder, options.duration, &rehearsed)?;
+        let play_list = pianist::rehearse(scene, &builder, options.duration, &handle, progress)?;
         let performance = play_list.as_ref().map(|list| &list.performance);
         let once = performance.filter(|it| it.repeat.is_none());
         let seconds = options.duration.or_else(|| Some(once?.end() + AFTERGLOW));

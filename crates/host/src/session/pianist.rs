@@ -2,7 +2,8 @@
 //!
 //! A play list is one long score, so that all of it is rehearsed before the first tick.
 
-use std::sync::{Mutex, PoisonError};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use diagnostics::shown;
 use haptics::Gesture;
@@ -11,7 +12,8 @@ use models::catalogue::{self, Visitor};
 use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
-use crate::rehearsal::RehearsedKey;
+use crate::control::RunHandle;
+use crate::rehearsal::{MAX_REHEARSED_TICKS, RehearsalError, RehearsalWork, RehearsedKey};
 use crate::report::UnplayedNotes;
 use realtime::clock;
 use scene::{PerformanceSource, PlayList, Scene};
@@ -38,15 +40,22 @@ pub(super) fn rehearse(
     scene: &Scene,
     builder: &VoiceBuilder<'_>,
     duration: Option<f64>,
+    handle: &RunHandle,
     progress: &(dyn Fn(PianistProgress) + Sync),
 ) -> Result<Option<RehearsedPlayList>, SessionError> {
     let Some(PlayList { pieces, repeat }) = &scene.play_list else { return Ok(None) };
     let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
     let score = load_all(pieces)?;
     let length = score.end() + technique.lead_in;
-    let keys = keys_of(builder)?;
+    let work =
+        Arc::new(RehearsalWork::new(MAX_REHEARSED_TICKS, Arc::clone(handle.background.is_over())));
+    let keys = keys_of(builder, &work)?;
     let (mut score, unplayed) = within(score, duration, technique.lead_in, &keys);
     without_dynamics(&mut score, scene);
+    let period = builder.period().as_secs_f64();
+    if least_ticks(&score, period) > MAX_REHEARSED_TICKS as f64 {
+        return Err(RehearsalError::TooLong.into());
+    }
     let keys = Mutex::new(keys);
     let instrument = |key: u8| {
         let keys = keys.lock().unwrap_or_else(PoisonError::into_inner);
@@ -54,8 +63,12 @@ pub(super) fn rehearse(
         keys[usize::from(key)].clone().unwrap_or_else(|| unreachable!("key {key} has no voice"))
     };
     let pianist = Pianist { curve: scene.midi.curve, technique, ..Pianist::default() };
-    let mut performance = pianist.prepare(&score, instrument, progress);
-    let period = builder.period().as_secs_f64();
+    let rehearsed = |now: PianistProgress| {
+        handle.status.rehearse(now.done, now.total);
+        progress(now);
+    };
+    let mut performance = pianist.prepare(&score, instrument, rehearsed);
+    work.verdict()?;
     // Of a score that was cut, the length says too little.
     let length = length.max(performance.end()) + REST - technique.lead_in;
     let pass = repeat.then(|| clock::nearest_integer((length / period).ceil()));
@@ -109,12 +122,27 @@ impl Visitor for HasOneVelocity {
 }
 
 /// Returns the key of every voice, at rest.
-fn keys_of(builder: &VoiceBuilder<'_>) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
+fn keys_of(
+    builder: &VoiceBuilder<'_>,
+    work: &Arc<RehearsalWork>,
+) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
     let mut keys = vec![None; scheduler::motion::KEYS];
     for (key, voice) in builder.keys() {
-        keys[key] = Some(RehearsedKey::of_scene(builder, key, voice)?);
+        let rehearsed = keys[key].insert(RehearsedKey::of_scene(builder, key, voice)?);
+        rehearsed.count_by(Arc::clone(work));
     }
     Ok(keys)
+}
+
+/// Returns the ticks of `period` (s) that a rehearsal of `score` takes at least: each key's up to
+/// its last note.
+fn least_ticks(score: &Score, period: f64) -> f64 {
+    let mut last = BTreeMap::<u8, f64>::new();
+    for note in &score.notes {
+        let last = last.entry(note.key).or_default();
+        *last = last.max(note.onset);
+    }
+    last.into_values().sum::<f64>() / period
 }
 
 /// Returns the part of `score` that is struck before `duration` (s) on keys that have a voice, and
