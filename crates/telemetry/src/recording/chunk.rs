@@ -4,13 +4,16 @@ use mcap::records::{MessageHeader, Record};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{McapError, McapResult};
 
-use super::format::LARGEST_CHUNK;
+use super::declared::parse_record;
+use super::format::{LARGEST_CHUNK, LARGEST_RATIO};
 use super::zstd::Zstd;
 
 /// The records of one chunk, which is decompressed and checked before the first.
 pub(super) struct Chunk {
     reader: LinearReader,
     is_at_end: bool,
+    /// Declared length of what is compressed, if that is too large (B).
+    too_large: Option<u64>,
 }
 
 /// A record of a chunk.
@@ -33,7 +36,9 @@ impl Chunk {
         let _added = reader.add_decompressor(Zstd::default());
         reader.insert(record.len()).copy_from_slice(record);
         reader.notify_read(record.len());
-        Self { reader, is_at_end: false }
+        let most = (LARGEST_RATIO * record.len() as u64).min(LARGEST_CHUNK as u64);
+        let too_large = uncompressed(record).filter(|length| *length > most);
+        Self { reader, is_at_end: false, too_large }
     }
 
     /// Returns the next channel, or the next message whose header `wants` accepts.
@@ -43,6 +48,10 @@ impl Chunk {
         &mut self,
         mut wants: impl FnMut(&MessageHeader) -> bool,
     ) -> Option<McapResult<Inside>> {
+        // The reader itself decompresses as much as is declared, but no more.
+        if let Some(length) = self.too_large {
+            return Some(Err(McapError::ChunkTooLarge(length)));
+        }
         loop {
             let inside = match self.reader.next_event()? {
                 Err(error) => Some(Err(error)),
@@ -66,6 +75,13 @@ impl Chunk {
     }
 }
 
+/// Returns the length of what the chunk `record` says that it has compressed (B).
+fn uncompressed(record: &[u8]) -> Option<u64> {
+    /// Behind opcode, length and two times.
+    const PLACE: std::ops::Range<usize> = 25..33;
+    Some(u64::from_le_bytes(record.get(PLACE)?.try_into().ok()?))
+}
+
 fn inside(
     opcode: u8,
     data: &[u8],
@@ -76,7 +92,7 @@ fn inside(
     if opcode != op::CHANNEL && opcode != op::MESSAGE {
         return Ok(None);
     }
-    let record = mcap::parse_record(opcode, data)?;
+    let record = parse_record(opcode, data)?;
     if let Record::Channel(channel) = record {
         return Ok(Some(Inside::Channel(channel.id, channel.topic)));
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use diagnostics::shown;
 
-use super::format::{FORMAT, PROFILE};
+use super::format::{FORMAT, LARGEST_CHUNK, LARGEST_RATIO, PROFILE};
 use super::missing::MissingPiece;
 use crate::topic;
 
@@ -99,5 +99,14 @@ pub enum ExportError {
 
 /// Returns the text of an error, which is the system's own if that failed.
 pub(super) fn cause(error: &mcap::McapError) -> String {
-    if let mcap::McapError::Io(error) = error { error.to_string() } else { error.to_string() }
+    if let mcap::McapError::Io(error) = error {
+        error.to_string()
+    } else if let mcap::McapError::ChunkTooLarge(length) = error {
+        let most = LARGEST_CHUNK >> 20;
+        format!(
+            "a chunk of {length} bytes is larger than {most} MiB or {LARGEST_RATIO} times its record"
+        )
+    } else {
+        error.to_string()
+    }
 }

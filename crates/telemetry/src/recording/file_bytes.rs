@@ -26,6 +26,9 @@ impl FileBytes {
 
     /// Reads `length` bytes from `offset` on.
     pub(super) fn read(&self, offset: u64, length: u64) -> io::Result<Vec<u8>> {
+        if offset.checked_add(length).is_none_or(|end| end > self.size) {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
         let mut bytes = vec![0; usize::try_from(length).map_err(io::Error::other)?];
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
         file.seek(SeekFrom::Start(offset))?;

@@ -23,6 +23,10 @@ pub(super) const CHUNK: u64 = 1 << 20;
 /// No chunk is larger than this (B), compressed or not; a length above it is a damaged one.
 pub(super) const LARGEST_CHUNK: usize = 64 << 20;
 
+/// No chunk is more than so many times larger than its record: that of lz4 is 255 at most, and what
+/// is told of keys comes nowhere near it.
+pub(super) const LARGEST_RATIO: u64 = 1024;
+
 /// The labels of a file: its run, part and format.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Labels {

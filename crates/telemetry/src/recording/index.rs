@@ -5,9 +5,11 @@ use std::io;
 
 use mcap::records::{ChunkIndex, Footer, Metadata, MetadataIndex, Record, op};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
-use mcap::{MAGIC, McapResult};
+use mcap::{MAGIC, McapError, McapResult};
 
 use super::chunk::{Chunk, Inside};
+use super::declared::parse_record;
+use super::error::cause;
 use super::file_bytes::FileBytes;
 use super::format::{self, LARGEST_CHUNK, Labels, PROFILE};
 use super::missing::{self, Defect, MissingNote};
@@ -19,6 +21,9 @@ const RECORD: u64 = 9;
 const FOOTER: u64 = RECORD + 20 + 8;
 /// The record that ends the data, just before the summary (B).
 const DATA_END: u64 = RECORD + 4;
+
+/// What is said of a piece in which there is no chunk, or only the beginning of one.
+const NO_CHUNK: &str = "there is no whole chunk";
 
 /// Copies of the labels that are read besides the one at the beginning: a majority of three
 /// stands against one that is damaged.
@@ -155,7 +160,7 @@ pub(super) fn summary(file: &FileBytes) -> io::Result<Option<Index>> {
 /// Returns the metadata in `record`, which begins with its opcode and length.
 fn metadata_in(record: &[u8]) -> Option<Metadata> {
     let body = record.strip_prefix(&[op::METADATA])?.get(8..)?;
-    match mcap::parse_record(op::METADATA, body) {
+    match parse_record(op::METADATA, body) {
         Ok(Record::Metadata(metadata)) => Some(metadata),
         Ok(_) | Err(_) => None,
     }
@@ -170,8 +175,7 @@ fn summary_start(file: &FileBytes) -> io::Result<Option<u64>> {
         return Ok(None);
     }
     let body = rest.get(8..28).unwrap_or_default();
-    let Ok(Record::Footer(Footer { summary_start, .. })) = mcap::parse_record(op::FOOTER, body)
-    else {
+    let Ok(Record::Footer(Footer { summary_start, .. })) = parse_record(op::FOOTER, body) else {
         return Ok(None);
     };
     Ok(summary_start.checked_sub(DATA_END).filter(|start| *start < footer))
@@ -190,14 +194,14 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
     let (mut chunks, mut metadata, mut expected) = (Vec::new(), Vec::new(), None);
     while let Some(event) = reader.next_event() {
         let LinearReadEvent::Record { opcode, data } = event? else {
-            return Err(mcap::McapError::UnexpectedEof);
+            return Err(McapError::UnexpectedEof);
         };
         // Only these are needed; the others are not even looked at.
         let needed = [op::CHANNEL, op::CHUNK_INDEX, op::METADATA_INDEX, op::STATISTICS];
         if !needed.contains(&opcode) {
             continue;
         }
-        let record = mcap::parse_record(opcode, data)?;
+        let record = parse_record(opcode, data)?;
         if let Record::Channel(channel) = record {
             index.name(channel.id, &channel.topic);
         } else if let Record::ChunkIndex(chunk) = record {
@@ -210,7 +214,7 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
     }
     // A writer may have left the positions out, or some of them.
     if expected != Some(chunks.len()) {
-        return Err(mcap::McapError::BadIndex);
+        return Err(McapError::BadIndex);
     }
     for chunk in &chunks {
         index.add(chunk);
@@ -227,7 +231,7 @@ pub(super) fn scan(file: &FileBytes, start: u64) -> io::Result<Index> {
     loop {
         let Some((opcode, length)) = record_at(file, scan.up_to)? else {
             let Some(next) = next_chunk(file, scan.up_to)? else { break };
-            index.positions.push(damaged(scan.up_to, next - scan.up_to));
+            index.positions.push(damaged(scan.up_to, next - scan.up_to, NO_CHUNK));
             scan.damaged += 1;
             scan.up_to = next;
             continue;
@@ -242,12 +246,15 @@ pub(super) fn scan(file: &FileBytes, start: u64) -> io::Result<Index> {
         }
         let mut length = length;
         if opcode == op::CHUNK {
-            let position = scan_chunk(file, scan.up_to, length, &mut index)?;
-            if position.is_none() {
-                length = length_of_damaged(file, scan.up_to, length)?;
-                scan.damaged += 1;
-            }
-            index.positions.push(position.unwrap_or_else(|| damaged(scan.up_to, length)));
+            let position = match scan_chunk(file, scan.up_to, length, &mut index)? {
+                Ok(position) => position,
+                Err(cause) => {
+                    length = length_of_damaged(file, scan.up_to, length)?;
+                    scan.damaged += 1;
+                    damaged(scan.up_to, length, &cause)
+                }
+            };
+            index.positions.push(position);
         }
         scan.up_to += length;
     }
@@ -266,8 +273,8 @@ fn length_of_damaged(file: &FileBytes, offset: u64, length: u64) -> io::Result<u
 }
 
 /// Returns the position of a piece that cannot be read.
-fn damaged(offset: u64, length: u64) -> ChunkPosition {
-    let defect = Some(Defect::damage(offset, "there is no whole chunk"));
+fn damaged(offset: u64, length: u64, cause: &str) -> ChunkPosition {
+    let defect = Some(Defect::damage(offset, cause));
     ChunkPosition { offset, length, first: 0, last: u64::MAX, topics: None, defect }
 }
 
@@ -298,7 +305,7 @@ fn next_chunk(file: &FileBytes, from: u64) -> io::Result<Option<u64>> {
             let offset = at + i as u64;
             let length = <[u8; 8]>::try_from(&head[1..]).map_or(u64::MAX, u64::from_le_bytes);
             let fits = length < LARGEST_CHUNK as u64 && length + RECORD <= file.size - offset;
-            if fits && scan_chunk(file, offset, length + RECORD, &mut Index::empty())?.is_some() {
+            if fits && scan_chunk(file, offset, length + RECORD, &mut Index::empty())?.is_ok() {
                 return Ok(Some(offset));
             }
         }
@@ -323,15 +330,15 @@ fn record_at(file: &FileBytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
     Ok(length.filter(|length| is_one && *length <= left).map(|length| (opcode, length)))
 }
 
-/// Reads times and topics of the chunk at `offset`; none if it is damaged.
+/// Reads times and topics of the chunk at `offset`, or why that cannot be done.
 fn scan_chunk(
     file: &FileBytes,
     offset: u64,
     length: u64,
     index: &mut Index,
-) -> io::Result<Option<ChunkPosition>> {
+) -> io::Result<Result<ChunkPosition, String>> {
     if length > LARGEST_CHUNK as u64 {
-        return Ok(None);
+        return Ok(Err(NO_CHUNK.to_owned()));
     }
     let mut chunk = Chunk::new(&file.read(offset, length)?);
     let (mut first, mut last, mut topics) = (u64::MAX, 0, BTreeSet::new());
@@ -343,12 +350,13 @@ fn scan_chunk(
         });
         match inside {
             None => break,
-            Some(Err(_)) => return Ok(None),
+            Some(Err(error @ McapError::ChunkTooLarge(_))) => return Ok(Err(cause(&error))),
+            Some(Err(_)) => return Ok(Err(NO_CHUNK.to_owned())),
             Some(Ok(Inside::Channel(id, name))) => index.name(id, &name),
             Some(Ok(Inside::Message(..))) => {}
         }
     }
     let topics = topics.iter().filter_map(|id| index.topics.get(id).copied()).collect();
     let (first, topics) = (first.min(last), Some(topics));
-    Ok(Some(ChunkPosition { offset, length, first, last, topics, defect: None }))
+    Ok(Ok(ChunkPosition { offset, length, first, last, topics, defect: None }))
 }

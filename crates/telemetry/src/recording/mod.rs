@@ -28,6 +28,7 @@
 mod blackbox;
 mod chunk;
 mod csv;
+mod declared;
 mod error;
 mod file_bytes;
 mod format;

@@ -8,6 +8,7 @@ use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use mcap::{MAGIC, McapResult};
 
 use super::chunk::{Chunk, Inside};
+use super::declared::parse_record;
 use super::error::{OpenError, cause};
 use super::file_bytes::FileBytes;
 use super::format::{LARGEST_CHUNK, Labels, PROFILE};
@@ -242,7 +243,7 @@ fn read_head(head: &[u8]) -> McapResult<FileStart> {
         if opcode != op::HEADER && opcode != op::METADATA {
             return Ok(FileStart::Foreign);
         }
-        let record = mcap::parse_record(opcode, data)?;
+        let record = parse_record(opcode, data)?;
         if let Record::Header(header) = &record
             && header.profile != PROFILE
         {

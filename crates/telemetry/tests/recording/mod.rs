@@ -5,6 +5,7 @@ mod bad_input;
 mod black_box;
 mod csv;
 mod damage;
+mod declared;
 mod killed;
 mod playback;
 mod rotation;
