@@ -135,6 +135,28 @@ pub enum Failure {
     Unread,
 }
 
+impl Failure {
+    fn system(error: &io::Error) -> Self {
+        Self::Running(format!(
+            "the system refused a thread, signals or descriptors: {error}; see `ulimit -a`"
+        ))
+    }
+
+    /// Reports the failure on stderr and returns the exit code.
+    fn tell(self) -> ExitCode {
+        let (code, text) = match self {
+            Self::Unread => return ExitCode::SUCCESS,
+            Self::Running(text) => (1, text),
+            Self::Usage(text) => (2, text),
+            Self::NoHost(text) => (3, text),
+            Self::Panicked(text) => (101, text),
+            Self::Told(code) => return ExitCode::from(code),
+        };
+        log::tell_as(Level::Error, &text);
+        ExitCode::from(code)
+    }
+}
+
 /// Converts errors of the output, which every command writes with `?`; other errors of the system
 /// are named where they occur.
 impl From<io::Error> for Failure {
@@ -149,9 +171,7 @@ impl From<io::Error> for Failure {
 /// Returns the failure of a request to the system that any program would see.
 #[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
 fn system(error: io::Error) -> Failure {
-    Failure::Running(format!(
-        "the system refused a thread, signals or descriptors: {error}; see `ulimit -a`"
-    ))
+    Failure::system(&error)
 }
 
 /// Runs the command and returns its exit code.
@@ -160,16 +180,12 @@ pub fn run(letoff: &Letoff) -> ExitCode {
     read_descriptions();
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
-    let (code, text) = match done {
-        Ok(()) | Err(Failure::Unread) => return ExitCode::SUCCESS,
-        Err(Failure::Running(text)) => (1, text),
-        Err(Failure::Usage(text)) => (2, text),
-        Err(Failure::NoHost(text)) => (3, text),
-        Err(Failure::Panicked(text)) => (101, text),
-        Err(Failure::Told(code)) => return ExitCode::from(code),
-    };
-    log::tell_as(Level::Error, &text);
-    ExitCode::from(code)
+    done.map_or_else(Failure::tell, |()| ExitCode::SUCCESS)
+}
+
+/// Reports that the system gives the command no thread to run on, and returns its exit code.
+pub fn no_thread(error: &io::Error) -> ExitCode {
+    Failure::system(error).tell()
 }
 
 /// Writes a message to stderr.

@@ -2,6 +2,7 @@
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod boards;
+mod bounds;
 mod common;
 mod control;
 mod dash;
