@@ -230,7 +230,7 @@ async fn play(
     let BegunHost { mut signals, log, handle, starting, clients, reach, file } = begun;
     let TriedRun { found, fidelity, stream } = tried;
     let scene = &found.scene.clone();
-    reach.check(scene.links != LinksConfig::Simulated)?;
+    reach.check_for(&scene.links)?;
     handle.status.prepare(&scene.name);
     let endpoints = if options.virtual_time {
         Endpoints::default()

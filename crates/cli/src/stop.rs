@@ -27,7 +27,7 @@ fn report(asked: &[AskedHost], out: &mut dyn Write) -> Result<(), Failure> {
                 writeln!(out, "{name}{text}")?;
             }
             Ok(Ok(Reply::Stopped { text, .. }) | Err(text)) => {
-                failures.push(format!("{name}{text}"))
+                failures.push(format!("{name}{text}"));
             }
             Ok(Ok(
                 Reply::Done { .. }

@@ -161,7 +161,7 @@ async fn measured<F: Send + 'static, M: Send + 'static>(
     let mut signals = Signals::new().map_err(system)?;
     let endings = Endings::default();
     let (clients, reach) = endpoints::listen(&endings.emergency);
-    reach.check(true)?;
+    reach.check()?;
     let Some(found) = signals.unless_stopped(&endings.emergency, find).await? else {
         clients.leave().await;
         return Ok(None);

@@ -181,7 +181,7 @@ pub(super) fn hosts() -> Vec<u32> {
 pub(super) fn shares_socket(pid: u32) -> bool {
     let environment = fs::read(format!("/proc/{pid}/environ")).unwrap_or_default();
     let mut variables = environment.split(|byte| *byte == 0);
-    let own = chosen().map(|path| path.into_os_string());
+    let own = chosen().map(PathBuf::into_os_string);
     let its = variables.find_map(|variable| variable.strip_prefix(b"LETOFF_SOCKET="));
     its == own.as_ref().map(|own| own.as_bytes())
 }

@@ -150,7 +150,7 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
                 Err(_none) => tokio::time::sleep(PAUSE).await,
             }
         };
-        let Some(rights) = Rights::of(&stream, server.file.is_some()) else { continue };
+        let Some(rights) = Rights::of(&stream, &server) else { continue };
         // A client beyond the limit is dropped, so that the others are served in time.
         if let Ok(place) = Arc::clone(&clients.0).try_acquire_owned() {
             let client = ControlClient {
@@ -174,14 +174,14 @@ enum Rights {
 }
 
 impl Rights {
-    /// Returns the rights of who connects by `stream`; `None` if it is a stranger. Only the
-    /// service's group may open the file of a socket beside its owner.
-    fn of(stream: &UnixStream, is_file: bool) -> Option<Self> {
+    /// Returns the rights of who connects to `server` by `stream`; `None` if it is a stranger. Only
+    /// the service's group may open the file of a socket beside its owner.
+    fn of(stream: &UnixStream, server: &ControlServer) -> Option<Self> {
         let uid = stream.peer_cred().ok()?.uid();
         if uid == place::user() || uid == 0 {
             return Some(Self::Owner);
         }
-        is_file.then_some(Self::Group)
+        server.file.is_some().then_some(Self::Group)
     }
 
     const fn include(self, request: &Request) -> bool {

@@ -196,19 +196,7 @@ fn open(path: &Path, port: &GuardedPort) -> Result<(PathBuf, GuardianChannel), G
     let mut trouble = io::Error::from(ErrorKind::NotConnected);
     // The first may be just about to end, as its host has; the second is another host's.
     for path in [path, path, Path::new(&own)] {
-        let greeted = GuardianChannel::reach(path).and_then(|mut channel| {
-            channel.send(&hello)?;
-            match channel.wait(PATIENCE) {
-                Ok(answer) => Ok((channel, answer)),
-                Err(error) => {
-                    if error.kind() == ErrorKind::TimedOut {
-                        channel.kill();
-                    }
-                    Err(error)
-                }
-            }
-        });
-        match greeted {
+        match greet(path, &hello) {
             Ok((channel, GuardianLine::Opened {})) => return Ok((path.to_owned(), channel)),
             Ok((_, GuardianLine::Missing { why })) => return Err(GuardianTrouble::Missing(why)),
             Ok((_, GuardianLine::Refused { why })) => return Err(GuardianTrouble::Refused(why)),
@@ -220,6 +208,20 @@ fn open(path: &Path, port: &GuardedPort) -> Result<(PathBuf, GuardianChannel), G
         }
     }
     Err(no_guardian(path, trouble))
+}
+
+/// Sends `hello` to the guardian at `path`; returns its answer, and ends it if it hangs.
+fn greet(path: &Path, hello: &HostLine) -> io::Result<(GuardianChannel, GuardianLine)> {
+    let mut channel = GuardianChannel::reach(path)?;
+    channel.send(hello)?;
+    match channel.wait(PATIENCE) {
+        Ok(answer) => Ok((channel, answer)),
+        Err(error) if error.kind() == ErrorKind::TimedOut => {
+            channel.kill();
+            Err(error)
+        }
+        Err(error) => Err(error),
+    }
 }
 
 /// Notes what became of the messages, and tells what is new of it.

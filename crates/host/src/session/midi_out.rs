@@ -137,7 +137,9 @@ fn open_port(
 ) -> Result<(AnyOutput, Arc<Mutex<GuardianReport>>), GuardianTrouble> {
     let Some(path) = handle.guardian() else {
         let (output, trouble) = port.open()?;
-        trouble.into_iter().for_each(|text| handle.log(text));
+        if let Some(trouble) = trouble {
+            handle.log(trouble);
+        }
         return Ok((output, Arc::default()));
     };
     let its = Arc::clone(handle);

@@ -111,7 +111,7 @@ pub fn instabilities(scene: &Scene) -> Result<Vec<String>, RehearsalError> {
 pub fn examine_keys(scene: &Scene, keys: KeyRange) -> Result<RangeStability, RehearsalError> {
     let voices: Vec<_> = tried(keys).filter_map(|key| Some((key, voice(scene, key)?))).collect();
     let model = voices.first().map_or("", |(_key, voice)| voice.model.name);
-    let unstable = match first_unstable(scene, voices.iter())? {
+    let unstable = match first_unstable(scene, &voices)? {
         None => None,
         Some(UnstableTrial { key, finger, delay, instability }) => Some(UnstableKey {
             key,
@@ -142,7 +142,7 @@ impl RangeStability {
         for gain in GAINS {
             let mut louder = scene.clone();
             louder.render.force_gain *= gain;
-            if first_unstable(&louder, [(key, voice)].iter())?.is_some() {
+            if first_unstable(&louder, &[(key, voice)])?.is_some() {
                 break;
             }
             margin = gain;

@@ -40,15 +40,15 @@ pub(super) fn nearest(
     voices: &[(KeyIndex, &KeyVoice)],
     key: KeyIndex,
 ) -> Result<Option<Remedy>, RehearsalError> {
+    // The worst first: most candidates are out by it.
+    let mut voices = voices.to_vec();
+    voices.sort_by_key(|it| it.0 != key);
     for remedy in candidates(scene) {
         let mut other = scene.clone();
         other.tick_hz = remedy.tick_hz.unwrap_or(scene.tick_hz);
         other.render.jerk_density = remedy.jerk_density.unwrap_or(scene.render.jerk_density);
         other.render.passivity = remedy.passivity.unwrap_or(scene.render.passivity);
-        // The worst first: most candidates are out by it.
-        let worst = voices.iter().filter(|it| it.0 == key);
-        let rest = voices.iter().filter(|it| it.0 != key);
-        if first_unstable(&other, worst.chain(rest))?.is_none() {
+        if first_unstable(&other, &voices)?.is_none() {
             return Ok(Some(remedy));
         }
     }

@@ -83,16 +83,16 @@ const CHATTER: usize = 6;
 ///
 /// # Errors
 /// If a voice or the keybed are refused.
-pub(super) fn first_unstable<'a>(
+pub(super) fn first_unstable(
     scene: &Scene,
-    voices: impl Iterator<Item = &'a (KeyIndex, &'a KeyVoice)> + Clone,
+    voices: &[(KeyIndex, &KeyVoice)],
 ) -> Result<Option<UnstableTrial>, RehearsalError> {
     let mut tried = scene.clone();
     for part in if 0.0 < scene.rig.delay { &DELAYS[..] } else { &DELAYS[..1] } {
         let delay = part * scene.rig.delay;
         tried.rig.delay = delay;
         let builder = VoiceBuilder::new(&tried)?;
-        for &(key, voice) in voices.clone() {
+        for &(key, voice) in voices {
             if let Some((finger, instability)) = worst(&builder, (key.index(), voice))? {
                 return Ok(Some(UnstableTrial { key, finger, delay, instability }));
             }
