@@ -73,10 +73,10 @@ fn a_note_that_is_played_while_the_machine_pauses_sounds_late_and_about_as_loud(
 
 /// Gestures that play two soft notes of `velocity` on D3, the second where the first ends.
 fn repeated(scene: &scene::Scene, key: usize, velocity: u8) -> Vec<Gesture> {
-    let builder = VoiceBuilder::new(scene).unwrap();
-    let (_, voice) = builder.keys().next().unwrap();
+    let builder = VoiceBuilder::new(scene).expect("a good scene");
+    let (_, voice) = builder.keys().next().expect("a key");
     let note = |onset, end, velocity| ScoreNote {
-        key: u8::try_from(key).unwrap(),
+        key: u8::try_from(key).expect("one of 88"),
         onset,
         end,
         velocity,
@@ -86,7 +86,7 @@ fn repeated(scene: &scene::Scene, key: usize, velocity: u8) -> Vec<Gesture> {
     let score = Score { notes, ..Score::default() };
     let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
     let pianist = Pianist { technique, ..Pianist::default() };
-    let instrument = |_key| RehearsedKey::of_scene(&builder, key, voice).unwrap();
+    let instrument = |_key| RehearsedKey::of_scene(&builder, key, voice).expect("a voice");
     let mut performance = pianist.prepare(&score, instrument, |_progress| {});
     assert_eq!(performance.predicted.len(), 2, "both can be played");
     std::mem::take(&mut performance.gestures[key])

@@ -304,10 +304,8 @@ fn check_ended(name: &str, deaths: Deaths) {
     let host = stand.start(&[]);
     stand.hears("the chord", Heard::holds_the_chord);
     let (guardian, heard) = (stand.guardian(), stand.heard().messages.len());
-    let reach_host = || host_signal.into_iter().for_each(|signal| host.send(signal));
-    let reach_guardian = || {
-        guardian_signal.into_iter().for_each(|signal| kill(guardian, signal).expect("it is there"));
-    };
+    let reach_host = || _ = host_signal.map(|signal| host.send(signal));
+    let reach_guardian = || _ = guardian_signal.map(|signal| kill(guardian, signal));
     if host_first {
         reach_host();
         reach_guardian();
@@ -341,11 +339,10 @@ fn notes_and_pedals_end_whatever_dies_in_whatever_order() {
     std::thread::scope(|scope| {
         for first in 0..4 {
             let mine = all.iter().enumerate().skip(first).step_by(4);
-            scope.spawn(move || {
-                for (index, deaths) in mine {
-                    check_ended(&format!("deaths-{index}"), *deaths);
-                }
-            });
+            let check = |(index, deaths): (usize, &Deaths)| {
+                check_ended(&format!("deaths-{index}"), *deaths);
+            };
+            scope.spawn(move || mine.for_each(check));
         }
     });
 }
