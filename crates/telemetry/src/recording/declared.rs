@@ -6,8 +6,8 @@ use mcap::{McapError, McapResult};
 
 /// A field of a record.
 #[derive(Clone, Copy)]
-enum Field {
-    /// So many bytes.
+enum DeclaredField {
+    /// Numbers that declare no length, of this size together (B).
     Fixed(usize),
     /// A length, and so many bytes.
     Text,
@@ -31,9 +31,9 @@ pub(super) fn parse_record(opcode: u8, body: &[u8]) -> McapResult<Record<'_>> {
 fn fits(opcode: u8, body: &[u8]) -> bool {
     let mut rest = body;
     fields(opcode).iter().all(|field| match field {
-        Field::Fixed(length) => take(&mut rest, *length).is_some(),
-        Field::Text => take_text(&mut rest).is_some(),
-        Field::Texts => take_text(&mut rest).is_some_and(|mut texts| {
+        DeclaredField::Fixed(length) => take(&mut rest, *length).is_some(),
+        DeclaredField::Text => take_text(&mut rest).is_some(),
+        DeclaredField::Texts => take_text(&mut rest).is_some_and(|mut texts| {
             while !texts.is_empty() {
                 if take_text(&mut texts).is_none() {
                     return false;
@@ -46,13 +46,23 @@ fn fits(opcode: u8, body: &[u8]) -> bool {
 
 /// Returns the fields of a record up to the last that declares a length, for which the parser
 /// makes room.
-const fn fields(opcode: u8) -> &'static [Field] {
+const fn fields(opcode: u8) -> &'static [DeclaredField] {
     match opcode {
-        op::HEADER => &[Field::Text, Field::Text],
-        op::CHANNEL => &[Field::Fixed(4), Field::Text, Field::Text, Field::Texts],
-        op::METADATA => &[Field::Text, Field::Texts],
-        op::METADATA_INDEX => &[Field::Fixed(16), Field::Text],
-        op::CHUNK_INDEX => &[Field::Fixed(32), Field::Text, Field::Fixed(8), Field::Text],
+        op::HEADER => &[DeclaredField::Text, DeclaredField::Text],
+        op::CHANNEL => &[
+            DeclaredField::Fixed(4),
+            DeclaredField::Text,
+            DeclaredField::Text,
+            DeclaredField::Texts,
+        ],
+        op::METADATA => &[DeclaredField::Text, DeclaredField::Texts],
+        op::METADATA_INDEX => &[DeclaredField::Fixed(16), DeclaredField::Text],
+        op::CHUNK_INDEX => &[
+            DeclaredField::Fixed(32),
+            DeclaredField::Text,
+            DeclaredField::Fixed(8),
+            DeclaredField::Text,
+        ],
         _ => &[],
     }
 }
@@ -123,7 +133,8 @@ mod tests {
                 damaged[at..at + 4].copy_from_slice(&0xffff_0002_u32.to_le_bytes());
                 refused += usize::from(!fits(*opcode, &damaged));
             }
-            let texts = fields(*opcode).iter().filter(|it| !matches!(it, Field::Fixed(_))).count();
+            let texts =
+                fields(*opcode).iter().filter(|it| !matches!(it, DeclaredField::Fixed(_))).count();
             assert!(texts <= refused, "{opcode}: {refused}");
         }
     }
