@@ -22,6 +22,9 @@ const EXTREME_WORDS: [u32; 4] = [0, 1, 0x7FFF_FFFF, 0xFFFF_FFFF];
 /// Deepest nesting and most repetitions that are inserted.
 const DEEPEST: usize = 5000;
 
+/// Bytes that count as near an end of a file.
+const NEAR: usize = 1000;
+
 /// A generator of numbers: `SplitMix64`.
 pub(super) struct FuzzRandom(pub(super) u64);
 
@@ -43,6 +46,16 @@ impl FuzzRandom {
         all.get(self.below(all.len()))
     }
 
+    /// Returns a place in a file of `len` bytes: two of three are near one of its ends, where the
+    /// heads and tables of binary formats are.
+    fn place(&mut self, len: usize) -> usize {
+        match self.below(3) {
+            0 => self.below(len.min(NEAR)),
+            1 => len.saturating_sub(1 + self.below(len.min(NEAR))),
+            _ => self.below(len),
+        }
+    }
+
     /// Returns a piece of up to `longest` bytes of `bytes`, as start and end.
     fn piece(&mut self, bytes: &[u8], longest: usize) -> (usize, usize) {
         let start = self.below(bytes.len() + 1);
@@ -50,7 +63,7 @@ impl FuzzRandom {
     }
 }
 
-/// Returns one of the `good` files with one to three damages, most of them with one.
+/// Returns one of the `good` files with one to three damages; most have one.
 pub(super) fn mutated(random: &mut FuzzRandom, good: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = random.pick(good).cloned().unwrap_or_default();
     for _ in 0..=random.pick(&[0, 0, 0, 1, 2]).copied().unwrap_or(0) {
@@ -60,7 +73,7 @@ pub(super) fn mutated(random: &mut FuzzRandom, good: &[Vec<u8>]) -> Vec<u8> {
 }
 
 fn damage(random: &mut FuzzRandom, bytes: &mut Vec<u8>, good: &[Vec<u8>]) {
-    let at = random.below(bytes.len());
+    let at = random.place(bytes.len());
     match random.below(12) {
         0 => bytes.truncate(at),
         1 => drop(bytes.drain(at..(at + random.below(64)).min(bytes.len()))),
@@ -90,7 +103,7 @@ fn damage(random: &mut FuzzRandom, bytes: &mut Vec<u8>, good: &[Vec<u8>]) {
 /// Inverts one bit of one to eight bytes.
 fn flip(random: &mut FuzzRandom, bytes: &mut [u8]) {
     for _ in 0..=random.below(8) {
-        let at = random.below(bytes.len());
+        let at = random.place(bytes.len());
         if let Some(byte) = bytes.get_mut(at) {
             *byte ^= 1 << random.below(8);
         }
