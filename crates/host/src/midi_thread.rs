@@ -24,7 +24,7 @@ pub(crate) const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 
 /// The way in which a run ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Ending {
+pub enum NoteEnding {
     /// Its time is over, or a signal ended it: what sounds decays as it would.
     Regular,
     /// Somebody asked for a stop: the receiver falls silent at once.
@@ -173,7 +173,11 @@ impl MidiDispatcher {
     }
 
     /// Ends all notes and the output, and says what came of them.
-    pub fn close(mut self, ending: Ending, handover: Option<Histogram<u64>>) -> PlaybackSummary {
+    pub fn close(
+        mut self,
+        ending: NoteEnding,
+        handover: Option<Histogram<u64>>,
+    ) -> PlaybackSummary {
         self.end_notes(ending);
         PlaybackSummary {
             assessor: self.assessor,
@@ -184,10 +188,10 @@ impl MidiDispatcher {
     }
 
     /// Ends all notes and finishes the output, which takes no more.
-    pub fn end_notes(&mut self, ending: Ending) {
+    pub fn end_notes(&mut self, ending: NoteEnding) {
         let silenced = match ending {
-            Ending::Regular => self.player.silence(),
-            Ending::Emergency => self.player.cut_off(),
+            NoteEnding::Regular => self.player.silence(),
+            NoteEnding::Emergency => self.player.cut_off(),
         };
         self.note(silenced);
         let finished = self.player.finish();
@@ -243,7 +247,7 @@ impl MidiThread {
             let _as_the_tick_reports = plan.ask(0);
             dispatcher.attend(&its_bell, start, &its_stop, &mut handover);
             let is_emergency = its_emergency.load(Ordering::Acquire);
-            let ending = if is_emergency { Ending::Emergency } else { Ending::Regular };
+            let ending = if is_emergency { NoteEnding::Emergency } else { NoteEnding::Regular };
             dispatcher.close(ending, Some(handover))
         })?;
         Ok(Self { stop, emergency, bell, thread })
@@ -253,8 +257,8 @@ impl MidiThread {
     ///
     /// # Errors
     /// If the thread panicked; its notes were ended while it unwound.
-    pub fn finish(self, ending: Ending) -> std::thread::Result<PlaybackSummary> {
-        self.emergency.store(ending == Ending::Emergency, Ordering::Release);
+    pub fn finish(self, ending: NoteEnding) -> std::thread::Result<PlaybackSummary> {
+        self.emergency.store(ending == NoteEnding::Emergency, Ordering::Release);
         self.stop.store(true, Ordering::Release);
         self.bell.ring();
         self.thread.join()

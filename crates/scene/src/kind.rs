@@ -5,11 +5,8 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::document;
-use super::instrument::Instrument;
 use super::report::{Location, MistakeList};
-use super::scene::Scene;
 use super::source::SourceText;
-use descriptions::load_model;
 use diagnostics::Diagnostics;
 
 /// Names that only a scene has.
@@ -78,33 +75,8 @@ pub(super) fn describes_model(source: &SourceText) -> bool {
     kind_of(source) == Ok(FileKind::Model)
 }
 
-/// Checks the scene, the instrument or the description of a model at `path`, whichever it is by
-/// what stands in it.
-///
-/// # Errors
-///
-/// All that is wrong with it, or that it is neither.
-pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
-    let source = SourceText::read(path)?;
-    if describes_model(&source) {
-        return load_model(path).map(|_model| FileKind::Model);
-    }
-    check(&source)
-}
-
-/// Checks a text as [`check_file`] does.
-pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
-    let kind = kind_of(source)?;
-    match kind {
-        FileKind::Scene => Scene::check(source, &[]).map(|_scene| kind),
-        FileKind::Instrument => Instrument::check(source).map(|_instrument| kind),
-        // What only a text is has no place from which it could be loaded.
-        FileKind::Model => Ok(kind),
-    }
-}
-
 /// Returns the kind of which `source` has more names.
-fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
+pub(super) fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let mut report = MistakeList::new(source, &[]);
     let root = document::parse(&mut report);
     let entries = root.as_ref().and_then(document::DocumentNode::entries).unwrap_or_default();

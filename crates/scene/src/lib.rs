@@ -23,6 +23,7 @@
 //! Relative paths of models, instruments and performances are relative to the file that names them, or
 //! to the working directory where an override or an embedded scene does.
 
+mod checked_file;
 mod document;
 mod embedded;
 mod fidelity;
@@ -51,12 +52,13 @@ mod write;
 #[cfg(test)]
 mod tests;
 
+pub use checked_file::check_file;
 pub use embedded::{performances, scenes};
 pub use fidelity::{AutoFidelity, Fidelity, FidelityLevel};
 pub use fitted::{FittedValues, fitted_text};
 pub use instrument::{Instrument, InstrumentHead, InstrumentInfo, instrument_heads, instruments};
 pub use keys::KeyVoice;
-pub use kind::{FileKind, check_file, is_description};
+pub use kind::{FileKind, is_description};
 pub use links::{
     BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
 };

@@ -36,7 +36,7 @@ pub enum ControlError {
         path: PathBuf,
         /// Its owner, in words.
         owner: String,
-        /// What to do.
+        /// The command that reaches it, and who may give it.
         remedy: String,
     },
     /// The socket is held by a program of a user who cannot be trusted.

@@ -150,7 +150,7 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
                 Err(_none) => tokio::time::sleep(PAUSE).await,
             }
         };
-        let Some(rights) = Rights::of(&stream, &server) else { continue };
+        let Some(rights) = ClientRights::of(&stream, &server) else { continue };
         // A client beyond the limit is dropped, so that the others are served in time.
         if let Ok(place) = Arc::clone(&clients.0).try_acquire_owned() {
             let client = ControlClient {
@@ -166,14 +166,14 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
 
 /// The requests that a client may make.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Rights {
-    /// All of them.
+enum ClientRights {
+    /// Every request.
     Owner,
     /// A stop, and how it goes.
     Group,
 }
 
-impl Rights {
+impl ClientRights {
     /// Returns the rights of who connects to `server` by `stream`; `None` if it is a stranger. Only
     /// the service's group may open the file of a socket beside its owner.
     fn of(stream: &UnixStream, server: &ControlServer) -> Option<Self> {
@@ -195,7 +195,7 @@ impl Rights {
 /// A connection of the control socket.
 struct ControlClient<A> {
     connection: u64,
-    rights: Rights,
+    rights: ClientRights,
     answers: Arc<A>,
     /// A permit for each connection by which something is held.
     holders: Arc<Semaphore>,

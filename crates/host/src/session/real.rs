@@ -9,7 +9,7 @@ use super::measured::MeasuredRun;
 use super::observed::{ObservedOutputs, RunningTelemetry};
 use super::{PreparedRun, SessionError};
 use crate::adapters::observer::LiveCounters;
-use crate::midi_thread::{Ending, MidiDispatcher, MidiThread};
+use crate::midi_thread::{MidiDispatcher, MidiThread, NoteEnding};
 use crate::observe::Pulses;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
@@ -64,7 +64,7 @@ pub(super) fn run(
     });
     handle.status.enter(HostState::Ending);
     let baseline = baseline.stop();
-    let ending = if emergency.is_asked() { Ending::Emergency } else { Ending::Regular };
+    let ending = if emergency.is_asked() { NoteEnding::Emergency } else { NoteEnding::Regular };
     let played = midi.finish(ending).map_err(|_panic| SessionError::Panicked("MIDI"))?;
     // Also after a panic, and for an alarm that came when the last tick was over.
     if !emergency.is_asked() {

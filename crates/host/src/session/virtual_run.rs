@@ -6,7 +6,7 @@ use super::key_source::KeySource;
 use super::measured::MeasuredRun;
 use super::observed::ObservedOutputs;
 use super::{PreparedRun, SessionError, no_clock};
-use crate::midi_thread::{Ending, MidiDispatcher};
+use crate::midi_thread::{MidiDispatcher, NoteEnding};
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
 use realtime::run::{Assembly, Until};
@@ -48,7 +48,7 @@ pub(super) fn run(
     prepared.handle.close();
     drop(lanes);
     let (realtime, deadline) = no_clock();
-    let played = dispatcher.close(Ending::Regular, None);
+    let played = dispatcher.close(NoteEnding::Regular, None);
     pump.pump();
     drop(pump);
     Ok(prepared.report(

@@ -107,7 +107,7 @@ impl MidiSystem for DeviceFile {
     }
 
     fn destination(&self) -> Option<String> {
-        Some(format!("raw:{}", self.path.display()))
+        Some(format!("raw:{}", self.path.to_string_lossy()))
     }
 }
 

@@ -5,7 +5,7 @@ use haptics::plant::Gesture;
 use super::hand::PlannedKey;
 use super::release;
 use super::search::Try;
-use super::{LATEST, Practice, Rehearsal, RehearsedStroke};
+use super::{LATEST, Practice, Rehearsal, RehearsedStroke, SETTLED};
 use crate::stroke::PlannedStroke;
 
 /// Parts of its hold that the stroke before may keep, the first that serves is taken.
@@ -13,9 +13,6 @@ const KEPT: [f64; 4] = [0.75, 0.5, 0.25, 0.0];
 
 /// A hold shorter than this is not shortened (s).
 const WORTHWHILE: f64 = 5e-3;
-
-/// After a release, a key is at rest by this time (s): no earlier release would help.
-pub(super) const SETTLED: f64 = 0.6;
 
 /// Part of its cost that a stroke may keep where it is not met even so, for a hold to be cut.
 const GAIN: f64 = 0.5;

@@ -35,6 +35,9 @@ pub use table::{StrokeTable, StrokeTables, tabulate};
 /// How much longer than at best it may take to strike again, for choosing a release.
 const SLACK: f64 = 1.15;
 
+/// After a release, a key is at rest by this time (s): no earlier release would help.
+const SETTLED: f64 = 0.6;
+
 /// Guess for a key that was not seen to rise: from a quick release until it can be struck again (s).
 const USUAL_RISE: f64 = 35e-3;
 

@@ -3,7 +3,7 @@
 use haptics::plant::{Gesture, Touch};
 
 use super::hand::{KeyRise, PlannedKey};
-use super::{PlayOutcome, Practice, Rehearsal, Strike, last, table};
+use super::{PlayOutcome, Practice, Rehearsal, SETTLED, Strike, table};
 use crate::stroke::PlannedStroke;
 
 /// Most simulations for one stroke and touch.
@@ -172,7 +172,7 @@ impl<'a> StrokeSearch<'a> {
     /// Whether `gesture` strikes also if a tick is lost: a key that is struck again before it has
     /// come to rest may only just catch its hammer.
     fn is_sure<R: Rehearsal>(&self, hand: &PlannedKey<R>, gesture: Gesture) -> bool {
-        if self.earliest + last::SETTLED < gesture.start {
+        if self.earliest + SETTLED < gesture.start {
             return true;
         }
         LOST_TICKS.iter().all(|late| {

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
 use super::super::embedded::{EmbeddedFiles, INSTRUMENTS, SCENES};
-use super::super::{kind, quantity};
+use super::super::{checked_file, quantity};
 use super::*;
 
 /// Reads `bytes` as a scene and as an instrument.
@@ -24,7 +24,7 @@ fn read(bytes: &[u8], overrides: &[Override]) {
     let mut values =
         found.iter().flat_map(|instrument| (0..88).flat_map(|key| instrument.values(key)));
     assert!(values.all(f64::is_finite));
-    drop(kind::check(&source));
+    drop(checked_file::check(&source));
 }
 
 fn check_places(all: &Diagnostics, n_lines: usize) {

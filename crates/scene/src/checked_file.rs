@@ -1,0 +1,36 @@
+//! The check of a file of any kind.
+
+use std::path::Path;
+
+use descriptions::load_model;
+use diagnostics::Diagnostics;
+
+use super::instrument::Instrument;
+use super::kind::{FileKind, describes_model, kind_of};
+use super::scene::Scene;
+use super::source::SourceText;
+
+/// Checks the scene, the instrument or the description of a model at `path`, whichever it is by
+/// what stands in it.
+///
+/// # Errors
+///
+/// All that is wrong with it, or that it is neither.
+pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
+    let source = SourceText::read(path)?;
+    if describes_model(&source) {
+        return load_model(path).map(|_model| FileKind::Model);
+    }
+    check(&source)
+}
+
+/// Checks a text as [`check_file`] does.
+pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
+    let kind = kind_of(source)?;
+    match kind {
+        FileKind::Scene => Scene::check(source, &[]).map(|_scene| kind),
+        FileKind::Instrument => Instrument::check(source).map(|_instrument| kind),
+        // What only a text is has no place from which it could be loaded.
+        FileKind::Model => Ok(kind),
+    }
+}
