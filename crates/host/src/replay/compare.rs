@@ -4,10 +4,12 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use firmware_protocol::key::KeyIndex;
+use midi::{Controller, Message};
 use serde::Serialize;
 use telemetry::event::Kind;
 use telemetry::{KeyBlock, Topic, Update};
 
+use crate::midi_thread::NoteEnding;
 use crate::observe::MessageSink;
 
 /// A difference between a replay and its recording.
@@ -145,6 +147,17 @@ impl Comparison {
         let both = self.midi.len().min(timed);
         self.midi.truncate(both);
         self.said_midi.truncate(both);
+    }
+
+    /// Returns how the recorded run ended its notes.
+    pub(super) fn ending(&self) -> NoteEnding {
+        let cuts_off = |update: &Update| {
+            let Update::Midi(midi) = update else { return false };
+            let controller = Controller::AllSoundOff;
+            Message::decode(&midi.bytes) == Ok(Message::ControlChange { controller, value: 0 })
+        };
+        let is_emergency = self.midi.iter().any(cuts_off);
+        if is_emergency { NoteEnding::Emergency } else { NoteEnding::Regular }
     }
 
     /// Returns what was sent so far.

@@ -18,7 +18,7 @@ use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
 use super::versions::RecordedVersions;
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
-use crate::midi_thread::{MidiDispatcher, NoteEnding};
+use crate::midi_thread::MidiDispatcher;
 use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, pedal_move, voice};
 use crate::session::{MonitoredOutput, Watchers, nowhere};
 use realtime::clock;
@@ -440,7 +440,7 @@ impl Replay {
         self.comparison.window(self.last, &self.said);
         let timed = self.comparison.n_sent();
         // Ends the notes, as the run did.
-        self.desk.end_notes(NoteEnding::Regular);
+        self.desk.end_notes(self.comparison.ending());
         self.pump.pump();
         self.comparison.window(self.last, &self.said);
         self.comparison.sort_sent(timed);
