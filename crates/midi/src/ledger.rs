@@ -44,10 +44,10 @@ impl NoteLedger {
                 Err(TryLockError::WouldBlock) => true,
                 Err(TryLockError::Error(_)) => continue,
             };
-            let Some(held) = read(&file, port) else { continue };
-            if is_running {
+            let Some((held, is_this_port)) = read(&file, port) else { continue };
+            if is_running && is_this_port {
                 running.add(&held);
-            } else {
+            } else if !is_running && (is_this_port || held.is_silent()) {
                 left.add(&held);
                 found.push((path, file));
             }
@@ -139,13 +139,13 @@ fn ledgers(folder: &Path) -> io::Result<impl Iterator<Item = PathBuf>> {
     Ok(paths.filter(|path| path.extension().is_some_and(|end| end == EXTENSION)))
 }
 
-/// Returns what a ledger of the port called `port` holds; `None` if it is another port's, or its
+/// Returns what a ledger holds, and whether it is that of the port called `port`; `None` if its
 /// process has just made it.
-fn read(file: &File, port: &str) -> Option<HeldNotes> {
+fn read(file: &File, port: &str) -> Option<(HeldNotes, bool)> {
     let mut bytes = Vec::new();
     file.take(LONGEST).read_to_end(&mut bytes).ok()?;
     let held = HeldNotes::from_bytes(&bytes)?;
-    (bytes.get(HeldNotes::LEN..)? == port.as_bytes()).then_some(held)
+    Some((held, bytes.get(HeldNotes::LEN..)? == port.as_bytes()))
 }
 
 #[cfg(test)]
