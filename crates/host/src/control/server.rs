@@ -167,9 +167,9 @@ pub async fn serve<A: Answers>(server: ControlServer, answers: Arc<A>, clients: 
 /// The requests that a client may make.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ClientRights {
-    /// Every request.
+    /// The host's user and root ask for anything.
     Owner,
-    /// A stop, and how it goes.
+    /// Members of the service's group stop the host and ask how it goes.
     Group,
 }
 
