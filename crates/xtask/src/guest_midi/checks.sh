@@ -151,7 +151,7 @@ absent() {
 	letoff run /scene.toml --midi pianoteq --duration 5 >absent.out 2>absent.err
 	code=$?
 	sentence='no MIDI port is called "pianoteq": choose one of "Midi Through:Midi Through Port-0'
-	[ $code = 2 ] && grep -q "$sentence" absent.err && grep -q 'VirMIDI 0-3' absent.err
+	[ $code = 1 ] && grep -q "$sentence" absent.err && grep -q 'VirMIDI 0-3' absent.err
 	verdict absent "a port that does not exist is answered with those that do" $? "exit $code"
 }
 
