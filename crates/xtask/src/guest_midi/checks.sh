@@ -261,7 +261,7 @@ stopped() {
 	ended
 	tally stopped
 	[ "$ons" -gt "$before" ] && [ "$hanging" = 0 ] && [ "$unasked" = 0 ] &&
-		[ "$silenced" = 1 ] && [ "$code" = 0 ]
+		[ "$cut" = 0 ] && [ "$code" = 0 ]
 	verdict stopped "the host that goes on after SIGSTOP leaves no note" $? "$heard, exit $code"
 }
 
