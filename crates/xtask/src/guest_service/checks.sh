@@ -125,6 +125,8 @@ all_killed() {
 	rm /run/cable
 	give_scene
 	systemctl restart letoff && within 60 plays
+	# Here it is started more often than anything fails.
+	systemctl reset-failed letoff
 }
 
 # Whether these bytes came over the cable.
