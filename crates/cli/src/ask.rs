@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use super::Failure;
-use host::control::{Reply, Request, send_to_host, stop_host};
+use host::control::{Reply, Request, send_to_host};
 
 /// Asks; a refusal becomes what `refused` makes of it.
 pub(super) fn ask(
@@ -11,10 +11,8 @@ pub(super) fn ask(
     refused: fn(String) -> Failure,
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
-    let answer = if let Request::Stop {} = request { stop_host() } else { send_to_host(request) };
-    let answer = answer.map_err(|error| Failure::Running(error.to_string()))?;
+    let answer = send_to_host(request).map_err(|error| Failure::Running(error.to_string()))?;
     match answer.map_err(refused)? {
-        Reply::Stopped { text, told, boards } if told < boards => return Err(refused(text)),
         Reply::Done { text } | Reply::Stopped { text, .. } => writeln!(out, "{text}")?,
         Reply::Scene { toml } => write!(out, "{toml}")?,
         Reply::Where { address, token: _ } => writeln!(out, "{address}")?,

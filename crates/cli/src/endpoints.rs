@@ -127,7 +127,7 @@ impl Endpoints {
 #[derive(Debug, Default)]
 pub(super) struct Reach {
     /// Why `dash` and other commands do not, in a sentence.
-    pub(super) notice: Option<String>,
+    notice: Option<String>,
     /// Why not even `letoff stop` does, in a sentence.
     unstoppable: Option<String>,
 }

@@ -2,19 +2,18 @@
 
 use std::io::Write;
 
-use super::{Failure, ask, tell};
-use host::control::{AskedHost, Reply, Request, hosts_elsewhere, stop_hosts};
+use super::{Failure, tell};
+use host::control::{AskedHost, Reply, hosts_elsewhere, stop_hosts};
 
 /// Stops all hosts of this user, and with them every board.
 pub(super) fn run(out: &mut dyn Write) -> Result<(), Failure> {
-    let asked = stop_hosts();
-    let stopped = report(&asked, out);
+    let stopped = report(&stop_hosts(), out);
     for pid in hosts_elsewhere() {
         tell(&format!(
             "another host of yours plays on (process {pid}): `env -u LETOFF_SOCKET letoff stop`"
         ));
     }
-    if asked.is_empty() { ask::ask(&Request::Stop {}, Failure::Running, out) } else { stopped }
+    stopped
 }
 
 /// Prints what became of each host.

@@ -150,7 +150,9 @@ pub struct AskedHost {
 }
 
 /// Stops all hosts of this user and of the service; where `LETOFF_SOCKET` is set, those that were
-/// started with it. Returns them with their answers.
+/// started with it.
+///
+/// Returns them with their answers. If none is found by its name, the socket's path is asked.
 pub fn stop_hosts() -> Vec<AskedHost> {
     let is_meant = |pid: &u32| place::chosen().is_none() || place::shares_socket(*pid);
     let pids: Vec<u32> = place::hosts().into_iter().filter(is_meant).collect();
@@ -167,7 +169,12 @@ pub fn stop_hosts() -> Vec<AskedHost> {
         });
         // Another user may have taken a name: such a host is reached by its path.
         let answers = answers.chain(stop_service());
-        answers.filter(|it| !matches!(it.answer, Err(ControlError::Impostor { .. }))).collect()
+        let mut asked: Vec<_> =
+            answers.filter(|it| !matches!(it.answer, Err(ControlError::Impostor { .. }))).collect();
+        if asked.is_empty() {
+            asked.push(AskedHost { name: "the host".to_owned(), answer: stop_host() });
+        }
+        asked
     })
 }
 
@@ -207,7 +214,7 @@ fn stop_process(pid: u32) -> Result<Answer, ControlError> {
 ///
 /// # Errors
 /// As [`send`].
-pub fn stop_host() -> Result<Answer, ControlError> {
+fn stop_host() -> Result<Answer, ControlError> {
     let begun = Instant::now();
     // A host that ends in good order takes its socket away.
     let has_crashed = fs::symlink_metadata(place::socket_path()).is_ok();

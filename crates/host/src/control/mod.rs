@@ -52,7 +52,7 @@ mod watch;
 pub use background::BackgroundWork;
 pub use client::{
     AskedHost, ControlError, end_command, hold, hosts_elsewhere, send, send_to_host, send_within,
-    stop_host, stop_hosts,
+    stop_hosts,
 };
 pub(crate) use current_voices::is_absent;
 pub use emergency::{BoardsTold, EmergencyStop};

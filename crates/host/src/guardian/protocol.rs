@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use midi::{MidiPort, RawPort, Unavailable};
+use midi::{MidiPort, Output, RawPort, Unavailable};
 use serde::{Deserialize, Serialize};
 
 use crate::control::place;
@@ -31,30 +31,24 @@ impl GuardedPort {
     /// # Errors
     /// If it is not there, or cannot be opened.
     pub(crate) fn open(&self) -> Result<(AnyOutput, Option<String>), Unavailable> {
-        let keep = |keep: &mut dyn FnMut(&Path) -> io::Result<()>| {
-            let kept = place::runtime_folder().and_then(|folder| keep(&folder));
-            kept.err().map(|error| {
-                format!("if this process is killed, its notes sound on: no ledger, {error}")
-            })
-        };
         Ok(match self {
-            Self::Virtual => {
-                let mut port = MidiPort::create()?;
-                let trouble = keep(&mut |folder| port.keep_ledger(folder));
-                (Box::new(port), trouble)
-            }
-            Self::Named(name) => {
-                let mut port = MidiPort::connect(name)?;
-                let trouble = keep(&mut |folder| port.keep_ledger(folder));
-                (Box::new(port), trouble)
-            }
-            Self::Raw(path) => {
-                let mut port = RawPort::open(path)?;
-                let trouble = keep(&mut |folder| port.keep_ledger(folder));
-                (Box::new(port), trouble)
-            }
+            Self::Virtual => with_ledger(MidiPort::create()?, MidiPort::keep_ledger),
+            Self::Named(name) => with_ledger(MidiPort::connect(name)?, MidiPort::keep_ledger),
+            Self::Raw(path) => with_ledger(RawPort::open(path)?, RawPort::keep_ledger),
         })
     }
+}
+
+/// Has `port` keep a ledger by `keep`; returns it with the reason why it cannot, if so.
+fn with_ledger<O: Output + Send + 'static>(
+    mut port: O,
+    keep: fn(&mut O, &Path) -> io::Result<()>,
+) -> (AnyOutput, Option<String>) {
+    let kept = place::runtime_folder().and_then(|folder| keep(&mut port, &folder));
+    let trouble = kept
+        .err()
+        .map(|error| format!("if this process is killed, its notes sound on: no ledger, {error}"));
+    (Box::new(port), trouble)
 }
 
 /// Returns whether the machine has no MIDI for this user, which a host does not fail for.

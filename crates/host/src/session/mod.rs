@@ -276,7 +276,7 @@ impl RunSession {
             keys.load_gestures(performance);
         }
         let (recorder, observed) = observed::connect(scene, period, &handle)?;
-        let (voices, unit_costs) = observed::voices(&builder, &handle)?;
+        let (voices, unit_costs) = observed::voices(&builder, &handle, options)?;
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi, &handle)?;
         let output: AnyOutput = Box::new(MonitoredOutput { output, sender: observed.sender() });

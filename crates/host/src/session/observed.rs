@@ -10,9 +10,9 @@ use scheduler::observation::FollowedKeys;
 use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
 
-use super::SessionError;
 use super::pianist::RehearsedPlayList;
 use super::unit_costs::UnitCosts;
+use super::{RunOptions, SessionError};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
 use crate::adapters::tick_recorder::TickRecorder;
 use crate::control::{RunDescription, RunHandle};
@@ -73,6 +73,7 @@ pub(super) fn connect(
 pub(super) fn voices(
     builder: &VoiceBuilder<'_>,
     handle: &RunHandle,
+    options: RunOptions,
 ) -> Result<(Vec<(usize, BoxedVoice)>, UnitCosts), SessionError> {
     let mut voices = Vec::new();
     let mut costs = UnitCosts::default();
@@ -80,7 +81,10 @@ pub(super) fn voices(
         let revision = handle.new_revision();
         handle.tell(of_scene(key, voice, revision));
         let voice = builder.numbered(voice, handle.new_cell(), revision)?;
-        costs.try_voice(&voice, builder.period());
+        // In virtual time a unit has a constant cost.
+        if !options.virtual_time {
+            costs.try_voice(&voice, builder.period());
+        }
         voices.push((key, voice as BoxedVoice));
     }
     Ok((voices, costs))
