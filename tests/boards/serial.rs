@@ -229,7 +229,7 @@ fn an_emergency_stop_takes_every_force_away_and_is_latched() {
         assert_eq!(said.code, Some(0), "{said:?}");
         let report = said.report();
         assert_eq!(report["stopped"], true, "{report}");
-        // Whoever comes after leaves it so, and says it.
+        // The next hosts leave it stopped and report it.
         for _ in 0..2 {
             let said = run_watched(watch, &folder, &arguments(&links, &["--performance", "none"]));
             assert_eq!(said.code, Some(1), "{said:?}");

@@ -215,7 +215,7 @@ impl Refusals {
         !self.0.iter().any(|it| matches!(it, Refusal::Calibration { .. }))
     }
 
-    /// Tells whether another try within seconds may succeed: nothing was refused but what was
+    /// Returns whether another try within seconds may succeed: each refusal is of what was
     /// measured, or was not there yet.
     pub fn may_pass_soon(&self) -> bool {
         self.0.iter().all(|refusal| match refusal {

@@ -27,7 +27,7 @@ pub(crate) const PRIORITY: u8 = DEFAULT_PRIORITY - 10;
 pub enum NoteEnding {
     /// Its time is over, or a signal ended it: what sounds decays as it would.
     Regular,
-    /// Somebody asked for a stop: the receiver falls silent at once.
+    /// A client requested a stop: the receiver falls silent at once.
     Emergency,
 }
 

@@ -69,7 +69,7 @@ impl RehearsalWork {
         }
     }
 
-    /// Counts `ticks`; says whether there is anything left.
+    /// Counts `ticks`. Returns `true` if any are left.
     fn spend(&self, ticks: u64) -> bool {
         let less = |left: u64| Some(left.saturating_sub(ticks));
         let _before = self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, less);
@@ -243,7 +243,7 @@ impl Rehearsal for RehearsedKey {
             }
             let ticks = self.tick - first;
             if self.work.as_ref().is_some_and(|work| !work.spend(ticks)) {
-                // What the key does is not asked for any more, but its time goes on.
+                // The outcome no longer counts, but the time of the key must advance.
                 self.tick = self.tick.max(clock::nearest_integer((until / self.period).ceil()));
                 break;
             }

@@ -16,7 +16,7 @@ const KEYS: [u8; 2] = [0, 87];
 /// Instructions that are evaluated in the time of one operand of a graph.
 const INSTRUCTIONS: u64 = 16;
 
-/// Functions that are evaluated no more once their work is done, or nobody waits for it.
+/// Functions whose evaluation stops at a limit of work or at a cancellation.
 struct LimitedFunctions<'a> {
     functions: &'a TapeFunctions,
     /// Instructions that were evaluated, and that may be.

@@ -62,7 +62,7 @@ impl NoteLedger {
         Ok((ledger, left))
     }
 
-    /// Makes an empty file that nobody else has, and locks it.
+    /// Creates a new empty file and locks it.
     fn create(folder: &Path) -> io::Result<Self> {
         let pid = std::process::id();
         let paths = (0..MOST_LEDGERS).map(|n| folder.join(format!("{pid}-{n}.{EXTENSION}")));

@@ -18,7 +18,7 @@ pub const MAX_WORK: u64 = 30_000_000;
 pub enum WorkEnd {
     /// It came to [`MAX_WORK`].
     TooMuch,
-    /// Whoever wanted it does not want it any more.
+    /// Its caller cancelled it.
     Cancelled,
 }
 
@@ -48,7 +48,7 @@ impl Graph {
         self.work.is_limited = true;
     }
 
-    /// Lets work on the graph go on without limit, and whoever wanted it.
+    /// Removes the limit and the cancellation flag.
     pub fn lift_limits(&mut self) {
         self.work = WorkMeter { done: self.work.done.clone(), ..WorkMeter::default() };
     }

@@ -1,11 +1,11 @@
-//! Work beside the tick that takes long, and is given up when nobody waits for it any more.
+//! Long work beside the tick, which ends early once no client waits for it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::FingerOwner;
 
-/// The refusal of a load that nobody waits for.
+/// Refusal of a load whose client has disconnected.
 const CANCELLED: &str =
     "nothing was loaded: its client has disconnected, or the host stops; load it again";
 

@@ -49,7 +49,7 @@ impl FindingList {
         });
     }
 
-    /// Records a mistake of which all others may be consequences.
+    /// Records a mistake in the place of all others, which may follow from it.
     pub(super) fn replace(&mut self, place: SourcePlace, message: String, help: &str) {
         self.found.clear();
         self.say(place, message, help);

@@ -62,8 +62,8 @@ pub struct ReconnectingPort<B> {
     pedals: PedalValues,
     /// What the destination may sound, for the next process that opens the port.
     ledger: Option<NoteLedger>,
-    /// Messages that end what a process that is gone has left, for whoever connects to a port of
-    /// our own.
+    /// Messages that end the notes of a dead process. They are sent again before the first message:
+    /// programs connect to a port of our own after it opens.
     owed: Vec<Message>,
 }
 
