@@ -15,7 +15,7 @@ use haptics::{RigParameters, Touch};
 use hardware::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
 use hardware::refusal::Refusals;
 use hardware::rt::board_supervisor::{ArmLockout, ArmState as BoardStage};
-use hardware::rt::plausible::Implausible;
+use hardware::rt::key_fault::KeyFault;
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use links::loopback::Loopback;
 use links::{Link, RecvError, SendError};
@@ -381,7 +381,7 @@ fn a_board_that_is_well_again_is_armed_after_a_while() {
 /// Asserts that a key which reads nonsense is sent nothing after some `ticks`, and never more than
 /// `most` (N); and that its neighbours go on.
 #[track_caller]
-fn check_muted(wrong: Wrong, reason: Implausible, ticks: u64, most: f64) {
+fn check_muted(wrong: Wrong, reason: KeyFault, ticks: u64, most: f64) {
     WRONG.set(Wrong::Nothing);
     let mut stage = staged(armed(0.0, 0).expect("a good board"));
     run(&mut stage, 500);
@@ -404,8 +404,8 @@ fn check_muted(wrong: Wrong, reason: Implausible, ticks: u64, most: f64) {
 #[test]
 fn a_key_that_reads_what_no_key_can_is_muted_and_strikes_nothing() {
     // 30 mm of 10.16, and a third of a millimetre to and fro: a dozen of the latter are used.
-    check_muted(Wrong::Elsewhere(30_000), Implausible::Beyond, 40, NONE);
-    check_muted(Wrong::Noise(300), Implausible::Noisy, 120, 15.0);
+    check_muted(Wrong::Elsewhere(30_000), KeyFault::Beyond, 40, NONE);
+    check_muted(Wrong::Noise(300), KeyFault::Noisy, 120, 15.0);
 }
 
 #[test]

@@ -131,7 +131,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
         write!(out, "{report}")?;
     }
     let troubles = report.board_troubles();
-    if report.misses_a_board() {
+    if report.has_failed_board() {
         return Err(Failure::Running(troubles.join("\nletoff: ")));
     }
     for trouble in &troubles {

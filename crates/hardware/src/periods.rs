@@ -7,3 +7,5 @@ pub(crate) const SYNC_US: u64 = 20_000;
 pub(crate) const PING_US: u64 = 50_000;
 /// Time between two requests for what a board has counted (us).
 pub(crate) const COUNTERS_US: u64 = 1_000_000;
+/// Time between two requests for how a board is, and how one of its keys is by turns (us).
+pub(crate) const HEALTH_US: u64 = 1_000_000;

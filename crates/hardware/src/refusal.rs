@@ -11,6 +11,8 @@ use crate::calibration::CalibrationFault;
 use crate::clock::MOST_DRIFT;
 use crate::hello_values::ImpossibleValue;
 use crate::identity::{ClaimedKeys, Uid};
+use crate::rt::board_supervisor::SlowSamples;
+use crate::rt::key_fault::KeyFault;
 
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -101,6 +103,22 @@ pub enum Refusal {
          maker says, then start the host again"
     )]
     NotHomed { board: BoardName, keys: String },
+    #[error(
+        "{board} confirmed a sample every {:.2} ms and sends one every {:.2} ms: it is not armed, \
+         since no model is stable so; ask it for no more than it keeps, or see to its firmware and \
+         to what its link carries",
+        f64::from(slow.agreed_us) * 1e-3, f64::from(slow.median_us) * 1e-3
+    )]
+    Slow { board: BoardName, slow: SlowSamples },
+    #[error("{board}: {}", restart_words(*times, *reason))]
+    Restarting { board: BoardName, times: u8, reason: u8 },
+    #[error(
+        "{board}: no motor has moved its key as it should, so none of {keys} is played: {}{}; {}",
+        fault.words(),
+        forces.map(|it| it.to_string()).unwrap_or_default(),
+        fault.remedy()
+    )]
+    NotProven { board: BoardName, keys: String, fault: KeyFault, forces: Option<UntakenForces> },
     #[error("{board} cannot {what}; {instead}")]
     Unable { board: BoardName, what: &'static str, instead: String },
     #[error(
@@ -128,6 +146,31 @@ pub enum Refusal {
     Calibration { board: BoardName, why: String },
     #[error("{key} of {board}: {fault}")]
     Key { board: BoardName, key: KeyIndex, fault: CalibrationFault },
+}
+
+/// Forces that a board did not take.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct UntakenForces {
+    /// Forces that were sent.
+    pub sent: u64,
+    /// Frames that it refused, and that it counted as stale.
+    pub refused: u32,
+    pub stale: u32,
+}
+
+impl fmt::Display for UntakenForces {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { sent, refused, stale } = self;
+        if stale < refused {
+            write!(
+                f,
+                "; {refused} of {sent} forces were refused: their packing or their length is not \
+                 what it takes, as if it left the checksum on, or bytes were lost"
+            )
+        } else {
+            write!(f, "; {stale} of {sent} forces were stale: they answer samples it has forgotten")
+        }
+    }
 }
 
 /// What came over a line on which no board answered.
@@ -192,6 +235,38 @@ pub const fn reason_words(reason: u8) -> &'static str {
     }
 }
 
+/// Returns how often a board has restarted of late and why the last time, in words.
+pub fn restart_words(times: u8, reason: u8) -> String {
+    let (why, see) = match reason {
+        reset_reason::POWER_ON => ("power came back", "see to its supply"),
+        reset_reason::BROWN_OUT => ("its supply gave way", "see to its supply"),
+        reset_reason::WATCHDOG => ("its watchdog tripped", "see to its firmware"),
+        reset_reason::REQUEST => ("it was asked to", "see who asks it"),
+        reset_reason::FAULT => ("its program failed", "see to its firmware"),
+        _ => ("for a reason of its firmware", "see to its supply and its firmware"),
+    };
+    let times = if times < 2 { "once".to_owned() } else { format!("{times} times of late") };
+    format!("it restarted {times} ({why}, reason {reason}); {see}")
+}
+
+/// Returns what is wrong with samples that come in bursts (us), in words.
+pub fn burst_words(burst_us: f64) -> String {
+    let ms = burst_us * 1e-3;
+    format!(
+        "its samples come in bursts every {ms:.0} ms: an adapter or a driver holds them back; write \
+         1 into the port's latency_timer in /sys/bus/usb-serial/devices, as `letoff devices` shows"
+    )
+}
+
+/// Words of [`firmware_protocol::frame::hello::Hello::reset_reason`], as from minor version 3 on.
+mod reset_reason {
+    pub(super) const POWER_ON: u8 = 1;
+    pub(super) const BROWN_OUT: u8 = 2;
+    pub(super) const WATCHDOG: u8 = 3;
+    pub(super) const REQUEST: u8 = 4;
+    pub(super) const FAULT: u8 = 5;
+}
+
 /// All that is wrong at once.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Refusals(pub Vec<Refusal>);
@@ -226,7 +301,8 @@ impl Refusals {
             | Refusal::LateAnswers { .. }
             | Refusal::LateSamples { .. }
             | Refusal::NoAnswer { .. }
-            | Refusal::NotReady { .. } => true,
+            | Refusal::NotReady { .. }
+            | Refusal::Slow { .. } => true,
             Refusal::Version { .. }
             | Refusal::Schema { .. }
             | Refusal::SameNumber { .. }
@@ -239,6 +315,8 @@ impl Refusals {
             | Refusal::Unreadable { .. }
             | Refusal::StaysSafe { .. }
             | Refusal::NotHomed { .. }
+            | Refusal::Restarting { .. }
+            | Refusal::NotProven { .. }
             | Refusal::Unable { .. }
             | Refusal::Declined { .. }
             | Refusal::Latched { .. }

@@ -119,6 +119,7 @@ fn print(board: &BoardTest, out: &mut dyn Write) -> Result<(), Failure> {
         let outcome = match outcome {
             ConformanceOutcome::Kept => "kept",
             ConformanceOutcome::Broken => "BROKEN",
+            ConformanceOutcome::Undecided => "undecided",
             ConformanceOutcome::NotTried => "not tried",
         };
         writeln!(out, "  {outcome:9}  {item}: {seen}")?;

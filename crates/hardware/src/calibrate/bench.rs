@@ -233,6 +233,10 @@ impl Bench {
             match advance(self.seconds(), position) {
                 Ok(Next::Push(push)) => self.forces[key.index()] = -push,
                 Ok(Next::Done(done)) => break Ok(done),
+                Err(fault @ CalibrationFault::Stuck { .. }) => {
+                    let forces = self.keybed.untaken_forces(key);
+                    break Err(forces.map_or(fault, |forces| CalibrationFault::Untaken { forces }));
+                }
                 Err(fault) => break Err(fault),
             }
         }

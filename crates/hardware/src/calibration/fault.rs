@@ -1,5 +1,7 @@
 //! Why a key could not be measured.
 
+use crate::refusal::UntakenForces;
+
 /// Why a key could not be measured, and what to do.
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "the sentences say it")]
@@ -18,10 +20,12 @@ pub enum CalibrationFault {
     )]
     Noisy { spread: f64, most: f64 },
     #[error(
-        "it does not move under {push:.1} N; see whether it jams, whether its sensor is stuck, \
-         and whether its motor is connected"
+        "it does not move under {push:.1} N; see whether its motor's wires are exchanged, whether it \
+         is connected and has power, whether the key jams, and whether its sensor is stuck"
     )]
     Stuck { push: f64 },
+    #[error("it does not move, since its board takes no force{forces}")]
+    Untaken { forces: UntakenForces },
     #[error(
         "it moves up when it is pushed down, to a reading of {:.1} mm; exchange its motor's \
          wires, or turn its sensor", 1e3 * position

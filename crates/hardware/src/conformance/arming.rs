@@ -10,7 +10,7 @@ use firmware_protocol::frame::key_samples::KeySamples;
 
 use super::tested_board::TimedSamples;
 use super::{ConformanceItem, MOST_FORCE_MN, TestedBoard};
-use crate::refusal::reason_words;
+use crate::refusal::{UntakenForces, reason_words};
 
 /// How long forces are valid in these trials (ms): as long as they can be, since this machine may
 /// be busy.
@@ -118,7 +118,10 @@ fn takes(board: &mut TestedBoard<'_>) -> Result<String, String> {
         (Ok(before), Ok(after)) => {
             let taken = after.forces.saturating_sub(before.forces);
             let seen = format!("{taken} of {n} were taken");
-            if n / 2 < taken { Ok(seen) } else { Err(seen) }
+            let [refused, stale] = [(after.refused, before.refused), (after.stale, before.stale)]
+                .map(|(after, before)| after.saturating_sub(before));
+            let untaken = UntakenForces { sent: n.into(), refused, stale };
+            if n / 2 < taken { Ok(seen) } else { Err(format!("{seen}{untaken}")) }
         }
         _ => Ok("it is still armed; it does not count forces".into()),
     }

@@ -41,6 +41,8 @@ pub enum ConformanceDepth {
 pub enum ConformanceOutcome {
     Kept,
     Broken,
+    /// What was seen could also be this machine's doing.
+    Undecided,
     NotTried,
 }
 
@@ -61,6 +63,15 @@ impl ConformanceItem {
             if seen.is_ok() { ConformanceOutcome::Kept } else { ConformanceOutcome::Broken };
         let (Ok(seen) | Err(seen)) = seen;
         Self { item, outcome, seen }
+    }
+
+    /// Returns an item that this machine was too late to judge.
+    fn undecided(item: &'static str, seen: &str) -> Self {
+        let seen = format!(
+            "{seen}; each of them is a period after the one before by the board's own clock: this \
+             machine was late; try again while it does nothing else"
+        );
+        Self { item, outcome: ConformanceOutcome::Undecided, seen }
     }
 
     /// Returns an item that was not tried, and why.

@@ -124,14 +124,15 @@ fn forget_the_past(line: &mut NamedLink) {
 /// apart; nothing relies on it, and plans take all at once.
 fn phases(stage: &Calibrated, terms: Terms) -> Vec<BoardAgreement> {
     let on_line = |line| stage.boards.iter().filter(move |it| it.place.line == line);
-    let agreed = stage.boards.iter().zip(&stage.uids).map(|(board, uid)| {
+    let known = stage.uids.iter().zip(&stage.features);
+    let agreed = stage.boards.iter().zip(known).map(|(board, (uid, features))| {
         let line = board.place.line;
         let n = u16::try_from(on_line(line).count().max(1)).unwrap_or(1);
         let before = on_line(line).take_while(|it| it.place.board != board.place.board).count();
         let turn = u16::try_from(before).unwrap_or(0);
         // Boards work things out every 100 us, and can send only then.
         let phase_us = terms.period_us / n * turn / 100 * 100;
-        BoardAgreement { place: board.place, uid: *uid, phase_us, terms }
+        BoardAgreement { place: board.place, uid: *uid, features: *features, phase_us, terms }
     });
     agreed.collect()
 }

@@ -13,7 +13,7 @@ use keyboard::KeyRange;
 use super::can::Stuffing;
 use super::response::{Periodic, worst_response};
 use super::{ForcePacking, Medium, SamplePacking};
-use crate::periods::{COUNTERS_US, PING_US, SYNC_US};
+use crate::periods::{COUNTERS_US, HEALTH_US, PING_US, SYNC_US};
 use crate::topology::{self, BoardPlace};
 
 /// What time it is on the bus: kind, number, and 4 bytes of time (bytes).
@@ -64,7 +64,7 @@ pub struct Extras {
     pub sync_rate: f64,
     /// How often each board is asked for its time (Hz).
     pub ping_rate: f64,
-    /// How often each board is asked what it has counted (Hz).
+    /// How often each board is asked what it has counted, and how it is (Hz).
     pub counters_rate: f64,
 }
 
@@ -75,9 +75,10 @@ impl Extras {
 
 impl Default for Extras {
     fn default() -> Self {
-        let [sync_rate, ping_rate, counters_rate] =
-            [SYNC_US, PING_US, COUNTERS_US].map(|period_us| 1e6 / period_us as f64);
-        Self { sync_rate, ping_rate, counters_rate }
+        let [sync_rate, ping_rate, counters_rate, health_rate] =
+            [SYNC_US, PING_US, COUNTERS_US, HEALTH_US].map(|period_us| 1e6 / period_us as f64);
+        // The health of a board and of a key are shorter, and counted as if they were as long.
+        Self { sync_rate, ping_rate, counters_rate: counters_rate + 2.0 * health_rate }
     }
 }
 

@@ -7,8 +7,11 @@ use firmware_protocol::key::{MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Millinewtons;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
+use super::key_fault::{KeyFault, KeyFindings};
+use super::key_guard::KeyGuard;
 use super::loss::{Loss, LossCounts};
-use super::plausible::{FASTEST, Implausible, KeyCheck};
+use super::plausible::{FASTEST, KeyCheck};
+use super::sample_interval::{IntervalWatch, SampleIntervals};
 use crate::calibration::{self, KeyCalibration};
 use crate::topology::BoardPlace;
 
@@ -60,8 +63,10 @@ pub struct BoardStatistics {
     pub is_safe: bool,
     /// Readings of keys that were not used, since no key can be there.
     pub implausible: u64,
-    /// What each of its keys was muted for, by slot.
-    pub muted: [Option<Implausible>; MOST_KEYS],
+    /// What was noticed of its keys.
+    pub keys: KeyFindings,
+    /// Time between its samples of late, by its own clock.
+    pub intervals: Option<SampleIntervals>,
 }
 
 /// The host's end of one board.
@@ -78,6 +83,40 @@ pub struct BoardEnd {
     /// Share of the forces that it is sent, and the largest that it shall be, `0 ..= 1`.
     share: f64,
     most_share: f64,
+    intervals: IntervalWatch,
+    /// What stands between models and motors, if these are real.
+    guards: Option<Box<Guards>>,
+}
+
+/// The guards of all keys of a board, and the rhythm of its forces.
+#[derive(Clone, Debug)]
+struct Guards {
+    keys: [KeyGuard; MOST_KEYS],
+    /// Time between two exchanges (us).
+    period_us: u64,
+    /// When the last forces were sent (us).
+    sent_us: Option<u64>,
+    /// Samples have come after a gap, and no force has answered them.
+    is_resuming: bool,
+}
+
+impl Guards {
+    /// Longest gap between samples that forces are not led over (periods): an estimator bridges one
+    /// or two lost samples.
+    const SAMPLE_GAP: f64 = 3.5;
+    /// The same between forces: none is left out by design.
+    const FORCE_GAP: f64 = 1.5;
+    /// Longest time between two forces that counts for what they may change (periods).
+    const LONGEST: f64 = 4.0;
+
+    /// Returns the time since the last force (s), and whether there was a gap.
+    fn since(&mut self, now_us: u64) -> (f64, bool) {
+        let period = self.period_us as f64;
+        let passed = self.sent_us.replace(now_us).map(|it| now_us.saturating_sub(it) as f64);
+        let is_gap = passed.is_some_and(|it| Self::FORCE_GAP * period < it);
+        let passed = passed.unwrap_or(period).min(Self::LONGEST * period);
+        (1e-6 * passed, std::mem::take(&mut self.is_resuming) || is_gap)
+    }
 }
 
 impl BoardEnd {
@@ -92,6 +131,61 @@ impl BoardEnd {
             used: [false; MOST_KEYS],
             share: 1.0,
             most_share: 1.0,
+            intervals: IntervalWatch::default(),
+            guards: None,
+        }
+    }
+
+    /// Guards all keys from now on, in exchanges every `period_us`.
+    pub(super) fn guard(&mut self, period_us: u64) {
+        let keys = [KeyGuard::default(); MOST_KEYS];
+        self.guards = Some(Box::new(Guards { keys, period_us, sent_us: None, is_resuming: false }));
+    }
+
+    /// Lets no model have a motor that has not been proven from now on.
+    pub(super) fn demand_proof(&mut self) {
+        self.guarded_keys().for_each(KeyGuard::demand_proof);
+    }
+
+    /// Plays the key in `slot` no more.
+    pub(super) fn mute(&mut self, slot: usize, fault: KeyFault) {
+        if let Some(guard) = self.guarded_keys().nth(slot) {
+            guard.mute(fault);
+        }
+        self.note_findings();
+    }
+
+    /// Returns the guards of its keys, if they are guarded.
+    fn guarded_keys(&mut self) -> impl Iterator<Item = &mut KeyGuard> {
+        let n_keys = self.terms.place.n_keys;
+        self.guards.iter_mut().flat_map(move |it| it.keys[..n_keys].iter_mut())
+    }
+
+    /// Returns whether a proof is under way, and not merely waiting for its key to rest.
+    pub(super) fn is_proving(&self) -> bool {
+        let n_keys = self.terms.place.n_keys;
+        let mut keys = self.guards.iter().flat_map(|it| &it.keys[..n_keys]);
+        keys.any(|it| it.is_unproven() && !it.waits_for_rest())
+    }
+
+    /// Writes what its guards and checks have found into the statistics.
+    fn note_findings(&mut self) {
+        let keys = &mut self.statistics.keys;
+        let checked = keys.muted.iter_mut().zip(&self.checks);
+        checked.for_each(|(muted, check)| *muted = check.muted());
+        let Some(guards) = &self.guards else { return };
+        let bits = |is_so: fn(&KeyGuard) -> bool| {
+            let guards = guards.keys.iter().enumerate().take(self.terms.place.n_keys);
+            guards.fold(0, |bits, (slot, it)| bits | u16::from(is_so(it)) << slot)
+        };
+        (keys.softened, keys.unproven) = (bits(KeyGuard::is_softened), bits(KeyGuard::is_unproven));
+        [keys.glitches, keys.limited, keys.blended] = [0; 3];
+        for (muted, guard) in keys.muted.iter_mut().zip(&guards.keys) {
+            *muted = muted.or(guard.fault());
+            let [glitches, limited, blended] = guard.counts();
+            keys.glitches += glitches;
+            keys.limited += limited;
+            keys.blended += blended;
         }
     }
 
@@ -121,15 +215,18 @@ impl BoardEnd {
     }
 
     /// Forgets what came, for a board that starts anew; the counts stay.
-    pub const fn forget(&mut self) {
+    pub fn forget(&mut self) {
         self.loss.forget();
         self.newest = None;
+        self.intervals.forget();
+        self.statistics.intervals = None;
     }
 
     /// Gives the keys that were muted another chance, for a board that was switched on anew.
     pub fn unmute(&mut self) {
         self.checks = Default::default();
-        self.statistics.muted = Default::default();
+        self.guarded_keys().for_each(KeyGuard::unmute);
+        self.note_findings();
     }
 
     /// Limits the share of the forces that the board is sent to `most`, `0 ..= 1`.
@@ -144,11 +241,6 @@ impl BoardEnd {
         self.share += (wanted - self.share).clamp(-step, step);
     }
 
-    /// Returns the share of the forces that the board is sent.
-    pub(super) const fn share(&self) -> f64 {
-        self.share
-    }
-
     /// Takes a frame of samples; says whether it was newer than all before.
     pub fn hear(&mut self, frame: &[u8], tick: u64) -> bool {
         let Ok(samples) = KeySamples::decode(frame, self.terms.samples) else {
@@ -156,8 +248,10 @@ impl BoardEnd {
             return false;
         };
         let elapsed = self.elapsed(&samples, tick);
+        let interval_us = self.newest().map(|it| since_us(it, &samples));
         let news = self.loss.accept(samples.header.sequence, tick);
         if news {
+            interval_us.into_iter().for_each(|it| self.take_interval(it));
             self.statistics.is_safe = samples.header.flag;
             self.newest = Some((samples, tick));
             self.check(&samples, elapsed);
@@ -170,9 +264,19 @@ impl BoardEnd {
     fn elapsed(&self, samples: &KeySamples, tick: u64) -> Option<f64> {
         let (newest, _tick) = self.newest.as_ref()?;
         let is_next = self.loss.is_next(samples.header.sequence, tick);
-        let us = samples.header.stamp_us.wrapping_sub(newest.header.stamp_us);
+        let us = since_us(newest, samples);
         // A clock that stands still tells nothing.
         (is_next && 0 < us).then(|| f64::from(us) * 1e-6)
+    }
+
+    /// Takes the time by which the newest samples are later than those before (us).
+    fn take_interval(&mut self, interval_us: u16) {
+        self.intervals.take(interval_us);
+        self.statistics.intervals = self.intervals.newest();
+        if let Some(guards) = &mut self.guards {
+            let longest = Guards::SAMPLE_GAP * guards.period_us as f64;
+            guards.is_resuming |= longest < f64::from(interval_us);
+        }
     }
 
     /// Looks which of the readings can be those of keys.
@@ -184,11 +288,13 @@ impl BoardEnd {
             if let Some(speed) = samples.velocities.as_slice().get(slot) {
                 check.add_speed(calibration::metres_per_second(*speed), position, elapsed);
             }
-            let is_used = check.accept(position, elapsed, calibration);
-            self.used[slot] = is_used;
-            self.statistics.implausible += u64::from(!is_used);
-            self.statistics.muted[slot] = check.muted();
+            let is_possible = check.accept(position, elapsed, calibration);
+            let guard = self.guards.as_mut().and_then(|it| it.keys.get_mut(slot));
+            let is_on_trend = guard.is_none_or(|it| it.accept(position, elapsed, calibration));
+            self.used[slot] = is_possible && is_on_trend;
+            self.statistics.implausible += u64::from(!is_possible);
         }
+        self.note_findings();
     }
 
     /// Writes the newest samples into their keys' places, as if they had just been taken; a place or
@@ -209,36 +315,61 @@ impl BoardEnd {
         }
     }
 
-    /// Returns the next force frame and its length; nothing if there are no samples to answer.
+    /// Returns what of `forces` (N, up positive) its keys shall get at `now_us`, by slot.
+    pub(super) fn rendered(&mut self, now_us: u64, forces: &[f64; KEYS]) -> [f64; MOST_KEYS] {
+        let mut rendered = [0.0; MOST_KEYS];
+        let share = self.share;
+        let wanted = &forces[self.terms.place.keys()];
+        let Some(guards) = &mut self.guards else {
+            rendered.iter_mut().zip(wanted).for_each(|(it, wanted)| *it = share * wanted);
+            return rendered;
+        };
+        let Some((newest, _tick)) = &self.newest else { return rendered };
+        let (elapsed, is_gap) = guards.since(now_us);
+        let keys = guards.keys.iter_mut().zip(self.terms.calibration.as_slice());
+        let keys = keys.zip(newest.positions.as_slice()).zip(&self.checks);
+        for ((((guard, calibration), counts), check), (force, wanted)) in
+            keys.zip(rendered.iter_mut().zip(wanted))
+        {
+            check.muted().into_iter().for_each(|fault| guard.mute(fault));
+            if is_gap {
+                guard.lead_over(*wanted);
+            }
+            let place = (calibration.position(*counts), elapsed);
+            *force = guard.force(*wanted, share, place, calibration);
+        }
+        self.note_findings();
+        rendered
+    }
+
+    /// Returns the next force frame and its length, for what `rendered` has for its keys (N);
+    /// nothing if there are no samples to answer.
     pub fn answer(
         &mut self,
-        forces: &[f64; KEYS],
+        rendered: &[f64; MOST_KEYS],
         slopes: &[KeySlope; KEYS],
     ) -> Option<([u8; key_forces::MAX_LEN], usize)> {
         let (newest, _tick) = self.newest.as_ref()?;
-        let (keys, share) = (self.terms.place.keys(), self.share);
+        let keys = self.terms.place.keys();
         let mut frame = KeyForces {
             header: Header { flag: false, ..newest.header },
             forces: PerKey::default(),
             slopes: PerKey::default(),
         };
+        let pairs = rendered.iter().zip(self.terms.calibration.as_slice());
         if self.terms.forces.packing == ForcePacking::Force16Slope {
-            let answered = (keys.clone()).zip(self.terms.calibration.as_slice()).enumerate().map(
-                |(slot, (key, calibration))| {
+            let answered =
+                keys.zip(pairs).enumerate().map(|(slot, (key, (force, calibration)))| {
                     let here = Self::measured(slot, newest, calibration);
-                    let slope = self.slope(slot, &slopes[key]);
-                    calibration.sloped(share * forces[key], &slope, here)
-                },
-            );
+                    calibration.sloped(*force, &self.slope(slot, &slopes[key]), here)
+                });
             let answered: PerKey<_> = PerKey::collect(answered);
             let forces = answered.as_slice().iter().map(|(force, _)| self.terms.limited(*force));
             frame.forces = PerKey::collect(forces);
             frame.slopes = PerKey::collect(answered.as_slice().iter().map(|(_, slopes)| *slopes));
         } else {
-            let pairs = forces[keys].iter().zip(self.terms.calibration.as_slice());
-            frame.forces = PerKey::collect(
-                pairs.map(|(force, it)| self.terms.millinewtons(it, share * *force)),
-            );
+            frame.forces =
+                PerKey::collect(pairs.map(|(force, it)| self.terms.millinewtons(it, *force)));
         }
         let mut bytes = [0; key_forces::MAX_LEN];
         let len = frame.encode(&mut bytes);
@@ -248,7 +379,9 @@ impl BoardEnd {
     /// Returns how the force on a key goes on: as `slope` says if it is sent whole, and answers
     /// where the key really is.
     fn slope(&self, slot: usize, slope: &KeySlope) -> KeySlope {
-        if self.used[slot] && 1.0 <= self.share { *slope } else { KeySlope::HELD }
+        let guard = self.guards.as_ref().and_then(|it| it.keys.get(slot));
+        let is_whole = 1.0 <= self.share && guard.is_none_or(KeyGuard::is_whole);
+        if self.used[slot] && is_whole { *slope } else { KeySlope::HELD }
     }
 
     /// Counts a force frame that the link took, or did not take.
@@ -274,6 +407,11 @@ impl BoardEnd {
             velocity: calibration::metres_per_second(speed),
         }
     }
+}
+
+/// Returns the time from one frame of samples to another by their board's clock (us), which wraps.
+const fn since_us(earlier: &KeySamples, later: &KeySamples) -> u16 {
+    later.header.stamp_us.wrapping_sub(earlier.header.stamp_us)
 }
 
 #[cfg(test)]

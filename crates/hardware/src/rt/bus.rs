@@ -17,6 +17,7 @@ use links::{Health, Link, RecvError};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
 use super::board::{BoardEnd, BoardStatistics, BoardTerms};
+use super::key_fault::KeyFault;
 use super::multicast::Multicast;
 use crate::plan::{LinkMeter, Medium, MeterWindow};
 
@@ -146,6 +147,30 @@ impl KeybedBus {
         self.share_step = 1.0 / f64::from(ticks.max(1));
     }
 
+    /// Guards all keys from now on, in exchanges every `period_us`: readings, forces and motors.
+    ///
+    /// Not for the tick.
+    pub(crate) fn guard(&mut self, period_us: u64) {
+        self.boards.iter_mut().for_each(|board| board.guard(period_us));
+    }
+
+    /// Has the motors of all guarded keys proven before a model may use them.
+    pub(crate) fn demand_proof(&mut self) {
+        self.boards.iter_mut().for_each(BoardEnd::demand_proof);
+    }
+
+    /// Tells whether motors are being proven whose keys are at rest.
+    pub(crate) fn is_proving(&self) -> bool {
+        self.boards.iter().any(BoardEnd::is_proving)
+    }
+
+    /// Plays the key in `slot` of the board with this index no more.
+    pub(crate) fn mute(&mut self, board: usize, slot: usize, fault: KeyFault) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.mute(slot, fault);
+        }
+    }
+
     /// Limits the share of the forces that the board with this index is sent to `most`, `0 ..= 1`.
     pub fn limit_share(&mut self, board: usize, most: f64) {
         if let Some(board) = self.boards.get_mut(board) {
@@ -259,8 +284,11 @@ impl KeybedBus {
         }
         if of_line().any(|index| self.boards[index].takes_multicast()) {
             let mut forces = *forces;
-            for board in of_line().map(|index| &self.boards[index]) {
-                forces[board.terms().place.keys()].iter_mut().for_each(|it| *it *= board.share());
+            for index in of_line() {
+                let board = &mut self.boards[index];
+                let rendered = board.rendered(now_us, &forces);
+                let keys = board.terms().place.keys();
+                forces[keys].iter_mut().zip(rendered).for_each(|(it, rendered)| *it = rendered);
             }
             let mut terms = of_line().map(|index| self.boards[index].terms());
             let is_whole = end.send_to_all(now_us, &mut terms, &forces, link);
@@ -272,7 +300,8 @@ impl KeybedBus {
         for index in of_line() {
             let board = &mut self.boards[index];
             // A link that does not take it has lost this frame; the next makes it worthless.
-            let sent = board.answer(forces, slopes);
+            let rendered = board.rendered(now_us, forces);
+            let sent = board.answer(&rendered, slopes);
             let sent = sent.filter(|(frame, len)| link.try_send(&frame[..*len]).is_ok());
             board.count_sent(sent.is_some());
             if let Some((_, len)) = sent {

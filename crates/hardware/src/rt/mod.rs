@@ -5,6 +5,8 @@
 pub mod board;
 pub mod board_supervisor;
 pub mod bus;
+pub mod key_fault;
+mod key_guard;
 pub mod lateness;
 pub mod link_monitor;
 pub mod link_snapshot;
@@ -12,4 +14,5 @@ pub mod loss;
 mod multicast;
 pub mod plausible;
 mod round_trips;
+pub mod sample_interval;
 pub mod terms;

@@ -14,6 +14,7 @@
 //! Hard strokes pass the last for some samples each, so it counts only what is so in more than a
 //! fifth of the time; they add up to a third of what makes a key doubtful.
 
+use super::key_fault::KeyFault;
 use crate::calibration::KeyCalibration;
 
 /// Largest speed of a key (m/s).
@@ -46,18 +47,6 @@ const SPEED_ROUNDING: f64 = 1e-6;
 /// Samples of which a fourth difference is made.
 const PLACES: usize = 5;
 
-/// What is wrong with a key's readings.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Implausible {
-    /// They lie far above its rest or below its bottom.
-    Beyond,
-    Jumping,
-    /// They go to and fro faster than motor and finger can move it.
-    Noisy,
-    /// The speeds that its board says are not those with which it moves.
-    FalseSpeed,
-}
-
 /// The readings of one key.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct KeyCheck {
@@ -70,12 +59,12 @@ pub struct KeyCheck {
     charge: f64,
     /// What the speeds have added up to lately, less the way (m).
     speed_error: f64,
-    muted: Option<Implausible>,
+    muted: Option<KeyFault>,
 }
 
 impl KeyCheck {
     /// Returns what the key was muted for, if it was.
-    pub const fn muted(&self) -> Option<Implausible> {
+    pub const fn muted(&self) -> Option<KeyFault> {
         self.muted
     }
 
@@ -124,17 +113,15 @@ impl KeyCheck {
         let wrong = self.wrong(position, elapsed, calibration);
         let (weight, is_possible) = match wrong {
             None => (-1.0, true),
-            Some(Implausible::Noisy) => (STRANGE, true),
-            Some(Implausible::Beyond | Implausible::Jumping | Implausible::FalseSpeed) => {
-                (IMPOSSIBLE, false)
-            }
+            Some(fault) if fault == KeyFault::Noisy => (STRANGE, true),
+            Some(_impossible) => (IMPOSSIBLE, false),
         };
         // A reading that follows on nothing counts as a millisecond.
         self.charge = (self.charge + weight * elapsed.unwrap_or(1e-3)).max(0.0);
         if PATIENCE <= self.charge {
             self.muted = wrong;
         }
-        if matches!(wrong, Some(Implausible::Beyond | Implausible::Jumping)) {
+        if matches!(wrong, Some(KeyFault::Beyond | KeyFault::Jumping)) {
             // What is left of the row has a hole.
             (self.n, self.speed_error) = (self.n.min(1), 0.0);
         } else {
@@ -149,26 +136,26 @@ impl KeyCheck {
         position: f64,
         elapsed: Option<f64>,
         calibration: &KeyCalibration,
-    ) -> Option<Implausible> {
+    ) -> Option<KeyFault> {
         let (quantum, travel) = (calibration.quantum.abs(), calibration.travel());
         let room = (0.5 * travel).max(LEAST_ROOM);
         // A key that was never measured has no travel.
         if 0.0 < travel && !(-room..=travel + room).contains(&position) {
-            return Some(Implausible::Beyond);
+            return Some(KeyFault::Beyond);
         }
         let [older @ .., newest] = self.places;
         if 0 < self.n && FASTEST * self.since + 2.0 * quantum < (position - newest).abs() {
-            return Some(Implausible::Jumping);
+            return Some(KeyFault::Jumping);
         }
         if room < self.speed_error.abs() {
-            return Some(Implausible::FalseSpeed);
+            return Some(KeyFault::FalseSpeed);
         }
         let elapsed = elapsed.filter(|_| PLACES <= self.n + 1)?;
         let [_, a, b, c] = older;
         let fourth = a - 4.0 * b + 6.0 * c - 4.0 * newest + position;
         // Each of them is rounded.
         let most = 4.0 * MOST_TO_AND_FRO * elapsed * elapsed + 8.0 * quantum;
-        (most < fourth.abs()).then_some(Implausible::Noisy)
+        (most < fourth.abs()).then_some(KeyFault::Noisy)
     }
 
     /// Tells whether the key has stood at `position` (m) for all places, beyond any doubt.
@@ -227,21 +214,21 @@ mod tests {
     fn a_key_that_stays_at_30_mm_is_muted_within_ten_readings() {
         let (used, check) = read([0.0; 50].into_iter().chain([30e-3; 50]));
         assert!(used[..50].iter().all(|it| *it) && used[50..].iter().all(|it| !it));
-        assert_eq!(check.muted(), Some(Implausible::Beyond));
+        assert_eq!(check.muted(), Some(KeyFault::Beyond));
         let (_, check) = read([0.0; 50].into_iter().chain([30e-3; 10]));
-        assert_eq!(check.muted(), Some(Implausible::Beyond));
+        assert_eq!(check.muted(), Some(KeyFault::Beyond));
     }
 
     #[test]
     fn a_key_that_jumps_within_its_travel_by_turns_is_muted() {
         let (used, check) = read((0..50).map(|n| if n % 2 == 0 { 0.0 } else { 9e-3 }));
         assert!(used[1..].iter().step_by(2).all(|it| !it), "{used:?}");
-        assert_eq!(check.muted(), Some(Implausible::Jumping));
+        assert_eq!(check.muted(), Some(KeyFault::Jumping));
     }
 
     #[test]
     fn white_noise_of_a_third_of_a_millimetre_is_muted_and_of_a_fiftieth_not() {
-        for (noise, muted) in [(0.3e-3, Some(Implausible::Noisy)), (0.02e-3, None)] {
+        for (noise, muted) in [(0.3e-3, Some(KeyFault::Noisy)), (0.02e-3, None)] {
             let (used, check) = read(chance().take(500).map(|it| 5e-3 + noise * it));
             assert_eq!(check.muted(), muted, "{noise} m");
             let n_used = used.iter().filter(|it| **it).count();
@@ -257,8 +244,8 @@ mod tests {
         for (scale, offset, muted) in [
             (1.0, 0.0, None),
             (1.2, 0.0, None),
-            (1.0, 0.5, Some(Implausible::FalseSpeed)),
-            (-8.0, 0.0, Some(Implausible::FalseSpeed)),
+            (1.0, 0.5, Some(KeyFault::FalseSpeed)),
+            (-8.0, 0.0, Some(KeyFault::FalseSpeed)),
         ] {
             let mut check = KeyCheck::default();
             for n in 0..2_000 {
@@ -275,7 +262,7 @@ mod tests {
             check.add_speed(0.4, 0.0, Some(H));
             check.accept(0.0, Some(H), &key());
         });
-        assert_eq!(check.muted(), Some(Implausible::FalseSpeed));
+        assert_eq!(check.muted(), Some(KeyFault::FalseSpeed));
     }
 
     #[test]

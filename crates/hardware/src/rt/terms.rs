@@ -21,6 +21,8 @@ pub struct Terms {
 pub struct BoardAgreement {
     pub place: BoardPlace,
     pub uid: [u8; 6],
+    /// What it can, as in [`firmware_protocol::frame::hello::feature`].
+    pub features: u16,
     /// When in the period it begins to send (us).
     pub phase_us: u16,
     pub terms: Terms,

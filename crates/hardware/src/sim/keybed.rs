@@ -200,6 +200,9 @@ fn snapshot(bus: &KeybedBus, rearmed: Option<u64>, place: usize) -> Option<LinkS
         state: ArmState::Armed,
         armings: 1 + rearmed,
         round_trip_us: None,
+        restarts: 0,
+        reset_reason: 0,
+        burst_us: None,
     });
     Some(match snapshot {
         LinkSnapshot::Line(..) => snapshot,

@@ -1,11 +1,12 @@
 //! Lines and boards as a message, and what became of them in sentences.
 
 use hardware::rt::board::BoardStatistics;
-use hardware::rt::link_snapshot::{BoardSnapshot, LineSnapshot, LinkSnapshot};
+use hardware::rt::link_snapshot::{BoardSnapshot, BoardStatus, LineSnapshot, LinkSnapshot};
 use rtrb::Consumer;
 use telemetry::Links;
 
-use crate::report::{muted_keys, stage_words, wire_words};
+use crate::report::{key_names, muted_keys, stage_words, wire_words};
+use hardware::refusal::{burst_words, restart_words};
 use hardware::rt::link_monitor::LinkSample;
 
 /// The state of lines and boards, and the ring from which it is updated.
@@ -74,9 +75,7 @@ impl LinksWatch {
         board.armings = care.armings;
         board.round_trip = care.round_trip_us.map_or(f64::NAN, f64::from);
         let first_key = u8::try_from(board.first_key).unwrap_or(u8::MAX);
-        let muted = muted_keys(first_key, &it.statistics.muted);
-        let muted = muted.iter().map(|key| format!("; {key}"));
-        let state: String = std::iter::once(stage_words(care.state)).chain(muted).collect();
+        let state = board_words(first_key, it, &care);
         let line = usize::try_from(board.line).ok().and_then(|it| self.links.lines.get(it));
         let line = line.map_or("", |line| line.name.as_str());
         let told = if news(&board.state, &state) {
@@ -92,9 +91,32 @@ impl LinksWatch {
     }
 }
 
-/// Returns whether a state is another than before, and not the first.
+/// Returns how a board and its keys are, in words.
+fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String {
+    let keys = &it.statistics.keys;
+    let list = |slots: u16, words: &str| {
+        let names = key_names(first_key, slots).join(", ");
+        (slots != 0).then(|| format!("{names} {words}"))
+    };
+    let notes = [
+        (0 < care.restarts).then(|| restart_words(care.restarts, care.reset_reason)),
+        care.burst_us.map(|it| burst_words(it as f64)),
+        list(keys.softened, "shook and gets half of its force"),
+        list(
+            keys.unproven,
+            "gets 1 N at most until it has come to rest and its motor is proven; if nobody holds \
+             it, its motor pushes by itself: cut its supply",
+        ),
+    ];
+    let muted = muted_keys(first_key, &keys.muted);
+    let muted = muted.iter().map(ToString::to_string);
+    let all = std::iter::once(stage_words(care.state)).chain(notes.into_iter().flatten());
+    all.chain(muted).collect::<Vec<_>>().join("; ")
+}
+
+/// Returns whether a state is another than before, and not the one with which all is well.
 fn news(before: &str, now: &str) -> bool {
-    !before.is_empty() && before != now
+    before != now && !(before.is_empty() && ["armed", "active"].contains(&now))
 }
 
 #[cfg(test)]
@@ -104,8 +126,7 @@ mod tests {
     use hardware::plan::{LinkMeter, Medium};
     use hardware::rt::board_supervisor::ArmState;
     use hardware::rt::bus::LineStatistics;
-    use hardware::rt::link_snapshot::BoardStatus;
-    use hardware::rt::plausible::Implausible;
+    use hardware::rt::key_fault::{KeyFault, KeyFindings};
     use links::{Health, WireState};
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
@@ -129,17 +150,21 @@ mod tests {
         with_muted(stage, [None; MOST_KEYS])
     }
 
-    fn with_muted(stage: ArmState, muted: [Option<Implausible>; MOST_KEYS]) -> LinkSnapshot {
+    fn with_muted(stage: ArmState, muted: [Option<KeyFault>; MOST_KEYS]) -> LinkSnapshot {
         armed(stage, muted, 2)
     }
 
-    fn armed(
-        stage: ArmState,
-        muted: [Option<Implausible>; MOST_KEYS],
-        armings: u64,
-    ) -> LinkSnapshot {
-        let care = Some(BoardStatus { state: stage, armings, round_trip_us: Some(990) });
-        let statistics = BoardStatistics { muted, ..BoardStatistics::default() };
+    fn armed(stage: ArmState, muted: [Option<KeyFault>; MOST_KEYS], armings: u64) -> LinkSnapshot {
+        let care = Some(BoardStatus {
+            state: stage,
+            armings,
+            round_trip_us: Some(990),
+            restarts: 0,
+            reset_reason: 0,
+            burst_us: None,
+        });
+        let keys = KeyFindings { muted, ..KeyFindings::default() };
+        let statistics = BoardStatistics { keys, ..BoardStatistics::default() };
         LinkSnapshot::Board(0, BoardSnapshot { statistics, status: care })
     }
 
@@ -175,7 +200,7 @@ mod tests {
         let it = &links.boards[0];
         assert_eq!((it.state.as_str(), it.armings, it.round_trip), ("silent", 2, 990.0));
         let mut muted = [None; MOST_KEYS];
-        muted[6] = Some(Implausible::Noisy);
+        muted[6] = Some(KeyFault::Noisy);
         let told = look(with_muted(ArmState::Armed, muted)).1;
         assert!(
             told[0].starts_with("board 3 on can0: armed; C4 is muted: its readings"),

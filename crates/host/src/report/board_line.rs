@@ -5,9 +5,9 @@ use std::fmt;
 use firmware_protocol::key::{KeyIndex, MOST_KEYS};
 use hardware::identity::ClaimedKeys;
 use hardware::keybed::BoardReport;
-use hardware::refusal::{clock_words, late_words, reason_words};
-use hardware::rt::board_supervisor::{ArmLockout, ArmState};
-use hardware::rt::plausible::Implausible;
+use hardware::refusal::{burst_words, clock_words, late_words, reason_words, restart_words};
+use hardware::rt::board_supervisor::{ArmLockout, ArmState, SlowSamples};
+use hardware::rt::key_fault::KeyFault;
 use serde::Serialize;
 
 /// One board of a run.
@@ -50,19 +50,40 @@ pub struct BoardLine {
     pub calibrated: bool,
     /// Readings of keys that were not used, since no key can be there.
     pub implausible: u64,
-    /// Keys that are not played any more since their readings cannot be trusted.
+    /// Keys that are not played any more, and why.
     pub muted: Vec<MutedKey>,
+    /// Keys that get half their force since they shook.
+    pub softened: Vec<String>,
+    /// Keys whose motors were not proven, since they never came to rest.
+    pub unproven: Vec<String>,
+    /// Readings that were left out, since they left the key's trend and returned to it.
+    pub glitches: u64,
+    /// Times that a force was not allowed to rise as fast as its model asked.
+    pub limited_rises: u64,
+    /// Forces that continued from the last one after a gap, instead of stepping.
+    pub blended: u64,
+    /// Time between two samples by its own clock at the end: median and 90 % (us).
+    pub sample_interval_us: Option<[u16; 2]>,
+    /// Time between bursts of samples (ms), if they came in bursts.
+    pub bursts_ms: Option<f64>,
+    /// Times that it restarted, and the reason that it gave the last time.
+    pub restarts: u64,
+    pub reset_reason: u8,
+    /// The hottest motor that it reported (°C).
+    pub hottest_c: Option<f64>,
     /// The board's own counters, a second before the end.
     pub counted: Option<Counted>,
 }
 
-/// A key whose readings cannot be trusted.
+/// A key that is not played, since its sensor or its motor cannot be trusted.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct MutedKey {
     /// Its name, as C4.
     pub key: String,
-    /// The fault of its readings.
+    /// What is wrong with it.
     pub reason: &'static str,
+    /// What to do about it.
+    pub remedy: &'static str,
 }
 
 /// Round trips of requests (us).
@@ -79,6 +100,8 @@ pub struct RoundTrips {
 pub struct Counted {
     /// Forces that it rendered.
     pub forces: u32,
+    /// Whole frames that it did not understand, or that were not for it.
+    pub refused: u32,
     /// Receptions that were no frame.
     pub corrupt: u32,
     /// Forces that were stale, and not rendered.
@@ -124,9 +147,20 @@ impl BoardLine {
             state: stage_words(condition.state),
             calibrated: report.is_calibrated,
             implausible: statistics.implausible,
-            muted: muted_keys(place.first_key.number(), &statistics.muted),
+            muted: muted_keys(place.first_key.number(), &statistics.keys.muted),
+            softened: key_names(place.first_key.number(), statistics.keys.softened),
+            unproven: key_names(place.first_key.number(), statistics.keys.unproven),
+            glitches: statistics.keys.glitches,
+            limited_rises: statistics.keys.limited,
+            blended: statistics.keys.blended,
+            sample_interval_us: statistics.intervals.map(|it| [it.median_us, it.p90_us]),
+            bursts_ms: condition.burst_us.map(|it| it as f64 * 1e-3),
+            restarts: condition.restarts,
+            reset_reason: condition.reset_reason,
+            hottest_c: condition.hottest.map(|it| 0.1 * f64::from(it)),
             counted: condition.counters.map(|it| Counted {
                 forces: it.forces,
+                refused: it.refused,
                 corrupt: it.corrupt,
                 stale: it.stale,
                 oldest_ms: f64::from(it.oldest_us) * 1e-3,
@@ -143,6 +177,7 @@ pub(crate) fn stage_words(stage: ArmState) -> String {
         ArmState::Greeting => "silent".into(),
         ArmState::Checking
         | ArmState::Streaming
+        | ArmState::Measuring
         | ArmState::Disarming
         | ArmState::Arming { .. }
         | ArmState::Confirming => "being brought up".into(),
@@ -168,31 +203,41 @@ fn bar_words(bar: ArmLockout) -> String {
             slots.count_ones()
         ),
         ArmLockout::Late(ms) => format!("left alone: {}", late_words(ms)),
+        ArmLockout::Slow(SlowSamples { median_us, agreed_us }) => format!(
+            "left alone: it confirmed a sample every {:.2} ms, and sends one every {:.2} ms",
+            f64::from(agreed_us) * 1e-3,
+            f64::from(median_us) * 1e-3
+        ),
+        ArmLockout::Restarting { times, reason } => {
+            format!("left off: {}", restart_words(times, reason))
+        }
         ArmLockout::StaysSafe => {
             "left alone: it says that it is armed, and renders no force".into()
         }
     }
 }
 
+/// Returns the names of the keys of a board from `first_key` on whose bits are set.
+pub(crate) fn key_names(first_key: u8, slots: u16) -> Vec<String> {
+    let keys = (first_key..).map_while(KeyIndex::new).take(MOST_KEYS).enumerate();
+    let keys = keys.filter(|(slot, _)| slots >> slot & 1 == 1);
+    keys.map(|(_, key)| key.to_string()).collect()
+}
+
 /// Returns the keys of a board from `first_key` on that were muted.
-pub(crate) fn muted_keys(first_key: u8, muted: &[Option<Implausible>; MOST_KEYS]) -> Vec<MutedKey> {
+pub(crate) fn muted_keys(first_key: u8, muted: &[Option<KeyFault>; MOST_KEYS]) -> Vec<MutedKey> {
     let keys = (first_key..).map_while(KeyIndex::new).zip(muted);
-    let key = |(key, muted): (KeyIndex, &Option<Implausible>)| {
-        let reason = match (*muted)? {
-            Implausible::Beyond => "its readings lie far beyond its rest and its bottom",
-            Implausible::Jumping => "its readings jump farther than a key can move",
-            Implausible::FalseSpeed => "the speeds that its board says are not those of the key",
-            Implausible::Noisy => "its readings go to and fro faster than a key can",
-        };
-        Some(MutedKey { key: key.to_string(), reason })
+    let key = |(key, muted): (KeyIndex, &Option<KeyFault>)| {
+        let fault = (*muted)?;
+        Some(MutedKey { key: key.to_string(), reason: fault.words(), remedy: fault.remedy() })
     };
     keys.filter_map(key).collect()
 }
 
 impl fmt::Display for MutedKey {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { key, reason } = self;
-        write!(f, "{key} is muted: {reason}; see to its sensor, then start its board anew")
+        let Self { key, reason, remedy } = self;
+        write!(f, "{key} is muted: {reason}; {remedy}, then restart its board")
     }
 }
 
@@ -224,14 +269,50 @@ impl BoardLine {
     /// Returns what is wrong with it in the end, a sentence on each.
     pub fn troubles(&self) -> Vec<String> {
         let name = format!("board {} on {}", self.number, self.link);
-        let state = (self.state != "armed").then(|| format!("{name}: {}", self.state));
-        let never = self.was_never_heard().then(|| format!("{name} sent no sample in the run"));
-        let muted = self.muted.iter().map(|it| format!("{name}: {it}"));
-        state.into_iter().chain(never).chain(muted).collect()
+        let state = (self.state != "armed").then(|| self.state.clone());
+        let never = self.was_never_heard().then(|| "it sent no sample in the run".to_owned());
+        let bursts = self.bursts_ms.map(|ms| burst_words(1e3 * ms));
+        let restarts = (0 < self.restarts).then(|| {
+            restart_words(u8::try_from(self.restarts).unwrap_or(u8::MAX), self.reset_reason)
+        });
+        let softened = (!self.softened.is_empty()).then(|| {
+            let keys = self.softened.join(", ");
+            format!("{keys} shook and got half of the force; take a scene that is softer there")
+        });
+        let unproven = (!self.unproven.is_empty()).then(|| {
+            let keys = self.unproven.join(", ");
+            format!(
+                "{keys} got 1 N at most, since it never came to rest to have its motor proven; if \
+                 nobody held it, its motor pushes by itself: cut its supply"
+            )
+        });
+        let whole = [state, never, self.untaken(), bursts, restarts, softened, unproven];
+        let muted = self.muted.iter().map(ToString::to_string);
+        let all = whole.into_iter().flatten().chain(muted);
+        all.map(|it| format!("{name}: {it}")).collect()
+    }
+
+    /// Returns why it rendered no force, if it took none of those that were sent.
+    fn untaken(&self) -> Option<String> {
+        let counted = self.counted.filter(|it| it.forces == 0 && 0.0 < self.forces_hz)?;
+        let Counted { refused, corrupt, stale, .. } = counted;
+        Some(format!(
+            "it rendered no force: {refused} frames were refused, {stale} were stale, {corrupt} \
+             pieces were no frames"
+        ))
+    }
+
+    /// Returns whether it or one of its keys was not played as it should.
+    pub fn has_failed(&self) -> bool {
+        self.state != "armed"
+            || self.was_never_heard()
+            || self.untaken().is_some()
+            || !self.muted.is_empty()
+            || !self.softened.is_empty()
     }
 
     /// Returns whether no sample of it came in the run.
-    pub fn was_never_heard(&self) -> bool {
+    fn was_never_heard(&self) -> bool {
         self.samples_hz <= 0.0
     }
 

@@ -15,7 +15,7 @@ mod overload;
 mod step_counts;
 
 pub use board_line::BoardLine;
-pub(crate) use board_line::{muted_keys, stage_words};
+pub(crate) use board_line::{key_names, muted_keys, stage_words};
 pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;
@@ -102,9 +102,9 @@ impl RunReport {
         boards.flat_map(BoardLine::troubles).collect()
     }
 
-    /// Returns whether a board that was armed for this run never took part in it.
-    pub fn misses_a_board(&self) -> bool {
-        0 < self.ticks && self.boards.iter().any(BoardLine::was_never_heard)
+    /// Returns whether a board or a key that was to be played was not, or only softly.
+    pub fn has_failed_board(&self) -> bool {
+        0 < self.ticks && !self.stopped && self.boards.iter().any(BoardLine::has_failed)
     }
 }
 

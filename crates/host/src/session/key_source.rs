@@ -138,6 +138,11 @@ impl KeySource {
             }
             Self::Boards(keybed, terms, plans) => {
                 let mut keybed = Box::new(keybed.arm(terms, PATIENCE_US)?);
+                keybed.guard();
+                if let Err(refusals) = keybed.prove_motors() {
+                    keybed.disarm();
+                    return Err(refusals.into());
+                }
                 let list = prepared.play_list.as_ref().map(|list| &list.performance);
                 for (key, gestures) in list.iter().flat_map(|it| all_keys().zip(&it.gestures)) {
                     keybed.play(key, gestures);

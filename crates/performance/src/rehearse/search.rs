@@ -27,8 +27,8 @@ const MISS_COST: f64 = 1e6;
 /// Cost of a stroke that does not strike if a tick is lost on the way.
 const FRAGILE_COST: f64 = 1e3;
 
-/// Changes of the start that a stroke must bear (s): a tick that the machine loses.
-const LOST_TICKS: [f64; 2] = [-1e-3, 1e-3];
+/// Changes of the start that a stroke must bear (s): a tick that the machine loses, and half of one.
+const LOST_TICKS: [f64; 4] = [-1e-3, -0.5e-3, 0.5e-3, 1e-3];
 
 /// Time after the onset in which a second strike is looked for (s).
 const WATCH: f64 = 0.08;

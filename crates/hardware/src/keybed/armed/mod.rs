@@ -1,5 +1,6 @@
 //! Armed boards as the tick's bus.
 
+mod proof;
 mod refusals;
 
 use firmware_protocol::Nothing;
@@ -174,7 +175,7 @@ impl Keybed<Armed> {
             }
         }
         for board in 0..bus.boards().len() {
-            bus.limit_share(board, if supervisor.renders(board) { 1.0 } else { 0.0 });
+            bus.limit_share(board, supervisor.share(board));
         }
     }
 

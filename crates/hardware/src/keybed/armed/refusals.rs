@@ -5,7 +5,7 @@ use firmware_protocol::key::KeyIndex;
 
 use super::{Armed, BoardReport};
 use crate::keybed::{Keybed, address};
-use crate::refusal::{BoardName, Refusal};
+use crate::refusal::{BoardName, Refusal, UntakenForces};
 use crate::rt::board_supervisor::{ArmLockout, ArmState};
 
 /// Time without an answer from which on a board counts as gone (us).
@@ -40,11 +40,16 @@ impl Keybed<Armed> {
                     let keys = slot_names(report.place.first_key, slots);
                     Some(Refusal::NotHomed { board, keys })
                 }
+                ArmState::Barred(ArmLockout::Slow(slow)) => Some(Refusal::Slow { board, slow }),
+                ArmState::Barred(ArmLockout::Restarting { times, reason }) => {
+                    Some(Refusal::Restarting { board, times, reason })
+                }
                 ArmState::Barred(ArmLockout::Late(ms)) => Some(Refusal::LateSamples { board, ms }),
                 ArmState::Armed if self.stage.supervisor.is_board_ready(index) => None,
                 ArmState::Greeting
                 | ArmState::Checking
                 | ArmState::Streaming
+                | ArmState::Measuring
                 | ArmState::Disarming
                 | ArmState::Arming { .. }
                 | ArmState::Confirming
@@ -66,8 +71,25 @@ impl Keybed<Armed> {
     }
 }
 
+impl Keybed<Armed> {
+    /// Returns the forces that the board of `key` has not taken, if those are most of them.
+    pub(crate) fn untaken_forces(&self, key: KeyIndex) -> Option<UntakenForces> {
+        let mut reports = self.board_reports().into_iter();
+        reports.find(|it| it.place.keys().contains(&key.index()))?.untaken_forces()
+    }
+}
+
+impl BoardReport {
+    /// Returns the forces that it has not taken, if those are most of them.
+    pub(super) fn untaken_forces(&self) -> Option<UntakenForces> {
+        let (counters, sent) = (self.condition.counters?, self.statistics.sent);
+        let forces = UntakenForces { sent, refused: counters.refused, stale: counters.stale };
+        (sent < 2 * u64::from(forces.refused.max(forces.stale))).then_some(forces)
+    }
+}
+
 /// Returns the names of the keys from `first` on whose bits are set.
-fn slot_names(first: KeyIndex, slots: u16) -> String {
+pub(super) fn slot_names(first: KeyIndex, slots: u16) -> String {
     let keys = (first.number()..).map_while(KeyIndex::new).enumerate().take(16);
     let keys = keys.filter(|(slot, _)| slots >> slot & 1 == 1).map(|(_, key)| key.to_string());
     keys.collect::<Vec<_>>().join(", ")

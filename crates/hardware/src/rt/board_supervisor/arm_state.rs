@@ -11,6 +11,8 @@ pub enum ArmState {
     Checking,
     /// It is asked for samples.
     Streaming,
+    /// It sends samples: they must come as often as it has confirmed.
+    Measuring,
     /// It is asked for a nonce.
     Disarming,
     /// It is told to render forces.
@@ -33,7 +35,7 @@ impl ArmState {
             Self::Streaming => Some(Operation::Stream),
             Self::Disarming => Some(Operation::Disarm),
             Self::Arming { .. } => Some(Operation::Arm),
-            Self::Confirming | Self::Armed | Self::Barred(_) => None,
+            Self::Measuring | Self::Confirming | Self::Armed | Self::Barred(_) => None,
         }
     }
 
@@ -64,6 +66,19 @@ pub enum ArmLockout {
     Late(u16),
     /// Its encoders do not know where these keys are, slot 0 in bit 0.
     NotHomed(u16),
+    /// Its samples are farther apart than agreed.
+    Slow(SlowSamples),
+    /// It has restarted so often, the last time for this reason (as in its hello).
+    Restarting { times: u8, reason: u8 },
+}
+
+/// Samples that are farther apart than agreed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SlowSamples {
+    /// The median (us).
+    pub median_us: u16,
+    /// What was agreed (us).
+    pub agreed_us: u16,
 }
 
 impl ArmLockout {
@@ -75,8 +90,9 @@ impl ArmLockout {
             | Self::Unreadable
             | Self::StaysSafe
             | Self::Late(_)
-            | Self::NotHomed(_) => true,
-            Self::Latched(_) | Self::Exchanged | Self::Clock(_) => false,
+            | Self::NotHomed(_)
+            | Self::Slow(_) => true,
+            Self::Latched(_) | Self::Exchanged | Self::Clock(_) | Self::Restarting { .. } => false,
         }
     }
 }

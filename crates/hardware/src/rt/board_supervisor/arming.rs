@@ -1,14 +1,18 @@
 //! How far a board has been brought up: the state machine, all of its events on one page.
 //!
 //! ```text
-//! Greeting ─ hello ─▶ (Checking ─ homed ─▶) Streaming ─ done ─▶ Disarming ─ nonce ─▶ Arming ─ done ─▶ Confirming ─▶ Armed
-//!    ▲                                                                              │           │
-//!    └── it fell silent, started anew, or renders no force and did not say why ◀────┴───────────┘
+//! Greeting ─ hello ─▶ (Checking ─ homed ─▶) Streaming ─ done ─▶ Measuring ─ often enough ─▶ Disarming
+//!    ▲                                                                                         │ nonce
+//!    │                                                                                         ▼
+//!    │                                                      Armed ◀─ Confirming ◀─ done ─ Arming
+//!    └── it fell silent, restarted, or renders no force and gave no reason ◀──┴──────────┘
 //! ```
 //!
-//! Only a board that knows its health is asked for it.
+//! Only a board that knows its health is asked for it. A board that confirms a rate and sends fewer
+//! samples is not armed, and no longer so once it begins to.
 //!
-//! A board that tripped over silence is armed again. One that was stopped, or whose key failed,
+//! A board that tripped over silence, or has restarted, is armed again: at once, then after 1, 2 and
+//! 4 s. One that restarts more often is left off. One that was stopped, or whose key failed,
 //! stays `Barred` until a person has seen to it. One that does not get to `Armed` in five attempts
 //! is left alone for ten seconds, or until it says hello anew.
 
@@ -19,9 +23,11 @@ use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::frame::hello::{Hello, feature, safe_reason};
 use firmware_protocol::{Nothing, Record as _, schema};
 
-use super::arm_state::{ArmLockout, ArmState};
+use super::arm_state::{ArmLockout, ArmState, SlowSamples};
+use super::back_off::BackOff;
 use super::sample_watch::{SampleWatch, is_silence};
 use crate::request_channel::RequestChannel;
+use crate::rt::sample_interval::IntervalFault;
 use crate::rt::terms::BoardAgreement;
 
 /// Time after which an attempt to bring a board up is made again (us).
@@ -30,6 +36,10 @@ const AGAIN_US: u64 = 100_000;
 const SHORT_US: u64 = 1_000_000;
 /// Attempts to arm a board until it is left alone.
 const MOST_ATTEMPTS: u8 = 5;
+/// Longest time that samples are measured before a board is armed (us).
+const LONGEST_MEASURING_US: u64 = 1_000_000;
+/// Restarts of which each follows soon on the one before, after which a board is left off.
+const MOST_RESTARTS: u8 = 4;
 /// Time for which a board is left alone after too many attempts (us).
 const LEFT_ALONE_US: u64 = 10_000_000;
 
@@ -51,6 +61,9 @@ pub(super) struct Arming {
     barred_until: u64,
     /// The board must be told to let go of all forces.
     must_disarm: bool,
+    /// Times that it tripped of late, and that it restarted.
+    trips: BackOff,
+    restarts: BackOff,
 }
 
 impl Arming {
@@ -64,7 +77,14 @@ impl Arming {
             rest_until: 0,
             barred_until: 0,
             must_disarm: false,
+            trips: BackOff::NONE,
+            restarts: BackOff::NONE,
         }
+    }
+
+    /// Returns how often the board has restarted of late.
+    pub(super) const fn restarts(&self) -> u8 {
+        self.restarts.n()
     }
 
     pub(super) const fn state(&self) -> ArmState {
@@ -85,10 +105,22 @@ impl Arming {
         self.rest_until = now + AGAIN_US;
     }
 
-    /// Begins again, since the board has started anew.
-    pub(super) const fn on_start(&mut self, now: u64) {
+    /// Begins again, since the board has restarted for `reason` (as in its hello).
+    pub(super) fn on_start(&mut self, reason: u8, now: u64) {
         self.attempts = 0;
-        self.greet(now);
+        // Its first start is none.
+        let wait_us = if self.armings == 0 { 0 } else { self.restarts.next(now) };
+        if MOST_RESTARTS < self.restarts.n() {
+            self.bar(ArmLockout::Restarting { times: self.restarts.n(), reason }, now);
+        } else {
+            self.greet(now + wait_us);
+        }
+    }
+
+    /// Bars a board whose samples are farther apart than agreed.
+    fn on_slow(&mut self, slow: SlowSamples, now: u64) {
+        self.must_disarm = self.state == ArmState::Armed;
+        self.bar(ArmLockout::Slow(slow), now);
     }
 
     /// Begins again after a while, since a request was never answered.
@@ -115,13 +147,25 @@ impl Arming {
     }
 
     /// Goes on as time passes and `samples` have come.
-    pub(super) const fn on_time(&mut self, samples: &SampleWatch, now: u64) {
+    pub(super) fn on_time(&mut self, samples: &SampleWatch, agreed_us: u16, now: u64) {
+        let intervals = samples.intervals();
+        let slow = intervals.filter(|it| it.fault(agreed_us) == Some(IntervalFault::Slow));
+        if let (ArmState::Measuring | ArmState::Armed, Some(it)) = (self.state, slow) {
+            return self.on_slow(SlowSamples { median_us: it.median_us, agreed_us }, now);
+        }
         match self.state {
+            ArmState::Measuring => {
+                // One that sends nothing at all is found later, with its own words.
+                if intervals.is_some() || self.since + LONGEST_MEASURING_US < now {
+                    self.attempt();
+                }
+            }
             ArmState::Arming { .. } => self.refused = samples.refused(),
             ArmState::Confirming => self.confirm(samples, now),
             ArmState::Armed if samples.is_silent(now) || samples.is_flagged() => {
                 let is_short = now < self.since + SHORT_US;
-                self.greet(if is_short { now + AGAIN_US } else { now });
+                let wait_us = self.trips.next(now).max(if is_short { AGAIN_US } else { 0 });
+                self.greet(now + wait_us);
             }
             ArmState::Barred(why) if why.ends() && self.barred_until <= now => {
                 self.attempts = MOST_ATTEMPTS - 1;
@@ -163,14 +207,14 @@ impl Arming {
                     None => {}
                 }
             }
-            ArmState::Streaming => self.attempt(),
+            ArmState::Streaming => (self.state, self.since) = (ArmState::Measuring, now),
             ArmState::Disarming => {
                 if let Some(Disarmed { nonce }) = Disarmed::take(record) {
                     self.state = ArmState::Arming { nonce };
                 }
             }
             ArmState::Arming { .. } => (self.state, self.since) = (ArmState::Confirming, now),
-            ArmState::Confirming | ArmState::Armed | ArmState::Barred(_) => {}
+            ArmState::Measuring | ArmState::Confirming | ArmState::Armed | ArmState::Barred(_) => {}
         }
     }
 
@@ -209,7 +253,9 @@ impl Arming {
                 let (packing, valid_ms) = (terms.forces as u8, terms.valid_ms);
                 channel.ask(Operation::Arm, &Arm { nonce, packing, valid_ms });
             }
-            ArmState::Confirming | ArmState::Armed | ArmState::Barred(_) => return false,
+            ArmState::Measuring | ArmState::Confirming | ArmState::Armed | ArmState::Barred(_) => {
+                return false;
+            }
         }
         true
     }
@@ -290,7 +336,7 @@ mod tests {
         let place = BoardPlace { line, board, first_key: KeyIndex::LOWEST, n_keys };
         let (samples, forces) = (SamplePacking::default(), ForcePacking::default());
         let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 20 };
-        let agreed = BoardAgreement { place, uid: [7; 6], phase_us: 0, terms };
+        let agreed = BoardAgreement { place, uid: [7; 6], features, phase_us: 0, terms };
         let zeros = Hello::take(&[0; Hello::LEN]).unwrap();
         let (magic, schema, uid) = (MAGIC, schema::HASH, agreed.uid);
         let hello = Hello { magic, schema, uid, features, ..zeros };

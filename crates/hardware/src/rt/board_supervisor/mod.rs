@@ -5,6 +5,8 @@
 //! |---|---|
 //! | `arming` | the state machine that brings one board up |
 //! | `sample_watch` | what its samples tell of it |
+//! | `back_off` | how long to wait before one that fails again and again is armed |
+//! | `health` | how it reports that it and its keys are |
 //! | `timing` | its clock, learned from round trips |
 //! | `gesture_queue` | gestures for its simulated fingers |
 //! | `session` | which request is next, and what its answer means |
@@ -13,7 +15,9 @@
 
 mod arm_state;
 mod arming;
+mod back_off;
 mod gesture_queue;
+mod health;
 mod sample_watch;
 mod session;
 mod status;
@@ -28,7 +32,7 @@ use super::bus::{AcyclicHandler, KeybedBus};
 use super::terms::BoardAgreement;
 use session::BoardSession;
 
-pub use arm_state::{ArmLockout, ArmState};
+pub use arm_state::{ArmLockout, ArmState, SlowSamples};
 pub use session::LIGHT_S;
 pub use status::{BoardStatus, Condition};
 
@@ -103,9 +107,14 @@ impl BoardSupervisor {
         self.sessions.get(board).is_some_and(BoardSession::is_ready)
     }
 
-    /// Tells whether a board renders forces now.
-    pub fn renders(&self, board: usize) -> bool {
-        self.sessions.get(board).is_some_and(|it| it.state() == ArmState::Armed)
+    /// Returns the share of its forces that a board may be sent now, 0 to 1.
+    pub fn share(&self, board: usize) -> f64 {
+        self.sessions.get(board).map_or(0.0, BoardSession::share)
+    }
+
+    /// Asks all boards soon for what they have counted; not for the tick.
+    pub fn want_counters(&mut self) {
+        self.sessions.iter_mut().for_each(BoardSession::want_counters);
     }
 
     /// Tells whether nothing is waited for: every board is ready, or may not be armed.

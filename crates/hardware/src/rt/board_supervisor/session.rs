@@ -2,6 +2,7 @@
 
 use firmware_protocol::acyclic::counters::Counters;
 use firmware_protocol::acyclic::finger::Finger;
+use firmware_protocol::acyclic::health::BoardHealth;
 use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::{Operation, Status};
@@ -11,12 +12,16 @@ use firmware_protocol::{Nothing, Record as _};
 use super::arm_state::{ArmLockout, ArmState};
 use super::arming::Arming;
 use super::gesture_queue::GestureQueue;
+use super::health::HealthWatch;
 use super::sample_watch::SampleWatch;
 use super::status::{BoardStatus, Condition};
 use super::timing::BoardTiming;
 use crate::periods::COUNTERS_US;
 use crate::request_channel::{ReceivedReply, RequestChannel};
+use crate::rt::board::BoardStatistics;
 use crate::rt::bus::KeybedBus;
+use crate::rt::key_fault::KeyFault;
+use crate::rt::sample_interval::IntervalFault;
 use crate::rt::terms::BoardAgreement;
 
 /// How long a light shows which board it is on (s).
@@ -44,8 +49,12 @@ pub(super) struct BoardSession {
     late_answers: u64,
     /// When the newest answer came (us).
     answered: Option<u64>,
-    /// It has started anew, and the numbers of its samples with it.
+    /// It has restarted, and the numbers of its samples with it.
     is_anew: bool,
+    /// Times that it has restarted since it was armed first, and why the last time.
+    restarts: u64,
+    reset_reason: u8,
+    health: HealthWatch,
 }
 
 impl BoardSession {
@@ -54,6 +63,7 @@ impl BoardSession {
         let [first, ..] = now.to_le_bytes();
         Self {
             channel: RequestChannel::new(agreed.place.board, first),
+            health: HealthWatch::new(&agreed),
             agreed,
             gestures: GestureQueue::default(),
             is_light_wanted: false,
@@ -67,6 +77,8 @@ impl BoardSession {
             late_answers: 0,
             answered: None,
             is_anew: false,
+            restarts: 0,
+            reset_reason: 0,
         }
     }
 
@@ -78,9 +90,26 @@ impl BoardSession {
         &self.timing
     }
 
-    /// Tells whether the board renders forces and its clock is known.
+    /// Tells whether the board renders forces, and its clock and its failed keys are known.
     pub(super) fn is_ready(&self) -> bool {
-        self.state() == ArmState::Armed && self.timing.is_known()
+        self.state() == ArmState::Armed && self.timing.is_known() && self.health.is_settled()
+    }
+
+    /// Returns the share of its forces that the board may be sent.
+    pub(super) fn share(&self) -> f64 {
+        /// What a board keeps whose samples come unevenly.
+        const SOFT: f64 = 0.5;
+        let fault = self.samples.intervals().and_then(|it| it.fault(self.agreed.terms.period_us));
+        match (self.state(), fault) {
+            (ArmState::Armed, None) => 1.0,
+            (ArmState::Armed, Some(IntervalFault::Uneven)) => SOFT,
+            _ => 0.0,
+        }
+    }
+
+    /// Asks soon for what the board has counted.
+    pub(super) const fn want_counters(&mut self) {
+        self.next_counters = 0;
     }
 
     /// Tells whether the board is not ready since its answers come too late to read its clock.
@@ -126,6 +155,9 @@ impl BoardSession {
             state: self.state(),
             armings: self.arming.armings(),
             round_trip_us: self.timing.round_trips().recent(),
+            restarts: self.arming.restarts(),
+            reset_reason: self.reset_reason,
+            burst_us: self.samples.burst_us(),
         }
     }
 
@@ -138,6 +170,10 @@ impl BoardSession {
             round_trips_us: self.timing.round_trips().quantiles(),
             counters: self.counters,
             declined: self.declined,
+            restarts: self.restarts,
+            reset_reason: self.reset_reason,
+            burst_us: self.samples.burst_us(),
+            hottest: self.health.hottest(),
         }
     }
 
@@ -154,7 +190,7 @@ impl BoardSession {
             self.arming.on_loss(now);
         }
         if self.channel.is_free() && self.arming.has_rested(now) {
-            self.ask_next(now, origin);
+            self.ask_next(now, origin, &bus.statistics(board));
         }
         self.channel.due(now)
     }
@@ -164,6 +200,10 @@ impl BoardSession {
         if std::mem::take(&mut self.is_anew) {
             bus.forget(board);
             bus.unmute(board);
+            self.health.forget();
+        }
+        for (slot, cause) in self.health.failed() {
+            bus.mute(board, slot, KeyFault::Reported(cause));
         }
         self.samples.update(&bus.statistics(board), now);
         if let Some(ppm) = self.timing.excess_ppm() {
@@ -173,11 +213,11 @@ impl BoardSession {
             // Its numbers may begin anew.
             bus.forget(board);
         }
-        self.arming.on_time(&self.samples, now);
+        self.arming.on_time(&self.samples, self.agreed.terms.period_us, now);
     }
 
     /// Asks what comes next: what brings the board on, its light, then the rest by turns.
-    fn ask_next(&mut self, now: u64, origin: Option<u64>) {
+    fn ask_next(&mut self, now: u64, origin: Option<u64>, statistics: &BoardStatistics) {
         if self.arming.ask(&self.agreed, &mut self.channel) {
             return;
         }
@@ -186,10 +226,12 @@ impl BoardSession {
                 self.is_light_wanted = false;
                 self.channel.ask(Operation::Light, &Light { seconds: LIGHT_S });
             }
+            ArmState::Armed if self.health.ask(now, statistics, &mut self.channel) => {}
             ArmState::Armed => self.ask_by_turns(now, origin),
             ArmState::Greeting
             | ArmState::Checking
             | ArmState::Streaming
+            | ArmState::Measuring
             | ArmState::Disarming
             | ArmState::Arming { .. }
             | ArmState::Confirming
@@ -226,7 +268,9 @@ impl BoardSession {
             self.timing.on_start();
         }
         self.is_anew = true;
-        self.arming.on_start(now);
+        self.reset_reason = it.hello.reset_reason;
+        self.restarts += u64::from(0 < self.arming.armings());
+        self.arming.on_start(it.hello.reset_reason, now);
     }
 
     /// Takes a frame, which counts if it is the answer that is waited for.
@@ -244,11 +288,13 @@ impl BoardSession {
 
     fn on_done(&mut self, done: Operation, record: &[u8], sent_us: Option<u64>, now: u64) {
         match done {
-            Operation::Hello
-            | Operation::BoardHealth
-            | Operation::Stream
-            | Operation::Disarm
-            | Operation::Arm => {
+            Operation::BoardHealth => {
+                BoardHealth::take(record).iter().for_each(|it| self.health.take_board(it));
+                self.arming.on_done(done, record, &self.agreed, now);
+            }
+            Operation::KeyHealth => self.health.take_key(Some(record)),
+            Operation::MuteKey => self.health.on_muted(),
+            Operation::Hello | Operation::Stream | Operation::Disarm | Operation::Arm => {
                 self.arming.on_done(done, record, &self.agreed, now);
             }
             Operation::Ping => {
@@ -266,8 +312,6 @@ impl BoardSession {
             | Operation::ReadCalibration
             | Operation::WriteCalibration
             | Operation::ReadLog
-            | Operation::KeyHealth
-            | Operation::MuteKey
             | Operation::Bootloader => {}
         }
     }
@@ -278,6 +322,9 @@ impl BoardSession {
             return;
         }
         match asked {
+            Operation::KeyHealth => self.health.take_key(None),
+            Operation::MuteKey => self.health.on_muted(),
+            Operation::BoardHealth if self.state() == ArmState::Armed => self.declined += 1,
             Operation::Hello
             | Operation::BoardHealth
             | Operation::Stream
@@ -303,8 +350,6 @@ impl BoardSession {
             | Operation::ReadCalibration
             | Operation::WriteCalibration
             | Operation::ReadLog
-            | Operation::KeyHealth
-            | Operation::MuteKey
             | Operation::Bootloader => self.declined += 1,
         }
     }

@@ -12,6 +12,11 @@ pub struct BoardStatus {
     pub armings: u64,
     /// Median of the latest round trips (us), if there were any.
     pub round_trip_us: Option<u32>,
+    /// How often it has restarted of late, and why the last time (as in its hello).
+    pub restarts: u8,
+    pub reset_reason: u8,
+    /// Time between bursts of samples (us), if they come in bursts.
+    pub burst_us: Option<u64>,
 }
 
 /// What a board is like, for reports.
@@ -30,4 +35,12 @@ pub struct Condition {
     pub counters: Option<Counters>,
     /// Requests that it declined while it was armed.
     pub declined: u64,
+    /// Times that it has restarted since it was armed first, and why the last time (as in its
+    /// hello).
+    pub restarts: u64,
+    pub reset_reason: u8,
+    /// Time between bursts of samples (us), if they come in bursts.
+    pub burst_us: Option<u64>,
+    /// The hottest motor that it has reported (0.1 °C).
+    pub hottest: Option<i16>,
 }

@@ -1,0 +1,98 @@
+//! Motors are proven before a model may use them.
+
+use links::pause;
+use scheduler::motion::{KEYS, KeySlope};
+use scheduler::port::KeyBus as _;
+
+use super::refusals::slot_names;
+use super::{BoardReport, Keybed};
+use crate::keybed::{Armed, LOOK};
+use crate::refusal::{Refusal, Refusals};
+use crate::rt::key_fault::KeyFault;
+
+/// Time in which no motor is pushed, after which those that are left wait for a hand to leave (us).
+const QUIET_US: u64 = 250_000;
+
+/// Longest time for all proofs, which run side by side (us).
+const LONGEST_US: u64 = 4_000_000;
+
+/// Time in which boards say what they have counted (us).
+const COUNTING_US: u64 = 200_000;
+
+impl Keybed<Armed> {
+    /// Guards all keys from now on: readings that cannot be, forces that change too fast, shaking,
+    /// and motors that do not follow.
+    pub fn guard(&mut self) {
+        let period_us = self.stage.period_us;
+        self.stage.bus.guard(period_us);
+    }
+
+    /// Has every motor of guarded keys push its key gently, and waits for what they do.
+    ///
+    /// A key that a hand holds is proven in the run, once it has come to rest; until then it gets
+    /// 1 N at most. A key whose motor does not pass is muted.
+    ///
+    /// # Errors
+    /// Boards none of whose motors has passed.
+    pub fn prove_motors(&mut self) -> Result<(), Refusals> {
+        self.stage.bus.demand_proof();
+        let start = self.now_us();
+        let mut pushed = start;
+        loop {
+            let now = self.exchange();
+            if self.stage.bus.is_proving() {
+                pushed = now;
+            }
+            if pushed + QUIET_US < now || start + LONGEST_US < now || self.is_proven() {
+                break;
+            }
+        }
+        let refusals = self.unproven_boards();
+        if refusals.is_empty() { Ok(()) } else { Err(Refusals(refusals)) }
+    }
+
+    /// Tells whether no motor is left to be proven.
+    fn is_proven(&self) -> bool {
+        let mut boards = self.stage.bus.boards().iter();
+        boards.all(|board| board.statistics().keys.unproven == 0)
+    }
+
+    /// Takes samples and sends forces for one period, without any model; returns the time (us).
+    fn exchange(&mut self) -> u64 {
+        let end = self.now_us() + self.stage.period_us;
+        while self.now_us() < end {
+            self.attend();
+            pause(LOOK);
+        }
+        self.send(0, &[0.0; KEYS], &[KeySlope::HELD; KEYS]);
+        self.now_us()
+    }
+
+    /// Returns why boards are refused none of whose motors has passed.
+    fn unproven_boards(&mut self) -> Vec<Refusal> {
+        let is_failed = |report: &BoardReport| {
+            let n_keys = report.place.n_keys;
+            let mut keys = report.statistics.keys.muted[..n_keys].iter();
+            keys.all(|it| matches!(it, Some(KeyFault::Reversed | KeyFault::Unmoved)))
+        };
+        if !self.board_reports().iter().any(is_failed) {
+            return Vec::new();
+        }
+        self.stage.supervisor.want_counters();
+        let end = self.now_us() + COUNTING_US;
+        while self.now_us() < end {
+            self.exchange();
+        }
+        let reports = self.board_reports().into_iter().filter(is_failed);
+        reports.map(not_proven).collect()
+    }
+}
+
+/// Returns the refusal of a board none of whose motors has passed.
+fn not_proven(report: BoardReport) -> Refusal {
+    let forces = report.untaken_forces();
+    let BoardReport { name: board, place, statistics, .. } = report;
+    let [first, ..] = statistics.keys.muted;
+    let keys = slot_names(place.first_key, !(u16::MAX << place.n_keys.min(15)));
+    Refusal::NotProven { board, keys, fault: first.unwrap_or(KeyFault::Unmoved), forces }
+}

@@ -1,0 +1,146 @@
+//! How a board reports that it and its keys are: polled once a second, key by key in turns.
+
+use firmware_protocol::acyclic::Operation;
+use firmware_protocol::acyclic::health::{BoardHealth, KeyHealth, MuteKey, ReadKeyHealth};
+use firmware_protocol::acyclic::health::{NOT_MEASURED, key_fault};
+use firmware_protocol::frame::hello::feature;
+use firmware_protocol::key::MOST_KEYS;
+use firmware_protocol::{Nothing, Record as _};
+
+use crate::periods::HEALTH_US;
+use crate::request_channel::RequestChannel;
+use crate::rt::board::BoardStatistics;
+use crate::rt::terms::BoardAgreement;
+
+/// What is known of the health of one board.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct HealthWatch {
+    /// It knows how it is.
+    is_known: bool,
+    n_keys: u8,
+    /// Keys that it reports as failed, slot 0 in bit 0, and what for.
+    failed: u16,
+    causes: [Option<u8>; MOST_KEYS],
+    /// Keys that shall have no motor, and those of which it was asked.
+    unwanted: u16,
+    muted: u16,
+    /// When it is asked next (us), and about which key.
+    next_board: u64,
+    next_key: u64,
+    slot: u8,
+    /// The key that a request under way is about.
+    asked: u8,
+    hottest: Option<i16>,
+}
+
+impl HealthWatch {
+    pub(super) fn new(agreed: &BoardAgreement) -> Self {
+        Self {
+            is_known: agreed.features & feature::HEALTH != 0,
+            n_keys: u8::try_from(agreed.place.n_keys).unwrap_or(u8::MAX),
+            failed: 0,
+            causes: [None; MOST_KEYS],
+            unwanted: 0,
+            muted: 0,
+            next_board: 0,
+            next_key: 0,
+            slot: 0,
+            asked: 0,
+            hottest: None,
+        }
+    }
+
+    /// Forgets what a board that has restarted had failed of, and what it was asked.
+    pub(super) fn forget(&mut self) {
+        let hottest = self.hottest;
+        (self.failed, self.muted, self.hottest) = (0, 0, hottest);
+        self.causes = [None; MOST_KEYS];
+    }
+
+    /// Returns the hottest motor that was reported (0.1 °C).
+    pub(super) const fn hottest(&self) -> Option<i16> {
+        self.hottest
+    }
+
+    /// Tells whether nothing is left to be asked of keys that have failed.
+    pub(super) fn is_settled(&self) -> bool {
+        self.unexplained().is_none()
+    }
+
+    /// Returns failed keys with their causes, one of [`key_fault`].
+    pub(super) fn failed(&self) -> impl Iterator<Item = (usize, u8)> {
+        let causes = self.causes.iter().enumerate();
+        causes.filter_map(|(slot, cause)| {
+            cause.filter(|_| self.failed >> slot & 1 == 1).map(|it| (slot, it))
+        })
+    }
+
+    /// Returns a key that has failed for a reason that is not known yet.
+    fn unexplained(&self) -> Option<u8> {
+        (0..self.n_keys)
+            .find(|slot| self.failed >> slot & 1 == 1 && self.causes[usize::from(*slot)].is_none())
+    }
+
+    /// Asks what is due at `now` (us) of an armed board; returns whether there is such a request.
+    pub(super) fn ask(
+        &mut self,
+        now: u64,
+        statistics: &BoardStatistics,
+        channel: &mut RequestChannel,
+    ) -> bool {
+        if !self.is_known {
+            return false;
+        }
+        let muted = statistics.keys.muted.iter().enumerate();
+        self.unwanted = muted.fold(0, |bits, (slot, it)| bits | u16::from(it.is_some()) << slot);
+        let to_mute = self.unwanted & !self.muted;
+        if let Some(slot) = self.unexplained() {
+            self.ask_key(slot, channel);
+        } else if to_mute != 0 {
+            #[expect(clippy::cast_possible_truncation, reason = "below 16")]
+            let slot = to_mute.trailing_zeros() as u8;
+            self.asked = slot;
+            channel.ask(Operation::MuteKey, &MuteKey { slot, muted: 1 });
+        } else if self.next_board <= now {
+            self.next_board = now + HEALTH_US;
+            channel.ask(Operation::BoardHealth, &Nothing);
+        } else if self.next_key <= now {
+            self.next_key = now + HEALTH_US;
+            self.slot = (self.slot + 1) % self.n_keys.max(1);
+            self.ask_key(self.slot, channel);
+        } else {
+            return false;
+        }
+        true
+    }
+
+    fn ask_key(&mut self, slot: u8, channel: &mut RequestChannel) {
+        self.asked = slot;
+        channel.ask(Operation::KeyHealth, &ReadKeyHealth { slot });
+    }
+
+    /// Takes how the board is.
+    pub(super) fn take_board(&mut self, health: &BoardHealth) {
+        self.failed = health.faults;
+    }
+
+    /// Takes the answer on the key that was asked about last; none if it was declined.
+    pub(super) fn take_key(&mut self, record: Option<&[u8]>) {
+        let health = record.and_then(KeyHealth::take);
+        let Some(cause) = self.causes.get_mut(usize::from(self.asked)) else { return };
+        // One that the board counts as failed has some fault, whatever it answers.
+        let fault = health.map_or(key_fault::OTHER, |it| it.fault);
+        let is_failed = self.failed >> self.asked & 1 == 1;
+        *cause = match fault {
+            key_fault::NONE => is_failed.then_some(key_fault::OTHER),
+            fault => is_failed.then_some(fault),
+        };
+        let temperature = health.map(|it| it.temperature).filter(|it| *it != NOT_MEASURED);
+        self.hottest = self.hottest.max(temperature);
+    }
+
+    /// Takes note that the board was asked to take the motor off that was asked about last.
+    pub(super) const fn on_muted(&mut self) {
+        self.muted |= 1 << self.asked;
+    }
+}

@@ -1,0 +1,285 @@
+//! The proof that a motor moves its key, and to the right side, before any model may use it.
+//!
+//! ```text
+//! Resting ─ still at its rest ─▶ Pushing down ─ moves down ─▶ Returning ─ is back ─▶ proven
+//!    ▲                               │ nothing moves
+//!    │                               ▼
+//!    │                           Pushing up ─ moves down ─▶ Returning ─ is back ─▶ Reversed
+//!    └── it did not return: a hand     │ nothing moves ─▶ Unmoved
+//! ```
+//!
+//! Two motions must agree, also in the push that began them: a finger that taps meanwhile proves
+//! nothing.
+//!
+//! A push grows by 0.1 N in 20 ms, so a key that is free starts gently and is let go after 0.3 mm.
+//! A key that is pressed or moves is not pushed: it gets at most 1 N of what its model wants, held,
+//! while it moves, until it has come to rest.
+
+use super::super::key_fault::KeyFault;
+
+/// How fast a push grows (N/s), and how far (N).
+const GROWTH: f64 = 5.0;
+const MOST: f64 = 1.5;
+
+/// How far a key must move (m).
+const WAY: f64 = 0.3e-3;
+
+/// How near its beginning a key must return (m), and within what time (s).
+const BACK: f64 = 0.15e-3;
+const RETURN: f64 = 0.15;
+
+/// Where a key is at rest (m), how still (m), and for how long before it is pushed (s).
+const REST: f64 = 1e-3;
+const STILLNESS: f64 = 30e-6;
+const STILL: f64 = 0.05;
+
+/// What a key may get that was not proven (N), and for how long where it stands still (s): a motor
+/// with exchanged wires would hold its key down.
+const UNPROVEN: f64 = 1.0;
+const HELD: f64 = 0.3;
+
+/// By how much the pushes may differ that begin two motions which agree (N).
+const ALIKE: f64 = 0.2;
+
+/// Which way a motor pushes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Push {
+    Down,
+    Up,
+}
+
+impl Push {
+    /// Returns the force (N, up positive) of a push this way.
+    const fn force(self, strength: f64) -> f64 {
+        match self {
+            Self::Down => -strength,
+            Self::Up => strength,
+        }
+    }
+}
+
+/// What a motion shows.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Shown {
+    Right,
+    Wrong,
+}
+
+/// A motion, and the push that began it (N).
+#[derive(Clone, Copy, PartialEq, Debug)]
+struct Motion {
+    shown: Shown,
+    strength: f64,
+}
+
+impl Motion {
+    /// Tells whether another motion shows the same.
+    fn agrees_with(&self, other: &Self) -> bool {
+        self.shown == other.shown && (self.strength - other.strength).abs() <= ALIKE
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Stage {
+    /// It has been still at `place` (m) for so long (s).
+    Resting {
+        place: f64,
+        still: f64,
+    },
+    /// It is pushed from `place` (m) with so much (N).
+    Pushing {
+        place: f64,
+        push: Push,
+        strength: f64,
+    },
+    /// It was let go so long ago (s) and shall return to `place` (m).
+    Returning {
+        place: f64,
+        motion: Motion,
+        since: f64,
+    },
+    Proven,
+    Failed(KeyFault),
+}
+
+/// How far the proof of one motor has come.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MotorProof {
+    stage: Stage,
+    /// The motion before.
+    before: Option<Motion>,
+    /// The key stood still under its force, and gets none until it has come to rest.
+    is_limp: bool,
+}
+
+impl MotorProof {
+    /// The motor is taken as proven.
+    pub(super) const PROVEN: Self = Self { stage: Stage::Proven, before: None, is_limp: false };
+
+    /// Returns a proof that begins once its key rests.
+    pub(super) const fn begin() -> Self {
+        Self {
+            stage: Stage::Resting { place: f64::INFINITY, still: 0.0 },
+            before: None,
+            is_limp: false,
+        }
+    }
+
+    /// Tells whether the motor may be used.
+    pub(super) fn is_proven(&self) -> bool {
+        self.stage == Stage::Proven
+    }
+
+    /// Tells whether the key has not been tried, since it did not rest.
+    pub(super) fn is_waiting(&self) -> bool {
+        matches!(self.stage, Stage::Resting { .. })
+    }
+
+    /// Returns what the proof has found wrong.
+    pub(super) const fn fault(&self) -> Option<KeyFault> {
+        match self.stage {
+            Stage::Failed(fault) => Some(fault),
+            Stage::Resting { .. }
+            | Stage::Pushing { .. }
+            | Stage::Returning { .. }
+            | Stage::Proven => None,
+        }
+    }
+
+    /// Continues with the key at `position` (m), `elapsed` (s) after the last call; returns the
+    /// force to send (N, up positive) where the model wants `wanted`.
+    ///
+    /// # Real-time
+    /// Some ten operations.
+    pub(super) fn step(&mut self, position: f64, elapsed: f64, wanted: f64) -> f64 {
+        match self.stage {
+            Stage::Resting { place, still } => {
+                let is_still = (position - place).abs() <= STILLNESS;
+                let is_at_rest = position.abs() <= REST;
+                let (place, still) =
+                    if is_still { (place, still + elapsed) } else { (position, 0.0) };
+                self.stage = if is_at_rest && STILL <= still {
+                    Stage::Pushing { place: position, push: Push::Down, strength: 0.0 }
+                } else {
+                    Stage::Resting { place, still }
+                };
+                self.is_limp = !is_at_rest && (self.is_limp || HELD <= still);
+                let is_free = is_at_rest || self.is_limp;
+                if is_free { 0.0 } else { wanted.clamp(-UNPROVEN, UNPROVEN) }
+            }
+            Stage::Pushing { place, push, strength } => {
+                self.push((place, position), push, strength + GROWTH * elapsed)
+            }
+            Stage::Returning { place, motion, since } => {
+                if (position - place).abs() <= BACK {
+                    self.conclude(motion);
+                } else if RETURN < since {
+                    // A hand holds it, and may have moved it.
+                    self.rest();
+                } else {
+                    self.stage = Stage::Returning { place, motion, since: since + elapsed };
+                }
+                0.0
+            }
+            Stage::Proven => wanted,
+            Stage::Failed(_) => 0.0,
+        }
+    }
+
+    /// Pushes a key at `position` that was at `place` (m) with `strength` (N) until it moves.
+    fn push(&mut self, (place, position): (f64, f64), push: Push, strength: f64) -> f64 {
+        let shown = match (push, position - place) {
+            (Push::Down, way) if WAY <= way => Some(Shown::Right),
+            (Push::Down, way) if way <= -WAY => Some(Shown::Wrong),
+            (Push::Up, way) if WAY <= way => Some(Shown::Wrong),
+            (Push::Down | Push::Up, _) => None,
+        };
+        if let Some(shown) = shown {
+            let motion = Motion { shown, strength };
+            self.stage = Stage::Returning { place, motion, since: 0.0 };
+            return 0.0;
+        }
+        self.stage = match push {
+            _ if strength < MOST => Stage::Pushing { place, push, strength },
+            Push::Down => Stage::Pushing { place, push: Push::Up, strength: 0.0 },
+            Push::Up => Stage::Failed(KeyFault::Unmoved),
+        };
+        push.force(strength.min(MOST))
+    }
+
+    fn conclude(&mut self, motion: Motion) {
+        let is_sure = self.before.replace(motion).is_some_and(|it| it.agrees_with(&motion));
+        match motion.shown {
+            _ if !is_sure => self.rest(),
+            Shown::Right => self.stage = Stage::Proven,
+            Shown::Wrong => self.stage = Stage::Failed(KeyFault::Reversed),
+        }
+    }
+
+    const fn rest(&mut self) {
+        self.stage = Stage::Resting { place: f64::INFINITY, still: 0.0 };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use haptics::plant::{KeyRig, RigParameters};
+
+    const H: f64 = 1e-3;
+
+    /// Proves the motor of a simulated key that renders `gain` of its force and whose sensor reads
+    /// `scale` times its way, while `hand` (N, down) presses; returns the proof, how long it took
+    /// (s), and the largest push (N).
+    fn prove(gain: f64, scale: f64, hand: impl Fn(f64) -> f64) -> (MotorProof, f64, f64) {
+        let mut rig = KeyRig::new(RigParameters::default());
+        let (mut proof, mut force, mut most) = (MotorProof::begin(), 0.0, 0.0_f64);
+        for n in 0..5_000_u32 {
+            let t = f64::from(n) * H;
+            rig.advance(t, H, gain * force - hand(t), None);
+            force = proof.step(scale * rig.position(), H, 8.0);
+            most = most.max(force.abs());
+            if proof.is_proven() || proof.fault().is_some() {
+                return (proof, t, most);
+            }
+        }
+        (proof, 5.0, most)
+    }
+
+    #[test]
+    fn a_motor_is_proven_in_half_a_second_with_less_than_a_newton() {
+        let (proof, took, most) = prove(1.0, 1.0, |_| 0.0);
+        assert!(proof.is_proven() && took < 0.6 && most <= 1.0, "{proof:?} {took} s {most} N");
+    }
+
+    #[test]
+    fn exchanged_wires_a_turned_sensor_and_a_dead_motor_are_found() {
+        for (gain, scale, fault) in [
+            (-1.0, 1.0, KeyFault::Reversed),
+            (1.0, -1.0, KeyFault::Reversed),
+            (0.0, 1.0, KeyFault::Unmoved),
+        ] {
+            let (proof, took, most) = prove(gain, scale, |_| 0.0);
+            assert_eq!(proof.fault(), Some(fault), "{gain} {scale}");
+            assert!(took < 2.0 && most <= MOST, "{took} s {most} N");
+        }
+    }
+
+    #[test]
+    fn a_key_that_is_held_down_is_proven_once_it_is_let_go() {
+        let (proof, took, most) = prove(1.0, 1.0, |t| if t < 1.0 { 3.0 } else { 0.0 });
+        assert!(
+            proof.is_proven() && (1.0..2.0).contains(&took) && most <= UNPROVEN,
+            "{took} {most}"
+        );
+        let (proof, _, most) = prove(-1.0, 1.0, |_| 3.0);
+        assert!(proof.is_waiting() && most <= UNPROVEN, "{proof:?} {most}");
+    }
+
+    #[test]
+    fn a_finger_that_presses_during_the_push_proves_nothing() {
+        let taps = |t: f64| if t < 1.5 && (t * 8.0).fract() < 0.8 { 1.5 } else { 0.0 };
+        let (proof, took, _) = prove(-1.0, 1.0, taps);
+        assert_eq!(proof.fault(), Some(KeyFault::Reversed), "{took} s");
+    }
+}
