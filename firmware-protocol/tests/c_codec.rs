@@ -99,7 +99,7 @@ fn slopes_are_rounded_alike() {
 
 #[test]
 fn the_parts_of_the_firmware_without_hardware_do_what_they_say() {
-    let parts = ["arm", "forces", "gesture", "history", "law", "log", "plant"];
+    let parts = ["arm", "forces", "gesture", "history", "law", "lever", "log", "plant"];
     let parts = parts.map(|part| format!("firmware/{part}.c"));
     let parts = parts.each_ref().map(String::as_str);
     let Some(program) = build("pure", &parts) else { return };

@@ -1,5 +1,7 @@
 #include "acyclic.h"
 
+#include "unit.h"
+
 /* What a request leads to: a status, and the length of the record at `reply`. */
 struct asked {
     struct state *state;
@@ -201,9 +203,9 @@ static uint8_t finger(struct asked *asked)
 static uint8_t board_health(struct asked *asked)
 {
     struct letoff_board_health health = {
-        /* Kept in flash on real hardware. */
-        .boots = 1,
-        .homed = (uint16_t)((1u << N_KEYS) - 1u),
+        .boots = unit_boots(),
+        .homed = unit_homed(),
+        .faults = unit_faults(),
         .muted = asked->state->muted,
     };
     asked->reply_len = letoff_board_health_put(&health, asked->reply, asked->room);
@@ -217,11 +219,7 @@ static uint8_t key_health(struct asked *asked)
         N_KEYS <= wanted.slot) {
         return LETOFF_STATUS_BAD_VALUE;
     }
-    struct letoff_key_health health = {
-        .fault = LETOFF_KEY_FAULT_NONE,
-        .temperature = LETOFF_NOT_MEASURED,
-        .current = LETOFF_NOT_MEASURED,
-    };
+    struct letoff_key_health health = unit_key_health(wanted.slot);
     asked->reply_len = letoff_key_health_put(&health, asked->reply, asked->room);
     return LETOFF_STATUS_DONE;
 }

@@ -140,7 +140,7 @@ static struct history_entry *remember(struct state *state)
     entry->owed = state->arm.mode == ARM_ARMED && state->arm.packing != LETOFF_FORCES_MULTICAST16;
     for (size_t slot = 0; slot < N_KEYS; slot++) {
         entry->counts[slot] = plant_counts(&state->keys[slot]);
-        entry->velocities[slot] = state->keys[slot].velocity;
+        entry->velocities[slot] = plant_velocity(&state->keys[slot]);
     }
     return entry;
 }

@@ -1,43 +1,16 @@
-#include "plant.h"
+#include "lever.h"
 
 #include "board.h"
 
-/* One step [s]. */
-#define H (1e-6f * STEP_US)
-/* The key: mass [kg], damping [N s/m], return spring [N], friction moving and at rest [N]. */
-#define MASS 0.040f
-#define DAMPING 1.0f
-#define RETURN 0.3f
-#define COULOMB 0.10f
-#define STICTION 0.12f
-/* The felts: where the key bottom is [m], stiffness [N/m], damping [N s/m]. */
-#define BOTTOM 10.16e-3f
-#define FELT_STIFFNESS 60e3f
-#define FELT_DAMPING 30.0f
-/* The motor: largest force [N], and 1 − exp(−2π · 1 kHz · H). */
+/* The motor: largest force [N], and 1 − exp(−2π · 1 kHz · STEP_US). */
 #define MOTOR_LIMIT 30.0f
 #define MOTOR_SHARE 0.466512f
 #define MOTOR_SETTLED 1e-5f
-/* The finger: mass, damping, stiffness, and those of its pulp. */
-#define TIP_MASS 6e-3f
-#define TIP_DAMPING 4.0f
-#define TIP_STIFFNESS 400.0f
-/* How many times as stiff, and as damped, a braced finger is. */
-#define BRACED_STIFFNESS 3.25f
-#define BRACED_DAMPING 1.75f
-#define PULP_STIFFNESS 4e3f
-#define PULP_DAMPING 3.0f
-#define AWAY (-20e-3f)
 #define COUNTS_PER_METRE (1e9f / QUANTUM_NM)
 
 #if STEP_US != 100
 #error "MOTOR_SHARE is for steps of 100 us"
 #endif
-
-static float magnitude(float x)
-{
-    return x < 0.0f ? -x : x;
-}
 
 int32_t plant_counts(const struct plant_key *key)
 {
@@ -45,65 +18,10 @@ int32_t plant_counts(const struct plant_key *key)
     return (int32_t)(counts < 0.0f ? counts - 0.5f : counts + 0.5f);
 }
 
-/* ---- The felt that is nearer. ---- */
-
-struct resistance {
-    /* Direction into the felt, down positive; push at rest, and per velocity at the end. */
-    float sign;
-    float preload;
-    float slope;
-};
-
-static struct resistance resistance(float position, float h)
+float plant_velocity(const struct plant_key *key)
 {
-    bool up = position < BOTTOM - position;
-    struct resistance felt;
-    felt.sign = up ? -1.0f : 1.0f;
-    /* The return spring leaves the key at 0. */
-    float depth = up ? RETURN / FELT_STIFFNESS - position : position - BOTTOM;
-    felt.preload = FELT_STIFFNESS * depth;
-    felt.slope = FELT_STIFFNESS * h + (0.0f < depth ? FELT_DAMPING : 0.0f);
-    return felt;
+    return key->velocity;
 }
-
-/* The direction in which a key at rest starts to move under `force`; 0 if it does not. */
-static float breakaway(float position, float force)
-{
-    struct resistance felt = resistance(position, 0.0f);
-    float push = 0.0f < felt.preload ? -felt.sign * felt.preload : 0.0f;
-    float net = push - force - RETURN;
-    if (magnitude(net) <= STICTION) {
-        return 0.0f;
-    }
-    return net < 0.0f ? -1.0f : 1.0f;
-}
-
-/* Velocity after a step under `force`, with friction against `direction`. */
-static float sliding(const struct plant_key *key, float force, float direction)
-{
-    struct resistance felt = resistance(key->position, H);
-    float inertia = MASS + H * DAMPING;
-    float impulse = MASS * key->velocity - H * (force + RETURN + direction * COULOMB);
-    float free = impulse * (1.0f / (MASS + H * DAMPING));
-    if (felt.preload + felt.slope * felt.sign * free <= 0.0f) {
-        return free;
-    }
-    return (impulse - H * felt.sign * felt.preload) / (inertia + H * felt.slope);
-}
-
-static void step_key(struct plant_key *key, float force)
-{
-    float direction = key->velocity < 0.0f ? -1.0f : 1.0f;
-    if (key->velocity == 0.0f) {
-        direction = breakaway(key->position, force);
-    }
-    float velocity = direction == 0.0f ? 0.0f : sliding(key, force, direction);
-    /* Friction stops motion, it does not reverse it. */
-    key->velocity = 0.0f < velocity * direction ? velocity : 0.0f;
-    key->position += H * key->velocity;
-}
-
-/* ---- The motor. ---- */
 
 static float limited(float command)
 {
@@ -117,86 +35,19 @@ static void step_motor(struct plant_key *key, float command)
 {
     float target = limited(command);
     float gap = target - key->motor;
-    key->motor = magnitude(gap) < MOTOR_SETTLED ? target : key->motor + MOTOR_SHARE * gap;
+    key->motor = -MOTOR_SETTLED < gap && gap < MOTOR_SETTLED ? target : key->motor + MOTOR_SHARE * gap;
 }
-
-/* ---- The finger. ---- */
-
-static struct command command_at(const struct plant_key *key, uint32_t now_us)
-{
-    int32_t elapsed = letoff_signed(now_us - key->gesture.start_us, 32);
-    int32_t lifting = letoff_signed(now_us - gesture_lift_off(&key->gesture), 32);
-    return gesture_command(&key->stroke, 1e-6f * (float)elapsed, 1e-6f * (float)lifting);
-}
-
-/* A gesture with another start is another finger, placed where that gesture has it. */
-static void begin(struct plant_key *key, const struct letoff_finger *gesture, uint32_t now_us)
-{
-    bool other = !key->playing || key->gesture.start_us != gesture->start_us;
-    bool changed = other || key->gesture.speed != gesture->speed ||
-                   key->gesture.hold != gesture->hold || key->gesture.touch != gesture->touch ||
-                   key->gesture.from != gesture->from || key->gesture.lift != gesture->lift;
-    key->gesture = *gesture;
-    if (changed) {
-        stroke_of(&key->stroke, gesture);
-    }
-    if (other) {
-        struct command command = command_at(key, now_us);
-        key->playing = true;
-        key->tip = command.position;
-        key->tip_velocity = command.velocity;
-    }
-}
-
-/* The force between finger and key [N], never negative. */
-static float contact(const struct plant_key *key)
-{
-    float depth = key->tip - key->position;
-    if (depth <= 0.0f) {
-        return 0.0f;
-    }
-    float force = PULP_STIFFNESS * depth + PULP_DAMPING * (key->tip_velocity - key->velocity);
-    return force < 0.0f ? 0.0f : force;
-}
-
-static void step_finger(struct plant_key *key, struct command command, float push)
-{
-    float braced = key->stroke.braced;
-    float stiffness = TIP_STIFFNESS * (1.0f + braced * (BRACED_STIFFNESS - 1.0f));
-    float damping = TIP_DAMPING * (1.0f + braced * (BRACED_DAMPING - 1.0f));
-    float muscle = stiffness * (command.position - key->tip) + damping * command.velocity;
-    float impulse = TIP_MASS * key->tip_velocity + H * (muscle - push);
-    key->tip_velocity = impulse / (TIP_MASS + H * (damping + H * stiffness));
-    key->tip += H * key->tip_velocity;
-}
-
-/* Moves the finger along its gesture, if there is one; returns how it pushes [N]. */
-static float play(struct plant_key *key, uint32_t now_us)
-{
-    const struct letoff_finger *gesture = gestures_now(&key->gestures, now_us);
-    if (gesture == NULL) {
-        key->playing = false;
-        key->tip = AWAY;
-        return 0.0f;
-    }
-    begin(key, gesture, now_us);
-    float push = contact(key);
-    step_finger(key, command_at(key, now_us + STEP_US), push);
-    return push;
-}
-
-/* ---- All of it. ---- */
 
 bool plant_is_still(const struct plant_key *key, float command, uint32_t until_us)
 {
     return !key->playing && key->velocity == 0.0f && key->motor == limited(command) &&
            !gestures_any_by(&key->gestures, until_us) &&
-           breakaway(key->position, key->motor) == 0.0f;
+           lever_breakaway(key->position, key->motor) == 0.0f;
 }
 
 void plant_step(struct plant_key *key, float command, uint32_t now_us)
 {
-    float push = play(key, now_us);
+    float push = lever_play(key, now_us);
     step_motor(key, command);
-    step_key(key, key->motor - push);
+    lever_step(key, key->motor - push);
 }

@@ -26,6 +26,9 @@ struct plant_key {
 /* What the encoder reads. */
 int32_t plant_counts(const struct plant_key *key);
 
+/* Velocity that the board measures [m/s], down positive. */
+float plant_velocity(const struct plant_key *key);
+
 /* Whether the steps up to `until_us` with the motor's `command` [N] would change nothing. */
 bool plant_is_still(const struct plant_key *key, float command, uint32_t until_us);
 

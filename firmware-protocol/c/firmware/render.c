@@ -7,8 +7,8 @@ static float force_of(const struct state *state, size_t slot, uint32_t at_us, in
         return 0.0f;
     }
     float limit = 1e-3f * (float)state->settings[LETOFF_SETTING_MAX_FORCE_MN];
-    return law_force(&state->forces.keys[slot], at_us, plant_counts(key), key->velocity, share,
-                     limit);
+    return law_force(&state->forces.keys[slot], at_us, plant_counts(key), plant_velocity(key),
+                     share, limit);
 }
 
 /* The steps of one key. One that is at rest and that nothing touches has none to make. */

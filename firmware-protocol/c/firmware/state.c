@@ -1,5 +1,7 @@
 #include "state.h"
 
+#include "unit.h"
+
 void count(uint32_t *counter)
 {
     if (*counter < UINT32_MAX) {
@@ -58,7 +60,6 @@ struct letoff_hello state_hello(const struct state *state, uint32_t now_us)
         .major = LETOFF_VERSION_MAJOR,
         .minor = LETOFF_VERSION_MINOR,
         .schema = LETOFF_SCHEMA_HASH,
-        .uid = {'Q', 'E', 'M', 'U', 0, BOARD},
         .first_key = FIRST_KEY,
         .n_keys = N_KEYS,
         .features = LETOFF_FEATURE_SLOPES | LETOFF_FEATURE_MULTICAST | LETOFF_FEATURE_VELOCITY |
@@ -72,8 +73,9 @@ struct letoff_hello state_hello(const struct state *state, uint32_t now_us)
         .board_us = now_us,
         .firmware_major = FIRMWARE_MAJOR,
         .firmware_minor = FIRMWARE_MINOR,
-        .reset_reason = 1,
+        .reset_reason = unit_reset_reason(),
         .safe_reason = state->arm.reason,
     };
+    unit_uid(hello.uid);
     return hello;
 }
