@@ -15,6 +15,9 @@ mod document;
 mod evolution;
 #[path = "support/random.rs"]
 mod random;
+mod rig;
+#[path = "support/rig.rs"]
+mod rig_host;
 #[path = "support/tools.rs"]
 mod tools;
 #[path = "support/vector.rs"]

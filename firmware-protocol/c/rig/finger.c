@@ -11,10 +11,11 @@
 /* `slow`: amplitude [m] and frequency [Hz]. */
 #define SLOW_WAY 6e-3
 #define SLOW_HZ 0.5
-/* `hold`: time of contact [s], speed [m/s], and depth beyond the bottom for 8 N at 400 N/m [m]. */
+/* `hold`: time of contact [s], speed [m/s], and depth beyond the bottom [m]: 8 N over the finger of
+ * 400 N/m and its pulp of 4000 N/m. */
 #define HOLD_FROM 1.0
 #define HOLD_SPEED 0.1
-#define HOLD_BEYOND 20e-3
+#define HOLD_BEYOND 22e-3
 /* Physiological tremor: frequency [Hz], amplitude [m], and its wander in a step [rad]. */
 #define TREMOR_HZ 9.0
 #define TREMOR 30e-6
@@ -27,7 +28,7 @@ enum script { SCRIPT_NONE = 0, SCRIPT_SLOW, SCRIPT_MIXED, SCRIPT_HOLD, SCRIPT_CO
 static const char *const names[SCRIPT_COUNT] = {"none", "slow", "mixed", "hold"};
 
 /* `mixed`, by start: touch, start and release [us], speed [um/s], hold and start depth [um], lift
- * [us]. A finger of 400 N/m that is held 15 mm beyond the bottom presses with 6 N. */
+ * [us]. A finger that is held 16.5 mm beyond the bottom presses with 6 N. */
 static const struct letoff_finger mixed[] = {
     /* Rests lightly. */
     {0, LETOFF_FINGER_PRESSED, 200000, 900000, 20000, 1000, 0, 50000},
@@ -36,7 +37,7 @@ static const struct letoff_finger mixed[] = {
     {0, LETOFF_FINGER_STRUCK, 1250000, 1380000, 500000, 11000, 0, 50000},
     {0, LETOFF_FINGER_STRUCK, 1500000, 1630000, 500000, 11000, 0, 50000},
     /* Presses slowly, holds at the bottom for 0.5 s, lifts slowly. */
-    {0, LETOFF_FINGER_PRESSED, 1700000, 3100000, 40000, 25160, 0, 150000},
+    {0, LETOFF_FINGER_PRESSED, 1700000, 3100000, 40000, 26660, 0, 150000},
     /* Holds half way for 0.5 s. */
     {0, LETOFF_FINGER_PRESSED, 3300000, 4000000, 60000, 6500, 0, 50000},
     /* Strikes at 0.3, 1.0 and 2.5 m/s; the last one is lifted quickly. */

@@ -10,7 +10,7 @@ use crate::files;
 
 /// Files that are copied as they are, and where they go; documents keep their places beside each
 /// other, so that their links lead on.
-const COPIES: [(&str, &str); 17] = [
+const COPIES: [(&str, &str); 18] = [
     ("configs/service/letoff.service", "usr/lib/systemd/system/letoff.service"),
     ("configs/service/letoff.sysusers", "usr/lib/sysusers.d/letoff.conf"),
     ("configs/service/letoff.rules", "usr/lib/udev/rules.d/70-letoff.rules"),
@@ -28,10 +28,15 @@ const COPIES: [(&str, &str); 17] = [
     ("crates/models/README.md", "usr/share/doc/letoff/crates/models/README.md"),
     ("crates/pode/README.md", "usr/share/doc/letoff/crates/pode/README.md"),
     ("firmware-protocol/README.md", "usr/share/doc/letoff/firmware-protocol/README.md"),
+    ("firmware-protocol/PROTOCOL.md", "usr/share/doc/letoff/firmware-protocol/PROTOCOL.md"),
 ];
 
 /// Folders of examples to start from.
 const EXAMPLES: [&str; 3] = ["instruments", "models", "scenes"];
+
+/// Folders with C that makers of boards compile.
+const C_SOURCES: [&str; 3] =
+    ["firmware-protocol/c", "firmware-protocol/c/firmware", "firmware-protocol/c/rig"];
 
 /// What dpkg runs when the package comes and goes, and the files that are the administrator's.
 const CONTROL: [(&str, &str); 4] = [
@@ -61,23 +66,34 @@ pub(super) fn make(root: &Path, built: &Path) -> Result<(), Error> {
     for (from, to) in COPIES {
         copy(&command::root().join(from), &root.join(to))?;
     }
-    add_examples(&root.join("usr/share/doc/letoff/examples"))?;
+    let documents = root.join("usr/share/doc/letoff");
+    for name in EXAMPLES {
+        let from = command::root().join("configs").join(name);
+        copy_files(&from, &documents.join("examples").join(name), Path::is_file)?;
+    }
+    for name in C_SOURCES {
+        copy_files(&command::root().join(name), &documents.join(name), is_c_source)?;
+    }
     add_programs(root, built)?;
-    add_documents(&root.join("usr/share/doc/letoff"))?;
+    add_documents(&documents)?;
     for (name, content) in CONTROL {
         write(&root.join("DEBIAN").join(name), content)?;
     }
     command::answer(Command::new("sh").args(["-e", "-c", FINISH]).current_dir(root)).map(drop)
 }
 
-fn add_examples(folder: &Path) -> Result<(), Error> {
-    for name in EXAMPLES {
-        let from = command::root().join("configs").join(name);
-        for path in files::list(&from)?.iter().filter(|it| it.is_file()) {
-            copy(path, &folder.join(name).join(path.file_name().unwrap_or_default()))?;
-        }
+/// Copies what is wanted of the folder `from`, without its subfolders.
+fn copy_files(from: &Path, to: &Path, is_wanted: fn(&Path) -> bool) -> Result<(), Error> {
+    for path in files::list(from)?.iter().filter(|it| is_wanted(it)) {
+        copy(path, &to.join(path.file_name().unwrap_or_default()))?;
     }
     Ok(())
+}
+
+/// Returns `true` for the files that a build starts from; a developer's folder has its results too.
+fn is_c_source(path: &Path) -> bool {
+    let end = path.extension().and_then(|it| it.to_str());
+    matches!(end, Some("c" | "h" | "ld" | "md"))
 }
 
 /// Adds the programs, without symbols, with the manual that they write themselves.
