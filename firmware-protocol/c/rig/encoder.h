@@ -1,4 +1,4 @@
-/* The encoders of the keys, with what may be wrong with that of slot 0. */
+/* Encoders of the keys, and the faults of the encoder in slot 0. */
 #ifndef ENCODER_H
 #define ENCODER_H
 
@@ -7,13 +7,13 @@
 
 void encoders_begin(uint64_t seed);
 
-/* Notes the place of the key in slot 0, at which some faults keep the encoder. */
+/* Stores the place of the key in slot 0, where some faults keep the encoder. */
 void encoder_fault_begins(double position);
 
 /* Reads the encoder of a key at `position` [m] with `velocity` [m/s]. */
 void encoder_read(size_t slot, double position, double velocity);
 
-/* Says that the readings are samples for the host: some faults act on samples. */
+/* Marks the last readings as samples for the host: some faults act on samples. */
 void encoder_sample(void);
 
 /* Last reading [counts], and velocity [m/s]. */

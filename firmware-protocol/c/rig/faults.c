@@ -87,22 +87,22 @@ static const struct description descriptions[FAULT_COUNT] = {
     [FAULT_VELSCALE] = {"velscale", "factor", 2, -100, 100,
                         "Velocities are multiplied: a wrong unit."},
     [FAULT_HOT] = {"hot", NULL, 0, 0, 0,
-                   "BoardHealth names the key as failed, KeyHealth has 325 °C; the board can still "
-                   "be armed: firmware that reports and does not act."},
+                   "BoardHealth names the key as failed, KeyHealth has 325 °C; the board can "
+                   "still be armed: firmware that reports and does not act."},
     [FAULT_OVERHEAT] = {"overheat", "°C", 150, 50, 400,
                         "Like `hot`, but the temperature approaches this value with 1 s."},
     [FAULT_KEYFAULT] = {"keyfault", NULL, 0, 0, 0,
                         "The board latches KEY_FAULT, and its log has \"key 0: too hot\"."},
     [FAULT_NOTHOMED] = {"nothomed", NULL, 0, 0, 0, "The encoder does not know its place."},
     [FAULT_BROWN] = {"brown", "N", 3, 0, 1000,
-                     "The supply gives way when the forces of all keys are larger than this "
-                     "together. The board is dark for 0.3 s and starts with reset reason 2."},
+                     "The supply fails when the forces of all keys together are larger than this. "
+                     "The board is dark for 0.3 s and restarts with reset reason 2."},
     [FAULT_RESTART] = {"restart", "s", 5, 0.1, 1e6,
-                       "The board starts again after this time, with reset reason 3: its watchdog "
-                       "barks."},
+                       "The board restarts when it has run for this time, with reset reason 3: its "
+                       "watchdog expired."},
     [FAULT_HANG] = {"hang", "s", 0.5, 0, 1.9,
-                    "The loop stops for this time every 2 s, while the interrupt of the law goes "
-                    "on: a blocking write."},
+                    "The loop stops for this time every 2 s, while the interrupt of the law "
+                    "continues: a blocking write."},
 };
 
 static struct {

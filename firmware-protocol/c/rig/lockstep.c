@@ -1,4 +1,4 @@
-/* Virtual time: each exchange says how late it is, so that two runs are alike bit by bit. */
+/* Virtual time: each exchange carries the time of the host, so two runs are alike bit by bit. */
 #include "../letoff_protocol.h"
 #include "machine.h"
 #include "session.h"

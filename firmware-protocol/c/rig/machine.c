@@ -18,7 +18,7 @@
 /* Time without supply after a brown-out, and time that a start takes [us]. */
 #define BROWN_US 300000u
 #define START_US 50000u
-/* A board that hangs does so once in this time [us]. */
+/* Interval from one hang to the next [us]. */
 #define HANG_EVERY_US 2000000u
 /* A winding that is hotter has failed [°C]. */
 #define TOO_HOT 120.0
@@ -44,7 +44,7 @@ struct machine {
     uint64_t from_us;
     bool was_armed;
     uint64_t armed_us;
-    /* Keys that the host believes to be muted, with the fault `mutelies`. */
+    /* Keys that the board reports as muted, slot 0 in bit 0. */
     uint16_t muted;
     /* Sums over the earlier starts. */
     struct board_account before;
@@ -52,7 +52,7 @@ struct machine {
 
 static struct machine machine;
 
-/* ---- What the firmware asks. ---- */
+/* ---- Identity and condition, for the firmware. ---- */
 
 void unit_uid(uint8_t uid[6])
 {

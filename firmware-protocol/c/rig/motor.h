@@ -1,4 +1,4 @@
-/* Motors with their amplifiers, and the supply that they share. */
+/* Motors with their amplifiers, their shared supply, and their faults. */
 #ifndef MOTOR_H
 #define MOTOR_H
 

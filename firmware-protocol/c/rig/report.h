@@ -1,4 +1,4 @@
-/* Accounts of the forces and the work of the motors, and the report at the end. */
+/* Accounts of the forces and the work of the motors, and the report. */
 #ifndef REPORT_H
 #define REPORT_H
 

@@ -1,4 +1,4 @@
-/* The link between board and host, with what may be wrong with it. */
+/* Link between board and host, and its faults. */
 #ifndef WIRE_H
 #define WIRE_H
 
@@ -18,10 +18,10 @@ struct packet {
 /* `latency_us` is that of each way. */
 void wire_begin(uint64_t seed, uint64_t latency_us);
 
-/* Sets the time of all that follows. */
+/* Sets the time of all later calls. */
 void wire_at(uint64_t now_us);
 
-/* The host does not read, so the board cannot send. */
+/* While the host does not read, the board cannot send. */
 void wire_block(bool blocked);
 
 /* Takes bytes that the host sent. */
