@@ -395,7 +395,7 @@ fn check_muted(wrong: Wrong, reason: KeyFault, ticks: u64, most: f64) {
     let report = stage.bus.board_reports().remove(0);
     let mut muted = [None; MOST_KEYS];
     muted[PLAYED.1] = Some(reason);
-    assert_eq!(report.statistics.muted, muted, "{wrong:?}");
+    assert_eq!(report.statistics.keys.muted, muted, "{wrong:?}");
     assert_eq!(report.condition.state, BoardStage::Armed, "{wrong:?}");
     assert_eq!((stage.observer.strikes, stage.observer.faults), (0, 0), "{wrong:?}");
     assert!(stage.observer.force < most, "{wrong:?}: {} N", stage.observer.force);
@@ -421,6 +421,6 @@ fn one_sample_that_cannot_be_is_as_if_it_had_been_lost() {
     let report = stage.bus.board_reports().remove(0);
     assert_eq!((stage.observer.strikes, stage.observer.faults), (0, 0));
     assert!(stage.observer.force < NONE, "{} N", stage.observer.force);
-    assert_eq!(report.statistics.muted, [None; MOST_KEYS]);
+    assert_eq!(report.statistics.keys.muted, [None; MOST_KEYS]);
     assert!((15..=40).contains(&report.statistics.implausible), "{report:?}");
 }
