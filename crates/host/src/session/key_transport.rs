@@ -20,9 +20,6 @@ use crate::observe::{LinksWatch, TelemetryMessage};
 use crate::report::{BoardLine, LinkLine, LinkReport};
 use realtime::clock;
 
-/// Time between two looks at the boards before the first tick.
-const LOOK: Nanos = Nanos::from_millis(1);
-
 /// What each line shall carry; none where times are not known.
 pub(super) type Plans = Vec<Option<BusPlan>>;
 
@@ -129,17 +126,15 @@ impl KeyBus for KeyTransport {
 }
 
 impl KeyTransport {
-    /// Takes what boards send until `start` is near, so that the first tick finds what is new.
+    /// Exchanges with boards until `start`, so that they stay armed and the first tick finds what is
+    /// new.
     pub(super) fn attend_until(&mut self, start: Nanos) {
         let Self::Boards(keybed, ..) = self else { return };
-        loop {
-            let next = clock::monotonic().after(LOOK);
-            if start <= next {
-                return;
-            }
-            keybed.attend();
-            clock::sleep_until(next);
+        let period = Nanos::from_micros(keybed.period_us());
+        while clock::monotonic().after(period) < start {
+            keybed.exchange();
         }
+        clock::sleep_until(start);
     }
 
     /// Tells boards to render no force until they are seen to; a simulated keybed ends with the

@@ -57,8 +57,9 @@ impl Keybed<Armed> {
         boards.all(|board| board.statistics().keys.unproven == 0)
     }
 
-    /// Takes samples and sends forces for one period, without any model; returns the time (us).
-    fn exchange(&mut self) -> u64 {
+    /// Takes samples for one period and sends no forces but those of proofs, so that boards stay
+    /// armed while no model plays; returns the time (us).
+    pub fn exchange(&mut self) -> u64 {
         let end = self.now_us() + self.stage.period_us;
         while self.now_us() < end {
             self.attend();
