@@ -113,12 +113,12 @@ pub enum Refusal {
     #[error("{board}: {}", restart_words(*times, *reason))]
     Restarting { board: BoardName, times: u8, reason: u8 },
     #[error(
-        "{board}: no motor has moved its key as it should, so none of {keys} is played: {}{}; {}",
-        fault.words(),
-        forces.map(|it| it.to_string()).unwrap_or_default(),
-        fault.remedy()
+        "{board}: no motor has moved its key as it should, so none of {keys} is played: {}; {}",
+        fault.words(), fault.remedy()
     )]
-    NotProven { board: BoardName, keys: String, fault: KeyFault, forces: Option<UntakenForces> },
+    NotProven { board: BoardName, keys: String, fault: KeyFault },
+    #[error("{board} takes no force, so none of {keys} is played{forces}")]
+    TakesNoForce { board: BoardName, keys: String, forces: UntakenForces },
     #[error("{board} cannot {what}; {instead}")]
     Unable { board: BoardName, what: &'static str, instead: String },
     #[error(
@@ -317,6 +317,7 @@ impl Refusals {
             | Refusal::NotHomed { .. }
             | Refusal::Restarting { .. }
             | Refusal::NotProven { .. }
+            | Refusal::TakesNoForce { .. }
             | Refusal::Unable { .. }
             | Refusal::Declined { .. }
             | Refusal::Latched { .. }

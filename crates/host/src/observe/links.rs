@@ -5,7 +5,9 @@ use hardware::rt::link_snapshot::{BoardSnapshot, BoardStatus, LineSnapshot, Link
 use rtrb::Consumer;
 use telemetry::Links;
 
-use crate::report::{key_names, muted_keys, stage_words, wire_words};
+use crate::report::{
+    key_names, muted_keys, softened_words, stage_words, unproven_words, wire_words,
+};
 use hardware::refusal::{burst_words, restart_words};
 use hardware::rt::link_monitor::LinkSample;
 
@@ -94,19 +96,14 @@ impl LinksWatch {
 /// Returns how a board and its keys are, in words.
 fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String {
     let keys = &it.statistics.keys;
-    let list = |slots: u16, words: &str| {
-        let names = key_names(first_key, slots).join(", ");
-        (slots != 0).then(|| format!("{names} {words}"))
+    let list = |slots: u16, words: fn(&str) -> String| {
+        (slots != 0).then(|| words(&key_names(first_key, slots).join(", ")))
     };
     let notes = [
         (0 < care.restarts).then(|| restart_words(care.restarts, care.reset_reason)),
         care.burst_us.map(|it| burst_words(it as f64)),
-        list(keys.softened, "shook and gets half of its force"),
-        list(
-            keys.unproven,
-            "gets 1 N at most until it has come to rest and its motor is proven; if nobody holds \
-             it, its motor pushes by itself: cut its supply",
-        ),
+        list(keys.softened, softened_words),
+        list(keys.unproven, unproven_words),
     ];
     let muted = muted_keys(first_key, &keys.muted);
     let muted = muted.iter().map(ToString::to_string);

@@ -217,6 +217,19 @@ fn bar_words(bar: ArmLockout) -> String {
     }
 }
 
+/// Returns what is done to `keys` that shook.
+pub(crate) fn softened_words(keys: &str) -> String {
+    format!("half of the force for {keys}, since it went to and fro: take a scene that is softer")
+}
+
+/// Returns what is done to `keys` whose motors wait for their proof.
+pub(crate) fn unproven_words(keys: &str) -> String {
+    format!(
+        "1 N at most for {keys} until it has come to rest and its motor is proven: a hand holds \
+         it, or its motor pushes by itself (then cut its supply)"
+    )
+}
+
 /// Returns the names of the keys of a board from `first_key` on whose bits are set.
 pub(crate) fn key_names(first_key: u8, slots: u16) -> Vec<String> {
     let keys = (first_key..).map_while(KeyIndex::new).take(MOST_KEYS).enumerate();
@@ -275,19 +288,15 @@ impl BoardLine {
         let restarts = (0 < self.restarts).then(|| {
             restart_words(u8::try_from(self.restarts).unwrap_or(u8::MAX), self.reset_reason)
         });
-        let softened = (!self.softened.is_empty()).then(|| {
-            let keys = self.softened.join(", ");
-            format!("{keys} shook and got half of the force; take a scene that is softer there")
-        });
-        let unproven = (!self.unproven.is_empty()).then(|| {
-            let keys = self.unproven.join(", ");
-            format!(
-                "{keys} got 1 N at most, since it never came to rest to have its motor proven; if \
-                 nobody held it, its motor pushes by itself: cut its supply"
-            )
-        });
+        let list = |keys: &[String], words: fn(&str) -> String| {
+            (!keys.is_empty()).then(|| words(&keys.join(", ")))
+        };
+        let softened = list(&self.softened, softened_words);
+        let unproven = list(&self.unproven, unproven_words);
         let whole = [state, never, self.untaken(), bursts, restarts, softened, unproven];
-        let muted = self.muted.iter().map(ToString::to_string);
+        // Where no force was taken, no motor could move its key.
+        let muted = self.muted.iter().filter(|_| self.untaken().is_none());
+        let muted = muted.map(ToString::to_string);
         let all = whole.into_iter().flatten().chain(muted);
         all.map(|it| format!("{name}: {it}")).collect()
     }

@@ -71,12 +71,7 @@ impl Keybed<Armed> {
 
     /// Returns why boards are refused none of whose motors has passed.
     fn unproven_boards(&mut self) -> Vec<Refusal> {
-        let is_failed = |report: &BoardReport| {
-            let n_keys = report.place.n_keys;
-            let mut keys = report.statistics.keys.muted[..n_keys].iter();
-            keys.all(|it| matches!(it, Some(KeyFault::Reversed | KeyFault::Unmoved)))
-        };
-        if !self.board_reports().iter().any(is_failed) {
+        if !self.board_reports().iter().any(has_unmoved_keys) {
             return Vec::new();
         }
         self.stage.supervisor.want_counters();
@@ -84,16 +79,34 @@ impl Keybed<Armed> {
         while self.now_us() < end {
             self.exchange();
         }
-        let reports = self.board_reports().into_iter().filter(is_failed);
-        reports.map(not_proven).collect()
+        let reports = self.board_reports().into_iter().filter(has_unmoved_keys);
+        // A hand may hold one of its keys and prove nothing; a board that takes no force does.
+        let is_refused =
+            |it: &BoardReport| it.statistics.keys.unproven == 0 || it.untaken_forces().is_some();
+        reports.filter(is_refused).map(not_proven).collect()
     }
+}
+
+/// Tells whether motors of a board have not passed, and none has.
+fn has_unmoved_keys(report: &BoardReport) -> bool {
+    let keys = &report.statistics.keys;
+    let muted = keys.muted[..report.place.n_keys].iter().enumerate();
+    let is_motor = |it: &KeyFault| matches!(it, KeyFault::Reversed | KeyFault::Unmoved);
+    let is_unmoved = |(slot, muted): (usize, &Option<KeyFault>)| match muted {
+        Some(fault) => is_motor(fault),
+        None => keys.unproven >> slot & 1 == 1,
+    };
+    muted.clone().all(is_unmoved) && muted.into_iter().any(|(_, it)| it.is_some())
 }
 
 /// Returns the refusal of a board none of whose motors has passed.
 fn not_proven(report: BoardReport) -> Refusal {
     let forces = report.untaken_forces();
     let BoardReport { name: board, place, statistics, .. } = report;
-    let [first, ..] = statistics.keys.muted;
     let keys = slot_names(place.first_key, !(u16::MAX << place.n_keys.min(15)));
-    Refusal::NotProven { board, keys, fault: first.unwrap_or(KeyFault::Unmoved), forces }
+    if let Some(forces) = forces {
+        return Refusal::TakesNoForce { board, keys, forces };
+    }
+    let first = statistics.keys.muted.into_iter().flatten().next();
+    Refusal::NotProven { board, keys, fault: first.unwrap_or(KeyFault::Unmoved) }
 }

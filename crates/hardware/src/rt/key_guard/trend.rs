@@ -67,8 +67,12 @@ impl KeyTrend {
         let most = |t: f64| MOST_ACCELERATION * t * t + 2.0 * quantum;
         let Some((astray, since)) = self.left.take() else {
             let away = position - (self.position + self.speed * elapsed);
+            let most = most(elapsed);
             let is_known = 2 <= self.n;
-            if is_known && most(elapsed) < away.abs() && !self.is_stopped(away, position, travel) {
+            // What stops a key turns its speed round at most.
+            let way = 2.0 * self.speed.abs() * elapsed + most;
+            let is_stopped = away.abs() <= way && self.is_stopped(away, position, travel);
+            if is_known && most < away.abs() && !is_stopped {
                 self.left = Some((position, elapsed));
                 return TrendVerdict::Leaves;
             }
@@ -126,6 +130,12 @@ mod tests {
         );
         let moving = [3.0, 3.1, 3.2, 3.6, 3.4, 3.5];
         assert_eq!(read(&moving), [Follows, Follows, Follows, Leaves, Returns, Follows]);
+    }
+
+    #[test]
+    fn a_spike_near_an_end_is_no_stop() {
+        let found = read(&[0.8, 0.75, 0.7, 1.0, 0.6, 0.55]);
+        assert_eq!(found[3..5], [TrendVerdict::Leaves, TrendVerdict::Returns], "{found:?}");
     }
 
     #[test]
