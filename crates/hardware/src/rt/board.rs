@@ -179,6 +179,10 @@ impl BoardEnd {
             guards.fold(0, |bits, (slot, it)| bits | u16::from(is_so(it)) << slot)
         };
         (keys.softened, keys.unproven) = (bits(KeyGuard::is_softened), bits(KeyGuard::is_unproven));
+        let calibrations = self.terms.calibration.as_slice().iter().enumerate();
+        keys.misplaced = calibrations.zip(&guards.keys).fold(0, |bits, ((slot, it), guard)| {
+            bits | u16::from(guard.is_misplaced(it.travel())) << slot
+        });
         [keys.glitches, keys.limited, keys.blended] = [0; 3];
         for (muted, guard) in keys.muted.iter_mut().zip(&guards.keys) {
             *muted = muted.or(guard.fault());

@@ -77,6 +77,8 @@ pub struct KeyFindings {
     pub softened: u16,
     /// Keys whose motor has not been proven yet, since they never came to rest.
     pub unproven: u16,
+    /// Keys that stand still away from rest and bottom.
+    pub misplaced: u16,
     /// Readings that left the trend and returned; they were not used.
     pub glitches: u64,
     /// Ticks in which a force was not allowed to rise as fast as it should.

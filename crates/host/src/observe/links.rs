@@ -6,7 +6,7 @@ use rtrb::Consumer;
 use telemetry::Links;
 
 use crate::report::{
-    key_names, muted_keys, softened_words, stage_words, unproven_words, wire_words,
+    key_names, misplaced_words, muted_keys, softened_words, stage_words, unproven_words, wire_words,
 };
 use hardware::refusal::{burst_words, restart_words};
 use hardware::rt::link_monitor::LinkSample;
@@ -104,6 +104,7 @@ fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String 
         care.burst_us.map(|it| burst_words(it as f64)),
         list(keys.softened, softened_words),
         list(keys.unproven, unproven_words),
+        list(keys.misplaced, misplaced_words),
     ];
     let muted = muted_keys(first_key, &keys.muted);
     let muted = muted.iter().map(ToString::to_string);

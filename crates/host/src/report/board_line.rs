@@ -217,6 +217,14 @@ fn bar_words(bar: ArmLockout) -> String {
     }
 }
 
+/// Returns what is noticed of `keys` that stand still.
+pub(crate) fn misplaced_words(keys: &str) -> String {
+    format!(
+        "{keys} stands still at neither its rest nor its bottom: unless a hand holds it, counts \
+         were lost; calibrate it"
+    )
+}
+
 /// Returns what is done to `keys` that shook.
 pub(crate) fn softened_words(keys: &str) -> String {
     format!("half of the force for {keys}, since it went to and fro: take a scene that is softer")

@@ -15,7 +15,9 @@ mod overload;
 mod step_counts;
 
 pub use board_line::BoardLine;
-pub(crate) use board_line::{key_names, muted_keys, softened_words, stage_words, unproven_words};
+pub(crate) use board_line::{
+    key_names, misplaced_words, muted_keys, softened_words, stage_words, unproven_words,
+};
 pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;
 pub(crate) use link_line::wire_words;

@@ -155,8 +155,9 @@ impl Arming {
         }
         match self.state {
             ArmState::Measuring => {
-                // One that sends nothing at all is found later, with its own words.
-                if intervals.is_some() || self.since + LONGEST_MEASURING_US < now {
+                // One whose samples do not come, or cannot be read, is found later.
+                let is_mute = is_silence(self.since, now) && !samples.have_come_since(self.since);
+                if intervals.is_some() || is_mute || self.since + LONGEST_MEASURING_US < now {
                     self.attempt();
                 }
             }

@@ -6,11 +6,13 @@
 //! | [`proof`] | whether the motor moves its key, before a model uses it |
 //! | [`response`] | the same while it is played |
 //! | [`shake`] | forces that go to and fro |
+//! | [`place`] | where it stands still |
 //! | [`force_path`] | how fast forces change, and how they continue after a gap |
 //!
 //! Only keys on boards have a guard; simulated keys of the same process need none.
 
 mod force_path;
+mod place;
 mod proof;
 mod response;
 mod shake;
@@ -19,6 +21,7 @@ mod trend;
 use super::key_fault::KeyFault;
 use crate::calibration::KeyCalibration;
 use force_path::ForcePath;
+use place::PlaceWatch;
 use proof::MotorProof;
 use response::MotorResponse;
 use shake::ShakeWatch;
@@ -35,6 +38,7 @@ pub(super) struct KeyGuard {
     response: MotorResponse,
     shake: ShakeWatch,
     path: ForcePath,
+    place: PlaceWatch,
     fault: Option<KeyFault>,
     is_softened: bool,
     glitches: u64,
@@ -48,6 +52,7 @@ impl Default for KeyGuard {
             response: MotorResponse::default(),
             shake: ShakeWatch::default(),
             path: ForcePath::default(),
+            place: PlaceWatch::default(),
             fault: None,
             is_softened: false,
             glitches: 0,
@@ -103,6 +108,7 @@ impl KeyGuard {
         (position, elapsed): (f64, f64),
         calibration: &KeyCalibration,
     ) -> f64 {
+        self.place.take(position, elapsed);
         if self.fault.is_some() || !self.proof.is_proven() {
             return self.unplayed(wanted, most, position, elapsed);
         }
@@ -168,6 +174,11 @@ impl KeyGuard {
     /// Tells whether its force is halved since it shook.
     pub(super) const fn is_softened(&self) -> bool {
         self.is_softened
+    }
+
+    /// Tells whether a key that goes down by `travel` (m) stands still away from its ends.
+    pub(super) fn is_misplaced(&self, travel: f64) -> bool {
+        self.fault.is_none() && self.place.is_misplaced(travel)
     }
 
     /// Returns readings left out, ticks with a limited rise, and gaps that were led over.
