@@ -18,7 +18,7 @@ use hardware::rt::board_supervisor::{ArmLockout, ArmState as BoardStage};
 use hardware::rt::key_fault::KeyFault;
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 use links::loopback::Loopback;
-use links::{Link, RecvError, SendError};
+use links::{HostClock, Link, RecvError, SendError};
 use scheduler::port::{FinishedTick, TickObserver};
 
 use crate::stage::{Stage, scene, stroke};
@@ -189,7 +189,8 @@ fn armed_within(patience: u64, drift: f64, n_strokes: u32) -> Result<Keybed<Arme
     DRIFT.set(drift);
     LATER.set(ASKED_US);
     let line = NamedLink::new("wire", Box::new(Wire::new(n_strokes)));
-    let keybed = Keybed::<Offline>::new(vec![line], now_us).identify(PATIENCE)?;
+    let keybed =
+        Keybed::<Offline>::new(vec![line], HostClock::Monotonic(now_us)).identify(PATIENCE)?;
     let wanted = WantedBoards { hz: 1_000, ..WantedBoards::default() };
     let keybed = keybed.calibrate(&wanted, |found, _name| {
         Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), found.hello.n_keys.into())))

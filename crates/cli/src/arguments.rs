@@ -4,7 +4,8 @@ use firmware_protocol::key::KeyIndex;
 
 /// The help of `--link`.
 pub(super) const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
-                               can:INTERFACE or classic-can:INTERFACE; once for each";
+                               can:INTERFACE, classic-can:INTERFACE, or 'rig:PROGRAM ARGUMENTS' \
+                               for a program that lives boards in virtual time; once for each";
 
 /// Reads a length of time (s), above 0.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {

@@ -38,7 +38,8 @@ use telemetry::recording::RecordingLimits;
   letoff run my-scene.toml --supervised       starts the host again if it crashes
   letoff run my-scene.toml --watch            plays descriptions anew when they are saved
   letoff run --set tick_hz=4000 --set keys.0.instrument=grand-reduced
-  letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none")]
+  letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none
+  letoff run --link 'rig:./my-boards --seed 1' --virtual-time --duration 10")]
 pub struct RunArgs {
     /// What shall be run.
     #[command(flatten)]
@@ -79,7 +80,7 @@ pub struct RunArgs {
     pub supervised: bool,
     #[command(flatten)]
     pub(crate) supervisor: supervisor_args::SupervisorArgs,
-    /// As fast as it goes, with the same bits every time.
+    /// As fast as it goes, with the same bits every time; boards only behind rig: links.
     #[arg(long)]
     pub virtual_time: bool,
     /// Prints the report as JSON.
@@ -231,6 +232,10 @@ async fn play(
     let TriedRun { found, fidelity, stream } = tried;
     let scene = &found.scene.clone();
     reach.check_for(&scene.links)?;
+    // In virtual time no client comes or goes, and only boards have news.
+    let has_news = !options.virtual_time || has_boards(scene);
+    let is_late = options.virtual_time && has_news && !args.quiet;
+    let log = if is_late { StderrLog::start().map_err(system)? } else { log };
     handle.status.prepare(&scene.name);
     let endpoints = if options.virtual_time {
         Endpoints::default()
@@ -246,8 +251,11 @@ async fn play(
     };
     let recording = record(&handle, args)?;
     handle.status.records(recording.clone());
+    if has_news {
+        log_events(&session, scene, &log);
+    }
     if !options.virtual_time {
-        keep_and_log(&session, scene, args, &log);
+        keep_evidence(&session, args);
     }
     endpoints.observe(&session);
     let _watch = if args.watch { endpoints.watch()? } else { None };
@@ -267,7 +275,8 @@ async fn play(
         log: &log,
         counters: session.counters(),
         line,
-        news: endpoints.news(scene, &session),
+        // In virtual time the run may be over before anybody looks: the log would differ.
+        news: if options.virtual_time { Vec::new() } else { endpoints.news(scene, &session) },
         stop,
         file,
         is_reload_due: false,
@@ -332,16 +341,24 @@ fn run_handle(options: RunOptions) -> RunHandle {
     if options.virtual_time { RunHandle::default() } else { RunHandle::guarded_at(guardian_path()) }
 }
 
-/// Keeps what may be wanted after a fault or a crash, logs what happens, and notes how it goes.
-fn keep_and_log(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog) {
+/// Returns whether the keys of `scene` are on boards.
+const fn has_boards(scene: &Scene) -> bool {
+    matches!(scene.links, LinksConfig::Boards(_))
+}
+
+/// Logs the events of the run.
+fn log_events(session: &RunSession, scene: &Scene, log: &StderrLog) {
+    let lines = log.lines();
+    let sink = LogSink::new(Box::new(move |level, text| lines.say(level, text)));
+    session.observe(Box::new(if has_boards(scene) { sink.naming_boards() } else { sink }));
+}
+
+/// Keeps what may be wanted after a fault or a crash, and notes the state of the run.
+fn keep_evidence(session: &RunSession, args: &RunArgs) {
     keep_black_box(session, args.black_box.as_deref());
     if let Some(file) = &args.supervisor.last_minutes {
         keep_last_minutes(session, file);
     }
-    let lines = log.lines();
-    let sink = LogSink::new(Box::new(move |level, text| lines.say(level, text)));
-    let has_boards = matches!(scene.links, LinksConfig::Boards(_));
-    session.observe(Box::new(if has_boards { sink.naming_boards() } else { sink }));
     let status = Arc::clone(&session.handle().status);
     session.observe(Box::new(StatusSink::new(status)));
 }

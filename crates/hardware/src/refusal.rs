@@ -37,6 +37,8 @@ pub enum Refusal {
          that this is its port: `letoff devices` lists what there is"
     )]
     Silent { line: String, heard: LineTraffic },
+    #[error("{fault}")]
+    Link { fault: String },
     #[error(
         "{board} speaks protocol {major}, this host {ours}; update the {older}",
         ours = PROTOCOL_VERSION.major,
@@ -303,7 +305,8 @@ impl Refusals {
             | Refusal::NoAnswer { .. }
             | Refusal::NotReady { .. }
             | Refusal::Slow { .. } => true,
-            Refusal::Version { .. }
+            Refusal::Link { .. }
+            | Refusal::Version { .. }
             | Refusal::Schema { .. }
             | Refusal::SameNumber { .. }
             | Refusal::SameBoard { .. }

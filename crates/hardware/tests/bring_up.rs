@@ -16,7 +16,7 @@ use keyboard::KeyRange;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
-use crate::common::{Living, board, keybed, nominal, now_us, pair};
+use crate::common::{Living, board, clock, keybed, nominal, now_us, pair};
 
 const PATIENCE: u64 = 5_000_000;
 
@@ -149,7 +149,7 @@ fn a_simulated_finger_plays_over_the_link() {
 fn a_line_without_a_board_is_refused_by_its_name() {
     let (host, _nobody) = pair();
     let line = NamedLink::new("/dev/printer", Box::new(host));
-    let refusals = Keybed::new(vec![line], now_us).identify(300_000).expect_err("nobody");
+    let refusals = Keybed::new(vec![line], clock()).identify(300_000).expect_err("nobody");
     let sentence = refusals.to_string();
     assert!(
         sentence.contains("/dev/printer") && sentence.contains("not a byte came"),
@@ -187,7 +187,7 @@ fn a_board_that_dies_is_brought_up_again_and_the_other_never_notices() {
         vec![NamedLink::new("dies", Box::new(host)), NamedLink::new("lives", Box::new(other_host))];
     let first = Living::start(board(0), away);
     let other = Living::start(board(1), other_away);
-    let mut keybed = armed(Keybed::new(lines, now_us));
+    let mut keybed = armed(Keybed::new(lines, clock()));
     exchange(&mut keybed, 0, 100, -1.0);
     drop(first);
     let samples = exchange(&mut keybed, 100, 200, -1.0);

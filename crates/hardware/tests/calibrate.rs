@@ -18,7 +18,7 @@ use hardware::calibration::KeyCalibration;
 use hardware::keybed::{Keybed, NamedLink, Terms, WantedBoards};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
 
-use crate::common::{Living, nominal, now_us, pair};
+use crate::common::{Living, clock, nominal, pair};
 
 const PATIENCE: u64 = 5_000_000;
 
@@ -36,7 +36,7 @@ fn bench(make: BoardMake) -> (Bench, Living) {
     let (host, away) = pair();
     let board = Living::start(SimulatedBoard::new(make).expect("a possible board"), away);
     let lines = vec![NamedLink::new("socket 3", Box::new(host))];
-    let identified = Keybed::new(lines, now_us).identify(PATIENCE).expect("a board");
+    let identified = Keybed::new(lines, clock()).identify(PATIENCE).expect("a board");
     let wanted = WantedBoards { hz: 1_000, ..WantedBoards::default() };
     let calibrated = identified.calibrate(&wanted, nominal).expect("a good board");
     let (samples, forces) = (SamplePacking::default(), ForcePacking::default());

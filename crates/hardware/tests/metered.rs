@@ -8,7 +8,7 @@ use hardware::plan::{BusPlan, Extras, Medium, standard};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
-use crate::common::{Living, board, nominal, now_us, pair};
+use crate::common::{Living, board, clock, nominal, pair};
 
 #[test]
 fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
@@ -20,7 +20,7 @@ fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
         NamedLink { medium: Some(medium), ..NamedLink::new("known", Box::new(host)) },
         NamedLink::new("not known", Box::new(other_host)),
     ];
-    let identified = Keybed::new(lines, now_us).identify(5_000_000).unwrap();
+    let identified = Keybed::new(lines, clock()).identify(5_000_000).unwrap();
     let calibrated = identified
         .calibrate(&WantedBoards { hz: 1_000, ..WantedBoards::default() }, nominal)
         .unwrap();

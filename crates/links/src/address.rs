@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use super::Link;
 use super::can::{BusSide, Can, CanMode};
-use crate::Error;
+use crate::{Error, HostClock};
 
 /// Bits per second of a serial port of which nothing is said; USB devices ignore it.
 pub const BAUD: u32 = 2_000_000;
@@ -13,47 +13,74 @@ pub const BAUD: u32 = 2_000_000;
 /// Where a link leads.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Address {
-    Serial { port: PathBuf, baud: u32 },
-    Can { interface: String, mode: CanMode },
+    Serial {
+        port: PathBuf,
+        baud: u32,
+    },
+    Can {
+        interface: String,
+        mode: CanMode,
+    },
+    /// A program in lockstep, with its arguments behind it; see `lockstep`.
+    Rig {
+        command: String,
+    },
 }
 
 impl Address {
-    /// Reads `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0` or
-    /// `classic-can:can0`.
+    /// Reads `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0`,
+    /// `classic-can:can0`, or `rig:PROGRAM ARGUMENTS`, split at white space.
     ///
     /// # Errors
     /// A sentence on what is wrong, and what to write.
     pub fn parse(text: &str) -> Result<Self, String> {
-        const KINDS: &str = "write serial:PORT, serial:PORT@BAUD, can:INTERFACE or \
-                             classic-can:INTERFACE";
+        const KINDS: &str = "write serial:PORT, serial:PORT@BAUD, can:INTERFACE, \
+                             classic-can:INTERFACE or rig:PROGRAM";
         let unknown = || format!("\"{text}\" is no link: {KINDS}");
         let (kind, rest) = text.split_once(':').ok_or_else(unknown)?;
         let interface = rest.to_owned();
         match kind {
-            _ if rest.is_empty() => Err(unknown()),
+            _ if rest.trim().is_empty() => Err(unknown()),
             "serial" => serial(rest),
             "can" => Ok(Self::Can { interface, mode: CanMode::Fd }),
             "classic-can" => Ok(Self::Can { interface, mode: CanMode::Classic }),
+            "rig" => Ok(Self::Rig { command: rest.trim().to_owned() }),
             _ => Err(unknown()),
         }
     }
 
-    /// Returns what it is called in sentences: the port or the interface.
+    /// Returns what it is called in sentences: the port, the interface, or the program.
     pub fn name(&self) -> String {
         match self {
             Self::Serial { port, .. } => port.display().to_string(),
             Self::Can { interface, .. } => interface.clone(),
+            Self::Rig { command } => command.clone(),
         }
     }
 
-    /// Opens it for one end.
+    /// Returns what is typed for it in a shell: in quotes if it has several words.
+    pub fn typed(&self) -> String {
+        let text = self.to_string();
+        if text.contains(char::is_whitespace) { format!("'{text}'") } else { text }
+    }
+
+    /// Returns whether it leads to a program in lockstep, which lives in virtual time only.
+    pub const fn is_in_lockstep(&self) -> bool {
+        match self {
+            Self::Rig { .. } => true,
+            Self::Serial { .. } | Self::Can { .. } => false,
+        }
+    }
+
+    /// Opens it for one end, which lives by `clock`.
     ///
     /// # Errors
-    /// Says what is wrong with the port or interface, and what to do.
-    pub fn open(&self, side: BusSide) -> Result<Box<dyn Link + Send>, Error> {
+    /// Says what is wrong with the port, interface or program, and what to do.
+    pub fn open(&self, side: BusSide, clock: &HostClock) -> Result<Box<dyn Link + Send>, Error> {
         match self {
             Self::Serial { port, baud } => open_serial(port, *baud),
             Self::Can { interface, mode } => Ok(Box::new(Can::open(interface, *mode, side)?)),
+            Self::Rig { command } => start(command, clock),
         }
     }
 }
@@ -67,6 +94,18 @@ fn open_serial(port: &std::path::Path, baud: u32) -> Result<Box<dyn Link + Send>
 fn open_serial(port: &std::path::Path, _baud: u32) -> Result<Box<dyn Link + Send>, Error> {
     let source = std::io::Error::from(std::io::ErrorKind::Unsupported);
     Err(Error::Unreadable { path: port.to_owned(), source })
+}
+
+#[cfg(unix)]
+fn start(command: &str, clock: &HostClock) -> Result<Box<dyn Link + Send>, Error> {
+    Ok(Box::new(super::lockstep::Lockstep::start(command, clock)?))
+}
+
+#[cfg(not(unix))]
+fn start(command: &str, _clock: &HostClock) -> Result<Box<dyn Link + Send>, Error> {
+    let why = std::io::Error::from(std::io::ErrorKind::Unsupported);
+    let why = super::trouble::ProgramTrouble::NotStarted(why);
+    Err(Error::Program { command: command.to_owned(), why })
 }
 
 fn serial(rest: &str) -> Result<Address, String> {
@@ -88,6 +127,7 @@ impl fmt::Display for Address {
             Self::Can { interface, mode: CanMode::Classic } => {
                 write!(f, "classic-can:{interface}")
             }
+            Self::Rig { command } => write!(f, "rig:{command}"),
         }
     }
 }
@@ -98,7 +138,8 @@ mod tests {
 
     #[test]
     fn an_address_reads_as_it_is_written() {
-        for text in ["serial:/dev/ttyUSB0@1000000", "can:can0", "classic-can:vcan1"] {
+        let rig = "rig:./rig --fault half";
+        for text in ["serial:/dev/ttyUSB0@1000000", "can:can0", "classic-can:vcan1", rig] {
             assert_eq!(Address::parse(text).unwrap().to_string(), text);
         }
         let usual = Address::parse("serial:/dev/ttyACM0").unwrap();
@@ -107,7 +148,7 @@ mod tests {
 
     #[test]
     fn what_is_no_address_says_what_to_write() {
-        for text in ["", "can", "can:", "usb:1", "serial:/dev/x@fast", "serial:/dev/x@0"] {
+        for text in ["", "can", "can:", "usb:1", "serial:/dev/x@fast", "serial:/dev/x@0", "rig: "] {
             assert!(Address::parse(text).unwrap_err().contains("write"), "{text}");
         }
     }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use crate::trouble::{CanTrouble, PortTrouble};
+use crate::trouble::{CanTrouble, PortTrouble, ProgramTrouble};
 
 /// Why a link could not be set up.
 #[derive(Debug, thiserror::Error)]
@@ -12,6 +12,8 @@ pub enum Error {
     Port { path: PathBuf, why: PortTrouble },
     #[error("the CAN interface {interface} cannot be opened: {why}")]
     Can { interface: String, why: CanTrouble },
+    #[error("the program `{command}` cannot be used in lockstep: {why}")]
+    Program { command: String, why: ProgramTrouble },
     #[error("the system gives no thread: {0}; see its limit of processes: ulimit -u")]
     Thread(io::Error),
     #[error("the system gives no pseudo-terminal: {0}; see that /dev/pts is there")]

@@ -63,11 +63,32 @@ pub struct Framed<'a, L> {
     bytes: L,
 }
 
+impl<L: Link> Framed<'_, L> {
+    /// Sends `frame` with an inverted bit in its second byte, so that its checksum is wrong.
+    ///
+    /// The first three bytes of `frame` must not be zero: zeros stand elsewhere on the stream.
+    ///
+    /// # Errors
+    /// If the link rejects the frame.
+    pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        let (mut wire, len) = wire(frame)?;
+        // The byte stuffing puts one byte before the frame.
+        wire[2] ^= 0x40;
+        self.bytes.try_send(&wire[..len])
+    }
+}
+
+/// Returns a frame as it travels on the stream, and its length there.
+fn wire(frame: &[u8]) -> Result<([u8; MAX_WIRE], usize), SendError> {
+    let mut wire = [0; MAX_WIRE];
+    let len = serial::encode(frame, &mut wire)
+        .map_err(|serial::TooLong { len }| SendError::TooLong { len })?;
+    Ok((wire, len))
+}
+
 impl<L: Link> Link for Framed<'_, L> {
     fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
-        let mut wire = [0; MAX_WIRE];
-        let len = serial::encode(frame, &mut wire)
-            .map_err(|serial::TooLong { len }| SendError::TooLong { len })?;
+        let (wire, len) = wire(frame)?;
         self.bytes.try_send(&wire[..len])
     }
 

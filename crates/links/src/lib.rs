@@ -9,6 +9,7 @@
 //! | [`loopback`] | a wire in memory |
 //! | [`framed`] | frames on a stream of bytes |
 //! | [`reconnecting`] | a link that is opened again when it comes back |
+//! | [`lockstep`] | a program that lives boards, in virtual time |
 //! | [`faulty`], [`wire`] | frames and bytes that are lost, late or damaged on demand |
 //! | [`discovery`] | the ports and interfaces that this machine has, and why they cannot be used |
 //!
@@ -17,10 +18,13 @@
 
 pub mod address;
 pub mod can;
+mod clock;
 pub mod discovery;
 mod error;
 pub mod faulty;
 pub mod framed;
+#[cfg(unix)]
+pub mod lockstep;
 pub mod loopback;
 mod obstacle;
 mod pause;
@@ -33,13 +37,14 @@ pub mod trouble;
 #[cfg(unix)]
 pub mod wire;
 
+pub use clock::HostClock;
 pub use error::Error;
 pub use pause::pause;
 pub use queued_frame::MAX_LEN;
 
 use queued_frame::QueuedFrame;
 
-/// A transport that was opened before and never blocks.
+/// A transport that was opened before and never blocks, but for those of [`lockstep`].
 pub trait Link {
     /// Hands over a frame.
     ///
@@ -57,6 +62,11 @@ pub trait Link {
     fn health(&self) -> Health {
         Health::default()
     }
+
+    /// Returns why the link is down for good, if it is.
+    fn fault(&self) -> Option<&Error> {
+        None
+    }
 }
 
 impl<L: Link + ?Sized> Link for &mut L {
@@ -71,6 +81,10 @@ impl<L: Link + ?Sized> Link for &mut L {
     fn health(&self) -> Health {
         (**self).health()
     }
+
+    fn fault(&self) -> Option<&Error> {
+        (**self).fault()
+    }
 }
 
 impl<L: Link + ?Sized> Link for Box<L> {
@@ -84,6 +98,10 @@ impl<L: Link + ?Sized> Link for Box<L> {
 
     fn health(&self) -> Health {
         (**self).health()
+    }
+
+    fn fault(&self) -> Option<&Error> {
+        (**self).fault()
     }
 }
 

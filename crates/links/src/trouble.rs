@@ -1,7 +1,8 @@
-//! Why a link could not be opened: what is wrong, and what to do about it.
+//! Why a link cannot be used: the fault and its remedy.
 
 use std::io;
 use std::path::PathBuf;
+use std::process::ExitStatus;
 
 use crate::obstacle::Obstacle;
 
@@ -56,4 +57,33 @@ pub enum CanTrouble {
     NoSockets,
     #[error("{0}; `letoff devices` says how it is set up")]
     Other(io::Error),
+}
+
+/// Why a program cannot be used in lockstep.
+#[derive(Debug, thiserror::Error)]
+pub enum ProgramTrouble {
+    /// The host lives by the machine's clock.
+    #[error(
+        "it lives in virtual time only; give --virtual-time to a run, and no other kind of link"
+    )]
+    RealTime,
+    #[error("it cannot be started: {0}; give the path of a program, then its arguments")]
+    NotStarted(io::Error),
+    #[error("it ended ({0}) while the host still needed it; see what it wrote on stderr")]
+    Ended(ExitStatus),
+    /// An answer, or the rest of one, did not come.
+    #[error(
+        "within 5 s {came} of {announced} bytes of its answer came; see that it answers every \
+         exchange with two bytes of length and so many more, and flushes its stdout"
+    )]
+    Silent { came: usize, announced: usize },
+    #[error("it read nothing for 5 s; see that it reads every exchange from its stdin")]
+    ReadsNothing,
+    #[error(
+        "it wrote more than an answer; see that it writes nothing else on its stdout, and messages \
+         on its stderr"
+    )]
+    Unasked,
+    #[error("the system refused to exchange bytes with it: {0}; start it by hand to see why")]
+    Io(#[from] io::Error),
 }

@@ -211,7 +211,8 @@ mod tests {
             (
                 "links.bus",
                 "[{ serial = '/dev/ttyACM0', board = [{ number = 3, keys = 'F#3..E4' }] }, \
-                 { can = 'can0' }, { can = 'can1', mode = 'classic', bit_rate = 500000 }]",
+                 { can = 'can0' }, { rig = './rig --seed 2' }, \
+                 { can = 'can1', mode = 'classic', bit_rate = 500000 }]",
             ),
             ("midi.output", "Synth \"one\""),
             ("lanes", "3"),

@@ -14,7 +14,7 @@ use super::Endings;
 use super::operator::Operator;
 use crate::Failure;
 use crate::target::SceneTarget;
-use host::boards::{PATIENCE_US, calibration, folder, now_us, open_all, unmeasured};
+use host::boards::{PATIENCE_US, calibration, clock, folder, open_all, unmeasured};
 use scene::{Boards, Scene};
 
 /// Exchanges a second: more would load slow buses, and say no more.
@@ -106,9 +106,9 @@ pub(super) fn find_key(
 
 /// Opens the links, and finds the boards on them, `only` the one with this number.
 fn identified(asked: &Boards, only: Option<u8>) -> Result<Keybed<Identified>, Failure> {
-    let lines = open_all(&asked.buses).map_err(Failure::Running)?;
-    let mut keybed =
-        Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US).map_err(refused)?;
+    let clock = clock(&asked.buses);
+    let lines = open_all(&asked.buses, &clock).map_err(Failure::Running)?;
+    let mut keybed = Keybed::<Offline>::new(lines, clock).identify(PATIENCE_US).map_err(refused)?;
     keybed.keep(|found| only.is_none_or(|number| found.board.number() == number));
     match only {
         Some(number) if keybed.boards().is_empty() => {
@@ -120,7 +120,8 @@ fn identified(asked: &Boards, only: Option<u8>) -> Result<Keybed<Identified>, Fa
 
 /// Says that no board has `what`.
 fn nobody(asked: &Boards, what: &str) -> Failure {
-    let links: Vec<_> = asked.buses.iter().map(|bus| format!("--link {}", bus.address)).collect();
+    let links: Vec<_> =
+        asked.buses.iter().map(|bus| format!("--link {}", bus.address.typed())).collect();
     Failure::Usage(format!(
         "no board has the {what}; `letoff devices --boards {}` lists those there are",
         links.join(" ")

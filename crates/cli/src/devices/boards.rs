@@ -21,7 +21,7 @@ use serde::Serialize;
 use super::health::{self, HealthRow};
 use super::{DevicesArgs, PATIENCE_US, settings, test};
 use crate::{Failure, print_json};
-use host::boards::{folder, now_us, open};
+use host::boards::{clock, folder, open};
 use scene::{BoardBus, Boards};
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
@@ -101,14 +101,16 @@ pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure
 fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     let (boards, refusals, unwritten) = (Vec::new(), Vec::new(), Vec::new());
     let mut link = OnLink { link: address.name(), boards, refusals, unwritten };
-    let line = match open(&BoardBus::new(address.clone())) {
+    let bus = BoardBus::new(address.clone());
+    let clock = clock(std::slice::from_ref(&bus));
+    let line = match open(&bus, &clock) {
         Ok(line) => line,
         Err(error) => {
             link.refusals.push(error.to_string());
             return link;
         }
     };
-    let mut keybed = match Keybed::<Offline>::new(vec![line], now_us).identify(PATIENCE_US) {
+    let mut keybed = match Keybed::<Offline>::new(vec![line], clock).identify(PATIENCE_US) {
         Ok(keybed) => keybed,
         Err(refusals) => {
             link.refusals.extend(refusals.0.iter().map(ToString::to_string));

@@ -12,7 +12,8 @@ use serde::Serialize;
 
 use super::{DevicesArgs, PATIENCE_US};
 use crate::{Failure, print_json, tell};
-use host::boards::now_us;
+use host::boards::clock;
+use scene::BoardBus;
 
 /// A board that was tested.
 #[derive(Debug, Serialize)]
@@ -78,9 +79,13 @@ fn on_link(
     only: Option<u8>,
     depth: ConformanceDepth,
 ) -> Result<Vec<BoardTest>, String> {
-    let mut link = TestedLink::open(address).map_err(|error| error.to_string())?;
-    let mut found = introductions(&mut link, now_us, PATIENCE_US);
+    let clock = clock(&[BoardBus::new(address.clone())]);
+    let mut link = TestedLink::open(address, &clock).map_err(|error| error.to_string())?;
+    let mut found = introductions(&mut link, &clock, PATIENCE_US);
     found.retain(|it| only.is_none_or(|number| it.board.number() == number));
+    if let Some(fault) = link.fault() {
+        return Err(fault.to_string());
+    }
     if found.is_empty() {
         return Err(format!(
             "no hello of protocol 2 came over {}; see that the board has power and answers the \
@@ -89,7 +94,7 @@ fn on_link(
         ));
     }
     let tested = found.iter().map(|introduction| {
-        let mut board = TestedBoard::new(&mut link, introduction, now_us);
+        let mut board = TestedBoard::new(&mut link, introduction, clock.clone());
         BoardTest {
             link: address.name(),
             number: introduction.board.number(),

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use firmware_protocol::key::KeyIndex;
-use links::pause;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
@@ -268,7 +267,7 @@ impl Bench {
         let period = self.keybed.period_us();
         let now = self.keybed.now_us();
         if now < self.due {
-            pause(Duration::from_micros(self.due - now));
+            self.keybed.clock().pause(Duration::from_micros(self.due - now));
         }
         if self.ending != Some(Ending::AtOnce) {
             self.ending = (self.watch)(&mut self.keybed).or(self.ending);

@@ -16,11 +16,11 @@ use firmware_protocol::version::PROTOCOL_VERSION;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use links::address::Address;
 use links::can::BusSide;
+use links::lockstep::Lockstep;
 use links::serial::Serial;
-use links::{Link, RecvError, SendError, pause};
+use links::{HostClock, Link, RecvError, SendError};
 
 use super::MOST_FORCE_MN;
-use crate::keybed::MicrosClock;
 
 /// Time between two looks at what may have come.
 const LOOK: Duration = Duration::from_micros(200);
@@ -32,6 +32,7 @@ const TRIES: u8 = 3;
 /// A link over which frames can be damaged, if it has checksums of ours.
 pub enum TestedLink {
     Serial(Box<Serial>),
+    Lockstep(Box<Lockstep>),
     Other(Box<dyn Link + Send>),
 }
 
@@ -42,22 +43,35 @@ impl std::fmt::Debug for TestedLink {
 }
 
 impl TestedLink {
-    /// Opens the link at `address`.
+    /// Opens the link at `address` for a host that lives by `clock`.
     ///
     /// # Errors
-    /// Says what is wrong with the port or interface, and what to do.
-    pub fn open(address: &Address) -> Result<Self, links::Error> {
+    /// Says what is wrong with the port, interface or program, and what to do.
+    pub fn open(address: &Address, clock: &HostClock) -> Result<Self, links::Error> {
         match address {
             Address::Serial { port, baud } => {
                 Ok(Self::Serial(Box::new(Serial::open(port, *baud)?)))
             }
-            Address::Can { .. } => Ok(Self::Other(address.open(BusSide::Host)?)),
+            Address::Rig { command } => {
+                Ok(Self::Lockstep(Box::new(Lockstep::start(command, clock)?)))
+            }
+            Address::Can { .. } => Ok(Self::Other(address.open(BusSide::Host, clock)?)),
+        }
+    }
+
+    /// Returns why the link is down for good, if it is.
+    pub fn fault(&self) -> Option<&links::Error> {
+        match self {
+            Self::Serial(serial) => serial.fault(),
+            Self::Lockstep(program) => program.fault(),
+            Self::Other(other) => other.fault(),
         }
     }
 
     fn link(&mut self) -> &mut dyn Link {
         match self {
             Self::Serial(serial) => serial.as_mut(),
+            Self::Lockstep(program) => program.as_mut(),
             Self::Other(other) => other.as_mut(),
         }
     }
@@ -66,6 +80,7 @@ impl TestedLink {
     fn try_send_damaged(&mut self, frame: &[u8]) -> Option<Result<(), SendError>> {
         match self {
             Self::Serial(serial) => Some(serial.try_send_damaged(frame)),
+            Self::Lockstep(program) => Some(program.try_send_damaged(frame)),
             Self::Other(_) => None,
         }
     }
@@ -87,16 +102,18 @@ impl TestedLink {
 /// returns the hellos that can be read, by number.
 pub fn introductions(
     link: &mut TestedLink,
-    clock: MicrosClock,
+    clock: &HostClock,
     patience_us: u64,
 ) -> Vec<Introduction> {
     const ASK_US: u64 = 100_000;
     const QUIET_US: u64 = 300_000;
-    let (start, mut found) = (clock(), BTreeMap::new());
+    let (start, mut found) = (clock.now_us(), BTreeMap::new());
     let (mut asked, mut news) = (None, start);
-    while clock() < start + patience_us && (found.is_empty() || clock() < news + QUIET_US) {
-        if asked.is_none_or(|at| at + ASK_US <= clock()) {
-            asked = Some(clock());
+    while clock.now_us() < start + patience_us
+        && (found.is_empty() || clock.now_us() < news + QUIET_US)
+    {
+        if asked.is_none_or(|at| at + ASK_US <= clock.now_us()) {
+            asked = Some(clock.now_us());
             let mut frame = [0; broadcast::MAX_LEN];
             let len = Broadcast::WhoIsThere { version: PROTOCOL_VERSION }.encode(&mut frame);
             // What is not taken is asked again.
@@ -106,10 +123,10 @@ pub fn introductions(
             if let Ok(it) = Introduction::decode(&frame)
                 && found.insert(it.board.number(), it).is_none()
             {
-                news = clock();
+                news = clock.now_us();
             }
         }
-        pause(LOOK);
+        clock.pause(LOOK);
     }
     found.into_values().collect()
 }
@@ -136,7 +153,7 @@ pub(super) struct TimedSamples {
 pub struct TestedBoard<'l> {
     link: &'l mut TestedLink,
     pub(super) number: BoardId,
-    clock: MicrosClock,
+    clock: HostClock,
     pub(super) layout: SampleLayout,
     next_id: u8,
     /// Frames of samples that could not be read.
@@ -145,16 +162,16 @@ pub struct TestedBoard<'l> {
 
 impl<'l> TestedBoard<'l> {
     /// Returns the board on `link` that said `introduction`.
-    pub fn new(link: &'l mut TestedLink, introduction: &Introduction, clock: MicrosClock) -> Self {
+    pub fn new(link: &'l mut TestedLink, introduction: &Introduction, clock: HostClock) -> Self {
         let n_keys = introduction.hello.n_keys.into();
         let layout = SampleLayout { packing: SamplePacking::Position24, n_keys };
-        let [next_id, ..] = clock().to_le_bytes();
+        let [next_id, ..] = clock.now_us().to_le_bytes();
         let number = introduction.board;
         Self { link, number, clock, layout, next_id, unreadable: 0 }
     }
 
     pub(super) fn now_us(&self) -> u64 {
-        (self.clock)()
+        self.clock.now_us()
     }
 
     /// Returns the next id of a request, which is never 0.
@@ -188,7 +205,7 @@ impl<'l> TestedBoard<'l> {
             if let Some(reply) = self.reply_to(request, sent_us) {
                 return Some(reply);
             }
-            pause(LOOK);
+            self.clock.pause(LOOK);
         }
         None
     }
@@ -278,7 +295,7 @@ impl<'l> TestedBoard<'l> {
             while let Some(frame) = self.link.frame() {
                 heard.extend(self.take_samples(&frame, &answer));
             }
-            pause(LOOK);
+            self.clock.pause(LOOK);
         }
         heard
     }

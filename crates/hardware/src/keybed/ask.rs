@@ -4,7 +4,6 @@ use firmware_protocol::acyclic::{AcyclicReply, Operation, Status};
 use firmware_protocol::key::BoardId;
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 use links::Link as _;
-use links::pause;
 
 use super::{Keybed, LOOK, NamedLink};
 use crate::refusal::{BoardName, Refusal};
@@ -44,8 +43,8 @@ impl<S> Keybed<S> {
         operation: Operation,
         record: &Q,
     ) -> Result<A, Refusal> {
-        let clock = self.clock;
-        let start = clock();
+        let clock = &self.clock;
+        let start = clock.now_us();
         let board = || asker.name.clone();
         asker.channel.ask(operation, record);
         let Some(NamedLink { link, address, .. }) = self.lines.get_mut(asker.line) else {
@@ -60,8 +59,11 @@ impl<S> Keybed<S> {
                     status,
                 });
             }
-            let now = clock();
+            let now = clock.now_us();
             if asker.channel.gave_up(now) {
+                if let Some(fault) = link.fault() {
+                    return Err(Refusal::Link { fault: fault.to_string() });
+                }
                 let seconds = now.saturating_sub(start) as f64 * 1e-6;
                 return Err(Refusal::NoAnswer { board: board(), asked: operation, seconds });
             }
@@ -69,7 +71,7 @@ impl<S> Keybed<S> {
                 // What the link does not take is asked again.
                 let _lost = link.try_send(frame);
             }
-            pause(LOOK);
+            clock.pause(LOOK);
         }
     }
 }

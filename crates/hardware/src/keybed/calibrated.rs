@@ -5,9 +5,9 @@ use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::frame::hello::feature;
 use firmware_protocol::{MAX_FRAME, Nothing};
 use keyboard::KeyRange;
-use links::{Link as _, RecvError, pause};
+use links::{Link as _, RecvError};
 
-use super::{Armed, Keybed, LOOK, NamedLink};
+use super::{Armed, Keybed, LOOK, NamedLink, faults};
 use crate::refusal::{BoardName, Refusals};
 use crate::rt::board::BoardTerms;
 use crate::rt::board_supervisor::BoardSupervisor;
@@ -80,7 +80,7 @@ impl Keybed<Calibrated> {
             number: board.place.board.number(),
         });
         let names: Vec<_> = names.collect();
-        let start = clock();
+        let start = clock.now_us();
         let supervisor = BoardSupervisor::new(agreed, start);
         let mut bus = KeybedBus::new(&stage.boards);
         for (index, line) in lines.iter().enumerate() {
@@ -91,16 +91,17 @@ impl Keybed<Calibrated> {
         let armed = Armed::new(bus, supervisor, names, u64::from(terms.period_us));
         let mut keybed = Keybed { lines, stage: armed, clock };
         while !keybed.is_ready() {
-            let now = clock();
+            let now = keybed.now_us();
             // Those that may not be armed will not be ready, however long that takes.
             if start + patience_us <= now || keybed.is_settled() {
                 let seconds = now.saturating_sub(start) as f64 * 1e-6;
-                let refusals = keybed.refusals(seconds);
+                let mut refusals: Vec<_> = faults(&keybed.lines).collect();
+                refusals.extend(keybed.refusals(seconds));
                 keybed.disarm();
                 return Err(Refusals(refusals));
             }
             keybed.attend();
-            pause(LOOK);
+            keybed.clock.pause(LOOK);
         }
         Ok(keybed)
     }

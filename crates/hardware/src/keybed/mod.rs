@@ -26,20 +26,18 @@ pub use offline::Offline;
 
 pub use crate::rt::terms::Terms;
 
-use links::Link;
+use links::{HostClock, Link};
 
 use crate::plan::Medium;
+use crate::refusal::Refusal;
 
 /// Boards on their lines, and how far they have been brought up.
 #[derive(Debug)]
 pub struct Keybed<S> {
     lines: Vec<NamedLink>,
     stage: S,
-    clock: MicrosClock,
+    clock: HostClock,
 }
-
-/// Reads the host's monotonic clock (us).
-pub type MicrosClock = fn() -> u64;
 
 /// A link with its name.
 pub struct NamedLink {
@@ -78,10 +76,21 @@ impl<S> Keybed<S> {
         self.lines.iter().map(|line| line.medium)
     }
 
+    /// Returns the clock by which the host waits for these boards.
+    pub const fn clock(&self) -> &HostClock {
+        &self.clock
+    }
+
     /// Returns the host's clock now (us).
     pub fn now_us(&self) -> u64 {
-        (self.clock)()
+        self.clock.now_us()
     }
+}
+
+/// Returns why links are down for good.
+fn faults(lines: &[NamedLink]) -> impl Iterator<Item = Refusal> {
+    let faults = lines.iter().filter_map(|line| line.link.fault());
+    faults.map(|fault| Refusal::Link { fault: fault.to_string() })
 }
 
 /// Returns what a command takes for the line that is called `name`.

@@ -9,10 +9,9 @@ use firmware_protocol::frame::{DecodeError, FrameKind};
 use firmware_protocol::key::BoardId;
 use firmware_protocol::schema;
 use firmware_protocol::version::PROTOCOL_VERSION;
-use links::pause;
-use links::{Link as _, RecvError};
+use links::{HostClock, Link as _, RecvError};
 
-use super::{FoundBoard, Identified, Keybed, LOOK, MicrosClock, NamedLink};
+use super::{FoundBoard, Identified, Keybed, LOOK, NamedLink, faults};
 use crate::identity::Uid;
 use crate::refusal::{BoardName, LineTraffic, Refusal, Refusals};
 
@@ -26,8 +25,8 @@ const QUIET_US: u64 = 300_000;
 pub struct Offline;
 
 impl Keybed<Offline> {
-    /// Returns the boards behind `lines`, which were opened before.
-    pub const fn new(lines: Vec<NamedLink>, clock: MicrosClock) -> Self {
+    /// Returns the boards behind `lines`, which were opened before, for a host that lives by `clock`.
+    pub const fn new(lines: Vec<NamedLink>, clock: HostClock) -> Self {
         Self { lines, stage: Offline, clock }
     }
 
@@ -42,12 +41,11 @@ impl Keybed<Offline> {
 
     /// Does the same, and returns the boards that are right beside what is wrong with others.
     pub fn look(mut self, patience_us: u64) -> (Keybed<Identified>, Refusals) {
-        let clock = self.clock;
-        let start = clock();
+        let start = self.now_us();
         let mut hearings: Vec<_> = self.lines.iter().map(|_| Hearing::default()).collect();
         let (mut asked, mut news) = (None, start);
         loop {
-            let now = clock();
+            let now = self.now_us();
             let all_heard = hearings.iter().all(|it| !it.hellos.is_empty());
             if start + patience_us <= now || all_heard && news + QUIET_US <= now {
                 break;
@@ -61,15 +59,17 @@ impl Keybed<Offline> {
             if pairs.fold(false, |any, (line, hearing)| hearing.listen(line) || any) {
                 news = now;
             }
-            pause(LOOK);
+            self.clock.pause(LOOK);
         }
-        let mut refusals = Vec::new();
+        let mut refusals: Vec<_> = faults(&self.lines).collect();
         let mut found = Vec::new();
-        for (index, (line, hearing)) in self.lines.iter().zip(hearings).enumerate() {
+        let heard = self.lines.iter().zip(hearings).enumerate();
+        for (index, (line, hearing)) in heard.filter(|(_, (it, _))| it.link.fault().is_none()) {
             hearing.conclude(index, &line.name, &mut found, &mut refusals);
         }
         refuse_twins(&self.lines, &found, &mut refusals);
-        (Keybed { lines: self.lines, stage: Identified { found }, clock }, Refusals(refusals))
+        let Self { lines, clock, .. } = self;
+        (Keybed { lines, stage: Identified { found }, clock }, Refusals(refusals))
     }
 }
 

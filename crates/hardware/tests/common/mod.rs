@@ -18,13 +18,18 @@ use hardware::calibration::KeyCalibration;
 use hardware::keybed::{FoundBoard, Keybed, NamedLink, Offline};
 use hardware::refusal::{BoardName, Refusal};
 use hardware::sim::board::{BoardMake, SimulatedBoard};
-use links::{Link, RecvError, SendError};
+use links::{HostClock, Link, RecvError, SendError};
 
 /// Microseconds since this program began.
 pub fn now_us() -> u64 {
     static BEGAN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let passed = BEGAN.get_or_init(Instant::now).elapsed();
     1_000_000 + u64::try_from(passed.as_micros()).expect("a short test")
+}
+
+/// The clock of a host in this program.
+pub fn clock() -> HostClock {
+    HostClock::Monotonic(now_us)
 }
 
 /// Frames over a pair of datagram sockets.
@@ -113,7 +118,7 @@ pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
         lines.push(NamedLink::new(format!("socket {number}"), Box::new(host)));
         boards.push(Living::start(board(*number), away));
     }
-    (Keybed::new(lines, now_us), boards)
+    (Keybed::new(lines, clock()), boards)
 }
 
 /// Keys that read as their boards say.

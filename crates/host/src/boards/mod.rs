@@ -12,6 +12,7 @@ use hardware::keybed::{Armed, FoundBoard, Keybed, NamedLink};
 use hardware::plan::Medium;
 use hardware::plan::uart::Wiring;
 use hardware::refusal::{BoardName, Refusal};
+use links::HostClock;
 use links::address::Address;
 use links::can::{BusSide, CanMode};
 use links::reconnecting::ReconnectingLink;
@@ -32,26 +33,39 @@ pub fn now_us() -> u64 {
     clock::monotonic().as_u64() / 1_000
 }
 
-/// Opens a link that is opened again whenever it goes down.
+/// Returns the clock of a host with boards behind `buses`: a virtual one that begins at 0 if all
+/// of them lead to programs in lockstep.
+pub fn clock(buses: &[BoardBus]) -> HostClock {
+    let is_virtual = !buses.is_empty() && buses.iter().all(|bus| bus.address.is_in_lockstep());
+    if is_virtual { HostClock::virtual_time() } else { HostClock::Monotonic(now_us) }
+}
+
+/// Opens a link for a host that lives by `clock`. A link to real boards is opened again whenever
+/// it goes down; a program in lockstep is started once, since another one would begin at time 0.
 ///
 /// # Errors
 /// If it cannot be opened now.
-pub fn open(bus: &BoardBus) -> Result<NamedLink, links::Error> {
-    let address = bus.address.clone();
-    let link = ReconnectingLink::open(move || address.open(BusSide::Host))?;
+pub fn open(bus: &BoardBus, clock: &HostClock) -> Result<NamedLink, links::Error> {
+    let (address, its_clock) = (bus.address.clone(), clock.clone());
+    let open = move || address.open(BusSide::Host, &its_clock);
+    let link = if bus.address.is_in_lockstep() {
+        open()?
+    } else {
+        Box::new(ReconnectingLink::open(open)?)
+    };
     let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
-    let (name, address) = (bus.address.name(), bus.address.to_string());
-    Ok(NamedLink { name, address, link: Box::new(link), medium })
+    let (name, address) = (bus.address.name(), bus.address.typed());
+    Ok(NamedLink { name, address, link, medium })
 }
 
-/// Opens all links.
+/// Opens all links for a host that lives by `clock`.
 ///
 /// # Errors
 /// All that cannot be opened, a sentence on each, to be printed after "letoff: ".
-pub fn open_all(buses: &[BoardBus]) -> Result<Vec<NamedLink>, String> {
+pub fn open_all(buses: &[BoardBus], clock: &HostClock) -> Result<Vec<NamedLink>, String> {
     let (mut lines, mut wrong) = (Vec::new(), Vec::new());
     for bus in buses {
-        match open(bus) {
+        match open(bus, clock) {
             Ok(line) => lines.push(line),
             Err(error) => wrong.push(error.to_string()),
         }
@@ -75,6 +89,7 @@ pub fn medium(bus: &BoardBus) -> Option<Medium> {
             let is_uart = UARTS.iter().any(|start| name.starts_with(start));
             is_uart.then_some(Medium::Uart { baud: *baud, wiring: Wiring::FullDuplex })
         }
+        Address::Rig { .. } => None,
     }
 }
 
@@ -85,6 +100,7 @@ pub fn is_virtual(address: &Address) -> bool {
             interface.starts_with("vcan") || interface.starts_with("vxcan")
         }
         Address::Serial { .. } => false,
+        Address::Rig { .. } => true,
     }
 }
 
@@ -113,7 +129,7 @@ pub fn calibration(
         None => {
             let file = path.map_or_else(|| found.uid().to_string(), |it| shown(&it));
             let bus = boards.buses.get(found.line);
-            let link = bus.map_or_else(|| name.line.clone(), |bus| bus.address.to_string());
+            let link = bus.map_or_else(|| name.line.clone(), |bus| bus.address.typed());
             Err(Refusal::NotCalibrated { board: board(), link, file })
         }
     }
@@ -167,7 +183,8 @@ mod tests {
     #[test]
     fn all_links_that_cannot_be_opened_are_said_at_once() {
         let bus = |port: &str| BoardBus::new(Address::Serial { port: port.into(), baud: 1 });
-        let why = open_all(&[bus("/dev/no-such-1"), bus("/dev/no-such-2")]).unwrap_err();
+        let buses = [bus("/dev/no-such-1"), bus("/dev/no-such-2")];
+        let why = open_all(&buses, &clock(&buses)).unwrap_err();
         let said: Vec<_> = why.split("\nletoff: ").collect();
         assert!(
             said.len() == 2 && said[0].contains("such-1") && said[1].contains("such-2"),

@@ -42,6 +42,8 @@ pub struct LinkLine {
     pub dropped: u64,
     /// The tight part of its plan, in a sentence.
     pub warning: Option<String>,
+    /// The reason why it is down for good, in a sentence.
+    pub fault: Option<String>,
 }
 
 impl LinkLine {
@@ -52,7 +54,7 @@ impl LinkLine {
         boards: &[BoardReport],
         seconds: f64,
     ) -> Self {
-        let LineReport { name, statistics, medium, load } = line;
+        let LineReport { name, statistics, medium, load, fault } = line;
         let on_it = boards.iter().filter(|board| board.name.line == *name);
         let frames: Vec<_> = on_it.map(|board| board.exchanged.0).collect();
         let mean = frames.iter().sum::<u64>() as f64 / frames.len().max(1) as f64;
@@ -75,6 +77,7 @@ impl LinkLine {
             restarts: health.restarts,
             dropped: health.dropped,
             warning: plan.filter(|it| it.verdict() != BusVerdict::Fits).map(BusPlan::sentence),
+            fault: fault.clone(),
         }
     }
 }

@@ -97,16 +97,20 @@ pub struct RecordingReport {
 }
 
 impl RunReport {
-    /// Returns what is wrong with boards when all is over, a sentence on each; nothing after
-    /// `letoff stop`, which is why they render no force then.
+    /// Returns what is wrong with links and boards when all is over, a sentence on each; nothing
+    /// after `letoff stop`, which is why boards render no force then.
     pub fn board_troubles(&self) -> Vec<String> {
+        let faults = self.lines.iter().filter_map(|line| line.fault.clone());
         let boards = self.boards.iter().filter(|_| !self.stopped);
-        boards.flat_map(BoardLine::troubles).collect()
+        faults.chain(boards.flat_map(BoardLine::troubles)).collect()
     }
 
-    /// Returns whether a board or a key that was to be played was not, or only softly.
+    /// Returns whether a board or a key that was to be played was not, or only softly, or a link is
+    /// down for good.
     pub fn has_failed_board(&self) -> bool {
-        0 < self.ticks && !self.stopped && self.boards.iter().any(BoardLine::has_failed)
+        let has_fault = self.lines.iter().any(|line| line.fault.is_some());
+        let has_failed = self.boards.iter().any(BoardLine::has_failed);
+        has_fault || 0 < self.ticks && !self.stopped && has_failed
     }
 }
 

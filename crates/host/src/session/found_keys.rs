@@ -2,7 +2,7 @@
 
 use hardware::sim::keybed::SimulatedKeybed;
 use keyboard::{KeyIndex, KeyRange};
-use scene::{LinksConfig as SceneLinks, Scene};
+use scene::{Boards, LinksConfig as SceneLinks, Scene};
 use voice::VoiceBuilder;
 
 use super::key_source::{self, KeySource};
@@ -26,17 +26,19 @@ impl std::fmt::Debug for FoundKeys {
 
 impl FoundKeys {
     /// Simulates the keys of `scene`, or finds the boards that carry them; arms none. What is
-    /// missing, or is late in this moment, is tried again for 5 s.
+    /// missing, or is late in this moment, is tried again for 5 s; in virtual time once, since
+    /// another try would be the same.
     ///
     /// # Errors
     /// If links cannot be opened, boards are missing or refused, or their keys are not stable with
     /// the delay of their links.
     pub fn find(scene: &Scene, options: RunOptions) -> Result<Self, SessionError> {
-        patiently(|| {
+        let find = || {
             let found = Self::find_now(scene, options)?;
             found.refuse_unstable()?;
             Ok(found)
-        })
+        };
+        if options.virtual_time { find() } else { patiently(find) }
     }
 
     fn find_now(scene: &Scene, options: RunOptions) -> Result<Self, SessionError> {
@@ -47,8 +49,10 @@ impl FoundKeys {
                 let keybed = Box::new(SimulatedKeybed::new(period, scene.rig.parameters())?);
                 KeySource::Simulated(SimulatedKeys::new(keybed))
             }
-            SceneLinks::Boards(_) if options.virtual_time => return Err(SessionError::RealBoards),
-            SceneLinks::Boards(boards) => key_source::find(boards, scene.tick_hz)?,
+            SceneLinks::Boards(boards) => {
+                refuse_other_time(boards, options)?;
+                key_source::find(boards, scene.tick_hz)?
+            }
         };
         if let Some(delay) = source.loop_delay(period) {
             scene.rig.delay = delay.max(scene.rig.delay);
@@ -76,6 +80,17 @@ impl FoundKeys {
         let keys = KeyIndex::all().filter(|key| is_absent(&self.scene, key.index()));
         let absent = without_board(&keys.collect::<Vec<_>>());
         absent.into_iter().chain(self.source.notices()).collect()
+    }
+}
+
+/// Refuses boards that do not go by the time of the run.
+fn refuse_other_time(boards: &Boards, options: RunOptions) -> Result<(), SessionError> {
+    let (programs, real): (Vec<_>, Vec<_>) =
+        boards.buses.iter().map(|bus| &bus.address).partition(|it| it.is_in_lockstep());
+    match (options.virtual_time, programs.first(), real.first()) {
+        (true, _, Some(_)) => Err(SessionError::RealBoards),
+        (false, Some(program), _) => Err(SessionError::VirtualBoards { program: program.name() }),
+        (true, _, None) | (false, None, _) => Ok(()),
     }
 }
 

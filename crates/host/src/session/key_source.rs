@@ -9,7 +9,7 @@ use scheduler::time::Nanos;
 use super::key_transport::{KeyTransport, Plans};
 use super::trial::SimulatedKeys;
 use super::{PreparedRun, SessionError, all_keys};
-use crate::boards::{PATIENCE_US, calibration, now_us, open_all, planning};
+use crate::boards::{self, PATIENCE_US, calibration, open_all, planning};
 use realtime::clock;
 use scene::{Boards, period_us};
 
@@ -31,8 +31,9 @@ const LONGEST_DELAY: f64 = MAX_DELAY_STEPS as f64 * MAX_SUBSTEP;
 pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<KeySource, SessionError> {
     let terms = terms(boards, tick_hz)?;
     refuse_overload(&planning::listed(boards, tick_hz))?;
-    let lines = open_all(&boards.buses).map_err(SessionError::Links)?;
-    let keybed = Keybed::<Offline>::new(lines, now_us).identify(PATIENCE_US)?;
+    let clock = boards::clock(&boards.buses);
+    let lines = open_all(&boards.buses, &clock).map_err(SessionError::Links)?;
+    let keybed = Keybed::<Offline>::new(lines, clock).identify(PATIENCE_US)?;
     let buses = boards.buses.iter().enumerate();
     let wanted = WantedBoards {
         samples: boards.samples,
@@ -124,8 +125,8 @@ impl KeySource {
         }
     }
 
-    /// Arms boards, hands them the performance's gestures, and says from when on they count: not
-    /// before `lead` has passed.
+    /// Arms boards, hands them the performance's gestures, and says from when on they count by the
+    /// boards' clock: not before `lead` has passed.
     pub(super) fn arm(
         self,
         prepared: &PreparedRun,
@@ -150,9 +151,9 @@ impl KeySource {
                 if let Some(length) = list.and_then(|it| it.repeat) {
                     keybed.repeat_after(length);
                 }
-                let start = clock::monotonic().after(lead);
+                let start = Nanos::from_micros(keybed.now_us()).after(lead);
                 keybed.begin_at(start.as_u64() / 1_000);
-                Ok((KeyTransport::on_boards(keybed, plans, prepared), start))
+                Ok((KeyTransport::on_boards(keybed, plans, start, prepared), start))
             }
         }
     }

@@ -1,5 +1,7 @@
 //! The keys in a run: simulated in this process, or on armed boards.
 
+use std::time::Duration;
+
 use firmware_protocol::key::BoardId;
 use hardware::keybed::{Armed, BoardReport, Keybed, LineReport};
 use hardware::plan::BusPlan;
@@ -18,7 +20,6 @@ use crate::boards::stop_all;
 use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
 use crate::report::{BoardLine, LinkLine, LinkReport};
-use realtime::clock;
 
 /// What each line shall carry; none where times are not known.
 pub(super) type Plans = Vec<Option<BusPlan>>;
@@ -27,8 +28,8 @@ pub(super) type Plans = Vec<Option<BusPlan>>;
 pub(super) enum KeyTransport {
     /// Keys that are simulated in this process.
     Simulated(SimulatedKeys),
-    /// Keys on armed boards, with what each line shall carry.
-    Boards(Box<Keybed<Armed>>, Plans),
+    /// Keys on armed boards, with what each line shall carry, and when tick 0 is due (us).
+    Boards(Box<Keybed<Armed>>, Plans, u64),
 }
 
 impl KeyTransport {
@@ -49,10 +50,11 @@ impl KeyTransport {
         Self::Simulated(keys)
     }
 
-    /// Returns keys on armed boards whose lines carry what `plans` say.
+    /// Returns keys on armed boards whose lines carry what `plans` say, for ticks from `start` on.
     pub(super) fn on_boards(
         mut keybed: Box<Keybed<Armed>>,
         plans: Plans,
+        start: Nanos,
         prepared: &PreparedRun,
     ) -> Self {
         let places: Vec<_> = keybed.terms().map(|it| it.place).collect();
@@ -73,7 +75,7 @@ impl KeyTransport {
         let boards = places.iter().map(target).collect();
         prepared.handle.lend_lights(Lights { boards, requests: keybed.identify_requests() });
         publish(keybed.monitor(prepared.tick_hz), lines, &places, prepared);
-        Self::Boards(keybed, plans)
+        Self::Boards(keybed, plans, start.as_u64() / 1_000)
     }
 }
 
@@ -106,7 +108,11 @@ impl KeyBus for KeyTransport {
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
         match self {
             Self::Simulated(keys) => keys.receive(tick, samples),
-            Self::Boards(keybed, _) => keybed.receive(tick, samples),
+            Self::Boards(keybed, _, start_us) => {
+                let due_us = *start_us + tick * keybed.period_us();
+                keybed.clock().advance_to(due_us);
+                keybed.receive(tick, samples);
+            }
         }
     }
 
@@ -126,15 +132,23 @@ impl KeyBus for KeyTransport {
 }
 
 impl KeyTransport {
-    /// Exchanges with boards until `start`, so that they stay armed and the first tick finds what is
+    /// Exchanges with boards until tick 0 is due, so that they stay armed and tick 0 finds what is
     /// new.
-    pub(super) fn attend_until(&mut self, start: Nanos) {
-        let Self::Boards(keybed, ..) = self else { return };
-        let period = Nanos::from_micros(keybed.period_us());
-        while clock::monotonic().after(period) < start {
+    pub(super) fn attend_until_start(&mut self) {
+        let Self::Boards(keybed, _, start_us) = self else { return };
+        while keybed.now_us() + keybed.period_us() < *start_us {
             keybed.exchange();
         }
-        clock::sleep_until(start);
+        let rest_us = start_us.saturating_sub(keybed.now_us());
+        keybed.clock().pause(Duration::from_micros(rest_us));
+    }
+
+    /// Returns whether the keys feel forces after the last tick, until they are taken away.
+    pub(super) const fn outlives_the_run(&self) -> bool {
+        match self {
+            Self::Simulated(_) => false,
+            Self::Boards(..) => true,
+        }
     }
 
     /// Tells boards to render no force until they are seen to; a simulated keybed ends with the
@@ -169,7 +183,7 @@ impl KeyTransport {
     pub(super) fn lines(&self, seconds: f64) -> Vec<LinkLine> {
         match self {
             Self::Simulated(_) => Vec::new(),
-            Self::Boards(keybed, plans) => {
+            Self::Boards(keybed, plans, _) => {
                 let boards = keybed.board_reports();
                 let lines = keybed.line_reports();
                 let plans = plans.iter().map(Option::as_ref).chain(std::iter::repeat(None));

@@ -110,8 +110,14 @@ pub enum SessionError {
     #[error("with the delay of these links, {0}")]
     Unstable(String),
     /// Boards go by their own time.
-    #[error("boards go by their own time; leave --virtual-time out, or the links")]
+    #[error(
+        "boards go by their own time; leave --virtual-time out, or the links; only programs behind \
+         rig: links go by virtual time"
+    )]
     RealBoards,
+    /// A program in lockstep, in a run in real time.
+    #[error("the program behind rig:{program} lives in virtual time only; give --virtual-time")]
+    VirtualBoards { program: String },
     #[error(
         "the boards have no simulated fingers, so the pianist cannot play; \
          give --performance none, and play yourself"
@@ -154,6 +160,7 @@ impl SessionError {
             | Self::BoardRate { .. }
             | Self::Overload(_)
             | Self::RealBoards
+            | Self::VirtualBoards { .. }
             | Self::NoFingers
             | Self::Performance { .. }
             | Self::NoFolder { .. }
@@ -190,6 +197,9 @@ pub struct RunOptions {
     /// Runs as fast as possible, with the same bits every time.
     pub virtual_time: bool,
 }
+
+/// Time from set-up to the first tick, in which threads start and gestures reach their boards.
+const LEAD: Nanos = Nanos::from_millis(50);
 
 /// Time after a performance's last event before a run ends by itself (s).
 const AFTERGLOW: f64 = 1.0;

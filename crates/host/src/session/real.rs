@@ -7,7 +7,7 @@ use super::key_source::KeySource;
 use super::key_transport::KeyTransport;
 use super::measured::MeasuredRun;
 use super::observed::{ObservedOutputs, RunningTelemetry};
-use super::{PreparedRun, SessionError};
+use super::{LEAD, PreparedRun, SessionError};
 use crate::adapters::observer::LiveCounters;
 use crate::midi_thread::{MidiDispatcher, MidiThread, NoteEnding};
 use crate::observe::Pulses;
@@ -19,9 +19,6 @@ use realtime::thread::{SchedulingPolicy, WantedPolicy};
 use realtime::wake_latency::HeldLatency;
 use realtime::{memory, run as ticks};
 use telemetry::HostState;
-
-/// Time from set-up to the first tick, in which the threads start.
-const LEAD: Nanos = Nanos::from_millis(50);
 
 /// Runs until its end or `stop`; ramps all forces down; then reports.
 pub(super) fn run(
@@ -96,7 +93,7 @@ fn tick(
     let mut timings = Box::new(Timings::new().map_err(std::io::Error::other)?);
     let until = Until { stop, ticks: prepared.ticks };
     let counters = Arc::clone(&prepared.counters);
-    bus.attend_until(start);
+    bus.attend_until_start();
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
         bus,

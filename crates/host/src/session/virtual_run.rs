@@ -1,14 +1,15 @@
 //! A run in virtual time: the same ticks, as fast as they go, the same bits every time.
+//!
+//! Boards take part behind programs in lockstep, which live by the host's virtual clock.
 
 use std::sync::atomic::AtomicBool;
 
 use super::key_source::KeySource;
 use super::measured::MeasuredRun;
 use super::observed::ObservedOutputs;
-use super::{PreparedRun, SessionError, no_clock};
+use super::{LEAD, PreparedRun, SessionError, no_clock};
 use crate::midi_thread::{MidiDispatcher, NoteEnding};
 use crate::report::RunReport;
-use ::scheduler::time::Nanos;
 use realtime::run::{Assembly, Until};
 use realtime::virtual_time;
 
@@ -28,7 +29,8 @@ pub(super) fn run(
     let mut scheduler = prepared.scheduler()?;
     let until = Until { stop, ticks: prepared.ticks };
     let (mut ticks, mut skipped) = (0, 0);
-    let (mut bus, _start) = keys.arm(&prepared, Nanos::ZERO)?;
+    let (mut bus, _start) = keys.arm(&prepared, LEAD)?;
+    bus.attend_until_start();
     // No clock decides anything: time begins at 0.
     let (_no_clock, mut pump) = observed.begin(0);
     let mut assembly = Assembly {
@@ -45,7 +47,11 @@ pub(super) fn run(
             pump.pump();
         }
     });
+    if assembly.bus.outlives_the_run() {
+        virtual_time::ramp_down(&mut assembly);
+    }
     prepared.handle.close();
+    bus.disarm();
     drop(lanes);
     let (realtime, deadline) = no_clock();
     let played = dispatcher.close(NoteEnding::Regular, None);

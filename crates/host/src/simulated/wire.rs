@@ -3,12 +3,14 @@
 use std::path::PathBuf;
 
 use firmware_protocol::key::BoardId;
-use links::Link;
 use links::address::Address;
 use links::can::BusSide;
 use links::reconnecting::ReconnectingLink;
 use links::serial::{Pty, Serial};
 use links::wire::{Wire, WirePlan};
+use links::{HostClock, Link};
+
+use crate::boards::now_us;
 
 /// The kind of link that simulated boards get.
 #[derive(Clone, PartialEq, Debug)]
@@ -55,7 +57,9 @@ pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, links::Error> 
         }
         WireEndpoint::Shared(address) => {
             let its_address = address.clone();
-            let link = ReconnectingLink::open(move || its_address.open(BusSide::Board(board)))?;
+            let clock = HostClock::Monotonic(now_us);
+            let open = move || its_address.open(BusSide::Board(board), &clock);
+            let link = ReconnectingLink::open(open)?;
             Ok(Placed { link: Box::new(link), address: address.clone(), _wire: None })
         }
     }

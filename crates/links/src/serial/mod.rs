@@ -10,7 +10,6 @@ mod stream;
 use std::path::Path;
 use std::time::Duration;
 
-use firmware_protocol::serial::{self, MAX_WIRE};
 use rustix::fd::OwnedFd;
 use rustix::fs::{Mode, OFlags};
 use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
@@ -64,19 +63,12 @@ impl Serial {
         Self { framing, carrier, _keeper: keeper }
     }
 
-    /// Sends `frame` with an inverted bit in its second byte, so that its checksum is wrong.
-    ///
-    /// The first three bytes of `frame` must not be zero: zeros stand elsewhere on the stream.
+    /// Sends `frame` with a wrong checksum, as [`super::framed::Framed::try_send_damaged`] does.
     ///
     /// # Errors
     /// If the link rejects the frame.
     pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
-        let mut wire = [0; MAX_WIRE];
-        let len = serial::encode(frame, &mut wire)
-            .map_err(|serial::TooLong { len }| SendError::TooLong { len })?;
-        // The byte stuffing puts one byte before the frame.
-        wire[2] ^= 0x40;
-        self.carrier.try_send(&wire[..len])
+        self.framing.around(&mut self.carrier).try_send_damaged(frame)
     }
 
     /// Returns the frames that were dropped because those before were still on their way.

@@ -14,6 +14,9 @@ use diagnostics::quoted;
 const BAUD_RATE: Quantity = Quantity { unit: "1", range: (9_600.0, 20e6) };
 const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
 
+/// Names of what a bus leads to.
+const PLACES: [&str; 3] = ["serial", "can", "rig"];
+
 /// Names that only a CAN bus has.
 const OF_CAN: [&str; 3] = ["mode", "bit_rate", "data_bit_rate"];
 
@@ -42,31 +45,37 @@ pub(super) fn read_all(report: &mut MistakeList<'_>, node: &DocumentNode) -> Vec
 
 /// Reads a bus without its boards.
 fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<BoardBus> {
-    let (serial, can) = (reader.text(report, "serial"), reader.text(report, "can"));
+    let [serial, can, rig] = PLACES.map(|name| reader.text(report, name));
     let baud = reader.whole(report, "baud", BAUD_RATE).unwrap_or(BAUD);
     let modes = [("fd", CanMode::Fd), ("classic", CanMode::Classic)];
     let mode = reader.choice(report, "mode", "there is no mode", &modes).unwrap_or(CanMode::Fd);
     let nominal = reader.whole(report, "bit_rate", BIT_RATE).unwrap_or(BIT_RATES.0);
     let data = reader.whole(report, "data_bit_rate", BIT_RATE).unwrap_or(BIT_RATES.1);
-    let address = match (reader.take("serial"), reader.take("can")) {
-        (Some(_), None) => {
+    let address = match PLACES.map(|name| reader.take(name)) {
+        [Some(_), None, None] => {
             refuse(report, reader, &OF_CAN, "a serial port has");
             Address::Serial { port: serial?.0.into(), baud }
         }
-        (None, Some(_)) => {
+        [None, Some(_), None] => {
             refuse(report, reader, &["baud"], "a CAN bus has");
             if mode == CanMode::Classic {
                 refuse(report, reader, &["data_bit_rate"], "classic CAN has");
             }
             Address::Can { interface: can?.0, mode }
         }
-        (Some(_), Some(can)) => {
-            let message = "a bus is either serial or CAN";
-            let help = "make two of it, each with its own [[links.bus]]";
-            report.say(can.node.place, message, help);
+        [None, None, Some(_)] => {
+            for names in [&OF_CAN[..], &["baud"]] {
+                refuse(report, reader, names, "a program in lockstep has");
+            }
+            Address::Rig { command: rig?.0.trim().to_owned() }
+        }
+        [Some(_), Some(other), _] | [_, Some(_), Some(other)] | [Some(_), None, Some(other)] => {
+            let message = "a bus is either serial, CAN or a program in lockstep";
+            let help = "give each its own [[links.bus]]";
+            report.say(other.node.place, message, help);
             return None;
         }
-        (None, None) => {
+        [None, None, None] => {
             let message = "this bus leads nowhere";
             let help = "give serial = \"/dev/ttyACM0\" or can = \"can0\"; \
                         `letoff devices` lists what there is";

@@ -85,7 +85,7 @@ pub fn overrides(addresses: &[Address]) -> Vec<Override> {
         return Vec::new();
     }
     let buses: Vec<_> = addresses.iter().map(bus_at).collect();
-    let options: Vec<_> = addresses.iter().map(|it| format!("--link {it}")).collect();
+    let options: Vec<_> = addresses.iter().map(|it| format!("--link {}", it.typed())).collect();
     let typed = options.join(" ");
     let over = |name: &str, value| Override { name: name.into(), value, typed: typed.clone() };
     vec![over("links.kind", "boards".into()), over("links.bus", format!("[{}]", buses.join(", ")))]
@@ -101,6 +101,7 @@ pub(super) fn bus_at(address: &Address) -> String {
         Address::Can { interface, mode: CanMode::Classic } => {
             format!("{{ can = {interface:?}, mode = \"classic\" }}")
         }
+        Address::Rig { command } => format!("{{ rig = {command:?} }}"),
     }
 }
 

@@ -79,6 +79,8 @@ pub struct LineReport {
     pub medium: Option<Medium>,
     /// How full it was, if its medium is known.
     pub load: Option<MeterWindow>,
+    /// The reason why it is down for good, if it is.
+    pub fault: Option<String>,
 }
 
 impl Armed {
@@ -167,7 +169,7 @@ impl Keybed<Armed> {
     /// Takes what has come and sends what boards are asked, without forces.
     pub fn attend(&mut self) {
         let Self { lines, stage: Armed { bus, supervisor, .. }, clock } = self;
-        supervisor.set_now(clock());
+        supervisor.set_now(clock.now_us());
         for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
             if index < bus.n_lines() {
                 bus.receive(index, link, supervisor);
@@ -295,7 +297,7 @@ impl Keybed<Armed> {
         for (_, board) in boards.filter(|(index, _)| !supervisor.is_latched(*index)) {
             let place = board.terms().place;
             // Another number than that of any request that may be under way.
-            let [first, ..] = (self.clock)().to_le_bytes();
+            let [first, ..] = self.now_us().to_le_bytes();
             let mut channel = RequestChannel::new(place.board, first ^ 0x80);
             channel.ask(Operation::Disarm, &Nothing);
             if let Some(frame) = channel.due(0) {
@@ -338,6 +340,7 @@ impl Keybed<Armed> {
             statistics: bus.line(index),
             medium: line.medium,
             load: bus.load(index, seconds).filter(|_| 0.0 < seconds),
+            fault: line.link.fault().map(ToString::to_string),
         };
         lines.map(report).collect()
     }
@@ -373,7 +376,7 @@ impl KeyBus for Keybed<Armed> {
     /// # Real-time
     /// One frame for each board; no heap.
     fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
-        let now_us = (self.clock)();
+        let now_us = self.now_us();
         let Self { lines, stage: Armed { bus, .. }, .. } = self;
         for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
             if index < bus.n_lines() {

@@ -1,6 +1,5 @@
 //! Motors are proven before a model may use them.
 
-use links::pause;
 use scheduler::motion::{KEYS, KeySlope};
 use scheduler::port::KeyBus as _;
 
@@ -63,7 +62,7 @@ impl Keybed<Armed> {
         let end = self.now_us() + self.stage.period_us;
         while self.now_us() < end {
             self.attend();
-            pause(LOOK);
+            self.clock.pause(LOOK);
         }
         self.send(0, &[0.0; KEYS], &[KeySlope::HELD; KEYS]);
         self.now_us()
