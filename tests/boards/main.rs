@@ -16,6 +16,7 @@ mod machine_time;
 
 mod conformance;
 mod cortex;
+mod lockstep;
 mod python;
 mod refused;
 mod rig;

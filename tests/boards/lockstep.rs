@@ -1,0 +1,97 @@
+//! The whole host in virtual time: the reference firmware as a program in lockstep, and programs
+//! that are none.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::letoff::{self, Said};
+use crate::machine_time::say;
+use crate::rig::count;
+
+/// Parts of the reference firmware that the fault rig is built from.
+const FIRMWARE: [&str; 11] = [
+    "acyclic", "arm", "forces", "gesture", "history", "law", "lever", "link", "log", "render",
+    "state",
+];
+
+/// Builds the fault rig, a board with the four keys C4 to D#4; nothing without a C compiler, and
+/// then says so.
+fn build(folder: &Path) -> Option<PathBuf> {
+    let c = Path::new(env!("CARGO_MANIFEST_DIR")).join("firmware-protocol/c");
+    let rig = c.join("rig").read_dir().expect("the sources of the rig");
+    let rig = rig.map(|entry| entry.expect("a file").path());
+    let rig = rig.filter(|path| path.extension().is_some_and(|it| it == "c"));
+    let firmware = FIRMWARE.map(|part| c.join(format!("firmware/{part}.c")));
+    let program = folder.join("rig");
+    let mut cc = Command::new("cc");
+    cc.args(["-std=c99", "-O2", "-DN_KEYS=4", "-DFIRST_KEY=39"]).args(rig).args(firmware);
+    cc.arg(c.join("letoff_codec.c")).args(["-lm", "-o"]).arg(&program);
+    let Ok(status) = cc.status() else {
+        say("SKIPPED: the host in lockstep with the fault rig: cc is not installed");
+        return None;
+    };
+    assert!(status.success(), "the rig cannot be built");
+    Some(program)
+}
+
+/// Runs the default scene on these links in virtual time.
+fn run(folder: &Path, links: &[&str]) -> Said {
+    let run = ["run", "default", "--virtual-time", "--performance", "none", "--duration", "3"];
+    let links = links.iter().flat_map(|link| ["--link", link]);
+    let all: Vec<_> = run.into_iter().chain(["--json"]).chain(links).collect();
+    letoff::run(folder, &all)
+}
+
+/// The report of a run, but for the time of day at which it began.
+fn report(said: &Said) -> Value {
+    let mut report = said.report();
+    report["started"].take();
+    report
+}
+
+#[test]
+fn a_host_in_lockstep_with_an_honest_board_gives_the_same_bits_every_time() {
+    let folder = letoff::folder("lockstep");
+    let Some(program) = build(&folder) else { return };
+    let told = folder.join("rig.json");
+    let link = format!("rig:{} --lockstep --report {}", program.display(), told.display());
+    let outcomes = [(); 2].map(|()| {
+        let _none = std::fs::remove_file(&told);
+        let said = run(&folder, &[&link]);
+        assert_eq!(said.code, Some(0), "{said:?}");
+        // The rig has exited in order, or its last report would not be that of the end.
+        (said, std::fs::read_to_string(&told).expect("what the rig tells"))
+    });
+    let [(one, rig), (other, again)] = outcomes;
+    let report = report(&one);
+    assert_eq!((&report, &one.err, rig), (&self::report(&other), &other.err, again));
+    assert_eq!(report["boards"][0]["state"], "armed", "{report}");
+    assert_eq!(report["boards"][0]["samples_hz"], 1_000.0, "{report}");
+    assert_eq!(count(&report, "/faults"), 0, "{report}");
+    assert!(0 < count(&report, "/strikes"), "the finger of the rig plays: {report}");
+    assert!(one.err.contains("C4 to D#4: armed"), "{one:?}");
+}
+
+#[test]
+fn a_program_that_is_no_rig_is_named_with_what_it_did() {
+    let folder = letoff::folder("lockstep-refused");
+    let check = |link, words: &[&str]| {
+        let said = run(&folder, &[link]);
+        assert_eq!(said.code, Some(1), "{said:?}");
+        letoff::check_words(&said, words);
+    };
+    check("rig:/no/such/rig --lockstep", &["`/no/such/rig --lockstep`", "cannot be started"]);
+    check("rig:false", &["`false`", "it ended (exit status: 1)"]);
+}
+
+#[test]
+fn boards_and_the_run_live_by_the_same_time() {
+    let folder = letoff::folder("lockstep-time");
+    let said = run(&folder, &["rig:true", "serial:/dev/null"]);
+    assert_eq!(said.code, Some(2), "{said:?}");
+    letoff::check_words(&said, &["boards go by their own time", "rig: links"]);
+    let words = ["rig:true lives in virtual time only", "--virtual-time"];
+    letoff::check(&folder, &["run", "--link", "rig:true"], 2, &words);
+}
