@@ -1,5 +1,4 @@
 //! Each fault of the rig in `c/rig` does what its page says, seen from the wire and the report.
-#![expect(clippy::disallowed_methods, reason = "tests run on the host")]
 
 use std::collections::BTreeSet;
 use std::io::{BufRead as _, BufReader, Read as _, Write as _};
@@ -242,7 +241,7 @@ fn check_hello(path: &Path) {
     let len = serial::encode(&frame[..len], &mut wire).expect("a frame");
     terminal.write_all(&wire[..len]).expect("it reads");
     let mut deframer = Deframer::default();
-    let hello = terminal.bytes().find_map(|byte| {
+    let hello = BufReader::new(terminal).bytes().find_map(|byte| {
         let frame = deframer.push(byte.expect("it answers"))?;
         Some(Introduction::decode(frame.expect("a whole frame")).expect("a hello"))
     });
@@ -359,7 +358,7 @@ fn wronglen_and_stale_take_no_forces_and_count_them() {
         let (sent, report) = (rig.sent, rig.end());
         assert!(sent as f64 - report.number(counter) < 3.0, "{fault}");
         assert_eq!((report.text("forces"), report.text(other)), ("0", "0"));
-        assert_eq!(report.number("largest_force_n"), 0.0, "{fault}");
+        assert_eq!(report.text("largest_force_n"), "0.000000", "{fault}");
     }
 }
 
@@ -393,7 +392,7 @@ fn a_motor_that_is_turned_dead_weak_or_stuck_does_as_it_is_called() {
     let turned = pressed(&["--fault", "motorsign"]).expect("a compiler");
     assert!((place(&turned) + 33).abs() < 5, "2 N up press the upper felt");
     let dead = pressed(&["--fault", "deadmotor"]).expect("a compiler");
-    assert_eq!((place(&dead), dead.end().number("largest_force_n")), (0, 0.0));
+    assert_eq!((place(&dead), dead.end().text("largest_force_n")), (0, "0.000000"));
     let weak = pressed(&["--fault", "weak"]).expect("a compiler");
     assert!((weak.end().number("largest_force_n") - 1.0).abs() < 0.01);
     let mut stuck =
@@ -404,8 +403,8 @@ fn a_motor_that_is_turned_dead_weak_or_stuck_does_as_it_is_called() {
     assert!((place(&stuck) - BOTTOM - 128).abs() < 5, "8 N press the felt");
     let report = stuck.end();
     assert_eq!(
-        (report.number("largest_force_n"), report.text("largest_step_n")),
-        (8.0, "0.000000")
+        (report.text("largest_force_n"), report.text("largest_step_n")),
+        ("8.000000", "0.000000")
     );
     assert!((report.number("force_after_fault_s") - 1.0).abs() < 0.01);
     assert!((report.number("last_force_s") - 1.0).abs() < 0.01);
@@ -629,7 +628,8 @@ fn a_loop_that_hangs_lets_forces_expire_and_goes_on() {
     };
     rig.play(down, 3_500);
     assert!((500_000..510_000).contains(&longest_silence(&rig)));
-    assert!(place(&rig) == 0 && rig.samples().last().expect("samples").1.header.flag);
+    assert!(rig.samples().last().expect("samples").1.header.flag);
+    assert!(place(&rig).abs() <= 5, "friction holds the key at {} um", place(&rig));
     let report = rig.end();
     assert_eq!((report.text("trips"), report.text("restarts")), ("1", "0"));
     // 1.5 s after the fault began the loop stops, and forces end 20 and 10 ms later.

@@ -22,8 +22,9 @@
 #define HANG_EVERY_US 2000000u
 /* A winding that is hotter has failed [°C]. */
 #define TOO_HOT 120.0
-/* Temperature that a board with the fault `hot` reports [°C]. */
+/* Temperatures that boards with the faults `hot` and `keyfault` report [°C]. */
 #define VERY_HOT 325.0
+#define LATCHED_AT 150.0
 
 struct machine {
     struct state state;
@@ -81,6 +82,9 @@ static double temperature(size_t slot)
     double measured = motor_temperature(slot);
     if (slot == 0 && fault_is_on(FAULT_HOT)) {
         return VERY_HOT;
+    }
+    if (slot == 0 && fault_is_on(FAULT_KEYFAULT)) {
+        return LATCHED_AT;
     }
     if (slot == 0 && fault_is_on(FAULT_OVERHEAT)) {
         double rise = fault_value(FAULT_OVERHEAT) - measured;

@@ -15,7 +15,7 @@ use firmware_protocol::frame::key_forces::{ForcePacking, KeyForces};
 use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePacking};
 use firmware_protocol::key::{BoardId, PerKey};
 use firmware_protocol::quantity::Millinewtons;
-use firmware_protocol::serial::{self, Deframer};
+use firmware_protocol::serial::{self, Deframer, FramingError};
 use firmware_protocol::{MAX_FRAME, Nothing, Record};
 
 use crate::tools::{STRICT, are_there, crate_root, run, scratch};
@@ -141,14 +141,9 @@ impl Rig {
         stdout.read_exact(&mut len).expect("an answer");
         let mut bytes = vec![0; usize::from(u16::from_le_bytes(len))];
         stdout.read_exact(&mut bytes).expect("all of the answer");
-        for byte in &bytes {
-            match self.deframer.push(*byte) {
-                None => {}
-                Some(Err(_corrupt)) => self.corrupt += 1,
-                Some(Ok(frame)) => {
-                    self.arrivals.push(Arrival { at_us: self.now_us, frame: frame.to_vec() });
-                }
-            }
+        for found in bytes.iter().filter_map(|byte| self.deframer.push(*byte).map(owned)) {
+            self.corrupt += usize::from(found.is_none());
+            self.arrivals.extend(found.map(|frame| Arrival { at_us: self.now_us, frame }));
         }
         self.bytes.extend(bytes);
     }
@@ -199,11 +194,11 @@ impl Rig {
             }
             let known = self.arrivals.len();
             self.tick();
-            for arrival in &self.arrivals[known..] {
-                let Ok(reply) = AcyclicReply::decode(&arrival.frame) else { continue };
-                if reply.id == self.next_id && reply.operation == Ok(operation) {
-                    return Some((reply.status, reply.record.to_vec()));
-                }
+            let replies = self.arrivals[known..].iter();
+            let mut replies = replies.filter_map(|it| AcyclicReply::decode(&it.frame).ok());
+            let id = self.next_id;
+            if let Some(reply) = replies.find(|it| it.id == id && it.operation == Ok(operation)) {
+                return Some((reply.status, reply.record.to_vec()));
             }
         }
         None
@@ -267,6 +262,10 @@ impl Rig {
         assert!(status.success(), "{status}");
         Report::read(&self.report)
     }
+}
+
+fn owned(found: Result<&[u8], FramingError>) -> Option<Vec<u8>> {
+    found.ok().map(<[u8]>::to_vec)
 }
 
 fn samples(arrival: &Arrival) -> Option<KeySamples> {
