@@ -112,6 +112,8 @@ pub enum Refusal {
         f64::from(slow.agreed_us) * 1e-3, f64::from(slow.median_us) * 1e-3
     )]
     Slow { board: BoardName, slow: SlowSamples },
+    #[error("{board}: {}", burst_words(f64::from(*us)))]
+    Bursts { board: BoardName, us: u32 },
     #[error("{board}: {}", restart_words(*times, *reason))]
     Restarting { board: BoardName, times: u8, reason: u8 },
     #[error(
@@ -304,7 +306,8 @@ impl Refusals {
             | Refusal::LateSamples { .. }
             | Refusal::NoAnswer { .. }
             | Refusal::NotReady { .. }
-            | Refusal::Slow { .. } => true,
+            | Refusal::Slow { .. }
+            | Refusal::Bursts { .. } => true,
             Refusal::Link { .. }
             | Refusal::Version { .. }
             | Refusal::Schema { .. }

@@ -253,9 +253,11 @@ impl BoardEnd {
         };
         let elapsed = self.elapsed(&samples, tick);
         let interval_us = self.newest().map(|it| since_us(it, &samples));
+        let missing = self.loss.counts().missing;
         let news = self.loss.accept(samples.header.sequence, tick);
         if news {
-            interval_us.into_iter().for_each(|it| self.take_interval(it));
+            let missing = self.loss.counts().missing - missing;
+            interval_us.into_iter().for_each(|it| self.take_interval(it, missing));
             self.statistics.is_safe = samples.header.flag;
             self.newest = Some((samples, tick));
             self.check(&samples, elapsed);
@@ -273,9 +275,10 @@ impl BoardEnd {
         (is_next && 0 < us).then(|| f64::from(us) * 1e-6)
     }
 
-    /// Takes the time by which the newest samples are later than those before (us).
-    fn take_interval(&mut self, interval_us: u16) {
-        self.intervals.take(interval_us);
+    /// Takes the time by which the newest samples are later than those before (us), and how many
+    /// frames were lost between them.
+    fn take_interval(&mut self, interval_us: u16, missing: u64) {
+        self.intervals.take(interval_us, missing);
         self.statistics.intervals = self.intervals.newest();
         if let Some(guards) = &mut self.guards {
             let longest = Guards::SAMPLE_GAP * guards.period_us as f64;

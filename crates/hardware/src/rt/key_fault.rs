@@ -61,7 +61,10 @@ impl KeyFault {
             Self::Unresponsive => {
                 "see whether its motor is connected; if the motor pushes by itself, cut its supply"
             }
-            Self::Shaking => "take a scene that is stable on this link: `letoff check` names it",
+            Self::Shaking => {
+                "take a scene that is stable on this link, which `letoff check` names; if it played \
+                 before, see to its motor's wires and to its link"
+            }
             Self::Reported(key_fault::TOO_HOT) => "let it cool down",
             Self::Reported(_) => "see what its log says: `letoff devices --boards --log`",
         }

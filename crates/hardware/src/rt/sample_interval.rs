@@ -1,7 +1,8 @@
 //! How often a board's samples really come, by its own clock.
 //!
-//! A loss on the way counts as the host sees it: as a longer interval. What the host itself does
-//! late does not, since the stamps are the board's.
+//! A frame that was lost makes a longer interval and a gap in the numbers; a board that sends fewer
+//! frames than it confirmed leaves no gap. What the host itself does late counts in neither, since
+//! the stamps are the board's.
 
 /// Intervals that are looked at together.
 const N: usize = 32;
@@ -22,14 +23,16 @@ pub struct SampleIntervals {
     pub median_us: u16,
     /// A tenth of them were longer (us).
     pub p90_us: u16,
+    /// The median of those between frames of which none was lost (us).
+    pub sent_us: u16,
 }
 
 /// What is wrong with a board's intervals.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum IntervalFault {
-    /// Some are long: the board is played more softly.
+    /// Some or most are long since frames are lost: the board is played more softly.
     Uneven,
-    /// Most are longer than agreed: no model is stable so.
+    /// It sends fewer than agreed: no model is stable so.
     Slow,
 }
 
@@ -37,33 +40,39 @@ pub(super) enum IntervalFault {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct IntervalWatch {
     intervals_us: [u16; N],
+    sent_us: [u16; N],
     n: usize,
+    n_sent: usize,
     since_look: u32,
     newest: Option<SampleIntervals>,
 }
 
 impl Default for IntervalWatch {
     fn default() -> Self {
-        Self { intervals_us: [0; N], n: 0, since_look: 0, newest: None }
+        Self { intervals_us: [0; N], sent_us: [0; N], n: 0, n_sent: 0, since_look: 0, newest: None }
     }
 }
 
 impl IntervalWatch {
-    /// Takes the time between two samples by the board's clock (us).
+    /// Takes the time between two samples by the board's clock (us), and how many frames were lost
+    /// between them.
     ///
     /// # Real-time
-    /// Sorts 32 numbers for every eighth sample.
-    pub(super) fn take(&mut self, interval_us: u16) {
-        self.intervals_us.rotate_right(1);
-        self.intervals_us[0] = interval_us;
-        self.n = (self.n + 1).min(N);
+    /// Sorts twice 32 numbers for every eighth sample.
+    pub(super) fn take(&mut self, interval_us: u16, missing: u64) {
+        push(&mut self.intervals_us, &mut self.n, interval_us);
+        if missing == 0 {
+            push(&mut self.sent_us, &mut self.n_sent, interval_us);
+        }
         self.since_look += 1;
-        if self.n == N && LOOK <= self.since_look {
+        if self.n == N && self.n_sent == N && LOOK <= self.since_look {
             self.since_look = 0;
-            let mut sorted = self.intervals_us;
-            sorted.sort_unstable();
-            let (median_us, p90_us) = (sorted[N / 2], sorted[N * 9 / 10]);
-            self.newest = Some(SampleIntervals { median_us, p90_us });
+            let [all, sent] = [self.intervals_us, self.sent_us].map(|mut it| {
+                it.sort_unstable();
+                it
+            });
+            let (median_us, p90_us, sent_us) = (all[N / 2], all[N * 9 / 10], sent[N / 2]);
+            self.newest = Some(SampleIntervals { median_us, p90_us, sent_us });
         }
     }
 
@@ -78,13 +87,20 @@ impl IntervalWatch {
     }
 }
 
+/// Puts the newest interval first, and counts those that there are.
+fn push(intervals_us: &mut [u16; N], n: &mut usize, newest_us: u16) {
+    intervals_us.rotate_right(1);
+    intervals_us[0] = newest_us;
+    *n = (*n + 1).min(N);
+}
+
 impl SampleIntervals {
     /// Returns what is wrong with these intervals where `agreed_us` was agreed.
     pub(super) fn fault(&self, agreed_us: u16) -> Option<IntervalFault> {
         let times = |us: u16| f64::from(us) / f64::from(agreed_us.max(1));
-        if MOST_MEDIAN < times(self.median_us) {
+        if MOST_MEDIAN < times(self.sent_us) {
             Some(IntervalFault::Slow)
-        } else if MOST_P90 < times(self.p90_us) {
+        } else if MOST_MEDIAN < times(self.median_us) || MOST_P90 < times(self.p90_us) {
             Some(IntervalFault::Uneven)
         } else {
             None
@@ -98,7 +114,7 @@ mod tests {
 
     fn fault(intervals_us: impl IntoIterator<Item = u16>) -> Option<IntervalFault> {
         let mut watch = IntervalWatch::default();
-        intervals_us.into_iter().for_each(|it| watch.take(it));
+        intervals_us.into_iter().for_each(|it| watch.take(it, 0));
         watch.newest()?.fault(1_000)
     }
 
@@ -109,6 +125,14 @@ mod tests {
         let mended = [1_000; 64].into_iter().chain([2_000; 24]);
         assert_eq!(fault(mended), Some(IntervalFault::Slow));
         assert_eq!(fault((0..64).map(|n| 900 + n % 3 * 100)), None, "phases of a board");
+    }
+
+    #[test]
+    fn frames_that_are_lost_make_a_board_uneven_and_not_slow() {
+        let mut watch = IntervalWatch::default();
+        (0..96).for_each(|n| if n % 3 == 0 { watch.take(1_000, 0) } else { watch.take(2_000, 1) });
+        let found = watch.newest().unwrap();
+        assert_eq!(found.fault(1_000), Some(IntervalFault::Uneven), "{found:?}");
     }
 
     #[test]

@@ -203,6 +203,7 @@ fn snapshot(bus: &KeybedBus, rearmed: Option<u64>, place: usize) -> Option<LinkS
         restarts: 0,
         reset_reason: 0,
         burst_us: None,
+        late: None,
     });
     Some(match snapshot {
         LinkSnapshot::Line(..) => snapshot,

@@ -5,8 +5,11 @@ use hardware::rt::link_snapshot::{BoardSnapshot, BoardStatus, LineSnapshot, Link
 use rtrb::Consumer;
 use telemetry::Links;
 
+use hardware::rt::board_supervisor::ArmState;
+
 use crate::report::{
-    key_names, misplaced_words, muted_keys, softened_words, stage_words, unproven_words, wire_words,
+    key_names, late_periods_words, misplaced_words, muted_keys, softened_words, stage_words,
+    unproven_words, wire_words,
 };
 use hardware::refusal::{burst_words, restart_words};
 use hardware::rt::link_monitor::LinkSample;
@@ -102,8 +105,9 @@ fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String 
     let notes = [
         (0 < care.restarts).then(|| restart_words(care.restarts, care.reset_reason)),
         care.burst_us.map(|it| burst_words(it as f64)),
+        care.late.map(late_periods_words),
         list(keys.softened, softened_words),
-        list(keys.unproven, unproven_words),
+        list(keys.unproven, unproven_words).filter(|_| care.state == ArmState::Armed),
         list(keys.misplaced, misplaced_words),
     ];
     let muted = muted_keys(first_key, &keys.muted);
@@ -122,7 +126,6 @@ mod tests {
     use super::*;
     use firmware_protocol::key::MOST_KEYS;
     use hardware::plan::{LinkMeter, Medium};
-    use hardware::rt::board_supervisor::ArmState;
     use hardware::rt::bus::LineStatistics;
     use hardware::rt::key_fault::{KeyFault, KeyFindings};
     use links::{Health, WireState};
@@ -160,6 +163,7 @@ mod tests {
             restarts: 0,
             reset_reason: 0,
             burst_us: None,
+            late: None,
         });
         let keys = KeyFindings { muted, ..KeyFindings::default() };
         let statistics = BoardStatistics { keys, ..BoardStatistics::default() };

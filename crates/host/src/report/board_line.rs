@@ -66,6 +66,8 @@ pub struct BoardLine {
     pub sample_interval_us: Option<[u16; 2]>,
     /// Time between bursts of samples (ms), if they came in bursts.
     pub bursts_ms: Option<f64>,
+    /// By how many periods its samples came later at the end than when it was armed, if too many.
+    pub late_periods: Option<f64>,
     /// Times that it restarted, and the reason that it gave the last time.
     pub restarts: u64,
     pub reset_reason: u8,
@@ -155,6 +157,7 @@ impl BoardLine {
             blended: statistics.keys.blended,
             sample_interval_us: statistics.intervals.map(|it| [it.median_us, it.p90_us]),
             bursts_ms: condition.burst_us.map(|it| it as f64 * 1e-3),
+            late_periods: condition.late,
             restarts: condition.restarts,
             reset_reason: condition.reset_reason,
             hottest_c: condition.hottest.map(|it| 0.1 * f64::from(it)),
@@ -208,6 +211,7 @@ fn bar_words(bar: ArmLockout) -> String {
             f64::from(agreed_us) * 1e-3,
             f64::from(median_us) * 1e-3
         ),
+        ArmLockout::Bursts(us) => format!("left alone: {}", burst_words(f64::from(us))),
         ArmLockout::Restarting { times, reason } => {
             format!("left off: {}", restart_words(times, reason))
         }
@@ -215,6 +219,14 @@ fn bar_words(bar: ArmLockout) -> String {
             "left alone: it says that it is armed, and renders no force".into()
         }
     }
+}
+
+/// Returns what is done to a board whose samples have become later by so many periods.
+pub(crate) fn late_periods_words(periods: f64) -> String {
+    format!(
+        "its samples come {periods:.1} periods later than when it was armed, so it gets less force: \
+         see what holds its link up"
+    )
 }
 
 /// Returns what is noticed of `keys` that stand still.
@@ -300,8 +312,9 @@ impl BoardLine {
             (!keys.is_empty()).then(|| words(&keys.join(", ")))
         };
         let softened = list(&self.softened, softened_words);
-        let unproven = list(&self.unproven, unproven_words);
-        let whole = [state, never, self.untaken(), bursts, restarts, softened, unproven];
+        let unproven = list(&self.unproven, unproven_words).filter(|_| self.state == "armed");
+        let late = self.late_periods.map(late_periods_words);
+        let whole = [state, never, self.untaken(), bursts, late, restarts, softened, unproven];
         // Where no force was taken, no motor could move its key.
         let muted = self.muted.iter().filter(|_| self.untaken().is_none());
         let muted = muted.map(ToString::to_string);
@@ -326,6 +339,9 @@ impl BoardLine {
             || self.untaken().is_some()
             || !self.muted.is_empty()
             || !self.softened.is_empty()
+            || !self.unproven.is_empty()
+            || self.bursts_ms.is_some()
+            || self.late_periods.is_some()
     }
 
     /// Returns whether no sample of it came in the run.

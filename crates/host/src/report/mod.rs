@@ -16,7 +16,8 @@ mod step_counts;
 
 pub use board_line::BoardLine;
 pub(crate) use board_line::{
-    key_names, misplaced_words, muted_keys, softened_words, stage_words, unproven_words,
+    key_names, late_periods_words, misplaced_words, muted_keys, softened_words, stage_words,
+    unproven_words,
 };
 pub use fidelity::{ChosenFidelity, RefusedFidelity};
 pub use link_line::LinkLine;

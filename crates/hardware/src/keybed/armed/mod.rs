@@ -139,6 +139,7 @@ impl Armed {
             let stamp_us = newest.header.stamp_us;
             let Some(age_us) = self.supervisor.age_us(board, due_us, stamp_us) else { continue };
             lateness.learn(age_us, period_us);
+            self.supervisor.take_age(board, age_us, period_us);
             if let Some(usual_us) = lateness.usual_us() {
                 self.supervisor.watch_lateness(board, usual_us);
             }

@@ -41,6 +41,7 @@ impl Keybed<Armed> {
                     Some(Refusal::NotHomed { board, keys })
                 }
                 ArmState::Barred(ArmLockout::Slow(slow)) => Some(Refusal::Slow { board, slow }),
+                ArmState::Barred(ArmLockout::Bursts(us)) => Some(Refusal::Bursts { board, us }),
                 ArmState::Barred(ArmLockout::Restarting { times, reason }) => {
                     Some(Refusal::Restarting { board, times, reason })
                 }

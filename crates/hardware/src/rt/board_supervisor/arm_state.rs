@@ -68,6 +68,8 @@ pub enum ArmLockout {
     NotHomed(u16),
     /// Its samples are farther apart than agreed.
     Slow(SlowSamples),
+    /// Its samples come in bursts, so far apart (us).
+    Bursts(u32),
     /// It has restarted so often, the last time for this reason (as in its hello).
     Restarting { times: u8, reason: u8 },
 }
@@ -91,7 +93,8 @@ impl ArmLockout {
             | Self::StaysSafe
             | Self::Late(_)
             | Self::NotHomed(_)
-            | Self::Slow(_) => true,
+            | Self::Slow(_)
+            | Self::Bursts(_) => true,
             Self::Latched(_) | Self::Exchanged | Self::Clock(_) | Self::Restarting { .. } => false,
         }
     }

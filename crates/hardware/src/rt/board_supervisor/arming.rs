@@ -36,7 +36,8 @@ const AGAIN_US: u64 = 100_000;
 const SHORT_US: u64 = 1_000_000;
 /// Attempts to arm a board until it is left alone.
 const MOST_ATTEMPTS: u8 = 5;
-/// Longest time that samples are measured before a board is armed (us).
+/// Shortest and longest time that samples are measured before a board is armed (us).
+const MEASURING_US: u64 = 150_000;
 const LONGEST_MEASURING_US: u64 = 1_000_000;
 /// Restarts of which each follows soon on the one before, after which a board is left off.
 const MOST_RESTARTS: u8 = 4;
@@ -151,13 +152,21 @@ impl Arming {
         let intervals = samples.intervals();
         let slow = intervals.filter(|it| it.fault(agreed_us) == Some(IntervalFault::Slow));
         if let (ArmState::Measuring | ArmState::Armed, Some(it)) = (self.state, slow) {
-            return self.on_slow(SlowSamples { median_us: it.median_us, agreed_us }, now);
+            return self.on_slow(SlowSamples { median_us: it.sent_us, agreed_us }, now);
+        }
+        match (self.state, samples.burst_us()) {
+            (ArmState::Measuring, Some(us)) => {
+                let us = u32::try_from(us).unwrap_or(u32::MAX);
+                return self.bar(ArmLockout::Bursts(us), now);
+            }
+            (_, _) => {}
         }
         match self.state {
             ArmState::Measuring => {
                 // One whose samples do not come, or cannot be read, is found later.
                 let is_mute = is_silence(self.since, now) && !samples.have_come_since(self.since);
-                if intervals.is_some() || is_mute || self.since + LONGEST_MEASURING_US < now {
+                let is_measured = intervals.is_some() && self.since + MEASURING_US < now;
+                if is_measured || is_mute || self.since + LONGEST_MEASURING_US < now {
                     self.attempt();
                 }
             }

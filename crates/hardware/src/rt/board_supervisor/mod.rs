@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `arming` | the state machine that brings one board up |
 //! | `sample_watch` | what its samples tell of it |
+//! | `age_watch` | samples that take longer on their way than at first |
 //! | `back_off` | how long to wait before one that fails again and again is armed |
 //! | `health` | how it reports that it and its keys are |
 //! | `timing` | its clock, learned from round trips |
@@ -13,6 +14,7 @@
 //!
 //! A board whose clock runs too fast or too slow is disarmed until it starts anew.
 
+mod age_watch;
 mod arm_state;
 mod arming;
 mod back_off;
@@ -131,6 +133,13 @@ impl BoardSupervisor {
     /// Returns how long before the host's `at_us` a board took the samples with this stamp (us).
     pub fn age_us(&self, board: usize, at_us: u64, stamp_us: u16) -> Option<i32> {
         self.sessions.get(board)?.timing().clock().age_us(at_us, stamp_us)
+    }
+
+    /// Takes the age of samples of a board that have just come (us), `period_us` after those before.
+    pub fn take_age(&mut self, board: usize, age_us: i32, period_us: u64) {
+        if let Some(session) = self.sessions.get_mut(board) {
+            session.take_age(age_us, period_us);
+        }
     }
 
     /// Bars a board whose samples usually come `usual_us` after they were taken, if no force can

@@ -9,6 +9,7 @@ use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::frame::hello::{Introduction, safe_reason};
 use firmware_protocol::{Nothing, Record as _};
 
+use super::age_watch::AgeWatch;
 use super::arm_state::{ArmLockout, ArmState};
 use super::arming::Arming;
 use super::gesture_queue::GestureQueue;
@@ -55,6 +56,7 @@ pub(super) struct BoardSession {
     restarts: u64,
     reset_reason: u8,
     health: HealthWatch,
+    ages: AgeWatch,
 }
 
 impl BoardSession {
@@ -79,6 +81,7 @@ impl BoardSession {
             is_anew: false,
             restarts: 0,
             reset_reason: 0,
+            ages: AgeWatch::default(),
         }
     }
 
@@ -99,11 +102,22 @@ impl BoardSession {
     pub(super) fn share(&self) -> f64 {
         /// What a board keeps whose samples come unevenly.
         const SOFT: f64 = 0.5;
+        if self.state() != ArmState::Armed || self.samples.burst_us().is_some() {
+            return 0.0;
+        }
         let fault = self.samples.intervals().and_then(|it| it.fault(self.agreed.terms.period_us));
-        match (self.state(), fault) {
-            (ArmState::Armed, None) => 1.0,
-            (ArmState::Armed, Some(IntervalFault::Uneven)) => SOFT,
-            _ => 0.0,
+        let even = match fault {
+            None => 1.0,
+            Some(IntervalFault::Uneven) => SOFT,
+            Some(IntervalFault::Slow) => 0.0,
+        };
+        self.ages.share().min(even)
+    }
+
+    /// Takes the age of samples that have just come (us), `period_us` after those before.
+    pub(super) fn take_age(&mut self, age_us: i32, period_us: u64) {
+        if self.state() == ArmState::Armed {
+            self.ages.take(age_us, period_us);
         }
     }
 
@@ -158,6 +172,7 @@ impl BoardSession {
             restarts: self.arming.restarts(),
             reset_reason: self.reset_reason,
             burst_us: self.samples.burst_us(),
+            late: self.ages.late(),
         }
     }
 
@@ -173,6 +188,7 @@ impl BoardSession {
             restarts: self.restarts,
             reset_reason: self.reset_reason,
             burst_us: self.samples.burst_us(),
+            late: self.ages.late(),
             hottest: self.health.hottest(),
         }
     }
@@ -204,6 +220,9 @@ impl BoardSession {
         }
         for (slot, cause) in self.health.failed() {
             bus.mute(board, slot, KeyFault::Reported(cause));
+        }
+        if self.state() != ArmState::Armed {
+            self.ages.forget();
         }
         self.samples.update(&bus.statistics(board), now);
         if let Some(ppm) = self.timing.excess_ppm() {

@@ -17,6 +17,8 @@ pub struct BoardStatus {
     pub reset_reason: u8,
     /// Time between bursts of samples (us), if they come in bursts.
     pub burst_us: Option<u64>,
+    /// By how many periods samples are later than when it was armed, if that is too much.
+    pub late: Option<f64>,
 }
 
 /// What a board is like, for reports.
@@ -41,6 +43,8 @@ pub struct Condition {
     pub reset_reason: u8,
     /// Time between bursts of samples (us), if they come in bursts.
     pub burst_us: Option<u64>,
+    /// By how many periods samples are later than when it was armed, if that is too much.
+    pub late: Option<f64>,
     /// The hottest motor that it has reported (0.1 °C).
     pub hottest: Option<i16>,
 }

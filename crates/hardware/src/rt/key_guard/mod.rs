@@ -112,11 +112,9 @@ impl KeyGuard {
         if self.fault.is_some() || !self.proof.is_proven() {
             return self.unplayed(wanted, most, position, elapsed);
         }
-        let (dip, found) =
-            self.response.step((position, calibration.quantum.abs()), elapsed, wanted);
-        found.into_iter().for_each(|fault| self.mute(fault));
-        let soft = if self.is_softened { SOFT } else { 1.0 };
-        let force = dip * self.path.next(wanted, most * soft, elapsed);
+        let question = self.ask((position, elapsed), most, wanted, calibration);
+        let most = if self.is_softened { SOFT * most } else { most };
+        let force = self.path.next(wanted + question, most, elapsed);
         if self.shake.is_shaking(force, elapsed) {
             if self.is_softened {
                 self.mute(KeyFault::Shaking);
@@ -124,6 +122,24 @@ impl KeyGuard {
             self.is_softened = true;
         }
         force
+    }
+
+    /// Returns what to add to `wanted` (N) to learn whether the motor still moves its key.
+    fn ask(
+        &mut self,
+        (position, elapsed): (f64, f64),
+        most: f64,
+        wanted: f64,
+        calibration: &KeyCalibration,
+    ) -> f64 {
+        if most < 1.0 {
+            self.response.pause();
+            return 0.0;
+        }
+        let place = (position, calibration.quantum.abs());
+        let (question, found) = self.response.step(place, elapsed, wanted);
+        found.into_iter().for_each(|fault| self.mute(fault));
+        question
     }
 
     /// The force on a key that is not played: that of its proof, or what fades.

@@ -24,6 +24,9 @@ const MOST: f64 = 1.5;
 /// How far a key must move (m).
 const WAY: f64 = 0.3e-3;
 
+/// Speed beyond which a hand has moved the key, and not the push (m/s).
+const SLOW: f64 = 0.08;
+
 /// How near its beginning a key must return (m), and within what time (s).
 const BACK: f64 = 0.15e-3;
 const RETURN: f64 = 0.15;
@@ -110,11 +113,14 @@ pub(super) struct MotorProof {
     before: Option<Motion>,
     /// The key stood still under its force, and gets none until it has come to rest.
     is_limp: bool,
+    /// Where the key was at the last call (m).
+    position: f64,
 }
 
 impl MotorProof {
     /// The motor is taken as proven.
-    pub(super) const PROVEN: Self = Self { stage: Stage::Proven, before: None, is_limp: false };
+    pub(super) const PROVEN: Self =
+        Self { stage: Stage::Proven, before: None, is_limp: false, position: 0.0 };
 
     /// Returns a proof that begins once its key rests.
     pub(super) const fn begin() -> Self {
@@ -122,6 +128,7 @@ impl MotorProof {
             stage: Stage::Resting { place: f64::INFINITY, still: 0.0 },
             before: None,
             is_limp: false,
+            position: 0.0,
         }
     }
 
@@ -152,6 +159,12 @@ impl MotorProof {
     /// # Real-time
     /// Some ten operations.
     pub(super) fn step(&mut self, position: f64, elapsed: f64, wanted: f64) -> f64 {
+        let force = self.advance(position, elapsed, wanted);
+        self.position = position;
+        force
+    }
+
+    fn advance(&mut self, position: f64, elapsed: f64, wanted: f64) -> f64 {
         match self.stage {
             Stage::Resting { place, still } => {
                 let is_still = (position - place).abs() <= STILLNESS;
@@ -168,7 +181,13 @@ impl MotorProof {
                 if is_free { 0.0 } else { wanted.clamp(-UNPROVEN, UNPROVEN) }
             }
             Stage::Pushing { place, push, strength } => {
-                self.push((place, position), push, strength + GROWTH * elapsed)
+                let speed = (position - self.position).abs() / elapsed.max(1e-6);
+                if SLOW < speed {
+                    self.rest();
+                    0.0
+                } else {
+                    self.push((place, position), push, strength + GROWTH * elapsed)
+                }
             }
             Stage::Returning { place, motion, since } => {
                 if (position - place).abs() <= BACK {

@@ -1,66 +1,68 @@
-//! Whether a key still follows its motor in the run.
+//! Whether a key that is held still follows its motor.
 //!
-//! A key that stays down although its motor pushes it up hard is either held by a hand, or its
-//! motor is reversed or dead. What tells them apart is a short dip of the force: a held key moves a
-//! little down when the push becomes weaker, one whose motor is reversed moves up, and one whose
-//! motor is dead does not move. A dip takes a quarter of the force away for 12 ms, and is made at
-//! most once in ten seconds for a key that passes.
+//! A hand that holds a key explains any place, so its motor is asked: where a pressed key stands
+//! still, the force grows by up to 1 N in 20 ms, until the key has moved. A key that moves up, be it
+//! by some micrometres into its felt, follows its motor, and is left in peace for five seconds. One
+//! that moves down each time has a motor whose wires are exchanged. One that does not move any more
+//! has a dead motor, or an amplifier that pushes by itself: that counts only for a key that moved
+//! before, since an encoder may be too coarse to see it.
 
 use super::super::key_fault::KeyFault;
 
-/// A hard push (N), and how long a key must have stayed in spite of it (s).
-const HARD: f64 = 6.0;
-const STAYED: f64 = 0.03;
+/// How still a key stands (m), for how long (s), and how deep it is pressed (m).
+const STILLNESS: f64 = 20e-6;
+const STILL: f64 = 0.1;
+const PRESSED: f64 = 0.4e-3;
 
-/// How little a key has moved that stayed (m).
-const HARDLY: f64 = 0.3e-3;
+/// How fast the question grows (N/s), how far (N), and how long it lasts (s).
+const GROWTH: f64 = 50.0;
+const MOST: f64 = 1.0;
+const LENGTH: f64 = 0.03;
 
-/// The dip: part of the force that remains, and its length (s).
-const DIP: f64 = 0.75;
-const LENGTH: f64 = 0.012;
+/// How much the wanted force may change meanwhile (N): a hand that moves explains everything.
+const STEADY: f64 = 1.0;
 
-/// When a motor that has passed is looked at again (s).
-const AGAIN: f64 = 10.0;
-
-/// How much the wanted force may change during a dip that counts.
-const STEADY: f64 = 0.25;
-
-/// Motion (m) that a dip shows at least.
+/// Motion that an answer shows at least (m), beside two counts and twice the tremor before.
 const LEAST_MOTION: f64 = 3e-6;
 
-/// Dips that must agree.
-const CONFIRMATIONS: u8 = 2;
+/// When a motor that has answered is asked again (s).
+const AGAIN: f64 = 5.0;
 
-/// What is going on with one key.
+/// Answers that must agree.
+const CONFIRMATIONS: u8 = 3;
+
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Stage {
-    /// It has been pushed hard at `place` (m) for so long (s).
-    Watching { place: f64, pushed: f64 },
-    /// A dip of `wanted` (N) has begun so long ago (s) with the key at `place` (m).
-    Dipping { place: f64, wanted: f64, since: f64 },
+    /// The key has stood at `place` (m), but for a `tremor` (m), for so long (s).
+    Watching { place: f64, tremor: f64, still: f64 },
+    /// It is asked since so long (s), where the model wanted `wanted` (N) at `place` (m), and shows
+    /// an answer by moving `least` (m).
+    Asking { place: f64, least: f64, wanted: f64, since: f64 },
 }
 
 /// The look at one key's motor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MotorResponse {
     stage: Stage,
-    /// Time until it is looked at again (s).
+    /// Time until it is asked again (s).
     rest: f64,
-    /// Dips in which it moved the wrong way, and in which it did not move.
+    /// The key has moved up once when it was asked.
+    has_answered: bool,
+    /// Times that it moved down, and that it did not move.
     n_wrong: u8,
     n_still: u8,
 }
 
 impl Default for MotorResponse {
     fn default() -> Self {
-        let stage = Stage::Watching { place: 0.0, pushed: 0.0 };
-        Self { stage, rest: 0.0, n_wrong: 0, n_still: 0 }
+        let stage = Stage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
+        Self { stage, rest: 0.0, has_answered: false, n_wrong: 0, n_still: 0 }
     }
 }
 
 impl MotorResponse {
     /// Continues with the key at `position` (m), whose count is `quantum`, `elapsed` (s) after the
-    /// last call; returns the part of `wanted` (N, up positive) to send, and what is found.
+    /// last call; returns what to add to `wanted` (N, up positive), and what is found.
     ///
     /// # Real-time
     /// Some ten operations.
@@ -72,47 +74,60 @@ impl MotorResponse {
     ) -> (f64, Option<KeyFault>) {
         self.rest = (self.rest - elapsed).max(0.0);
         match self.stage {
-            Stage::Watching { .. } if wanted < HARD || 0.0 < self.rest => {
-                self.stage = Stage::Watching { place: position, pushed: 0.0 };
-                (1.0, None)
+            Stage::Watching { place, tremor, still } => {
+                self.watch((position, quantum), (place, tremor, still + elapsed), wanted);
+                (0.0, None)
             }
-            Stage::Watching { place, pushed } => {
-                let has_yielded = HARDLY < place - position;
-                self.stage = match pushed + elapsed {
-                    _ if has_yielded => Stage::Watching { place: position, pushed: 0.0 },
-                    pushed if pushed < STAYED => Stage::Watching { place, pushed },
-                    _ => Stage::Dipping { place: position, wanted, since: 0.0 },
-                };
-                (1.0, None)
+            Stage::Asking { wanted: before, .. } if STEADY < (wanted - before).abs() => {
+                self.stage = Stage::Watching { place: position, tremor: 0.0, still: 0.0 };
+                (0.0, None)
             }
-            Stage::Dipping { wanted: before, .. } if STEADY * before < (wanted - before).abs() => {
-                // A hand that moves explains everything.
-                self.watch(position);
-                (1.0, None)
-            }
-            Stage::Dipping { place, wanted: before, since } if since + elapsed < LENGTH => {
-                self.stage = Stage::Dipping { place, wanted: before, since: since + elapsed };
-                (DIP, None)
-            }
-            Stage::Dipping { place, .. } => {
-                self.watch(position);
-                (1.0, self.judge(position - place, LEAST_MOTION + 2.0 * quantum))
+            Stage::Asking { place, least, wanted: before, since } => {
+                let (way, since) = (position - place, since + elapsed);
+                if least <= way.abs() || LENGTH < since {
+                    self.stage = Stage::Watching { place: position, tremor: 0.0, still: 0.0 };
+                    return (0.0, self.judge(way, least));
+                }
+                self.stage = Stage::Asking { place, least, wanted: before, since };
+                ((GROWTH * since).min(MOST), None)
             }
         }
     }
 
-    const fn watch(&mut self, position: f64) {
-        self.stage = Stage::Watching { place: position, pushed: STAYED };
+    /// Does not ask, since what is wanted is not rendered whole.
+    pub(super) fn pause(&mut self) {
+        self.stage = Stage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
     }
 
-    /// Judges a dip in which the key moved by `way` (m, down positive); less than `least` is none.
-    fn judge(&mut self, way: f64, least: f64) -> Option<KeyFault> {
-        if least <= way {
-            (self.n_wrong, self.n_still, self.rest) = (0, 0, AGAIN);
-        } else if way <= -least {
-            (self.n_wrong, self.n_still) = (self.n_wrong + 1, 0);
+    /// Looks whether the key, which has stood at a place for a while, may be asked.
+    fn watch(
+        &mut self,
+        (position, quantum): (f64, f64),
+        (place, tremor, still): (f64, f64, f64),
+        wanted: f64,
+    ) {
+        let tremor = tremor.max((position - place).abs());
+        self.stage = if STILLNESS < tremor || position < PRESSED {
+            Stage::Watching { place: position, tremor: 0.0, still: 0.0 }
+        } else if STILL <= still && self.rest <= 0.0 {
+            let least = LEAST_MOTION + 2.0 * (quantum + tremor);
+            Stage::Asking { place: position, least, wanted, since: 0.0 }
         } else {
+            Stage::Watching { place, tremor, still }
+        };
+    }
+
+    /// Judges a motion of `way` (m, down positive); less than `least` is none.
+    fn judge(&mut self, way: f64, least: f64) -> Option<KeyFault> {
+        if way <= -least {
+            (self.n_wrong, self.n_still, self.has_answered) = (0, 0, true);
+            self.rest = AGAIN;
+        } else if least <= way {
+            (self.n_wrong, self.n_still) = (self.n_wrong + 1, 0);
+        } else if self.has_answered {
             (self.n_wrong, self.n_still) = (0, self.n_still + 1);
+        } else {
+            self.rest = AGAIN;
         }
         if CONFIRMATIONS <= self.n_wrong {
             Some(KeyFault::Reversed)

@@ -1,21 +1,29 @@
 //! A force that goes to and fro many times in a twentieth of a second is no action's, whatever the
 //! model is: the loop of host, board and key has become unstable.
+//!
+//! Each half-wave counts by its peak, or by that of the half-wave before if that was smaller, so a
+//! hard stroke from which the key rebounds counts little.
 
-/// Least force that counts (N).
+/// Least force that belongs to a half-wave (N).
 const LEAST: f64 = 1.0;
 
-/// Changes of its sign that are too many.
-const MOST_CHANGES: usize = 10;
+/// What half-waves may add up to (N): ten of 1 N, or two of 5 N.
+const MOST: f64 = 10.0;
 
 /// The time within which they count (s).
 const WINDOW: f64 = 0.05;
 
-/// When a force changed its sign of late.
+/// Half-waves that are remembered; more than this many of 1 N are too many.
+const N: usize = 10;
+
+/// The half-waves of one force of late.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ShakeWatch {
-    /// Time since each of the newest changes (s), the newest first, and how many there were.
-    ages: [f64; MOST_CHANGES],
-    n: usize,
+    /// What each counts (N), and how long ago it ended (s), the newest first.
+    waves: [(f64, f64); N],
+    /// Peaks of the half-wave that goes on and of the one before (N), and which way it goes.
+    peak: f64,
+    before: f64,
     is_up: bool,
 }
 
@@ -24,25 +32,26 @@ impl ShakeWatch {
     /// again if it does.
     ///
     /// # Real-time
-    /// Ten additions while there are changes.
+    /// Ten additions.
     pub(super) fn is_shaking(&mut self, force: f64, elapsed: f64) -> bool {
-        self.ages[..self.n].iter_mut().for_each(|age| *age += elapsed);
-        while self.n.checked_sub(1).is_some_and(|last| WINDOW < self.ages[last]) {
-            self.n -= 1;
-        }
-        let is_up = 0.0 < force;
-        if force.abs() < LEAST || is_up == self.is_up {
+        self.waves.iter_mut().for_each(|(_, age)| *age += elapsed);
+        let (size, is_up) = (force.abs(), 0.0 < force);
+        if size < LEAST {
             return false;
         }
-        self.is_up = is_up;
-        if self.n == MOST_CHANGES {
-            self.n = 0;
-            return true;
+        if is_up == self.is_up {
+            self.peak = self.peak.max(size);
+            return false;
         }
-        self.ages.rotate_right(1);
-        self.ages[0] = 0.0;
-        self.n += 1;
-        false
+        self.waves.rotate_right(1);
+        self.waves[0] = (self.peak.min(self.before), 0.0);
+        (self.before, self.peak, self.is_up) = (self.peak, size, is_up);
+        let recent = self.waves.iter().filter(|(_, age)| *age <= WINDOW);
+        let is_shaking = MOST <= recent.map(|(size, _)| size).sum();
+        if is_shaking {
+            *self = Self { is_up, ..Self::default() };
+        }
+        is_shaking
     }
 }
 
@@ -62,7 +71,15 @@ mod tests {
     fn a_loop_that_swings_shakes_and_a_tremolo_does_not() {
         assert!(0 < shakes(180.0, 15.0));
         assert!(0 < shakes(125.0, 1.5));
+        assert!(0 < shakes(40.0, 20.0), "slow and hard");
         assert_eq!(shakes(180.0, 0.9), 0, "too soft to count");
-        assert_eq!(shakes(80.0, 15.0), 0, "eight changes in a twentieth of a second");
+        assert_eq!(shakes(50.0, 1.5), 0, "five half-waves in a twentieth of a second");
+    }
+
+    #[test]
+    fn a_stroke_that_rebounds_is_no_shake() {
+        let mut watch = ShakeWatch::default();
+        let rebound = [0.0, 8.0, 14.0, 6.0, -1.5, -1.2, 4.0, 2.0, -1.1, 0.5];
+        assert!((0..200).all(|n| !watch.is_shaking(rebound[n % 10], 3e-3)));
     }
 }

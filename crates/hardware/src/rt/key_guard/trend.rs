@@ -15,8 +15,8 @@
 /// for the next one (m/s²).
 const MOST_ACCELERATION: f64 = 150.0;
 
-/// Room around rest and bottom in which a key is stopped (m).
-const STOP: f64 = 1.5e-3;
+/// Room before rest and bottom in which a key is stopped (m).
+const STOP: f64 = 0.4e-3;
 
 /// Least way by which readings slip (m); a stroke that is shorter is one.
 const LEAST_SLIP: f64 = 0.25e-3;

@@ -1,0 +1,83 @@
+//! Samples that take longer on their way than when their board was armed.
+//!
+//! Stability was examined with the delay that the links had then. A way that has become longer is a
+//! slower loop, whatever the rate.
+
+/// Samples from whose mean age what is usual is known.
+const ENOUGH: f64 = 200.0;
+
+/// Samples over which lateness is averaged.
+const MEMORY: f64 = 8.0;
+
+/// Lateness (periods) from which on a board gets half its forces, and none.
+const SOFT: f64 = 0.5;
+const MUTE: f64 = 0.9;
+
+/// The ages of one board's samples.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct AgeWatch {
+    /// Mean age of the first samples (us), and how many there were.
+    usual_us: f64,
+    n: f64,
+    /// How much later than that samples were of late (periods).
+    late: f64,
+}
+
+impl AgeWatch {
+    /// Takes the age of a sample that has just come (us); samples are `period_us` apart.
+    pub(super) fn take(&mut self, age_us: i32, period_us: u64) {
+        let age_us = f64::from(age_us);
+        if self.n < ENOUGH {
+            self.n += 1.0;
+            self.usual_us += (age_us - self.usual_us) / self.n;
+        } else {
+            let late = (age_us - self.usual_us) / period_us.max(1) as f64;
+            self.late += (late - self.late) / MEMORY;
+        }
+    }
+
+    /// Forgets what was usual, for a board that is armed again.
+    pub(super) fn forget(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Returns the share of its forces that the board may have.
+    pub(super) fn share(&self) -> f64 {
+        match self.late {
+            late if MUTE <= late => 0.0,
+            late if SOFT <= late => 0.5,
+            _ => 1.0,
+        }
+    }
+
+    /// Returns by how many periods samples are late, if that is too much.
+    pub(super) fn late(&self) -> Option<f64> {
+        (SOFT <= self.late).then_some(self.late)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_that_becomes_longer_softens_and_then_mutes_within_a_dozen_samples() {
+        let mut watch = AgeWatch::default();
+        (0..300).for_each(|_| watch.take(400, 1_000));
+        assert_eq!((watch.share(), watch.late()), (1.0, None));
+        (0..12).for_each(|_| watch.take(1_100, 1_000));
+        assert_eq!(watch.share(), 0.5);
+        (0..12).for_each(|_| watch.take(3_400, 1_000));
+        assert_eq!(watch.share(), 0.0);
+        (0..30).for_each(|_| watch.take(400, 1_000));
+        assert_eq!((watch.share(), watch.late()), (1.0, None));
+    }
+
+    #[test]
+    fn a_single_late_sample_changes_nothing() {
+        let mut watch = AgeWatch::default();
+        (0..300).for_each(|_| watch.take(400, 1_000));
+        watch.take(4_000, 1_000);
+        assert_eq!(watch.share(), 1.0);
+    }
+}
