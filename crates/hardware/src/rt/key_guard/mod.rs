@@ -113,9 +113,9 @@ impl KeyGuard {
             return self.unplayed(wanted, most, position, elapsed);
         }
         let question = self.ask((position, elapsed), most, wanted, calibration);
-        let most = if self.is_softened { SOFT * most } else { most };
-        let force = self.path.next(wanted + question, most, elapsed);
-        if self.shake.is_shaking(force, elapsed) {
+        let soft = if self.is_softened { SOFT } else { 1.0 };
+        let force = self.path.next(wanted + question, soft * most, elapsed);
+        if self.shake.is_shaking(force, elapsed, soft) {
             if self.is_softened {
                 self.mute(KeyFault::Shaking);
             }

@@ -1,7 +1,7 @@
 //! Whether a key that is held still follows its motor.
 //!
 //! A hand that holds a key explains any place, so its motor is asked: where a pressed key stands
-//! still, the force grows by up to 1 N in 20 ms, until the key has moved. A key that moves up, be it
+//! still, the force grows by up to 1.5 N in 20 ms, until the key has moved. A key that moves up, be it
 //! by some micrometres into its felt, follows its motor, and is left in peace for five seconds. One
 //! that moves down each time has a motor whose wires are exchanged. One that does not move any more
 //! has a dead motor, or an amplifier that pushes by itself: that counts only for a key that moved
@@ -11,22 +11,23 @@ use super::super::key_fault::KeyFault;
 
 /// How still a key stands (m), for how long (s), and how deep it is pressed (m).
 const STILLNESS: f64 = 20e-6;
-const STILL: f64 = 0.1;
+const STILL: f64 = 0.05;
 const PRESSED: f64 = 0.4e-3;
 
 /// How fast the question grows (N/s), how far (N), and how long it lasts (s).
-const GROWTH: f64 = 50.0;
-const MOST: f64 = 1.0;
+const GROWTH: f64 = 75.0;
+const MOST: f64 = 1.5;
 const LENGTH: f64 = 0.03;
 
 /// How much the wanted force may change meanwhile (N): a hand that moves explains everything.
 const STEADY: f64 = 1.0;
 
-/// Motion that an answer shows at least (m), beside two counts and twice the tremor before.
+/// Motion that an answer shows at least (m), beside two counts and the tremor before.
 const LEAST_MOTION: f64 = 3e-6;
 
-/// When a motor that has answered is asked again (s).
+/// When a motor that has answered is asked again, and one of which nothing was learned (s).
 const AGAIN: f64 = 5.0;
+const SOON: f64 = 1.0;
 
 /// Answers that must agree.
 const CONFIRMATIONS: u8 = 3;
@@ -110,24 +111,25 @@ impl MotorResponse {
         self.stage = if STILLNESS < tremor || position < PRESSED {
             Stage::Watching { place: position, tremor: 0.0, still: 0.0 }
         } else if STILL <= still && self.rest <= 0.0 {
-            let least = LEAST_MOTION + 2.0 * (quantum + tremor);
+            let least = LEAST_MOTION + 2.0 * quantum + tremor;
             Stage::Asking { place: position, least, wanted, since: 0.0 }
         } else {
             Stage::Watching { place, tremor, still }
         };
     }
 
-    /// Judges a motion of `way` (m, down positive); less than `least` is none.
+    /// Judges a motion of `way` (m, down positive): one of `least` is an answer, less than a third of
+    /// that is none, and between the two nothing is known.
     fn judge(&mut self, way: f64, least: f64) -> Option<KeyFault> {
         if way <= -least {
             (self.n_wrong, self.n_still, self.has_answered) = (0, 0, true);
             self.rest = AGAIN;
         } else if least <= way {
             (self.n_wrong, self.n_still) = (self.n_wrong + 1, 0);
-        } else if self.has_answered {
+        } else if self.has_answered && 3.0 * way.abs() < least {
             (self.n_wrong, self.n_still) = (0, self.n_still + 1);
         } else {
-            self.rest = AGAIN;
+            (self.n_wrong, self.rest) = (0, SOON);
         }
         if CONFIRMATIONS <= self.n_wrong {
             Some(KeyFault::Reversed)

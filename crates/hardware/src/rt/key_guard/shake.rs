@@ -1,20 +1,20 @@
 //! A force that goes to and fro many times in a twentieth of a second is no action's, whatever the
 //! model is: the loop of host, board and key has become unstable.
 //!
-//! Each half-wave counts by its peak, or by that of the half-wave before if that was smaller, so a
-//! hard stroke from which the key rebounds counts little.
+//! A hard stroke rebounds from the bed with up to six half-waves; eleven are too many, and fewer if
+//! they are large. Each counts by its peak, or by that of the half-wave before if that was smaller.
 
 /// Least force that belongs to a half-wave (N).
 const LEAST: f64 = 1.0;
 
-/// What half-waves may add up to (N): ten of 1 N, or two of 5 N.
-const MOST: f64 = 10.0;
+/// What half-waves may add up to (N): the hardest stroke on an upright makes 25 N.
+const MOST: f64 = 35.0;
 
 /// The time within which they count (s).
 const WINDOW: f64 = 0.05;
 
-/// Half-waves that are remembered; more than this many of 1 N are too many.
-const N: usize = 10;
+/// Half-waves that are remembered, and that are too many.
+const N: usize = 11;
 
 /// The half-waves of one force of late.
 #[derive(Clone, Copy, Debug, Default)]
@@ -28,12 +28,12 @@ pub(super) struct ShakeWatch {
 }
 
 impl ShakeWatch {
-    /// Takes `force` (N), `elapsed` (s) after the one before; returns whether it shakes, and begins
-    /// again if it does.
+    /// Takes `force` (N), `elapsed` (s) after the one before, the share of what the model wants;
+    /// returns whether it shakes, and begins again if it does.
     ///
     /// # Real-time
     /// Ten additions.
-    pub(super) fn is_shaking(&mut self, force: f64, elapsed: f64) -> bool {
+    pub(super) fn is_shaking(&mut self, force: f64, elapsed: f64, share: f64) -> bool {
         self.waves.iter_mut().for_each(|(_, age)| *age += elapsed);
         let (size, is_up) = (force.abs(), 0.0 < force);
         if size < LEAST {
@@ -46,8 +46,9 @@ impl ShakeWatch {
         self.waves.rotate_right(1);
         self.waves[0] = (self.peak.min(self.before), 0.0);
         (self.before, self.peak, self.is_up) = (self.peak, size, is_up);
-        let recent = self.waves.iter().filter(|(_, age)| *age <= WINDOW);
-        let is_shaking = MOST <= recent.map(|(size, _)| size).sum();
+        let recent = self.waves.iter().filter(|(size, age)| LEAST <= *size && *age <= WINDOW);
+        let (n, sum) = recent.fold((0, 0.0), |(n, sum), (size, _)| (n + 1, sum + size));
+        let is_shaking = N <= n || share * MOST <= sum;
         if is_shaking {
             *self = Self { is_up, ..Self::default() };
         }
@@ -64,22 +65,22 @@ mod tests {
     fn shakes(hz: f64, newtons: f64) -> usize {
         let mut watch = ShakeWatch::default();
         let force = |n: u32| newtons * (TAU * hz * f64::from(n) * 1e-3).sin();
-        (0..1000).filter(|n| watch.is_shaking(force(*n), 1e-3)).count()
+        (0..1000).filter(|n| watch.is_shaking(force(*n), 1e-3, 1.0)).count()
     }
 
     #[test]
     fn a_loop_that_swings_shakes_and_a_tremolo_does_not() {
         assert!(0 < shakes(180.0, 15.0));
-        assert!(0 < shakes(125.0, 1.5));
-        assert!(0 < shakes(40.0, 20.0), "slow and hard");
+        assert!(0 < shakes(150.0, 1.5));
+        assert!(0 < shakes(60.0, 20.0), "slow and hard");
         assert_eq!(shakes(180.0, 0.9), 0, "too soft to count");
-        assert_eq!(shakes(50.0, 1.5), 0, "five half-waves in a twentieth of a second");
+        assert_eq!(shakes(80.0, 1.5), 0, "eight half-waves in a twentieth of a second");
     }
 
     #[test]
     fn a_stroke_that_rebounds_is_no_shake() {
         let mut watch = ShakeWatch::default();
         let rebound = [0.0, 8.0, 14.0, 6.0, -1.5, -1.2, 4.0, 2.0, -1.1, 0.5];
-        assert!((0..200).all(|n| !watch.is_shaking(rebound[n % 10], 3e-3)));
+        assert!((0..200).all(|n| !watch.is_shaking(rebound[n % 10], 3e-3, 1.0)));
     }
 }
