@@ -114,7 +114,7 @@ impl KeyGuard {
         }
         let question = self.ask((position, elapsed), most, wanted, calibration);
         let soft = if self.is_softened { SOFT } else { 1.0 };
-        let force = self.path.next(wanted + question, soft * most, elapsed);
+        let force = self.path.next(wanted + question / soft, soft * most, elapsed);
         if self.shake.is_shaking(force, elapsed, soft) {
             if self.is_softened {
                 self.mute(KeyFault::Shaking);

@@ -27,7 +27,7 @@ const LEAST_MOTION: f64 = 3e-6;
 
 /// When a motor that has answered is asked again, and one of which nothing was learned (s).
 const AGAIN: f64 = 5.0;
-const SOON: f64 = 1.0;
+const SOON: f64 = 0.2;
 
 /// Answers that must agree.
 const CONFIRMATIONS: u8 = 3;
