@@ -16,6 +16,7 @@ mod machine_time;
 
 mod conformance;
 mod cortex;
+mod fault_rig;
 mod lockstep;
 mod python;
 mod refused;

@@ -108,10 +108,21 @@ pub struct Counted {
     pub corrupt: u32,
     /// Forces that were stale, and not rendered.
     pub stale: u32,
+    /// Samples that were never answered.
+    pub unanswered: u32,
     /// Oldest samples that forces which it rendered answered (ms).
     pub oldest_ms: f64,
     /// Times that forces expired.
     pub trips: u16,
+}
+
+/// Share of samples or forces whose loss is reported, and that makes a run a failure.
+const LOSS_TO_REPORT: f64 = 0.05;
+const LOSS_TO_FAIL: f64 = 0.15;
+
+/// Returns what became of a share of a board's samples, in words.
+fn percent_words(share: f64, what: &str) -> String {
+    format!("{:.0} % of its samples were {what}: see to its link", 1e2 * share)
 }
 
 impl BoardLine {
@@ -166,6 +177,7 @@ impl BoardLine {
                 refused: it.refused,
                 corrupt: it.corrupt,
                 stale: it.stale,
+                unanswered: it.unanswered,
                 oldest_ms: f64::from(it.oldest_us) * 1e-3,
                 trips: it.trips,
             }),
@@ -314,12 +326,30 @@ impl BoardLine {
         let softened = list(&self.softened, softened_words);
         let unproven = list(&self.unproven, unproven_words).filter(|_| self.state == "armed");
         let late = self.late_periods.map(late_periods_words);
-        let whole = [state, never, self.untaken(), bursts, late, restarts, softened, unproven];
+        let lost = LOSS_TO_REPORT < self.lost();
+        let lost = lost.then(|| percent_words(self.lost(), "lost on the way"));
+        let unanswered = LOSS_TO_REPORT < self.unanswered();
+        let unanswered = unanswered.then(|| percent_words(self.unanswered(), "never answered"));
+        let link = [never, self.untaken(), bursts, late, lost, unanswered];
+        let board = [state, restarts, softened, unproven];
+        let whole = board.into_iter().chain(link);
         // Where no force was taken, no motor could move its key.
         let muted = self.muted.iter().filter(|_| self.untaken().is_none());
         let muted = muted.map(ToString::to_string);
-        let all = whole.into_iter().flatten().chain(muted);
+        let all = whole.flatten().chain(muted);
         all.map(|it| format!("{name}: {it}")).collect()
+    }
+
+    /// Returns the share of its samples that were lost on the way.
+    fn lost(&self) -> f64 {
+        self.missing as f64 / (self.frames + self.missing).max(1) as f64
+    }
+
+    /// Returns the share of its samples that were never answered, once it was armed.
+    fn unanswered(&self) -> f64 {
+        self.counted.map_or(0.0, |it| {
+            f64::from(it.unanswered) / (f64::from(it.unanswered) + f64::from(it.forces)).max(1.0)
+        })
     }
 
     /// Returns why it rendered no force, if it took none of those that were sent.
@@ -342,6 +372,7 @@ impl BoardLine {
             || !self.unproven.is_empty()
             || self.bursts_ms.is_some()
             || self.late_periods.is_some()
+            || LOSS_TO_FAIL < self.lost().max(self.unanswered())
     }
 
     /// Returns whether no sample of it came in the run.

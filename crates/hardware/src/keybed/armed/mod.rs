@@ -266,6 +266,11 @@ impl Keybed<Armed> {
     pub fn begin_at(&mut self, origin_us: u64) {
         self.stage.supervisor.begin_at(origin_us);
         self.attend();
+        self.forget_exchanges();
+    }
+
+    /// Counts what is exchanged from now on only.
+    fn forget_exchanges(&mut self) {
         let Armed { bus, before, .. } = &mut self.stage;
         for (before, board) in before.iter_mut().zip(bus.boards()) {
             *before = exchanged(&board.statistics());

@@ -65,6 +65,7 @@ impl Keybed<Armed> {
             self.clock.pause(LOOK);
         }
         self.send(0, &[0.0; KEYS], &[KeySlope::HELD; KEYS]);
+        self.forget_exchanges();
         self.now_us()
     }
 
