@@ -68,7 +68,9 @@ fn a_host_in_lockstep_with_an_honest_board_gives_the_same_bits_every_time() {
     let report = report(&one);
     assert_eq!((&report, &one.err, rig), (&self::report(&other), &other.err, again));
     assert_eq!(report["boards"][0]["state"], "armed", "{report}");
-    assert_eq!(report["boards"][0]["samples_hz"], 1_000.0, "{report}");
+    // Those of the ramp at the end, in which all forces fade, count as well.
+    let hz = report["boards"][0]["samples_hz"].as_f64().expect("a rate");
+    assert!((1_000.0..1_010.0).contains(&hz), "{report}");
     assert_eq!(count(&report, "/faults"), 0, "{report}");
     assert!(0 < count(&report, "/strikes"), "the finger of the rig plays: {report}");
     assert!(one.err.contains("C4 to D#4: armed"), "{one:?}");
