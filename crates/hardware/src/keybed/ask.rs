@@ -61,11 +61,11 @@ impl<S> Keybed<S> {
             }
             let now = clock.now_us();
             if asker.channel.gave_up(now) {
-                if let Some(fault) = link.fault() {
-                    return Err(Refusal::Link { fault: fault.to_string() });
-                }
                 let seconds = now.saturating_sub(start) as f64 * 1e-6;
-                return Err(Refusal::NoAnswer { board: board(), asked: operation, seconds });
+                return Err(link.fault().map_or_else(
+                    || Refusal::NoAnswer { board: board(), asked: operation, seconds },
+                    |fault| Refusal::Link { fault: fault.to_string() },
+                ));
             }
             if let Some(frame) = asker.channel.due(now) {
                 // What the link does not take is asked again.

@@ -257,7 +257,9 @@ impl BoardEnd {
         let news = self.loss.accept(samples.header.sequence, tick);
         if news {
             let missing = self.loss.counts().missing - missing;
-            interval_us.into_iter().for_each(|it| self.take_interval(it, missing));
+            if let Some(interval_us) = interval_us {
+                self.take_interval(interval_us, missing);
+            }
             self.statistics.is_safe = samples.header.flag;
             self.newest = Some((samples, tick));
             self.check(&samples, elapsed);
@@ -338,7 +340,9 @@ impl BoardEnd {
         for ((((guard, calibration), counts), check), (force, wanted)) in
             keys.zip(rendered.iter_mut().zip(wanted))
         {
-            check.muted().into_iter().for_each(|fault| guard.mute(fault));
+            if let Some(fault) = check.muted() {
+                guard.mute(fault);
+            }
             if is_gap {
                 guard.lead_over(*wanted);
             }

@@ -113,7 +113,7 @@ impl KeyCheck {
         let wrong = self.wrong(position, elapsed, calibration);
         let (weight, is_possible) = match wrong {
             None => (-1.0, true),
-            Some(fault) if fault == KeyFault::Noisy => (STRANGE, true),
+            Some(KeyFault::Noisy) => (STRANGE, true),
             Some(_impossible) => (IMPOSSIBLE, false),
         };
         // A reading that follows on nothing counts as a millisecond.

@@ -96,7 +96,7 @@ fn push(intervals_us: &mut [u16; N], n: &mut usize, newest_us: u16) {
 
 impl SampleIntervals {
     /// Returns what is wrong with these intervals where `agreed_us` was agreed.
-    pub(super) fn fault(&self, agreed_us: u16) -> Option<IntervalFault> {
+    pub(super) fn fault(self, agreed_us: u16) -> Option<IntervalFault> {
         let times = |us: u16| f64::from(us) / f64::from(agreed_us.max(1));
         if MOST_MEDIAN < times(self.sent_us) {
             Some(IntervalFault::Slow)

@@ -118,7 +118,8 @@ fn board_words(first_key: u8, it: &BoardSnapshot, care: &BoardStatus) -> String 
 
 /// Returns whether a state is another than before, and not the one with which all is well.
 fn news(before: &str, now: &str) -> bool {
-    before != now && !(before.is_empty() && ["armed", "active"].contains(&now))
+    let is_well = ["armed", "active"].contains(&now);
+    before != now && (!before.is_empty() || !is_well)
 }
 
 #[cfg(test)]

@@ -60,17 +60,23 @@ impl AgeWatch {
 mod tests {
     use super::*;
 
+    /// Whether a board may have its whole force, some of it, or none.
+    fn part(watch: &AgeWatch) -> &'static str {
+        match watch.share() {
+            share if share <= 0.0 => "none",
+            share if share < 1.0 => "some",
+            _ => "whole",
+        }
+    }
+
     #[test]
     fn a_way_that_becomes_longer_softens_and_then_mutes_within_a_dozen_samples() {
         let mut watch = AgeWatch::default();
-        (0..300).for_each(|_| watch.take(400, 1_000));
-        assert_eq!((watch.share(), watch.late()), (1.0, None));
-        (0..12).for_each(|_| watch.take(1_100, 1_000));
-        assert_eq!(watch.share(), 0.5);
-        (0..12).for_each(|_| watch.take(3_400, 1_000));
-        assert_eq!(watch.share(), 0.0);
-        (0..30).for_each(|_| watch.take(400, 1_000));
-        assert_eq!((watch.share(), watch.late()), (1.0, None));
+        let parts = [(300, 400), (12, 1_100), (12, 3_400), (30, 400)].map(|(n, age_us)| {
+            (0..n).for_each(|_| watch.take(age_us, 1_000));
+            (part(&watch), watch.late().is_some())
+        });
+        assert_eq!(parts, [("whole", false), ("some", true), ("none", true), ("whole", false)]);
     }
 
     #[test]
@@ -78,6 +84,6 @@ mod tests {
         let mut watch = AgeWatch::default();
         (0..300).for_each(|_| watch.take(400, 1_000));
         watch.take(4_000, 1_000);
-        assert_eq!(watch.share(), 1.0);
+        assert_eq!(part(&watch), "whole");
     }
 }

@@ -154,12 +154,9 @@ impl Arming {
         if let (ArmState::Measuring | ArmState::Armed, Some(it)) = (self.state, slow) {
             return self.on_slow(SlowSamples { median_us: it.sent_us, agreed_us }, now);
         }
-        match (self.state, samples.burst_us()) {
-            (ArmState::Measuring, Some(us)) => {
-                let us = u32::try_from(us).unwrap_or(u32::MAX);
-                return self.bar(ArmLockout::Bursts(us), now);
-            }
-            (_, _) => {}
+        if let (ArmState::Measuring, Some(us)) = (self.state, samples.burst_us()) {
+            let us = u32::try_from(us).unwrap_or(u32::MAX);
+            return self.bar(ArmLockout::Bursts(us), now);
         }
         match self.state {
             ArmState::Measuring => {

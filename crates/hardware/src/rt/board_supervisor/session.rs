@@ -308,7 +308,9 @@ impl BoardSession {
     fn on_done(&mut self, done: Operation, record: &[u8], sent_us: Option<u64>, now: u64) {
         match done {
             Operation::BoardHealth => {
-                BoardHealth::take(record).iter().for_each(|it| self.health.take_board(it));
+                if let Some(health) = BoardHealth::take(record) {
+                    self.health.take_board(&health);
+                }
                 self.arming.on_done(done, record, &self.agreed, now);
             }
             Operation::KeyHealth => self.health.take_key(Some(record)),

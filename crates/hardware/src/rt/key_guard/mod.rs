@@ -138,7 +138,9 @@ impl KeyGuard {
         }
         let place = (position, calibration.quantum.abs());
         let (question, found) = self.response.step(place, elapsed, wanted);
-        found.into_iter().for_each(|fault| self.mute(fault));
+        if let Some(fault) = found {
+            self.mute(fault);
+        }
         question
     }
 
@@ -151,7 +153,9 @@ impl KeyGuard {
         if self.proof.is_proven() {
             self.path.restart();
         }
-        self.proof.fault().into_iter().for_each(|fault| self.mute(fault));
+        if let Some(fault) = self.proof.fault() {
+            self.mute(fault);
+        }
         push
     }
 
