@@ -232,10 +232,7 @@ async fn play(
     let TriedRun { found, fidelity, stream } = tried;
     let scene = &found.scene.clone();
     reach.check_for(&scene.links)?;
-    // In virtual time no client comes or goes, and only boards have news.
-    let has_news = !options.virtual_time || has_boards(scene);
-    let is_late = options.virtual_time && has_news && !args.quiet;
-    let log = if is_late { StderrLog::start().map_err(system)? } else { log };
+    let log = log_with_boards(log, scene, args)?;
     handle.status.prepare(&scene.name);
     let endpoints = if options.virtual_time {
         Endpoints::default()
@@ -251,12 +248,7 @@ async fn play(
     };
     let recording = record(&handle, args)?;
     handle.status.records(recording.clone());
-    if has_news {
-        log_events(&session, scene, &log);
-    }
-    if !options.virtual_time {
-        keep_evidence(&session, args);
-    }
+    observe(&session, scene, args, &log);
     endpoints.observe(&session);
     let _watch = if args.watch { endpoints.watch()? } else { None };
     let may_lower = scene.overload.order.contains(&Some(Simplification::Fidelity));
@@ -346,15 +338,24 @@ const fn has_boards(scene: &Scene) -> bool {
     matches!(scene.links, LinksConfig::Boards(_))
 }
 
-/// Logs the events of the run.
-fn log_events(session: &RunSession, scene: &Scene, log: &StderrLog) {
-    let lines = log.lines();
-    let sink = LogSink::new(Box::new(move |level, text| lines.say(level, text)));
-    session.observe(Box::new(if has_boards(scene) { sink.naming_boards() } else { sink }));
+/// Returns the log of a run: in virtual time one that writes if there are boards, since nothing
+/// else has news there.
+fn log_with_boards(log: StderrLog, scene: &Scene, args: &RunArgs) -> Result<StderrLog, Failure> {
+    let is_wanted = args.virtual_time && has_boards(scene) && !args.quiet;
+    if is_wanted { StderrLog::start().map_err(system) } else { Ok(log) }
 }
 
-/// Keeps what may be wanted after a fault or a crash, and notes the state of the run.
-fn keep_evidence(session: &RunSession, args: &RunArgs) {
+/// Logs the events of the run; in real time also keeps what may be wanted after a fault or a crash,
+/// and notes the state of the run.
+fn observe(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog) {
+    if !args.virtual_time || has_boards(scene) {
+        let lines = log.lines();
+        let sink = LogSink::new(Box::new(move |level, text| lines.say(level, text)));
+        session.observe(Box::new(if has_boards(scene) { sink.naming_boards() } else { sink }));
+    }
+    if args.virtual_time {
+        return;
+    }
     keep_black_box(session, args.black_box.as_deref());
     if let Some(file) = &args.supervisor.last_minutes {
         keep_last_minutes(session, file);

@@ -49,7 +49,7 @@ fn check_fault(how: &str, words: &str) {
         link.program.patience_s = 0;
     }
     let mut buffer = [0; 8];
-    let is_up = |link: &mut Lockstep| {
+    let mut is_up = |link: &mut Lockstep| {
         clock.pause(STEP);
         link.try_recv(&mut buffer) == Ok(None)
     };
