@@ -245,7 +245,9 @@ impl BoardSession {
                 self.is_light_wanted = false;
                 self.channel.ask(Operation::Light, &Light { seconds: LIGHT_S });
             }
-            ArmState::Armed if self.health.ask(now, statistics, &mut self.channel) => {}
+            // A board that has failed says of which key.
+            ArmState::Armed | ArmState::Barred(ArmLockout::Latched(_))
+                if self.health.ask(now, statistics, &mut self.channel) => {}
             ArmState::Armed => self.ask_by_turns(now, origin),
             ArmState::Greeting
             | ArmState::Checking
@@ -345,7 +347,7 @@ impl BoardSession {
         match asked {
             Operation::KeyHealth => self.health.take_key(None),
             Operation::MuteKey => self.health.on_muted(),
-            Operation::BoardHealth if self.state() == ArmState::Armed => self.declined += 1,
+            Operation::BoardHealth if self.state() != ArmState::Checking => self.declined += 1,
             Operation::Hello
             | Operation::BoardHealth
             | Operation::Stream
