@@ -36,11 +36,13 @@ pub(crate) fn build(folder: &Path) -> Option<PathBuf> {
     Some(program)
 }
 
-/// Runs `scene` on these links in virtual time.
-fn run(folder: &Path, scene: &str, links: &[&str]) -> Said {
-    let run = ["run", scene, "--virtual-time", "--duration", "3", "--json"];
+/// Runs a scene that is stable on the rig on these links in virtual time, while the pianist plays
+/// `piece`.
+fn run(folder: &Path, piece: &str, links: &[&str]) -> Said {
+    let run = ["run", "springs", "--virtual-time", "--duration", "3", "--json"];
+    let run = run.into_iter().chain(["--performance", piece]);
     let links = links.iter().flat_map(|link| ["--link", link]);
-    letoff::run(folder, &run.into_iter().chain(links).collect::<Vec<_>>())
+    letoff::run(folder, &run.chain(links).collect::<Vec<_>>())
 }
 
 /// The report of a run, but for the time of day at which it began.
@@ -58,7 +60,7 @@ fn a_host_in_lockstep_with_an_honest_board_gives_the_same_bits_every_time() {
     let link = format!("rig:{} --lockstep --report {}", program.display(), told.display());
     let outcomes = [(); 2].map(|()| {
         let _none = std::fs::remove_file(&told);
-        let said = run(&folder, "springs", &[&link]);
+        let said = run(&folder, "none", &[&link]);
         assert_eq!(said.code, Some(0), "{said:?}");
         // The rig has exited in order, or its last report would not be that of the end.
         (said, std::fs::read_to_string(&told).expect("what the rig tells"))
@@ -67,6 +69,9 @@ fn a_host_in_lockstep_with_an_honest_board_gives_the_same_bits_every_time() {
     let report = report(&one);
     assert_eq!((&report, &one.err, rig), (&self::report(&other), &other.err, again));
     assert_eq!(report["boards"][0]["state"], "armed", "{report}");
+    // Those of the ramp at the end, in which all forces fade, count as well.
+    let hz = report["boards"][0]["samples_hz"].as_f64().expect("a rate");
+    assert!((1_000.0..1_030.0).contains(&hz), "{report}");
     let troubles = ["/faults", "/links/gaps", "/links/refused", "/links/rearmed"];
     assert_eq!(troubles.map(|it| count(&report, it)), [0; 4], "{report}");
     assert!(0 < count(&report, "/strikes"), "the finger of the rig plays: {report}");
@@ -78,7 +83,7 @@ fn the_pianist_plays_a_board_in_lockstep() {
     let folder = letoff::folder("lockstep-pianist");
     let Some(program) = build(&folder) else { return };
     let link = format!("rig:{} --lockstep --finger none", program.display());
-    let report = report(&run(&folder, "bach", &[&link]));
+    let report = report(&run(&folder, "bach-bwv-846", &[&link]));
     let [played, struck] = ["/notes/played", "/notes/struck"].map(|it| count(&report, it));
     assert!(0 < played && played == struck, "{report}");
 }
@@ -87,7 +92,7 @@ fn the_pianist_plays_a_board_in_lockstep() {
 fn a_program_that_is_no_rig_is_named_with_what_it_did() {
     let folder = letoff::folder("lockstep-refused");
     let check = |link, words: &[&str]| {
-        let said = run(&folder, "springs", &[link]);
+        let said = run(&folder, "none", &[link]);
         assert_eq!(said.code, Some(1), "{said:?}");
         letoff::check_words(&said, words);
     };
@@ -98,7 +103,7 @@ fn a_program_that_is_no_rig_is_named_with_what_it_did() {
 #[test]
 fn boards_and_the_run_live_by_the_same_time() {
     let folder = letoff::folder("lockstep-time");
-    let said = run(&folder, "springs", &["rig:true", "serial:/dev/null"]);
+    let said = run(&folder, "none", &["rig:true", "serial:/dev/null"]);
     assert_eq!(said.code, Some(2), "{said:?}");
     letoff::check_words(&said, &["boards go by their own time", "rig: links"]);
     let words = ["rig:true lives in virtual time only", "--virtual-time"];
