@@ -223,10 +223,10 @@ mod tests {
     #[test]
     fn one_bus_for_all_boards_at_1_khz_is_refused_with_the_numbers() {
         let (text, done) = planned(&args(&["can:can0"]));
-        assert!(text.contains("8    88   1000  195.1 %") && text.contains("refused"), "{text}");
+        assert!(text.contains("8    88   1000  195.3 %") && text.contains("refused"), "{text}");
         assert!(text.contains("and 3 such links all that is wanted"), "{text}");
         let Err(Failure::Usage(why)) = done else { panic!("{done:?}") };
-        assert!(why.contains("would take 195.1 % of its time, and 80 %"), "{why}");
+        assert!(why.contains("would take 195.3 % of its time, and 80 %"), "{why}");
     }
 
     #[test]

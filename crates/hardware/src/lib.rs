@@ -24,5 +24,6 @@ pub mod request_channel;
 pub mod rt;
 pub mod sim;
 pub mod topology;
+pub mod untaken;
 
 pub use error::Error;

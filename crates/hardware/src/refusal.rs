@@ -13,6 +13,7 @@ use crate::hello_values::ImpossibleValue;
 use crate::identity::{ClaimedKeys, Uid};
 use crate::rt::board_supervisor::SlowSamples;
 use crate::rt::key_fault::KeyFault;
+use crate::untaken::UntakenForces;
 
 /// A board as it is called in sentences.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -150,31 +151,6 @@ pub enum Refusal {
     Calibration { board: BoardName, why: String },
     #[error("{key} of {board}: {fault}")]
     Key { board: BoardName, key: KeyIndex, fault: CalibrationFault },
-}
-
-/// Forces that a board did not take.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct UntakenForces {
-    /// Forces that were sent.
-    pub sent: u64,
-    /// Frames that it refused, and that it counted as stale.
-    pub refused: u32,
-    pub stale: u32,
-}
-
-impl fmt::Display for UntakenForces {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { sent, refused, stale } = self;
-        if stale < refused {
-            write!(
-                f,
-                "; {refused} of {sent} forces were refused: their packing or their length is not \
-                 what it takes, as if it left the checksum on, or bytes were lost"
-            )
-        } else {
-            write!(f, "; {stale} of {sent} forces were stale: they answer samples it has forgotten")
-        }
-    }
 }
 
 /// What came over a line on which no board answered.

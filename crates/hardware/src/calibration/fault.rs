@@ -1,6 +1,6 @@
 //! Why a key could not be measured.
 
-use crate::refusal::UntakenForces;
+use crate::untaken::UntakenForces;
 
 /// Why a key could not be measured, and what to do.
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]

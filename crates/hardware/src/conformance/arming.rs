@@ -10,7 +10,8 @@ use firmware_protocol::frame::key_samples::KeySamples;
 
 use super::tested_board::TimedSamples;
 use super::{ConformanceItem, MOST_FORCE_MN, TestedBoard};
-use crate::refusal::{UntakenForces, reason_words};
+use crate::refusal::reason_words;
+use crate::untaken::UntakenForces;
 
 /// How long forces are valid in these trials (ms): as long as they can be, since this machine may
 /// be busy.

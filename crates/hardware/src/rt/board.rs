@@ -7,7 +7,7 @@ use firmware_protocol::key::{MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Millinewtons;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 
-use super::key_fault::{KeyFault, KeyFindings};
+use super::key_fault::{GuardFindings, KeyFault};
 use super::key_guard::KeyGuard;
 use super::loss::{Loss, LossCounts};
 use super::plausible::{FASTEST, KeyCheck};
@@ -64,7 +64,7 @@ pub struct BoardStatistics {
     /// Readings of keys that were not used, since no key can be there.
     pub implausible: u64,
     /// What was noticed of its keys.
-    pub keys: KeyFindings,
+    pub keys: GuardFindings,
     /// Time between its samples of late, by its own clock.
     pub intervals: Option<SampleIntervals>,
 }

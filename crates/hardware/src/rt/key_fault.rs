@@ -73,7 +73,7 @@ impl KeyFault {
 
 /// What was noticed of the keys of a board, by slot.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct KeyFindings {
+pub struct GuardFindings {
     /// What each key was muted for.
     pub muted: [Option<KeyFault>; MOST_KEYS],
     /// Keys whose force was halved because they shook, slot 0 in bit 0.

@@ -128,7 +128,7 @@ mod tests {
     use firmware_protocol::key::MOST_KEYS;
     use hardware::plan::{LinkMeter, Medium};
     use hardware::rt::bus::LineStatistics;
-    use hardware::rt::key_fault::{KeyFault, KeyFindings};
+    use hardware::rt::key_fault::{GuardFindings, KeyFault};
     use links::{Health, WireState};
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
@@ -166,7 +166,7 @@ mod tests {
             burst_us: None,
             late: None,
         });
-        let keys = KeyFindings { muted, ..KeyFindings::default() };
+        let keys = GuardFindings { muted, ..GuardFindings::default() };
         let statistics = BoardStatistics { keys, ..BoardStatistics::default() };
         LinkSnapshot::Board(0, BoardSnapshot { statistics, status: care })
     }

@@ -345,10 +345,16 @@ impl BoardLine {
         self.missing as f64 / (self.frames + self.missing).max(1) as f64
     }
 
-    /// Returns the share of its samples that were never answered, once it was armed.
+    /// Returns the share of its samples that were never answered; those between its arming and the
+    /// first force are not meant to be.
     fn unanswered(&self) -> f64 {
-        self.counted.map_or(0.0, |it| {
-            f64::from(it.unanswered) / (f64::from(it.unanswered) + f64::from(it.forces)).max(1.0)
+        /// What a board sends meanwhile, and forces that make a share.
+        const BEFORE: u32 = 300;
+        const ENOUGH: u32 = 2_000;
+        let counted = self.counted.filter(|it| ENOUGH <= it.forces);
+        counted.map_or(0.0, |it| {
+            let unanswered = f64::from(it.unanswered.saturating_sub(BEFORE));
+            unanswered / (unanswered + f64::from(it.forces))
         })
     }
 

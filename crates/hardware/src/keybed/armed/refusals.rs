@@ -5,8 +5,9 @@ use firmware_protocol::key::KeyIndex;
 
 use super::{Armed, BoardReport};
 use crate::keybed::{Keybed, address};
-use crate::refusal::{BoardName, Refusal, UntakenForces};
+use crate::refusal::{BoardName, Refusal};
 use crate::rt::board_supervisor::{ArmLockout, ArmState};
+use crate::untaken::UntakenForces;
 
 /// Time without an answer from which on a board counts as gone (us).
 const SILENCE_US: u64 = 1_000_000;

@@ -63,19 +63,19 @@ impl Push {
 
 /// What a motion shows.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Shown {
+enum MotionSign {
     Right,
     Wrong,
 }
 
 /// A motion, and the push that began it (N).
 #[derive(Clone, Copy, PartialEq, Debug)]
-struct Motion {
-    shown: Shown,
+struct ProofMotion {
+    shown: MotionSign,
     strength: f64,
 }
 
-impl Motion {
+impl ProofMotion {
     /// Tells whether another motion shows the same.
     fn agrees_with(&self, other: &Self) -> bool {
         self.shown == other.shown && (self.strength - other.strength).abs() <= ALIKE
@@ -83,7 +83,7 @@ impl Motion {
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Stage {
+enum ProofStage {
     /// It has been still at `place` (m) for so long (s).
     Resting {
         place: f64,
@@ -98,7 +98,7 @@ enum Stage {
     /// It was let go so long ago (s) and shall return to `place` (m).
     Returning {
         place: f64,
-        motion: Motion,
+        motion: ProofMotion,
         since: f64,
     },
     Proven,
@@ -108,9 +108,9 @@ enum Stage {
 /// How far the proof of one motor has come.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MotorProof {
-    stage: Stage,
-    /// The motion before.
-    before: Option<Motion>,
+    stage: ProofStage,
+    /// The motion that the next one must agree with.
+    before: Option<ProofMotion>,
     /// The key stood still under its force, and gets none until it has come to rest.
     is_limp: bool,
     /// Where the key was at the last call (m).
@@ -120,12 +120,12 @@ pub(super) struct MotorProof {
 impl MotorProof {
     /// The motor is taken as proven.
     pub(super) const PROVEN: Self =
-        Self { stage: Stage::Proven, before: None, is_limp: false, position: 0.0 };
+        Self { stage: ProofStage::Proven, before: None, is_limp: false, position: 0.0 };
 
     /// Returns a proof that begins once its key rests.
     pub(super) const fn begin() -> Self {
         Self {
-            stage: Stage::Resting { place: f64::INFINITY, still: 0.0 },
+            stage: ProofStage::Resting { place: f64::INFINITY, still: 0.0 },
             before: None,
             is_limp: false,
             position: 0.0,
@@ -134,22 +134,22 @@ impl MotorProof {
 
     /// Tells whether the motor may be used.
     pub(super) fn is_proven(&self) -> bool {
-        self.stage == Stage::Proven
+        self.stage == ProofStage::Proven
     }
 
     /// Tells whether the key has not been tried, since it did not rest.
     pub(super) fn is_waiting(&self) -> bool {
-        matches!(self.stage, Stage::Resting { .. })
+        matches!(self.stage, ProofStage::Resting { .. })
     }
 
     /// Returns what the proof has found wrong.
     pub(super) const fn fault(&self) -> Option<KeyFault> {
         match self.stage {
-            Stage::Failed(fault) => Some(fault),
-            Stage::Resting { .. }
-            | Stage::Pushing { .. }
-            | Stage::Returning { .. }
-            | Stage::Proven => None,
+            ProofStage::Failed(fault) => Some(fault),
+            ProofStage::Resting { .. }
+            | ProofStage::Pushing { .. }
+            | ProofStage::Returning { .. }
+            | ProofStage::Proven => None,
         }
     }
 
@@ -166,21 +166,21 @@ impl MotorProof {
 
     fn advance(&mut self, position: f64, elapsed: f64, wanted: f64) -> f64 {
         match self.stage {
-            Stage::Resting { place, still } => {
+            ProofStage::Resting { place, still } => {
                 let is_still = (position - place).abs() <= STILLNESS;
                 let is_at_rest = position.abs() <= REST;
                 let (place, still) =
                     if is_still { (place, still + elapsed) } else { (position, 0.0) };
                 self.stage = if is_at_rest && STILL <= still {
-                    Stage::Pushing { place: position, push: Push::Down, strength: 0.0 }
+                    ProofStage::Pushing { place: position, push: Push::Down, strength: 0.0 }
                 } else {
-                    Stage::Resting { place, still }
+                    ProofStage::Resting { place, still }
                 };
                 self.is_limp = !is_at_rest && (self.is_limp || HELD <= still);
                 let is_free = is_at_rest || self.is_limp;
                 if is_free { 0.0 } else { wanted.clamp(-UNPROVEN, UNPROVEN) }
             }
-            Stage::Pushing { place, push, strength } => {
+            ProofStage::Pushing { place, push, strength } => {
                 let speed = (position - self.position).abs() / elapsed.max(1e-6);
                 if SLOW < speed {
                     self.rest();
@@ -189,54 +189,54 @@ impl MotorProof {
                     self.push((place, position), push, strength + GROWTH * elapsed)
                 }
             }
-            Stage::Returning { place, motion, since } => {
+            ProofStage::Returning { place, motion, since } => {
                 if (position - place).abs() <= BACK {
                     self.conclude(motion);
                 } else if RETURN < since {
                     // A hand holds it, and may have moved it.
                     self.rest();
                 } else {
-                    self.stage = Stage::Returning { place, motion, since: since + elapsed };
+                    self.stage = ProofStage::Returning { place, motion, since: since + elapsed };
                 }
                 0.0
             }
-            Stage::Proven => wanted,
-            Stage::Failed(_) => 0.0,
+            ProofStage::Proven => wanted,
+            ProofStage::Failed(_) => 0.0,
         }
     }
 
     /// Pushes a key at `position` that was at `place` (m) with `strength` (N) until it moves.
     fn push(&mut self, (place, position): (f64, f64), push: Push, strength: f64) -> f64 {
         let shown = match (push, position - place) {
-            (Push::Down, way) if WAY <= way => Some(Shown::Right),
-            (Push::Down, way) if way <= -WAY => Some(Shown::Wrong),
-            (Push::Up, way) if WAY <= way => Some(Shown::Wrong),
+            (Push::Down, way) if WAY <= way => Some(MotionSign::Right),
+            (Push::Down, way) if way <= -WAY => Some(MotionSign::Wrong),
+            (Push::Up, way) if WAY <= way => Some(MotionSign::Wrong),
             (Push::Down | Push::Up, _) => None,
         };
         if let Some(shown) = shown {
-            let motion = Motion { shown, strength };
-            self.stage = Stage::Returning { place, motion, since: 0.0 };
+            let motion = ProofMotion { shown, strength };
+            self.stage = ProofStage::Returning { place, motion, since: 0.0 };
             return 0.0;
         }
         self.stage = match push {
-            _ if strength < MOST => Stage::Pushing { place, push, strength },
-            Push::Down => Stage::Pushing { place, push: Push::Up, strength: 0.0 },
-            Push::Up => Stage::Failed(KeyFault::Unmoved),
+            _ if strength < MOST => ProofStage::Pushing { place, push, strength },
+            Push::Down => ProofStage::Pushing { place, push: Push::Up, strength: 0.0 },
+            Push::Up => ProofStage::Failed(KeyFault::Unmoved),
         };
         push.force(strength.min(MOST))
     }
 
-    fn conclude(&mut self, motion: Motion) {
+    fn conclude(&mut self, motion: ProofMotion) {
         let is_sure = self.before.replace(motion).is_some_and(|it| it.agrees_with(&motion));
         match motion.shown {
             _ if !is_sure => self.rest(),
-            Shown::Right => self.stage = Stage::Proven,
-            Shown::Wrong => self.stage = Stage::Failed(KeyFault::Reversed),
+            MotionSign::Right => self.stage = ProofStage::Proven,
+            MotionSign::Wrong => self.stage = ProofStage::Failed(KeyFault::Reversed),
         }
     }
 
     const fn rest(&mut self) {
-        self.stage = Stage::Resting { place: f64::INFINITY, still: 0.0 };
+        self.stage = ProofStage::Resting { place: f64::INFINITY, still: 0.0 };
     }
 }
 

@@ -33,7 +33,7 @@ const SOON: f64 = 0.2;
 const CONFIRMATIONS: u8 = 3;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum Stage {
+enum ResponseStage {
     /// The key has stood at `place` (m), but for a `tremor` (m), for so long (s).
     Watching { place: f64, tremor: f64, still: f64 },
     /// It is asked since so long (s), where the model wanted `wanted` (N) at `place` (m), and shows
@@ -44,7 +44,7 @@ enum Stage {
 /// The look at one key's motor.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MotorResponse {
-    stage: Stage,
+    stage: ResponseStage,
     /// Time until it is asked again (s).
     rest: f64,
     /// The key has moved up once when it was asked.
@@ -56,7 +56,7 @@ pub(super) struct MotorResponse {
 
 impl Default for MotorResponse {
     fn default() -> Self {
-        let stage = Stage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
+        let stage = ResponseStage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
         Self { stage, rest: 0.0, has_answered: false, n_wrong: 0, n_still: 0 }
     }
 }
@@ -75,21 +75,22 @@ impl MotorResponse {
     ) -> (f64, Option<KeyFault>) {
         self.rest = (self.rest - elapsed).max(0.0);
         match self.stage {
-            Stage::Watching { place, tremor, still } => {
+            ResponseStage::Watching { place, tremor, still } => {
                 self.watch((position, quantum), (place, tremor, still + elapsed), wanted);
                 (0.0, None)
             }
-            Stage::Asking { wanted: before, .. } if STEADY < (wanted - before).abs() => {
-                self.stage = Stage::Watching { place: position, tremor: 0.0, still: 0.0 };
+            ResponseStage::Asking { wanted: before, .. } if STEADY < (wanted - before).abs() => {
+                self.stage = ResponseStage::Watching { place: position, tremor: 0.0, still: 0.0 };
                 (0.0, None)
             }
-            Stage::Asking { place, least, wanted: before, since } => {
+            ResponseStage::Asking { place, least, wanted: before, since } => {
                 let (way, since) = (position - place, since + elapsed);
                 if least <= way.abs() || LENGTH < since {
-                    self.stage = Stage::Watching { place: position, tremor: 0.0, still: 0.0 };
+                    self.stage =
+                        ResponseStage::Watching { place: position, tremor: 0.0, still: 0.0 };
                     return (0.0, self.judge(way, least));
                 }
-                self.stage = Stage::Asking { place, least, wanted: before, since };
+                self.stage = ResponseStage::Asking { place, least, wanted: before, since };
                 ((GROWTH * since).min(MOST), None)
             }
         }
@@ -97,7 +98,7 @@ impl MotorResponse {
 
     /// Does not ask, since what is wanted is not rendered whole.
     pub(super) fn pause(&mut self) {
-        self.stage = Stage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
+        self.stage = ResponseStage::Watching { place: f64::INFINITY, tremor: 0.0, still: 0.0 };
     }
 
     /// Looks whether the key, which has stood at a place for a while, may be asked.
@@ -109,12 +110,12 @@ impl MotorResponse {
     ) {
         let tremor = tremor.max((position - place).abs());
         self.stage = if STILLNESS < tremor || position < PRESSED {
-            Stage::Watching { place: position, tremor: 0.0, still: 0.0 }
+            ResponseStage::Watching { place: position, tremor: 0.0, still: 0.0 }
         } else if STILL <= still && self.rest <= 0.0 {
             let least = LEAST_MOTION + 2.0 * quantum + tremor;
-            Stage::Asking { place: position, least, wanted, since: 0.0 }
+            ResponseStage::Asking { place: position, least, wanted, since: 0.0 }
         } else {
-            Stage::Watching { place, tremor, still }
+            ResponseStage::Watching { place, tremor, still }
         };
     }
 
