@@ -49,6 +49,8 @@ pub struct Armed {
     /// When tick 0 was due, but for a constant (us).
     first_us: Option<u64>,
     monitor: Option<LinkMonitor>,
+    /// Models play, and their keys are guarded.
+    is_guarded: bool,
     /// Boards that shall show their lights.
     identify: Option<Consumer<usize>>,
 }
@@ -106,6 +108,7 @@ impl Armed {
             lateness,
             first_us: None,
             monitor: None,
+            is_guarded: false,
             identify: None,
         }
     }
@@ -169,7 +172,7 @@ const fn whole(ticks: f64) -> u32 {
 impl Keybed<Armed> {
     /// Takes what has come and sends what boards are asked, without forces.
     pub fn attend(&mut self) {
-        let Self { lines, stage: Armed { bus, supervisor, .. }, clock } = self;
+        let Self { lines, stage: Armed { bus, supervisor, is_guarded, .. }, clock } = self;
         supervisor.set_now(clock.now_us());
         for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
             if index < bus.n_lines() {
@@ -178,7 +181,12 @@ impl Keybed<Armed> {
             }
         }
         for board in 0..bus.boards().len() {
-            bus.limit_share(board, supervisor.share(board));
+            // Measurements without a model need no stable loop.
+            let share = match supervisor.armings(board) {
+                Some(_) if !*is_guarded => 1.0,
+                _ => supervisor.share(board),
+            };
+            bus.limit_share(board, share);
         }
     }
 

@@ -23,6 +23,7 @@ impl Keybed<Armed> {
     /// and motors that do not follow.
     pub fn guard(&mut self) {
         let period_us = self.stage.period_us;
+        self.stage.is_guarded = true;
         self.stage.bus.guard(period_us);
     }
 
