@@ -179,7 +179,7 @@ impl<'a> StrokeSearch<'a> {
     /// Whether `gesture` strikes also if a tick is lost: a key that is struck again before it has
     /// come to rest may only just catch its hammer.
     fn is_sure<R: Rehearsal>(&self, hand: &PlannedKey<R>, gesture: Gesture) -> bool {
-        if self.earliest + SETTLED < gesture.start {
+        if gesture.from <= 0.0 && self.earliest + SETTLED < gesture.start {
             return true;
         }
         CHANGES.iter().all(|(late, faster)| {
