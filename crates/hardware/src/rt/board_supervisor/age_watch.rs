@@ -9,9 +9,10 @@ const ENOUGH: f64 = 200.0;
 /// Samples over which lateness is averaged.
 const MEMORY: f64 = 8.0;
 
-/// Lateness (periods) from which on a board gets half its forces, and none.
-const SOFT: f64 = 0.5;
-const MUTE: f64 = 0.9;
+/// Lateness (periods) from which on a board gets half its forces, and none. A board's samples and the
+/// host's ticks slide past each other by up to one period, which is no lateness.
+const SOFT: f64 = 1.25;
+const MUTE: f64 = 1.75;
 
 /// The ages of one board's samples.
 #[derive(Clone, Copy, Debug, Default)]
@@ -72,7 +73,7 @@ mod tests {
     #[test]
     fn a_way_that_becomes_longer_softens_and_then_mutes_within_a_dozen_samples() {
         let mut watch = AgeWatch::default();
-        let parts = [(300, 400), (12, 1_100), (12, 3_400), (30, 400)].map(|(n, age_us)| {
+        let parts = [(300, 400), (20, 1_900), (12, 3_400), (30, 400)].map(|(n, age_us)| {
             (0..n).for_each(|_| watch.take(age_us, 1_000));
             (part(&watch), watch.late().is_some())
         });
