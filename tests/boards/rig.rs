@@ -153,7 +153,7 @@ fn has_failed(board: &Value) -> bool {
         || lists.iter().any(|it| it.as_array().is_none_or(|it| !it.is_empty()))
         || !board["late_periods"].is_null()
         || !board["bursts_ms"].is_null()
-        || frames + missing < 6 * missing
+        || frames + missing < 4 * missing
 }
 
 /// A count in a report.

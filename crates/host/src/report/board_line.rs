@@ -118,7 +118,7 @@ pub struct Counted {
 
 /// Share of samples or forces whose loss is reported, and that makes a run a failure.
 const LOSS_TO_REPORT: f64 = 0.05;
-const LOSS_TO_FAIL: f64 = 0.15;
+const LOSS_TO_FAIL: f64 = 0.25;
 
 /// Returns what became of a share of a board's samples, in words.
 fn percent_words(share: f64, what: &str) -> String {

@@ -64,8 +64,8 @@ of() { jq -r "$2" "$1.json" 2>/dev/null; }
 # would find no fault with an empty file.
 holds() { jq -es "last | $2" "$1.json" >/dev/null 2>&1; }
 
-# fair NAME: whether NAME ended well, or said that voices failed for what befell its boards.
-fair() { [ $code = 0 ] || { [ $code = 1 ] && holds "$1" '.faults > 0'; }; }
+# fair NAME: whether NAME ended well, or reported that voices or boards failed.
+fair() { [ $code = 0 ] || { [ $code = 1 ] && holds "$1" ".faults > 0 or any(.boards[]; .state != \"armed\")"; }; }
 
 # bear NAME CONDITION: whether it holds of what became of every board of NAME.
 bear() { jq -es "last | all(.[]; $2)" "$1.boards" >/dev/null 2>&1; }
