@@ -65,13 +65,22 @@ impl ConformanceItem {
         Self { item, outcome, seen }
     }
 
-    /// Returns an item that this machine was too late to judge.
-    fn undecided(item: &'static str, seen: &str) -> Self {
-        let seen = format!(
-            "{seen}; each of them is a period after the one before by the board's own clock: this \
-             machine was late; try again while it does nothing else"
-        );
-        Self { item, outcome: ConformanceOutcome::Undecided, seen }
+    /// Returns an item that is kept if `seen` is, or broken; one that this machine may have broken,
+    /// since it was late by `late_us` while it listened, is not decided.
+    fn judged(item: &'static str, seen: Result<String, String>, late_us: u64) -> Self {
+        /// What a machine with time is late by in all (us).
+        const IN_TIME_US: u64 = 20_000;
+        match seen {
+            Err(seen) if IN_TIME_US < late_us => {
+                let ms = late_us / 1_000;
+                let seen = format!(
+                    "{seen}; this machine was late by {ms} ms meanwhile: try again while it does \
+                     nothing else"
+                );
+                Self { item, outcome: ConformanceOutcome::Undecided, seen }
+            }
+            seen => Self::new(item, seen),
+        }
     }
 
     /// Returns an item that was not tried, and why.

@@ -49,6 +49,7 @@ pub(super) fn items(board: &mut TestedBoard<'_>, hello: &Hello) -> Vec<Conforman
     }
     let (mut rates, mut in_order, mut apart) = (untried(), untried(), untried());
     for _ in 0..TRIALS {
+        board.late_us = 0;
         let heard = board.listen(LISTEN_US, |_samples| None);
         rates = rates.or_else(|_before| rate(board, &heard, period_us));
         in_order = in_order.or_else(|_before| numbers(&heard));
@@ -57,22 +58,18 @@ pub(super) fn items(board: &mut TestedBoard<'_>, hello: &Hello) -> Vec<Conforman
             break;
         }
     }
+    let late_us = board.late_us;
     let (clock, drift) = drift(board);
     let fresh = (0..TRIALS).fold(untried(), |fresh, _| {
         fresh.or_else(|_before| ages(&board.listen(LISTEN_US / 2, |_samples| None), &clock))
     });
-    // A board that leaves samples out, or sends them at another rate, says so by its own stamps.
-    let is_regular = board.unreadable == 0 && in_order.is_ok() && apart.is_ok();
-    let rates = match rates {
-        Err(seen) if is_regular => ConformanceItem::undecided(ITEMS[0], &seen),
-        rates => ConformanceItem::new(ITEMS[0], rates),
-    };
+    let judged = |item, seen| ConformanceItem::judged(item, seen, late_us);
     vec![
-        rates,
-        ConformanceItem::new(ITEMS[1], in_order),
-        ConformanceItem::new(ITEMS[2], apart),
+        judged(ITEMS[0], rates),
+        judged(ITEMS[1], in_order),
+        judged(ITEMS[2], apart),
         ConformanceItem::new("its clock is at most 3 % too fast or slow", drift),
-        ConformanceItem::new(ITEMS[3], fresh),
+        judged(ITEMS[3], fresh),
     ]
 }
 

@@ -24,6 +24,8 @@ use super::MOST_FORCE_MN;
 
 /// Time between two looks at what may have come.
 const LOOK: Duration = Duration::from_micros(200);
+/// Time between two looks that are in time (us).
+const IN_TIME_US: u64 = 2_000;
 /// Longest time in which an answer that is late is still waited for (us).
 const LATE_US: u64 = 250_000;
 /// Times that a request is sent with the same id.
@@ -158,6 +160,8 @@ pub struct TestedBoard<'l> {
     next_id: u8,
     /// Frames of samples that could not be read.
     pub(super) unreadable: u32,
+    /// Time by which looks at the link were late, since this machine did something else (us).
+    pub(super) late_us: u64,
 }
 
 impl<'l> TestedBoard<'l> {
@@ -167,7 +171,7 @@ impl<'l> TestedBoard<'l> {
         let layout = SampleLayout { packing: SamplePacking::Position24, n_keys };
         let [next_id, ..] = clock.now_us().to_le_bytes();
         let number = introduction.board;
-        Self { link, number, clock, layout, next_id, unreadable: 0 }
+        Self { link, number, clock, layout, next_id, unreadable: 0, late_us: 0 }
     }
 
     pub(super) fn now_us(&self) -> u64 {
@@ -291,7 +295,11 @@ impl<'l> TestedBoard<'l> {
         answer: impl Fn(&KeySamples) -> Option<(Header, i32)>,
     ) -> Vec<TimedSamples> {
         let (start, mut heard) = (self.now_us(), Vec::new());
+        let mut looked = start;
         while self.now_us() < start + for_us {
+            let now = self.now_us();
+            self.late_us += now.saturating_sub(looked + IN_TIME_US);
+            looked = now;
             while let Some(frame) = self.link.frame() {
                 heard.extend(self.take_samples(&frame, &answer));
             }
