@@ -27,12 +27,8 @@ const MISS_COST: f64 = 1e6;
 /// Cost of a stroke that does not strike if a tick is lost on the way.
 const FRAGILE_COST: f64 = 1e3;
 
-/// Changes of the start (s) and factors of the speed that a stroke must bear: a tick that the machine
-/// loses, and the last bits of a later pass.
-const CHANGES: [(f64, f64); 4] = [(-1e-3, 1.0), (1e-3, 1.0), (0.0, 0.97), (0.0, 1.03)];
-
-/// By how much faster a stroke is tried that does not bear them.
-const FIRMER: [f64; 2] = [1.06, 1.12];
+/// Changes of the start that a stroke must bear (s): a tick that the machine loses.
+const LOST_TICKS: [f64; 2] = [-1e-3, 1e-3];
 
 /// Time after the onset in which a second strike is looked for (s).
 const WATCH: f64 = 0.08;
@@ -103,9 +99,6 @@ pub(super) fn find<R: Rehearsal>(
     }
     if best.strike.is_some() && !search.is_sure(hand, best.gesture) {
         best.cost += FRAGILE_COST;
-        if let Some(firmer) = search.firmer(hand, &best) {
-            best = firmer;
-        }
     }
     Try { n_tries, ..best }
 }
@@ -179,30 +172,15 @@ impl<'a> StrokeSearch<'a> {
     /// Whether `gesture` strikes also if a tick is lost: a key that is struck again before it has
     /// come to rest may only just catch its hammer.
     fn is_sure<R: Rehearsal>(&self, hand: &PlannedKey<R>, gesture: Gesture) -> bool {
-        if gesture.from <= 0.0 && self.earliest + SETTLED < gesture.start {
+        if self.earliest + SETTLED < gesture.start {
             return true;
         }
-        CHANGES.iter().all(|(late, faster)| {
+        LOST_TICKS.iter().all(|late| {
             let start = (gesture.start + late).max(self.earliest);
-            let changed = Gesture { start, speed: faster * gesture.speed, ..gesture };
-            self.play(hand, changed).strike.is_some()
+            let moved = Gesture { start, ..gesture };
+            let outcome = hand.try_out(moved, self.wanted.onset + WATCH);
+            judge(self.practice, self.wanted, moved, &outcome).strike.is_some()
         })
-    }
-
-    /// A stroke that is a little faster than `best`, and strikes for certain.
-    fn firmer<R: Rehearsal>(&self, hand: &PlannedKey<R>, best: &Try) -> Option<Try> {
-        FIRMER.iter().find_map(|faster| {
-            let gesture = Gesture { speed: faster * best.gesture.speed, ..best.gesture };
-            let firmer = self.play(hand, gesture);
-            let is_better = firmer.strike.is_some() && firmer.cost < best.cost;
-            (is_better && self.is_sure(hand, gesture)).then_some(firmer)
-        })
-    }
-
-    /// What `gesture` does.
-    fn play<R: Rehearsal>(&self, hand: &PlannedKey<R>, gesture: Gesture) -> Try {
-        let outcome = hand.try_out(gesture, self.wanted.onset + WATCH);
-        judge(self.practice, self.wanted, gesture, &outcome)
     }
 
     /// Changes speed and start by what `tried` shows; false if neither can be changed.
