@@ -360,8 +360,13 @@ impl BoardLine {
 
     /// Returns why it rendered no force, if it took none of those that were sent.
     fn untaken(&self) -> Option<String> {
-        let counted = self.counted.filter(|it| it.forces == 0 && 0.0 < self.forces_hz)?;
-        let Counted { refused, corrupt, stale, .. } = counted;
+        /// Forces in vain that are no accident of a start.
+        const MANY: u64 = 200;
+        let Counted { forces, refused, corrupt, stale, unanswered, .. } = self.counted?;
+        let in_vain = [refused, corrupt, stale, unanswered].map(u64::from).iter().sum::<u64>();
+        if 0 < forces || in_vain < MANY {
+            return None;
+        }
         Some(format!(
             "it rendered no force: {refused} frames were refused, {stale} were stale, {corrupt} \
              pieces were no frames"
