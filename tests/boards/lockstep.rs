@@ -10,29 +10,21 @@ use crate::letoff::{self, Said};
 use crate::machine_time::say;
 use crate::rig::count;
 
-/// Parts of the reference firmware that the fault rig is built from.
-const FIRMWARE: [&str; 11] = [
-    "acyclic", "arm", "forces", "gesture", "history", "law", "lever", "link", "log", "render",
-    "state",
-];
-
-/// Builds the fault rig, a board with the four keys C4 to D#4; nothing without a C compiler, and
-/// then says so.
+/// Builds the fault rig with the command of its README, a board with the four keys C4 to D#4; nothing
+/// without a C compiler, and then says so.
 pub(crate) fn build(folder: &Path) -> Option<PathBuf> {
-    let c = Path::new(env!("CARGO_MANIFEST_DIR")).join("firmware-protocol/c");
-    let rig = c.join("rig").read_dir().expect("the sources of the rig");
-    let rig = rig.map(|entry| entry.expect("a file").path());
-    let rig = rig.filter(|path| path.extension().is_some_and(|it| it == "c"));
-    let firmware = FIRMWARE.map(|part| c.join(format!("firmware/{part}.c")));
-    let program = folder.join("rig");
-    let mut cc = Command::new("cc");
-    cc.args(["-std=c99", "-O2", "-DN_KEYS=4", "-DFIRST_KEY=39"]).args(rig).args(firmware);
-    cc.arg(c.join("letoff_codec.c")).args(["-lm", "-o"]).arg(&program);
-    let Ok(status) = cc.status() else {
+    if Command::new("cc").arg("--version").output().is_err() {
         say("SKIPPED: the host in lockstep with the fault rig: cc is not installed");
         return None;
-    };
-    assert!(status.success(), "the rig cannot be built");
+    }
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("firmware-protocol/c/rig");
+    let readme = std::fs::read_to_string(source.join("README.md")).expect("the rig's README");
+    let command = readme.split("```sh\n").nth(1).and_then(|it| it.split("```").next());
+    let command = command.expect("the command").replace("-o rig", "-o \"$PROGRAM\"");
+    let program = folder.join("rig");
+    let mut shell = Command::new("sh");
+    shell.args(["-e", "-c", &command]).env("PROGRAM", &program).current_dir(source);
+    assert!(shell.status().expect("a shell").success(), "the rig cannot be built");
     Some(program)
 }
 

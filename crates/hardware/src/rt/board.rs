@@ -152,7 +152,6 @@ impl BoardEnd {
         if let Some(guard) = self.guarded_keys().nth(slot) {
             guard.mute(fault);
         }
-        self.note_findings();
     }
 
     /// Returns the guards of its keys, if they are guarded.
@@ -168,29 +167,24 @@ impl BoardEnd {
         keys.any(|it| it.is_unproven() && !it.waits_for_rest())
     }
 
-    /// Writes what its guards and checks have found into the statistics.
-    fn note_findings(&mut self) {
-        let keys = &mut self.statistics.keys;
-        let checked = keys.muted.iter_mut().zip(&self.checks);
-        checked.for_each(|(muted, check)| *muted = check.muted());
-        let Some(guards) = &self.guards else { return };
-        let bits = |is_so: fn(&KeyGuard) -> bool| {
-            let guards = guards.keys.iter().enumerate().take(self.terms.place.n_keys);
-            guards.fold(0, |bits, (slot, it)| bits | u16::from(is_so(it)) << slot)
-        };
-        (keys.softened, keys.unproven) = (bits(KeyGuard::is_softened), bits(KeyGuard::is_unproven));
-        let calibrations = self.terms.calibration.as_slice().iter().enumerate();
-        keys.misplaced = calibrations.zip(&guards.keys).fold(0, |bits, ((slot, it), guard)| {
-            bits | u16::from(guard.is_misplaced(it.travel())) << slot
-        });
-        [keys.glitches, keys.limited, keys.blended] = [0; 3];
-        for (muted, guard) in keys.muted.iter_mut().zip(&guards.keys) {
-            *muted = muted.or(guard.fault());
+    /// Returns what its guards and checks have found.
+    fn findings(&self) -> GuardFindings {
+        let muted = self.checks.each_ref().map(KeyCheck::muted);
+        let mut keys = GuardFindings { muted, ..GuardFindings::default() };
+        let Some(guards) = &self.guards else { return keys };
+        let guarded = guards.keys.iter().zip(self.terms.calibration.as_slice());
+        for (slot, (guard, calibration)) in guarded.enumerate() {
+            let bit = |is_so| u16::from(is_so) << slot;
+            keys.softened |= bit(guard.is_softened());
+            keys.unproven |= bit(guard.is_unproven());
+            keys.misplaced |= bit(guard.is_misplaced(calibration.travel()));
+            keys.muted[slot] = keys.muted[slot].or(guard.fault());
             let [glitches, limited, blended] = guard.counts();
             keys.glitches += glitches;
             keys.limited += limited;
             keys.blended += blended;
         }
+        keys
     }
 
     /// Returns what was agreed with the board.
@@ -204,8 +198,13 @@ impl BoardEnd {
     }
 
     /// Returns what it has sent and was sent.
-    pub const fn statistics(&self) -> BoardStatistics {
-        BoardStatistics { samples: self.loss.counts(), ..self.statistics }
+    pub fn statistics(&self) -> BoardStatistics {
+        BoardStatistics {
+            samples: self.loss.counts(),
+            keys: self.findings(),
+            intervals: self.intervals.newest(),
+            ..self.statistics
+        }
     }
 
     /// Returns the newest samples as they came.
@@ -223,14 +222,12 @@ impl BoardEnd {
         self.loss.forget();
         self.newest = None;
         self.intervals.forget();
-        self.statistics.intervals = None;
     }
 
     /// Gives the keys that were muted another chance, for a board that was switched on anew.
     pub fn unmute(&mut self) {
         self.checks = Default::default();
         self.guarded_keys().for_each(KeyGuard::unmute);
-        self.note_findings();
     }
 
     /// Limits the share of the forces that the board is sent to `most`, `0 ..= 1`.
@@ -281,7 +278,6 @@ impl BoardEnd {
     /// frames were lost between them.
     fn take_interval(&mut self, interval_us: u16, missing: u64) {
         self.intervals.take(interval_us, missing);
-        self.statistics.intervals = self.intervals.newest();
         if let Some(guards) = &mut self.guards {
             let longest = Guards::SAMPLE_GAP * guards.period_us as f64;
             guards.is_resuming |= longest < f64::from(interval_us);
@@ -303,7 +299,6 @@ impl BoardEnd {
             self.used[slot] = is_possible && is_on_trend;
             self.statistics.implausible += u64::from(!is_possible);
         }
-        self.note_findings();
     }
 
     /// Writes the newest samples into their keys' places, as if they had just been taken; a place or
@@ -349,7 +344,6 @@ impl BoardEnd {
             let place = (calibration.position(*counts), elapsed);
             *force = guard.force(*wanted, share, place, calibration);
         }
-        self.note_findings();
         rendered
     }
 

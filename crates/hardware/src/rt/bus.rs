@@ -159,7 +159,7 @@ impl KeybedBus {
         self.boards.iter_mut().for_each(BoardEnd::demand_proof);
     }
 
-    /// Tells whether motors are being proven whose keys are at rest.
+    /// Tells whether the proof of a motor is under way, rather than waiting for its key to rest.
     pub(crate) fn is_proving(&self) -> bool {
         self.boards.iter().any(BoardEnd::is_proving)
     }

@@ -51,7 +51,7 @@ impl Keybed<Armed> {
         if refusals.is_empty() { Ok(()) } else { Err(Refusals(refusals)) }
     }
 
-    /// Tells whether no motor is left to be proven.
+    /// Tells whether the proof of every motor has ended.
     fn is_proven(&self) -> bool {
         let mut boards = self.stage.bus.boards().iter();
         boards.all(|board| board.statistics().keys.unproven == 0)
@@ -88,7 +88,7 @@ impl Keybed<Armed> {
     }
 }
 
-/// Tells whether motors of a board have not passed, and none has.
+/// Tells whether a motor of a board has failed its proof, and no other has passed.
 fn has_unmoved_keys(report: &BoardReport) -> bool {
     let keys = &report.statistics.keys;
     let muted = keys.muted[..report.place.n_keys].iter().enumerate();

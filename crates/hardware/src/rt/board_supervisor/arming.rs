@@ -39,7 +39,7 @@ const MOST_ATTEMPTS: u8 = 5;
 /// Shortest and longest time that samples are measured before a board is armed (us).
 const MEASURING_US: u64 = 150_000;
 const LONGEST_MEASURING_US: u64 = 1_000_000;
-/// Restarts of which each follows soon on the one before, after which a board is left off.
+/// Restarts in quick succession after which a board is left off.
 const MOST_RESTARTS: u8 = 4;
 /// Time for which a board is left alone after too many attempts (us).
 const LEFT_ALONE_US: u64 = 10_000_000;

@@ -6,7 +6,7 @@ const MEMORY_US: u64 = 10_000_000;
 /// Waits after the first, the second ... of several events (us).
 const WAITS_US: [u64; 4] = [0, 1_000_000, 2_000_000, 4_000_000];
 
-/// Events of which each followed soon on the one before.
+/// Events in quick succession.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BackOff {
     newest_us: u64,

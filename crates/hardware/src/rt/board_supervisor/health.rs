@@ -21,8 +21,7 @@ pub(super) struct HealthWatch {
     /// Keys that it reports as failed, slot 0 in bit 0, and what for.
     failed: u16,
     causes: [Option<u8>; MOST_KEYS],
-    /// Keys that shall have no motor, and those of which it was asked.
-    unwanted: u16,
+    /// Keys whose motors the board was asked to take off.
     muted: u16,
     /// When it is asked next (us), and about which key.
     next_board: u64,
@@ -40,7 +39,6 @@ impl HealthWatch {
             n_keys: u8::try_from(agreed.place.n_keys).unwrap_or(u8::MAX),
             failed: 0,
             causes: [None; MOST_KEYS],
-            unwanted: 0,
             muted: 0,
             next_board: 0,
             next_key: 0,
@@ -52,8 +50,7 @@ impl HealthWatch {
 
     /// Forgets what a board that has restarted had failed of, and what it was asked.
     pub(super) fn forget(&mut self) {
-        let hottest = self.hottest;
-        (self.failed, self.muted, self.hottest) = (0, 0, hottest);
+        (self.failed, self.muted) = (0, 0);
         self.causes = [None; MOST_KEYS];
     }
 
@@ -62,7 +59,7 @@ impl HealthWatch {
         self.hottest
     }
 
-    /// Tells whether nothing is left to be asked of keys that have failed.
+    /// Tells whether the cause of every reported failure is known.
     pub(super) fn is_settled(&self) -> bool {
         self.unexplained().is_none()
     }
@@ -92,8 +89,8 @@ impl HealthWatch {
             return false;
         }
         let muted = statistics.keys.muted.iter().enumerate();
-        self.unwanted = muted.fold(0, |bits, (slot, it)| bits | u16::from(it.is_some()) << slot);
-        let to_mute = self.unwanted & !self.muted;
+        let unwanted = muted.fold(0, |bits, (slot, it)| bits | u16::from(it.is_some()) << slot);
+        let to_mute = unwanted & !self.muted;
         if let Some(slot) = self.unexplained() {
             self.ask_key(slot, channel);
         } else if to_mute != 0 {

@@ -93,7 +93,7 @@ impl BoardSession {
         &self.timing
     }
 
-    /// Tells whether the board renders forces, and its clock and its failed keys are known.
+    /// Tells whether the board renders forces, its clock is known, and failed keys are explained.
     pub(super) fn is_ready(&self) -> bool {
         self.state() == ArmState::Armed && self.timing.is_known() && self.health.is_settled()
     }
@@ -245,7 +245,7 @@ impl BoardSession {
                 self.is_light_wanted = false;
                 self.channel.ask(Operation::Light, &Light { seconds: LIGHT_S });
             }
-            // A board that has failed says of which key.
+            // A latched board still reports which key has failed.
             ArmState::Armed | ArmState::Barred(ArmLockout::Latched(_))
                 if self.health.ask(now, statistics, &mut self.channel) => {}
             ArmState::Armed => self.ask_by_turns(now, origin),
