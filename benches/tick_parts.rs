@@ -108,7 +108,7 @@ fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &C
 /// A tick of whole voices, with an observer of what they make or a controller.
 fn voices(criterion: &mut Criterion, name: &str, passivity: PassivityMode) {
     let set = [("render.passivity".to_owned(), passivity.name().to_owned())];
-    let scene = Scene::load("springs", &set).expect("a scene of ours");
+    let scene = Scene::load(&scene::Library::default(), "springs", &set).expect("a scene of ours");
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let voice = |(number, described)| {
         let positions = swing_of(number);

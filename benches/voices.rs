@@ -33,7 +33,8 @@ fn main() {
 fn voice(instrument: &str) -> AnyVoice {
     // As a recording, which is not asked whether its loop is stable: the time is the question.
     let text = format!("[[keys]]\nrange = \"A0..C8\"\ninstrument = \"{instrument}\"\n");
-    let scene = Scene::from_text(instrument, text).expect("a good scene");
+    let scene =
+        Scene::from_text(&scene::Library::default(), instrument, text).expect("a good scene");
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let described = scene.keys[MIDDLE].as_ref().expect("a voice");
     assembler.voice(described, Arc::default()).expect("a model of ours")

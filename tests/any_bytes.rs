@@ -55,16 +55,16 @@ proptest! {
     #[test]
     fn any_bytes_as_a_scene(bytes in vec(any::<u8>(), 0..300)) {
         with_file("any.toml", &bytes, |path| {
-            assert!(Scene::load(path, &[]).is_err(), "bytes by chance are no scene");
-            assert!(check_file(path.as_ref()).is_err());
+            assert!(Scene::load(&scene::Library::default(), path, &[]).is_err(), "bytes by chance are no scene");
+            assert!(check_file(&scene::Library::default(), path.as_ref()).is_err());
         });
     }
 
     #[test]
     fn a_damaged_scene_is_refused_or_played(bytes in damaged(MIXED)) {
         with_file("damaged.toml", &bytes, |path| {
-            let scene = Scene::load(path, &[]);
-            assert_eq!(scene.is_ok(), check_file(path.as_ref()).is_ok());
+            let scene = Scene::load(&scene::Library::default(), path, &[]);
+            assert_eq!(scene.is_ok(), check_file(&scene::Library::default(), path.as_ref()).is_ok());
             if let Ok(scene) = scene {
                 play(&scene);
             }
@@ -87,7 +87,7 @@ proptest! {
 /// Plays the scene `springs` with the performance at `path`, unless the scene is refused for it.
 fn perform(path: &str) {
     let overrides = [(String::from("pianist.performance"), String::from(path))];
-    if let Ok(scene) = Scene::load("springs", &overrides) {
+    if let Ok(scene) = Scene::load(&scene::Library::default(), "springs", &overrides) {
         play(&scene);
     }
 }

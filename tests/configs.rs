@@ -14,9 +14,9 @@ fn every_scene_loads_and_is_embedded() {
 
 #[test]
 fn every_scene_has_a_voice_on_each_key() {
-    cli::read_descriptions();
     for name in scene::scenes() {
-        let scene = scene::Scene::load(name, &[]).expect("a good scene");
+        let scene =
+            scene::Scene::load(&scene::Library::default(), name, &[]).expect("a good scene");
         assert_eq!(scene.name, name);
         assert!(scene.keys.iter().all(Option::is_some), "{name} has silent keys");
     }
@@ -24,7 +24,6 @@ fn every_scene_has_a_voice_on_each_key() {
 
 #[test]
 fn every_description_is_a_model_that_its_name_finds() {
-    cli::read_descriptions();
     let known: BTreeSet<_> = descriptions::model_names().map(String::from).collect();
     for name in names(&files("models", "toml")) {
         assert!(known.contains(&name), "{name} is not part of the program");
@@ -35,7 +34,6 @@ fn every_description_is_a_model_that_its_name_finds() {
 
 #[test]
 fn every_instrument_loads_and_is_embedded() {
-    cli::read_descriptions();
     let names = scene::instruments().into_iter().map(|instrument| instrument.name);
     check_shelf("instruments", FileKind::Instrument, &names.collect());
 }
@@ -69,10 +67,9 @@ fn no_file_in_configs_is_of_an_unknown_kind() {
 /// Asserts that every file in `folder` is a good `kind`, and that `embedded` are all of them.
 #[track_caller]
 fn check_shelf(folder: &str, kind: FileKind, embedded: &BTreeSet<String>) {
-    cli::read_descriptions();
     let paths = files(folder, "toml");
     for path in &paths {
-        assert_eq!(check_file(path), Ok(kind), "{}", path.display());
+        assert_eq!(check_file(&scene::Library::default(), path), Ok(kind), "{}", path.display());
     }
     assert_eq!(&names(&paths), embedded);
 }

@@ -7,7 +7,6 @@ use crate::stage::scene;
 
 /// One octave of the grand, as much of it as `budget` of one lane allows.
 fn octave(budget: &str) -> Scene {
-    cli::read_descriptions();
     let changes = [
         ("keys.0.instrument", "grand"),
         ("keys.0.range", "C4..B4"),

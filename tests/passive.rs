@@ -134,7 +134,7 @@ fn middle_c(instrument: &str, passivity: PassivityMode, tank: f64) -> AnyVoice {
          range = \"A0..C8\"\ninstrument = \"{instrument}\"\n[pianist]\nperformance = \"none\"\n",
         passivity.name()
     );
-    let scene = Scene::from_text("cycles", text).expect("a good scene");
+    let scene = Scene::from_text(&scene::Library::default(), "cycles", text).expect("a good scene");
     let key = scene.keys[39].as_ref().expect("a voice");
     VoiceBuilder::new(&scene).expect("a rate").voice(key, Arc::default()).expect("a model")
 }
@@ -154,7 +154,6 @@ fn outcome(instrument: &str, passivity: PassivityMode, ways: usize) -> Outcome {
 }
 
 fn outcomes(passivity: PassivityMode, ways: usize) -> Vec<Outcome> {
-    cli::read_descriptions();
     let all = instruments().into_iter();
     all.map(|it| outcome(&it.name, passivity, ways)).collect()
 }
@@ -171,7 +170,6 @@ fn no_closed_way_hands_out_more_than_the_tank_while_the_controller_is_on() {
 
 #[test]
 fn the_controller_leaves_the_forces_of_ordinary_strokes_nearly_as_they_are() {
-    cli::read_descriptions();
     // Soft to loud, as people play: 5.8 times 9.5 mm in the square of 60 to 15 ms.
     let stroke = |lasts: f64| ClosedWay {
         strokes: vec![

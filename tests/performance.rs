@@ -49,7 +49,6 @@ fn every_embedded_scene_runs_without_a_fault() {
 #[test]
 fn every_instrument_runs_on_all_keys_without_a_fault() {
     let stable = [("tick_hz", "4000"), ("render.jerk_density", "10")];
-    cli::read_descriptions();
     let mut refused = Vec::new();
     for instrument in scene::instruments() {
         let chosen = [("keys.instrument", instrument.name.as_str())];
@@ -64,7 +63,6 @@ fn every_instrument_runs_on_all_keys_without_a_fault() {
 
 #[test]
 fn hard_passages_are_played_on_every_preset() {
-    cli::read_descriptions();
     let presets = [
         "grand",
         "upright",

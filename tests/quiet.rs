@@ -71,7 +71,6 @@ fn with_instrument(instrument: &str, hz: &str, render: &[(&str, &str)]) -> Resul
 
 /// Every instrument at three rates, with the usual filter and with a slow one.
 fn all_loops() -> Vec<(String, Result<Scene, String>)> {
-    cli::read_descriptions();
     let mut loops = Vec::new();
     for instrument in instruments() {
         for hz in ["500", "1000", "4000"] {
@@ -139,7 +138,8 @@ fn after_it_was_played_every_instrument_that_is_let_in_comes_to_rest() {
 fn a_loop_that_makes_energy_with_nobody_on_its_keys_is_muted() {
     // As a recording, which nobody has to feel, it is let in.
     let text = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-rigid\"\n";
-    let scene = Scene::from_text("rigid", text.to_owned()).expect("a good scene");
+    let scene = Scene::from_text(&scene::Library::default(), "rigid", text.to_owned())
+        .expect("a good scene");
     let (voices, _audits) = some_voices(&scene);
     let n_voices = voices.len();
     let listener = Listener::since(ticks(&scene, 19));
@@ -175,7 +175,9 @@ fn a_scene_is_asked_for_what_its_instrument_needs_in_one_sentence() {
     // The same model and preset by another way.
     let model = [("keys.model", "key-hammer-rigid"), ("keys.preset", "playable")];
     let owned: Vec<_> = model.iter().map(|(a, b)| (String::from(*a), String::from(*b))).collect();
-    let why = Scene::load("springs", &owned).expect_err("refused").to_string();
+    let why = Scene::load(&scene::Library::default(), "springs", &owned)
+        .expect_err("refused")
+        .to_string();
     assert!(why.contains("grand-rigid needs"), "{why}");
     assert_eq!(scene("mixed", &[]).tick_hz, 4000);
 }

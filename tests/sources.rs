@@ -18,7 +18,7 @@ pub(crate) struct Source {
 }
 
 /// All product sources that a person wrote: what lies under `src` of each crate, without modules of
-/// tests and without Rust that was emitted from a description.
+/// tests.
 pub(crate) fn all() -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let crates = fs::read_dir(root.join("crates")).expect("crates/").filter_map(Result::ok);
@@ -42,7 +42,7 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
     for path in entries.filter_map(Result::ok).map(|entry| entry.path()) {
         if path.is_dir() {
             files.extend(rust_files(&path));
-        } else if path.extension().is_some_and(|it| it == "rs") && !path.ends_with("emitted.rs") {
+        } else if path.extension().is_some_and(|it| it == "rs") {
             files.push(path);
         }
     }
@@ -59,6 +59,13 @@ fn read(room: &str, src: &Path, path: PathBuf) -> Option<Source> {
     let mut syntax = syn::parse_file(&text).expect("a file that compiles");
     syntax.items.retain(|item| !is_for_tests(attributes(item)));
     Some(Source { room: room.to_owned(), path, module, lines: text.lines().count(), syntax })
+}
+
+/// The programs in a folder of examples.
+pub(crate) fn examples(folder: &Path) -> Vec<Source> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let files = rust_files(&root);
+    files.into_iter().filter_map(|path| read("examples", &root, path)).collect()
 }
 
 /// The module that a file below `src` is.

@@ -81,7 +81,7 @@ fn scene_of(instrument: &str, hz: u32, ticks: u32, piece: &str) -> Scene {
          instrument = \"{instrument}\"\n[pianist]\nperformance = {piece:?}\n",
         f64::from(ticks) / f64::from(hz)
     );
-    Scene::from_text("loop", text).expect("a good scene")
+    Scene::from_text(&scene::Library::default(), "loop", text).expect("a good scene")
 }
 
 /// Plays the piece; returns how many notes are extra, and how many faults there are.
@@ -175,7 +175,6 @@ fn check(outcomes: &[Outcome]) {
 
 #[test]
 fn what_is_said_of_a_loop_is_what_it_does() {
-    cli::read_descriptions();
     let piece = piece();
     let loops = [("grand", 1000), ("grand", 500), ("organ", 1000), ("grand-springs", 1000)];
     let outcomes = loops.into_iter().flat_map(|(name, hz)| {
@@ -203,13 +202,14 @@ fn rigid_bodies_play_a_piece_behind_a_coupling_and_not_without() {
 
 #[test]
 fn the_paper_s_rigid_model_is_stable_on_its_rig_behind_a_coupling_only() {
-    cli::read_descriptions();
     let on_rig = |coupling: &str| {
         let text = format!(
             "tick_hz = 150\n[rig]\nkind = \"paper\"\n[render]\n{coupling}[[keys]]\n\
              range = \"A0..C8\"\ninstrument = \"paper-rigid\"\n"
         );
-        unstable(&Scene::from_text("paper", text).expect("a good scene"))
+        unstable(
+            &Scene::from_text(&scene::Library::default(), "paper", text).expect("a good scene"),
+        )
     };
     assert!(on_rig("").is_some_and(|why| why.contains("at 150 Hz")));
     assert_eq!(on_rig("coupling_stiffness = 200\ncoupling_damping = 10\n"), None);
@@ -217,7 +217,6 @@ fn the_paper_s_rigid_model_is_stable_on_its_rig_behind_a_coupling_only() {
 
 #[test]
 fn untouched_every_instrument_with_a_damper_sleeps_within_two_seconds() {
-    cli::read_descriptions();
     for instrument in instruments() {
         let changes = [("keys.instrument", instrument.name.as_str())];
         let Ok(scene) = try_scene("springs", &changes) else { continue };
@@ -266,7 +265,6 @@ fn unstable(scene: &Scene) -> Option<String> {
 #[test]
 #[ignore = "takes half an hour; cargo test -p letoff --test all -- --ignored every_loop"]
 fn every_loop_does_what_is_said_of_it() {
-    cli::read_descriptions();
     let piece = piece();
     let mut outcomes = Vec::new();
     for hz in [250, 500, 1000, 2000, 4000, 10_000] {

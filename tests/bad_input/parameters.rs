@@ -116,7 +116,10 @@ fn a_model_that_diverges_is_counted_and_the_others_play_on() {
         let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
         session.run(&AtomicBool::new(false)).expect("a run")
     };
-    let report = played(&Scene::from_text("diverging", DIVERGING.into()).expect("a good scene"));
+    let report = played(
+        &Scene::from_text(&scene::Library::default(), "diverging", DIVERGING.into())
+            .expect("a good scene"),
+    );
     assert_eq!((report.faults, report.muted.len()), (4, 1), "it keeps failing: {report}");
     // Every note is another key's; what the diverging one struck, nobody asked for.
     let healthy = played(&scene("springs", &[]));

@@ -27,10 +27,9 @@ pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
 
 /// Returns a scene of ours with overrides, or why it is refused.
 pub fn try_scene(name: &str, overrides: &[(&str, &str)]) -> Result<Scene, String> {
-    cli::read_descriptions();
     let overrides: Vec<_> =
         overrides.iter().map(|(name, value)| (String::from(*name), String::from(*value))).collect();
-    Scene::load(name, &overrides).map_err(|wrong| wrong.to_string())
+    Scene::load(&scene::Library::default(), name, &overrides).map_err(|wrong| wrong.to_string())
 }
 
 /// The voices of `scene`, each with its key.

@@ -8,7 +8,7 @@ use diagnostics::shown;
 
 use super::stable::check_stability;
 use super::{Failure, print_json};
-use scene::{FileKind, check_file};
+use scene::{FileKind, Library, check_file};
 
 /// What `letoff check` takes.
 #[derive(Clone, Debug, Args)]
@@ -27,7 +27,7 @@ pub struct CheckArgs {
 pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut wrong = Vec::new();
     for file in &args.files {
-        match check_file(file) {
+        match check_file(&Library::default(), file) {
             Ok(FileKind::Scene) => match check_stability(file) {
                 Ok(_) if args.json => {}
                 Ok(ranges) => {

@@ -9,7 +9,7 @@ use keyboard::KeyIndex;
 use lab::fit::{FitOutcome, FitSubject, MeasuredStroke, fit, read_stroke, write_fit};
 use lab::piano::SHEET;
 use models::ModelEntry;
-use scene::{FittedValues, Instrument, fitted_text};
+use scene::{FittedValues, Instrument, Library, fitted_text};
 
 use super::progress::counter;
 use super::stability::ask::key_named;
@@ -100,7 +100,7 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
 /// Returns what is asked for, or every mistake in a sentence of its own.
 fn check(args: &FitArgs) -> Result<FitJob, Vec<String>> {
     let mut mistakes = Vec::new();
-    let instrument = Instrument::load(&args.instrument)
+    let instrument = Instrument::load(&Library::default(), &args.instrument)
         .map_err(|wrong| mistakes.push(descriptions::rendered(&wrong)));
     let key = key_named(&args.key).map_err(|wrong| mistakes.push(wrong));
     if !(SPEEDS.0..=SPEEDS.1).contains(&(1e-3 * args.speed)) {
@@ -176,7 +176,7 @@ fn text(args: &FitArgs, job: &FitJob, outcome: &FitOutcome) -> Result<String, Fa
     let values: Vec<_> = known().map(|it| (it.name, it.value)).collect();
     let title = format!("{}, fitted", instrument.title);
     let fitted = FittedValues { title: &title, doc: &doc, key: *key, values: &values };
-    fitted_text(&args.instrument, &fitted).map_err(|wrong| {
+    fitted_text(&Library::default(), &args.instrument, &fitted).map_err(|wrong| {
         let wrong = descriptions::rendered(&wrong);
         Failure::Running(format!(
             "with the fitted values it is no instrument on all keys, so none was written: fit fewer \
@@ -199,7 +199,7 @@ fn tell(
             || "not determined".to_owned(),
             |(low, high)| format!("{low:.4e} to {high:.4e}"),
         );
-        let (title, name, unit) = (it.title, it.name, it.unit);
+        let (title, name, unit) = (&it.title, it.name, it.unit);
         let (before, value) = (it.before, it.value);
         writeln!(
             out,

@@ -4,13 +4,13 @@ use std::io::Write;
 use std::path::Path;
 
 use clap::{Args, Subcommand};
-use descriptions::{find_model, model_names};
-use models::catalogue;
+use descriptions::model_names;
+use models::ModelEntry;
 use serde::Serialize;
 
 use super::{Failure, ask, print_json};
 use host::control::Request;
-use scene::{InstrumentInfo, instruments};
+use scene::{InstrumentInfo, Library, instruments};
 
 /// What `letoff instruments` takes.
 #[derive(Clone, Debug, Args)]
@@ -53,9 +53,9 @@ struct InstrumentListing {
 #[derive(Serialize)]
 struct ModelInfo {
     name: &'static str,
-    summary: &'static str,
+    summary: String,
     /// The file of its description; null of one that is part of the program.
-    file: Option<&'static str>,
+    file: Option<String>,
     input: SignalInfo,
     states: Vec<SignalInfo>,
     outputs: Vec<SignalInfo>,
@@ -84,48 +84,48 @@ struct ModeInfo {
 struct GuardInfo {
     name: &'static str,
     unit: &'static str,
-    to: &'static [&'static str],
+    to: Vec<&'static str>,
 }
 
 #[derive(Serialize)]
 struct ParameterInfo {
     name: &'static str,
-    title: &'static str,
+    title: String,
     unit: &'static str,
     range: (f64, f64),
     default: f64,
-    doc: &'static str,
+    doc: String,
 }
 
 #[derive(Serialize)]
 struct PresetInfo {
     name: &'static str,
-    doc: &'static str,
+    doc: String,
 }
 
-impl From<&catalogue::ModelEntry> for ModelInfo {
-    fn from(entry: &catalogue::ModelEntry) -> Self {
+impl From<&ModelEntry> for ModelInfo {
+    fn from(entry: &ModelEntry) -> Self {
         let parameter = |(index, it): (usize, &models::Parameter)| ParameterInfo {
             name: it.name,
-            title: it.title,
+            title: it.title.to_string(),
             unit: it.unit,
             range: it.range,
             default: entry.default_value(index),
-            doc: it.doc,
+            doc: it.doc.to_string(),
         };
         Self {
             name: entry.name,
-            summary: entry.summary,
-            file: entry.file,
+            summary: entry.summary.to_string(),
+            file: entry.file().map(str::to_owned),
             input: SignalInfo { name: entry.input, unit: entry.input_unit },
-            states: signals(entry.states, entry.state_units),
-            outputs: signals(entry.outputs, entry.output_units),
+            states: signals(&entry.states, &entry.state_units),
+            outputs: signals(&entry.outputs, &entry.output_units),
             modes: entry.modes.iter().map(ModeInfo::from).collect(),
             parameters: entry.parameters.iter().enumerate().map(parameter).collect(),
             presets: entry
                 .presets
                 .iter()
-                .map(|it| PresetInfo { name: it.name, doc: it.doc })
+                .map(|it| PresetInfo { name: it.name, doc: it.doc.to_string() })
                 .collect(),
         }
     }
@@ -137,8 +137,9 @@ fn signals(names: &[&'static str], units: &[&'static str]) -> Vec<SignalInfo> {
 
 impl From<&models::ModeEntry> for ModeInfo {
     fn from(mode: &models::ModeEntry) -> Self {
-        let guard = |it: &models::GuardEntry| GuardInfo { name: it.name, unit: it.unit, to: it.to };
-        let models::ModeEntry { name, n, m, p, guards } = *mode;
+        let guard =
+            |it: &models::GuardEntry| GuardInfo { name: it.name, unit: it.unit, to: it.to.clone() };
+        let models::ModeEntry { name, n, m, p, ref guards } = *mode;
         Self { name, n, m, p, guards: guards.iter().map(guard).collect() }
     }
 }
@@ -181,9 +182,11 @@ fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result
 }
 
 fn chosen(model: Option<&str>) -> Result<Vec<ModelInfo>, Failure> {
+    let library = Library::default();
     let info = |name: &str| {
-        let entry = find_model(name, Path::new(""));
-        entry.map(ModelInfo::from).map_err(|missing| Failure::Usage(missing.rendered()))
+        let model = library.find(name, Path::new(""));
+        let model = model.map_err(|missing| Failure::Usage(missing.rendered()))?;
+        Ok(ModelInfo::from(&**model))
     };
     match model {
         Some(name) => Ok(vec![info(name)?]),

@@ -61,8 +61,6 @@ use telemetry::log::Level;
 
 use about::{print_json, print_report};
 
-pub use model::read_descriptions;
-
 /// The host of force-feedback keyboards.
 #[derive(Debug, Parser)]
 #[command(name = "letoff", version = about::version(), about, arg_required_else_help = true)]
@@ -177,7 +175,6 @@ fn system(error: io::Error) -> Failure {
 /// Runs the command and returns its exit code.
 pub fn run(letoff: &Letoff) -> ExitCode {
     about::start();
-    read_descriptions();
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
     done.map_or_else(Failure::tell, |()| ExitCode::SUCCESS)

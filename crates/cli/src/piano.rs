@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 use lab::piano::{
     Examination, Figure, JOBS, PianoSubject, SHEET, examine, figure_names, write_sheet,
 };
-use scene::Instrument;
+use scene::{Instrument, Library};
 use serde::Serialize;
 
 use super::progress::bar;
@@ -73,7 +73,7 @@ pub(super) fn run(args: &PianoArgs, out: &mut dyn Write) -> Result<(), Failure> 
 
 /// The instrument of that name, whose expected figures are known ones.
 fn load(name: &str) -> Result<Instrument, Failure> {
-    let instrument = Instrument::load(name)
+    let instrument = Instrument::load(&Library::default(), name)
         .map_err(|mistakes| Failure::Usage(descriptions::rendered(&mistakes)))?;
     let unknown: Vec<_> = instrument
         .figures

@@ -206,7 +206,6 @@ mod tests {
     use links::address::Address;
 
     fn args(links: &[&str]) -> PlanArgs {
-        crate::read_descriptions();
         let links = links.iter().map(|it| Address::parse(it).unwrap()).collect();
         PlanArgs {
             target: SceneTarget { scene: "default".into(), links, set: Vec::new() },

@@ -14,7 +14,7 @@ use super::{Failure, system};
 use host::control::{Reply, Request, hold, send_to_host};
 use host::finger_weight::weight_for;
 use midi::Velocity;
-use scene::Scene;
+use scene::{Library, Scene};
 
 /// What `letoff press` takes.
 #[derive(Clone, Debug, Args)]
@@ -66,7 +66,7 @@ fn weight(key: KeyIndex, velocity: Velocity) -> Result<f64, Failure> {
     let Reply::Scene { toml } = answer.map_err(Failure::Usage)? else {
         return Err(Failure::Running("what answered is no host of this version".to_owned()));
     };
-    let scene = Scene::from_text("the host's scene", toml);
+    let scene = Scene::from_text(&Library::default(), "the host's scene", toml);
     let scene = scene.map_err(|wrong| Failure::Running(wrong.to_string()))?;
     let found = weight_for(&scene, key, velocity);
     found.map_err(|error| Failure::Usage(error.to_string()))

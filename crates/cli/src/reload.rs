@@ -12,7 +12,7 @@ use super::service;
 use super::signals::HangUp;
 use super::supervisor_args::SupervisorArgs;
 use host::control::RequestHandler;
-use scene::{Override, Scene};
+use scene::{Library, Override, Scene};
 
 /// The file of a scene, and what the command line changes of it.
 #[derive(Clone, Debug)]
@@ -20,6 +20,7 @@ pub(super) struct SceneFile {
     path: PathBuf,
     overrides: Vec<Override>,
     supervisor: SupervisorArgs,
+    library: Library,
     /// Held while it is read, so that the last reading is the one that stays.
     turn: Arc<Mutex<()>>,
 }
@@ -34,8 +35,9 @@ impl SceneFile {
     ) -> Option<Self> {
         let is_there = Path::new(typed).is_file() || supervisor.last_scene().is_some();
         let is_file = is_there && !scene::scenes().any(|it| it == typed);
-        let (path, turn) = (PathBuf::from(typed), Arc::default());
-        is_file.then_some(Self { path, overrides, supervisor, turn })
+        let (path, library) = (PathBuf::from(typed), Library::default());
+        let turn = Arc::default();
+        is_file.then_some(Self { path, overrides, supervisor, library, turn })
     }
 
     /// Reads it for a host that begins, or what the host before a crash has taken of it; returns
@@ -50,7 +52,7 @@ impl SceneFile {
     }
 
     fn scene(&self, text: String) -> Result<(Scene, String), String> {
-        let scene = Scene::from_file_text(&self.path, text.clone(), &self.overrides);
+        let scene = Scene::from_file_text(&self.library, &self.path, text.clone(), &self.overrides);
         scene.map(|scene| (scene, text)).map_err(|wrong| wrong.to_string())
     }
 

@@ -24,7 +24,7 @@ use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
 use host::report::{ChosenFidelity, RunReport};
 use host::session::{FoundKeys, Healing, RunOptions, RunSession, SessionError, choose_fidelity};
-use scene::{LinksConfig, Override, Scene};
+use scene::{Library, LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
 use telemetry::recording::RecordingLimits;
 
@@ -300,7 +300,7 @@ impl TriedRun {
     fn of(args: &RunArgs, file: Option<&SceneFile>, options: RunOptions) -> Result<Self, Failure> {
         let (scene, text) = match file {
             Some(file) => file.begin().map(|(scene, text)| (scene, Some(text))),
-            None => Scene::load_as_typed(args.scene(), &args.overrides())
+            None => Scene::load_as_typed(&Library::default(), args.scene(), &args.overrides())
                 .map(|scene| (scene, None))
                 .map_err(|diagnostics| diagnostics.to_string()),
         }

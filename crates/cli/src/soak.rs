@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use diagnostics::shown;
-use scene::{LinksConfig, Override, Scene};
+use scene::{Library, LinksConfig, Override, Scene};
 use soak::{HostFiles, SoakChoice, SoakError, SoakReport, SoakTime, SupervisedProgram, soak};
 
 use super::arguments::seconds;
@@ -110,7 +110,7 @@ fn supervised(folder: &Path) -> SupervisedProgram {
 fn scene(name: &str) -> Result<Scene, Failure> {
     let set = [("pianist.performance", "none"), ("midi.output", "none")];
     let set = set.map(|(name, value)| Override::from((name.to_owned(), value.to_owned())));
-    let scene = Scene::load_as_typed(name, &set);
+    let scene = Scene::load_as_typed(&Library::default(), name, &set);
     let scene = scene.map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))?;
     super::stable::refuse_unstable(&scene)?;
     Ok(Scene { links: LinksConfig::Simulated, ..scene })

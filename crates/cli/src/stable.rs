@@ -4,7 +4,7 @@ use std::path::Path;
 
 use diagnostics::{Diagnostic, Diagnostics};
 use host::stability::{RangeStability, examine, instabilities};
-use scene::Scene;
+use scene::{Library, Scene};
 
 use super::Failure;
 
@@ -17,7 +17,7 @@ pub(super) fn refuse_unstable(scene: &Scene) -> Result<(), Failure> {
 /// Tries the keys of the scene in `file`, which is a good one; returns what was found of each range,
 /// with its margin, or what is wrong.
 pub(super) fn check_stability(file: &Path) -> Result<Vec<RangeStability>, Diagnostics> {
-    let scene = Scene::load(&file.to_string_lossy(), &[])?;
+    let scene = Scene::load(&Library::default(), &file.to_string_lossy(), &[])?;
     let wrong = |message: String, help: String| Diagnostic {
         file: file.to_string_lossy().into_owned(),
         line: None,

@@ -5,7 +5,7 @@ use links::address::Address;
 
 use super::Failure;
 use super::arguments::{LINK, assignment};
-use scene::{Boards, LinksConfig, Override, Scene, link_overrides};
+use scene::{Boards, Library, LinksConfig, Override, Scene, link_overrides};
 
 /// A scene, with other links or values than its own.
 #[derive(Clone, Debug, Args)]
@@ -30,7 +30,7 @@ impl SceneTarget {
 
     /// Reads the scene with what overrides it.
     pub(super) fn load(&self) -> Result<Scene, Failure> {
-        Scene::load_as_typed(&self.scene, &self.overrides())
+        Scene::load_as_typed(&Library::default(), &self.scene, &self.overrides())
             .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))
     }
 

@@ -22,7 +22,8 @@ use crate::common::run_while;
 /// Runs a host without a pianist, and `clients` beside it; returns its report.
 fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load("springs", &silent).expect("a scene of ours");
+    let scene =
+        Scene::load(&scene::Library::default(), "springs", &silent).expect("a scene of ours");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
     let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
     let path = socket(name);

@@ -35,7 +35,8 @@ fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Updat
     let parsed: Vec<_> = links.iter().map(|it| Address::parse(it).expect("a link")).collect();
     let silent = Override::from(("pianist.performance".to_owned(), "none".to_owned()));
     let overrides: Vec<_> = link_overrides(&parsed).into_iter().chain([silent]).collect();
-    let scene = Scene::load_as_typed("springs", &overrides).expect("a scene");
+    let scene =
+        Scene::load_as_typed(&scene::Library::default(), "springs", &overrides).expect("a scene");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
     let handle = session.handle();
     let (tell, told) = channel();

@@ -23,7 +23,8 @@ fn folder(name: &str) -> PathBuf {
 /// All kinds of models, and a piece.
 fn scene() -> Scene {
     let piece = ("pianist.performance".to_owned(), "beethoven-ode-to-joy".to_owned());
-    Scene::load("mixed", &[piece]).unwrap_or_else(|wrong| unreachable!("{wrong}"))
+    Scene::load(&scene::Library::default(), "mixed", &[piece])
+        .unwrap_or_else(|wrong| unreachable!("{wrong}"))
 }
 
 /// Begins to record the whole of `session` into `file`.
@@ -74,7 +75,8 @@ fn a_piece_that_repeats_comes_out_the_same_with_its_pedal() {
     let piece = folder.join("piece.mid").display().to_string();
     let set = [("pianist.performance", piece.as_str()), ("pianist.repeat", "true")];
     let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
-    let scene = Scene::load("mixed", &set).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = Scene::load(&scene::Library::default(), "mixed", &set)
+        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
     let file = folder.join("a.mcap");
     // A pass of two and a half seconds.
     record(&scene, FOUR_SECONDS, &file);
@@ -208,13 +210,13 @@ fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
         ("wind_k", "1e-6"),
         ("b_jack", "1"),
     ];
-    cli::read_descriptions();
     let mut set: Vec<_> = parameters
         .map(|(name, value)| (format!("keys.0.parameters.{name}"), value.to_owned()))
         .to_vec();
     set.push(("keys.0.range".to_owned(), "C4..C4".to_owned()));
     set.push(("pianist.performance".to_owned(), "none".to_owned()));
-    let scene = Scene::load("default", &set).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = Scene::load(&scene::Library::default(), "default", &set)
+        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
     record(&scene, RunOptions { duration: Some(0.5), virtual_time: false }, &file);
     let limits = messages(&file).into_iter().filter_map(|message| match message {
         Ok(Update::Block(block)) => Some(block.limit),
@@ -229,7 +231,8 @@ fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
 fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     let file = folder("tuned").join("a.mcap");
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load("springs", &silent).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = Scene::load(&scene::Library::default(), "springs", &silent)
+        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
     tuned(&scene, RunOptions { duration: Some(2.0), virtual_time: false }, &file);
     let messages = messages(&file);
     let is_kept = |message: &&Result<Update, String>| matches!(message, Ok(Update::Voice(voice)) if voice.kept);
@@ -337,7 +340,8 @@ fn changed_settings(scene: &Scene, file: &Path) {
 fn settings_that_change_while_keys_are_held_sound_no_note_and_make_no_step_of_force() {
     let file = folder("settings").join("a.mcap");
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load("springs", &silent).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = Scene::load(&scene::Library::default(), "springs", &silent)
+        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
     changed_settings(&scene, &file);
     let messages = messages(&file);
     let strike = |it: &Result<Update, String>| match it {
@@ -374,10 +378,10 @@ const PLAYED: std::ops::Range<u8> = 30..50;
 fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_load_falls() {
     use host::control::{Folders, Reply, Request, RequestHandler, follow_load};
     let file = folder("overload").join("a.mcap");
-    cli::read_descriptions();
     let set = [("pianist.performance", "none"), ("overload.evaluations", "150")];
     let set = set.map(|(name, value)| (name.to_owned(), value.to_owned()));
-    let scene = Scene::load("default", &set).unwrap_or_else(|wrong| unreachable!("{wrong}"));
+    let scene = Scene::load(&scene::Library::default(), "default", &set)
+        .unwrap_or_else(|wrong| unreachable!("{wrong}"));
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
     let recording = begin(&session, &file);
     let requests = RequestHandler::new(scene.clone(), session.handle(), Folders::default());
@@ -385,7 +389,7 @@ fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_lo
     let ask = |request: &Request| requests.answer(request, "test");
     let lowered = || {
         let Ok(Reply::Scene { toml }) = ask(&Request::Scene {}) else { return Vec::new() };
-        let now = Scene::from_text("now", toml).expect("as it plays");
+        let now = Scene::from_text(&scene::Library::default(), "now", toml).expect("as it plays");
         let models = now.keys.iter().zip(&scene.keys).enumerate();
         let is_other = |(now, first): &(&Option<_>, &Option<scene::KeyVoice>)| {
             let model = |voice: &Option<scene::KeyVoice>| voice.as_ref().map(|it| it.model.name);

@@ -22,7 +22,8 @@ const PATIENCE: Duration = Duration::from_mins(1);
 /// address, and what the control socket asks.
 fn beside_a_host(clients: impl FnOnce(&str, &RequestHandler)) {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
-    let scene = Scene::load("springs", &silent).expect("a scene of ours");
+    let scene =
+        Scene::load(&scene::Library::default(), "springs", &silent).expect("a scene of ours");
     let session = RunSession::prepare(&scene, RunOptions::default(), &|_| {}).expect("a session");
     let requests = Arc::new(RequestHandler::new(scene, session.handle(), Folders::default()));
     let runtime = tokio::runtime::Builder::new_multi_thread()

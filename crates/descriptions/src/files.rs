@@ -5,33 +5,44 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Longest file that is read (bytes).
-const LONGEST: u64 = 1 << 18;
+use kane::description::Bases;
+use models::FileContents;
 
-/// The contents of files that are known without the disk, by their absolute paths.
-static KEPT: Mutex<BTreeMap<PathBuf, Arc<[u8]>>> = Mutex::new(BTreeMap::new());
+use crate::shipped::description;
+
+/// Longest file that is read (bytes).
+const MAX_FILE: u64 = 1 << 18;
+
+/// Why a file cannot be read, and what to do about it.
+pub(crate) type Unread = (String, &'static str);
 
 /// Returns `path` from the root on, as it is written otherwise.
 pub(crate) fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_unknown| path.to_owned())
 }
 
-/// Makes `text` what this process reads at `path` from now on, whatever stands on the disk: a
-/// recording is run again with the descriptions in it.
-pub fn keep_file(path: &Path, text: &str) {
-    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-    kept.insert(absolute(path), text.as_bytes().into());
+/// The contents of files that are known without the disk, by their absolute paths.
+#[derive(Debug, Default)]
+pub(crate) struct KeptFiles(Mutex<BTreeMap<PathBuf, Arc<[u8]>>>);
+
+impl KeptFiles {
+    pub(crate) fn keep(&self, path: &Path, text: &str) {
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.insert(absolute(path), text.as_bytes().into());
+    }
+
+    /// Returns the contents of the file at `path`: kept, or read from the disk.
+    pub(crate) fn read(&self, path: &Path) -> Result<Vec<u8>, Unread> {
+        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(bytes) = kept.get(&absolute(path)) {
+            return Ok(bytes.to_vec());
+        }
+        drop(kept);
+        read_from_disk(path)
+    }
 }
 
-/// The contents of a file: kept, or read from the disk.
-///
-/// # Errors
-/// Why it cannot be read, and what to do.
-pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, (String, &'static str)> {
-    let kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner).get(&absolute(path)).cloned();
-    if let Some(bytes) = kept {
-        return Ok(bytes.to_vec());
-    }
+pub(crate) fn read_from_disk(path: &Path) -> Result<Vec<u8>, Unread> {
     let failed = |error: std::io::Error| {
         if error.kind() == std::io::ErrorKind::NotFound {
             ("there is no such file".to_owned(), "correct the path")
@@ -39,72 +50,51 @@ pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>, (String, &'static str)>
             (format!("the file cannot be read, {error}"), "make it readable")
         }
     };
-    let bytes = diagnostics::read_input(path, LONGEST).map_err(failed)?;
-    if bytes.len() as u64 > LONGEST {
-        let message = format!("the file is longer than {} KiB", LONGEST / 1024);
+    let bytes = diagnostics::read_input(path, MAX_FILE).map_err(failed)?;
+    if bytes.len() as u64 > MAX_FILE {
+        let message = format!("the file is longer than {} KiB", MAX_FILE / 1024);
         return Err((message, "this is no description, choose another"));
     }
     Ok(bytes)
 }
 
-/// The text of the file that a mistake is in, as far as it can be read.
-pub(crate) fn text_of(file: &str) -> Option<String> {
-    String::from_utf8(read_bytes(Path::new(file)).ok()?).ok()
-}
-
-/// What stood in the files of a description when they were read; nothing in one that could not be.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct FileContents(Vec<(PathBuf, Option<Vec<u8>>)>);
-
-impl FileContents {
-    /// Returns what stands in the same files now.
-    #[must_use]
-    pub fn now(&self) -> Self {
-        let now =
-            |(path, _before): &(PathBuf, Option<Vec<u8>>)| (path.clone(), read_bytes(path).ok());
-        Self(self.0.iter().map(now).collect())
-    }
-
-    /// Returns whether the files say what they said.
-    pub fn is_current(&self) -> bool {
-        self.0.iter().all(|(path, before)| read_bytes(path).ok() == *before)
-    }
-
-    /// Returns whether a file cannot be read that could be `before`.
-    pub fn lacks_one_of(&self, before: &Self) -> bool {
-        self.0.iter().zip(&before.0).any(|(now, before)| now.1.is_none() && before.1.is_some())
-    }
-
-    /// Returns the absolute path and the text of each file that could be read.
-    pub fn texts(&self) -> Vec<(PathBuf, String)> {
-        let text = |(path, bytes): &(PathBuf, Option<Vec<u8>>)| {
-            let text = String::from_utf8_lossy(bytes.as_deref()?).into_owned();
-            Some((absolute(path), text))
-        };
-        self.0.iter().filter_map(text).collect()
-    }
+/// Returns the present contents on the disk of the files in `before`.
+pub fn contents_now(before: &FileContents) -> FileContents {
+    before.read_again(&|path| read_from_disk(path).ok())
 }
 
 /// Reads the files of one description, and remembers what stood in them.
-#[derive(Debug, Default)]
-pub struct DescriptionFiles(RefCell<FileContents>);
+#[derive(Debug)]
+pub(crate) struct DescriptionFiles<'a> {
+    kept: &'a KeptFiles,
+    contents: RefCell<FileContents>,
+}
 
-impl DescriptionFiles {
-    /// Returns the contents of the file at `path`.
-    ///
-    /// # Errors
-    /// Why it cannot be read.
-    pub fn read(&self, path: &Path) -> Result<Vec<u8>, String> {
-        self.read_or_help(path).map_err(|(message, _help)| message)
+impl<'a> DescriptionFiles<'a> {
+    pub(crate) fn new(kept: &'a KeptFiles) -> Self {
+        Self { kept, contents: RefCell::default() }
     }
 
-    pub(crate) fn read_or_help(&self, path: &Path) -> Result<Vec<u8>, (String, &'static str)> {
-        let read = read_bytes(path);
-        self.0.borrow_mut().0.push((path.to_owned(), read.as_ref().ok().cloned()));
+    pub(crate) fn read(&self, path: &Path) -> Result<Vec<u8>, Unread> {
+        let read = self.kept.read(path);
+        self.contents.borrow_mut().0.push((path.to_owned(), read.as_ref().ok().cloned()));
         read
     }
 
-    pub(crate) fn into_contents(self) -> FileContents {
-        self.0.into_inner()
+    pub(crate) fn contents(&self) -> FileContents {
+        self.contents.borrow().clone()
+    }
+}
+
+/// What descriptions start from: models of the program by their names, and files beside the
+/// description that names them.
+impl Bases for DescriptionFiles<'_> {
+    fn load(&self, base: &str, from: &str) -> Result<(String, Vec<u8>), String> {
+        if let Some(text) = description(base) {
+            return Ok((base.to_owned(), text.as_bytes().to_vec()));
+        }
+        let path = Path::new(from).parent().unwrap_or_else(|| Path::new("")).join(base);
+        let bytes = self.read(&path).map_err(|(message, _help)| message)?;
+        Ok((path.to_string_lossy().into_owned(), bytes))
     }
 }

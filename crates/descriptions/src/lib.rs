@@ -1,36 +1,26 @@
-//! Models from files: from a path to an entry of the catalogue.
+//! Models from descriptions: from a name or a path to a model that runs.
 //!
 //! ```text
-//! path ─ load_model ─▶ DescriptionReader ─▶ table and functions ─ register_model ─▶ ModelEntry
+//! path ─ Library ─▶ kane: equations ─▶ native: machine code ─▶ Arc<LoadedModel>
 //! ```
 //!
-//! Whoever names a model, a scene or a command, asks [`find_model`] with a name or a path. How a
-//! description becomes a table and functions is not known here: the command that is started
-//! [`install`]s a [`DescriptionReader`], so that nothing that reads scenes waits for a code
-//! generator when it is compiled.
-//!
-//! [`try_load`] says which files a description was made of, so that it can be read again when one of
-//! them changes, and [`version_of`] what stood in them, so that a recording can contain it. What a
-//! recording contains is read again after [`keep_file`], without the disk.
-//!
-//! Models are leaked on purpose: see [`models::registry`].
+//! A [`Library`] is passed to whatever names a model, a scene or a command. It reads a file again
+//! only if its contents, or those of its bases, changed; versions live as long as they are used.
+//! Where no machine code can be made, the same instructions are interpreted, to the same bits, some
+//! twenty times slower ([`interpreted`] names the reason).
 //!
 //! # What is not here
 //! The language of descriptions, mechanics, and code: crates `kane` and `native`.
 
 mod files;
-mod load;
-mod reader;
-mod register;
+mod library;
 mod shipped;
+mod too_large;
 mod unmet;
 
-pub use files::{DescriptionFiles, FileContents, keep_file};
-pub use load::{
-    DescriptionVersion, MissingModel, find_model, is_path, load_model, model_names, rendered,
-    try_load, unknown_model, version_of,
+pub use files::contents_now;
+pub use library::{
+    Library, MissingModel, derive, interpreted, is_path, model_names, rendered, unknown_model,
 };
-pub use reader::{DescriptionReader, ReadModel, install};
-pub use register::{NotRegistered, register_model};
 pub use shipped::description;
 pub use unmet::unmet;

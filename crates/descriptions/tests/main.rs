@@ -1,7 +1,5 @@
-//! Models that are registered while the program runs, against models that are part of it.
+//! Descriptions by their names and paths.
 
-mod ball;
-mod catalogue;
-mod contact;
+mod entry;
 mod files;
-mod flight;
+mod memory;

@@ -4,9 +4,9 @@ use pode::{GuardId, Motion};
 
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
-use crate::table::{FunctionId, Functions, RequirementTable};
+use crate::table::{Equations, FunctionId, RequirementTable};
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Writes the outputs in the order of [`ModelTable::outputs`](crate::table::ModelTable::outputs).
     ///
     /// `out` may be shorter: what has no place is left out.
@@ -35,7 +35,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// where that makes no sound.
     pub fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<f64> {
         let modes = self.table().modes.iter();
-        let mut guards = modes.flat_map(|mode| mode.guards).filter(|it| it.id == guard.0);
+        let mut guards = modes.flat_map(|mode| &mode.guards).filter(|it| it.id == guard.0);
         let sounds = guards.find_map(|guard| guard.sounds)?;
         let [speed] = self.values(sounds, before, &Motion::default());
         Some(speed)
@@ -46,14 +46,14 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     pub fn contact_sounding(&self, contact: usize, before: &[f64; N]) -> Option<f64> {
         let modes = self.table().modes.iter();
         let mut tables =
-            modes.flat_map(|mode| mode.contacts).filter(|it| usize::from(it.contact) == contact);
+            modes.flat_map(|mode| &mode.contacts).filter(|it| usize::from(it.contact) == contact);
         let sounds = tables.find_map(|table| table.sounds)?;
         let [speed] = self.values(sounds, before, &Motion::default());
         (speed > 0.0).then_some(speed)
     }
 
     /// Returns the conditions on the parameters that these values do not meet.
-    pub fn unmet(&self) -> impl Iterator<Item = &'static RequirementTable> + '_ {
+    pub fn unmet(&self) -> impl Iterator<Item = &RequirementTable> + '_ {
         let is_unmet = |it: &&RequirementTable| {
             let margin = self.of_constants(it.margin);
             margin.is_nan() || margin <= 0.0
@@ -64,7 +64,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// Writes the numbers of the drawing, as many as
     /// [`DrawingTable::count`](crate::table::DrawingTable::count) says, if `out` has room for them.
     pub fn drawing_numbers(&self, out: &mut [f64]) {
-        let drawing = self.table().drawing;
+        let drawing = &self.table().drawing;
         if out.len() >= drawing.count {
             self.call(drawing.numbers, &[0.0; N], &Motion::default(), out);
         }

@@ -4,9 +4,9 @@ use pode::{Energetic, EnergyBalance, Motion, ReadoutSlopes, Sloped};
 
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
-use crate::table::Functions;
+use crate::table::Equations;
 
-impl<F: Functions + Copy, const N: usize, const C: usize> Energetic for EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> Energetic for EquationModel<F, N, C> {
     fn energy(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
         self.balance_of_input(mode, x, input).energy
     }
@@ -27,7 +27,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Energetic for Equation
     }
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> Sloped for EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> Sloped for EquationModel<F, N, C> {
     fn slopes(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> ReadoutSlopes {
         let [per_position, per_rate] = self.values(self.mode(mode).slopes, x, input);
         ReadoutSlopes { per_position, per_rate }

@@ -6,7 +6,7 @@ use crate::jacobian_bound::{RADIANS, fastest_once};
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
 use crate::natures::{MAX_MODE_PARTS, ModeNature, ModeNatures};
-use crate::table::{FunctionId, Functions, ModeTable, PartTable};
+use crate::table::{Equations, FunctionId, ModeTable, PartTable};
 
 /// Travel of a key (m): at rest there and at rest above, rates are taken.
 const TRAVEL: f64 = 0.01;
@@ -23,7 +23,7 @@ type Pose<const N: usize> = ([f64; N], Motion);
 
 impl ModeNatures {
     /// Finds the natures of all modes of `model`, whose constants are known.
-    pub(crate) fn of<F: Functions + Copy, const N: usize, const C: usize>(
+    pub(crate) fn of<F: Equations + Clone, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,
     ) -> Self {
         let mut natures = Self::default();
@@ -33,7 +33,7 @@ impl ModeNatures {
             let input = Motion { position, ..Motion::default() };
             (model.own_rest(&input), input)
         });
-        for (number, table) in (0..).zip(model.table().modes) {
+        for (number, table) in (0..).zip(&model.table().modes) {
             let rates = Rates::of(model, ModeNumber(number), &poses);
             let nature = Nature::new(model.kind(table.kind, table.loss), rates.whole);
             let first = natures.add_parts(model, table, &rates, &mut next);
@@ -45,7 +45,7 @@ impl ModeNatures {
     }
 
     /// Adds the parts of a mode that has several, behind those before; returns where they begin.
-    fn add_parts<F: Functions + Copy, const N: usize, const C: usize>(
+    fn add_parts<F: Equations + Clone, const N: usize, const C: usize>(
         &mut self,
         model: &EquationModel<F, N, C>,
         table: &ModeTable,
@@ -55,7 +55,7 @@ impl ModeNatures {
         let first = *next;
         let places = self.parts.get_mut(first..first + table.parts.len());
         let Some(places) = places.filter(|places| places.len() > 1) else { return MAX_MODE_PARTS };
-        for (at, (place, part)) in places.iter_mut().zip(table.parts).enumerate() {
+        for (at, (place, part)) in places.iter_mut().zip(&table.parts).enumerate() {
             let given = table.part_list.get(at).copied().unwrap_or(Part::WHOLE);
             *place = model.part(given, part, rates.of_part(at));
         }
@@ -76,7 +76,7 @@ impl Rates {
     ///
     /// What a mode is far from where it holds says nothing: rubbing under a force that never comes
     /// up there would be the fastest of all.
-    fn of<F: Functions + Copy, const N: usize, const C: usize>(
+    fn of<F: Equations + Clone, const N: usize, const C: usize>(
         model: &EquationModel<F, N, C>,
         mode: ModeNumber,
         [first, last]: &[Pose<N>; 2],
@@ -110,7 +110,7 @@ impl Rates {
     fn add<const N: usize>(&mut self, table: &ModeTable, rows: &[[f64; N]; N]) {
         let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
         self.whole = self.whole.max(fastest_once(rows, moving));
-        for (rate, part) in self.parts.iter_mut().zip(table.parts) {
+        for (rate, part) in self.parts.iter_mut().zip(&table.parts) {
             *rate = rate.max(fastest_once(rows, part.entries));
         }
     }
@@ -128,7 +128,7 @@ fn between<const N: usize>(first: &Pose<N>, last: &Pose<N>, fraction: f64) -> Po
     (x, Motion { position, ..Motion::default() })
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The kind of equations with these values: conservative where nothing is lost.
     fn kind(&self, kind: EquationKind, loss: Option<FunctionId>) -> EquationKind {
         let lost = |loss| {

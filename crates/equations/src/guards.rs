@@ -4,7 +4,7 @@ use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motio
 
 use crate::mode_number::ModeNumber;
 use crate::model::{EquationModel, rates_of};
-use crate::table::{EnclosureLayout, FunctionId, Functions, GuardTable, RestingTable, WayTable};
+use crate::table::{EnclosureLayout, Equations, FunctionId, GuardTable, RestingTable, WayTable};
 
 /// A rebound slower than this is none (m/s): under gravity it would last 20 ps.
 const STILL: f64 = 1e-10;
@@ -12,10 +12,10 @@ const STILL: f64 = 1e-10;
 /// is lost in the rounding of a place of 1 m, up to 5 km/s² of pressing.
 const HOP: f64 = 1e-5;
 
-impl<F: Functions + Copy, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
     #[inline]
     fn guards(&self, mode: ModeNumber) -> &[GuardSpec] {
-        self.mode(mode).guard_specs
+        &self.mode(mode).guard_specs
     }
 
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
@@ -37,16 +37,19 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Guarded for EquationMo
             return GuardValue::new(f64::NAN, f64::NAN);
         };
         let (rates, mut out) = (rates_of(input), [f64::NAN; 2]);
-        self.functions().guard(guard.value, &self.arguments(x, &rates, &[]), &mut out);
+        self.functions().call(guard.value, &self.arguments(x, &rates, &[]), &mut out);
         GuardValue::new(out[0], out[1])
     }
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> Resets for EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> Resets for EquationModel<F, N, C> {
     fn reset(&self, mode: ModeNumber, guard: GuardId, x: &[f64; N], input: &Motion) -> Reset<Self> {
         let leads = self.leads(mode, guard, x, input);
         let reset = Reset::to(leads.to, leads.state).with_impulse(leads.impulse);
-        leads.rests.map_or(reset, |(to, state)| reset.resting(to, state))
+        match leads.rests {
+            Some((to, state)) => reset.resting(to, state),
+            None => reset,
+        }
     }
 }
 
@@ -59,10 +62,10 @@ pub(crate) struct Leads<const N: usize> {
     pub(crate) rests: Option<(ModeNumber, [f64; N])>,
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The table of a guard in a mode, if it has it.
     #[inline]
-    pub(crate) fn guard_table(&self, mode: ModeNumber, id: GuardId) -> Option<&'static GuardTable> {
+    pub(crate) fn guard_table(&self, mode: ModeNumber, id: GuardId) -> Option<&GuardTable> {
         self.mode(mode).guards.iter().find(|guard| guard.id == id.0)
     }
 
@@ -81,7 +84,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         });
         let mut out = [f64::INFINITY; 2];
         let arguments = self.arguments(&over.start, &input, numbers.as_flattened());
-        self.functions().bound(bound, &arguments, &mut out);
+        self.functions().call(bound, &arguments, &mut out);
         let [moves, bend] = out.map(|it| if it.is_nan() { f64::INFINITY } else { it });
         GuardBound::new(moves, bend)
     }
@@ -94,7 +97,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         x: &[f64; N],
         input: &Motion,
     ) -> Leads<N> {
-        let ways = self.guard_table(mode, guard).map_or(&[][..], |guard| guard.ways);
+        let ways = self.guard_table(mode, guard).map_or(&[][..], |guard| &guard.ways);
         let is_open = |way: &&WayTable| {
             way.when.is_none_or(|when| {
                 let [margin] = self.values(when, x, input);

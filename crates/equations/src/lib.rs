@@ -11,6 +11,8 @@
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
 
+extern crate alloc;
+
 mod about;
 mod balance;
 mod find_natures;

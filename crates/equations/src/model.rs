@@ -4,7 +4,7 @@ use pode::Motion;
 
 use crate::mode_number::ModeNumber;
 use crate::natures::{MAX_MODES, ModeNatures};
-use crate::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable};
+use crate::table::{Arguments, Equations, FunctionId, ModeTable, ModelTable};
 
 /// A model whose equations are functions by number, with its constants in the object.
 ///
@@ -12,11 +12,12 @@ use crate::table::{Arguments, FunctionId, Functions, ModeTable, ModelTable};
 /// constants.
 #[derive(Clone, Copy, Debug)]
 pub struct EquationModel<F, const N: usize, const C: usize> {
-    table: &'static ModelTable,
     functions: F,
     constants: [f64; C],
     natures: ModeNatures,
 }
+
+static NOTHING: ModeTable = ModeTable::NOTHING;
 
 /// Why a table does not fit into an [`EquationModel`], with how much it would need.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -29,14 +30,15 @@ pub enum DoesNotFit {
     Modes(usize),
 }
 
-impl<F, const N: usize, const C: usize> PartialEq for EquationModel<F, N, C> {
-    /// Whether both have one table and the same constants.
+impl<F: Equations, const N: usize, const C: usize> PartialEq for EquationModel<F, N, C> {
+    /// Returns whether both have one table and the same constants.
     fn eq(&self, other: &Self) -> bool {
-        core::ptr::eq(self.table, other.table) && self.constants == other.constants
+        core::ptr::eq(self.functions.table(), other.functions.table())
+            && self.constants == other.constants
     }
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Makes a model with one value per parameter; a missing one is taken from the default preset.
     ///
     /// # Errors
@@ -44,39 +46,39 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     ///
     /// # Real-time
     /// Bounded: Newton's method twice, and for each mode two Jacobians.
-    pub fn new(
-        table: &'static ModelTable,
-        functions: F,
-        parameters: &[f64],
-    ) -> Result<Self, DoesNotFit> {
-        let mut model = Self::without_natures(table, functions, parameters)?;
+    pub fn new(functions: F, parameters: &[f64]) -> Result<Self, DoesNotFit> {
+        let mut model = Self::without_natures(functions, parameters)?;
         model.natures = ModeNatures::of(&model);
         Ok(model)
     }
 
-    /// The same with its arithmetic as another type, whose functions give the same.
-    pub const fn with_functions<G>(&self, functions: G) -> EquationModel<G, N, C> {
-        let Self { table, constants, natures, .. } = *self;
-        EquationModel { table, functions, constants, natures }
-    }
-
-    /// The same with nothing known of its modes.
-    pub(crate) fn without_natures(
-        table: &'static ModelTable,
-        functions: F,
-        parameters: &[f64],
-    ) -> Result<Self, DoesNotFit> {
+    /// Like [`new`](Self::new), but with nothing known of its modes.
+    pub(crate) fn without_natures(functions: F, parameters: &[f64]) -> Result<Self, DoesNotFit> {
         const { assert!(N > 0 && N <= 64, "a part has a bit for each entry") };
-        fits(table, (N, C))?;
+        fits(functions.table(), (N, C))?;
         let natures = ModeNatures::default();
-        let mut model = Self { table, functions, constants: [0.0; C], natures };
+        let mut model = Self { functions, constants: [0.0; C], natures };
         model.constants = model.derived(parameters);
         Ok(model)
     }
 
+    /// Returns the same model with other values of its parameters; a missing one is taken from the
+    /// default preset.
+    ///
+    /// # Real-time
+    /// As of [`new`](Self::new).
+    #[must_use]
+    pub fn with_values(&self, parameters: &[f64]) -> Self {
+        let mut model = self.clone();
+        model.natures = ModeNatures::default();
+        model.constants = model.derived(parameters);
+        model.natures = ModeNatures::of(&model);
+        model
+    }
+
     /// The parameters, and what follows from them.
     fn derived(&self, parameters: &[f64]) -> [f64; C] {
-        let count = self.table.parameters.len();
+        let count = self.table().parameters.len();
         let mut constants = [0.0; C];
         if parameters.len() < count {
             self.preset(0, 0, &mut constants);
@@ -91,7 +93,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
             input: &[0.0; 4],
             extra: &[],
         };
-        self.functions.call(self.table.derive_constants, &arguments, &mut derived);
+        self.functions.call(self.table().derive_constants, &arguments, &mut derived);
         for (constant, value) in constants.iter_mut().skip(count).zip(derived) {
             *constant = value;
         }
@@ -100,18 +102,19 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 
     /// Writes the values of the parameters in the preset `index` for a key, 0 (A0) to 87 (C8).
     pub fn preset(&self, index: usize, key: u8, values: &mut [f64]) {
-        let Some(preset) = self.table.presets.get(index) else { return };
+        let Some(preset) = self.table().presets.get(index) else { return };
         let extra = [f64::from(key)];
         let arguments = Arguments { constants: &[], state: &[], input: &[0.0; 4], extra: &extra };
         self.functions.call(preset.values, &arguments, values);
     }
 
     /// Returns all of the model but its arithmetic.
-    pub const fn table(&self) -> &'static ModelTable {
-        self.table
+    #[inline]
+    pub fn table(&self) -> &ModelTable {
+        self.functions.table()
     }
 
-    /// Returns the arithmetic of the model.
+    /// Returns the table and the arithmetic of the model.
     #[inline]
     pub const fn functions(&self) -> &F {
         &self.functions
@@ -119,7 +122,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 
     /// Returns the values of the parameters.
     pub fn parameters(&self) -> &[f64] {
-        self.constants.get(..self.table.parameters.len()).unwrap_or(&self.constants)
+        self.constants.get(..self.table().parameters.len()).unwrap_or(&self.constants)
     }
 
     /// The parameters, and what follows from them.
@@ -134,8 +137,8 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 
     /// The table of a mode; that of nothing for a number that no mode has.
     #[inline]
-    pub(crate) fn mode(&self, mode: ModeNumber) -> &'static ModeTable {
-        self.table.modes.get(usize::from(mode.0)).unwrap_or(&ModeTable::NOTHING)
+    pub(crate) fn mode(&self, mode: ModeNumber) -> &ModeTable {
+        self.table().modes.get(usize::from(mode.0)).unwrap_or(&NOTHING)
     }
 
     /// Calls `function` with the state and the input.
@@ -190,7 +193,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     ) -> ([f64; N], f64) {
         let mut out = [[0.0; N]; 2];
         self.call(function, x, input, out.as_flattened_mut());
-        let count = self.table.states.len();
+        let count = self.table().states.len();
         let number = out.as_flattened().get(count).copied().unwrap_or(0.0);
         (core::array::from_fn(|i| if i < count { out[0][i] } else { 0.0 }), number)
     }
@@ -204,7 +207,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     ) -> [[f64; N]; N] {
         let mut out = [[0.0; N]; N];
         self.call(function, x, input, out.as_flattened_mut());
-        let count = self.table.states.len();
+        let count = self.table().states.len();
         if count == N {
             return out;
         }

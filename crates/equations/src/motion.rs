@@ -6,9 +6,9 @@ use pode::{Model, Motion, Nature, Part, State};
 use crate::jacobian_bound::matrix;
 use crate::mode_number::ModeNumber;
 use crate::model::{EquationModel, rates_of};
-use crate::table::{Functions, ModeTable};
+use crate::table::{Equations, ModeTable};
 
-impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
     type Mode = ModeNumber;
     type State = [f64; N];
     type Input = Motion;
@@ -26,7 +26,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
         let mut out = [0.0; N];
         let rates = rates_of(input);
         let arguments = self.arguments(x, &rates, &[]);
-        self.functions().derivative(self.mode(mode).derivative, &arguments, &mut out);
+        self.functions().call(self.mode(mode).derivative, &arguments, &mut out);
         out
     }
 
@@ -55,7 +55,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
     fn readout(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
         let (rates, mut out) = (rates_of(input), [f64::NAN]);
         let arguments = self.arguments(x, &rates, &[]);
-        self.functions().readout(self.mode(mode).readout, &arguments, &mut out);
+        self.functions().call(self.mode(mode).readout, &arguments, &mut out);
         out[0]
     }
 
@@ -110,10 +110,10 @@ impl<F: Functions + Copy, const N: usize, const C: usize> Model for EquationMode
     }
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Puts what the mode slaves in place, and the state on the mode's constraints.
     #[inline(never)]
-    fn put_in_place(&self, mode: &'static ModeTable, x: &mut [f64; N], input: &Motion) {
+    fn put_in_place(&self, mode: &ModeTable, x: &mut [f64; N], input: &Motion) {
         if let Some(slaved) = mode.slaved {
             let before = *x;
             self.call(slaved, &before, input, x);

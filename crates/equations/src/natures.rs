@@ -53,11 +53,11 @@ impl ModeNatures {
 
     /// The parts of `mode`; the table's own where it has only one.
     #[inline]
-    pub(crate) fn parts(&self, mode: ModeNumber, table: &'static ModeTable) -> &[Part] {
+    pub(crate) fn parts<'a>(&'a self, mode: ModeNumber, table: &'a ModeTable) -> &'a [Part] {
         let first = self.mode(mode).first;
         self.parts
             .get(first..first + table.parts.len())
             .filter(|_| first < MAX_MODE_PARTS)
-            .unwrap_or(table.part_list)
+            .unwrap_or(&table.part_list)
     }
 }

@@ -3,9 +3,9 @@
 use pode::Motion;
 
 use crate::model::EquationModel;
-use crate::table::{FunctionId, Functions, ModeTable};
+use crate::table::{Equations, FunctionId, ModeTable};
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The state on the constraints that are not solved in closed form, by a few Newton steps.
     #[cold]
     pub(crate) fn projected(

@@ -5,12 +5,12 @@ use pode::{Model as _, Motion, State as _};
 use crate::jacobian_bound::{RADIANS, fastest};
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
-use crate::table::Functions;
+use crate::table::Equations;
 
 /// So many where it is asked for in every step.
 const ROUNDS_AT: usize = 5;
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The longest step (s) from `x` on, at most `longest`: by the Jacobian here, and with the
     /// coordinates where they would be by the end of that step.
     ///

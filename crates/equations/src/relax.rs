@@ -11,7 +11,7 @@ use crate::jacobian_bound::matrix;
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
 use crate::rows::add_rows;
-use crate::table::{Functions, ModeTable};
+use crate::table::{Equations, ModeTable};
 
 /// What must not grow from step to step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -36,7 +36,7 @@ const SHRINKING: f64 = 0.2;
 const ENERGY_ROUNDING: f64 = 1e-13;
 const SMALL: f64 = 1e-12;
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The pose below `guess` where the descent ends, or is given up.
     pub(crate) fn relaxed(
         &self,
@@ -105,7 +105,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// A linearly implicit step of length `dt` (s).
     fn relaxing_step(
         &self,
-        table: &'static ModeTable,
+        table: &ModeTable,
         dt: f64,
         x: &[f64; N],
         input: &Motion,
@@ -120,7 +120,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// The derivative with all contacts whose surfaces overlap, and its derivative by the state.
     pub(crate) fn held_up(
         &self,
-        table: &'static ModeTable,
+        table: &ModeTable,
         x: &[f64; N],
         input: &Motion,
     ) -> ([f64; N], [[f64; N]; N]) {
@@ -133,7 +133,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     }
 
     /// The derivative with all contacts whose surfaces overlap.
-    fn held_rates(&self, table: &'static ModeTable, x: &[f64; N], input: &Motion) -> [f64; N] {
+    fn held_rates(&self, table: &ModeTable, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mut rates = [0.0; N];
         self.call(table.derivative, x, input, &mut rates);
         for contact in self.overlapping(table, x, input) {
@@ -146,7 +146,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// where any rate is none.
     pub(crate) fn fastest_entry(
         &self,
-        table: &'static ModeTable,
+        table: &ModeTable,
         x: &[f64; N],
         input: &Motion,
     ) -> (usize, f64) {
@@ -161,10 +161,10 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// The contacts whose surfaces overlap at `x`.
     fn overlapping<'a>(
         &'a self,
-        table: &'static ModeTable,
+        table: &'a ModeTable,
         x: &'a [f64; N],
         input: &'a Motion,
-    ) -> impl Iterator<Item = &'static crate::table::ContactModeTable> + 'a {
+    ) -> impl Iterator<Item = &'a crate::table::ContactModeTable> + 'a {
         table.contacts.iter().filter(move |contact| {
             contact.gap.is_some_and(|gap| self.values::<2>(gap, x, input)[0] <= 0.0)
         })

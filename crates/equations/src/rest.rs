@@ -6,7 +6,7 @@ use crate::jacobian_bound::matrix;
 use crate::mode_number::ModeNumber;
 use crate::model::{DoesNotFit, EquationModel};
 use crate::relax::{Descent, is_near};
-use crate::table::{Functions, ModeTable, ModelTable};
+use crate::table::{Equations, ModeTable};
 
 /// From a guess a tenth off Newton needs 4 to 6 rounds; 40 leave room for soft felts.
 const ROUNDS: usize = 40;
@@ -27,19 +27,18 @@ pub struct RestPose<const N: usize> {
     pub imbalance: Option<(usize, f64)>,
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Returns where the model rests with the values of a preset for a key, and with the input at 0.
     ///
     /// # Errors
     /// As of [`Self::new`].
     pub fn rest_of_preset(
-        table: &'static ModelTable,
         functions: F,
         (preset, key): (usize, u8),
     ) -> Result<RestPose<N>, DoesNotFit> {
         let mut values = [0.0; C];
-        Self::without_natures(table, functions, &[])?.preset(preset, key, &mut values);
-        let model = Self::without_natures(table, functions, &values)?;
+        Self::without_natures(functions.clone(), &[])?.preset(preset, key, &mut values);
+        let model = Self::without_natures(functions, &values)?;
         Ok(model.rest_pose(&Motion::default()))
     }
 
@@ -69,7 +68,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
         let pose = if !self.table().rest.is_improved || self.is_valid(&own, &still) {
             own
         } else {
-            let numbers = (0..).zip(self.table().modes).map(|(number, _)| ModeNumber(number));
+            let numbers = (0..).zip(&self.table().modes).map(|(number, _)| ModeNumber(number));
             let mut others = numbers
                 .filter(|mode| *mode != first)
                 .map(|mode| self.rest_in(mode, &still))
@@ -86,7 +85,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 
     /// The mode that the table names for these parameters.
     fn rest_mode(&self, input: &Motion) -> ModeNumber {
-        let rest = self.table().rest;
+        let rest = &self.table().rest;
         let is_met = |when| {
             let [margin] = self.values(when, &[0.0; N], input);
             margin > 0.0
@@ -97,7 +96,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 
     /// The equilibrium of one mode near the table's guess, or the guess.
     fn rest_in(&self, mode: ModeNumber, input: &Motion) -> RestPose<N> {
-        let rest = self.table().rest;
+        let rest = &self.table().rest;
         let mut guess = [0.0; N];
         self.call(rest.state, &[0.0; N], input, &mut guess);
         let guess = self.constrain(mode, &guess, input);
@@ -168,7 +167,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     /// A step of Newton's method towards a zero of the derivative's entries that move.
     fn newton_step(
         &self,
-        table: &'static ModeTable,
+        table: &ModeTable,
         moving: u64,
         x: &[f64; N],
         input: &Motion,

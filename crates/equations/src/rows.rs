@@ -3,9 +3,9 @@
 use pode::{Motion, State as _};
 
 use crate::model::EquationModel;
-use crate::table::{FunctionId, Functions};
+use crate::table::{Equations, FunctionId};
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Adds what a closed contact adds to the derivative.
     #[inline]
     pub(crate) fn add_normal(

@@ -4,12 +4,12 @@
 //! another, and the sums over the orders before.
 
 use pode::Motion;
+use pode::series::PER_ORDER;
 use pode::series::lanes::{SeriesLanes, SeriesPair};
-use pode::series::rows::PER_ORDER;
 use pode::series::{Expansion, INPUT_TERMS, MOST_CONDITIONS, MOST_GUARDS, MOST_ORDER, TERMS};
 
 use crate::model::EquationModel;
-use crate::table::{Arguments, Functions, SeriesTable};
+use crate::table::{Arguments, Equations, SeriesTable};
 
 /// Numbers that a step is given and gives, for each block of lanes.
 const ROOM: usize = 96;
@@ -45,7 +45,7 @@ impl SeriesTable {
     }
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// Expands the motion of a mode by the functions of its series.
     ///
     /// # Real-time
@@ -86,7 +86,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
 
 /// What a series is written with, whatever the model's type is.
 struct SeriesWriter<'a> {
-    functions: &'a dyn Functions,
+    functions: &'a dyn Equations,
     constants: &'a [f64],
     table: &'a SeriesTable,
     states: usize,

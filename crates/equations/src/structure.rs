@@ -15,12 +15,12 @@ use pode::{
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
 use crate::rows::add_rows;
-use crate::table::{ContactModeTable, FunctionId, Functions};
+use crate::table::{ContactModeTable, Equations, FunctionId};
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
     /// The table of a contact in a mode, if it can close there.
     #[inline]
-    fn contact(&self, mode: ModeNumber, contact: usize) -> Option<&'static ContactModeTable> {
+    fn contact(&self, mode: ModeNumber, contact: usize) -> Option<&ContactModeTable> {
         self.mode(mode).contacts.iter().find(|it| usize::from(it.contact) == contact)
     }
 
@@ -64,7 +64,9 @@ impl<F: Functions + Copy, const N: usize, const C: usize> EquationModel<F, N, C>
     }
 }
 
-impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for EquationModel<F, N, C> {
+impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
+    for EquationModel<F, N, C>
+{
     type Structure = ModeNumber;
     type State = [f64; N];
     type Input = Motion;
@@ -76,7 +78,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
     }
 
     fn contacts(&self) -> &[ContactSpec] {
-        self.table().contact_specs
+        &self.table().contact_specs
     }
 
     #[inline]
@@ -168,7 +170,7 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
     }
 
     fn structure_guards(&self) -> &[GuardSpec] {
-        self.table().guard_specs
+        &self.table().guard_specs
     }
 
     fn is_watched(&self, mode: ModeNumber, guard: GuardId) -> bool {
@@ -196,7 +198,10 @@ impl<F: Functions + Copy, const N: usize, const C: usize> ContactSystem for Equa
         let leads = self.leads(mode, guard, x, input);
         let with = |structure| ContactMode { structure, contacts };
         let reset = Reset::to(with(leads.to), leads.state).with_impulse(leads.impulse);
-        leads.rests.map_or(reset, |(to, state)| reset.resting(with(to), state))
+        match leads.rests {
+            Some((to, state)) => reset.resting(with(to), state),
+            None => reset,
+        }
     }
 
     /// A closed contact's rate is that of the state, hence left to the longest step.

@@ -5,9 +5,9 @@ use pode::{Energetic as _, EnergyBalance, Motion};
 
 use crate::mode_number::ModeNumber;
 use crate::model::EquationModel;
-use crate::table::Functions;
+use crate::table::Equations;
 
-impl<F: Functions + Copy, const N: usize, const C: usize> EnergeticContacts
+impl<F: Equations + Clone, const N: usize, const C: usize> EnergeticContacts
     for EquationModel<F, N, C>
 {
     fn balance(

@@ -1,7 +1,11 @@
 //! All of a model but its arithmetic: names, sizes, and the number of each function.
 //!
-//! A table is constant. Emitted Rust has it as a `static`; of a description that is loaded while
-//! the program runs it is made once and kept.
+//! A table is constant, made once for a description and shared by all that play it. Names and units
+//! are `&'static str`, as everywhere in `pode`; prose is owned.
+
+use alloc::boxed::Box;
+use alloc::sync::Arc;
+use alloc::vec::Vec;
 
 use contacts::ContactSpec;
 use pode::{Enclosure, EquationKind, Fires, GuardSpec, Motion, Part, Reads};
@@ -29,34 +33,12 @@ pub trait Functions: Send + Sync {
     /// no function has writes nothing. Where `out` or an argument is shorter than the function
     /// needs, all of `out` becomes NaN.
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]);
+}
 
-    /// As [`call`](Self::call), for the derivative of a mode.
-    ///
-    /// This and the next three are what each step asks for. Emitted code tells the few functions
-    /// of each apart by themselves, so that they become part of the step where its type is known;
-    /// any other number gives NaN.
-    #[inline]
-    fn derivative(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.call(function, arguments, out);
-    }
-
-    /// As [`call`](Self::call), for the readout of a mode.
-    #[inline]
-    fn readout(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.call(function, arguments, out);
-    }
-
-    /// As [`call`](Self::call), for a guard and its rate.
-    #[inline]
-    fn guard(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.call(function, arguments, out);
-    }
-
-    /// As [`call`](Self::call), for the bounds of a guard over a step.
-    #[inline]
-    fn bound(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.call(function, arguments, out);
-    }
+/// A table and the arithmetic that its numbers are of.
+pub trait Equations: Functions {
+    /// Returns all of the model but its arithmetic.
+    fn table(&self) -> &ModelTable;
 }
 
 impl<F: Functions + ?Sized> Functions for &F {
@@ -66,19 +48,40 @@ impl<F: Functions + ?Sized> Functions for &F {
     }
 }
 
+impl<E: Equations + ?Sized> Equations for &E {
+    #[inline]
+    fn table(&self) -> &ModelTable {
+        (**self).table()
+    }
+}
+
+impl<F: Functions + ?Sized> Functions for Arc<F> {
+    #[inline]
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        (**self).call(function, arguments, out);
+    }
+}
+
+impl<E: Equations + ?Sized> Equations for Arc<E> {
+    #[inline]
+    fn table(&self) -> &ModelTable {
+        (**self).table()
+    }
+}
+
 /// All of a model but its arithmetic.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct ModelTable {
     /// Name in scenes and on the command line.
     pub name: &'static str,
     /// What it is, in one line.
-    pub summary: &'static str,
-    pub parameters: &'static [ParameterTable],
+    pub summary: Box<str>,
+    pub parameters: Vec<ParameterTable>,
     /// Named values; the first is the default.
-    pub presets: &'static [PresetTable],
+    pub presets: Vec<PresetTable>,
     /// What must be positive for the values to be possible.
-    pub requirements: &'static [RequirementTable],
-    pub states: &'static [NamedQuantity],
+    pub requirements: Vec<RequirementTable>,
+    pub states: Vec<NamedQuantity>,
     /// How many leading states are coordinates.
     pub coordinates: usize,
     /// How many constants there are, the parameters included.
@@ -88,13 +91,13 @@ pub struct ModelTable {
     pub input: NamedQuantity,
     /// From constants to the input per metre of key-front travel.
     pub input_per_metre: FunctionId,
-    pub modes: &'static [ModeTable],
-    pub contacts: &'static [ContactTable],
+    pub modes: Vec<ModeTable>,
+    pub contacts: Vec<ContactTable>,
     /// The same contacts as their automata have them.
-    pub contact_specs: &'static [ContactSpec],
+    pub contact_specs: Vec<ContactSpec>,
     /// The guards of all modes, each id once, for a model with contacts.
-    pub guard_specs: &'static [GuardSpec],
-    pub outputs: &'static [NamedQuantity],
+    pub guard_specs: Vec<GuardSpec>,
+    pub outputs: Vec<NamedQuantity>,
     pub rest: RestTable,
     pub damper: Option<DamperTable>,
     pub midi: MidiTable,
@@ -116,44 +119,44 @@ pub fn is_pose(output: &str) -> bool {
 }
 
 /// A parameter with its unit and range.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct ParameterTable {
     pub name: &'static str,
     /// Name for people, on sliders.
-    pub title: &'static str,
+    pub title: Box<str>,
     pub unit: &'static str,
     pub range: (f64, f64),
-    pub doc: &'static str,
+    pub doc: Box<str>,
 }
 
 /// A preset: its values come from a function of the key alone (`extra[0]`, 0 to 87).
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct PresetTable {
     pub name: &'static str,
-    pub doc: &'static str,
+    pub doc: Box<str>,
     /// From the key to one value per parameter.
     pub values: FunctionId,
 }
 
 /// A condition on the parameters.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct RequirementTable {
     /// As people read it: `string > trip`.
-    pub text: &'static str,
+    pub text: Box<str>,
     /// From constants to a number that is positive where it is met.
     pub margin: FunctionId,
 }
 
 /// A structural mode: its functions by number, and how it ends.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct ModeTable {
     pub name: &'static str,
     /// To the derivative of the whole state, without contacts.
     pub derivative: FunctionId,
     /// What moves by equations; none in a mode without degrees of freedom.
-    pub parts: &'static [PartTable],
+    pub parts: Vec<PartTable>,
     /// The same parts without natures of their own.
-    pub part_list: &'static [Part],
+    pub part_list: Vec<Part>,
     /// To the whole state with slaved entries in place; none if nothing is slaved.
     pub slaved: Option<FunctionId>,
     /// To the state after one Newton step towards the constraints, and behind it how far each was
@@ -182,11 +185,11 @@ pub struct ModeTable {
     pub loss: Option<FunctionId>,
     /// Whether its fastest rate is that of the state at hand, as of a felt that is pressed.
     pub is_stiffening: bool,
-    pub guards: &'static [GuardTable],
+    pub guards: Vec<GuardTable>,
     /// The same guards as they are watched.
-    pub guard_specs: &'static [GuardSpec],
+    pub guard_specs: Vec<GuardSpec>,
     /// What each contact does here; one that cannot close here has no entry.
-    pub contacts: &'static [ContactModeTable],
+    pub contacts: Vec<ContactModeTable>,
     /// Degrees of freedom p, coordinates n and constraints m, in the paper's letters.
     pub freedom: Freedom,
 }
@@ -199,8 +202,8 @@ impl ModeTable {
     pub const NOTHING: Self = Self {
         name: "",
         derivative: Self::NO_FUNCTION,
-        parts: &[],
-        part_list: &[],
+        parts: Vec::new(),
+        part_list: Vec::new(),
         slaved: None,
         projection: None,
         projected: 0,
@@ -214,9 +217,9 @@ impl ModeTable {
         kind: EquationKind::Smooth,
         loss: None,
         is_stiffening: false,
-        guards: &[],
-        guard_specs: &[],
-        contacts: &[],
+        guards: Vec::new(),
+        guard_specs: Vec::new(),
+        contacts: Vec::new(),
         freedom: Freedom { n: 0, m: 0, p: 0 },
     };
 }
@@ -272,7 +275,7 @@ pub struct PartTable {
 }
 
 /// A guard in one mode.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct GuardTable {
     /// Its number in the model; guards of several modes with one name have one number.
     pub id: u8,
@@ -288,7 +291,7 @@ pub struct GuardTable {
     /// From an enclosure in `extra` (see [`EnclosureLayout`]) to bounds of its move and bend.
     pub bound: Option<FunctionId>,
     /// Where it leads, the first way whose condition is positive.
-    pub ways: &'static [WayTable],
+    pub ways: Vec<WayTable>,
     /// To the speed of what strikes (m/s), before the reset.
     pub sounds: Option<FunctionId>,
 }
@@ -358,11 +361,11 @@ pub struct ContactModeTable {
 }
 
 /// Where a model rests.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct RestTable {
     pub mode: u8,
     /// Other modes at rest, each where a function of the constants is positive; the first counts.
-    pub instead: &'static [(FunctionId, u8)],
+    pub instead: Vec<(FunctionId, u8)>,
     /// To the state to start from.
     pub state: FunctionId,
     /// Whether that is improved to the equilibrium.
@@ -414,34 +417,34 @@ pub enum PressureKind {
 }
 
 /// How a model looks from the side; numbers come from one function of the constants.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct DrawingTable {
     /// To left, bottom, right and top of the view (m), then the coordinates of all points.
     pub numbers: FunctionId,
     /// How many numbers that gives; 0 without a drawing.
     pub count: usize,
-    pub bodies: &'static [BodyTable],
-    pub springs: &'static [SpringTable],
+    pub bodies: Vec<BodyTable>,
+    pub springs: Vec<SpringTable>,
 }
 
 /// What is drawn as one: the three outputs from `output` on are its origin (m) and angle (rad).
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct BodyTable {
     pub name: &'static str,
     /// Number of the first of its outputs, which others may follow too; none on the ground.
     pub output: Option<usize>,
-    pub outlines: &'static [OutlineTable],
+    pub outlines: Vec<OutlineTable>,
 }
 
 /// A line of a body.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct OutlineTable {
     pub material: Material,
     pub is_closed: bool,
     /// Number of its first coordinate among the drawing's numbers, and of its points.
     pub points: (usize, usize),
     /// Modes in which it is shown; all if there are none.
-    pub modes: &'static [u8],
+    pub modes: Vec<u8>,
 }
 
 /// What a line is made of.
@@ -457,13 +460,13 @@ pub enum Material {
 }
 
 /// A spring between points of two drawn bodies.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct SpringTable {
     pub name: &'static str,
     /// A body, and the number of the point's first coordinate.
     pub from: (usize, usize),
     pub to: (usize, usize),
-    pub modes: &'static [u8],
+    pub modes: Vec<u8>,
 }
 
 /// Where an enclosure's numbers stand in `extra`.

@@ -100,7 +100,8 @@ mod tests {
 
     #[test]
     fn a_weight_gives_the_velocity_that_was_wanted_and_less_does_not() {
-        let scene = Scene::load("springs", &[]).expect("a scene of ours");
+        let scene =
+            Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene of ours");
         let builder = VoiceBuilder::new(&scene).expect("a scene of ours");
         let key = KeyIndex::new(39).expect("C4");
         let voice = scene.keys[39].as_ref().expect("a voice");
@@ -122,7 +123,8 @@ mod tests {
 
     #[test]
     fn a_key_without_a_voice_and_a_velocity_beyond_a_finger_are_refused() {
-        let mut scene = Scene::load("springs", &[]).expect("a scene of ours");
+        let mut scene =
+            Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene of ours");
         let key = KeyIndex::new(39).expect("C4");
         let most = Velocity::new(127).expect("a velocity");
         if let Err(refused) = weight_for(&scene, key, most) {

@@ -264,7 +264,7 @@ mod tests {
 
     #[test]
     fn a_rehearsal_ends_where_its_work_ends_however_long_the_piece() {
-        let springs = Scene::load("springs", &[]).unwrap();
+        let springs = Scene::load(&scene::Library::default(), "springs", &[]).unwrap();
         let builder = VoiceBuilder::new(&springs).unwrap();
         let (key, voice) = builder.keys().next().unwrap();
         let counted_by = |work: &Arc<RehearsalWork>| {

@@ -5,8 +5,7 @@
 //! mode slaves to the input moves with it and is no state of its own.
 
 use lab::digits::rounded;
-use models::catalogue::{self, Visitor};
-use models::{ModelEntry, Playable};
+use models::{LoadedModel, Playable, Visitor};
 use nalgebra_of_lm::{Complex, DMatrix, DVector};
 use pode::stepper::Any;
 use pode::{Advance, Limits, Motion, Silent, Simulator};
@@ -31,7 +30,7 @@ const NO_STEP: f64 = 1e-10;
 /// What is looked at: a model with values, at a depth of its key.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldMode<'a> {
-    pub model: &'static ModelEntry,
+    pub model: &'a LoadedModel,
     /// One value per parameter.
     pub values: &'a [f64],
     /// Name of the structural mode; that in which the model rests if none.
@@ -45,8 +44,7 @@ pub struct HeldMode<'a> {
 /// # Errors
 /// If there is no such mode or the model cannot be followed, in a sentence.
 pub fn linearise(held: &HeldMode<'_>) -> Result<LinearMode, String> {
-    let found = catalogue::visit(held.model, Lineariser(held));
-    found.unwrap_or_else(|| Err(format!("{} is not in the catalogue", held.model.name)))
+    held.model.visit(Lineariser(held))
 }
 
 /// A model around one place of one mode.
@@ -115,7 +113,7 @@ impl Visitor for Lineariser<'_> {
         let HeldMode { values, mode, depth, .. } = *self.0;
         let model = model.with_values(values);
         let scale = model.input_per_metre();
-        let (resting, rest) = pressed(model, scale * depth)
+        let (resting, rest) = pressed(model.clone(), scale * depth)
             .ok_or_else(|| format!("{} cannot be followed to {depth} m", model.entry().name))?;
         let input = Motion { position: scale * depth, ..Motion::default() };
         let structure = |mode| model.mode_code(mode).structure();
@@ -128,7 +126,8 @@ impl Visitor for Lineariser<'_> {
                 if is_resting { (resting, rest) } else { model.begin(found, &rest, &input) }
             }
         };
-        let place = ModePlace { model, mode, input, free: free_entries(&model, mode) };
+        let free = free_entries(&model, mode);
+        let place = ModePlace { model, mode, input, free };
         Ok(place.linear(scale, &state))
     }
 }

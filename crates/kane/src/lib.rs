@@ -4,8 +4,8 @@
 //! [`description`] a whole file with all its mistakes; [`graph`] holds all expressions once, with
 //! exact derivatives; [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from
 //! it, mode by mode; [`tape`] is the straight-line program of some expressions; [`assemble`] makes
-//! the table and the functions of a model that `equations` runs; [`emit`] writes them as Rust, and
-//! [`readable`] for people; [`taylor`] has the coefficients of a motion from its tape.
+//! the table and the functions of a model that `equations` runs; [`readable`] writes a system for
+//! people; [`taylor`] has the coefficients of a motion from its tape.
 //!
 //! Not here: time stepping, keys, what an instrument sounds like.
 #![forbid(unsafe_code)]
@@ -13,7 +13,6 @@
 pub mod assemble;
 mod bound;
 pub mod description;
-pub mod emit;
 pub mod mechanics;
 pub mod mechanism;
 mod program;

@@ -7,7 +7,6 @@ use diagnostics::{Diagnostic, Diagnostics};
 
 use crate::assemble::Program;
 use crate::description::{Bases, Description, read};
-use crate::emit;
 use crate::mechanics::{DerivationError, derive};
 use crate::rest_check;
 use crate::system::EquationSystem;
@@ -18,14 +17,6 @@ pub struct DerivedModel {
     pub description: Description,
     pub system: EquationSystem,
     pub program: Program,
-}
-
-impl DerivedModel {
-    /// Returns the model as the source of a Rust module.
-    pub fn rust(&self) -> String {
-        let source = format!("the description of {}", self.program.table.name);
-        emit::rust(self.program.table, self.program.tapes(), &source)
-    }
 }
 
 /// Reads the description `text`, derives its equations and assembles their program; `name` stands

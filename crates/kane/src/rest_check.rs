@@ -3,10 +3,10 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use diagnostics::Diagnostic;
-use equations::table::{Arguments, FunctionId, Functions, ModelTable};
+use equations::table::{Arguments, Equations, FunctionId, Functions, ModelTable};
 use equations::{EquationModel, ModeNumber};
 
-use crate::assemble::{Program, TapeFunctions};
+use crate::assemble::Program;
 use crate::graph::{MAX_WORK, Place, WorkEnd};
 use crate::mechanism::Mechanism;
 
@@ -18,7 +18,7 @@ const INSTRUCTIONS: u64 = 16;
 
 /// Functions whose evaluation stops at a limit of work or at a cancellation.
 struct LimitedFunctions<'a> {
-    functions: &'a TapeFunctions,
+    program: &'a Program,
     /// Instructions that were evaluated, and that may be.
     done: AtomicU64,
     most: u64,
@@ -38,15 +38,21 @@ impl LimitedFunctions<'_> {
 
 impl Functions for LimitedFunctions<'_> {
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        let tape = self.functions.tapes().get(usize::from(function));
+        let tape = self.program.tapes().get(usize::from(function));
         let instructions = tape.map_or(0, |tape| tape.instructions.len() as u64);
         self.done.fetch_add(instructions, Ordering::Relaxed);
         if self.end().is_some() {
             // A descent without numbers ends within a few steps.
             out.fill(f64::NAN);
         } else {
-            self.functions.call(function, arguments, out);
+            self.program.call(function, arguments, out);
         }
+    }
+}
+
+impl Equations for LimitedFunctions<'_> {
+    fn table(&self) -> &ModelTable {
+        &self.program.table
     }
 }
 
@@ -80,7 +86,7 @@ pub(crate) fn check(
         return None;
     }
     let functions = LimitedFunctions {
-        functions: &program.functions,
+        program,
         done: AtomicU64::new(0),
         most: INSTRUCTIONS * MAX_WORK.saturating_sub(program.work),
         is_cancelled,
@@ -89,10 +95,10 @@ pub(crate) fn check(
     let presets = 0..program.table.presets.len();
     let cases = presets.flat_map(|preset| KEYS.map(|key| (preset, key)));
     let mut looked = cases.map_while(|case| {
-        let fault = fault(program.table, &functions, &ranges, case);
+        let fault = fault(&functions, &ranges, case);
         functions.end().is_none().then_some((case, fault))
     });
-    let found = looked.find_map(|(case, fault)| Some(said(program.table, &fault?, case)));
+    let found = looked.find_map(|(case, fault)| Some(said(&program.table, &fault?, case)));
     let given_up = || Some((functions.end()?.to_string(), "describe a smaller model".to_owned()));
     let (message, help) = found.or_else(given_up)?;
     Some(Diagnostic { file, line: Some(line), column: Some(column), message, help })
@@ -106,28 +112,27 @@ fn range(mechanism: &Mechanism, place: Place) -> Option<(f64, f64)> {
 
 /// What does not rest; none for a model that is larger than what is looked at.
 fn fault(
-    table: &'static ModelTable,
     functions: &LimitedFunctions<'_>,
     ranges: &[(f64, f64)],
     case: (usize, u8),
 ) -> Option<RestingFault> {
-    if case.1 > 0 && !is_graded(table, functions, case.0) {
+    if case.1 > 0 && !is_graded(functions, case.0) {
         return None;
     }
+    let table = functions.table();
     match (table.states.len(), table.constants) {
-        (..=16, ..=384) => fault_of::<16, 384>(table, functions, ranges, case),
-        _ => fault_of::<32, 2048>(table, functions, ranges, case),
+        (..=16, ..=384) => fault_of::<16, 384>(functions, ranges, case),
+        _ => fault_of::<32, 2048>(functions, ranges, case),
     }
 }
 
 fn fault_of<const N: usize, const C: usize>(
-    table: &'static ModelTable,
     functions: &LimitedFunctions<'_>,
     ranges: &[(f64, f64)],
     case: (usize, u8),
 ) -> Option<RestingFault> {
-    let pose = EquationModel::<&LimitedFunctions<'_>, N, C>::rest_of_preset(table, functions, case)
-        .ok()?;
+    let pose =
+        EquationModel::<&LimitedFunctions<'_>, N, C>::rest_of_preset(functions, case).ok()?;
     let of = |entry, kind| RestingFault { mode: pose.mode, entry, kind };
     if let Some((entry, rate)) = pose.imbalance {
         return Some(of(entry, FaultKind::Moves(rate)));
@@ -140,7 +145,8 @@ fn fault_of<const N: usize, const C: usize>(
 }
 
 /// Whether the values of a preset are different for the last key.
-fn is_graded(table: &ModelTable, functions: &LimitedFunctions<'_>, preset: usize) -> bool {
+fn is_graded(functions: &LimitedFunctions<'_>, preset: usize) -> bool {
+    let table = functions.table();
     let values = |key: u8| {
         let mut values = vec![0.0; table.parameters.len()];
         let arguments =

@@ -14,10 +14,6 @@ mod conserved;
 mod contacts;
 mod derived;
 mod description;
-mod emit;
-#[path = "emitted/example.rs"]
-mod emitted;
-mod emitted_models;
 mod energy;
 mod errors;
 mod evaluation;

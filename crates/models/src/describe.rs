@@ -1,12 +1,14 @@
 //! What a model says about itself: names, parameters, presets, how a key plays it.
 
 use core::fmt;
+use std::sync::Arc;
 
 use equations::table::MidiTable;
 use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
 use crate::draw::Sketch;
 use crate::entry::ModelEntry;
+use crate::loaded_model::ModelParts;
 use crate::mode_code::ModeCode;
 
 /// A model with a name, parameters, and names for all that it has.
@@ -18,13 +20,18 @@ pub trait Described:
     + Resets
     + Energetic
     + Sloped
-    + Copy
+    + Clone
     + PartialEq
     + Send
     + 'static
 {
+    /// Returns what all voices of the model share.
+    fn shared(&self) -> &Arc<ModelParts>;
+
     /// Names, units, parameters and presets.
-    fn entry(&self) -> &'static ModelEntry;
+    fn entry(&self) -> &ModelEntry {
+        self.shared()
+    }
 
     /// The same model with one value per parameter; a missing one is taken from the default
     /// preset.
@@ -49,10 +56,10 @@ pub trait Described:
 
     /// Every structural mode with its name, with all contacts open.
     fn modes(&self) -> impl Iterator<Item = (Self::Mode, &'static str)> {
-        let named = |(index, mode): (u8, &'static crate::entry::ModeEntry)| {
+        let named = |(index, mode): (u8, &crate::entry::ModeEntry)| {
             Some((self.mode(ModeCode::structural(index))?, mode.name))
         };
-        (0..=u8::MAX).zip(self.entry().modes).filter_map(named)
+        (0..=u8::MAX).zip(&self.entry().modes).filter_map(named)
     }
 
     /// Writes the outputs, forces first, for files and plots.
@@ -60,7 +67,7 @@ pub trait Described:
 
     /// Tells each condition on the parameters that these values do not meet, as people read it:
     /// `string > trip`.
-    fn unmet(&self, _tell: &mut dyn FnMut(&'static str)) {}
+    fn unmet(&self, _tell: &mut dyn FnMut(&str)) {}
 
     /// At rest under a constant input, or where the parameters say that it starts: a
     /// `y0` above 0 is a drop.
@@ -91,8 +98,8 @@ pub trait Playable: Described {
     }
 
     /// What becomes of strikes and of the key's force in MIDI.
-    fn midi(&self) -> &'static MidiTable {
-        &MidiTable::HAMMER
+    fn midi(&self) -> MidiTable {
+        MidiTable::HAMMER
     }
 
     /// Input per metre of key-front travel (unit of the input / m); a force at the

@@ -1,32 +1,58 @@
 //! What is known of a model without building one.
 
 use core::fmt;
+use core::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
 
-use equations::table::is_pose;
+use equations::table::{
+    Arguments, FunctionId, Functions, ModeTable, ModelTable, NamedQuantity, is_pose,
+};
+
+use crate::source::ModelSource;
+
+/// Arithmetic that a table and its presets share.
+pub type SharedFunctions = Arc<dyn Functions>;
 
 /// A parameter of a model, with its unit and range.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Parameter {
     /// Name in scenes, on the command line and in files.
     pub name: &'static str,
-    /// Name for people; the same where it needs no other.
-    pub title: &'static str,
+    /// Name for people; equal to `name` where it needs no other.
+    pub title: Box<str>,
     /// SI unit; `"1"` for a ratio.
     pub unit: &'static str,
     /// Smallest and largest allowed value.
     pub range: (f64, f64),
     /// What it is, in one line.
-    pub doc: &'static str,
+    pub doc: Box<str>,
 }
 
 /// A named set of parameter values, graded over the compass.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Preset {
     pub name: &'static str,
     /// What it is, in one line.
-    pub doc: &'static str,
-    /// Value of the parameter with the given index for a key, 0 (A0) ..= 87 (C8).
-    pub value: &'static (dyn Fn(usize, u8) -> f64 + Send + Sync),
+    pub doc: Box<str>,
+    functions: SharedFunctions,
+    values: FunctionId,
+    parameters: usize,
+}
+
+impl Preset {
+    /// Returns the values of all parameters for a key, 0 (A0) ..= 87 (C8).
+    pub fn values(&self, key: u8) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.parameters];
+        let extra = [f64::from(key)];
+        let arguments = Arguments { constants: &[], state: &[], input: &[0.0; 4], extra: &extra };
+        self.functions.call(self.values, &arguments, &mut values);
+        values
+    }
+
+    /// Returns the value of the parameter with this index for a key.
+    pub fn value(&self, parameter: usize, key: u8) -> f64 {
+        self.values(key).get(parameter).copied().unwrap_or(f64::NAN)
+    }
 }
 
 impl fmt::Debug for Preset {
@@ -36,65 +62,121 @@ impl fmt::Debug for Preset {
 }
 
 /// What is known of a model without building one.
-///
-/// Each model has one entry, at one place in memory: two entries are of the same model, in the
-/// same version, where they are the same place ([`ModelEntry::is`]).
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct ModelEntry {
+    /// Number of this version of the model in this process.
+    id: u64,
     /// Name in scenes and on the command line.
     pub name: &'static str,
     /// What it is, in one line.
-    pub summary: &'static str,
-    /// The file of its description; none of a model that is part of the program.
-    pub file: Option<&'static str>,
+    pub summary: Box<str>,
+    /// The files it was read from; none of a model that is part of the program.
+    pub source: Option<ModelSource>,
     /// The parameters, in the order of [`Described::with_values`](crate::Described::with_values).
-    pub parameters: &'static [Parameter],
+    pub parameters: Vec<Parameter>,
     /// Its presets; the first is the default.
-    pub presets: &'static [Preset],
+    pub presets: Vec<Preset>,
     /// Name of the input.
     pub input: &'static str,
     /// SI unit of the input.
     pub input_unit: &'static str,
     /// Names of its state's entries.
-    pub states: &'static [&'static str],
+    pub states: Vec<&'static str>,
     /// SI unit of each of them.
-    pub state_units: &'static [&'static str],
+    pub state_units: Vec<&'static str>,
     /// How many leading entries of the state are coordinates.
     pub coordinates: usize,
     /// Its structural modes, in the order of their numbers.
-    pub modes: &'static [ModeEntry],
+    pub modes: Vec<ModeEntry>,
     /// Names of its outputs.
-    pub outputs: &'static [&'static str],
+    pub outputs: Vec<&'static str>,
     /// SI unit of each of them.
-    pub output_units: &'static [&'static str],
+    pub output_units: Vec<&'static str>,
 }
 
 impl ModelEntry {
-    /// Whether this and `other` are the entry of the same model in the same version.
-    pub fn is(&self, other: &Self) -> bool {
-        core::ptr::eq(self, other)
+    /// Returns the entry of the model of `table`, as a version of its own.
+    pub(crate) fn new(
+        table: &ModelTable,
+        functions: &SharedFunctions,
+        source: Option<ModelSource>,
+    ) -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        let names = |all: &[NamedQuantity]| all.iter().map(|it| it.name).collect();
+        let units = |all: &[NamedQuantity]| all.iter().map(|it| it.unit).collect();
+        let parameters = table.parameters.iter().map(|it| Parameter {
+            name: it.name,
+            title: it.title.clone(),
+            unit: it.unit,
+            range: it.range,
+            doc: it.doc.clone(),
+        });
+        let presets = table.presets.iter().map(|it| Preset {
+            name: it.name,
+            doc: it.doc.clone(),
+            functions: Arc::clone(functions),
+            values: it.values,
+            parameters: table.parameters.len(),
+        });
+        Self {
+            id: NEXT.fetch_add(1, Ordering::Relaxed),
+            name: table.name,
+            summary: table.summary.clone(),
+            source,
+            parameters: parameters.collect(),
+            presets: presets.collect(),
+            input: table.input.name,
+            input_unit: table.input.unit,
+            states: names(&table.states),
+            state_units: units(&table.states),
+            coordinates: table.coordinates,
+            modes: table.modes.iter().map(|mode| ModeEntry::new(table, mode)).collect(),
+            outputs: names(&table.outputs),
+            output_units: units(&table.outputs),
+        }
     }
 
-    /// The unit of the guard called `name`; empty if there is none or it is not known.
+    /// Returns the number of this version of the model in this process.
+    pub const fn id(&self) -> u64 {
+        self.id
+    }
+
+    /// Returns `true` if this and `other` are the same model in the same version.
+    pub const fn is(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+
+    /// Returns the path of its description; none of a model that is part of the program.
+    pub fn file(&self) -> Option<&str> {
+        self.source.as_ref().map(|source| &*source.file)
+    }
+
+    /// Returns the number of its version; 0 of a model that is part of the program.
+    pub fn version(&self) -> u32 {
+        self.source.as_ref().map_or(0, |source| source.version)
+    }
+
+    /// Returns the unit of the guard called `name`; empty if there is none or it is not known.
     pub fn guard_unit(&self, name: &str) -> &'static str {
-        let mut guards = self.modes.iter().flat_map(|mode| mode.guards);
+        let mut guards = self.modes.iter().flat_map(|mode| &mode.guards);
         guards.find(|guard| guard.name == name).map_or("", |guard| guard.unit)
     }
 
-    /// The outputs that are of use to people; behind them are the poses that a drawing follows.
-    pub fn quantities(&self) -> &'static [&'static str] {
+    /// Returns the outputs that are of use to people; behind them are the poses that a drawing
+    /// follows.
+    pub fn quantities(&self) -> &[&'static str] {
         let count = self.outputs.iter().take_while(|name| !is_pose(name)).count();
         self.outputs.split_at(count).0
     }
 
-    /// The default preset's value of a parameter for the lowest key.
+    /// Returns the default preset's value of a parameter for the lowest key.
     pub fn default_value(&self, parameter: usize) -> f64 {
-        self.presets.first().map_or(f64::NAN, |preset| (preset.value)(parameter, 0))
+        self.presets.first().map_or(f64::NAN, |preset| preset.value(parameter, 0))
     }
 }
 
 /// A structural mode: its mechanics, and how it ends.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ModeEntry {
     pub name: &'static str,
     /// Generalised coordinates of its mechanics. `[GC93]` table 1.
@@ -104,15 +186,44 @@ pub struct ModeEntry {
     /// Degrees of freedom, n − m.
     pub p: u8,
     /// The guards, in the order of the model's own list.
-    pub guards: &'static [GuardEntry],
+    pub guards: Vec<GuardEntry>,
+}
+
+impl ModeEntry {
+    /// A mode with its guards, and behind them the contacts that can close in it, which change no
+    /// structure.
+    fn new(table: &ModelTable, mode: &ModeTable) -> Self {
+        let name = |mode: u8| table.modes.get(usize::from(mode)).map(|mode| mode.name);
+        let guards = mode.guards.iter().map(|guard| {
+            let ways = guard.ways.iter();
+            let mut to: Vec<_> = Vec::new();
+            for next in ways.flat_map(|way| [Some(way.to), way.resting.map(|resting| resting.to)]) {
+                let next = next.and_then(name).filter(|next| !to.contains(next));
+                to.extend(next);
+            }
+            GuardEntry { name: guard.name, unit: guard.unit, to }
+        });
+        let contacts =
+            mode.contacts.iter().filter_map(|it| table.contacts.get(usize::from(it.contact)));
+        let names = contacts.flat_map(|contact| {
+            let gap = contact.gap.map(|_size| (contact.name, "m"));
+            [gap, contact.friction.map(|friction| (friction.0, ""))]
+        });
+        let to = [mode.name];
+        let contacts =
+            names.flatten().map(|(name, unit)| GuardEntry { name, unit, to: to.to_vec() });
+        let guards = guards.chain(contacts).collect();
+        let equations::table::Freedom { n, m, p } = mode.freedom;
+        Self { name: mode.name, n, m, p, guards }
+    }
 }
 
 /// A guard of a mode, and where it leads.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub struct GuardEntry {
     pub name: &'static str,
     /// SI unit; empty if it is not known.
     pub unit: &'static str,
     /// The modes that may come next.
-    pub to: &'static [&'static str],
+    pub to: Vec<&'static str>,
 }

@@ -1,18 +1,59 @@
 //! The few types of which all models are, and what is done with one of any of them.
 
+use core::ops::Deref;
+use std::sync::Arc;
+
 use contacts::{TooManyGuards, WithContacts};
-use equations::table::ModelTable;
+use equations::table::{Arguments, Equations, FunctionId, Functions, ModelTable};
 use equations::{DoesNotFit, EquationModel};
 
-use crate::describe::{Described as _, Playable};
+use crate::describe::Playable;
 use crate::entry::ModelEntry;
-use crate::equation_model::{LoadedFunctions, MAX_CODED_CONTACTS};
+use crate::equation_model::MAX_CODED_CONTACTS;
+
+pub use crate::entry::SharedFunctions;
+use crate::source::ModelSource;
 
 /// Most states, and most parameters and numbers that follow from them, of a model.
 pub const LARGEST: (usize, usize) = (32, 512);
 
+/// The parts of a model that never change, shared by all that play it.
+pub struct ModelParts {
+    entry: ModelEntry,
+    table: ModelTable,
+    functions: SharedFunctions,
+}
+
+impl Deref for ModelParts {
+    type Target = ModelEntry;
+
+    fn deref(&self) -> &ModelEntry {
+        &self.entry
+    }
+}
+
+impl core::fmt::Debug for ModelParts {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_tuple("ModelParts").field(&self.entry.name).finish()
+    }
+}
+
+impl Functions for ModelParts {
+    #[inline]
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.call(function, arguments, out);
+    }
+}
+
+impl Equations for ModelParts {
+    #[inline]
+    fn table(&self) -> &ModelTable {
+        &self.table
+    }
+}
+
 /// A model without contacts, with N states and C constants.
-type Loaded<const N: usize, const C: usize> = EquationModel<LoadedFunctions, N, C>;
+type Loaded<const N: usize, const C: usize> = EquationModel<Arc<ModelParts>, N, C>;
 
 /// Why a model cannot be loaded, with how many there are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -48,22 +89,21 @@ impl From<TooManyGuards> for DoesNotLoad {
     }
 }
 
-/// A model of up to 4 states without contacts, as most of those that are part of the program.
+/// A model of up to 4 states without contacts, for those who need its type.
 pub type SmallModel = Loaded<4, 192>;
 
 /// A model with contacts, or one that is large.
 type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
 
-/// A model that was read from a file, of one of a few types, with the values of its default
-/// preset.
+/// A model with the values of its default preset, as one of a few types.
 ///
-/// The types differ by what their arrays hold, so that a model needs no heap and a new model no
-/// new type. Each of them is compiled with all methods wherever models are visited, so there are
-/// no more than pay: what is large, or has contacts, hardly notices that it might have others.
-#[derive(Clone, Copy, Debug)]
-#[non_exhaustive]
+/// The types differ by what their arrays hold, so that a model in the tick needs no heap and a new
+/// description no new type. Each of them is compiled with all methods wherever models are visited,
+/// so there are no more than pay: a large model, or one with contacts, hardly notices room that it
+/// does not need.
+#[derive(Debug)]
 #[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
-pub enum LoadedModel {
+enum Prototype {
     /// Up to 4 states and 192 constants, without contacts.
     Small(SmallModel),
     /// Up to 16 states and 384 constants, without contacts.
@@ -74,64 +114,82 @@ pub enum LoadedModel {
     Large(Contacting<32, 512>),
 }
 
-impl LoadedModel {
-    /// The smallest type into which the model of `table` fits.
-    ///
-    /// # Errors
-    /// A model that fits into none.
+impl Prototype {
+    /// The smallest type into which the model fits.
     #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
-    pub fn new(
-        table: &'static ModelTable,
-        functions: LoadedFunctions,
-    ) -> Result<Self, DoesNotLoad> {
+    fn new(parts: Arc<ModelParts>) -> Result<Self, DoesNotLoad> {
+        let table = &parts.table;
         let (states, contacts) = (table.states.len(), table.contacts.len());
         let constants = table.constants.max(table.parameters.len());
         let fits = |room: (usize, usize)| states <= room.0 && constants <= room.1;
         Ok(if contacts > MAX_CODED_CONTACTS {
             return Err(DoesNotLoad::Contacts(contacts));
         } else if contacts == 0 && fits((4, 192)) {
-            Self::Small(Loaded::new(table, functions, &[])?)
+            Self::Small(Loaded::new(parts, &[])?)
         } else if contacts == 0 && fits((16, 384)) {
-            Self::Medium(Loaded::new(table, functions, &[])?)
+            Self::Medium(Loaded::new(parts, &[])?)
         } else if fits((16, 384)) {
-            Self::MediumWithContacts(WithContacts::new(Loaded::new(table, functions, &[])?)?)
+            Self::MediumWithContacts(WithContacts::new(Loaded::new(parts, &[])?)?)
         } else {
-            Self::Large(WithContacts::new(Loaded::new(table, functions, &[])?)?)
+            Self::Large(WithContacts::new(Loaded::new(parts, &[])?)?)
         })
     }
+}
 
-    /// The entry of the model.
-    pub(crate) fn entry(&self) -> &'static ModelEntry {
-        match self {
-            Self::Small(model) => model.entry(),
-            Self::Medium(model) => model.entry(),
-            Self::MediumWithContacts(model) => model.entry(),
-            Self::Large(model) => model.entry(),
-        }
+/// A model that was read from a description: its entry, and the model itself for a [`Visitor`].
+#[derive(Debug)]
+pub struct LoadedModel {
+    parts: Arc<ModelParts>,
+    prototype: Prototype,
+}
+
+impl LoadedModel {
+    /// Returns the model of `table` and `functions`, as a version of its own; `source` is
+    /// where it was read from.
+    ///
+    /// # Errors
+    /// A model that is larger than any that can be loaded.
+    #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+    pub fn new(
+        table: ModelTable,
+        functions: SharedFunctions,
+        source: Option<ModelSource>,
+    ) -> Result<Self, DoesNotLoad> {
+        let entry = ModelEntry::new(&table, &functions, source);
+        let parts = Arc::new(ModelParts { entry, table, functions });
+        Ok(Self { prototype: Prototype::new(Arc::clone(&parts))?, parts })
     }
 
+    /// Returns the model with its type, if it is small.
+    pub fn small(&self) -> Option<SmallModel> {
+        if let Prototype::Small(model) = &self.prototype { Some(model.clone()) } else { None }
+    }
+
+    /// Does something with the model, which has the values of its default preset.
     #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
-    pub(crate) fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
-        match self {
-            Self::Small(model) => visitor.visit_small(*model),
-            Self::Medium(model) => visitor.visit(*model),
-            Self::MediumWithContacts(model) => visitor.visit(*model),
-            Self::Large(model) => visitor.visit(*model),
+    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+        match &self.prototype {
+            Prototype::Small(model) => visitor.visit(model.clone()),
+            Prototype::Medium(model) => visitor.visit(model.clone()),
+            Prototype::MediumWithContacts(model) => visitor.visit(model.clone()),
+            Prototype::Large(model) => visitor.visit(model.clone()),
         }
     }
 }
 
-/// Something to be done with a model whose type is known by its entry only.
+impl Deref for LoadedModel {
+    type Target = ModelEntry;
+
+    fn deref(&self) -> &ModelEntry {
+        &self.parts.entry
+    }
+}
+
+/// Something to be done with a model whose type is known to its [`LoadedModel`] only.
 pub trait Visitor: Sized {
     /// What the visitor makes of a model.
     type Output;
 
     /// Does it with `model`, which has the values of its default preset.
     fn visit<M: Playable>(self, model: M) -> Self::Output;
-
-    /// Does it with a model of the smallest type, which most keys play: who compiles something for
-    /// that type alone says so here.
-    fn visit_small(self, model: SmallModel) -> Self::Output {
-        self.visit(model)
-    }
 }

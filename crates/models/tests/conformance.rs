@@ -1,4 +1,4 @@
-//! What every model of the catalogue keeps, whatever it is.
+//! What every model of the program keeps, whatever it is.
 
 #![expect(
     clippy::disallowed_methods,
@@ -7,12 +7,11 @@
     reason = "a test has the heap, and fails aloud"
 )]
 
-use models::catalogue;
 use models::{Described, ModeCode, ModeName, ModelEntry, Parameter, Playable};
 use pode::stepper::{Given, Rk4, Stepper as _};
 use pode::{Dense as _, EquationKind, GuardId, MAX_GUARDS, Matrix as _, Motion, Nature, State};
 
-use crate::every_model::with_all;
+use crate::every_model::{named, with_all};
 use crate::random::Random;
 use crate::stroke::{run, still, values};
 
@@ -32,11 +31,10 @@ fn check_names(what: &str, others: &[char], names: &[&str]) {
 
 #[test]
 fn models_have_names_of_their_own() {
-    let names: Vec<_> = catalogue::built_ins().map(|entry| entry.name).collect();
-    check_names("catalogue", &['-'], &names);
+    let names: Vec<_> = descriptions::model_names().collect();
+    check_names("program", &['-'], &names);
     assert!(names.iter().all(|name| *name == name.to_lowercase()));
-    assert!(names.iter().all(|name| catalogue::find(name).is_some_and(|it| it.name == *name)));
-    assert!(catalogue::find("theremin").is_none());
+    assert!(names.iter().all(|name| named(name).name == *name));
 }
 
 #[test]
@@ -45,7 +43,7 @@ fn everything_in_a_model_has_a_name() {
 }
 
 fn names_are_valid<M: Playable>(model: M) {
-    let ModelEntry { name, parameters, presets, states, outputs, .. } = *model.entry();
+    let ModelEntry { name, parameters, presets, states, outputs, .. } = model.entry();
     check_names(name, &['_'], &parameters.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &['-'], &presets.iter().map(|it| it.name).collect::<Vec<_>>());
     check_names(name, &[], &model.entry().modes.iter().map(|it| it.name).collect::<Vec<_>>());
@@ -55,8 +53,8 @@ fn names_are_valid<M: Playable>(model: M) {
     assert!(states.len() <= M::State::ZERO.entries().len(), "{name}: states");
     assert_eq!(model.entry().coordinates, model.coordinates(), "{name}: coordinates");
     assert!(model.coordinates() <= states.len(), "{name}: coordinates");
-    let sentences = parameters.iter().map(|it| it.doc).chain(presets.iter().map(|it| it.doc));
-    let summary = model.entry().summary;
+    let sentences = parameters.iter().map(|it| &it.doc).chain(presets.iter().map(|it| &it.doc));
+    let summary = &model.entry().summary;
     assert!(sentences.chain([summary]).all(|doc| doc.len() > 6), "{name}: documented");
     let are_given = |it: &Parameter| !it.unit.is_empty() && !it.title.is_empty();
     assert!(parameters.iter().all(are_given), "{name}: units and titles");
@@ -97,11 +95,10 @@ fn an_entry_lists_the_modes_and_guards_of_its_model() {
 fn entry_is_true<M: Playable>(model: M) {
     let entry = model.entry();
     let label = entry.name;
-    let found = catalogue::find(entry.name).is_some_and(|it| it.is(entry));
-    assert!(found && catalogue::built_in(label).is_some(), "{label} is found by its name");
+    assert!(named(label).is(entry), "{label} is found by its name");
     let modes: Vec<_> = model.modes().collect();
     assert_eq!(modes.len(), entry.modes.len(), "{label}: modes");
-    for (index, ((mode, name), listed)) in (0..).zip(modes.into_iter().zip(entry.modes)) {
+    for (index, ((mode, name), listed)) in (0..).zip(modes.into_iter().zip(&entry.modes)) {
         let number = model.mode_code(mode);
         assert_eq!((number, model.mode(number)), (ModeCode::structural(index), Some(mode)));
         assert_eq!(ModeName::new(&model, number).to_string(), name, "{label}");
@@ -125,9 +122,9 @@ fn presets_are_complete_and_within_ranges_for_all_keys() {
 fn presets_are_in_range<M: Playable>(model: M) {
     let ModelEntry { name: model, presets, parameters, .. } = model.entry();
     assert!(!presets.is_empty());
-    for preset in *presets {
+    for preset in presets {
         for (index, Parameter { name, range, .. }) in parameters.iter().enumerate() {
-            let values = (0..88).map(|key| (preset.value)(index, key));
+            let values = (0..88).map(|key| preset.value(index, key));
             let outside = values.enumerate().find(|(_, it)| !(range.0..=range.1).contains(it));
             assert_eq!(outside, None, "{model} {}: {name} of a key", preset.name);
         }
@@ -135,12 +132,12 @@ fn presets_are_in_range<M: Playable>(model: M) {
 }
 
 /// Every preset of four keys with its label, with a start that is at rest.
-fn presets<M: Described>(model: M) -> impl Iterator<Item = (String, M)> {
+fn presets<M: Described>(model: &M) -> impl Iterator<Item = (String, M)> + use<'_, M> {
     let ModelEntry { name, presets, parameters, .. } = model.entry();
     let keys = |preset| [0_u8, 29, 58, 87].map(|key| (preset, key));
     presets.iter().flat_map(keys).map(move |(preset, key)| {
         let at_rest = |(index, it): (usize, &Parameter)| {
-            if it.name == "y0" { 0.0 } else { (preset.value)(index, key) }
+            if it.name == "y0" { 0.0 } else { preset.value(index, key) }
         };
         let values: Vec<_> = parameters.iter().enumerate().map(at_rest).collect();
         (format!("{name} {} key {key}", preset.name), model.with_values(&values))
@@ -157,11 +154,15 @@ struct Place<M: Described> {
 }
 
 /// `n` random places in every mode of every preset.
-fn places<M: Playable>(model: M, n: usize, seed: u64) -> impl Iterator<Item = Place<M>> {
+fn places<M: Playable>(
+    model: &M,
+    n: usize,
+    seed: u64,
+) -> impl Iterator<Item = Place<M>> + use<'_, M> {
     let mut random = Random::new(seed);
     let modes = |(label, model): (String, M)| {
         let modes: Vec<_> = model.modes().collect();
-        modes.into_iter().map(move |(mode, name)| (format!("{label} {name}"), model, mode))
+        modes.into_iter().map(move |(mode, name)| (format!("{label} {name}"), model.clone(), mode))
     };
     let again = move |it| std::iter::repeat_n(it, n);
     presets(model).flat_map(modes).flat_map(again).map(move |(label, model, mode)| {
@@ -206,7 +207,7 @@ fn is_nothing<S: State>(x: &S) -> bool {
 }
 
 fn rest_is_rest<M: Playable>(model: M) {
-    for (label, model) in presets(model) {
+    for (label, model) in presets(&model) {
         for metres in [0.0, 0.004] {
             let input = still(metres * model.input_per_metre());
             let (mode, x) = model.at_rest(&input);
@@ -231,7 +232,7 @@ fn what_is_at_rest_stays_there() {
 }
 
 fn rest_lasts<M: Playable>(model: M) {
-    for (label, model) in presets(model) {
+    for (label, model) in presets(&model) {
         let input = still(0.002 * model.input_per_metre());
         let (mode, x) = model.at_rest(&input);
         let force = model.readout(mode, &x, &input);
@@ -251,7 +252,7 @@ fn every_output_is_written() {
 
 fn outputs_are_written<M: Playable>(model: M) {
     let n = model.entry().outputs.len();
-    for Place { label, model, mode, x, input } in places(model, 1, 1) {
+    for Place { label, model, mode, x, input } in places(&model, 1, 1) {
         let mut out = [f64::NAN; 64];
         model.outputs(mode, &x, &input, &mut out);
         let (written, rest) = out.split_at(n);
@@ -268,7 +269,7 @@ fn everything_is_finite() {
 }
 
 fn values_are_finite<M: Playable>(model: M) {
-    for Place { label, model, mode, x, input } in places(model, 5, 2) {
+    for Place { label, model, mode, x, input } in places(&model, 5, 2) {
         let scale = model.input_per_metre();
         assert!(scale.is_finite() && scale.abs() > 0.0, "{label}: {scale}");
         assert!(model.longest_step(mode) > 1e-5, "{label}: {}", model.longest_step(mode));
@@ -289,7 +290,7 @@ fn resets_lead_to_listed_modes() {
 
 fn modes_are_complete<M: Playable>(model: M) {
     let is_listed = |mode| model.modes().any(|(known, _)| known == mode);
-    for Place { label, model, mode, x, input } in places(model, 20, 5) {
+    for Place { label, model, mode, x, input } in places(&model, 20, 5) {
         for guard in model.guards(mode) {
             let reset = model.reset(mode, guard.id, &x, &input);
             let finite = reset.state.entries().iter().all(|it| it.is_finite());
@@ -307,7 +308,7 @@ fn modes_are_complete<M: Playable>(model: M) {
 /// Whether the entry of `model` lists `to` among where the guard of a mode leads.
 fn leads<M: Playable>(model: &M, (mode, guard): (M::Mode, GuardId), to: M::Mode) -> bool {
     let of = |mode| usize::from(model.mode_code(mode).structure());
-    let modes = model.entry().modes;
+    let modes = &model.entry().modes;
     let spec = model.guards(mode).iter().find(|it| it.id == guard).expect("a listed guard");
     let listed = modes[of(mode)].guards.iter().find(|it| it.name == spec.name).expect("a guard");
     listed.to.contains(&modes[of(to)].name)
@@ -319,7 +320,7 @@ fn dampers_only_take() {
 }
 
 fn dissipation_is_not_negative<M: Playable>(model: M) {
-    for Place { label, model, mode, x, input } in places(model, 50, 3) {
+    for Place { label, model, mode, x, input } in places(&model, 50, 3) {
         // Only where the mode is valid.
         let mut guards = model.guards(mode).iter();
         if guards.all(|guard| model.guard(mode, guard.id, &x, &input).value > 0.0) {
@@ -341,7 +342,7 @@ fn guard_rates_are_the_guards_rates() {
 /// Far from rest stiff springs turn friction round within 1 µs: there ε must be smaller.
 fn rates_agree<M: Playable>(model: M) {
     const EPSILONS: [f64; 3] = [1e-5, 1e-6, 1e-7];
-    for place in places(model, 20, 4) {
+    for place in places(&model, 20, 4) {
         let Place { label, model, mode, x, input } = &place;
         for guard in model.guards(*mode) {
             let at = |t: f64| {

@@ -6,8 +6,7 @@
     reason = "helpers of tests, outside #[test]: on the heap, and fail aloud"
 )]
 
-use models::catalogue::{self, Visitor};
-use models::{ModeEntry, ModelEntry, Playable, Preset};
+use models::{ModeEntry, ModelEntry, Playable, Preset, Visitor};
 
 use crate::sketch::play::{Moment, film};
 use crate::sketch::svg::picture;
@@ -22,7 +21,7 @@ macro_rules! with_all {
             type Output = ();
             fn visit<M: Playable>(self, model: M) {
                 let ModelEntry { name: known, presets, .. } = model.entry();
-                for Preset { name, .. } in *presets {
+                for Preset { name, .. } in presets {
                     for key in [0, 87] {
                         let label = format!("{known} {name} key {key}");
                         $check(&label, tuned(&model, name, key, &[]));
@@ -30,24 +29,24 @@ macro_rules! with_all {
                 }
             }
         }
-        for entry in catalogue::built_ins() {
-            catalogue::visit(entry, Check).expect("what is listed can be visited");
+        for model in crate::every_model::all() {
+            model.visit(Check);
         }
     }};
 }
 
 #[test]
 fn every_signal_has_a_unit() {
-    for entry in catalogue::built_ins() {
+    for entry in crate::every_model::all() {
         assert_eq!(entry.states.len(), entry.state_units.len(), "{}: states", entry.name);
         assert_eq!(entry.outputs.len(), entry.output_units.len(), "{}: outputs", entry.name);
-        let mut guards = entry.modes.iter().flat_map(|mode| mode.guards).map(|it| it.unit);
+        let mut guards = entry.modes.iter().flat_map(|mode| &mode.guards).map(|it| it.unit);
         // An angle that is computed is a ratio, as all its units are.
         assert!(guards.all(|it| ["m", "1", "N", "m/s²"].contains(&it)), "{}", entry.name);
         let units = ["m", "m/s", "rad", "rad/s", "N", "N·m"];
-        let all = entry.state_units.iter().chain(entry.output_units);
+        let all = entry.state_units.iter().chain(&entry.output_units);
         assert!(all.into_iter().all(|unit| units.contains(unit)), "{}: a new unit", entry.name);
-        let forces = entry.outputs.iter().zip(entry.output_units);
+        let forces = entry.outputs.iter().zip(&entry.output_units);
         for (name, unit) in forces {
             let first = name.chars().next().expect("a name");
             let by_name = if first == 'T' { "N·m" } else { "N" };
@@ -143,7 +142,7 @@ fn stays_in_view<M: Playable>(label: &str, model: M) {
     let [left, bottom, right, top] = drawing.views[0];
     assert!(left < right && bottom < top, "{label}: {:?}", drawing.views[0]);
     let still = (0_u8..=10).map(|down| Moment::at_rest(&model, 1e-3 * f64::from(down)));
-    let moments = still.chain(film(model).into_iter().map(|it| it.1));
+    let moments = still.chain(film(&model).into_iter().map(|it| it.1));
     for moment in moments {
         for part in drawing.parts.iter().filter(|it| it.is_shown(&moment)) {
             for [x, y] in part.points(&moment) {
@@ -205,8 +204,8 @@ fn pictures_are_written_to_be_looked_at() {
 
 fn is_pictured<M: Playable>(label: &str, model: M) {
     let drawing = Drawing::of(&model);
-    let modes = model.entry().modes;
-    let film = film(model);
+    let modes = model.entry().modes.clone();
+    let film = film(&model);
     let half = film.iter().position(|it| it.1.signal("position") > 0.005).expect("half way");
     let strike = film.iter().position(|it| it.0.starts_with("string")).unwrap_or(160);
     let named = [("rest", 0), ("half", half), ("strike", strike), ("held", 320)];

@@ -1,9 +1,9 @@
 //! What the models draw is to scale, and in contact where they say so.
 #![expect(clippy::expect_used, reason = "checks for tests, which fail aloud")]
 
+use models::SmallModel;
 use models::draw::Material;
-use models::registry::SmallModel;
-use models::{Described as _, Playable, built_in};
+use models::{Described as _, Playable};
 
 use crate::sketch::play::{Moment, film};
 use crate::sketch::{Drawing, Part, Point, distance};
@@ -19,13 +19,13 @@ const WALL: &str = "spring-wall";
 /// A model of the program.
 #[track_caller]
 fn small(name: &str) -> SmallModel {
-    built_in::small(name).expect("a small model")
+    crate::every_model::named(name).small().expect("a small model")
 }
 
 /// The place of a mode of model C in its list.
 #[track_caller]
 fn grand_mode(name: &str) -> usize {
-    let modes = small(MODEL_C).entry().modes;
+    let modes = small(MODEL_C).entry().modes.clone();
     modes.iter().position(|it| it.name == name).expect("a mode")
 }
 
@@ -37,9 +37,9 @@ fn the_stroke_visits_the_modes_of_the_actions() {
         modes.dedup();
         modes
     };
-    assert_eq!(modes(&film(tuned(&small(MODEL_A), "playable", 39, &[]))), [0, 1]);
-    assert_eq!(modes(&film(tuned(&small(MODEL_B), "playable", 39, &[]))), [0, 1]);
-    let grand = modes(&film(tuned(&small(MODEL_C), "default", 0, &[])));
+    assert_eq!(modes(&film(&tuned(&small(MODEL_A), "playable", 39, &[]))), [0, 1]);
+    assert_eq!(modes(&film(&tuned(&small(MODEL_B), "playable", 39, &[]))), [0, 1]);
+    let grand = modes(&film(&tuned(&small(MODEL_C), "default", 0, &[])));
     assert!(grand.contains(&grand_mode("CHK")) && grand.len() > 7, "{grand:?}");
 }
 
@@ -63,7 +63,7 @@ fn below_string(drawing: &Drawing, moment: &Moment) -> f64 {
 #[track_caller]
 fn check_string<M: Playable>(model: M, guard: &str) {
     let drawing = Drawing::of(&model);
-    let film = film(model);
+    let film = film(&model);
     let hits: Vec<_> = film.iter().filter(|it| it.0 == guard).collect();
     assert!(!hits.is_empty(), "{}: the stroke meets no string", model.entry().name);
     for (_, moment) in hits {
@@ -131,7 +131,7 @@ fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
 fn is_off_in_flight<M: Playable>(known: &M) {
     let model = tuned(known, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
-    let film = film(model);
+    let film = film(&model);
     let flights = film.iter().filter(|it| it.1.mode == 1 && it.1.signal("gap") > 1e-3);
     let mut seen = 0;
     for (_, moment) in flights {
@@ -171,7 +171,7 @@ fn at_rest_the_hammer_of_model_b_lies_on_the_slider() {
 fn is_off_by_gap<M: Playable>(known: &M) {
     let model = tuned(known, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
-    for (_, moment) in film(model) {
+    for (_, moment) in film(&model) {
         let slider = slider(drawing.part("slider", &moment), &moment);
         let drawn = distance(&slider, &underside(&drawing, &moment));
         let gap = moment.signal("gap").max(0.0);
@@ -261,7 +261,7 @@ fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
 fn check_holds<M: Playable>(known: &M) {
     let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
-    let film = film(model);
+    let film = film(&model);
     let caught: Vec<_> = film.iter().filter(|it| it.1.mode == grand_mode("CHK")).collect();
     assert!(caught.len() > 100, "{} moments in check", caught.len());
     for (_, moment) in caught {

@@ -1,6 +1,5 @@
 //! The models of the program against what every model promises.
 
-mod by_type;
 mod conformance;
 mod drawing;
 mod drawing_to_scale;

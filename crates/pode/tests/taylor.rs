@@ -1,6 +1,5 @@
 //! Taylor's method: its order, its tolerance, its events, and models that have no series.
 
-use pode::series::rows::{Falling, PER_ORDER, Rising, driven};
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::stepper::{Memory as _, Taylor, TaylorMemory, Tolerance};
 use pode::{
@@ -22,20 +21,20 @@ const EXPANDED: Pendulum = Pendulum { has_series: true };
 /// θ'' = −9.81 sin θ, by hand: sine and cosine drive each other. The guard is the angle.
 fn expand(out: &mut Expansion<[f64; 2]>) {
     let (sine, cosine) = out.terms[0][0].sin_cos();
-    let (mut rate, mut sines, mut cosines) = (Rising::ZERO, Falling::ZERO, Falling::ZERO);
-    sines.set(0, sine);
-    cosines.set(0, cosine);
-    let mut pull = -SQUARE * sine;
+    let (mut sines, mut cosines) = (vec![sine], vec![cosine]);
     for k in 0..out.order {
         if k > 0 {
-            rate.set(k, k as f64 * out.terms[k][0]);
-            let sine = driven(&rate, &cosines, k);
-            cosines.set(k, -driven(&rate, &sines, k));
-            sines.set(k, sine);
-            pull = -SQUARE * sine;
+            // k sₖ = Σ j θⱼ cₖ₋ⱼ, and the same of the cosine.
+            let of = |other: &[f64]| -> f64 {
+                let terms = (1..=k).map(|j| j as f64 * out.terms[j][0] * other[k - j]);
+                terms.sum::<f64>() / k as f64
+            };
+            let (sine, cosine) = (of(&cosines), -of(&sines));
+            sines.push(sine);
+            cosines.push(cosine);
         }
-        let by = out.scale * PER_ORDER[k + 1];
-        out.terms[k + 1] = [by * out.terms[k][1], by * pull];
+        let by = out.scale / (k + 1) as f64;
+        out.terms[k + 1] = [by * out.terms[k][1], -by * SQUARE * sines[k]];
     }
     for k in 0..=out.order {
         out.guards[0][k] = out.terms[k][0];

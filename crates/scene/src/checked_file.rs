@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use descriptions::load_model;
+use descriptions::Library;
 use diagnostics::Diagnostics;
 
 use super::instrument::Instrument;
@@ -16,20 +16,20 @@ use super::source::SourceText;
 /// # Errors
 ///
 /// All that is wrong with it, or that it is neither.
-pub fn check_file(path: &Path) -> Result<FileKind, Diagnostics> {
+pub fn check_file(library: &Library, path: &Path) -> Result<FileKind, Diagnostics> {
     let source = SourceText::read(path)?;
     if describes_model(&source) {
-        return load_model(path).map(|_model| FileKind::Model);
+        return library.load(path).map(|_model| FileKind::Model);
     }
-    check(&source)
+    check(library, &source)
 }
 
 /// Checks a text as [`check_file`] does.
-pub(super) fn check(source: &SourceText) -> Result<FileKind, Diagnostics> {
+pub(super) fn check(library: &Library, source: &SourceText) -> Result<FileKind, Diagnostics> {
     let kind = kind_of(source)?;
     match kind {
-        FileKind::Scene => Scene::check(source, &[]).map(|_scene| kind),
-        FileKind::Instrument => Instrument::check(source).map(|_instrument| kind),
+        FileKind::Scene => Scene::check(library, source, &[]).map(|_scene| kind),
+        FileKind::Instrument => Instrument::check(library, source).map(|_instrument| kind),
         // What only a text is has no place from which it could be loaded.
         FileKind::Model => Ok(kind),
     }

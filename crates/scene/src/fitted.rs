@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use descriptions::Library;
 use diagnostics::Diagnostics;
 use keyboard::KeyIndex;
 use toml_edit::{DocumentMut, InlineTable, Item, Table, Value, value};
@@ -34,8 +35,12 @@ pub struct FittedValues<'a> {
 /// # Errors
 ///
 /// All that is wrong with the instrument, or with the new one.
-pub fn fitted_text(name_or_path: &str, fitted: &FittedValues<'_>) -> Result<String, Diagnostics> {
-    let instrument = Instrument::load(name_or_path)?;
+pub fn fitted_text(
+    library: &Library,
+    name_or_path: &str,
+    fitted: &FittedValues<'_>,
+) -> Result<String, Diagnostics> {
+    let instrument = Instrument::load(library, name_or_path)?;
     let wrong = |what: String| refuse(Path::new(name_or_path), None, what, String::new());
     let source = SourceText::find(&INSTRUMENTS, name_or_path, Path::new(""));
     let source = source.map_err(|missing| match missing {
@@ -46,7 +51,7 @@ pub fn fitted_text(name_or_path: &str, fitted: &FittedValues<'_>) -> Result<Stri
     let mut document = parsed.map_err(|error| wrong(error.to_string()))?;
     document["title"] = value(fitted.title);
     document["doc"] = value(fitted.doc);
-    if let Some(file) = instrument.model().file {
+    if let Some(file) = instrument.model().file() {
         let absolute = std::path::absolute(file).unwrap_or_else(|_| file.into());
         document["model"] = value(absolute.to_string_lossy().as_ref());
     }
@@ -56,13 +61,13 @@ pub fn fitted_text(name_or_path: &str, fitted: &FittedValues<'_>) -> Result<Stri
     }
     let text = document.to_string();
     let again = SourceText::from_bytes(Path::new("fitted.toml"), text.clone().into_bytes())?;
-    Instrument::check(&again)?;
+    Instrument::check(library, &again)?;
     Ok(text)
 }
 
 /// The value of the parameter called `name`, `new` on a key, as it stands in a file.
 fn graded(instrument: &Instrument, name: &str, (key, new): (KeyIndex, f64)) -> Value {
-    let parameters = instrument.model().parameters;
+    let parameters = &instrument.model().parameters;
     let place = parameters.iter().position(|it| it.name == name);
     let on = |key: u8| place.and_then(|place| instrument.values(key).get(place).copied());
     let last = KeyIndex::HIGHEST.number();
@@ -94,7 +99,7 @@ mod tests {
     fn text(name: &str, values: &[(&str, f64)]) -> String {
         let key = KeyIndex::new(39).expect("a key");
         let fitted = FittedValues { title: "T", doc: "from data", key, values };
-        fitted_text(name, &fitted).unwrap_or_else(|wrong| panic!("{wrong}"))
+        fitted_text(&Library::default(), name, &fitted).unwrap_or_else(|wrong| panic!("{wrong}"))
     }
 
     #[test]
@@ -104,7 +109,7 @@ mod tests {
             assert!(text.contains(part), "no {part} in {text}");
         }
         let source = SourceText::from_bytes(Path::new("a.toml"), text.into_bytes()).expect("text");
-        let again = Instrument::check(&source).expect("an instrument");
+        let again = Instrument::check(&Library::default(), &source).expect("an instrument");
         let on = |key: u8, name: &str| {
             let place = again.model().parameters.iter().position(|it| it.name == name);
             again.values(key)[place.expect("a parameter")]

@@ -1,11 +1,10 @@
 //! An instrument: a model and a preset over the compass, with a title.
 
 use std::path::Path;
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use keyboard::KeyRange;
-use models::Preset;
-use models::catalogue::ModelEntry;
+use models::{LoadedModel, ModelEntry, Preset};
 use serde::Serialize;
 use toml_edit::{DocumentMut, Item};
 
@@ -20,6 +19,7 @@ use super::read::TableReader;
 use super::report::MistakeList;
 use super::source::{SourceError, SourceText, refuse};
 use super::voicing::Voicing;
+use descriptions::Library;
 use diagnostics::Diagnostics;
 
 /// A number of General MIDI, as its tables count.
@@ -53,46 +53,40 @@ impl Instrument {
     /// # Errors
     ///
     /// All that is wrong with it.
-    pub fn load(name_or_path: &str) -> Result<Self, Diagnostics> {
+    pub fn load(library: &Library, name_or_path: &str) -> Result<Self, Diagnostics> {
         let source = SourceText::find(&INSTRUMENTS, name_or_path, Path::new(""));
-        Self::check(&source.map_err(|missing| match missing {
+        let source = source.map_err(|missing| match missing {
             SourceError::Unknown((message, help)) => {
                 refuse(Path::new(name_or_path), None, message, help)
             }
             SourceError::Unreadable(diagnostics) => diagnostics,
-        })?)
+        })?;
+        Self::check(library, &source)
     }
 
-    /// Returns every embedded instrument, in the order in which they are listed to people; in a
-    /// program that cannot read descriptions those whose models are Rust.
+    /// Returns every embedded instrument, in the order in which they are listed to people.
     ///
     /// They are read once in a process.
     pub fn embedded() -> &'static [Self] {
         static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
-        static SOME: OnceLock<Vec<Instrument>> = OnceLock::new();
         // Tests load each of them.
-        let load = || INSTRUMENTS.names().filter_map(|name| Self::load(name).ok()).collect();
-        if let Some(all) = ALL.get() {
-            return all;
-        }
-        let loaded: Vec<_> = load();
-        let is_whole = loaded.len() == INSTRUMENTS.names().count();
-        if is_whole { ALL.get_or_init(|| loaded) } else { SOME.get_or_init(|| loaded) }
+        let load = |name| Self::load(&Library::default(), name).ok();
+        ALL.get_or_init(|| INSTRUMENTS.names().filter_map(load).collect())
     }
 
     /// Returns the embedded instruments of `model`, in the same order; those of other models are
     /// not read, which takes time where they are descriptions.
-    pub fn of_model(model: &ModelEntry) -> Vec<&'static Self> {
-        static READ: Mutex<Vec<&'static Instrument>> = Mutex::new(Vec::new());
+    pub fn of_model(model: &ModelEntry) -> Vec<Arc<Self>> {
+        static READ: Mutex<Vec<Arc<Instrument>>> = Mutex::new(Vec::new());
         let line = format!("model = \"{}\"", model.name);
         let says = |name: &&str| INSTRUMENTS.find(name).is_some_and(|text| text.contains(&line));
         let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
         let mut known = |name: &str| {
             if let Some(known) = read.iter().find(|it| it.name == name) {
-                return Some(*known);
+                return Some(Arc::clone(known));
             }
-            let loaded: &'static Self = Box::leak(Box::new(Self::load(name).ok()?));
-            read.push(loaded);
+            let loaded = Arc::new(Self::load(&Library::default(), name).ok()?);
+            read.push(Arc::clone(&loaded));
             Some(loaded)
         };
         let all = INSTRUMENTS.names().filter(says).filter_map(&mut known);
@@ -110,8 +104,8 @@ impl Instrument {
     }
 
     /// Returns the model that every key has.
-    pub const fn model(&self) -> &'static ModelEntry {
-        self.voicing.model
+    pub const fn model(&self) -> &Arc<LoadedModel> {
+        &self.voicing.model
     }
 
     /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
@@ -124,19 +118,19 @@ impl Instrument {
             name: self.name.clone(),
             title: self.title.clone(),
             model: self.voicing.model.name,
-            preset: self.voicing.preset.name,
+            preset: self.voicing.preset().name,
             needs: self.needs.summary(),
         }
     }
 
     /// Reads an instrument from `source`.
-    pub(super) fn check(source: &SourceText) -> Result<Self, Diagnostics> {
+    pub(super) fn check(library: &Library, source: &SourceText) -> Result<Self, Diagnostics> {
         if describes_model(source) {
             let message = "this is the description of a model, not an instrument".to_owned();
             let help = "name it in an instrument: model = \"…\"".to_owned();
             return Err(refuse(Path::new(&source.file), None, message, help));
         }
-        let mut report = MistakeList::new(source, &[]);
+        let mut report = MistakeList::new(source, &[], library);
         let root = document::parse(&mut report);
         let read = root.and_then(|root| {
             let mut reader = TableReader::new(&mut report, &source.name, &root)?;
@@ -182,10 +176,12 @@ impl Instrument {
 /// none has both or no preset is named, since the parameters may be any then.
 ///
 /// What is known of an instrument's stability is known of its model, too.
-pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<&'static Instrument> {
+pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Arc<Instrument>> {
     let all = Instrument::of_model(model);
-    let same = |it: &&Instrument| preset.is_some_and(|it_is| it.voicing.preset.name == it_is.name);
-    all.iter().copied().find(same).or_else(|| all.first().copied())
+    let same = |it: &&Arc<Instrument>| {
+        preset.is_some_and(|preset| it.voicing.preset().name == preset.name)
+    };
+    all.iter().find(same).or_else(|| all.first()).map(Arc::clone)
 }
 
 /// What stands at the head of an embedded instrument's file, whose model was not read.

@@ -1,7 +1,9 @@
 //! `[[keys]]`: the voices of key ranges.
 
+use std::sync::Arc;
+
 use keyboard::{KEYS, KeyRange, RangeError};
-use models::catalogue::ModelEntry;
+use models::{LoadedModel, ModelEntry};
 
 use super::document::{DocumentNode, TomlValue};
 use super::embedded::INSTRUMENTS;
@@ -18,7 +20,7 @@ use diagnostics::quoted;
 /// A model with its values for one key.
 #[derive(Clone, Debug)]
 pub struct KeyVoice {
-    pub model: &'static ModelEntry,
+    pub model: Arc<LoadedModel>,
     /// One value per parameter of the model, in the unit of each.
     pub values: Vec<f64>,
 }
@@ -26,7 +28,7 @@ pub struct KeyVoice {
 impl KeyVoice {
     /// Returns the voice of `key` that `voicing` says.
     pub fn new(voicing: &Voicing, key: u8) -> Self {
-        Self { model: voicing.model, values: voicing.values(key) }
+        Self { model: Arc::clone(&voicing.model), values: voicing.values(key) }
     }
 }
 
@@ -64,12 +66,12 @@ pub(super) fn read(
         report.miss(entry.place, "the scene has no keys", help);
     }
     let mut taken = Vec::new();
-    let mut models: Vec<&ModelEntry> = Vec::new();
+    let mut models: Vec<Arc<LoadedModel>> = Vec::new();
     for node in ranges {
         let found = read_range(report, node, &mut taken, in_loop);
         let Some((range, RangeVoicing { voicing, levels })) = found else { continue };
-        refuse_namesake(report, node.place, voicing.model, &models);
-        models.push(voicing.model);
+        refuse_namesake(report, node.place, &voicing.model, &models);
+        models.push(Arc::clone(&voicing.model));
         if in_loop.is_some() {
             voicing.refuse_unmet(report, node.place, range);
         }
@@ -87,7 +89,7 @@ fn refuse_namesake(
     report: &mut MistakeList<'_>,
     place: Location,
     model: &ModelEntry,
-    others: &[&ModelEntry],
+    others: &[Arc<LoadedModel>],
 ) {
     if others.iter().any(|other| other.name == model.name && !other.is(model)) {
         let message = format!("two models of the scene are called {}", quoted(model.name));
@@ -209,9 +211,9 @@ fn read_voicing(
             report.miss(reader.place, "these keys have no instrument", help);
         }
         let voicing = Voicing::read(report, reader)?;
-        let named = preset.map(|_entry| voicing.preset);
-        if let (Some(entry), Some(known)) = (model, known_as(voicing.model, named)) {
-            refuse_unstable(report, entry.node.place, known, in_loop);
+        let named = preset.map(|_entry| voicing.preset());
+        if let (Some(entry), Some(known)) = (model, known_as(&voicing.model, named)) {
+            refuse_unstable(report, entry.node.place, &known, in_loop);
         }
         if let Some(entry) = reader.take("fidelity") {
             let message = "\"fidelity\" stands beside a model, which is one fidelity";
@@ -254,7 +256,7 @@ fn read_instrument(
             report.say(place, message, format!("write model = {} instead", quoted(name)));
             return None;
         }
-        Ok(source) => Instrument::check(&source),
+        Ok(source) => Instrument::check(report.library(), &source),
         Err(SourceError::Unreadable(diagnostics)) => Err(diagnostics),
         Err(SourceError::Unknown((message, help))) => {
             report.say(place, message, help);
@@ -279,7 +281,7 @@ fn read_level(
         read::unknown(report, place, &refusal, fidelity.name(), known);
         return None;
     };
-    Instrument::load(name).map_err(|diagnostics| report.absorb(diagnostics)).ok()
+    Instrument::load(report.library(), name).map_err(|diagnostics| report.absorb(diagnostics)).ok()
 }
 
 /// Returns all levels of `instrument` that are stable `in_loop`, to be chosen from.

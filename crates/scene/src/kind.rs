@@ -1,5 +1,6 @@
 //! Tells scenes, instruments and descriptions of models by the names in the file.
 
+use descriptions::Library;
 use std::path::Path;
 
 use serde::Serialize;
@@ -77,7 +78,7 @@ pub(super) fn describes_model(source: &SourceText) -> bool {
 
 /// Returns the kind of which `source` has more names.
 pub(super) fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
-    let mut report = MistakeList::new(source, &[]);
+    let mut report = MistakeList::new(source, &[], &Library::default());
     let root = document::parse(&mut report);
     let entries = root.as_ref().and_then(document::DocumentNode::entries).unwrap_or_default();
     let count = |names: &[&str]| {

@@ -53,6 +53,7 @@ mod write;
 mod tests;
 
 pub use checked_file::check_file;
+pub use descriptions::Library;
 pub use embedded::{performances, scenes};
 pub use fidelity::{AutoFidelity, Fidelity, FidelityLevel};
 pub use fitted::{FittedValues, fitted_text};

@@ -1,5 +1,6 @@
 //! Settings of `[render]` that change while a host plays.
 
+use descriptions::Library;
 use diagnostics::{Diagnostics, quoted};
 
 use super::document;
@@ -33,7 +34,7 @@ impl Render {
             typed: format!("{name}={value}"),
         };
         let changes: Vec<_> = changes.iter().map(typed).collect();
-        let mut report = MistakeList::new(&source, &changes);
+        let mut report = MistakeList::new(&source, &changes, &Library::default());
         refuse_fixed(&mut report, &changes);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {

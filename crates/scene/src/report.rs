@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::source::{Override, SourceText};
+use descriptions::Library;
 use diagnostics::{Diagnostic, Diagnostics, shortened};
 
 /// Most mistakes that are reported of one file.
@@ -22,6 +23,8 @@ pub(super) enum Location {
 pub(super) struct MistakeList<'a> {
     source: &'a SourceText,
     overrides: &'a [Override],
+    /// Reads the descriptions that the file names.
+    library: Library,
     /// Byte at which each line starts.
     lines: Vec<usize>,
     /// Part of the file could not be read, so what seems missing may stand there.
@@ -31,15 +34,25 @@ pub(super) struct MistakeList<'a> {
 
 impl<'a> MistakeList<'a> {
     /// Returns an empty list for `source` and its overrides.
-    pub(super) fn new(source: &'a SourceText, overrides: &'a [Override]) -> Self {
+    pub(super) fn new(
+        source: &'a SourceText,
+        overrides: &'a [Override],
+        library: &Library,
+    ) -> Self {
         let ends = source.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
         let lines = std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect();
-        Self { source, overrides, lines, broken: false, found: Vec::new() }
+        let library = library.clone();
+        Self { source, overrides, library, lines, broken: false, found: Vec::new() }
     }
 
     /// Returns the file that is read.
     pub(super) const fn source(&self) -> &'a SourceText {
         self.source
+    }
+
+    /// Returns the reader of the descriptions that the file names.
+    pub(super) const fn library(&self) -> &Library {
+        &self.library
     }
 
     /// Returns what a relative path written at `place` is relative to.

@@ -23,6 +23,7 @@ use super::report::{Location, MistakeList};
 use super::rig::{self, Rig};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use super::voicing::Voicing;
+use descriptions::Library;
 use diagnostics::{Diagnostics, shown};
 use diagnostics::{choice, quoted};
 use scheduler::overload::OverloadRules;
@@ -35,6 +36,8 @@ const LANES: Quantity = Quantity { unit: "1", range: (1.0, 16.0) };
 /// A scene whose values were checked.
 #[derive(Clone, Debug)]
 pub struct Scene {
+    /// Reads descriptions, and knows those that the scene's keys play.
+    pub library: Library,
     /// The embedded scene's name, or the file's without its ending.
     pub name: String,
     /// A description in a few words.
@@ -147,7 +150,8 @@ enum Stability {
 }
 
 impl Scene {
-    /// Loads the embedded scene of that name, or the file at that path, with `overrides`.
+    /// Loads the embedded scene of that name, or the file at that path, with `overrides`; `library`
+    /// reads the descriptions that it names.
     ///
     /// An override is the dotted path of a value and what it becomes: `tick_hz` and `4000`,
     /// `keys.0.instrument` and `grand-reduced`, `keys.parameters.restitution` and `0.2`
@@ -156,9 +160,13 @@ impl Scene {
     /// # Errors
     ///
     /// All that is wrong with the scene and with the overrides.
-    pub fn load(name_or_path: &str, overrides: &[(String, String)]) -> Result<Self, Diagnostics> {
+    pub fn load(
+        library: &Library,
+        name_or_path: &str,
+        overrides: &[(String, String)],
+    ) -> Result<Self, Diagnostics> {
         let overrides: Vec<_> = overrides.iter().cloned().map(Override::from).collect();
-        Self::load_as_typed(name_or_path, &overrides)
+        Self::load_as_typed(library, name_or_path, &overrides)
     }
 
     /// Loads a scene as [`Scene::load`] does; messages quote overrides as they were typed.
@@ -166,7 +174,11 @@ impl Scene {
     /// # Errors
     ///
     /// All that is wrong with the scene and with the overrides.
-    pub fn load_as_typed(name_or_path: &str, overrides: &[Override]) -> Result<Self, Diagnostics> {
+    pub fn load_as_typed(
+        library: &Library,
+        name_or_path: &str,
+        overrides: &[Override],
+    ) -> Result<Self, Diagnostics> {
         let source = SourceText::find(&SCENES, name_or_path, Path::new(""));
         let source = source.map_err(|missing| match missing {
             SourceError::Unknown((message, help)) => {
@@ -174,7 +186,7 @@ impl Scene {
             }
             SourceError::Unreadable(diagnostics) => diagnostics,
         })?;
-        Self::check(&source, overrides)
+        Self::check(library, &source, overrides)
     }
 
     /// Returns the text of the file at `path`, for [`Scene::from_file_text`].
@@ -192,11 +204,12 @@ impl Scene {
     ///
     /// All that is wrong with the scene and with the overrides.
     pub fn from_file_text(
+        library: &Library,
         path: &Path,
         text: String,
         overrides: &[Override],
     ) -> Result<Self, Diagnostics> {
-        Self::check(&SourceText::from_bytes(path, text.into_bytes())?, overrides)
+        Self::check(library, &SourceText::from_bytes(path, text.into_bytes())?, overrides)
     }
 
     /// Returns the recorded scene of `text`, called `name`; relative paths are to the
@@ -207,22 +220,27 @@ impl Scene {
     /// # Errors
     ///
     /// All that is wrong with it.
-    pub fn from_text(name: &str, text: String) -> Result<Self, Diagnostics> {
+    pub fn from_text(library: &Library, name: &str, text: String) -> Result<Self, Diagnostics> {
         let source = SourceText::from_bytes(Path::new(name), text.into_bytes())?;
-        Self::read_from(&source, &[], Stability::Recorded)
+        Self::read_from(library, &source, &[], Stability::Recorded)
     }
 
     /// Reads a scene from `source`.
-    pub(super) fn check(source: &SourceText, overrides: &[Override]) -> Result<Self, Diagnostics> {
-        Self::read_from(source, overrides, Stability::Required)
+    pub(super) fn check(
+        library: &Library,
+        source: &SourceText,
+        overrides: &[Override],
+    ) -> Result<Self, Diagnostics> {
+        Self::read_from(library, source, overrides, Stability::Required)
     }
 
     fn read_from(
+        library: &Library,
         source: &SourceText,
         overrides: &[Override],
         stability: Stability,
     ) -> Result<Self, Diagnostics> {
-        let mut report = MistakeList::new(source, overrides);
+        let mut report = MistakeList::new(source, overrides, library);
         let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
             for (index, change) in overrides.iter().enumerate() {
@@ -265,6 +283,7 @@ impl Scene {
         let midi = read_midi(report, reader);
         let play_list = read_pianist(report, reader);
         Self {
+            library: report.library().clone(),
             name,
             title,
             tick_hz,

@@ -1,9 +1,10 @@
 //! The voices of a range of keys: a model, a preset, and the parameters that differ from it.
 
-use descriptions::{MissingModel, find_model, unmet};
+use std::sync::Arc;
+
+use descriptions::{MissingModel, unmet};
 use keyboard::{KeyIndex, KeyRange};
-use models::catalogue::ModelEntry;
-use models::{Parameter, Preset};
+use models::{LoadedModel, Parameter, Preset};
 
 use super::document::{DocumentNode, TomlValue};
 use super::quantity::Quantity;
@@ -36,29 +37,32 @@ impl Graded {
 /// differs from it.
 #[derive(Clone, Debug)]
 pub struct Voicing {
-    pub model: &'static ModelEntry,
-    pub(super) preset: &'static Preset,
+    pub model: Arc<LoadedModel>,
+    /// Index of the preset; the model has it.
+    preset: usize,
     /// The values that differ from the preset, by parameter.
     changed: Vec<Option<Graded>>,
 }
 
 impl Voicing {
-    const fn new(model: &'static ModelEntry, preset: &'static Preset) -> Self {
-        Self { model, preset, changed: Vec::new() }
+    /// Returns `model` with its first preset; none if it has no presets.
+    pub fn of_model(model: &Arc<LoadedModel>) -> Option<Self> {
+        let voicing = Self { model: Arc::clone(model), preset: 0, changed: Vec::new() };
+        (!model.presets.is_empty()).then_some(voicing)
     }
 
-    /// Returns `model` with its first preset; none if it has no presets.
-    pub fn of_model(model: &'static ModelEntry) -> Option<Self> {
-        model.presets.first().map(|preset| Self::new(model, preset))
+    /// Returns the preset from which values differ, if at all.
+    pub fn preset(&self) -> &Preset {
+        &self.model.presets[self.preset]
     }
 
     /// Returns the same for another version of the model: the preset of that name, or else the
     /// first, and what differs from it, by the names of parameters that allow these values.
-    pub fn following(&self, model: &'static ModelEntry) -> Option<Self> {
-        let called = |it: &&Preset| it.name == self.preset.name;
-        let preset = model.presets.iter().find(called).or_else(|| model.presets.first())?;
+    pub fn following(&self, model: &Arc<LoadedModel>) -> Option<Self> {
+        let called = |it: &Preset| it.name == self.preset().name;
+        let preset = model.presets.iter().position(called).unwrap_or(0);
         let changed = model.parameters.iter().map(|it| self.changed_in(it)).collect();
-        Some(Self { model, preset, changed })
+        Some(Self { preset, changed, ..Self::of_model(model)? })
     }
 
     /// Returns what differs from the preset in the parameter that is called as `wanted` is.
@@ -78,7 +82,7 @@ impl Voicing {
         place: Location,
         keys: KeyRange,
     ) {
-        let on_key = |key| Some((key, *unmet(self.model, &self.values(key)).first()?));
+        let on_key = |key| Some((key, unmet(&self.model, &self.values(key)).into_iter().next()?));
         if let Some((key, condition)) = keys.numbers().find_map(on_key) {
             let key = KeyIndex::new(key).map_or_else(String::new, |key| key.to_string());
             let name = self.model.name;
@@ -89,11 +93,13 @@ impl Voicing {
 
     /// Returns one value per parameter of the model for `key`, 0 (A0) ..= 87 (C8).
     pub fn values(&self, key: u8) -> Vec<f64> {
-        let value = |index: usize| match self.changed.get(index) {
-            Some(Some(graded)) => graded.at(key),
-            _ => (self.preset.value)(index, key),
-        };
-        (0..self.model.parameters.len()).map(value).collect()
+        let mut values = self.preset().values(key);
+        for (value, changed) in values.iter_mut().zip(&self.changed) {
+            if let Some(graded) = changed {
+                *value = graded.at(key);
+            }
+        }
+        values
     }
 
     /// Reads the keys `model` and `preset`; the model's first preset if none is named.
@@ -101,7 +107,7 @@ impl Voicing {
         let model = reader.text(report, "model");
         let preset = reader.text(report, "preset");
         let (name, place) = model?;
-        let model = match find_model(&name, report.folder(place)) {
+        let model = match report.library().find(&name, report.folder(place)) {
             Ok(model) => model,
             Err(MissingModel::Unknown { message, help }) => {
                 report.say(place, message, help);
@@ -113,19 +119,19 @@ impl Voicing {
             }
         };
         let preset = match preset {
-            None => model.presets.first(),
+            None => 0,
             Some((name, place)) => {
-                let found = model.presets.iter().find(|preset| preset.name == name);
+                let found = model.presets.iter().position(|preset| preset.name == name);
                 if found.is_none() {
                     let refusal = format!("{} has no preset", model.name);
                     let known = model.presets.iter().map(|preset| preset.name);
                     unknown(report, place, &refusal, &name, known);
                 }
                 // The parameters can be checked with any preset.
-                found.or(model.presets.first())
+                found.unwrap_or(0)
             }
         };
-        preset.map(|preset| Self::new(model, preset))
+        Some(Self { preset, ..Self::of_model(&model)? })
     }
 
     /// Reads the table `parameters`, if there is one.
@@ -140,7 +146,8 @@ impl Voicing {
             read::wrong_type(report, "parameters", &entry.node, "a table", help);
             return;
         };
-        let parameters = self.model.parameters;
+        let model = Arc::clone(&self.model);
+        let parameters = &model.parameters;
         self.changed.resize(parameters.len(), None);
         for entry in entries {
             let index = parameters.iter().position(|parameter| parameter.name == entry.name);
@@ -188,6 +195,10 @@ fn read_graded(
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
+    use descriptions::Library;
+
     use super::*;
 
     #[test]
@@ -207,13 +218,17 @@ mod tests {
 
     #[test]
     fn every_preset_stays_within_its_model_s_ranges() {
-        let entries = models::catalogue::built_ins();
-        for (model, preset) in entries.flat_map(|m| m.presets.iter().map(move |p| (m, p))) {
-            for (index, parameter) in model.parameters.iter().enumerate() {
-                let quantity = Quantity { unit: parameter.unit, range: parameter.range };
-                let allows = |key| quantity.allows((preset.value)(index, key));
-                let name = parameter.name;
-                assert!((0..88).all(allows), "{} {} {name}", model.name, preset.name);
+        let library = Library::default();
+        for name in descriptions::model_names() {
+            let model = library.find(name, Path::new("")).unwrap();
+            for preset in &model.presets {
+                for key in 0..88 {
+                    for (parameter, value) in model.parameters.iter().zip(preset.values(key)) {
+                        let quantity = Quantity { unit: parameter.unit, range: parameter.range };
+                        let label = (model.name, preset.name, parameter.name, key);
+                        assert!(quantity.allows(value), "{label:?}");
+                    }
+                }
             }
         }
     }

@@ -4,7 +4,7 @@ use keyboard::KeyIndex;
 use keyboard::KeyRange;
 use links::address::Address;
 use links::can::CanMode;
-use models::catalogue::ModelEntry;
+use models::ModelEntry;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value, value};
 
 use super::keys::KeyVoice;
@@ -145,7 +145,7 @@ fn is_alike(a: Option<&KeyVoice>, b: Option<&KeyVoice>) -> bool {
         (Some(a), Some(b)) => {
             let bits =
                 |it: &KeyVoice| -> Vec<u64> { it.values.iter().map(|v| v.to_bits()).collect() };
-            a.model.is(b.model) && bits(a) == bits(b)
+            a.model.is(&b.model) && bits(a) == bits(b)
         }
         (None, None) => true,
         (Some(_), None) | (None, Some(_)) => false,
@@ -156,8 +156,8 @@ fn entry(voice: &KeyVoice, first: usize, last: usize) -> Table {
     let name = |index: usize| key(u8::try_from(index).unwrap_or(u8::MAX));
     let mut table = Table::new();
     table["range"] = value(format!("{}..{}", name(first), name(last)));
-    table["model"] = value(voice.model.file.unwrap_or(voice.model.name));
-    table["parameters"] = value(parameters(voice.model, &voice.values));
+    table["model"] = value(voice.model.file().unwrap_or(voice.model.name));
+    table["parameters"] = value(parameters(&voice.model, &voice.values));
     table
 }
 
@@ -172,12 +172,13 @@ mod tests {
     use super::super::embedded::SCENES;
     use super::super::source::SourceText;
     use super::*;
+    use descriptions::Library;
 
     /// `scene` as it is read again.
     fn again(scene: &Scene) -> Scene {
         let text = written(scene).into_bytes();
         let source = SourceText::from_bytes(Path::new("again.toml"), text).expect("a text");
-        Scene::check(&source, &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
+        Scene::check(&Library::default(), &source, &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
     }
 
     /// Returns what two scenes must have in common.
@@ -195,7 +196,7 @@ mod tests {
     fn every_scene_of_ours_comes_back_to_the_bit() {
         // The default scene plays a description, which this crate alone cannot read.
         for name in SCENES.names().filter(|name| *name != "default") {
-            let scene = Scene::load(name, &[]).expect("a scene");
+            let scene = Scene::load(&Library::default(), name, &[]).expect("a scene");
             assert_eq!(facts(&again(&scene)), facts(&scene), "{name}");
         }
     }
@@ -225,14 +226,16 @@ mod tests {
             ("pianist.repeat", "true"),
         ];
         let changed = changed.map(|(name, value)| (name.to_owned(), value.to_owned()));
-        let scene = Scene::load("springs", &changed).unwrap_or_else(|wrong| panic!("{wrong}"));
+        let scene = Scene::load(&Library::default(), "springs", &changed)
+            .unwrap_or_else(|wrong| panic!("{wrong}"));
         assert_eq!(facts(&again(&scene)), facts(&scene));
     }
 
     #[test]
     fn a_midi_device_comes_back() {
         let device = ("midi.output".to_owned(), "raw:/dev/snd/midiC1D0".to_owned());
-        let scene = Scene::load("springs", &[device]).unwrap_or_else(|wrong| panic!("{wrong}"));
+        let scene = Scene::load(&Library::default(), "springs", &[device])
+            .unwrap_or_else(|wrong| panic!("{wrong}"));
         assert_eq!(again(&scene).midi.output, MidiOutput::Raw("/dev/snd/midiC1D0".into()));
     }
 }

@@ -647,7 +647,7 @@ mod tests {
         let mut turn = VoiceOutput::default();
         slot.tick(0, &at(0.0), &mut turn);
         assert_eq!((turn.fault, slot.voice.ticks), (Some(VoiceFault::Muted), 0));
-        assert!(slot.retune(&values("tunable", 2.0)));
+        assert!(slot.retune(&values(TUNABLE, 2.0)));
         slot.tick(1, &at(0.0), &mut turn);
         assert_eq!((turn.fault, turn.fresh, slot.voice.ticks), (None, true, 1));
         slot.lockout.muted = true;
@@ -692,7 +692,7 @@ mod tests {
         }
 
         fn retune(&mut self, values: &ModelValues) -> bool {
-            let is_mine = values.model() == "tunable";
+            let is_mine = values.model() == TUNABLE;
             if is_mine {
                 self.value = values.as_slice()[0];
             }
@@ -700,7 +700,9 @@ mod tests {
         }
     }
 
-    fn values(model: &'static str, value: f64) -> ModelValues {
+    const TUNABLE: u64 = 7;
+
+    fn values(model: u64, value: f64) -> ModelValues {
         ModelValues::new(model, 1, &[value]).unwrap()
     }
 
@@ -712,7 +714,7 @@ mod tests {
             slot.tick(tick, &at(0.0), &mut turn);
         }
         assert!(!turn.fresh);
-        assert!(slot.retune(&values("tunable", 2.0)));
+        assert!(slot.retune(&values(TUNABLE, 2.0)));
         slot.tick(3, &at(0.0), &mut turn);
         assert!((turn.force - 2.0).abs() < f64::EPSILON && turn.fresh);
         assert_eq!(slot.voice.ticks, 4, "it was not put at rest");
@@ -745,7 +747,7 @@ mod tests {
         let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
         let mut turn = VoiceOutput::default();
         slot.tick(0, &at(0.0), &mut turn);
-        assert!(!slot.retune(&values("another", 2.0)));
+        assert!(!slot.retune(&values(TUNABLE + 1, 2.0)));
         slot.tick(1, &at(0.0), &mut turn);
         assert_eq!((slot.voice.ticks, turn.fresh), (2, false));
         assert!((turn.force - 1.0).abs() < f64::EPSILON);

@@ -8,7 +8,7 @@ pub const MAX_VALUES: usize = 128;
 /// It owns no memory, so that the tick takes it from a ring and drops it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ModelValues {
-    model: &'static str,
+    model: u64,
     revision: u32,
     n: usize,
     values: [f64; MAX_VALUES],
@@ -18,23 +18,17 @@ impl ModelValues {
     /// Returns `values` for voices of `model`, which are of `revision` from then on; none if
     /// there are more than [`MAX_VALUES`].
     ///
-    /// `model` is the name that stands in the model's entry, not a copy of it: versions of a model
-    /// that was read from a file twice have the same name in two places.
-    pub fn new(model: &'static str, revision: u32, values: &[f64]) -> Option<Self> {
+    /// `model` is the number of the model's version: two versions of one description may have other
+    /// parameters.
+    pub fn new(model: u64, revision: u32, values: &[f64]) -> Option<Self> {
         let mut all = [0.0; MAX_VALUES];
         all.get_mut(..values.len())?.copy_from_slice(values);
         Some(Self { model, revision, n: values.len(), values: all })
     }
 
-    /// Returns the name of the model that has these parameters.
-    pub const fn model(&self) -> &'static str {
+    /// Returns the number of the version of a model that has these parameters.
+    pub const fn model(&self) -> u64 {
         self.model
-    }
-
-    /// Returns whether these are values of the version of a model whose entry has this `name`, at
-    /// this place in memory.
-    pub fn are_of(&self, name: &'static str) -> bool {
-        core::ptr::eq(self.model, name)
     }
 
     /// Returns the number that the voice has among all voices of a run once it has the values.
@@ -55,10 +49,10 @@ mod tests {
     #[test]
     fn as_many_values_as_a_model_may_have_are_kept_in_order() {
         let all: [f64; MAX_VALUES] = core::array::from_fn(|index| index as f64);
-        let values = ModelValues::new("model", 7, &all).unwrap();
-        assert_eq!((values.model(), values.revision(), values.as_slice()), ("model", 7, &all[..]));
-        let values = ModelValues::new("model", 8, &all[..3]).unwrap();
+        let values = ModelValues::new(3, 7, &all).unwrap();
+        assert_eq!((values.model(), values.revision(), values.as_slice()), (3, 7, &all[..]));
+        let values = ModelValues::new(3, 8, &all[..3]).unwrap();
         assert_eq!(values.as_slice(), [0.0, 1.0, 2.0]);
-        assert_eq!(ModelValues::new("model", 9, &[0.0; MAX_VALUES + 1]), None);
+        assert_eq!(ModelValues::new(3, 9, &[0.0; MAX_VALUES + 1]), None);
     }
 }

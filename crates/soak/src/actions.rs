@@ -24,7 +24,7 @@ const FULL: u64 = 64 << 10;
 #[derive(Clone, Debug)]
 enum PlannedAction {
     /// A voice gets these values, unchecked.
-    Retune(usize, &'static str, Vec<f64>),
+    Retune(usize, u64, Vec<f64>),
     Ask(Request),
     /// No file may grow any further.
     Fill,
@@ -177,7 +177,7 @@ impl Actor {
         }
     }
 
-    fn retune(&self, key: usize, model: &'static str, values: &[f64]) -> Result<(), String> {
+    fn retune(&self, key: usize, model: u64, values: &[f64]) -> Result<(), String> {
         let sent = ModelValues::new(model, self.run.new_revision(), values);
         let sent = sent.ok_or_else(|| format!("{model} has too many parameters"))?;
         if !FailingVoices::are_bad(values) {
@@ -214,7 +214,7 @@ fn voices(scene: &Scene, plan: &SoakPlan) -> Vec<(u64, PlannedAction)> {
             BadValues::NotANumber => vec![f64::NAN; voice.values.len()],
             BadValues::Wild(seed) => wild(&voice.values, seed),
         };
-        let (key, model) = (trouble.key, voice.model.name);
+        let (key, model) = (trouble.key, voice.model.id());
         actions.push((trouble.ticks.start, PlannedAction::Retune(key, model, bad)));
         actions.push((trouble.ticks.end, PlannedAction::Retune(key, model, voice.values.clone())));
     }

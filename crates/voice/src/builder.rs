@@ -8,9 +8,7 @@ use haptics::{
     DeviceCompensation, EnergyBound, ForceGate, PassivityController, PassivityObserver,
     RigParameters,
 };
-use models::catalogue::{self, ModelEntry, Visitor};
-use models::registry::SmallModel;
-use models::{Playable, built_in};
+use models::{ModelEntry, Playable, Visitor};
 use pode::Limits;
 use pode::stepper::{self, Any, Rk4};
 use scheduler::observation::MAX_STATES;
@@ -29,8 +27,6 @@ pub type AnyVoice = Box<dyn RehearsableVoice>;
 /// Why a scene's values make no voice.
 #[derive(Debug, thiserror::Error)]
 pub enum BuildError {
-    #[error("model `{0}` is not in the catalogue; `letoff instruments` lists those that are")]
-    NoSuchModel(&'static str),
     #[error("model `{model}` has {found} {what}, more than the {most} that a voice can have")]
     TooLarge {
         model: &'static str,
@@ -101,8 +97,7 @@ impl<'a> VoiceBuilder<'a> {
         cell: Arc<AuditCell>,
         revision: u32,
     ) -> Result<AnyVoice, BuildError> {
-        let name = voice.model.name;
-        refuse_large(voice.model)?;
+        refuse_large(&voice.model)?;
         let h = self.period.as_secs_f64();
         let builder = Builder {
             render: &self.scene.render,
@@ -115,7 +110,7 @@ impl<'a> VoiceBuilder<'a> {
             speed_step: speed_step(&self.scene.links),
             revision,
         };
-        catalogue::visit(voice.model, builder).ok_or(BuildError::NoSuchModel(name))?
+        voice.model.visit(builder)
     }
 }
 
@@ -150,7 +145,7 @@ fn speed_step(links: &LinksConfig) -> Option<f64> {
     boards.samples.has_velocity().then_some(step)
 }
 
-/// Makes a voice of whichever model the catalogue finds.
+/// Makes a voice of whichever model a key plays.
 struct Builder<'a> {
     render: &'a Render,
     values: &'a [f64],
@@ -180,12 +175,6 @@ impl Visitor for Builder<'_> {
         let stepper = if let Any::ByNeed(_) = asked { Any::ByNeed(by_need) } else { asked };
         let fittings = self.fittings(model.input_per_metre())?;
         Ok(Box::new(RenderedKey::new(model, stepper, fittings)))
-    }
-
-    /// The usual method is compiled into the usual voice; any other costs it a choice per step.
-    fn visit_small(self, model: SmallModel) -> Self::Output {
-        let Any::Rk4(rk4) = self.render.stepper else { return self.visit(model) };
-        built_in::visit_by_type(model, Rk4Builder { rk4, builder: self })
     }
 }
 
@@ -262,6 +251,7 @@ impl Builder<'_> {
 
 #[cfg(test)]
 mod tests {
+    use scene::Library;
     use scheduler::motion::KeySample;
     use scheduler::values::ModelValues;
     use scheduler::voice::VoiceOutput;
@@ -289,7 +279,7 @@ mod tests {
     /// Strikes of a pressed key whose voice is computed by other settings from each of these ticks
     /// on.
     fn strikes(renders: &[(u64, Render)]) -> usize {
-        let scene = Scene::load("springs", &[]).unwrap();
+        let scene = Scene::load(&Library::default(), "springs", &[]).unwrap();
         let key = scene.keys[39].as_ref().unwrap();
         let voice = |render| {
             let scene = Scene { render, ..scene.clone() };
@@ -314,7 +304,7 @@ mod tests {
 
     #[test]
     fn settings_that_change_while_a_key_is_played_sound_no_other_note() {
-        let before = Scene::load("springs", &[]).unwrap().render;
+        let before = Scene::load(&Library::default(), "springs", &[]).unwrap().render;
         assert_eq!(strikes(&[]), 1);
         let control = Render { passivity: PassivityMode::Control, ..before };
         let coupled = Render { coupling_stiffness: 2e3, coupling_damping: 4.0, ..control };
@@ -329,16 +319,16 @@ mod tests {
 
     #[test]
     fn a_retuned_voice_is_the_voice_that_is_built_with_those_values() {
-        let scene = Scene::load("springs", &[]).unwrap();
+        let scene = Scene::load(&Library::default(), "springs", &[]).unwrap();
         let builder = VoiceBuilder::new(&scene).unwrap();
         let key = scene.keys[39].as_ref().unwrap();
         let stiffness = key.model.parameters.iter().position(|it| it.name == "k2").unwrap();
         let mut other = key.clone();
         other.values[stiffness] *= 1.5;
         let mut voices = [key, &other, key].map(|it| builder.voice(it, Arc::default()).unwrap());
-        let values = ModelValues::new(key.model.name, 7, &other.values).unwrap();
+        let values = ModelValues::new(key.model.id(), 7, &other.values).unwrap();
         assert!(voices[2].retune(&values));
-        assert!(!voices[2].retune(&ModelValues::new("spring-wall", 8, &[]).unwrap()));
+        assert!(!voices[2].retune(&ModelValues::new(0, 8, &[]).unwrap()));
         let [first, built, retuned] = voices.each_mut().map(forces);
         assert_ne!(first, built);
         assert_eq!(built, retuned);

@@ -1,7 +1,8 @@
 //! What of a voice goes on in the voice that takes its place.
 
-use models::catalogue::ModelEntry;
-use models::{ModeCode, Playable};
+use std::sync::Arc;
+
+use models::{ModeCode, ModelEntry, ModelParts, Playable};
 use pode::Motion;
 use scheduler::observation::ModelSnapshot;
 
@@ -11,10 +12,10 @@ use crate::input::InputPath;
 use crate::shift::InputShift;
 
 /// What a voice knows beyond its model's mode and state: its model, its key, and its damper.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct KeyMemory {
     /// The model in its version.
-    pub entry: &'static ModelEntry,
+    pub model: Arc<ModelParts>,
     /// From samples to the model's input.
     pub input: InputPath,
     /// Whether the key has lifted the damper.
@@ -60,9 +61,9 @@ pub(crate) fn carry(
     own: &ModelEntry,
     (entry, seen): (&ModelEntry, &ModelSnapshot),
 ) {
-    let names = own.states.iter().zip(own.state_units);
+    let names = own.states.iter().zip(&own.state_units);
     for (place, wanted) in state.iter_mut().zip(names) {
-        let mut others = entry.states.iter().zip(entry.state_units).zip(seen.state);
+        let mut others = entry.states.iter().zip(&entry.state_units).zip(seen.state);
         let same = others.find(|(name_and_unit, _)| *name_and_unit == wanted);
         if let Some((_, value)) = same.filter(|(_, value)| value.is_finite()) {
             *place = value;

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use haptics::{DeviceCompensation, ForceGate, KeyMotion, PassivityController, PassivityObserver};
-use models::{Playable, hammer_speed};
+use models::{ModelEntry, Playable, hammer_speed};
 use pode::input::Cubic;
 use pode::{
     Advance, Auditor, Cap, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator,
@@ -136,11 +136,17 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             fittings;
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
-        let entry = model.entry();
+        let parts = Arc::clone(model.shared());
         let at_rest = model.energy(mode, &state, &Motion::default());
         Self {
             simulator: Simulator::new(model, stepper, limits, mode, state),
-            memory: KeyMemory { entry, input, damper, coupling, shift: InputShift::default() },
+            memory: KeyMemory {
+                model: Arc::clone(&parts),
+                input,
+                damper,
+                coupling,
+                shift: InputShift::default(),
+            },
             gains,
             device,
             gate,
@@ -154,11 +160,11 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             at_rest,
             has_failed: false,
             h,
-            coordinates: entry.coordinates,
+            coordinates: parts.coordinates,
             slopes,
             simplified: Simplifications::NONE,
             revision: fittings.revision,
-            kind: kind_of::<T>(entry.name),
+            kind: kind_of::<T>(parts.name),
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
             switches: Switches::default(),
         }
@@ -426,11 +432,10 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     }
 
     fn retune(&mut self, values: &ModelValues) -> bool {
-        let model = *self.simulator.model();
-        if !values.are_of(model.entry().name) {
+        if values.model() != self.memory.model.id() {
             return false;
         }
-        let model = model.with_values(values.as_slice());
+        let model = self.simulator.model().with_values(values.as_slice());
         self.up = self.controller.is_some().then(|| model.at_rest(&Motion::default()));
         if let Some((mode, state)) = &self.up {
             self.at_rest = model.energy(*mode, state, &Motion::default());
@@ -446,7 +451,8 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
 
     fn take_over(&mut self, before: &dyn Voice) -> bool {
         let memory = before.memory().and_then(|it| it.downcast_ref::<KeyMemory>());
-        let Some(memory @ &KeyMemory { entry, damper, .. }) = memory else { return false };
+        let Some(memory) = memory else { return false };
+        let entry: &ModelEntry = &memory.model;
         let mut seen = VoiceObservation::default();
         before.observe(&mut seen);
         let model = self.simulator.model();
@@ -455,7 +461,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         let Some(mode) = same_mode(model, entry, structure) else { return false };
         let mut state = *self.simulator.state();
         carry(state.as_mut(), model.entry(), (entry, &seen.snapshot));
-        self.memory.damper = damper.with_damper(model.damper());
+        self.memory.damper = memory.damper.with_damper(model.damper());
         if model.entry().is(entry) {
             self.memory.succeed(memory);
         } else {
@@ -521,7 +527,7 @@ impl<M: Playable> Watch<M> for Strikes<'_> {
 /// A strike at `speed` (m/s), as loud as the instrument has it.
 fn strike<M: Playable>(model: &M, speed: f64) -> KeyEvent {
     let midi = model.midi();
-    let loudness = Loudness { hammer_speed: hammer_speed(midi, speed), velocity: midi.velocity };
+    let loudness = Loudness { hammer_speed: hammer_speed(&midi, speed), velocity: midi.velocity };
     KeyEvent::Strike { speed, loudness }
 }
 

@@ -54,6 +54,8 @@ Chores of this workspace.
                                     processor time, and keeps those on which it panics, takes
                                     more than 5 s of processor time or ends with a code that is
                                     not documented; half an hour
+  cargo xtask size                  counts lines of product and of tests, and names the largest
+                                    crates, structs and traits
   cargo xtask help                  prints this
 
 Example: cargo xtask demo -- --duration 5
@@ -89,6 +91,8 @@ pub(crate) enum Task {
     Peers(PeerOptions),
     /// Give damaged files to the program.
     Fuzz(FuzzOptions),
+    /// Count lines.
+    Size,
     /// Say what there is.
     Help,
 }
@@ -108,6 +112,7 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
             return with_flag(arguments, "--write-baseline", modes.map(Task::Bench));
         }
         Some("test") => Task::Test,
+        Some("size") => Task::Size,
         Some("oracle") => Task::Oracle,
         Some("guest-midi") => Task::GuestMidi,
         Some("dist") => {

@@ -25,6 +25,7 @@ mod needs;
 mod optional;
 mod oracle;
 mod peers;
+mod size;
 mod stage;
 mod test;
 mod tools;
@@ -59,6 +60,7 @@ fn perform(task: Task) -> Result<(), Error> {
         Task::Bench(usage) => bench::measure(usage),
         Task::Fuzz(options) => fuzz::run(&options),
         Task::Peers(options) => peers::run(&options),
+        Task::Size => size::print(),
         Task::Help => {
             print!("{USAGE}");
             Ok(())

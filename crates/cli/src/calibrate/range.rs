@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::io::Write;
+use std::path::Path;
 
 use firmware_protocol::key::KeyIndex;
 use haptics::SampledWall;
@@ -11,7 +12,7 @@ use hardware::calibrate::{
     Travelled,
 };
 use hardware::refusal::Refusal;
-use scene::Scene;
+use scene::{Library, Scene};
 use serde::Serialize;
 
 use super::bring_up::{self, ReadyKey};
@@ -151,15 +152,15 @@ fn report(scene: &Scene, trip: f64, key: KeyIndex, ranges: &[RangeFound]) -> Ran
 /// Returns how stiff the springs of model B may be where the front may be as stiff as `front` (N/m):
 /// each as if the other, and the key between them, were rigid, which is the stiffest case.
 fn model_b(key: KeyIndex, front: Option<f64>) -> Vec<ModelRow> {
-    let entry = models::catalogue::built_in("key-hammer-springs");
-    let Some((entry, preset)) =
-        entry.and_then(|it| Some((it, it.presets.iter().find(|it| it.name == "playable")?)))
-    else {
+    let Ok(model) = Library::default().find("key-hammer-springs", Path::new("")) else {
+        return Vec::new();
+    };
+    let Some(preset) = model.presets.iter().find(|it| it.name == "playable") else {
         return Vec::new();
     };
     let value = |name: &str| {
-        let index = entry.parameters.iter().position(|it| it.name == name);
-        index.map_or(f64::NAN, |index| (preset.value)(index, key.number()))
+        let index = model.parameters.iter().position(|it| it.name == name);
+        index.map_or(f64::NAN, |index| preset.value(index, key.number()))
     };
     let (lever, slider) = (value("r"), value("L1"));
     let row = |parameter, unit, per_front: f64| ModelRow {

@@ -109,7 +109,7 @@ impl PressedInstrument {
         if modes.is_empty() {
             modes.push(None);
         }
-        let (model, values, depth) = (self.voices.model, &self.parameters, self.depth);
+        let (model, values, depth) = (&*self.voices.model, &self.parameters, self.depth);
         let mut curves = Vec::new();
         for mode in modes {
             let held = HeldMode { model, values, mode, depth };
@@ -159,9 +159,9 @@ fn pressed(args: &ImpedanceArgs, mistakes: &mut Vec<String>) -> Asked {
     let rig = voices.rig().map_err(|wrong| mistakes.push(wrong)).ok()?;
     let mut values = LoopValues::of_rig(&rig, PERIOD, haptics::Kalman::KEY_JERK_DENSITY);
     loop_values(args, &mut values, mistakes);
-    let known = voices.model.parameters;
+    let known = &voices.model.parameters;
     set_parameters(known, &args.set, &mut parameters, mistakes);
-    check_modes(voices.model, &args.mode, mistakes);
+    check_modes(&voices.model, &args.mode, mistakes);
     let dip = known.iter().position(|it| it.name == "dip");
     let dip = dip.and_then(|it| parameters.get(it).copied());
     let dip = dip.unwrap_or(rig.key.bottom_stop.position);

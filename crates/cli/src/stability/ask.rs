@@ -1,5 +1,7 @@
 //! What was asked for, once all of it is right.
 
+use std::path::Path;
+
 use diagnostics::{choice, quoted};
 use haptics::{EstimatorName, Kalman, RigParameters};
 use keyboard::KeyIndex;
@@ -8,7 +10,7 @@ use lab::stability::{
     StabilitySubject,
 };
 use models::{ModelEntry, Parameter};
-use scene::Instrument;
+use scene::{Instrument, Library};
 
 use super::StabilityArgs;
 use super::quantities::{quantity, range};
@@ -53,9 +55,9 @@ impl StabilityQuestion {
         } else {
             LoopValues::ideal(&rig, PERIOD, jerk)
         };
-        let model = voices.as_ref().map(|it| it.model);
+        let model: Option<&ModelEntry> = voices.as_ref().map(|it| &**it.model);
         set_values(args, &mut values, &mut mistakes);
-        let known = model.map_or(&[][..], |it| it.parameters);
+        let known = model.map_or(&[][..], |it| &it.parameters);
         let chosen = set_parameters(known, &args.set, &mut parameters, &mut mistakes);
         let usual = [EstimatorName::BackwardDifference, EstimatorName::Kalman];
         let usual = if model.is_some() { &usual[..] } else { &usual[..1] };
@@ -113,9 +115,12 @@ pub(crate) fn voices(
 ) -> Result<(String, InstrumentVoices, Vec<f64>), Vec<String>> {
     let mut mistakes = Vec::new();
     let key = key_named(key).map_err(|wrong| mistakes.push(wrong));
-    let of_model = models::catalogue::find(what)
-        .and_then(|model| Instrument::of_model(model).first().copied().cloned());
-    let instrument = Instrument::load(what).or_else(|wrong| of_model.ok_or(wrong));
+    let library = Library::default();
+    let instrument = Instrument::load(&library, what).or_else(|wrong| {
+        let model = library.find(what, Path::new("")).ok();
+        let of_model = model.and_then(|model| Instrument::of_model(&model).into_iter().next());
+        of_model.map(|instrument| Instrument::clone(&instrument)).ok_or(wrong)
+    });
     let instrument = instrument.map_err(|wrong| mistakes.push(descriptions::rendered(&wrong)));
     let (Ok(key), Ok(instrument)) = (key, instrument) else { return Err(mistakes) };
     let values = instrument.values(key.number());
@@ -251,7 +256,7 @@ fn axis(text: &str, model: Option<&ModelEntry>, base: &LoopPoint) -> Result<MapA
         Some((name, ends)) => (name.trim(), Some(ends)),
         None => (text.trim(), None),
     };
-    let parameters = model.map_or(&[][..], |it| it.parameters);
+    let parameters = model.map_or(&[][..], |it| &it.parameters);
     let place = parameters.iter().position(|it| it.name == name);
     if let Some((place, parameter)) = place.and_then(|it| Some((it, parameters.get(it)?))) {
         let value = base.parameters.get(place).copied().unwrap_or_default();
@@ -276,7 +281,7 @@ fn of_parameter(
     value: f64,
     ends: Option<&str>,
 ) -> Result<MapAxis, String> {
-    let Parameter { name, title, unit, range: (low, high), .. } = *parameter;
+    let Parameter { name, ref title, unit, range: (low, high), .. } = *parameter;
     let ends = match ends {
         Some(ends) => range(ends, unit)?,
         None if value > 0.0 => ((0.1 * value).max(low), (10.0 * value).min(high)),
@@ -285,7 +290,7 @@ fn of_parameter(
     for end in [ends.0, ends.1] {
         in_range(parameter, end)?;
     }
-    let title = if title == name { title.to_owned() } else { format!("{title} ({name})") };
+    let title = if **title == *name { name.to_owned() } else { format!("{title} ({name})") };
     Ok(MapAxis {
         target: AxisTarget::Parameter(place),
         name: name.to_owned(),

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use haptics::RigParameters;
 use lab::stability::{LoopQuantity, TrialAnswer, TrialVoice, VoiceOrder};
-use models::ModelEntry;
-use scene::{KeyVoice, Scene};
+use models::LoadedModel;
+use scene::{KeyVoice, Library, Scene};
 use scheduler::motion::KeySample;
 use scheduler::voice::{VoiceFault, VoiceOutput};
 use voice::{AnyVoice, VoiceBuilder};
@@ -19,15 +19,16 @@ const FINEST_STEP: f64 = 1e-9;
 /// Makes voices of one model, rendered as scenes do it by default.
 #[derive(Debug)]
 pub(crate) struct InstrumentVoices {
-    pub(crate) model: &'static ModelEntry,
+    pub(crate) model: Arc<LoadedModel>,
     scene: Scene,
 }
 
 impl InstrumentVoices {
     /// Returns a maker of voices of `model`.
-    pub(crate) fn new(model: &'static ModelEntry) -> Result<Self, String> {
-        let scene = Scene::load("springs", &[]).map_err(|wrong| descriptions::rendered(&wrong))?;
-        Ok(Self { model, scene })
+    pub(crate) fn new(model: &Arc<LoadedModel>) -> Result<Self, String> {
+        let scene = Scene::load(&Library::default(), "springs", &[]);
+        let scene = scene.map_err(|wrong| descriptions::rendered(&wrong))?;
+        Ok(Self { model: Arc::clone(model), scene })
     }
 
     /// Returns the key on which its voices play.
@@ -56,7 +57,7 @@ impl InstrumentVoices {
         scene.render.coupling_damping = damping;
         scene.rig.encoder_step = order.values.get(LoopQuantity::EncoderStep).max(FINEST_STEP);
         scene.render.jerk_density = order.values.get(LoopQuantity::JerkDensity);
-        let key = KeyVoice { model: self.model, values: order.parameters.to_vec() };
+        let key = KeyVoice { model: Arc::clone(&self.model), values: order.parameters.to_vec() };
         let builder = VoiceBuilder::new(&scene).map_err(|error| error.to_string())?;
         let voice = builder.voice(&key, Arc::default()).map_err(|error| error.to_string())?;
         Ok(Box::new(TriedVoice { voice, turn: VoiceOutput::default(), is_new: true }))

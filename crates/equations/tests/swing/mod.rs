@@ -1,9 +1,12 @@
 //! A pendulum that hangs from an arm on a spring, as a table and functions.
 #![expect(unreachable_pub, reason = "a test's own module")]
 
+use std::sync::LazyLock;
+
 use equations::table::{
-    Arguments, DrawingTable, Freedom, FunctionId, Functions, GuardTable, ModeTable, ModelTable,
-    NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable, RestTable, WayTable,
+    Arguments, DrawingTable, Equations, Freedom, FunctionId, Functions, GuardTable, ModeTable,
+    ModelTable, NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable, RestTable,
+    WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -72,43 +75,51 @@ const STOP: GuardSpec = GuardSpec {
     reads: Reads::State,
 };
 
-const MODE: ModeTable = ModeTable {
-    name: "swing",
-    derivative: DERIVATIVE,
-    parts: &[PartTable {
-        entries: 3,
+fn mode() -> ModeTable {
+    ModeTable {
+        name: "swing",
         derivative: DERIVATIVE,
+        parts: vec![PartTable {
+            entries: 3,
+            derivative: DERIVATIVE,
+            kind: EquationKind::Conservative,
+            loss: None,
+            reads: Reads::StateAndInput,
+        }],
+        part_list: vec![Part::WHOLE],
+        readout: READOUT,
+        slopes: SLOPES,
+        outputs: OUTPUTS,
+        balance: BALANCE,
+        jacobian: JACOBIAN,
         kind: EquationKind::Conservative,
-        loss: None,
-        reads: Reads::StateAndInput,
-    }],
-    part_list: &[Part::WHOLE],
-    readout: READOUT,
-    slopes: SLOPES,
-    outputs: OUTPUTS,
-    balance: BALANCE,
-    jacobian: JACOBIAN,
-    kind: EquationKind::Conservative,
-    guards: &[GuardTable {
-        id: 3,
-        name: "stop",
-        unit: "",
-        priority: 0,
-        scale: 1.0,
-        fires: Fires::WhileNegative,
-        reads: Reads::State,
-        value: GUARD,
-        bound: None,
-        ways: &[WayTable { when: None, to: 0, reset: Some(RESET), resting: None }],
-        sounds: Some(SOUNDS),
-    }],
-    guard_specs: &[STOP],
-    freedom: Freedom { n: 1, m: 0, p: 1 },
-    ..ModeTable::NOTHING
-};
+        guards: vec![GuardTable {
+            id: 3,
+            name: "stop",
+            unit: "",
+            priority: 0,
+            scale: 1.0,
+            fires: Fires::WhileNegative,
+            reads: Reads::State,
+            value: GUARD,
+            bound: None,
+            ways: vec![WayTable { when: None, to: 0, reset: Some(RESET), resting: None }],
+            sounds: Some(SOUNDS),
+        }],
+        guard_specs: vec![STOP],
+        freedom: Freedom { n: 1, m: 0, p: 1 },
+        ..ModeTable::NOTHING
+    }
+}
 
-const fn parameter(name: &'static str) -> ParameterTable {
-    ParameterTable { name, title: name, unit: "1/s²", range: (0.0, 1e6), doc: "a stiffness" }
+fn parameter(name: &'static str) -> ParameterTable {
+    ParameterTable {
+        name,
+        title: name.into(),
+        unit: "1/s²",
+        range: (0.0, 1e6),
+        doc: "a stiffness".into(),
+    }
 }
 
 const fn quantity(name: &'static str) -> NamedQuantity {
@@ -116,25 +127,31 @@ const fn quantity(name: &'static str) -> NamedQuantity {
 }
 
 /// All of it but the arithmetic.
-pub static TABLE: ModelTable = ModelTable {
+pub static TABLE: LazyLock<ModelTable> = LazyLock::new(|| ModelTable {
     name: "swing",
-    summary: "a pendulum on a spring",
-    parameters: &[parameter("k"), parameter("weight")],
-    presets: &[PresetTable { name: "default", doc: "graded", values: PRESET }],
-    requirements: &[RequirementTable { text: "k > 1", margin: MARGIN }],
-    states: &[quantity("angle"), quantity("rate")],
+    summary: "a pendulum on a spring".into(),
+    parameters: vec![parameter("k"), parameter("weight")],
+    presets: vec![PresetTable { name: "default", doc: "graded".into(), values: PRESET }],
+    requirements: vec![RequirementTable { text: "k > 1".into(), margin: MARGIN }],
+    states: vec![quantity("angle"), quantity("rate")],
     coordinates: 1,
     constants: 3,
     derive_constants: CONSTANTS,
     input: quantity("s"),
     input_per_metre: PER_METRE,
-    modes: &[MODE],
-    contacts: &[],
-    contact_specs: &[],
-    guard_specs: &[STOP],
-    outputs: &[quantity("angle"), quantity("F"), quantity("sum")],
-    rest: RestTable { mode: 0, instead: &[], state: REST, is_improved: true },
+    modes: vec![mode()],
+    contacts: vec![],
+    contact_specs: vec![],
+    guard_specs: vec![STOP],
+    outputs: vec![quantity("angle"), quantity("F"), quantity("sum")],
+    rest: RestTable { mode: 0, instead: vec![], state: REST, is_improved: true },
     damper: None,
     midi: equations::table::MidiTable::HAMMER,
-    drawing: DrawingTable { numbers: DRAWING, count: 5, bodies: &[], springs: &[] },
-};
+    drawing: DrawingTable { numbers: DRAWING, count: 5, bodies: vec![], springs: vec![] },
+});
+
+impl Equations for Swing {
+    fn table(&self) -> &ModelTable {
+        &TABLE
+    }
+}

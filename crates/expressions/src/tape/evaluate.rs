@@ -33,10 +33,25 @@ fn chosen(condition: f64, positive: TapeSlot, other: TapeSlot) -> TapeSlot {
 impl Tape {
     /// Returns the outputs' values.
     pub fn evaluate(&self, arguments: &TapeArguments<'_>) -> Vec<f64> {
-        let mut values = Vec::with_capacity(self.instructions.len());
-        for instruction in &self.instructions {
+        let mut values = vec![0.0; self.instructions.len()];
+        let mut out = vec![0.0; self.outputs.len()];
+        self.evaluate_into(arguments, &mut values, &mut out);
+        out
+    }
+
+    /// Writes the outputs' values to `out`; `values` has room for one value per instruction.
+    ///
+    /// # Real-time
+    /// Bounded: one operation per instruction, no heap.
+    pub fn evaluate_into(
+        &self,
+        arguments: &TapeArguments<'_>,
+        values: &mut [f64],
+        out: &mut [f64],
+    ) {
+        for (at, instruction) in self.instructions.iter().enumerate() {
             let of = |slot: TapeSlot| -> f64 { values[slot.index()] };
-            let value = match *instruction {
+            values[at] = match *instruction {
                 Instruction::Number(number) => number,
                 Instruction::Argument(argument) => arguments.value(argument),
                 Instruction::Add(x, y) => of(x) + of(y),
@@ -50,8 +65,9 @@ impl Tape {
                     of(chosen(of(condition), positive, other))
                 }
             };
-            values.push(value);
         }
-        self.outputs.iter().map(|slot| values[slot.index()]).collect()
+        for (value, slot) in out.iter_mut().zip(&self.outputs) {
+            *value = values[slot.index()];
+        }
     }
 }

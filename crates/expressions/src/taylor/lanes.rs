@@ -18,14 +18,6 @@ impl LaneFactor {
             Self::Value(slot) | Self::Rate(slot) => slot,
         }
     }
-
-    /// Its coefficient of order k.
-    pub(super) fn text(self) -> String {
-        match self {
-            Self::Value(slot) => format!("w{}", slot.0),
-            Self::Rate(slot) => format!("k as f64 * w{}", slot.0),
-        }
-    }
 }
 
 /// A sum of products that a value takes.

@@ -52,25 +52,6 @@ impl Recursion {
         is_live
     }
 
-    /// The slots whose coefficient of one order `outputs` of that order depend on: of a slope only
-    /// those before it count.
-    pub(super) fn last(&self, outputs: &[TapeSlot]) -> Vec<bool> {
-        let mut is_live = vec![false; self.rules.len()];
-        let mut waiting = outputs.to_vec();
-        while let Some(slot) = waiting.pop() {
-            if self.is_constant(slot) || std::mem::replace(&mut is_live[slot.index()], true) {
-                continue;
-            }
-            let rule = self.rules[slot.index()];
-            if let SeriesRule::Driven { of, .. } = rule {
-                waiting.push(of);
-            } else {
-                rule.operands(|operand| waiting.push(operand));
-            }
-        }
-        is_live
-    }
-
     /// The operand itself, or the slot whose row stands for it where it is only a slope.
     fn slope_or(&self, of: TapeSlot, operand: TapeSlot) -> TapeSlot {
         let SeriesRule::Driven { slope, .. } = self.rules[of.index()] else { return operand };

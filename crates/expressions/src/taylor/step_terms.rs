@@ -137,7 +137,7 @@ impl<'a> StepTerms<'a> {
         if is_negative { self.minus(None, term) } else { term }
     }
 
-    /// x to a constant power: see `pode::series::rows::power`.
+    /// x to a constant power a, by x y' = a y x'. `[JZ05]` proposition 2.1.
     fn power(&mut self, at: TapeSlot, x: TapeSlot, by: TapeSlot) -> Term {
         let (exponent, one) = (Some(self.value(by)), self.writer.number(1.0));
         let more = self.plus(exponent, Some(one));

@@ -1,18 +1,12 @@
-//! Every function along x = t: its series against the function itself, against exact derivatives
-//! of the graph, and the emitted form against the interpreted one.
+//! Every function along x = t: its series against the function itself, and against exact
+//! derivatives of the graph.
 
 use expressions::graph::{
     BinaryFunction as Two, Graph, Node, Place, Tangent, UnaryFunction as One,
 };
 use expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
-use expressions::taylor::{Recursion, SeriesNames, SeriesStart, TapeSeries, emit};
-use pode::series::{Expansion, INPUT_TERMS};
-use pode::{Motion, math};
 
 use super::straight::followed;
-
-#[path = "emitted.rs"]
-mod emitted;
 
 /// Where the series begins, and the parameter.
 const X: f64 = 0.37;
@@ -102,8 +96,8 @@ impl Along {
 
     /// The series of `nodes` in x − X, up to `order`.
     fn series(&self, nodes: &[Node], order: usize) -> Vec<Vec<f64>> {
-        let start = SeriesStart { constants: &[P], state: &[X], input: &[], scale: 1.0 };
-        TapeSeries::new(&self.tape(nodes), 1).expand(&start, order).split_off(1)
+        let one = |node: &Node| followed(&self.tape(&[*node]), (P, X), order).swap_remove(1);
+        nodes.iter().map(one).collect()
     }
 }
 
@@ -141,106 +135,6 @@ fn coefficients_are_exact_derivatives_over_factorials() {
             let (found, expected) = (series[index][usize::from(k)], value / factorial);
             let error = (found - expected).abs() / expected.abs().max(1.0);
             assert!(error < 1e-12, "order {k} of function {index}: {found} is not {expected}");
-        }
-    }
-}
-
-#[test]
-fn the_input_and_its_rates_are_series_too() {
-    let mut along = Along::new();
-    let [s, rate, twice] = [0, 1, 2].map(|it| along.graph.symbol(Place::Input(it)));
-    let product = along.graph.multiply(s, twice);
-    // s = exp(2 t): s s'' = 4 exp(4 t).
-    let scale = 0.25;
-    let (mut input, mut term) = (Vec::new(), 1.0);
-    for k in 0..24 {
-        input.push(term);
-        term *= 2.0 * scale / f64::from(k + 1);
-    }
-    let start = SeriesStart { constants: &[P], state: &[X], input: &input, scale };
-    let series = TapeSeries::new(&along.tape(&[rate, product]), 1).expand(&start, 18);
-    let (mut first, mut second) = (2.0, 4.0);
-    for k in 0_u8..18 {
-        let (rate, product) = (series[1][usize::from(k)], series[2][usize::from(k)]);
-        assert!((rate / first - 1.0).abs() < 1e-13 && (product / second - 1.0).abs() < 1e-12);
-        first *= 2.0 * scale / f64::from(k + 1);
-        second *= 4.0 * scale / f64::from(k + 1);
-    }
-}
-
-/// All functions, six guards at a time, as `tests/taylor/emitted.rs` has them.
-fn file() -> String {
-    let mut along = Along::new();
-    let nodes = along.functions();
-    let mut text = String::from(
-        "//! Written by `UPDATE=1 cargo test -p expressions --test all taylor`; not by hand.\n\n\
-         #![expect(clippy::pedantic, unused_variables, reason = \"generated\")]\n\n\
-         use equations::functions;\n\
-         use pode::series::lanes::{SeriesLanes, SeriesPair};\n\
-         use pode::series::rows::PER_ORDER;\n\
-         \n\
-         use super::{Expansion, INPUT_TERMS, Motion, math};\n",
-    );
-    for (index, nodes) in nodes.chunks(6).enumerate() {
-        let recursion = Recursion::new(&along.tape(nodes), 1);
-        let function = format!("functions{index}");
-        let names = SeriesNames { function: &function, doc: "Six functions of x.", constants: 1 };
-        text = text + "\n" + &emit(&recursion, &names);
-    }
-    text
-}
-
-#[test]
-fn what_is_emitted_is_up_to_date() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/taylor/emitted.rs");
-    if std::env::var_os("UPDATE").is_some() {
-        std::fs::write(path, file()).expect("a folder");
-    }
-    assert!(std::fs::read_to_string(path).expect("the file") == file(), "out of date");
-}
-
-#[test]
-fn what_is_emitted_and_what_is_interpreted_agree() {
-    let mut along = Along::new();
-    let nodes = along.functions();
-    let expected = along.series(&nodes, 24);
-    let emitted = [
-        emitted::functions0,
-        emitted::functions1,
-        emitted::functions2,
-        emitted::functions3,
-        emitted::functions4,
-    ];
-    assert_eq!(nodes.len().div_ceil(6), emitted.len());
-    for (index, terms) in expected.iter().enumerate() {
-        let mut out = Expansion::of(&[X], 24, 1.0);
-        emitted[index / 6](&[P], &[Motion::default(); INPUT_TERMS], &mut out);
-        assert!((out.terms[1][0] - 1.0).abs() < 1e-15);
-        // Coefficients that all but cancel are as wrong as their neighbours are large.
-        for (k, term) in terms.iter().enumerate() {
-            let size = terms[k.saturating_sub(2)..(k + 3).min(25)]
-                .iter()
-                .fold(0.0_f64, |a, b| a.max(b.abs()));
-            let error = (out.guards[index % 6][k] - term).abs();
-            assert!(error <= 1e-12 * size, "function {index}, order {k}: off by {error:e}");
-        }
-    }
-}
-
-/// Values near their corners and forms that change end a series; here all of them are far.
-#[test]
-fn two_straight_lines_and_the_recursion_agree() {
-    let mut along = Along::new();
-    let nodes = along.functions();
-    let expected = along.series(&nodes, 24);
-    for (index, (node, terms)) in nodes.iter().zip(&expected).enumerate() {
-        let found = &followed(&along.tape(&[*node]), (P, X), 24)[1];
-        for (k, (found, term)) in found.iter().zip(terms).enumerate() {
-            let size = terms[k.saturating_sub(2)..(k + 3).min(25)]
-                .iter()
-                .fold(0.0_f64, |a, b| a.max(b.abs()));
-            let error = (found - term).abs();
-            assert!(error <= 1e-12 * size, "function {index}, order {k}: off by {error:e}");
         }
     }
 }

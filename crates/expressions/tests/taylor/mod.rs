@@ -1,5 +1,4 @@
 //! Power series of tapes, against closed forms, exact derivatives, and each other.
 
 mod functions;
-mod model_b;
 mod straight;

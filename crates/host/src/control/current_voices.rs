@@ -1,11 +1,11 @@
 //! The voices that play in a running host, and changes of their values, checked as a whole.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use descriptions::unmet;
 use keyboard::{KeyIndex, KeyRange};
-use models::Parameter;
-use models::catalogue::ModelEntry;
+use models::{LoadedModel, Parameter};
 use telemetry::request::Change;
 use telemetry::stream::ParameterSetting;
 
@@ -110,13 +110,13 @@ impl CurrentVoices {
     /// A condition of the model that the values do not meet, or that it has no presets.
     pub(super) fn loaded(
         &self,
-        model: &'static ModelEntry,
+        model: &Arc<LoadedModel>,
         keys: Option<KeyRange>,
     ) -> Result<BTreeMap<u8, NewVoice>, String> {
         let mut voices = BTreeMap::new();
         for (key, playing) in (0..).zip(&self.keys) {
             let Some(playing) = playing.as_ref().filter(|it| !it.model.is(model)) else { continue };
-            let is_version = playing.model.file.is_some() && playing.model.file == model.file;
+            let is_version = playing.model.file().is_some() && playing.model.file() == model.file();
             if !keys.map_or(is_version, |keys| keys.numbers().contains(&key)) {
                 continue;
             }
@@ -133,12 +133,12 @@ impl CurrentVoices {
     }
 
     /// Returns the voice of `key` for another version of its model.
-    fn next_version(&self, key: u8, model: &'static ModelEntry) -> Option<NewVoice> {
+    fn next_version(&self, key: u8, model: &Arc<LoadedModel>) -> Option<NewVoice> {
         let index = usize::from(key);
         let voicing = self.voicings.get(index)?.as_ref()?.following(model)?;
         let mut voice = KeyVoice::new(&voicing, key);
         let changed = self.changed.get(index)?;
-        for (place, parameter) in voice.values.iter_mut().zip(model.parameters) {
+        for (place, parameter) in voice.values.iter_mut().zip(&model.parameters) {
             let value = changed.get(parameter.name).filter(|it| refuse(parameter, **it).is_ok());
             *place = value.copied().unwrap_or(*place);
         }
@@ -180,9 +180,9 @@ impl CurrentVoices {
         self.changed.get(index)?.is_empty().then_some(name)
     }
 
-    /// Returns the models that play and are derived from descriptions, each once.
-    pub(super) fn described(&self) -> Vec<&'static ModelEntry> {
-        crate::observe::described(self.keys.iter().flatten().map(|voice| voice.model))
+    /// Returns the models that play, each once.
+    pub(super) fn models(&self) -> Vec<Arc<LoadedModel>> {
+        crate::observe::distinct(self.keys.iter().flatten().map(|voice| &voice.model))
     }
 
     /// Returns the value of each parameter of each voice, in the order of keys.
@@ -206,13 +206,13 @@ impl CurrentVoices {
     /// Returns whether a description that plays was read from `file`.
     pub(super) fn plays(&self, file: &str) -> bool {
         let path = known_path(file);
-        self.described().iter().any(|model| model.file == Some(path.as_str()))
+        self.models().iter().any(|model| model.file() == Some(path.as_str()))
     }
 
     fn apply(&self, change: &Change, voices: &mut BTreeMap<u8, KeyVoice>) -> Result<(), String> {
         let Change { key, parameter: wanted, value } = change;
         let playing = self.voice(*key)?;
-        let parameters = playing.model.parameters;
+        let parameters = &playing.model.parameters;
         let index = parameters.iter().position(|it| it.name == wanted).ok_or_else(|| {
             let known = parameters.iter().map(|it| it.name);
             let (model, wanted) = (playing.model.name, quoted(wanted));
@@ -247,7 +247,7 @@ pub(super) fn setting_of(key: u8, parameter: &str, value: f64) -> ParameterSetti
 
 /// Returns which condition of the model the values of `voice` do not meet, in a sentence.
 fn unmet_on(key: u8, voice: &KeyVoice) -> Option<String> {
-    let condition = *unmet(voice.model, &voice.values).first()?;
+    let condition = unmet(&voice.model, &voice.values).into_iter().next()?;
     let key = KeyIndex::new(key).map_or_else(String::new, |key| key.to_string());
     Some(format!("{} needs {condition}, which does not hold on {key}", voice.model.name))
 }
@@ -268,7 +268,9 @@ mod tests {
     use super::*;
 
     fn playing() -> CurrentVoices {
-        CurrentVoices::new(&Scene::load("springs", &[]).expect("a scene of ours"))
+        CurrentVoices::new(
+            &Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene of ours"),
+        )
     }
 
     fn change(key: u8, parameter: &str, value: f64) -> Change {

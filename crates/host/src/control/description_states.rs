@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use descriptions::{FileContents, version_of};
-use models::catalogue::ModelEntry;
+use models::{FileContents, ModelEntry};
 use telemetry::Description;
 
 /// What became of descriptions, by their files.
@@ -32,17 +31,16 @@ impl DescriptionStates {
 
     /// Notes that `model` plays since `now` (ns since 1970).
     pub(super) fn note_playing(&mut self, model: &ModelEntry, now: u64) {
-        if let Some(version) = version_of(model) {
-            self.since.insert(version.number, now);
+        if let Some(source) = &model.source {
+            self.since.insert(source.version, now);
         }
     }
 
     /// Returns what stood in the files of the description of `model` when they were read last.
     pub(super) fn contents(&self, model: &ModelEntry) -> Option<FileContents> {
-        match self.files.get(model.file?) {
-            Some(read) => Some(read.contents.clone()),
-            None => Some(FileContents::clone(&version_of(model)?.contents)),
-        }
+        let source = model.source.as_ref()?;
+        let read = self.files.get(&*source.file);
+        Some(read.map_or(&source.contents, |read| &read.contents).clone())
     }
 
     /// Writes what is known of each of `descriptions`.

@@ -8,10 +8,12 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use descriptions::{FileContents, rendered, try_load};
+use std::sync::Arc;
+
+use descriptions::rendered;
 use diagnostics::escaped;
 use keyboard::KeyRange;
-use models::catalogue::ModelEntry;
+use models::{FileContents, LoadedModel};
 use scene::{Render, Scene};
 use telemetry::{Log, Update, log};
 
@@ -44,10 +46,10 @@ impl RequestHandler {
         let range = keys.map(KeyRange::parse).transpose().map_err(|it| it.to_string())?;
         range.map(|range| self.playing().keys_in(range)).transpose()?;
         let path = known_path(file);
-        let load = |is_cancelled: &_| try_load(Path::new(&path), is_cancelled);
+        let load = |is_cancelled: &_| self.scene.library.try_load(Path::new(&path), is_cancelled);
         let (contents, read) = self.run.background.load(by, load)?;
         let read = read.map_err(|mistakes| LoadError::Mistakes(rendered(&mistakes)));
-        let played = read.and_then(|model| self.play(model, (range, &path, &contents), who));
+        let played = read.and_then(|model| self.play(&model, (range, &path, &contents), who));
         match played {
             Ok(text) => Ok(text),
             Err(LoadError::Refused(why)) => Err(why),
@@ -61,7 +63,7 @@ impl RequestHandler {
     /// Lets `model` play, which was read from what `contents` says.
     fn play(
         &self,
-        model: &'static ModelEntry,
+        model: &Arc<LoadedModel>,
         (range, path, contents): (Option<KeyRange>, &str, &FileContents),
         who: &str,
     ) -> Result<String, LoadError> {
@@ -74,14 +76,11 @@ impl RequestHandler {
             states.note_playing(model, now());
         }
         // Those that play until then are told of, too: a recording may begin in between.
-        let mut described = playing.described();
-        if !described.iter().any(|known| known.is(model)) {
-            described.push(model);
-        }
-        let catalogue = self.catalogue(playing.render, &described, &states);
+        let models = observe::distinct(playing.models().iter().chain([model]));
+        let catalogue = self.catalogue(playing.render, &models, &states);
         self.put_in(&mut playing, voices, Some(catalogue), who).map_err(LoadError::Refused)?;
         *self.states() = states;
-        let version = observe::version(model);
+        let version = model.version();
         let keys = if n == 0 { "the same keys".to_owned() } else { format!("{n} keys") };
         let text = format!("{keys} play version {version} of {} ({})", model.name, escaped(path));
         self.tell(&text, who);
@@ -91,12 +90,12 @@ impl RequestHandler {
     /// Notes, and tells, what is wrong with the description at `path`; the old version plays on.
     fn note_mistakes(&self, path: &str, contents: FileContents, mistakes: &str) {
         let playing = self.playing();
-        if !playing.described().iter().any(|model| model.file == Some(path)) {
+        if !playing.models().iter().any(|model| model.file() == Some(path)) {
             return;
         }
         let mut states = self.states();
         states.note_read(path, contents, mistakes);
-        self.run.tell(self.catalogue(playing.render, &playing.described(), &states));
+        self.run.tell(self.catalogue(playing.render, &playing.models(), &states));
         let text =
             format!("{} is wrong, and the version before it plays on:\n{mistakes}", escaped(path));
         let entry = Log { level: log::Level::Error.into(), text };
@@ -108,18 +107,20 @@ impl RequestHandler {
         let playing = self.playing();
         let mut states = self.states();
         states.is_watched = true;
-        self.run.tell(self.catalogue(playing.render, &playing.described(), &states));
+        self.run.tell(self.catalogue(playing.render, &playing.models(), &states));
     }
 
     /// Returns the files of the descriptions that play, each with what stood in them when they
     /// were read last.
-    pub(super) fn described_files(&self) -> Vec<(&'static str, FileContents)> {
-        let described = self.playing().described();
+    pub(super) fn described_files(&self) -> Vec<(String, FileContents)> {
+        let models = self.playing().models();
         let states = self.states();
         let mut seen = BTreeSet::new();
-        let newest = described.into_iter().rev().filter_map(|model| Some((model.file?, model)));
+        let newest = models.iter().rev().filter_map(|model| Some((model.file()?, model)));
         let newest = newest.filter(|(file, _model)| seen.insert(*file));
-        newest.filter_map(|(file, model)| Some((file, states.contents(model)?))).collect()
+        let files =
+            newest.filter_map(|(file, model)| Some((file.to_owned(), states.contents(model)?)));
+        files.collect()
     }
 
     /// Returns that message for a model that is to play beside those of `playing`; none if clients
@@ -127,21 +128,21 @@ impl RequestHandler {
     pub(super) fn catalogue_with(
         &self,
         playing: &CurrentVoices,
-        model: &'static ModelEntry,
+        model: &Arc<LoadedModel>,
     ) -> Option<TelemetryMessage> {
-        let played = playing.described();
-        let with = observe::described(played.iter().copied().chain([model]));
+        let played = playing.models();
+        let with = observe::distinct(played.iter().chain([model]));
         (played.len() < with.len()).then(|| self.catalogue(playing.render, &with, &self.states()))
     }
 
-    /// Returns the message that tells what there is now, with the models of `described`.
+    /// Returns the message about everything there is now, with `models`.
     pub(super) fn catalogue(
         &self,
         render: Render,
-        described: &[&'static ModelEntry],
+        models: &[Arc<LoadedModel>],
         states: &DescriptionStates,
     ) -> TelemetryMessage {
-        let mut catalogue = observe::catalogue(&Scene { render, ..self.scene.clone() }, described);
+        let mut catalogue = observe::catalogue(&Scene { render, ..self.scene.clone() }, models);
         states.complete(&mut catalogue.descriptions);
         TelemetryMessage::Catalogue(Box::new(catalogue))
     }

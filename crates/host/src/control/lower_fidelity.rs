@@ -148,7 +148,7 @@ fn change(
 ) -> Option<Vec<(u8, OriginalVoice)>> {
     let mut playing = handler.playing();
     let before = originals(&playing, &changes);
-    let model = changes.values().next()?.voice.model;
+    let model = &changes.values().next()?.voice.model;
     let catalogue = handler.catalogue_with(&playing, model);
     handler.put_in(&mut playing, changes, catalogue, OVERLOAD).ok()?;
     Some(before)
@@ -176,8 +176,9 @@ fn originals(
 /// Returns the next lower fidelity of the instrument called `name`, if it has one that is stable
 /// in the loop of `handler`'s run.
 fn lower(handler: &RequestHandler, name: &str) -> Option<Instrument> {
-    let (_fidelity, lower) = Instrument::load(name).ok()?.levels.into_iter().next()?;
-    let lower = Instrument::load(&lower).ok()?;
+    let library = &handler.scene.library;
+    let (_fidelity, lower) = Instrument::load(library, name).ok()?.levels.into_iter().next()?;
+    let lower = Instrument::load(library, &lower).ok()?;
     let keys = handler.playing().keys_in(KeyRange::ALL).ok()?;
     handler.refuse_unfit(&lower, &keys).ok()?;
     Some(lower)

@@ -97,7 +97,7 @@ mod tests {
             .iter()
             .map(|it| format!("[[keys]]\nrange = \"{it}\"\ninstrument = \"grand-springs\"\n"));
         let text = format!("{}[midi]\n{programs}\n", keys.collect::<String>());
-        Scene::from_text("programs", text).expect("a good scene")
+        Scene::from_text(&scene::Library::default(), "programs", text).expect("a good scene")
     }
 
     fn switched(scene: &Scene, channel: u8, program: u8) -> Result<(String, String), String> {

@@ -36,7 +36,7 @@ impl RequestHandler {
         let voices = playing.differences(&next);
         let n = voices.len();
         if 0 < n {
-            let catalogue = self.catalogue(next.render, &next.described(), &self.states());
+            let catalogue = self.catalogue(next.render, &next.models(), &self.states());
             self.put_in(&mut next, voices, Some(catalogue), who)?;
         }
         *playing = next;
@@ -84,10 +84,8 @@ impl RequestHandler {
 fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
     for range in std::mem::take(&mut scene.auto) {
         let voice = range.keys.numbers().find_map(|key| playing.keys[usize::from(key)].as_ref());
-        let plays = |model: &models::catalogue::ModelEntry| {
-            voice.is_some_and(|voice| voice.model.is(model))
-        };
-        let chosen = range.levels.iter().find(|level| plays(level.voicing.model));
+        let plays = |model: &models::ModelEntry| voice.is_some_and(|voice| voice.model.is(model));
+        let chosen = range.levels.iter().find(|level| plays(&level.voicing.model));
         if let Some(level) = chosen.or_else(|| range.levels.first()) {
             scene.set_fidelity(range.keys, level);
         }
@@ -113,9 +111,9 @@ impl CurrentVoices {
         key: u8,
         (old, new): (&KeyVoice, &KeyVoice),
     ) -> Option<VoiceHandover> {
-        if !old.model.is(new.model) {
+        if !old.model.is(&new.model) {
             let voicing = next.voicings[usize::from(key)].clone()?;
-            if old.model.file.is_some() && old.model.file == new.model.file {
+            if old.model.file().is_some() && old.model.file() == new.model.file() {
                 return Some(VoiceHandover::Version(voicing));
             }
             let name = next.instruments[usize::from(key)].clone();

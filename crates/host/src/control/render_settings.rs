@@ -39,7 +39,7 @@ impl RequestHandler {
             let voice = voice.clone()?;
             Some((key, NewVoice { voice, handover: VoiceHandover::Settings }))
         });
-        let catalogue = self.catalogue(tried.render, &playing.described(), &self.states());
+        let catalogue = self.catalogue(tried.render, &playing.models(), &self.states());
         self.put_in(&mut next, voices.collect(), Some(catalogue), who)?;
         *playing = next;
         let named = |it: &RenderSetting| format!("{}={}", it.name, shortened(&it.value));
@@ -86,7 +86,7 @@ impl RequestHandler {
         let names: BTreeSet<_> = tried.instruments.iter().flatten().collect();
         for name in names {
             // What is no instrument by its name was read from a file that has another name now.
-            let Ok(instrument) = Instrument::load(name) else { continue };
+            let Ok(instrument) = Instrument::load(&self.scene.library, name) else { continue };
             if let Some(unmet) = instrument.needs.unmet(name, scene.tick_hz, &scene.render) {
                 return Err(unmet.to_string());
             }

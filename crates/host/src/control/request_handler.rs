@@ -170,7 +170,8 @@ impl RequestHandler {
             return self.load(name, keys.or(Some(ALL_KEYS)), (who, by));
         }
         // Its model may be a description.
-        let instrument = self.run.background.load(by, |_flag| Instrument::load(name))?;
+        let instrument =
+            self.run.background.load(by, |_flag| Instrument::load(&self.scene.library, name))?;
         let instrument = instrument.map_err(|it| it.to_string())?;
         let range = keys.map_or(Ok(KeyRange::ALL), KeyRange::parse).map_err(|it| it.to_string())?;
         let keys = self.playing().keys_in(range)?;
@@ -304,7 +305,7 @@ impl RequestHandler {
 
 /// Returns the values of `voice` for the voice of the same model that plays.
 fn retuning(voice: &KeyVoice, revision: u32) -> Result<VoiceChange, String> {
-    let values = ModelValues::new(voice.model.name, revision, &voice.values);
+    let values = ModelValues::new(voice.model.id(), revision, &voice.values);
     let many = || format!("{} has too many parameters to be changed", voice.model.name);
     values.map(VoiceChange::Retune).ok_or_else(many)
 }

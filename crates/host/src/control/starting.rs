@@ -83,7 +83,7 @@ mod tests {
         assert!(matches!(state, Ok(Reply::Status { .. })), "{state:?}");
         std::thread::scope(|scope| {
             let told = scope.spawn(|| starting.reply_to(&Request::Scene {}, 1));
-            let springs = Scene::load("springs", &[]).unwrap();
+            let springs = Scene::load(&scene::Library::default(), "springs", &[]).unwrap();
             let _requests = starting.begin(springs, Folders::default(), None);
             let told = told.join().unwrap();
             assert!(matches!(told, Ok(Reply::Scene { .. })), "{told:?}");
@@ -96,7 +96,7 @@ mod tests {
         let (url, token) = ("ws://127.0.0.1:8765".to_owned(), Some("secret".to_owned()));
         std::thread::scope(|scope| {
             let reply = scope.spawn(|| starting.reply_to(&Request::Where {}, 1));
-            let springs = Scene::load("springs", &[]).unwrap();
+            let springs = Scene::load(&scene::Library::default(), "springs", &[]).unwrap();
             let stream = StreamAddress { url: url.clone(), token: token.clone() };
             let _requests = starting.begin(springs, Folders::default(), Some(stream));
             assert_eq!(reply.join().unwrap(), Ok(Reply::Where { address: url, token }));

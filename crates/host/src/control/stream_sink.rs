@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use telemetry::stream::{ParameterSetting, Publisher};
-use telemetry::{Topic, Update};
+use telemetry::{Catalogue, Topic, Update};
 
 use super::current_voices::setting_of;
 use crate::observe::MessageSink;
@@ -12,6 +12,8 @@ use crate::observe::MessageSink;
 #[derive(Debug)]
 pub struct StreamSink {
     publisher: Publisher,
+    /// Names of the parameters of each model that may play, by its name and version.
+    parameters: BTreeMap<(String, u32), Vec<String>>,
     /// The values of each key's voice as they were published last.
     published: BTreeMap<u32, Vec<ParameterSetting>>,
     /// The number of followings at the last look.
@@ -21,12 +23,13 @@ pub struct StreamSink {
 impl StreamSink {
     /// Returns a sink that sends by `publisher`.
     pub const fn new(publisher: Publisher) -> Self {
-        Self { publisher, published: BTreeMap::new(), followings: 0 }
+        let parameters = BTreeMap::new();
+        Self { publisher, parameters, published: BTreeMap::new(), followings: 0 }
     }
 
     /// Publishes the values that changed.
     fn publish_changed(&mut self, voice: &telemetry::Voice) {
-        let values = values_of(voice);
+        let values = self.values_of(voice);
         let before = self.published.get(&voice.key);
         let is_new =
             |value: &&ParameterSetting| before.is_none_or(|before| !before.contains(value));
@@ -36,12 +39,31 @@ impl StreamSink {
         }
         self.published.insert(voice.key, values);
     }
+
+    /// Returns the values of a voice as parameters of the stream.
+    fn values_of(&self, voice: &telemetry::Voice) -> Vec<ParameterSetting> {
+        let model = (voice.model.clone(), voice.version);
+        let Some(parameters) = self.parameters.get(&model) else { return Vec::new() };
+        let key = u8::try_from(voice.key).unwrap_or(u8::MAX);
+        let values = parameters.iter().zip(&voice.values);
+        values.map(|(parameter, value)| setting_of(key, parameter, *value)).collect()
+    }
+
+    /// Notes the parameters of the models that may play.
+    fn note_models(&mut self, catalogue: &Catalogue) {
+        for model in &catalogue.models {
+            let names = model.parameters.iter().map(|it| it.name.clone()).collect();
+            self.parameters.insert((model.name.clone(), model.version), names);
+        }
+    }
 }
 
 impl MessageSink for StreamSink {
     fn take(&mut self, at: u64, update: &Update) {
         self.publisher.publish(at, update);
-        if let Update::Voice(voice) = update {
+        if let Update::Catalogue(catalogue) = update {
+            self.note_models(catalogue);
+        } else if let Update::Voice(voice) = update {
             self.publish_changed(voice);
         }
     }
@@ -59,12 +81,4 @@ impl MessageSink for StreamSink {
         let now = self.publisher.followings();
         std::mem::replace(&mut self.followings, now) != now
     }
-}
-
-/// Returns the values of a voice as parameters of the stream.
-fn values_of(voice: &telemetry::Voice) -> Vec<ParameterSetting> {
-    let Some(model) = models::catalogue::find(&voice.model) else { return Vec::new() };
-    let key = u8::try_from(voice.key).unwrap_or(u8::MAX);
-    let values = model.parameters.iter().zip(&voice.values);
-    values.map(|(parameter, value)| setting_of(key, parameter.name, *value)).collect()
 }

@@ -5,7 +5,8 @@ use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-use descriptions::FileContents;
+use descriptions::contents_now;
+use models::FileContents;
 
 use super::RequestHandler;
 use super::repeated_look::RepeatedLook;
@@ -33,18 +34,18 @@ pub fn watch_descriptions(handler: Arc<RequestHandler>) -> io::Result<RepeatedLo
 
 /// What was found in files at the last look, where it is not what was read.
 #[derive(Debug, Default)]
-struct FoundContents(BTreeMap<&'static str, FileContents>);
+struct FoundContents(BTreeMap<String, FileContents>);
 
 impl FoundContents {
     /// Looks at all files once, and has those read that were saved.
     fn look(&mut self, handler: &RequestHandler) {
         for (file, read) in handler.described_files() {
-            let now = read.now();
+            let now = contents_now(&read);
             if now == read || now.lacks_one_of(&read) {
-                self.0.remove(file);
-            } else if self.0.get(file) == Some(&now) {
+                self.0.remove(&file);
+            } else if self.0.get(&file) == Some(&now) {
                 // What is wrong was told; what was refused now is tried again at the next look.
-                let _told = handler.load(file, None, (WATCH, None));
+                let _told = handler.load(&file, None, (WATCH, None));
             } else {
                 self.0.insert(file, now);
             }

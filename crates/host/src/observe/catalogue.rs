@@ -1,63 +1,57 @@
 //! The catalogue of signals and parameters, as a message.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use descriptions::version_of;
-use models::catalogue::{self, ModelEntry};
+use models::{LoadedModel, ModelEntry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Description, DescriptionFile, Instrument, Model, Parameter};
 
 use super::model_probe::{modes, signals};
 use scene::{self, InstrumentHead, LinksConfig, Scene};
 
-/// Returns the catalogue of a host that runs `scene` and plays the models of `described`, which
-/// are no Rust; when it began is not known yet.
-pub fn catalogue(scene: &Scene, described: &[&'static ModelEntry]) -> Catalogue {
-    let models: Vec<_> = catalogue::built_ins().chain(described.iter().copied()).collect();
+/// Returns the catalogue of a host that runs `scene` and plays `models`; when it began is not known
+/// yet.
+pub fn catalogue(scene: &Scene, models: &[Arc<LoadedModel>]) -> Catalogue {
     Catalogue {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scene: scene.name.clone(),
         tick_hz: scene.tick_hz,
         force_limit: scene.render.force_limit,
         slew_limit: scene.render.slew_limit,
-        instruments: instruments(&models),
-        models: models.into_iter().map(model).collect(),
+        instruments: instruments(models),
+        models: models.iter().map(|it| model(it)).collect(),
         fingers: scene.links == LinksConfig::Simulated,
         scene_text: scene::written(scene),
-        descriptions: described.iter().filter_map(|entry| description(entry)).collect(),
+        descriptions: models.iter().filter_map(|it| description(it)).collect(),
         ..Catalogue::default()
     }
 }
 
-/// Returns those of `models` that are derived from descriptions, each once.
-pub fn described(models: impl Iterator<Item = &'static ModelEntry>) -> Vec<&'static ModelEntry> {
-    let mut described: Vec<&'static ModelEntry> = Vec::new();
+/// Returns `models`, each once.
+pub fn distinct<'a, I>(models: I) -> Vec<Arc<LoadedModel>>
+where
+    I: IntoIterator<Item = &'a Arc<LoadedModel>>,
+{
+    let mut distinct: Vec<Arc<LoadedModel>> = Vec::new();
     for model in models {
-        let is_known =
-            catalogue::built_ins().chain(described.iter().copied()).any(|it| it.is(model));
-        if !is_known {
-            described.push(model);
+        if !distinct.iter().any(|known| known.is(model)) {
+            distinct.push(Arc::clone(model));
         }
     }
-    described
-}
-
-/// Returns the number of the version of a description that `entry` is; 0 of a model of the
-/// program.
-pub fn version(entry: &ModelEntry) -> u32 {
-    version_of(entry).map_or(0, |version| version.number)
+    distinct
 }
 
 /// Returns the version of a description that `entry` is, with the text of its files.
 fn description(entry: &ModelEntry) -> Option<Description> {
-    let version = version_of(entry)?;
-    let texts = version.contents.texts().into_iter();
+    let source = entry.source.as_ref()?;
+    let texts = source.contents.texts().into_iter();
     let file = |(path, text): (PathBuf, String)| DescriptionFile {
         path: path.to_string_lossy().into_owned(),
         text,
     };
     Some(Description {
-        version: version.number,
+        version: source.version,
         model: entry.name.to_owned(),
         files: texts.map(file).collect(),
         ..Description::default()
@@ -66,9 +60,9 @@ fn description(entry: &ModelEntry) -> Option<Description> {
 
 fn model(entry: &ModelEntry) -> Model {
     Model {
-        version: version(entry),
+        version: entry.version(),
         name: entry.name.to_owned(),
-        summary: entry.summary.to_owned(),
+        summary: entry.summary.to_string(),
         modes: modes(entry),
         signals: signals(entry),
         parameters: entry.parameters.iter().map(parameter).collect(),
@@ -81,14 +75,14 @@ fn parameter(it: &models::Parameter) -> Parameter {
         unit: it.unit.to_owned(),
         min: it.range.0,
         max: it.range.1,
-        doc: it.doc.to_owned(),
-        title: it.title.to_owned(),
+        doc: it.doc.to_string(),
+        title: it.title.to_string(),
     }
 }
 
 /// Returns all embedded instruments; those of `models` with their values on every key. The others
 /// are not read, since to derive their models would hold up the start.
-fn instruments(models: &[&'static ModelEntry]) -> Vec<Instrument> {
+fn instruments(models: &[Arc<LoadedModel>]) -> Vec<Instrument> {
     let keys = || (0..=u8::MAX).take(KEYS);
     let known: Vec<_> =
         models.iter().flat_map(|model| scene::Instrument::of_model(model)).collect();
@@ -107,8 +101,9 @@ mod tests {
 
     #[test]
     fn instruments_have_a_value_for_each_parameter_on_each_key() {
-        let scene = Scene::load("springs", &[]).expect("a scene of ours");
-        let catalogue = catalogue(&scene, &[]);
+        let scene = Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene");
+        let models = distinct(scene.keys.iter().flatten().map(|voice| &voice.model));
+        let catalogue = catalogue(&scene, &models);
         assert!(!catalogue.instruments.is_empty());
         for it in &catalogue.instruments {
             let model = catalogue.models.iter().find(|model| model.name == it.model);

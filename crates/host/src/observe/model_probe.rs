@@ -2,9 +2,8 @@
 //!
 //! Off the tick: a snapshot has mode, state and input; guards and outputs follow from them.
 
-use models::catalogue::{self, Visitor};
 use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
-use models::{ModeCode, ModelEntry, Playable};
+use models::{LoadedModel, ModeCode, ModelEntry, Playable, Visitor};
 use pode::Motion;
 use scheduler::observation::ModelSnapshot;
 use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
@@ -24,9 +23,9 @@ pub trait ModelProbe: Send {
     fn drawing(&self) -> Drawing;
 }
 
-/// A probe for the model of `entry` with one value per parameter.
-pub fn probe(entry: &ModelEntry, values: &[f64]) -> Option<Box<dyn ModelProbe>> {
-    catalogue::visit(entry, Opened(values))
+/// A probe for `model` with one value per parameter.
+pub fn probe(model: &LoadedModel, values: &[f64]) -> Box<dyn ModelProbe> {
+    model.visit(Opened(values))
 }
 
 /// Names of what a probe for the model of `entry` sees, in its order.
@@ -37,13 +36,13 @@ pub fn signals(entry: &ModelEntry) -> Vec<Signal> {
         kind: kind.into(),
         modes: Vec::new(),
     };
-    let states = entry.states.iter().zip(entry.state_units);
+    let states = entry.states.iter().zip(&entry.state_units);
     let states = states.map(|(name, unit)| of(name, unit, signal::Kind::State));
     let guards = guards(entry).into_iter().map(|guard| Signal {
         modes: guard.modes.iter().map(|mode| u32::from(*mode)).collect(),
         ..of(guard.name, "", signal::Kind::Guard)
     });
-    let outputs = entry.outputs.iter().zip(entry.output_units);
+    let outputs = entry.outputs.iter().zip(&entry.output_units);
     let outputs = outputs.map(|(name, unit)| of(name, unit, signal::Kind::Output));
     states.chain(guards).chain(outputs).collect()
 }
@@ -62,7 +61,8 @@ impl Visitor for Opened<'_> {
         let model = model.with_values(self.0);
         // Only its shape counts; to find a rest may cost more than all signals of a row.
         let (_mode, shape) = model.at_rest(&Motion::default());
-        Box::new(ProbedModel { model, shape, guards: guards(model.entry()) })
+        let guards = guards(model.entry());
+        Box::new(ProbedModel { model, shape, guards })
     }
 }
 
@@ -76,8 +76,8 @@ struct WatchedGuard {
 /// Every guard of a model, in the order in which its modes name them.
 fn guards(entry: &ModelEntry) -> Vec<WatchedGuard> {
     let mut all: Vec<WatchedGuard> = Vec::new();
-    for (number, mode) in (0..).zip(entry.modes) {
-        for guard in mode.guards {
+    for (number, mode) in (0..).zip(&entry.modes) {
+        for guard in &mode.guards {
             match all.iter_mut().find(|known| known.name == guard.name) {
                 Some(known) => known.modes.push(number),
                 None => all.push(WatchedGuard { name: guard.name, modes: vec![number] }),
@@ -211,12 +211,15 @@ impl Sketch for Drawn {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
 
     #[test]
     fn every_model_gives_as_many_signals_as_it_names() {
-        for entry in catalogue::built_ins() {
-            let probe = probe(entry, &[]).expect("a probe");
+        for name in descriptions::model_names() {
+            let model = scene::Library::default().find(name, Path::new("")).expect("a model");
+            let (entry, probe): (&ModelEntry, _) = (&model, probe(&model, &[]));
             let mut signals = Vec::new();
             for mode in 0..modes(entry).len() {
                 let mode = mode as u64;
@@ -230,9 +233,9 @@ mod tests {
 
     #[test]
     fn a_guard_is_seen_where_it_is_watched() {
-        let entry = catalogue::find("key-hammer-springs").expect("a model");
-        let probe = probe(entry, &[]).expect("a probe");
-        let signals = signals(entry);
+        let model = scene::Library::default().find("key-hammer-springs", Path::new(""));
+        let model = model.expect("a model");
+        let (probe, signals) = (probe(&model, &[]), signals(&model));
         for mode in 0..2_u32 {
             let mut seen = Vec::new();
             probe.see(&ModelSnapshot { mode: mode.into(), ..ModelSnapshot::default() }, &mut seen);

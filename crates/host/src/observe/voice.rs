@@ -2,7 +2,7 @@
 
 use telemetry::Voice;
 
-use super::{TelemetryMessage, probe, version};
+use super::{TelemetryMessage, probe};
 use scene::{Instrument, KeyVoice};
 
 /// The origin of a voice.
@@ -20,7 +20,7 @@ pub struct Origin<'a> {
 
 /// Returns the message about `voice` on `key`, which is sent before it is put in.
 pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage {
-    let probe = probe(voice.model, &voice.values);
+    let probe = probe(&voice.model, &voice.values);
     let instrument = origin.instrument.map(str::to_owned);
     let message = Voice {
         key: key.into(),
@@ -29,17 +29,17 @@ pub fn voice(key: u8, voice: &KeyVoice, origin: Origin<'_>) -> TelemetryMessage 
         instrument: instrument.or_else(|| instrument_of(key, voice)).unwrap_or_default(),
         values: voice.values.clone(),
         writer: origin.writer.to_owned(),
-        drawing: probe.as_ref().map(|probe| probe.drawing()),
+        drawing: Some(probe.drawing()),
         kept: origin.kept,
-        version: version(voice.model),
+        version: voice.model.version(),
     };
-    TelemetryMessage::Voice(Box::new(message), probe)
+    TelemetryMessage::Voice(Box::new(message), Some(probe))
 }
 
 /// Returns the embedded instrument that sounds like `voice` on `key`.
 pub fn instrument_of(key: u8, voice: &KeyVoice) -> Option<String> {
     let bits = |values: &[f64]| values.iter().map(|it| it.to_bits()).collect::<Vec<_>>();
     let wanted = bits(&voice.values);
-    let of_its_model = Instrument::of_model(voice.model).into_iter();
+    let of_its_model = Instrument::of_model(&voice.model).into_iter();
     of_its_model.filter(|it| bits(&it.values(key)) == wanted).map(|it| it.name.clone()).next()
 }

@@ -151,7 +151,7 @@ impl ReplaySlot {
         scene: &Scene,
     ) -> Result<(), ReplayError> {
         let KeyVoice { model, values } = &recorded.voice;
-        let values = ModelValues::new(model.name, revision, values);
+        let values = ModelValues::new(model.id(), revision, values);
         let is_set_as = self.render == recorded.render;
         self.render = recorded.render;
         let values = values.filter(|_| recorded.kept && is_set_as);
@@ -260,7 +260,9 @@ mod tests {
     fn caught_up(late: &[u64], unrun: u32) -> ReplaySlot {
         let mut slot = ReplaySlot {
             slot: Slot::new(3, PanicGuard::new(Box::new(Still))),
-            render: Scene::load("springs", &[]).expect("a scene of ours").render,
+            render: Scene::load(&scene::Library::default(), "springs", &[])
+                .expect("a scene of ours")
+                .render,
             revision: 0,
             pending: Vec::new(),
             late: LateResult::default(),

@@ -24,7 +24,7 @@ use crate::session::{MonitoredOutput, Watchers, nowhere};
 use realtime::clock;
 use realtime::run::scheduler;
 use realtime::wake_fd::WakeFd;
-use scene::{KeyVoice, Render, Scene};
+use scene::{KeyVoice, Library, Render, Scene};
 
 /// What a replay came to.
 #[derive(Clone, PartialEq, Debug, Serialize)]
@@ -79,8 +79,8 @@ pub fn replay(
 }
 
 /// Returns the recorded scene.
-fn scene_of(catalogue: &Catalogue) -> Result<Scene, ReplayError> {
-    let scene = Scene::from_text("recording", catalogue.scene_text.clone());
+fn scene_of(catalogue: &Catalogue, library: &Library) -> Result<Scene, ReplayError> {
+    let scene = Scene::from_text(library, "recording", catalogue.scene_text.clone());
     scene.map_err(|wrong| ReplayError::Scene(wrong.to_string()))
 }
 
@@ -136,7 +136,7 @@ impl Replay {
     fn begin(catalogue: &Catalogue) -> Result<Box<Self>, ReplayError> {
         let mut versions = RecordedVersions::default();
         versions.learn(catalogue)?;
-        let scene = scene_of(catalogue)?;
+        let scene = scene_of(catalogue, &versions.library)?;
         let period = Period::from_hz(scene.tick_hz)
             .ok_or_else(|| ReplayError::Scene(format!("no tick has {} Hz", scene.tick_hz)))?;
         let timetable = Timetable::new(Nanos::ZERO, period);
@@ -268,7 +268,7 @@ impl Replay {
             Update::Ticks(message) => self.window(message)?,
             Update::Catalogue(catalogue) => {
                 self.versions.learn(catalogue)?;
-                self.render = scene_of(catalogue)?.render;
+                self.render = scene_of(catalogue, &self.versions.library)?.render;
             }
             Update::Overview(_)
             | Update::State(..)

@@ -64,8 +64,8 @@ pub(super) fn connect(
     let pump = TelemetryThread::new(rings, times, messages, clock::from_seconds(period).as_u64());
     let pump = pump.map_err(std::io::Error::other)?;
     handle.connect(sender.clone());
-    let described = observe::described(scene.keys.iter().flatten().map(|voice| voice.model));
-    let catalogue = Box::new(observe::catalogue(scene, &described));
+    let models = observe::distinct(scene.keys.iter().flatten().map(|voice| &voice.model));
+    let catalogue = Box::new(observe::catalogue(scene, &models));
     Ok((recorder, ObservedOutputs { pulses, pump, catalogue, sender }))
 }
 

@@ -7,8 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use diagnostics::shown;
 use haptics::Gesture;
-use models::Playable;
-use models::catalogue::{self, Visitor};
+use models::{Playable, Visitor};
 use performance::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
@@ -104,7 +103,7 @@ fn without_dynamics(score: &mut Score, scene: &Scene) {
     const EVEN: u8 = 64;
     for note in &mut score.notes {
         let voice = scene.keys[usize::from(note.key)].as_ref();
-        if voice.is_some_and(|voice| catalogue::visit(voice.model, HasOneVelocity) == Some(true)) {
+        if voice.is_some_and(|voice| voice.model.visit(HasOneVelocity)) {
             note.velocity = EVEN;
         }
     }

@@ -60,7 +60,7 @@ mod tests {
 
     fn scene(overrides: &[(&str, &str)]) -> Scene {
         let all = overrides.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned()));
-        Scene::load("springs", &all.collect::<Vec<_>>()).unwrap()
+        Scene::load(&scene::Library::default(), "springs", &all.collect::<Vec<_>>()).unwrap()
     }
 
     #[test]

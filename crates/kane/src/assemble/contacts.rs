@@ -5,7 +5,7 @@ use equations::table::{ContactModeTable, ContactTable, FunctionId};
 
 use super::builder::ModeBuilder;
 use super::functions::FunctionList;
-use super::{AssemblyError, guards, leak};
+use super::{AssemblyError, guards, names};
 use crate::graph::{Graph, Node, Place};
 use crate::mechanism::Mechanism;
 use crate::system::{ContactEquations, FrictionEquations};
@@ -17,8 +17,8 @@ pub(super) fn specs(mechanism: &Mechanism) -> (Vec<ContactTable>, Vec<ContactSpe
         let friction = contact
             .friction
             .as_ref()
-            .map(|friction| (leak::text(&friction.name), friction.scales.0, friction.scales.1));
-        let name = leak::text(&contact.name);
+            .map(|friction| (names::name(&friction.name), friction.scales.0, friction.scales.1));
+        let name = names::name(&contact.name);
         let spec = ContactSpec {
             name,
             gap,
@@ -34,14 +34,14 @@ pub(super) fn contacts(
     graph: &mut Graph,
     functions: &mut FunctionList,
     builder: &ModeBuilder<'_>,
-) -> Result<&'static [ContactModeTable], AssemblyError> {
+) -> Result<Vec<ContactModeTable>, AssemblyError> {
     let mut tables = Vec::new();
     for contact in &builder.equations.contacts {
         let name = builder.context.mechanism.contacts.get(contact.contact);
         let name = name.map_or("contact", |contact| contact.name.as_str());
         tables.push(self::contact(graph, functions, builder, (name, contact))?);
     }
-    Ok(leak::list(tables))
+    Ok(tables)
 }
 
 fn contact(

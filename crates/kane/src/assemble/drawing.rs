@@ -3,7 +3,7 @@
 use equations::table::{BodyTable, DrawingTable, OutlineTable, SpringTable};
 
 use super::functions::FunctionList;
-use super::{AssemblyError, leak};
+use super::{AssemblyError, names};
 use crate::graph::{Graph, Node};
 use crate::mechanism::{self, Mechanism};
 
@@ -21,9 +21,9 @@ pub(super) fn table(
     for body in &drawing.bodies {
         let outlines = body.outlines.iter().map(|it| outline(&mut numbers, it)).collect();
         bodies.push(BodyTable {
-            name: leak::text(&body.name),
+            name: names::name(&body.name),
             output: body.frame.map(|frame| first_pose + 3 * frame),
-            outlines: leak::list(outlines),
+            outlines,
         });
     }
     let springs = drawing.springs.iter().map(|spring| {
@@ -32,16 +32,16 @@ pub(super) fn table(
             (body, numbers.len() - 2)
         };
         SpringTable {
-            name: leak::text(&spring.name),
+            name: names::name(&spring.name),
             from: end(spring.from),
             to: end(spring.to),
             modes: modes(&spring.modes),
         }
     });
-    let springs = leak::list(springs.collect());
+    let springs = springs.collect();
     let count = if drawing.view.is_some() { numbers.len() } else { 0 };
     let numbers = functions.add_whole(graph, "drawing", &numbers)?;
-    Ok(DrawingTable { numbers, count, bodies: leak::list(bodies), springs })
+    Ok(DrawingTable { numbers, count, bodies, springs })
 }
 
 /// A line, whose points are added to the numbers.
@@ -56,6 +56,6 @@ fn outline(numbers: &mut Vec<Node>, outline: &mechanism::Outline) -> OutlineTabl
     }
 }
 
-fn modes(modes: &[usize]) -> &'static [u8] {
-    leak::list(modes.iter().filter_map(|mode| u8::try_from(*mode).ok()).collect())
+fn modes(modes: &[usize]) -> Vec<u8> {
+    modes.iter().filter_map(|mode| u8::try_from(*mode).ok()).collect()
 }

@@ -7,7 +7,8 @@ use super::hoist::Hoisting;
 use crate::graph::{Graph, Node, Place};
 use crate::tape::{self, Argument, ArgumentLayout, Tape};
 
-/// Functions by number that are evaluated instruction by instruction: for checks, off the tick.
+/// Functions by number that are evaluated instruction by instruction: for checks, and where no
+/// machine code can be made.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct TapeFunctions {
     tapes: Vec<Tape>,
@@ -20,6 +21,10 @@ impl TapeFunctions {
     }
 }
 
+/// Instructions of a function of most steps, and of the longest one of the shipped models.
+const SHORT: usize = 256;
+const LONG: usize = 8192;
+
 impl Functions for TapeFunctions {
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
         let Some(tape) = self.tapes.get(usize::from(function)) else { return };
@@ -29,8 +34,11 @@ impl Functions for TapeFunctions {
             input: *arguments.input,
             extra: arguments.extra,
         };
-        for (place, value) in out.iter_mut().zip(tape.evaluate(&arguments)) {
-            *place = value;
+        // On the stack, since the tick may ask; what is longer than any shipped function is not.
+        match tape.instructions.len() {
+            ..=SHORT => tape.evaluate_into(&arguments, &mut [0.0; SHORT], out),
+            ..=LONG => tape.evaluate_into(&arguments, &mut [0.0; LONG], out),
+            length => tape.evaluate_into(&arguments, &mut vec![0.0; length], out),
         }
     }
 }

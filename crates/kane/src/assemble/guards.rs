@@ -6,7 +6,7 @@ use pode::{GuardId, GuardSpec, Reads};
 use super::builder::ModeBuilder;
 use super::functions::FunctionList;
 use super::kinds::is_of_input;
-use super::{AssemblyError, leak};
+use super::{AssemblyError, names};
 use crate::bound::Bounds;
 use crate::graph::{Graph, Node};
 use crate::system::{GuardEquations, Way};
@@ -16,7 +16,7 @@ pub(super) fn guards(
     graph: &mut Graph,
     functions: &mut FunctionList,
     builder: &ModeBuilder<'_>,
-) -> Result<(&'static [GuardTable], Vec<GuardSpec>), AssemblyError> {
+) -> Result<(Vec<GuardTable>, Vec<GuardSpec>), AssemblyError> {
     let (mut tables, mut specs) = (Vec::new(), Vec::new());
     for guard in &builder.equations.guards {
         let table = self::guard(graph, functions, builder, guard)?;
@@ -30,7 +30,7 @@ pub(super) fn guards(
         });
         tables.push(table);
     }
-    Ok((leak::list(tables), specs))
+    Ok((tables, specs))
 }
 
 fn guard(
@@ -50,15 +50,15 @@ fn guard(
         guard.sounds.map(|node| builder.add(graph, functions, &format!("{name}_sounds"), &[node]));
     Ok(GuardTable {
         id: builder.context.numbers.number(guard),
-        name: leak::text(name),
-        unit: leak::text(&guard.unit),
+        name: names::name(name),
+        unit: names::name(&guard.unit),
         priority: guard.priority,
         scale: guard.scale,
         fires: guard.fires,
         reads: reads(graph, builder, &values),
         value: builder.add(graph, functions, &format!("{name}_guard"), &values)?,
         bound: Some(bound(graph, functions, builder, (name, guard.value))?),
-        ways: leak::list(ways),
+        ways,
         sounds: sounds.transpose()?,
     })
 }

@@ -1,8 +1,7 @@
 //! From a system to what runs: a model's table, and one tape per function.
 //!
 //! Expressions of the parameters alone are found once, when the model is made; everything else is
-//! a function of constants, state and input. The table lives as long as the program: a description
-//! that is loaded while the program runs is kept.
+//! a function of constants, state and input.
 
 mod builder;
 mod contacts;
@@ -14,9 +13,9 @@ mod guards;
 mod hoist;
 mod jacobian;
 mod kinds;
-mod leak;
 mod modes;
 mod moving;
+mod names;
 mod parts;
 mod series;
 mod table;
@@ -24,7 +23,7 @@ mod table;
 pub use error::AssemblyError;
 pub use functions::TapeFunctions;
 
-use equations::table::ModelTable;
+use equations::table::{Arguments, Equations, FunctionId, Functions, ModelTable};
 
 use crate::system::EquationSystem;
 use crate::tape::Tape;
@@ -32,8 +31,8 @@ use crate::tape::Tape;
 /// What runs: all of a model but its arithmetic, and that arithmetic function by function.
 #[derive(Clone, Debug)]
 pub struct Program {
-    /// All but the arithmetic; it is never given back.
-    pub table: &'static ModelTable,
+    /// All but the arithmetic.
+    pub table: ModelTable,
     /// The functions by their numbers in the table.
     pub functions: TapeFunctions,
     /// What each function is for: `B1_derivative`.
@@ -46,6 +45,18 @@ impl Program {
     /// Returns the tapes by the functions' numbers.
     pub fn tapes(&self) -> &[Tape] {
         self.functions.tapes()
+    }
+}
+
+impl Functions for Program {
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.call(function, arguments, out);
+    }
+}
+
+impl Equations for Program {
+    fn table(&self) -> &ModelTable {
+        &self.table
     }
 }
 

@@ -1,7 +1,6 @@
 //! The table of one mode.
 
 use equations::table::{Freedom, FunctionId, ModeTable};
-use pode::GuardSpec;
 
 use super::builder::{ModeBuilder, ModeContext};
 use super::functions::FunctionList;
@@ -9,7 +8,7 @@ use super::jacobian::StateOfMode;
 use super::kinds::{LossKind, is_of_input, is_stiffening, kind_of};
 use super::moving::Moving;
 use super::parts::parts;
-use super::{AssemblyError, contacts, guards, leak, series};
+use super::{AssemblyError, contacts, guards, names, series};
 use crate::graph::{Graph, Place};
 use crate::mechanism::{ConstraintKind, Mechanism};
 
@@ -30,14 +29,14 @@ pub(super) fn mode(
     let (guards, guard_specs) = guards::guards(graph, functions, &builder)?;
     let contacts = contacts::contacts(graph, functions, &builder)?;
     Ok(ModeTable {
-        name: leak::text(name),
+        name: names::name(name),
         readout: forces.readout,
         slopes: forces.slopes,
         outputs: forces.outputs,
         balance: forces.balance,
         series: series::series(graph, functions, &builder)?,
         guards,
-        guard_specs: leak::list(guard_specs as Vec<GuardSpec>),
+        guard_specs: guard_specs,
         contacts,
         freedom: freedom(context.mechanism, number),
         longest_projection: longest_projection(graph, functions, context.mechanism, number)?,

@@ -3,11 +3,11 @@
 use equations::table::PartTable;
 use pode::{EquationKind, MAX_PARTS, Part, Reads};
 
+use super::AssemblyError;
 use super::functions::FunctionList;
 use super::jacobian::StateOfMode;
 use super::kinds::{LossKind, is_of_input, kind_of};
 use super::moving::Moving;
-use super::{AssemblyError, leak};
 use crate::graph::{Graph, Node};
 
 /// The parts of a mode as sets of entries, in the order of their first entries: what the Jacobian
@@ -59,7 +59,7 @@ pub(super) fn parts(
     graph: &mut Graph,
     functions: &mut FunctionList,
     moving: &Moving<'_>,
-) -> Result<(&'static [PartTable], &'static [Part]), AssemblyError> {
+) -> Result<(Vec<PartTable>, Vec<Part>), AssemblyError> {
     let (mut tables, mut list) = (Vec::new(), Vec::new());
     for entries in components(graph, moving.state, moving.jacobian) {
         let own = indices(entries);
@@ -75,7 +75,7 @@ pub(super) fn parts(
         tables.push(PartTable { entries, derivative, kind, loss, reads });
         list.push(part(entries, moving.rates.len(), reads));
     }
-    Ok((leak::list(tables), leak::list(list)))
+    Ok((tables, list))
 }
 
 /// What the rates of these entries depend on beside themselves.

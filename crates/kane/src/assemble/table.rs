@@ -10,7 +10,7 @@ use super::builder::ModeContext;
 use super::functions::FunctionList;
 use super::guard_numbers::GuardNumbers;
 use super::modes::mode;
-use super::{AssemblyError, Program, contacts, drawing, leak};
+use super::{AssemblyError, Program, contacts, drawing, names};
 use crate::graph::{Graph, Place};
 use crate::mechanism::Mechanism;
 use crate::system::EquationSystem;
@@ -47,25 +47,25 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
     let values = Values::of(graph, &mut functions, &mechanism, &state)?;
     let (derive_constants, constants) = constants(graph, &mut functions, parameters)?;
     let table = ModelTable {
-        name: leak::text(&mechanism.name),
-        summary: leak::text(&mechanism.summary),
-        parameters: leak::list(mechanism.parameters.iter().map(parameter).collect()),
+        name: names::name(&mechanism.name),
+        summary: mechanism.summary.as_str().into(),
+        parameters: mechanism.parameters.iter().map(parameter).collect(),
         presets: values.presets,
         requirements: values.requirements,
-        states: leak::list(named(state.iter().map(|place| quantity(&mechanism, *place)))),
+        states: named(state.iter().map(|place| quantity(&mechanism, *place))),
         coordinates,
         constants,
         derive_constants,
         input: NamedQuantity {
-            name: leak::text(&mechanism.input.name),
-            unit: leak::text(&mechanism.input.unit),
+            name: names::name(&mechanism.input.name),
+            unit: names::name(&mechanism.input.unit),
         },
         input_per_metre: values.input_per_metre,
-        guard_specs: leak::list(all_specs(&tables)),
-        modes: leak::list(tables),
-        contacts: leak::list(contact_tables),
-        contact_specs: leak::list(contact_specs),
-        outputs: leak::list(outputs),
+        guard_specs: all_specs(&tables),
+        modes: tables,
+        contacts: contact_tables,
+        contact_specs: contact_specs,
+        outputs,
         rest: values.rest,
         damper: mechanism.sound.map(|it| DamperTable {
             lift: it.lift,
@@ -76,7 +76,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
         drawing,
     };
     let FunctionList { functions, names, .. } = functions;
-    Ok(Program { table: Box::leak(Box::new(table)), functions, names, work: graph.work() })
+    Ok(Program { table, functions, names, work: graph.work() })
 }
 
 /// The function from parameters to what follows from them alone, and how many numbers both are.
@@ -95,8 +95,8 @@ fn constants(
 
 /// What is given by the parameters or the key alone.
 struct Values {
-    presets: &'static [PresetTable],
-    requirements: &'static [RequirementTable],
+    presets: Vec<PresetTable>,
+    requirements: Vec<RequirementTable>,
     input_per_metre: FunctionId,
     rest: RestTable,
 }
@@ -112,20 +112,20 @@ impl Values {
         for preset in &mechanism.presets {
             let name = format!("preset_{}", preset.name);
             let values = functions.add_whole(graph, &name, &preset.values)?;
-            let (name, doc) = (leak::text(&preset.name), leak::text(&preset.doc));
+            let (name, doc) = (names::name(&preset.name), preset.doc.as_str().into());
             presets.push(PresetTable { name, doc, values });
         }
         let mut requirements = Vec::new();
         for (number, requirement) in mechanism.requirements.iter().enumerate() {
             let name = format!("requirement_{number}");
             let margin = functions.add_whole(graph, &name, &[requirement.margin])?;
-            requirements.push(RequirementTable { text: leak::text(&requirement.text), margin });
+            requirements.push(RequirementTable { text: requirement.text.as_str().into(), margin });
         }
         let one = graph.constant(1.0);
         let per_metre = mechanism.input.per_metre.unwrap_or(one);
         Ok(Self {
-            presets: leak::list(presets),
-            requirements: leak::list(requirements),
+            presets,
+            requirements,
             input_per_metre: functions.add_whole(graph, "input_per_metre", &[per_metre])?,
             rest: rest(graph, functions, mechanism, state)?,
         })
@@ -152,7 +152,7 @@ fn rest(
     }
     Ok(RestTable {
         mode: number(mechanism.rest.mode),
-        instead: leak::list(instead),
+        instead,
         state: functions.add_whole(graph, "rest", &guess)?,
         is_improved: !mechanism.rest.is_start,
     })
@@ -160,7 +160,7 @@ fn rest(
 
 /// Names and units, kept.
 fn named<'a>(all: impl Iterator<Item = (&'a String, &'a String)>) -> Vec<NamedQuantity> {
-    all.map(|(name, unit)| NamedQuantity { name: leak::text(name), unit: leak::text(unit) })
+    all.map(|(name, unit)| NamedQuantity { name: names::name(name), unit: names::name(unit) })
         .collect()
 }
 
@@ -178,18 +178,18 @@ fn quantity(mechanism: &Mechanism, place: Place) -> (&String, &String) {
 
 fn parameter(parameter: &crate::mechanism::MechanismParameter) -> ParameterTable {
     ParameterTable {
-        name: leak::text(&parameter.name),
-        title: leak::text(&parameter.title),
-        unit: leak::text(&parameter.unit),
+        name: names::name(&parameter.name),
+        title: parameter.title.as_str().into(),
+        unit: names::name(&parameter.unit),
         range: parameter.range,
-        doc: leak::text(&parameter.doc),
+        doc: parameter.doc.as_str().into(),
     }
 }
 
 /// The guards of all modes, each number once.
 fn all_specs(modes: &[equations::table::ModeTable]) -> Vec<GuardSpec> {
     let mut all: Vec<GuardSpec> = Vec::new();
-    for spec in modes.iter().flat_map(|mode| mode.guard_specs) {
+    for spec in modes.iter().flat_map(|mode| &mode.guard_specs) {
         match all.iter_mut().find(|it| it.id == spec.id) {
             // One that reads the input in one mode is taken again in all of them.
             Some(known) if spec.reads == pode::Reads::StateAndInput => known.reads = spec.reads,

@@ -1,6 +1,6 @@
 //! The same model with its events located inside the steps.
 
-use models::registry::SmallModel;
+use models::SmallModel;
 use pode::stepper::Rk4;
 use pode::{EnergyAudit, Limits, Motion, RunRecorder, Simulator};
 
@@ -14,7 +14,7 @@ pub(super) fn located(
     input: impl Fn(usize, f64) -> Motion,
 ) -> ModelRun {
     let (mode, state) = model.at_rest(&Motion::default());
-    let mut simulator = Simulator::new(*model, Rk4, Limits::default(), mode, state);
+    let mut simulator = Simulator::new(model.clone(), Rk4, Limits::default(), mode, state);
     let mut watch = (RunRecorder::new(step), EnergyAudit::default());
     let mut run = ModelRun::new(model, (mode, state), input(0, 0.0).position);
     for tick in 0..ticks {

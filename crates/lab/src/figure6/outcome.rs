@@ -1,6 +1,6 @@
 //! The experiment in both readings, and the comparison with the reference.
 
-use models::registry::SmallModel;
+use models::SmallModel;
 use pode::{Guarded as _, Motion};
 use serde::Serialize;
 

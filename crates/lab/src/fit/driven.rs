@@ -1,6 +1,6 @@
 //! A simulated key that follows a measured stroke.
 
-use models::{ModelEntry, catalogue};
+use models::LoadedModel;
 
 use super::data::MeasuredStroke;
 use super::smooth::{EXACT, noise, smoothed};
@@ -79,8 +79,8 @@ impl DrivenStroke {
     }
 
     /// Force at each row (N) of a key with these `values`; none where the model fails.
-    pub(super) fn follow(&self, model: &'static ModelEntry, values: &[f64]) -> Option<Vec<f64>> {
-        let mut key = catalogue::visit(model, Opener { values })?;
+    pub(super) fn follow(&self, model: &LoadedModel, values: &[f64]) -> Option<Vec<f64>> {
+        let mut key = model.visit(Opener { values });
         let mut t = 0.0;
         let found = self.times.iter().map(|end| {
             // Ticks of one length to the row, none longer than TICK.

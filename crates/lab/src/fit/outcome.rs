@@ -28,7 +28,7 @@ pub struct FittedParameter {
     /// Name in files and on the command line.
     pub name: &'static str,
     /// Name for people, as a technician says it.
-    pub title: &'static str,
+    pub title: Box<str>,
     /// SI unit; `"1"` for a ratio.
     pub unit: &'static str,
     /// Value before (its unit).
@@ -133,14 +133,14 @@ impl<'a> Fitting<'a> {
         Ok(Self { task, start, values, now, fitted, left: Vec::new() })
     }
 
-    fn parameter(&self, place: usize) -> &'static Parameter {
+    fn parameter(&self, place: usize) -> &'a Parameter {
         &self.task.model.parameters[place]
     }
 
     /// How a parameter is called in a sentence.
     fn called(&self, place: usize) -> String {
-        let Parameter { name, title, .. } = *self.parameter(place);
-        if name == title { name.to_owned() } else { format!("{title} ({name})") }
+        let Parameter { name, title, .. } = self.parameter(place);
+        if *name == &**title { (*name).to_owned() } else { format!("{title} ({name})") }
     }
 
     /// What an interval is compared with: the value, and the range where the value is zero.
@@ -248,7 +248,7 @@ impl<'a> Fitting<'a> {
 
     fn parameters(&self, subject: &FitSubject<'_>, known: Option<&Known>) -> Vec<FittedParameter> {
         let one = |place: &usize| {
-            let Parameter { name, title, unit, range, .. } = *self.parameter(*place);
+            let Parameter { name, title, unit, range, .. } = self.parameter(*place).clone();
             let at = self.fitted.iter().position(|it| it == place);
             let known = at.and_then(|at| Some((at, known?)));
             let value = self.values[*place];

@@ -82,7 +82,7 @@ fn cells(it: &FittedParameter) -> Vec<HtmlCell> {
         |(low, high)| format!("{} to {}", four_digits(low), with_unit(high, it.unit)),
     );
     let value = |value| HtmlCell::Number(with_unit(value, it.unit));
-    let words = [HtmlCell::words(it.title), HtmlCell::words(it.name)];
+    let words = [HtmlCell::words(&it.title), HtmlCell::words(it.name)];
     let numbers = [value(it.before), value(it.value), HtmlCell::Number(interval)];
     words.into_iter().chain(numbers).collect()
 }

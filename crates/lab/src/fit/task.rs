@@ -1,7 +1,7 @@
 //! What is to be fitted, and all strokes for any values.
 
 use descriptions::unmet;
-use models::ModelEntry;
+use models::LoadedModel;
 use nalgebra_of_lm::DVector;
 
 use super::data::MeasuredStroke;
@@ -15,7 +15,7 @@ pub struct FitSubject<'a> {
     /// Name of the instrument, for reports.
     pub name: &'a str,
     /// The model of the key.
-    pub model: &'static ModelEntry,
+    pub model: &'a LoadedModel,
     /// Its values, one per parameter, from which the search begins.
     pub values: &'a [f64],
     /// Places of the parameters that may change.
@@ -31,7 +31,7 @@ const SHAKEN: u64 = 12;
 
 /// The strokes, ready to be followed by a key with any values.
 pub(super) struct FitTask<'a> {
-    pub(super) model: &'static ModelEntry,
+    pub(super) model: &'a LoadedModel,
     pub(super) strokes: Vec<DrivenStroke>,
     /// Called after each stroke that was simulated.
     progress: &'a (dyn Fn() + Sync),
@@ -41,7 +41,7 @@ pub(super) struct FitTask<'a> {
 pub(super) type Differences = DVector<f64>;
 
 impl<'a> FitTask<'a> {
-    pub(super) fn new(subject: &FitSubject<'_>, progress: &'a (dyn Fn() + Sync)) -> Self {
+    pub(super) fn new(subject: &FitSubject<'a>, progress: &'a (dyn Fn() + Sync)) -> Self {
         let strokes = subject.strokes.iter();
         let strokes = strokes.map(|it| DrivenStroke::new(it, subject.force_noise)).collect();
         Self { model: subject.model, strokes, progress }

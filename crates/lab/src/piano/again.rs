@@ -23,7 +23,7 @@ pub(super) fn quickest(subject: &PianoSubject<'_>, key: u8, part: f64) -> f64 {
 
 /// Whether each press of a repetition gives one strike.
 fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> bool {
-    let Some(mut driven) = subject.open(key) else { return false };
+    let mut driven = subject.open(key);
     let held = subject.dip(key) + 0.5 * BEYOND_DIP;
     let drive = Drive::Repeated { speed: FIRST, held, up: (1.0 - part) * held, rate };
     let first = held / FIRST;
@@ -53,7 +53,7 @@ pub(super) fn return_time(subject: &PianoSubject<'_>, key: u8) -> Option<f64> {
     const UP: f64 = 1e-3;
     /// Short, since the front is followed one tick late.
     const SHORT: f64 = 2e-5;
-    let mut driven = subject.open(key)?;
+    let mut driven = subject.open(key);
     let held = subject.dip(key) + 0.2 * BEYOND_DIP;
     let down = held / FIRST;
     let drive = |t: f64| Motion {

@@ -143,8 +143,8 @@ fn gather(subject: &PianoSubject<'_>, done: Vec<JobOutcome>) -> Examination {
     weigh(&examination, &mut measured);
     compare(&examination, &mut measured);
     follow(&examination, &mut measured);
-    let lift = subject.open(MIDDLE).map(|key| 100.0 * key.damper_lift() / examination.dip);
-    measured.maybe("damper_lift", lift);
+    let lift = 100.0 * subject.open(MIDDLE).damper_lift() / examination.dip;
+    measured.maybe("damper_lift", Some(lift));
     examination.figures = measured.figures(subject.expected);
     examination
 }

@@ -1,7 +1,6 @@
 //! One key that is driven by position, and what it does.
 
-use models::catalogue::Visitor;
-use models::{ModelEntry, Playable};
+use models::{ModelEntry, Playable, Visitor};
 use pode::stepper::Any;
 use pode::{
     Advance, EnergyAudit, Event, EventCause, Limits, Motion, Piece, Signal, Simulator, Watch,
@@ -70,15 +69,11 @@ impl Visitor for Opener<'_> {
         let stepper = Any::named(METHOD.0).unwrap_or_default();
         let stepper = stepper.with_tolerance(METHOD.1, 1e-3).unwrap_or(stepper);
         let limits = Limits { longest_step: 1e-3, ..Limits::default() };
+        let places = OutputPlaces::of(model.entry());
+        let scale = model.input_per_metre();
         let simulator = Simulator::new(model, stepper, limits, mode, state);
         let log = Log { t: 0.0, h: 0.0, strikes: Vec::new(), audit: EnergyAudit::default() };
-        Box::new(SimulatedAction {
-            simulator,
-            places: OutputPlaces::of(model.entry()),
-            scale: model.input_per_metre(),
-            input: Motion::default(),
-            log,
-        })
+        Box::new(SimulatedAction { simulator, places, scale, input: Motion::default(), log })
     }
 }
 

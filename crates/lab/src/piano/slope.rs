@@ -37,7 +37,7 @@ pub(super) struct Hump {
 pub(super) fn measure(subject: &PianoSubject<'_>, key: u8, speed: f64) -> Option<ForceCurve> {
     /// Time at rest after it (s), in which the action settles.
     const AFTER: f64 = 0.3;
-    let mut driven = subject.open(key)?;
+    let mut driven = subject.open(key);
     let turn = subject.dip(key) + BEYOND;
     let drive = Drive::Slope { speed, turn };
     let h = (STEP / speed).clamp(TICKS.0, TICKS.1);

@@ -67,7 +67,7 @@ pub(super) fn play(
     key: u8,
     (touch, duration): (StrokeTouch, f64),
 ) -> Result<Stroke, Miss> {
-    let mut driven = subject.open(key).ok_or(Miss::Failed)?;
+    let mut driven = subject.open(key);
     let dip = subject.dip(key);
     let drive = Drive::stroke(touch, duration, dip);
     let fine_until = 1.3 * duration + FINELY_AFTER;

@@ -1,7 +1,6 @@
 //! The instrument that is looked at.
 
-use models::ModelEntry;
-use models::catalogue;
+use models::LoadedModel;
 
 use super::drive::USUAL_DIP;
 use super::key::{DrivenKey, Opener};
@@ -12,7 +11,7 @@ pub struct PianoSubject<'a> {
     /// Name of the instrument, for reports.
     pub name: &'a str,
     /// The model that every key has.
-    pub model: &'static ModelEntry,
+    pub model: &'a LoadedModel,
     /// One value per parameter of the model for a key, 0 (A0) ..= 87 (C8).
     pub values: &'a (dyn Fn(u8) -> Vec<f64> + Sync),
     /// Figures by name, with the lowest and highest value that each should have.
@@ -26,10 +25,10 @@ impl std::fmt::Debug for PianoSubject<'_> {
 }
 
 impl PianoSubject<'_> {
-    /// A key at rest; none if the model is not in the catalogue.
-    pub(super) fn open(&self, key: u8) -> Option<Box<dyn DrivenKey>> {
+    /// A key at rest.
+    pub(super) fn open(&self, key: u8) -> Box<dyn DrivenKey> {
         let values = (self.values)(key);
-        catalogue::visit(self.model, Opener { values: &values })
+        self.model.visit(Opener { values: &values })
     }
 
     /// The value of the parameter called `name` on a key, if there is one.

@@ -2,8 +2,7 @@
 //!
 //! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), all over at t1 (1 + e)/(1 − e).
 
-use models::built_in;
-use models::registry::SmallModel;
+use models::SmallModel;
 use models::{Described as _, ModeCode};
 use pode::Motion;
 
@@ -81,7 +80,7 @@ impl BallDrop {
     fn answered(self, judged: i32, rests: Option<f64>) -> Result<BallScenario, BadFile> {
         const NAME: &str = "bouncing-ball";
         let missing = |what| BadFile::missing(NAME, what);
-        let model = built_in::small(NAME).ok_or_else(|| missing("the model"))?;
+        let model = super::small(NAME).ok_or_else(|| missing("the model"))?;
         let model = model.with_values(&[G, self.e, MASS, HEIGHT, 1.0]);
         let mode = |code| model.mode(ModeCode::structural(code));
         let (flight, lies) = mode(0).zip(mode(1)).ok_or_else(|| missing("a mode"))?;
@@ -113,7 +112,7 @@ impl Scenario for BallScenario {
     }
 
     fn start(&self) -> (SmallModel, ModeOf<Self>, [f64; 4]) {
-        (self.model, self.flight, [HEIGHT, 0.0, 0.0, 0.0])
+        (self.model.clone(), self.flight, [HEIGHT, 0.0, 0.0, 0.0])
     }
 
     fn input(&self, _t: f64) -> Motion {

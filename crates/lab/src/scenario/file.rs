@@ -149,7 +149,7 @@ impl<M: Described> TrajectoryRows<M> {
             let index = header.iter().position(|known| *known == name);
             index.ok_or_else(|| file.wrong(format_args!("no column {name}")))
         };
-        let names = model.entry().states;
+        let names = &model.entry().states;
         let states = names.iter().map(|name| column(name)).collect::<Result<Vec<_>, _>>()?;
         let (t, force) = (column("t")?, column(readout)?);
         let row = |line: &str| {

@@ -21,7 +21,10 @@ pub use reference::{ExpectedEvent, Reference, ReferenceSample};
 
 use core::fmt::Debug;
 
-use models::registry::SmallModel;
+use std::path::Path;
+
+use descriptions::Library;
+use models::SmallModel;
 use pode::{Energetic, Model, Resets};
 
 use self::ball::BallScenario;
@@ -40,14 +43,19 @@ const TICKS: &[f64] = &[5.0 * MS, 2.5 * MS, 1.0 * MS, 0.5 * MS, 0.25 * MS, 0.1 *
 ///
 /// # Errors
 /// When its reference cannot be read.
+/// Returns the model of the program called `name`, with its type, if it is small.
+fn small(name: &str) -> Option<SmallModel> {
+    Library::default().find(name, Path::new("")).ok()?.small()
+}
+
 pub(crate) fn figure_6() -> Result<impl Scenario<Model = SmallModel> + 'static, BadFile> {
     stroke::figure_6()
 }
 
 /// A model that can be studied.
-pub trait Studied: Resets + Energetic + Copy + PartialEq + Debug {}
+pub trait Studied: Resets + Energetic + Clone + PartialEq + Debug {}
 
-impl<M: Resets + Energetic + Copy + PartialEq + Debug> Studied for M {}
+impl<M: Resets + Energetic + Clone + PartialEq + Debug> Studied for M {}
 
 /// The input of a scenario's model.
 pub type InputOf<S> = <<S as Scenario>::Model as Model>::Input;

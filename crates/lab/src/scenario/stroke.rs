@@ -1,8 +1,7 @@
 //! Instruments under a stroke, against trajectories of independent programs.
 
 use models::Described as _;
-use models::built_in;
-use models::registry::SmallModel;
+use models::SmallModel;
 use pode::Motion;
 
 use super::file::{BadFile, ReferenceCase, ReferenceFile, file};
@@ -40,7 +39,7 @@ impl<I: TermInput> StrokeScenario<I> {
         pace: StrokeTicks,
     ) -> Result<Self, BadFile> {
         let case = ReferenceCase::read(file)?;
-        let known = built_in::small(name);
+        let known = super::small(name);
         let model = case.model(&known.ok_or_else(|| file.wrong(format_args!("no model {name}")))?);
         let input = I::of(&case.input_terms(file)?);
         let reference = Reference {
@@ -71,7 +70,7 @@ impl<I: TermInput> Scenario for StrokeScenario<I> {
     /// At rest under s = 0; what a mode slaves to the input, the first tick puts in place.
     fn start(&self) -> (SmallModel, ModeOf<Self>, StateOf<Self>) {
         let (mode, state) = self.model.at_rest(&Motion::default());
-        (self.model, mode, state)
+        (self.model.clone(), mode, state)
     }
 
     #[inline]

@@ -175,11 +175,11 @@ impl<M: Playable> Start<M> {
         let model = model.with_values(&parameters(entry, args, mistakes)?);
         let name = entry.name;
         model.unmet(&mut |condition| {
-            mistakes.push(SimulateMistake::Unmet { model: name, condition });
+            mistakes.push(SimulateMistake::Unmet { model: name, condition: condition.to_owned() });
         });
         let s = input.at(0.0);
         let (rest_mode, rest) = model.at_rest(&s);
-        let given = named_values("--initial", "state", &args.initial, entry.states, mistakes);
+        let given = named_values("--initial", "state", &args.initial, &entry.states, mistakes);
         let mode = args.mode.as_deref().map_or(Some(rest_mode), |name| {
             let found = model.modes().find(|(_, known)| *known == name);
             if found.is_none() {
@@ -202,7 +202,7 @@ fn parameters(
     args: &SimulateArgs,
     mistakes: &mut Vec<SimulateMistake>,
 ) -> Option<Vec<f64>> {
-    let ModelEntry { presets, parameters, .. } = *entry;
+    let ModelEntry { presets, parameters, .. } = entry;
     let preset = match args.preset.as_deref() {
         None => presets.first(),
         Some(name) => {
@@ -216,17 +216,17 @@ fn parameters(
         }
     }?;
     let key = args.key.min(LAST_KEY);
-    let mut values: Vec<_> = (0..parameters.len()).map(|i| (preset.value)(i, key)).collect();
+    let mut values = preset.values(key);
     let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
     let before = mistakes.len();
     for (index, value) in named_values("--set", "parameter", &args.set, &names, mistakes) {
-        let Parameter { name, unit, range, .. } = parameters[index];
-        check_range(&format!("parameter `{name}`"), value, range, unit, mistakes);
+        let Parameter { name, unit, range, .. } = &parameters[index];
+        check_range(&format!("parameter `{name}`"), value, *range, unit, mistakes);
         values[index] = value;
     }
     // A model is only built of values in their ranges.
     if mistakes.len() > before {
-        values = (0..parameters.len()).map(|i| (preset.value)(i, key)).collect();
+        values = preset.values(key);
     }
     Some(values)
 }

@@ -47,10 +47,12 @@ fn drive<M: Playable>(
     (clock, input): (&TickClock, &InputSignal),
     files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
-    let Start { model, mode, state } = *start;
+    let Start { model, mode, state } = start;
+    let (model, mode, state) = (model.clone(), *mode, *state);
     let audit = EnergyAudit::default();
     let last = (0.0, mode, state);
-    let mut follower = Follower { model, clock, audit, last, closed_form: (0.0, 0), files };
+    let mut follower =
+        Follower { model: model.clone(), clock, audit, last, closed_form: (0.0, 0), files };
     let mut tally = RunTally::default();
     let mut simulator = Simulator::new(model, clock.method, clock.limits, mode, state);
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
@@ -184,7 +186,7 @@ impl RunTally {
         follower: &Follower<'_, M>,
     ) -> SimulationReport {
         let (t, mode, state) = &follower.last;
-        let model = follower.model;
+        let model = &follower.model;
         let entry = model.entry();
         let state = entry.states.iter().copied().zip(state.entries().iter().copied()).collect();
         SimulationReport {
@@ -199,7 +201,7 @@ impl RunTally {
             },
             capped: self.capped,
             t: *t,
-            mode: mode_name(&model, *mode),
+            mode: mode_name(model, *mode),
             choices: Vec::new(),
             handed_on: Vec::new(),
             projection: self.projection,

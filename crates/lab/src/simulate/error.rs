@@ -70,7 +70,7 @@ pub enum SimulateMistake {
     Unmet {
         model: &'static str,
         /// As the description writes it.
-        condition: &'static str,
+        condition: String,
     },
     /// A name that is not among those that there are.
     #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]

@@ -20,9 +20,8 @@ mod tests;
 use std::io::Write;
 use std::path::Path;
 
-use descriptions::find_model;
-use models::Playable;
-use models::catalogue::{self, Visitor};
+use descriptions::Library;
+use models::{Playable, Visitor};
 
 pub use self::args::{Reconstruct, SimulateArgs};
 use self::check::{Start, TickClock};
@@ -49,7 +48,7 @@ pub fn run(
     let input = InputSignal::read(args, &mut input_mistakes);
     mistakes.extend(input_mistakes.into_iter().map(SimulateMistake::Input));
     check::rest(args, &mut mistakes);
-    let model = match find_model(&args.model, Path::new("")) {
+    let model = match Library::default().find(&args.model, Path::new("")) {
         Ok(model) => model,
         Err(missing) => {
             mistakes.insert(0, SimulateMistake::Model(missing));
@@ -57,7 +56,7 @@ pub fn run(
         }
     };
     let job = SimulationJob { args, clock, input, mistakes, out, note };
-    catalogue::visit(model, job).unwrap_or_else(|| Err(SimulateError::Usage(Vec::new())))
+    model.visit(job)
 }
 
 /// What remains to be done once the model's type is known.

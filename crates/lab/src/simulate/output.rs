@@ -163,10 +163,10 @@ fn guard_names<M: Described>(model: &M) -> Vec<&'static str> {
 }
 
 fn trajectory_header<M: Described>(model: &M, guards: &[&str]) -> Vec<String> {
-    let ModelEntry { states, input, .. } = *model.entry();
+    let ModelEntry { states, input, .. } = model.entry();
     let mut header: Vec<String> = ["t", "mode"].map(String::from).to_vec();
     header.extend(states.iter().map(|name| (*name).to_owned()));
-    header.push(input.to_owned());
+    header.push((*input).to_owned());
     header.extend(guards.iter().map(|name| format!("guard_{name}")));
     for name in model.entry().quantities() {
         let taken = header.iter().any(|column| column == name);
@@ -177,7 +177,7 @@ fn trajectory_header<M: Described>(model: &M, guards: &[&str]) -> Vec<String> {
 }
 
 fn event_header<M: Described>(model: &M) -> Vec<String> {
-    let names = model.entry().states;
+    let names = &model.entry().states;
     let states = |when: &'static str| names.iter().map(move |name| format!("{name}_{when}"));
     let mut header: Vec<String> = ["t", "guard", "from", "to"].map(String::from).to_vec();
     header.extend(states("before").chain(states("after")));

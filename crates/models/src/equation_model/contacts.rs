@@ -1,6 +1,7 @@
 //! The same with contacts: a mode is a structural mode, and what each contact does.
 
 use core::fmt;
+use std::sync::Arc;
 
 use contacts::{
     ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, WithContacts,
@@ -9,10 +10,9 @@ use equations::table::MidiTable;
 use equations::{EquationModel, ModeNumber};
 use pode::{GuardId, Motion};
 
-use super::LoadedFunctions;
 use crate::describe::{Damper, Described, Playable, Sounding};
 use crate::draw::Sketch;
-use crate::entry::ModelEntry;
+use crate::loaded_model::ModelParts;
 use crate::mode_code::ModeCode;
 
 /// Most contacts whose states fit into a [`ModeCode`]: 5²⁴ is less than 2⁵⁶.
@@ -60,15 +60,15 @@ const fn word(state: ContactState) -> &'static str {
 }
 
 impl<const N: usize, const C: usize> Described
-    for WithContacts<EquationModel<LoadedFunctions, N, C>>
+    for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
 {
-    fn entry(&self) -> &'static ModelEntry {
-        self.system().entry()
+    fn shared(&self) -> &Arc<ModelParts> {
+        self.system().shared()
     }
 
     /// What had few enough contacts has them again.
     fn with_values(&self, values: &[f64]) -> Self {
-        Self::new(self.system().with_values(values)).unwrap_or(*self)
+        Self::new(self.system().with_values(values)).unwrap_or_else(|_unchanged| self.clone())
     }
 
     fn mode_code(&self, mode: ContactMode<ModeNumber>) -> ModeCode {
@@ -103,7 +103,7 @@ impl<const N: usize, const C: usize> Described
         self.system().outputs(mode.structure, x, input, out);
     }
 
-    fn unmet(&self, tell: &mut dyn FnMut(&'static str)) {
+    fn unmet(&self, tell: &mut dyn FnMut(&str)) {
         Described::unmet(self.system(), tell);
     }
 
@@ -135,7 +135,7 @@ impl<const N: usize, const C: usize> Described
 }
 
 impl<const N: usize, const C: usize> Playable
-    for WithContacts<EquationModel<LoadedFunctions, N, C>>
+    for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
 {
     fn damper(&self) -> Damper {
         self.system().damper()
@@ -145,7 +145,7 @@ impl<const N: usize, const C: usize> Playable
         self.system().softest_tone()
     }
 
-    fn midi(&self) -> &'static MidiTable {
+    fn midi(&self) -> MidiTable {
         self.system().midi()
     }
 

@@ -1,7 +1,7 @@
 //! Draws a model by its table.
 
 use equations::EquationModel;
-use equations::table::{BodyTable, Functions, OutlineTable};
+use equations::table::{BodyTable, Equations, OutlineTable};
 
 use crate::draw::{Body, Coil, Ends, Follow, Sketch};
 
@@ -9,11 +9,11 @@ use crate::draw::{Body, Coil, Ends, Follow, Sketch};
 const MOST: usize = 1024;
 
 /// Draws `model` from the side; nothing if its drawing has more numbers than there is room for.
-pub(super) fn draw<F: Functions + Copy, const N: usize, const C: usize>(
+pub(super) fn draw<F: Equations + Clone, const N: usize, const C: usize>(
     model: &EquationModel<F, N, C>,
     sketch: &mut dyn Sketch,
 ) {
-    let drawing = model.table().drawing;
+    let drawing = &model.table().drawing;
     let mut numbers = [0.0; MOST];
     if drawing.count == 0 || drawing.count > MOST {
         return;
@@ -22,16 +22,16 @@ pub(super) fn draw<F: Functions + Copy, const N: usize, const C: usize>(
     let (view, _) = numbers.split_at(4);
     sketch.view([view[0], view[1], view[2], view[3]]);
     let outputs = |output: usize| model.table().outputs.get(output).map(|it| it.name);
-    for body in drawing.bodies {
+    for body in &drawing.bodies {
         draw_body(body, &outputs, &numbers, sketch);
     }
-    for spring in drawing.springs {
+    for spring in &drawing.springs {
         let end = |(body, point): (usize, usize)| {
             let before = drawing.bodies.iter().take(body).map(drawn).sum();
             (before, [0, 1].map(|i| numbers.get(point + i).copied().unwrap_or(0.0)))
         };
         let (from, to) = (end(spring.from), end(spring.to));
-        sketch.coil(Coil { name: spring.name, from, to, modes: spring.modes });
+        sketch.coil(Coil { name: spring.name, from, to, modes: &spring.modes });
     }
 }
 
@@ -59,7 +59,7 @@ fn draw_body(
         draw_outline(outline, numbers, sketch);
     }
     for outline in sometimes.filter(|it| !it.modes.is_empty()) {
-        sketch.body(Body { name: body.name, x, y, angle, modes: outline.modes });
+        sketch.body(Body { name: body.name, x, y, angle, modes: &outline.modes });
         draw_outline(outline, numbers, sketch);
     }
 }

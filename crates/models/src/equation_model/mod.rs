@@ -1,79 +1,22 @@
-//! Models made of a table and of functions by number, as models of the catalogue.
+//! Models made of a table and of functions by number, as what a key can play.
 //!
-//! A built-in model is one, of emitted Rust, and so is a description that is read while the program
-//! runs. One with contacts is a `WithContacts` of the same (`contacts.rs`).
+//! One with contacts is a `WithContacts` of the same (`contacts.rs`).
 
 mod contacts;
 mod drawing;
 
-use core::fmt;
+use std::sync::Arc;
 
-use equations::table::{Arguments, FunctionId, Functions, MidiTable, ModelTable};
+use equations::table::{MidiTable, ModelTable};
 use equations::{EquationModel, ModeNumber};
 use pode::{GuardId, Motion};
 
 use crate::describe::{Damper, Described, Playable, Sounding};
 use crate::draw::Sketch;
-use crate::entry::ModelEntry;
+use crate::loaded_model::ModelParts;
 use crate::mode_code::ModeCode;
 
 pub use contacts::MAX_CODED_CONTACTS;
-
-/// The functions of a model of the catalogue, and its entry there.
-#[derive(Clone, Copy)]
-pub struct LoadedFunctions<F = &'static dyn Functions> {
-    functions: F,
-    entry: &'static ModelEntry,
-}
-
-impl LoadedFunctions {
-    /// The functions of the model that `entry` is about.
-    pub const fn new(functions: &'static dyn Functions, entry: &'static ModelEntry) -> Self {
-        Self { functions, entry }
-    }
-
-    /// The same as functions of a type of their own.
-    pub(crate) const fn of_type<F>(self, functions: F) -> LoadedFunctions<F> {
-        LoadedFunctions { functions, entry: self.entry }
-    }
-}
-
-impl<F> fmt::Debug for LoadedFunctions<F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("LoadedFunctions").field(&self.entry.name).finish()
-    }
-}
-
-impl<F: Functions> Functions for LoadedFunctions<F> {
-    #[inline]
-    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.functions.call(function, arguments, out);
-    }
-
-    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
-    #[inline(always)]
-    fn derivative(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.functions.derivative(function, arguments, out);
-    }
-
-    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
-    #[inline(always)]
-    fn readout(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.functions.readout(function, arguments, out);
-    }
-
-    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
-    #[inline(always)]
-    fn guard(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.functions.guard(function, arguments, out);
-    }
-
-    #[expect(clippy::inline_always, reason = "what is called is to be part of the step")]
-    #[inline(always)]
-    fn bound(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.functions.bound(function, arguments, out);
-    }
-}
 
 /// The damper of a table, and the speed below which nothing sounds (m/s); the usual ones where it says nothing.
 fn damper(table: &ModelTable) -> (Damper, f64) {
@@ -82,17 +25,13 @@ fn damper(table: &ModelTable) -> (Damper, f64) {
     })
 }
 
-impl<F, const N: usize, const C: usize> Described for EquationModel<LoadedFunctions<F>, N, C>
-where
-    F: Functions + Copy + 'static,
-{
-    fn entry(&self) -> &'static ModelEntry {
-        self.functions().entry
+impl<const N: usize, const C: usize> Described for EquationModel<Arc<ModelParts>, N, C> {
+    fn shared(&self) -> &Arc<ModelParts> {
+        self.functions()
     }
 
-    /// What fitted once fits again.
     fn with_values(&self, values: &[f64]) -> Self {
-        Self::new(self.table(), *self.functions(), values).unwrap_or(*self)
+        self.with_values(values)
     }
 
     fn mode_code(&self, mode: ModeNumber) -> ModeCode {
@@ -108,8 +47,8 @@ where
         self.outputs(mode, x, input, out);
     }
 
-    fn unmet(&self, tell: &mut dyn FnMut(&'static str)) {
-        Self::unmet(self).for_each(|condition| tell(condition.text));
+    fn unmet(&self, tell: &mut dyn FnMut(&str)) {
+        Self::unmet(self).for_each(|condition| tell(&condition.text));
     }
 
     fn at_rest(&self, input: &Motion) -> (ModeNumber, [f64; N]) {
@@ -117,10 +56,7 @@ where
     }
 }
 
-impl<F, const N: usize, const C: usize> Playable for EquationModel<LoadedFunctions<F>, N, C>
-where
-    F: Functions + Copy + 'static,
-{
+impl<const N: usize, const C: usize> Playable for EquationModel<Arc<ModelParts>, N, C> {
     fn damper(&self) -> Damper {
         damper(self.table()).0
     }
@@ -129,8 +65,8 @@ where
         damper(self.table()).1
     }
 
-    fn midi(&self) -> &'static MidiTable {
-        &self.table().midi
+    fn midi(&self) -> MidiTable {
+        self.table().midi
     }
 
     fn input_per_metre(&self) -> f64 {

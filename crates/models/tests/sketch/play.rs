@@ -88,15 +88,15 @@ impl<M: Playable> Watch<M> for Film<M> {
 }
 
 /// The stroke's moments with the names of their events; the ends of ticks have none.
-pub fn film<M: Playable>(model: M) -> Vec<(String, Moment)> {
+pub fn film<M: Playable>(model: &M) -> Vec<(String, Moment)> {
     const H: f64 = 1e-3;
-    let (mode, state) = model.at_rest(&stroke(&model, 0.0));
-    let mut simulator = Simulator::new(model, Rk4, Limits::default(), mode, state);
-    let mut film = Film { model, moments: vec![] };
+    let (mode, state) = model.at_rest(&stroke(model, 0.0));
+    let mut simulator = Simulator::new(model.clone(), Rk4, Limits::default(), mode, state);
+    let mut film = Film { model: model.clone(), moments: vec![] };
     for tick in (0_u32..700).map(f64::from) {
-        simulator.advance(H, &|theta: f64| stroke(&model, (tick + theta) * H), &mut film);
-        let end = stroke(&model, (tick + 1.0) * H);
-        let moment = Moment::of(&model, (simulator.mode(), *simulator.state()), &end);
+        simulator.advance(H, &|theta: f64| stroke(model, (tick + theta) * H), &mut film);
+        let end = stroke(model, (tick + 1.0) * H);
+        let moment = Moment::of(model, (simulator.mode(), *simulator.state()), &end);
         film.moments.push((String::new(), moment));
     }
     film.moments

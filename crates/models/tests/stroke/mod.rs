@@ -202,10 +202,10 @@ pub fn parameter<M: Described>(model: &M, (preset, key): (&str, u8), name: &str)
     let entry = model.entry();
     let found = entry.presets.iter().find(|it| it.name == preset).expect("a preset");
     let index = entry.parameters.iter().position(|it| it.name == name).expect("a parameter");
-    (found.value)(index, key)
+    found.value(index, key)
 }
 
 /// One value per parameter of `preset` for `key`.
 pub fn values(preset: &Preset, parameters: usize, key: u8) -> Vec<f64> {
-    (0..parameters).map(|index| (preset.value)(index, key)).collect()
+    preset.values(key).split_at(parameters).0.to_vec()
 }

@@ -1,6 +1,6 @@
 //! The series of a bell, the input of strokes that are given as formulas.
 
-use super::rows::PER_ORDER;
+use super::PER_ORDER;
 use crate::math::exp;
 
 /// Adds the coefficients of height exp(−(z + dz τ)²) by power of τ to `terms`.

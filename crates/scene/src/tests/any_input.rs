@@ -1,5 +1,6 @@
 //! Whatever is read: no panic, and consistent values or mistakes with a place.
 
+use descriptions::Library;
 use std::path::Path;
 
 use proptest::prelude::*;
@@ -12,7 +13,7 @@ use super::*;
 /// Reads `bytes` as a scene and as an instrument.
 fn read(bytes: &[u8], overrides: &[Override]) {
     let Ok(source) = SourceText::from_bytes(Path::new("any.toml"), bytes.to_vec()) else { return };
-    match Scene::check(&source, overrides) {
+    match Scene::check(&Library::default(), &source, overrides) {
         Ok(scene) => {
             assert_eq!(scene.keys.len(), 88);
             let mut values = scene.keys.iter().flatten().flat_map(|voice| &voice.values);
@@ -20,11 +21,11 @@ fn read(bytes: &[u8], overrides: &[Override]) {
         }
         Err(all) => check_places(&all, source.text.split('\n').count()),
     }
-    let found = Instrument::check(&source);
+    let found = Instrument::check(&Library::default(), &source);
     let mut values =
         found.iter().flat_map(|instrument| (0..88).flat_map(|key| instrument.values(key)));
     assert!(values.all(f64::is_finite));
-    drop(checked_file::check(&source));
+    drop(checked_file::check(&Library::default(), &source));
 }
 
 fn check_places(all: &Diagnostics, n_lines: usize) {

@@ -2,6 +2,7 @@
 
 use super::super::embedded::INSTRUMENTS;
 use super::*;
+use descriptions::Library;
 
 fn with(line: &str) -> String {
     format!("[[keys]]\nrange = \"A0..C8\"\n{line}")
@@ -10,7 +11,7 @@ fn with(line: &str) -> String {
 /// Asserts that a scene with these `lines` is refused with `expected`.
 #[track_caller]
 fn check_refused(lines: &str, expected: &str) {
-    let said = Scene::check(&source(&with(lines)), &[]).map(drop);
+    let said = Scene::check(&Library::default(), &source(&with(lines)), &[]).map(drop);
     let said = said.expect_err("something is wrong").to_string();
     assert!(said.contains(expected), "said:\n{said}");
 }
@@ -48,7 +49,8 @@ fn a_fidelity_that_is_not_there_is_answered_with_those_that_are() {
     let model = "model = \"key-hammer-springs\"\nfidelity = \"map\"\n";
     check_refused(model, "\"fidelity\" stands beside a model");
     check_refused(&format!("{wall}[midi]\nprograms = [\"spring-wal\"]\n"), "spring-wall");
-    let scene = Scene::check(&source(&format!("budget = 2\n{}", with(wall))), &[]);
+    let scene =
+        Scene::check(&Library::default(), &source(&format!("budget = 2\n{}", with(wall))), &[]);
     assert!(scene.expect_err("more than a lane").to_string().contains("budget"));
 }
 

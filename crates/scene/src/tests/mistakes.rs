@@ -1,5 +1,6 @@
 //! Messages about mistakes, word for word.
 
+use descriptions::Library;
 use std::path::Path;
 
 use ::links::address::Address;
@@ -9,7 +10,7 @@ use super::*;
 /// Asserts that exactly `expected` is said of `text`, where FOLDER is the working directory.
 #[track_caller]
 fn check(text: &str, overrides: &[(&str, &str)], expected: &str) {
-    let said = match Scene::check(&source(text), &owned(overrides)) {
+    let said = match Scene::check(&Library::default(), &source(text), &owned(overrides)) {
         Ok(_) => "nothing is wrong".to_owned(),
         Err(all) => all.to_string(),
     };
@@ -103,7 +104,9 @@ fn an_override_of_a_list_says_which_items_there_are() {
 #[test]
 fn a_wrong_link_is_named_as_it_was_typed() {
     let can = Address::parse("can:can0").unwrap();
-    let all = Scene::load_as_typed("springs", &link_overrides(&[can.clone(), can])).unwrap_err();
+    let all =
+        Scene::load_as_typed(&Library::default(), "springs", &link_overrides(&[can.clone(), can]))
+            .unwrap_err();
     assert_eq!(
         all.to_string(),
         "--link can:can0 --link can:can0: \"can0\" stands here twice; leave one of them out"
@@ -179,7 +182,7 @@ fn two_voices_for_one_range_are_refused() {
 
 #[test]
 fn a_scene_that_is_not_there_is_answered_with_those_that_are() {
-    let said = |name: &str| Scene::load(name, &[]).unwrap_err().to_string();
+    let said = |name: &str| Scene::load(&Library::default(), name, &[]).unwrap_err().to_string();
     assert_eq!(
         said("papr"),
         "papr: there is no scene \"papr\"; use \"paper\", the nearest of default, springs, \
@@ -191,7 +194,10 @@ fn a_scene_that_is_not_there_is_answered_with_those_that_are() {
         folder.display()
     );
     assert_eq!(said("mine.toml"), expected);
-    assert_eq!(check_file(Path::new("mine.toml")).unwrap_err().to_string(), expected);
+    assert_eq!(
+        check_file(&Library::default(), Path::new("mine.toml")).unwrap_err().to_string(),
+        expected
+    );
 }
 
 #[test]
@@ -199,7 +205,7 @@ fn a_file_that_is_no_scene_is_refused() {
     let folder = Folder::new("refused");
     let check = |bytes: &[u8], expected: &str| {
         let path = folder.write("file.toml", bytes);
-        let said = check_file(Path::new(&path)).unwrap_err().to_string();
+        let said = check_file(&Library::default(), Path::new(&path)).unwrap_err().to_string();
         assert_eq!(said.strip_prefix(&path), Some(expected));
     };
     check(b"ti\xff", ":1:3: this byte is not UTF-8; save the file as UTF-8 text");
@@ -221,7 +227,7 @@ fn a_file_that_is_no_scene_is_refused() {
 #[test]
 fn programs_read_the_same_as_json() {
     let text = "lanes = 0\n[[keys]]\nrange = 60\nmodel = \"spring-wall\"\n";
-    let all = Scene::check(&source(text), &[]).unwrap_err();
+    let all = Scene::check(&Library::default(), &source(text), &[]).unwrap_err();
     let expected = concat!(
         r#"[{"file":"scene.toml","line":1,"column":9,"#,
         r#""message":"\"lanes\" is 0, out of range","help":"give 1 to 16"}]"#

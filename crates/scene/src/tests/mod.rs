@@ -6,6 +6,7 @@ mod mistakes;
 mod shipped;
 mod values;
 
+use descriptions::Library;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -40,7 +41,8 @@ fn owned(overrides: &[(&str, &str)]) -> Vec<Override> {
 
 #[track_caller]
 fn load(text: &str, overrides: &[(&str, &str)]) -> Scene {
-    Scene::check(&source(text), &owned(overrides)).unwrap_or_else(|all| panic!("{all}"))
+    Scene::check(&Library::default(), &source(text), &owned(overrides))
+        .unwrap_or_else(|all| panic!("{all}"))
 }
 
 /// A folder of a test's own, removed at its end.

@@ -1,5 +1,6 @@
 //! The files of configs/.
 
+use descriptions::Library;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -31,7 +32,7 @@ fn every_file_is_part_of_the_program() {
 
 #[test]
 fn the_paper_s_scene_writes_out_the_defaults() {
-    let paper = Scene::load("paper", &[]).unwrap();
+    let paper = Scene::load(&Library::default(), "paper", &[]).unwrap();
     let default = Render::default();
     assert_eq!(Render { event_tolerance: default.event_tolerance, ..paper.render }, default);
     // The file rounds 2⁻⁴⁰ to two digits.

@@ -1,5 +1,6 @@
 //! Values of scenes as they are read.
 
+use descriptions::Library;
 use std::path::Path;
 
 use pode::stepper::{self, Any};
@@ -56,7 +57,7 @@ fn a_parameter_overrides_the_instrument_s_over_the_whole_compass() {
 
 #[test]
 fn a_performance_is_embedded_or_lies_beside_the_scene() {
-    let bach = Scene::load("bach", &[]).unwrap().play_list.unwrap();
+    let bach = Scene::load(&Library::default(), "bach", &[]).unwrap().play_list.unwrap();
     let [PerformanceSource::Embedded(name, bytes)] = &bach.pieces[..] else { panic!("{bach:?}") };
     assert_eq!((*name, &bytes[..4], bach.repeat), ("bach-bwv-846", b"MThd".as_slice(), false));
 
@@ -64,15 +65,20 @@ fn a_performance_is_embedded_or_lies_beside_the_scene() {
     folder.write("mine.mid", bytes);
     let text = format!("{MINIMAL}[pianist]\nperformance = \"mine.mid\"\n");
     let path = folder.write("scene.toml", text.as_bytes());
-    let scene = Scene::load(&path, &[]).unwrap();
+    let scene = Scene::load(&Library::default(), &path, &[]).unwrap();
     let mine = PerformanceSource::Path(folder.0.join("mine.mid"));
     assert_eq!(scene.play_list, Some(PlayList { pieces: vec![mine.clone()], repeat: false }));
     let list = "performance = [\"mine.mid\", \"bach-bwv-846\", \"mine.mid\"]\nrepeat = true\n";
     let list = folder.write("list.toml", format!("{MINIMAL}[pianist]\n{list}").as_bytes());
-    let list = Scene::load(&list, &[]).unwrap().play_list.unwrap();
+    let list = Scene::load(&Library::default(), &list, &[]).unwrap().play_list.unwrap();
     assert_eq!((&list.pieces[0], &list.pieces[2], list.pieces.len()), (&mine, &mine, 3));
     assert!(list.repeat && matches!(list.pieces[1], PerformanceSource::Embedded(..)), "{list:?}");
-    let silenced = Scene::load_as_typed(&path, &owned(&[("pianist.performance", "none")])).unwrap();
+    let silenced = Scene::load_as_typed(
+        &Library::default(),
+        &path,
+        &owned(&[("pianist.performance", "none")]),
+    )
+    .unwrap();
     assert_eq!(silenced.play_list, None);
 }
 
@@ -95,15 +101,15 @@ fn an_instrument_of_one_s_own_lies_beside_the_scene() {
     let soft = folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 kN/m\"\n");
     let scene = MINIMAL.replace("grand-springs", "soft.toml");
     let scene = folder.write("scene.toml", scene.as_bytes());
-    check_value(&Scene::load(&scene, &[]).unwrap(), 0, "K", 200.0);
-    assert_eq!(check_file(Path::new(&soft)), Ok(FileKind::Instrument));
-    assert_eq!(check_file(Path::new(&scene)), Ok(FileKind::Scene));
+    check_value(&Scene::load(&Library::default(), &scene, &[]).unwrap(), 0, "K", 200.0);
+    assert_eq!(check_file(&Library::default(), Path::new(&soft)), Ok(FileKind::Instrument));
+    assert_eq!(check_file(&Library::default(), Path::new(&scene)), Ok(FileKind::Scene));
 
     // A mistake in the instrument is said once, in the instrument's file.
     folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 N/mm\"\n");
     let expected =
         format!("{soft}:2:16: \"K\" has the wrong unit \"N/mm\"; give it in N/m, 0 to 1e9 N/m");
-    assert_eq!(Scene::load(&scene, &[]).unwrap_err().to_string(), expected);
+    assert_eq!(Scene::load(&Library::default(), &scene, &[]).unwrap_err().to_string(), expected);
 }
 
 #[test]

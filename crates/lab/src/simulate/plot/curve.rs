@@ -62,12 +62,9 @@ pub(super) struct ModelInstant<'a, M: Described> {
 ///
 /// Speeds and other outputs than forces are left out: the figure is about contact.
 pub(super) fn all(entry: &ModelEntry, guards: &[&'static str], axis: Columns) -> Vec<SignalCurve> {
-    let indexed = |names: &'static [&'static str], source: fn(usize) -> CurveSource| {
-        names.iter().enumerate().map(move |(index, name)| (*name, source(index)))
-    };
     let sources = [(entry.input, CurveSource::Input)].into_iter();
-    let sources = sources.chain(indexed(entry.states, CurveSource::State));
-    let sources = sources.chain(indexed(entry.outputs, CurveSource::Output));
+    let sources = sources.chain(indexed(&entry.states, CurveSource::State));
+    let sources = sources.chain(indexed(&entry.outputs, CurveSource::Output));
     let sources = sources.chain(guards.iter().map(|name| (*name, CurveSource::Guard(name))));
     let curve = |(name, source): (&'static str, CurveSource)| {
         let unit = unit::of(entry, source)?;
@@ -75,6 +72,14 @@ pub(super) fn all(entry: &ModelEntry, guards: &[&'static str], axis: Columns) ->
         Some(SignalCurve { source, name, unit, panel, track: DecimatedCurve::new(axis) })
     };
     sources.filter_map(curve).collect()
+}
+
+/// Names with the places in which their values stand.
+fn indexed(
+    names: &[&'static str],
+    source: fn(usize) -> CurveSource,
+) -> impl Iterator<Item = (&'static str, CurveSource)> {
+    names.iter().enumerate().map(move |(index, name)| (*name, source(index)))
 }
 
 /// Where a curve belongs, if anywhere.

@@ -1,25 +1,15 @@
-//! `letoff model`: what is derived from a description, as equations, as Rust, and a first file.
-
-mod bases;
-mod reader;
+//! `letoff model`: what is derived from a description, as equations, and a first file.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
-use descriptions::{DescriptionFiles, MissingModel, description};
+use descriptions::{MissingModel, derive, description};
 use kane::readable::{Notation, mode_equations, system_equations};
-use kane::{DerivedModel, derive_model};
 
-use self::bases::FileBases;
 use super::{Failure, ask};
-use diagnostics::{choice, escaped, quoted, shown};
+use diagnostics::{choice, quoted, shown};
 use host::control::Request;
-
-/// Makes this program read descriptions of models, as the command does when it starts.
-pub fn read_descriptions() {
-    descriptions::install(&reader::CompilingReader);
-}
 
 /// What `letoff model` takes.
 #[derive(Clone, Debug, Args)]
@@ -33,8 +23,6 @@ pub struct ModelArgs {
 pub enum ModelCommand {
     /// Prints the equations of motion that follow from a description.
     Derive(DeriveArgs),
-    /// Prints the model as Rust.
-    Emit(EmitArgs),
     /// Writes a description to start from.
     New(NewArgs),
     /// Lets the running host read a description, and play it.
@@ -62,15 +50,6 @@ pub struct DeriveArgs {
 pub enum NotationName {
     Text,
     Latex,
-}
-
-/// What `letoff model emit` takes.
-#[derive(Clone, Debug, Args)]
-#[command(after_help = "Example:
-  letoff model emit my-action.toml > my_action.rs")]
-pub struct EmitArgs {
-    /// A model of the program, or the path of a description.
-    pub model: String,
 }
 
 /// What `letoff model new` takes.
@@ -103,7 +82,6 @@ pub struct LoadArgs {
 pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.command {
         ModelCommand::Derive(args) => print_equations(args, out),
-        ModelCommand::Emit(args) => Ok(out.write_all(derived(&args.model)?.rust().as_bytes())?),
         ModelCommand::New(args) => new(args, out),
         ModelCommand::Load(args) => load(args, out),
     }
@@ -117,7 +95,8 @@ fn load(args: &LoadArgs, out: &mut dyn Write) -> Result<(), Failure> {
 }
 
 fn print_equations(args: &DeriveArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let model = derived(&args.model)?;
+    let wrong = |missing: MissingModel| Failure::Usage(missing.rendered());
+    let model = derive(&args.model).map_err(wrong)?;
     let notation = match args.notation {
         NotationName::Text => Notation::Text,
         NotationName::Latex => Notation::Latex,
@@ -134,28 +113,6 @@ fn print_equations(args: &DeriveArgs, out: &mut dyn Write) -> Result<(), Failure
         }
     };
     Ok(out.write_all(text.as_bytes())?)
-}
-
-/// The model of the program called `wanted`, or that of the file there.
-fn derived(wanted: &str) -> Result<DerivedModel, Failure> {
-    let files = DescriptionFiles::default();
-    let wrong = |missing: MissingModel| Failure::Usage(missing.rendered());
-    let text = match description(wanted) {
-        Some(text) => text.to_owned(),
-        None if descriptions::is_path(wanted) => file_text(wanted, &files)?,
-        None => return Err(wrong(descriptions::unknown_model(wanted))),
-    };
-    derive_model(wanted, &text, &FileBases(&files))
-        .map_err(|diagnostics| wrong(MissingModel::Wrong(diagnostics)))
-}
-
-fn file_text(path: &str, files: &DescriptionFiles) -> Result<String, Failure> {
-    let bytes = files.read(Path::new(path));
-    let bytes = bytes
-        .map_err(|why| Failure::Usage(format!("{}: {why}; correct the path", escaped(path))))?;
-    String::from_utf8(bytes).map_err(|_error| {
-        Failure::Usage(format!("{} is not UTF-8; save it as UTF-8 text", escaped(path)))
-    })
 }
 
 fn new(args: &NewArgs, out: &mut dyn Write) -> Result<(), Failure> {

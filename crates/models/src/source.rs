@@ -1,0 +1,41 @@
+//! The files that a model was read from.
+
+use std::path::{Path, PathBuf};
+
+/// The version of a description that a model is.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ModelSource {
+    /// Absolute path of the description.
+    pub file: Box<str>,
+    /// Number among the versions that were read, from 1.
+    pub version: u32,
+    /// Contents of its files, the description first, then its bases.
+    pub contents: FileContents,
+}
+
+/// Contents of the files of a description when they were read; `None` for one that could not be.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct FileContents(pub Vec<(PathBuf, Option<Vec<u8>>)>);
+
+impl FileContents {
+    /// Returns the present contents of the same files, as `read` gives them.
+    #[must_use]
+    pub fn read_again(&self, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
+        Self(self.0.iter().map(|(path, _before)| (path.clone(), read(path))).collect())
+    }
+
+    /// Returns `true` if a file cannot be read that could be `before`.
+    pub fn lacks_one_of(&self, before: &Self) -> bool {
+        self.0.iter().zip(&before.0).any(|(now, before)| now.1.is_none() && before.1.is_some())
+    }
+
+    /// Returns the absolute path and the text of each file that could be read.
+    pub fn texts(&self) -> Vec<(PathBuf, String)> {
+        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let text = |(path, bytes): &(PathBuf, Option<Vec<u8>>)| {
+            let text = String::from_utf8_lossy(bytes.as_deref()?).into_owned();
+            Some((absolute(path), text))
+        };
+        self.0.iter().filter_map(text).collect()
+    }
+}
