@@ -11,7 +11,7 @@ use toml_edit::{Document, Item};
 ///
 /// Crates that design.md names but that are not there yet are listed too, so that
 /// their first commit is held to the same rule.
-const MAY_KNOW: [(&str, &[&str]); 32] = [
+const MAY_KNOW: [(&str, &[&str]); 30] = [
     ("keyboard", &[]),
     ("diagnostics", &[]),
     ("pode", &[]),
@@ -22,7 +22,6 @@ const MAY_KNOW: [(&str, &[&str]); 32] = [
     ("scheduler", &["keyboard"]),
     ("telemetry", &["diagnostics", "keyboard"]),
     ("contacts", &["pode"]),
-    ("certificates", &["pode"]),
     ("equations", &["contacts", "pode"]),
     ("models", &["contacts", "equations", "pode"]),
     // For tests alone, which compare with it.
@@ -46,7 +45,6 @@ const MAY_KNOW: [(&str, &[&str]); 32] = [
     ("impedance", &["haptics", "lab", "models", "pode"]),
     ("dashboard", &["telemetry"]),
     ("host", &HOST_MAY_KNOW),
-    ("soak", &SOAK_MAY_KNOW),
     // The command, and tests/ and benches/ of the source-less root package, may know all.
     ("cli", &EVERYONE),
     ("letoff", &EVERYONE),
@@ -63,8 +61,7 @@ const KANE_MAY_KNOW: [&str; 8] = [
     "pode",
 ];
 
-const LAB_MAY_KNOW: [&str; 10] = [
-    "certificates",
+const LAB_MAY_KNOW: [&str; 9] = [
     "hand-written",
     "descriptions",
     "diagnostics",
@@ -124,21 +121,7 @@ const HOST_MAY_KNOW: [&str; 17] = [
     "voice",
 ];
 
-const SOAK_MAY_KNOW: [&str; 10] = [
-    "firmware-protocol",
-    "haptics",
-    "hardware",
-    "host",
-    "links",
-    "midi",
-    "realtime",
-    "scene",
-    "scheduler",
-    "telemetry",
-];
-
-const EVERYONE: [&str; 32] = [
-    "certificates",
+const EVERYONE: [&str; 30] = [
     "cli",
     "contacts",
     "dashboard",
@@ -165,7 +148,6 @@ const EVERYONE: [&str; 32] = [
     "realtime",
     "scene",
     "scheduler",
-    "soak",
     "telemetry",
     "voice",
     "xtask",

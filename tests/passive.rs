@@ -4,7 +4,7 @@ use std::env;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use certificates::SeededRandom;
+use lab::random::SeededRandom;
 use scene::{PassivityMode, Scene, instruments};
 use scheduler::motion::KeySample;
 use scheduler::voice::VoiceOutput;

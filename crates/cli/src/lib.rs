@@ -37,7 +37,6 @@ mod run;
 mod service;
 mod set;
 mod signals;
-mod soak;
 mod stability;
 mod stable;
 mod status;

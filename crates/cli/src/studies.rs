@@ -4,7 +4,6 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::SystemTime;
 
-use certificates::{CertificateChoice, CertificateReport, LOOKS, try_certificates};
 use clap::{Args, Subcommand};
 use lab::accuracy::{Effort, METHODS, SequenceVerdict, StudyChoice, UnknownName, measure};
 use lab::report::{self, Machine, PAGE, StudyReport, read_peers};
@@ -15,7 +14,6 @@ use super::fit::{self, FitArgs};
 use super::impedance::{self, ImpedanceArgs};
 use super::piano::{self, PianoArgs};
 use super::progress::bar;
-use super::soak::{self, SoakArgs};
 use super::stability::{self, StabilityArgs};
 use super::{Failure, print_report};
 use diagnostics::{choice, quoted, shown};
@@ -32,8 +30,6 @@ pub struct LabArgs {
 pub enum StudyCommand {
     /// Speed against error of every method, on problems whose answers are known.
     Accuracy(AccuracyArgs),
-    /// Whether a step that is called certain hides a crossing, on random systems.
-    Certificates(CertificatesArgs),
     /// Touch, timing, check, repetition and energy of an instrument, beside measured grands.
     Piano(PianoArgs),
     /// The paper's experiment and its figure 6, at the paper's rates, and how wrong its step was.
@@ -44,35 +40,6 @@ pub enum StudyCommand {
     Stability(Box<StabilityArgs>),
     /// The mechanical impedance of a mode, of a voice as it is rendered, or of a recorded stroke.
     Impedance(Box<ImpedanceArgs>),
-    /// The whole host under random music and faults in everything around it, with verdicts.
-    Soak(SoakArgs),
-}
-
-/// What `letoff lab certificates` takes.
-#[derive(Clone, Debug, Args)]
-#[command(after_help = "Examples:
-  letoff lab certificates
-  letoff lab certificates --seed 7 --systems 20000 --json
-  letoff lab certificates --seed 7 --first 1234 --systems 1
-
-A step is certain if no crossing of the orbit as it was computed can have been missed in it, however
-far that orbit is from the true one. Random oscillators with random guards and inputs are advanced
-by every method, also where it is not stable, and each computed orbit is looked at closely.
-
-Exit codes: 0 no violation; 1 a step was called certain and was not; 2 wrong usage.")]
-pub struct CertificatesArgs {
-    /// Seed of all random numbers.
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub seed: u64,
-    /// Number of the first system.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub first: u64,
-    /// How many systems are tried.
-    #[arg(long, value_name = "N", default_value_t = 2000)]
-    pub systems: u64,
-    /// Prints the counts and the violations as JSON.
-    #[arg(long)]
-    pub json: bool,
 }
 
 /// What `letoff lab accuracy` takes.
@@ -124,49 +91,12 @@ Exit codes: 0 done; 1 a file could not be written; 2 wrong usage or file.",
 pub(super) fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.study {
         StudyCommand::Accuracy(args) => accuracy(args, out),
-        StudyCommand::Certificates(args) => certificates(args, out),
         StudyCommand::Piano(args) => piano::run(args, out),
         StudyCommand::Figure6(args) => figure6::run(args, out),
         StudyCommand::Fit(args) => fit::run(args, out),
         StudyCommand::Stability(args) => stability::run(args, out),
         StudyCommand::Impedance(args) => impedance::run(args, out),
-        StudyCommand::Soak(args) => soak::run(args, out),
     }
-}
-
-fn certificates(args: &CertificatesArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    let CertificatesArgs { seed, first, systems, json } = *args;
-    let choice = CertificateChoice { seed, first, systems, ..CertificateChoice::default() };
-    let bar = bar(usize::try_from(systems).unwrap_or(usize::MAX));
-    let report = try_certificates(&choice, &mut || bar.inc(1));
-    bar.finish_and_clear();
-    if json {
-        print_report(&report, out)?;
-    } else {
-        writeln!(out, "{}", counts(&report))?;
-    }
-    if report.violations == 0 {
-        return Ok(());
-    }
-    let first: Vec<_> = report.described.iter().map(|it| format!("{it:?}")).collect();
-    let sentence = format!(
-        "{} steps were called certain and were not:\n{}",
-        report.violations,
-        first.join("\n")
-    );
-    Err(Failure::Running(sentence))
-}
-
-/// Tells the counts in words.
-fn counts(report: &CertificateReport) -> String {
-    let CertificateReport { seed, systems, steps, certain, unknown, events, .. } = report;
-    format!(
-        "{systems} random systems with seed {seed}: {steps} steps, {events} events\n\
-         certain     {certain} steps: no crossing of the computed orbit is missed there\n\
-         unknown     {unknown} steps; a guard was seen to be negative in {} of all steps\n\
-         violations  {} steps were called certain with a guard below zero in one of {LOOKS} places",
-        report.negative, report.violations
-    )
 }
 
 fn accuracy(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), Failure> {

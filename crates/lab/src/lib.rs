@@ -11,6 +11,7 @@
 //! stability/  where a wall or an instrument is stable on a key
 //! parallel.rs work on all processors
 //! digits.rs   numbers as people write them
+//! random.rs   numbers that a seed repeats
 //! plot/       pictures as SVG, for simulate, piano, fit, stability and report
 //! ```
 //!
@@ -30,6 +31,7 @@ pub mod fit;
 pub mod parallel;
 pub mod piano;
 pub mod plot;
+pub mod random;
 pub mod report;
 pub mod scenario;
 pub mod simulate;

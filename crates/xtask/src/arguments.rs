@@ -56,6 +56,12 @@ Chores of this workspace.
                                     not documented; half an hour
   cargo xtask size                  counts lines of product and of tests, and names the largest
                                     crates, structs and traits
+  cargo xtask soak [ARGUMENTS]      plays random music on a simulated keybed with faults in
+                                    everything around it, and judges what the host promises;
+                                    --help lists the arguments
+  cargo xtask certificates [ARGUMENTS]
+                                    looks for a step that was called certain and hides a
+                                    crossing, on random systems; --help lists the arguments
   cargo xtask help                  prints this
 
 Example: cargo xtask demo -- --duration 5
@@ -93,6 +99,8 @@ pub(crate) enum Task {
     Fuzz(FuzzOptions),
     /// Count lines.
     Size,
+    /// Run a tool of the folder `tests/` with these arguments.
+    Tool(&'static str, Vec<OsString>),
     /// Say what there is.
     Help,
 }
@@ -103,6 +111,8 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
     let task = match name.to_str() {
         Some("demo") => return demo(arguments),
         Some("peers") => return peers(arguments),
+        Some("soak") => return Ok(Task::Tool("soak", arguments.collect())),
+        Some("certificates") => return Ok(Task::Tool("certificates", arguments.collect())),
         Some("fuzz") => {
             let options = FuzzOptions::parse(arguments)?;
             return Ok(options.map_or(Task::Help, Task::Fuzz));
@@ -255,6 +265,13 @@ mod tests {
     fn what_follows_the_separator_is_for_letoff() {
         check("demo -- --duration 5 --help", &demo(&["--duration", "5", "--help"]));
         check("demo --", &demo(&[]));
+    }
+
+    #[test]
+    fn what_follows_a_tool_is_the_tool_s() {
+        check("soak", &Task::Tool("soak", Vec::new()));
+        let forwarded = vec!["--seed".into(), "7".into(), "--help".into()];
+        check("certificates --seed 7 --help", &Task::Tool("certificates", forwarded));
     }
 
     #[test]

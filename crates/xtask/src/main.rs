@@ -1,7 +1,7 @@
 //! Chores: install what is missing, play the demo, run every test, play to real MIDI ports
 //! and boards over real drivers, make a package and try its service, measure other people's
-//! solvers beside ours and what became slower, compare derived equations with other people's, and
-//! give damaged files to the program.
+//! solvers beside ours and what became slower, compare derived equations with other people's, give
+//! damaged files to the program, and run the tools of `tests/`.
 //!
 //! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
 //! needs a system library: it must run on the machine on which they are still missing.
@@ -31,6 +31,7 @@ mod test;
 mod tools;
 
 use std::env;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use arguments::{Task, USAGE};
@@ -61,6 +62,11 @@ fn perform(task: Task) -> Result<(), Error> {
         Task::Fuzz(options) => fuzz::run(&options),
         Task::Peers(options) => peers::run(&options),
         Task::Size => size::print(),
+        Task::Tool(name, arguments) => {
+            let ours = ["run", "--release", "--quiet", "--package", "letoff", "--example", name, "--"];
+            let ours = ours.map(OsString::from);
+            command::become_command(&mut command::cargo(ours.into_iter().chain(arguments)))
+        }
         Task::Help => {
             print!("{USAGE}");
             Ok(())

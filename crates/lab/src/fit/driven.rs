@@ -6,7 +6,7 @@ use super::data::MeasuredStroke;
 use super::smooth::{EXACT, noise, smoothed};
 use crate::piano::Opener;
 use crate::simulate::{InputTable, Reconstruct};
-use certificates::SeededRandom;
+use crate::random::SeededRandom;
 
 /// Longest tick (s).
 const TICK: f64 = 1e-3;

@@ -7,7 +7,7 @@ use nalgebra_of_lm::DVector;
 use super::data::MeasuredStroke;
 use super::driven::DrivenStroke;
 use crate::parallel::in_parallel;
-use certificates::SeededRandom;
+use crate::random::SeededRandom;
 
 /// An instrument's key, and the strokes to which it is fitted.
 #[derive(Clone, Copy, Debug)]

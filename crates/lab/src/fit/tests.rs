@@ -7,7 +7,7 @@ use models::{ModelEntry, catalogue};
 use super::data::StrokeRow;
 use super::driven::DrivenStroke;
 use super::{FitOutcome, FitSubject, FittedParameter, MeasuredStroke, fit, read_stroke};
-use certificates::SeededRandom;
+use crate::random::SeededRandom;
 
 /// C4.
 const KEY: u8 = 39;

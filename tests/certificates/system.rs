@@ -4,7 +4,7 @@ use pode::{Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, 
 use pode::{Model, Motion, Nature, Reset, Resets};
 
 use super::guard::{GuardTerm, OscillatorState};
-use crate::random::SeededRandom;
+use lab::random::SeededRandom;
 
 /// Most oscillators of a system.
 const MOST_OSCILLATORS: usize = 4;

@@ -3,7 +3,7 @@
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use pode::{Motion, Signal};
 
-use crate::random::SeededRandom;
+use lab::random::SeededRandom;
 
 /// How the input moves.
 #[derive(Clone, Copy, PartialEq, Debug)]

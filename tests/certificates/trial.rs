@@ -6,8 +6,8 @@ use pode::{Advance, Cap, Limits, Simulator, Tick};
 use super::input::{Input, InputKind};
 use super::orbit::{NegativePlace, OrbitWatch, SeenPiece};
 use super::system::OscillatorSystem;
-use super::{CertificateChoice, CertificateReport, CertificateViolation, MOST_DESCRIBED};
-use crate::random::SeededRandom;
+use super::{CertificateChoice, CertificateReport, CertificateViolation, MAX_DESCRIBED};
+use lab::random::SeededRandom;
 
 /// Ticks of one system.
 const TICKS: u64 = 40;
@@ -111,7 +111,7 @@ impl Trial {
         // Which step of several is the certain one is not told: as many are right as can be.
         let wrong = (negative.len() as u64).saturating_sub(unknown);
         report.violations += wrong;
-        if wrong > 0 && report.described.len() < MOST_DESCRIBED {
+        if wrong > 0 && report.described.len() < MAX_DESCRIBED {
             report.described.extend(negative.first().map(|place| self.describe(tick, place)));
         }
     }

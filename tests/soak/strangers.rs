@@ -1,7 +1,5 @@
-//! What is beside a run in real time: clients that stall or send rubbish, busy processors, and
-//! somebody who stops the process for a moment.
-//!
-//! The process itself is not killed, since nothing would be left to judge it: see `killed`.
+//! Disturbances beside a run in real time: clients that stall or send rubbish, busy processors, and
+//! a shell that stops the process for a moment.
 
 use std::io::{self, Read as _, Write as _};
 use std::net::{Ipv4Addr, SocketAddr, TcpStream};

@@ -6,7 +6,7 @@ use super::guard::OscillatorState;
 use super::system::{MOST_GUARDS, OscillatorSystem};
 
 /// Places of a piece in which each guard is looked at.
-pub const LOOKS: u32 = 200;
+pub(super) const LOOKS: u32 = 200;
 
 /// More places between the two neighbours of the lowest.
 const NEAR: u32 = 32;

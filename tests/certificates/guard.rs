@@ -2,7 +2,7 @@
 
 use pode::{Enclosure, GuardBound, GuardValue, Motion};
 
-use crate::random::SeededRandom;
+use lab::random::SeededRandom;
 
 /// Entries of a state: four places, and their rates.
 pub(super) const ENTRIES: usize = 8;

@@ -1,5 +1,6 @@
 //! Plays a plan, and the same music without faults.
 
+use std::error::Error;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
@@ -7,50 +8,35 @@ use std::time::Duration;
 use host::control::{Folders, RequestHandler, RunHandle};
 use host::report::RunReport;
 use host::session::{FoundKeys, RunOptions, RunSession, SessionError};
-use midi::{ReconnectingPort, Unavailable};
+use midi::ReconnectingPort;
 use telemetry::recording::RecordingLimits;
 
 use crate::actions::{Actor, RecordingPaths};
-use crate::host_files::HostFiles;
 use crate::judge::judge;
-use crate::killed::{KilledFindings, kill_at_random};
 use crate::plan::SoakPlan;
 use crate::recordings;
-use crate::report::SoakReport;
+use crate::report::{self, PromiseVerdict};
 use crate::strangers::Strangers;
 use crate::synthesizer::Synthesizer;
 use crate::telling::Telling;
 use crate::trial::{PlayedTrial, SoakChoice, SoakTime};
 use crate::watch::KeyWatch;
 
-/// Why a trial could not be made.
-#[derive(Debug, thiserror::Error)]
-pub enum SoakError {
-    #[error(transparent)]
-    Session(#[from] SessionError),
-    #[error("the synthesizer cannot be connected: {0}")]
-    Synthesizer(#[from] Unavailable),
-    #[error("the system refused a thread or a port: {0}")]
-    System(#[from] std::io::Error),
-    /// The run was stopped before its end.
-    #[error("the trial was stopped: nothing is said of it")]
-    Stopped,
-}
-
-/// Tries the host, until the end or `stop`.
+/// Tries the host until the end. Returns the trial in words, and the verdicts.
 ///
 /// # Errors
-/// If it could not be tried; what broke is in the report.
+/// If the host could not be tried; a broken promise is no error.
 #[expect(clippy::large_stack_frames, reason = "once, at set-up")]
-pub fn soak(choice: &SoakChoice, stop: &AtomicBool) -> Result<SoakReport, SoakError> {
+pub(crate) fn soak(choice: &SoakChoice) -> Result<(String, Vec<PromiseVerdict>), Box<dyn Error>> {
     let plan = SoakPlan::new(choice.seed, choice.seconds, choice.scene.tick_hz);
     let paths = RecordingPaths::in_folder(&choice.folder);
     let undisturbed = match choice.time {
-        SoakTime::Virtual => Some(play(choice, &plan.undisturbed(), None, stop)?),
+        SoakTime::Virtual => Some(play(choice, &plan.undisturbed(), None)?),
         SoakTime::Real => None,
     };
-    let played = play(choice, &plan, Some(&paths), stop)?;
-    Ok(SoakReport::new(choice, &plan, &played, judge(choice, &plan, &played, undisturbed.as_ref())))
+    let played = play(choice, &plan, Some(&paths))?;
+    let verdicts = judge(choice, &plan, &played, undisturbed.as_ref());
+    Ok((report::text(choice, &plan, &played, &verdicts), verdicts))
 }
 
 #[expect(clippy::large_stack_frames, reason = "once, at set-up")]
@@ -58,8 +44,7 @@ fn play(
     choice: &SoakChoice,
     plan: &SoakPlan,
     recordings: Option<&RecordingPaths>,
-    stop: &AtomicBool,
-) -> Result<PlayedTrial, SoakError> {
+) -> Result<PlayedTrial, Box<dyn Error>> {
     let plan = Arc::new(plan.clone());
     let handle = Arc::new(RunHandle::default());
     let limits = RecordingLimits { lowest_free: 0, ..RecordingLimits::default() };
@@ -91,40 +76,31 @@ fn play(
         Box::new(watch),
     );
     let strangers = beside.is_some().then(|| Strangers::start(&session, requests)).transpose()?;
-    let (report, killed) = run_beside(session, beside, (choice, &now), stop)?;
+    let report = run_beside(session, beside, &now)?;
     let strangers = strangers.map_or_else(Vec::new, Strangers::stop);
-    let seen = seen.lock().map_or(None, |mut seen| seen.take()).ok_or(SoakError::Stopped)?;
-    if seen.ticks + report.skipped < plan.ticks {
-        return Err(SoakError::Stopped);
-    }
+    let seen = seen.lock().map_or(None, |mut seen| seen.take());
+    let seen = seen.filter(|seen| plan.ticks <= seen.ticks + report.skipped);
+    let seen = seen.ok_or("the run ended before its time: there is no verdict")?;
     let recordings = recordings.map_or_else(Vec::new, recordings::look_at);
     let (sounds, told) = (synthesizer.sounds().clone(), telling.told().clone());
     let acted = acted.get().clone();
-    Ok(PlayedTrial { report, seen, sounds, told, acted, strangers, killed, recordings })
+    Ok(PlayedTrial { report, seen, sounds, told, acted, strangers, recordings })
 }
 
-/// Runs `session` to its end, with `actor` on a thread beside it, and in real time with the host that
-/// is killed.
+/// Runs `session` to its end, with `actor` on a thread beside it.
 fn run_beside(
     session: RunSession,
     actor: Option<Actor>,
-    (choice, now): (&SoakChoice, &AtomicU64),
-    stop: &AtomicBool,
-) -> Result<(RunReport, Option<KilledFindings>), SoakError> {
+    now: &AtomicU64,
+) -> Result<RunReport, SessionError> {
     let is_over = AtomicBool::new(false);
-    let supervised = choice.supervised.as_ref().filter(|_| actor.is_some());
-    let files = HostFiles::in_folder(&choice.folder);
     std::thread::scope(|scope| {
         if let Some(actor) = actor {
             scope.spawn(|| act_in_time(actor, now, &is_over));
         }
-        let killing = supervised
-            .map(|program| scope.spawn(|| kill_at_random(program, &files, choice.seed, &is_over)));
-        let report = session.run(stop);
+        let report = session.run(&AtomicBool::new(false));
         is_over.store(true, Ordering::Release);
-        let panicked = || std::io::Error::other("the thread that kills has panicked");
-        let killed = killing.map(|thread| thread.join().unwrap_or_else(|_panic| Err(panicked())));
-        Ok((report?, killed.transpose()?))
+        report
     })
 }
 

@@ -6,31 +6,26 @@ use host::report::RunReport;
 use scene::Scene;
 
 use crate::actions::ActionCounts;
-use crate::host_files::SupervisedProgram;
-use crate::killed::KilledFindings;
 use crate::synthesizer::Sounds;
 use crate::telling::ToldEvents;
 use crate::watch::SoakFindings;
 
 /// How the host is tried.
 #[derive(Clone, Debug)]
-pub struct SoakChoice {
+pub(crate) struct SoakChoice {
     /// Simulated keys, without a pianist and without a MIDI output of its own.
-    pub scene: Scene,
-    pub seed: u64,
+    pub(crate) scene: Scene,
+    pub(crate) seed: u64,
     /// Length of the run (s), 10 at least.
-    pub seconds: f64,
-    pub time: SoakTime,
-    /// Where recordings go; files of these names must not be there.
-    pub folder: PathBuf,
-    /// What is killed beside a trial in real time, if anything is.
-    pub supervised: Option<SupervisedProgram>,
+    pub(crate) seconds: f64,
+    pub(crate) time: SoakTime,
+    /// Folder of the recordings, in which files of their names must not exist.
+    pub(crate) folder: PathBuf,
 }
 
 /// The time in which a trial runs.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum SoakTime {
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum SoakTime {
     /// As fast as it goes: a seed gives the same bits every time.
     Virtual,
     /// By the clock, beside busy processors and strangers at the stream.
@@ -46,8 +41,6 @@ pub(crate) struct PlayedTrial {
     pub(crate) acted: ActionCounts,
     /// What strangers did, in words.
     pub(crate) strangers: Vec<String>,
-    /// What became of the host that was killed beside it, if one was.
-    pub(crate) killed: Option<KilledFindings>,
     /// What is wrong with its recordings.
     pub(crate) recordings: Vec<String>,
 }

@@ -2,7 +2,6 @@
 
 use scheduler::motion::KEYS;
 
-use crate::killed::KilledFindings;
 use crate::music;
 use crate::plan::{LONGEST_AWAY, SoakPlan};
 use crate::report::PromiseVerdict;
@@ -51,7 +50,6 @@ pub(crate) fn judge(
     if choice.time == SoakTime::Real {
         verdicts.push(late_ticks_have_a_cause(played));
     }
-    verdicts.extend(played.killed.iter().flat_map(a_killed_host_is_back));
     verdicts
 }
 
@@ -198,18 +196,4 @@ fn late_ticks_have_a_cause(played: &PlayedTrial) -> PromiseVerdict {
             deadline.missed_preempted
         ),
     }
-}
-
-fn a_killed_host_is_back(found: &KilledFindings) -> [PromiseVerdict; 3] {
-    let KilledFindings { kills, absent, stuck, unrecovered, notes } = found;
-    let verdict = |promise, wrong: &[String], good: &str| PromiseVerdict {
-        promise,
-        is_kept: wrong.is_empty() && 0 < *kills,
-        seen: if wrong.is_empty() { format!("{kills} kills; {good}") } else { wrong.join("; ") },
-    };
-    [
-        verdict("a killed host plays again", absent, "its supervisor ended well at last"),
-        verdict("no note of a killed host is stuck", stuck, &format!("none of {notes} sounds")),
-        verdict("what was before a kill is kept", unrecovered, "its last minutes are recovered"),
-    ]
 }
