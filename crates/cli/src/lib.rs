@@ -43,8 +43,6 @@ mod status;
 mod stop;
 mod streaming;
 mod studies;
-mod supervised;
-mod supervisor_args;
 mod target;
 mod tokens;
 
@@ -126,8 +124,6 @@ pub enum Failure {
     NoHost(String),
     /// A thread panicked, which is a bug: exit code 101, as that of every program in Rust.
     Panicked(String),
-    /// A process that was started has told its failure itself, and ended with this exit code.
-    Told(u8),
     /// The reader closed the output, as `head` does: no failure at all.
     Unread,
 }
@@ -147,7 +143,6 @@ impl Failure {
             Self::Usage(text) => (2, text),
             Self::NoHost(text) => (3, text),
             Self::Panicked(text) => (101, text),
-            Self::Told(code) => return ExitCode::from(code),
         };
         log::tell_as(Level::Error, &text);
         ExitCode::from(code)
@@ -191,7 +186,6 @@ fn tell(text: &str) {
 
 fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
     match command {
-        Command::Run(args) if args.supervised => supervised::run(args),
         Command::Run(args) => run::run(args, out),
         Command::Dash(args) => dash::run(args, out),
         Command::Record(args) => record::run(args, out),

@@ -25,13 +25,6 @@ pub struct RecordArgs {
 
 /// Runs the host and records it.
 pub(super) fn run(args: &RecordArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    if args.run.supervised {
-        return Err(Failure::Usage(
-            "a host that is started again cannot go on with a recording: leave --supervised out, \
-             or run it without recording; what goes before a crash is kept"
-                .to_owned(),
-        ));
-    }
     let record = Some(args.file.clone());
     run::run(&RunArgs { record, ..args.run.clone() }, out)
 }

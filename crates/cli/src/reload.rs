@@ -1,49 +1,78 @@
-//! SIGHUP: the scene's file is read again while the host plays.
+//! The scene's file: read when the host begins and again at SIGHUP, and the copy of it that was
+//! last accepted, for a host that is started again after a crash.
 
+use std::fs;
 use std::io::{self, IsTerminal as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use diagnostics::shown;
 use telemetry::log::Level;
 use tokio::sync::Mutex;
 
-use super::log::LogLines;
+use super::log::{LogLines, tell_as};
 use super::service;
 use super::signals::HangUp;
-use super::supervisor_args::SupervisorArgs;
+use super::tell;
 use host::control::RequestHandler;
 use scene::{Library, Override, Scene};
 
-/// The file of a scene, and what the command line changes of it.
+/// The file of a scene, and the changes that the command line makes to it.
 #[derive(Clone, Debug)]
 pub(super) struct SceneFile {
     path: PathBuf,
     overrides: Vec<Override>,
-    supervisor: SupervisorArgs,
     library: Library,
-    /// Held while it is read, so that the last reading is the one that stays.
+    /// File with the text that was last accepted, if one is kept.
+    last: Option<PathBuf>,
+    /// Held while the scene is read, so that the last reading is the one that stays.
     turn: Arc<Mutex<()>>,
 }
 
 impl SceneFile {
-    /// Returns the file of the scene that was typed with `overrides`; none of a scene that is part
-    /// of the program.
+    /// Returns the file of the scene that was typed with `overrides`, with its last text in `last`;
+    /// `None` for a scene that is part of the program.
     pub(super) fn of(
         typed: &str,
         overrides: Vec<Override>,
-        supervisor: SupervisorArgs,
+        last: Option<PathBuf>,
     ) -> Option<Self> {
-        let is_there = Path::new(typed).is_file() || supervisor.last_scene().is_some();
-        let is_file = is_there && !scene::scenes().any(|it| it == typed);
+        let exists = Path::new(typed).is_file() || last.as_deref().is_some_and(Path::is_file);
+        let is_file = exists && !scene::scenes().any(|it| it == typed);
         let (path, library) = (PathBuf::from(typed), Library::default());
         let turn = Arc::default();
-        is_file.then_some(Self { path, overrides, supervisor, library, turn })
+        is_file.then_some(Self { path, overrides, library, last, turn })
     }
 
-    /// Reads it for a host that begins, or what the host before a crash has taken of it; returns
-    /// the text as well.
+    /// Returns the scene for a host that begins, with its text: the one that the host before a crash
+    /// had accepted, or else that in the file.
     pub(super) fn begin(&self) -> Result<(Scene, String), String> {
-        self.supervisor.last_scene().map_or_else(|| self.read(), |text| self.scene(text))
+        let Some(last) = self.last.as_ref().filter(|last| last.is_file()) else {
+            return self.read();
+        };
+        let text = fs::read_to_string(last);
+        let text = text.map_err(|error| format!("{}: {error}", shown(last)))?;
+        tell_as(
+            Level::Warning,
+            &format!(
+                "the host before did not end in good order: {} has the scene that it played, and \
+                 {} is read at the next SIGHUP",
+                shown(last),
+                shown(&self.path)
+            ),
+        );
+        self.scene(text)
+    }
+
+    /// Keeps `text`, which was accepted, for a host that is started again after a crash: that host
+    /// depends on no file that is being edited.
+    pub(super) fn keep(&self, text: &str) {
+        let Some(last) = &self.last else { return };
+        let part = last.with_extension("part");
+        if let Err(error) = fs::write(&part, text).and_then(|()| fs::rename(&part, last)) {
+            let (last, path) = (shown(last), shown(&self.path));
+            tell(&format!("{last}: {error}; after a crash {path} would be read again"));
+        }
     }
 
     fn read(&self) -> Result<(Scene, String), String> {
@@ -56,7 +85,7 @@ impl SceneFile {
         scene.map(|scene| (scene, text)).map_err(|wrong| wrong.to_string())
     }
 
-    /// Reads the file again, and lets what can change live play; `log` hears what came of it.
+    /// Reads the file again and applies what can change live; `log` reports the result.
     pub(super) async fn reload(self, requests: Arc<RequestHandler>, log: LogLines) {
         let _turn = Arc::clone(&self.turn).lock_owned().await;
         service::reloading();
@@ -65,13 +94,13 @@ impl SceneFile {
                 format!("the scene is wrong, and the one that plays goes on:\n{wrong}")
             })?;
             let said = requests.reload(scene, "SIGHUP")?;
-            self.supervisor.keep_scene(&text);
+            self.keep(&text);
             Ok(said)
         };
-        // Voices are built: not on the thread that hears signals.
+        // Voices are built: not on the thread that receives signals.
         let done = tokio::task::spawn_blocking(read).await;
         match done.unwrap_or_else(|panic| Err(panic.to_string())) {
-            // The log hears of it as of any other change.
+            // The log reports it as any other change.
             Ok(text) => service::reloaded(&text),
             Err(text) => {
                 service::reloaded(&text);
@@ -81,8 +110,8 @@ impl SceneFile {
     }
 }
 
-/// Returns what a hang-up means to a run: the scene of a `file` is read again, but a terminal that
-/// is closed ends what runs in it.
+/// Returns the meaning of a hang-up to a run: the scene of a `file` is read again, but a terminal
+/// that is closed ends the run in it.
 pub(super) fn meaning(file: Option<&SceneFile>) -> HangUp {
     let has_terminal = io::stdin().is_terminal() || io::stderr().is_terminal();
     match file {

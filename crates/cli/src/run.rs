@@ -1,5 +1,6 @@
 //! `letoff run [SCENE]`: the host.
 
+use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -18,7 +19,7 @@ use super::signals::{Signals, runtime};
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
-use super::{Failure, live, print_report, supervisor_args, system, tell};
+use super::{Failure, live, print_report, system, tell};
 use host::control::{Clients, RunHandle, StartingHost, StatusSink, temporary_folder};
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
@@ -26,7 +27,6 @@ use host::report::{ChosenFidelity, RunReport};
 use host::session::{FoundKeys, Healing, RunOptions, RunSession, SessionError, choose_fidelity};
 use scene::{Library, LinksConfig, Override, Scene};
 use scheduler::overload::Simplification;
-use telemetry::recording::RecordingLimits;
 
 /// What `letoff run` takes.
 #[expect(clippy::struct_excessive_bools, reason = "flags of a command line")]
@@ -35,7 +35,6 @@ use telemetry::recording::RecordingLimits;
   letoff run                                  the default scene, until its piece is over
   letoff run --duration 30 --json             half a minute, with a report for a program
   letoff run bach --virtual-time --midi bach-played.mid
-  letoff run my-scene.toml --supervised       starts the host again if it crashes
   letoff run my-scene.toml --watch            plays descriptions anew when they are saved
   letoff run --set tick_hz=4000 --set keys.0.instrument=grand-reduced
   letoff run --link serial:/dev/ttyACM0 --link can:can0 --performance none
@@ -74,12 +73,10 @@ pub struct RunArgs {
     /// To whom it tells what it does.
     #[command(flatten)]
     pub stream: StreamArgs,
-    /// Starts the host again if it crashes, at most five times in 30 s, with the scene as it was
-    /// last taken, and keeps what it did in the last minutes before.
-    #[arg(long, conflicts_with_all = ["virtual_time", "record"])]
-    pub supervised: bool,
-    #[command(flatten)]
-    pub(crate) supervisor: supervisor_args::SupervisorArgs,
+    /// Keeps the scene that was last accepted in FILE until the host ends without a failure. If
+    /// FILE exists, the host plays that scene: it was started again after a crash.
+    #[arg(long, value_name = "FILE", conflicts_with = "virtual_time")]
+    pub last_scene: Option<PathBuf>,
     /// As fast as it goes, with the same bits every time; boards only behind rig: links.
     #[arg(long)]
     pub virtual_time: bool,
@@ -113,16 +110,21 @@ impl RunArgs {
     }
 }
 
-/// Runs the host and prints its report.
+/// Runs the host and prints its report. A host that ends without a failure forgets its last scene:
+/// the next start is no restart after a crash.
 pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    perform_and_report(args, out)?;
+    // It is missing if no scene was accepted.
+    let _missing = args.last_scene.as_ref().map(fs::remove_file);
+    Ok(())
+}
+
+fn perform_and_report(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.log_json {
         LogFormat::Json.choose();
     }
-    args.supervisor.end_with_it()?;
     let options = RunOptions { duration: args.duration, virtual_time: args.virtual_time };
-    let performed = perform(options, args);
-    args.supervisor.forget_scene();
-    let Some(report) = performed? else {
+    let Some(report) = perform(options, args)? else {
         tell("stopped before it began to play");
         return Ok(());
     };
@@ -150,7 +152,7 @@ pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
 /// Returns whether the models did what they should.
 ///
 /// A run that `letoff stop` ended has done what it was asked, whatever came before: an exit code
-/// of failure would have a supervisor start it again, forces and all.
+/// of failure would have the service manager start it again, forces and all.
 fn without_faults(report: &RunReport) -> Result<(), Failure> {
     if report.faults == 0 {
         return Ok(());
@@ -204,7 +206,7 @@ struct BegunHost {
 
 impl BegunHost {
     fn begin(options: RunOptions, args: &RunArgs) -> Result<Self, Failure> {
-        let file = SceneFile::of(args.scene(), args.overrides(), args.supervisor.clone());
+        let file = SceneFile::of(args.scene(), args.overrides(), args.last_scene.clone());
         let file = file.filter(|_| !options.virtual_time);
         let signals = Signals::with(reload::meaning(file.as_ref())).map_err(system)?;
         let is_quiet = args.quiet || options.virtual_time;
@@ -321,8 +323,8 @@ impl TriedRun {
         if let Some(stream) = &mut stream {
             stream.folders.limits = args.recordings.limits();
         }
-        if let Some(text) = text {
-            args.supervisor.keep_scene(&text);
+        if let Some((file, text)) = file.zip(text) {
+            file.keep(&text);
         }
         Ok(Self { found, fidelity, stream })
     }
@@ -345,8 +347,8 @@ fn log_with_boards(log: StderrLog, scene: &Scene, args: &RunArgs) -> Result<Stde
     if is_wanted { StderrLog::start().map_err(system) } else { Ok(log) }
 }
 
-/// Logs the events of the run; in real time also keeps what may be wanted after a fault or a crash,
-/// and notes the state of the run.
+/// Logs the events of the run; in real time also keeps the last seconds for when a voice fails, and
+/// notes the state of the run.
 fn observe(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog) {
     if !args.virtual_time || has_boards(scene) {
         let lines = log.lines();
@@ -357,9 +359,6 @@ fn observe(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog)
         return;
     }
     keep_black_box(session, args.black_box.as_deref());
-    if let Some(file) = &args.supervisor.last_minutes {
-        keep_last_minutes(session, file);
-    }
     let status = Arc::clone(&session.handle().status);
     session.observe(Box::new(StatusSink::new(status)));
 }
@@ -400,34 +399,15 @@ fn record(handle: &RunHandle, args: &RunArgs) -> Result<Option<RecordingHandle>,
     recording.transpose().map_err(Failure::Usage)
 }
 
-/// Keeps the last seconds for when a voice fails.
-fn keep_black_box(session: &RunSession, folder: Option<&Path>) {
-    if let Some(folder) = black_box_folder(folder) {
-        session.observe(Box::new(BlackBoxSink::new(folder, tell)));
-    }
-}
-
-/// Returns the folder of black boxes, if there are to be any.
-pub(super) fn black_box_folder(wanted: Option<&Path>) -> Option<PathBuf> {
-    match wanted {
+/// Keeps the last seconds for when a voice fails, in the folder `wanted` unless that is `none`.
+fn keep_black_box(session: &RunSession, wanted: Option<&Path>) {
+    let folder = match wanted {
         Some(folder) if folder == Path::new("none") => None,
         Some(folder) => Some(folder.to_owned()),
         None => state_folder(),
-    }
-}
-
-/// Largest size of the last minutes on the disk (B).
-const LAST_MINUTES: u64 = 64 << 20;
-
-/// Keeps the last minutes in `file` for when the host is killed.
-fn keep_last_minutes(session: &RunSession, file: &Path) {
-    let limits = RecordingLimits {
-        largest_file: LAST_MINUTES,
-        largest_total: LAST_MINUTES,
-        ..RecordingLimits::default()
     };
-    if let Err(error) = session.handle().record_run(file, limits) {
-        tell(&format!("nothing is kept for a crash: {error}"));
+    if let Some(folder) = folder {
+        session.observe(Box::new(BlackBoxSink::new(folder, tell)));
     }
 }
 

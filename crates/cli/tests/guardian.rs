@@ -11,9 +11,20 @@ use std::time::{Duration, Instant};
 
 use midi::{Message, Output as _, Smf};
 use rustix::process::{Pid, Signal, kill_process};
-use soak::HostFiles;
 
 use crate::typed::{Folder, cable, eventually};
+
+/// An octave, so that the piece beside it is rehearsed at once.
+const SCENE: &str = r#"
+tick_hz = 1000
+[[keys]]
+range = "C4..C5"
+instrument = "grand-springs"
+[links]
+kind = "simulated"
+[pianist]
+performance = "piece.mid"
+"#;
 
 /// The chord that is held, and the note that is repeated above it.
 const CHORD: [u8; 3] = [60, 64, 67];
@@ -83,7 +94,7 @@ struct Stand {
 impl Stand {
     fn new(name: &str) -> Self {
         let folder = Folder::new(name);
-        folder.write("scene.toml", HostFiles::SCENE);
+        folder.write("scene.toml", SCENE);
         write_piece(folder.join("piece.mid"));
         let heard = Arc::<Mutex<Heard>>::default();
         let cable = cable(&folder.join("fifo"));
@@ -168,13 +179,6 @@ struct Host<'a> {
 impl Host<'_> {
     fn send(&self, signal: Signal) {
         kill_process(Pid::from_child(&self.child), signal).expect("it is there");
-    }
-
-    /// The process that a supervisor has started.
-    fn supervised(&self) -> Option<i32> {
-        let word = format!("--supervisor={}", self.child.id());
-        let mut all = processes().into_iter();
-        all.find(|(_, words)| words.contains(&word)).map(|(pid, _)| pid)
     }
 
     /// Waits for its end; returns its exit code.
@@ -359,114 +363,55 @@ fn what_another_host_holds_at_the_same_port_is_not_ended() {
     host.ends_well();
 }
 
-#[test]
-fn a_supervised_host_that_is_killed_plays_on_and_says_where_the_minutes_before_are() {
-    let stand = Stand::new("supervised");
-    let host = stand.start(&["--supervised", "--black-box", "boxes"]);
-    stand.hears("the chord", Heard::holds_the_chord);
-    let (guardian, first) = (stand.guardian(), host.supervised().expect("a host"));
-    stand.hears("strikes", |it| it.strikes() > 8);
-    kill(first, Signal::KILL).expect("it is there");
-    stand.hears("silence", Heard::is_silent);
-    stand.hears("the chord again", Heard::holds_the_chord);
-    assert_eq!(stand.guardian(), guardian, "another process holds the port");
-    assert_ne!(host.supervised(), Some(first));
-    let said = stand.complaints();
-    assert!(said.contains(&format!("the host (process {first}) crashed, signal: 9")), "{said}");
-    let kept = said.split("what went before is in ").nth(1).expect("a place");
-    let kept = kept.split(": `letoff recover`").next().expect("a path");
-    let (code, out, err) = stand.folder.letoff(&["recover", kept, "--into", "whole.mcap"]);
-    assert_eq!(code, Some(0), "{out}{err}");
-    assert!(fs::metadata(stand.folder.join("whole.mcap")).expect("a recording").len() > 10_000);
-    host.ends_well();
-    let left = fs::read_dir(stand.folder.join("boxes")).expect("boxes").count();
-    assert_eq!(left, 1, "what was kept of an orderly run is gone");
-}
-
-/// The file in which a supervised host keeps its scene.
-fn kept_scene(host: &Host<'_>) -> PathBuf {
-    let folder = format!("letoff-{}", rustix::process::getuid().as_raw());
-    let name = format!("supervised-{}.toml", host.child.id());
-    std::env::temp_dir().join(folder).join(name)
-}
+/// Arguments of a host that keeps its scene.
+const KEPT: [&str; 4] = ["--last-scene", "last.toml", "--black-box", "none"];
 
 #[test]
-fn after_a_crash_a_supervised_host_plays_the_scene_that_it_took_last() {
-    let stand = Stand::new("took-last");
-    let host = stand.start(&["--supervised", "--black-box", "none"]);
+fn a_host_that_was_killed_plays_the_scene_that_was_accepted_last() {
+    let stand = Stand::new("accepted-last");
+    let mut host = stand.start(&KEPT);
     stand.hears("the chord", Heard::holds_the_chord);
-    let first = host.supervised().expect("a host");
+    let accepts = |host: &Host<'_>, end: &str| {
+        stand.folder.write("scene.toml", format!("{SCENE}{end}"));
+        host.send(Signal::HUP);
+        let is_kept = || stand.folder.read("last.toml").ends_with(end);
+        eventually("the scene is accepted", || is_kept().then_some(()));
+    };
+    accepts(&host, "# accepted\n");
     stand.folder.write("scene.toml", "half a sce");
     host.send(Signal::HUP);
-    let refused = || stand.complaints().contains("the scene is wrong, and the one that plays");
-    eventually("the new scene is refused", || refused().then_some(()));
-    kill(first, Signal::KILL).expect("it is there");
+    let rejected = || stand.complaints().contains("the scene is wrong, and the one that plays");
+    eventually("the new scene is rejected", || rejected().then_some(()));
+    host.child.kill().expect("it is there");
     stand.hears("silence", Heard::is_silent);
+    drop(host.child.wait());
+    // The same command line again, as a service manager types it.
+    host = stand.start(&KEPT);
     stand.hears("the chord again", Heard::holds_the_chord);
-    // Once the file is right again it is read, with what was typed.
-    stand.folder.write("scene.toml", format!("{}# right again\n", HostFiles::SCENE));
-    host.send(Signal::HUP);
-    let taken = || stand.complaints().contains("the scene was read again: 0 keys changed");
-    eventually("the scene is taken", || taken().then_some(()));
-    let kept = kept_scene(&host);
-    assert!(fs::read_to_string(&kept).expect("a scene").ends_with("# right again\n"));
+    let said = stand.complaints();
+    assert!(said.contains("last.toml has the scene that it played"), "{said}");
+    assert!(stand.folder.read("last.toml").ends_with("# accepted\n"));
+    // Once the file is right again it is read, with the overrides of the command line.
+    accepts(&host, "# right again\n");
     host.ends_well();
-    assert!(!kept.exists(), "nothing is left of it");
+    assert!(!stand.folder.join("last.toml").exists(), "a good end forgets the scene");
 }
 
 #[test]
 fn a_stop_between_a_crash_and_the_next_start_is_heard() {
     let stand = Stand::new("stop-between");
-    let mut host = stand.start(&["--supervised", "--black-box", "none"]);
+    let mut host = stand.start(&KEPT);
     stand.hears("the chord", Heard::holds_the_chord);
-    kill(host.supervised().expect("a host"), Signal::KILL).expect("it is there");
-    let (code, out, err) = stand.folder.letoff(&["stop"]);
-    assert_eq!(code, Some(0), "{out}{err}");
-    let code = eventually("the supervisor ends", || host.child.try_wait().expect("it is ours"));
-    assert_eq!(code.code(), Some(0), "{}", stand.complaints());
-    stand.hears("silence", Heard::is_silent);
-}
-
-#[test]
-fn a_host_ends_well_when_its_supervisor_is_killed() {
-    let stand = Stand::new("orphan");
-    let mut host = stand.start(&["--supervised", "--black-box", "none"]);
-    stand.hears("the chord", Heard::holds_the_chord);
-    let orphan = host.supervised().expect("a host");
     host.child.kill().expect("it is there");
-    stand.hears("silence", Heard::is_silent);
-    eventually("the host has ended", || (!is_there(orphan)).then_some(()));
-    assert!(!kept_scene(&host).exists(), "nothing is left of it");
-    eventually("no guardian is left", || stand.guardians().is_empty().then_some(()));
-}
-
-fn is_there(pid: i32) -> bool {
-    processes().iter().any(|(it, words)| *it == pid && words.len() > 1)
-}
-
-#[test]
-fn a_host_that_crashes_again_and_again_stays_down() {
-    let stand = Stand::new("again");
-    let mut host = stand.start(&["--supervised", "--black-box", "none"]);
-    let mut killed = Vec::new();
-    let code = eventually("it gives up", || {
-        if let Some(pid) = host.supervised().filter(|pid| !killed.contains(pid)) {
-            let _gone = kill(pid, Signal::KILL);
-            killed.push(pid);
-        }
-        host.child.try_wait().expect("it is ours")
+    drop(host.child.wait());
+    std::thread::scope(|scope| {
+        let stop = scope.spawn(|| stand.folder.letoff(&["stop"]));
+        let next = stand.start(&KEPT);
+        let (code, out, err) = stop.join().expect("no panic");
+        assert_eq!(code, Some(0), "{out}{err}");
+        assert_eq!(next.end(), Some(0), "{}", stand.complaints());
     });
-    assert_eq!(code.code(), Some(1), "{}", stand.complaints());
-    assert_eq!(killed.len(), 6, "{killed:?}");
-    let said = stand.complaints();
-    assert!(said.contains("crashed 6 times in 30 s, and is not started again"), "{said}");
-}
-
-#[test]
-fn what_is_no_crash_is_not_tried_again() {
-    let folder = Folder::new("no-crash");
-    folder.refuses(&["run", "nothing.toml", "--supervised"], 2, &["nothing.toml"]);
-    folder.refuses(&["record", "take.mcap", "--supervised"], 2, &["leave --supervised"]);
+    stand.hears("silence", Heard::is_silent);
 }
 
 #[test]

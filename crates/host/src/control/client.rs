@@ -135,10 +135,11 @@ pub fn send(path: &Path, request: &Request) -> Result<Answer, ControlError> {
     send_within(PATIENCE, path, request)
 }
 
-/// Time for which a stop waits for the host that a supervisor starts after a crash.
-const NEXT_START: Duration = Duration::from_secs(2);
+/// Time for which a stop waits for the next host after a crash: the service manager starts one after
+/// 5 s, `RestartSec` of the service.
+const NEXT_START: Duration = Duration::from_secs(8);
 
-/// Time between two looks for it.
+/// Time between two attempts to reach the next host.
 const LOOK: Duration = Duration::from_millis(20);
 
 /// A host that was asked to stop, and what it answered.
@@ -216,8 +217,10 @@ fn stop_process(pid: u32) -> Result<Answer, ControlError> {
 /// As [`send`].
 fn stop_host() -> Result<Answer, ControlError> {
     let begun = Instant::now();
-    // A host that ends in good order takes its socket away.
-    let has_crashed = fs::symlink_metadata(place::socket_path()).is_ok();
+    // A host that ends in good order removes its socket.
+    let is_left = |path: &Path| fs::symlink_metadata(path).is_ok();
+    let is_service_left = place::chosen().is_none() && is_left(place::service());
+    let has_crashed = is_left(&place::socket_path()) || is_service_left;
     loop {
         match send_to_host(&Request::Stop {}) {
             Err(ControlError::NoHost { .. } | ControlError::Silent(_))
@@ -318,7 +321,7 @@ fn exchange(
     Ok((serde_json::from_str(&line)?, stream))
 }
 
-/// Returns the error of a host at `path` that hangs; what would start it again is ended with it.
+/// Returns the error of a host at `path` that hangs, with the command that ends the host.
 fn hung(path: &Path, pid: Option<i32>, patience: Duration) -> ControlError {
     let end = match pid {
         _ if place::is_service(path) => END_SERVICE.to_owned(),
@@ -331,26 +334,14 @@ fn hung(path: &Path, pid: Option<i32>, patience: Duration) -> ControlError {
 /// The command that ends the service's host.
 const END_SERVICE: &str = "systemctl stop letoff";
 
-/// Returns the command that ends the host with process number `pid`, and with it what would start
-/// it again.
+/// Returns the command that ends the host with process number `pid`, and keeps the service manager
+/// from starting it again.
 pub fn end_command(pid: i32) -> String {
-    let read = |file: &str| fs::read(format!("/proc/{pid}/{file}")).unwrap_or_default();
-    let groups = read("cgroup");
+    let groups = fs::read(format!("/proc/{pid}/cgroup")).unwrap_or_default();
     if groups.split(|byte| *byte == b'\n').any(|group| group.ends_with(b"/letoff.service")) {
         return END_SERVICE.to_owned();
     }
-    match supervisor(&read("cmdline")) {
-        Some(supervisor) => format!("kill -KILL {supervisor} {pid}"),
-        None => format!("kill -KILL {pid}"),
-    }
-}
-
-/// Returns the process that `letoff run --supervised` named to the host that it started, which
-/// `typed` is the command line of.
-fn supervisor(typed: &[u8]) -> Option<u32> {
-    let mut words = typed.split(|byte| *byte == 0);
-    let pid = words.find_map(|word| word.strip_prefix(b"--supervisor="))?;
-    std::str::from_utf8(pid).ok()?.parse().ok()
+    format!("kill -KILL {pid}")
 }
 
 /// Connects with the same time limit as for an answer: a host that hangs accepts no connection.
@@ -397,10 +388,7 @@ mod tests {
         };
         assert_eq!(command("/run/letoff/letoff.sock", Some(7)), "systemctl stop letoff");
         assert_eq!(command("/tmp/letoff.sock", None), "pkill -KILL letoff");
-        // This test has no supervisor.
         let own = i32::try_from(std::process::id()).unwrap();
         assert_eq!(command("/tmp/letoff.sock", Some(own)), format!("kill -KILL {own}"));
-        assert_eq!(supervisor(b"letoff\0run\0s.toml\0--supervisor=12\0"), Some(12));
-        assert_eq!(supervisor(b"letoff\0run\0"), None);
     }
 }

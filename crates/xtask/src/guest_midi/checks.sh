@@ -265,26 +265,6 @@ stopped() {
 	verdict stopped "the host that goes on after SIGSTOP leaves no note" $? "$heard, exit $code"
 }
 
-supervised() {
-	holding supervised --supervised --black-box none
-	kill -KILL "$(process "--supervisor=$host")"
-	silent supervised
-	result=$?
-	before=$ons
-	within 40 plays supervised "$before"
-	within 20 holds supervised 3
-	heard="port $number before, $(port) after; $heard"
-	[ "$number" = "$(port)" ] && [ "$result" = 0 ] && [ "$ons" -gt "$before" ]
-	result=$?
-	kill -TERM "$host"
-	ended
-	before=$heard
-	tally supervised
-	[ "$result" = 0 ] && [ "$hanging" = 0 ] && [ "$cut" = 0 ] && [ "$code" = 0 ]
-	verdict supervised "a supervised host that is killed is back at the same port" $? \
-		"$before; then $heard, exit $code"
-}
-
 # The guardian is killed, and a synthesizer that it had connected to hears from another one.
 replaced() {
 	listen replaced
@@ -316,7 +296,6 @@ programs
 absent
 killed
 stopped
-supervised
 replaced
 back later "a synthesizer that is started again after 3 s is connected again" 3
 back soon "a synthesizer that is started again at once is connected again" 0

@@ -97,11 +97,15 @@ logged() {
 		"$(journalctl -u letoff -o cat --no-pager | grep -c letoff) lines"
 }
 
+# The scene is being edited while the host dies.
 killed() {
 	before=$(show MainPID)
+	echo 'half a sce' >$scene
 	kill -KILL "$before"
 	within 60 eval "! is MainPID $before && ! is MainPID 0 && plays"
-	verdict killed "kill -9: systemd starts it again" $? "process $before, then $(show MainPID); $(state)"
+	verdict killed "kill -9: systemd starts it again, with the scene that it played" $? \
+		"process $before, then $(show MainPID); $(state)"
+	give_scene
 }
 
 # A key is held, its note sounds on a cable, and all processes of the unit are killed at once.
@@ -173,8 +177,13 @@ stopped() {
 	verdict stopped "systemctl stop ends it in time, by itself" $? "$(state)"
 }
 
-# A wrong scene stays wrong: it is not tried again.
+# A wrong scene stays wrong: it is not tried again, nor is the one before a crash that nobody waits
+# for any more.
 wrong_scene() {
+	start
+	kill -KILL "$(show MainPID)"
+	within 5 is SubState auto-restart
+	systemctl stop letoff
 	echo 'tick_hz = "fast"' >$scene
 	systemctl start letoff 2>wrong.err
 	is_down exit-code 2 && is NRestarts 0 && said tick_hz
