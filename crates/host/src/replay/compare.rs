@@ -27,10 +27,10 @@ impl std::fmt::Display for ReplayDifference {
 
 /// Messages of the replay that are not compared yet.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Said(Arc<Mutex<VecDeque<Update>>>);
+pub(super) struct ReplayedMessages(Arc<Mutex<VecDeque<Update>>>);
 
-impl Said {
-    /// Hands out what is not compared yet.
+impl ReplayedMessages {
+    /// Returns and removes all messages.
     pub(super) fn take_all(&self) -> VecDeque<Update> {
         std::mem::take(&mut *self.lock())
     }
@@ -40,8 +40,8 @@ impl Said {
     }
 }
 
-/// Returns what is compared: what follows from what decided, and no times of clocks.
-pub(super) fn is_compared(update: &Update) -> bool {
+/// Returns `true` for messages that follow from the inputs, and contain no times of clocks.
+fn is_compared(update: &Update) -> bool {
     match update {
         Update::Block(_) | Update::Midi(_) => true,
         Update::Event(event) => matches!(
@@ -66,7 +66,7 @@ pub(super) fn is_compared(update: &Update) -> bool {
     }
 }
 
-impl MessageSink for Said {
+impl MessageSink for ReplayedMessages {
     fn take(&mut self, _at: u64, update: &Update) {
         if is_compared(update) {
             self.lock().push_back(update.clone());
@@ -83,7 +83,7 @@ impl MessageSink for Said {
 pub(super) struct Comparison {
     recorded: VecDeque<Update>,
     midi: VecDeque<Update>,
-    said_midi: VecDeque<Update>,
+    replayed_midi: VecDeque<Update>,
     pub(super) compared: u64,
     pub(super) first: Option<ReplayDifference>,
     pub(super) different: u64,
@@ -99,11 +99,11 @@ impl Comparison {
         }
     }
 
-    /// Compares what both said up to `tick`.
-    pub(super) fn window(&mut self, tick: u64, said: &Said) {
+    /// Compares the messages of both up to `tick`.
+    pub(super) fn window(&mut self, tick: u64, replayed: &ReplayedMessages) {
         let (midi, mut rest): (VecDeque<_>, VecDeque<_>) =
-            said.take_all().into_iter().partition(|it| matches!(it, Update::Midi(_)));
-        self.said_midi.extend(midi);
+            replayed.take_all().into_iter().partition(|it| matches!(it, Update::Midi(_)));
+        self.replayed_midi.extend(midi);
         while let Some(recorded) = self.recorded.pop_front() {
             let replayed = rest.pop_front();
             self.pair(tick, &recorded, replayed.as_ref());
@@ -113,25 +113,25 @@ impl Comparison {
         }
     }
 
-    /// Forgets what was recorded after the last ticks, which cannot be run again; says whether
-    /// there was anything, as only in a recording that breaks off.
+    /// Forgets messages that were recorded after the last ticks, which cannot be replayed. Returns
+    /// `true` if there were any: the recording breaks off.
     pub(super) fn forget_unrun(&mut self) -> bool {
         let is_torn = !self.recorded.is_empty();
         self.recorded.clear();
         is_torn
     }
 
-    /// Returns whether the replay ended notes that the recording does not end, after it had sent
-    /// `timed` messages: then that breaks off before.
+    /// Returns `true` if the replay, after `timed` messages, ended notes that the recording does not
+    /// end: the recording breaks off before.
     pub(super) fn lacks_end(&self, timed: usize) -> bool {
-        self.midi.len() <= timed && timed < self.said_midi.len()
+        self.midi.len() <= timed && timed < self.replayed_midi.len()
     }
 
     /// Puts what both sent up to the run's end, the first `timed` messages, in order of time: the
     /// MIDI thread of a run that is late sends what it finds, and one of an older version sent by
     /// keys.
     pub(super) fn sort_sent(&mut self, timed: usize) {
-        for sent in [&mut self.midi, &mut self.said_midi] {
+        for sent in [&mut self.midi, &mut self.replayed_midi] {
             let n = timed.min(sent.len());
             sent.make_contiguous()[..n].sort_by(|a, b| match (a, b) {
                 (Update::Midi(a), Update::Midi(b)) => {
@@ -142,11 +142,11 @@ impl Comparison {
         }
     }
 
-    /// Forgets what only one of both has sent: a recording that breaks off says no more.
+    /// Forgets what only one of both has sent: the recording breaks off.
     pub(super) fn tear(&mut self, timed: usize) {
         let both = self.midi.len().min(timed);
         self.midi.truncate(both);
-        self.said_midi.truncate(both);
+        self.replayed_midi.truncate(both);
     }
 
     /// Returns how the recorded run ended its notes.
@@ -162,7 +162,7 @@ impl Comparison {
 
     /// Returns what was sent so far.
     pub(super) fn n_sent(&self) -> usize {
-        self.said_midi.len()
+        self.replayed_midi.len()
     }
 
     /// Compares what was sent to the synthesizer: the first `timed` messages with their times.
@@ -170,7 +170,7 @@ impl Comparison {
     pub(super) fn finish(&mut self, tick: u64, timed: usize) {
         let mut n = 0;
         while let Some(mut recorded) = self.midi.pop_front() {
-            let replayed = self.said_midi.pop_front();
+            let replayed = self.replayed_midi.pop_front();
             if let (true, Update::Midi(recorded), Some(Update::Midi(replayed))) =
                 (timed <= n, &mut recorded, &replayed)
             {
@@ -179,7 +179,7 @@ impl Comparison {
             self.pair(tick, &recorded, replayed.as_ref());
             n += 1;
         }
-        for extra in std::mem::take(&mut self.said_midi) {
+        for extra in std::mem::take(&mut self.replayed_midi) {
             self.note(tick, &format!("the replay also sends {}", short(&extra)));
         }
     }

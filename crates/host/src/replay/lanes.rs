@@ -81,16 +81,6 @@ impl ReplayLanes {
         self.slots.iter().flatten().any(|slot| slot.is_unknown)
     }
 
-    /// Puts every voice in anew, at rest at its next sample.
-    pub(super) fn begin_anew(&mut self) -> Result<(), ReplayError> {
-        for (key, slot) in self.slots.iter_mut().enumerate() {
-            let Some(old) = slot else { continue };
-            let Some(recorded) = self.voices.get(&(key, old.revision)) else { continue };
-            *old = ReplaySlot::begin(&self.scene, key, recorded, old.revision)?;
-        }
-        Ok(())
-    }
-
     /// What decides in the tick that is run next.
     pub(super) fn feed(&mut self, fed: Vec<KeyTick>) {
         self.fed = fed;

@@ -1,48 +1,44 @@
 //! A recording, run again: the same voices on the same samples, compared to the last bit.
 //!
 //! ```text
-//! recording ─▶ Feed: samples, lateness, voices of each tick ─▶ Scheduler ─▶ Tap ─▶ Pump
-//!     └──────────────── messages ──────────▶ Comparison ◀────────── messages ─────────┘
+//! recording ─▶ Feed: samples, lateness, voices of each tick ─▶ Scheduler ─▶ TickRecorder
+//!     │                                                                           ▼
+//!     └──────────────── messages ──────────▶ Comparison ◀── messages ── TelemetryThread
 //! ```
 //!
-//! What decided in the run is in the recording: which ticks were run, what sensors said and how
-//! old it was, which lane was late, when a voice was put in or retuned, when voices were
-//! disarmed. All else follows, and is made again by the code that made it.
+//! The recording contains all inputs of the run: which ticks were run, the samples and their age,
+//! which lane was late, when a voice was put in or retuned, when voices were disarmed. All else
+//! follows from these inputs, and the code that computed it computes it again.
+//!
+//! A replay ends where a damaged recording has a hole: the state of its voices behind the hole is
+//! not in the recording.
 
-mod agreement;
 mod compare;
-mod damage;
 mod feed;
 mod lanes;
 mod run;
 mod versions;
 
-pub use agreement::{ForceDifference, ResumedTicks};
 pub use compare::ReplayDifference;
-pub use damage::MissingTicks;
 pub use run::{Replayed, replay};
 
-/// The reason why a recording cannot be run again.
+/// The reason why a recording cannot be replayed.
 #[derive(Debug, thiserror::Error)]
 pub enum ReplayError {
     /// There is no catalogue.
-    #[error(
-        "the recording has no catalogue, so nobody knows what was run: it can only be looked at"
-    )]
+    #[error("the recording has no catalogue, which names what was run: it can only be exported")]
     NoCatalogue,
-    /// It began later than the run.
+    /// The recording began later than the run.
     #[error(
-        "the recording begins at tick {0}, in the middle of a run, and what its voices were like \
-         then is not in it: it can be looked at, but only a run that was recorded from its \
-         beginning (`letoff record`) can be run again"
+        "the recording begins at tick {0}, in the middle of a run, without the state of its voices: \
+         it can be exported, but only a run that was recorded from its beginning (`letoff record`) \
+         can be replayed"
     )]
     Middle(u64),
-    /// Its beginning is damaged.
-    #[error(
-        "{0}; how the run began is among what is lost, so it cannot be run again, only looked at"
-    )]
+    /// The beginning of the recording is damaged.
+    #[error("{0}; the run's beginning is lost, so the recording can be exported, but not replayed")]
     Beginning(String),
-    /// Its scene is of another time.
+    /// The scene is of another version.
     #[error("the scene in the recording is not understood by this version: {0}")]
     Scene(String),
     /// A voice cannot be built.

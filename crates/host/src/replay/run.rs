@@ -10,9 +10,7 @@ use telemetry::event::Kind;
 use telemetry::{Catalogue, Event, Ticks, Update, Voice};
 
 use super::ReplayError;
-use super::agreement::Agreement;
-use super::compare::{Comparison, ReplayDifference, Said};
-use super::damage::{MissingTicks, UnreadParts};
+use super::compare::{Comparison, ReplayDifference, ReplayedMessages};
 use super::feed::{Arm, Feed, ticks};
 use super::lanes::{RecordedVoice, ReplayBus, ReplayLanes};
 use super::versions::RecordedVersions;
@@ -26,37 +24,36 @@ use realtime::run::scheduler;
 use realtime::wake_fd::WakeFd;
 use scene::{KeyVoice, Library, Render, Scene};
 
-/// What a replay came to.
+/// The result of a replay.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Replayed {
     pub scene: String,
     /// Ticks that were run again and compared to the last bit.
     pub ticks: u64,
-    /// Ticks that the recording tells of.
+    /// Ticks in the recording, up to its first hole.
     pub recorded: u64,
     /// Messages that were compared to the last bit: rows, events, MIDI.
     pub compared: u64,
-    /// Of these, how many are not the same.
+    /// Messages among these that differ.
     pub different: u64,
-    /// The first of them.
+    /// The first difference.
     pub first_difference: Option<ReplayDifference>,
-    /// The tick from which on the recording does not tell all that decided, since rows are missing
-    /// or a lane was late for too long, so that nothing is compared to the last bit.
+    /// First tick with incomplete inputs, if any: the recording breaks off or has a hole, rows are
+    /// missing, or a lane was late for too long. Nothing is compared from there on.
     pub incomplete_from: Option<u64>,
-    /// What is damaged in the recording.
-    pub missing: Vec<MissingTicks>,
+    /// The damage that ended the replay, in a sentence.
+    pub damage: Option<String>,
     pub faults: u64,
     pub strikes: u64,
 }
 
-/// Runs what `messages` recorded, in their order, and compares.
+/// Replays what `messages` recorded, in their order, and compares.
 ///
-/// Where messages cannot be read, ticks are missing; that is no difference. What voices were like
-/// behind them is not in the recording: it is compared to the last bit up to there, and behind
-/// them every voice begins anew at rest where its key is, and forces are compared.
+/// The replay ends where a message cannot be read: the recording does not contain the state of the
+/// voices behind such a hole. A hole is no difference.
 ///
 /// # Errors
-/// If it cannot be run; a difference is none.
+/// If the recording cannot be replayed; a difference is no error.
 pub fn replay(
     messages: impl Iterator<Item = Result<Update, String>>,
     mut progress: impl FnMut(u64),
@@ -64,11 +61,18 @@ pub fn replay(
     let mut replay: Option<Box<Replay>> = None;
     for message in messages {
         match (&mut replay, message) {
-            // Whatever comes then, it does not begin where the run did.
+            // Messages behind the damage do not begin where the run did.
             (None, Err(why)) => return Err(ReplayError::Beginning(why)),
             (None, Ok(Update::Catalogue(catalogue))) => replay = Some(Replay::begin(&catalogue)?),
             (None, Ok(_too_early)) => {}
-            (Some(replay), Err(why)) => replay.missing.lose(why),
+            (Some(replay), Err(why)) => _ = replay.damage.get_or_insert(why),
+            (Some(replay), Ok(message)) if replay.damage.is_some() => {
+                // Catalogue and voices are repeated, also behind the last tick.
+                if !matches!(message, Update::Catalogue(_) | Update::Voice(_)) {
+                    replay.has_hole = true;
+                    break;
+                }
+            }
             (Some(replay), Ok(message)) => {
                 replay.take(message)?;
                 progress(replay.ticks);
@@ -86,7 +90,7 @@ fn scene_of(catalogue: &Catalogue, library: &Library) -> Result<Scene, ReplayErr
 
 struct Replay {
     scene: Scene,
-    /// The settings by which voices are computed that are told of next.
+    /// Render settings for the voices that follow in the recording.
     render: Render,
     versions: RecordedVersions,
     scheduler: Box<scheduler::tick::Scheduler>,
@@ -95,10 +99,10 @@ struct Replay {
     bus: ReplayBus,
     lanes: ReplayLanes,
     watchers: Watchers,
-    pump: Box<TelemetryThread>,
-    desk: MidiDispatcher,
-    told: mpsc::Sender<TelemetryMessage>,
-    said: Said,
+    telemetry: Box<TelemetryThread>,
+    dispatcher: MidiDispatcher,
+    sender: mpsc::Sender<TelemetryMessage>,
+    replayed: ReplayedMessages,
     comparison: Comparison,
     pedals: Vec<PedalMove>,
     /// Ticks after which pedals move again, if they do.
@@ -109,23 +113,10 @@ struct Replay {
     last: u64,
     faults: u64,
     strikes: u64,
-    missing: UnreadParts,
-    knowledge: Knowledge,
-    /// The tick from which on it is not.
-    whole_until: Option<u64>,
-}
-
-/// How much is known of what decided.
-#[derive(Debug)]
-enum Knowledge {
-    /// All of it: everything is compared to the last bit.
-    Whole,
-    /// Ticks are missing; what is read next tells where the keys are.
-    Lost,
-    /// Every voice began anew behind missing ticks: forces are compared.
-    Resumed(Agreement),
-    /// A voice behind missing ticks could not be built.
-    Over,
+    /// Why the next messages could not be read, if they could not.
+    damage: Option<String>,
+    /// Whether messages follow that damage.
+    has_hole: bool,
 }
 
 /// Key events between two windows; a second of all keys.
@@ -140,36 +131,32 @@ impl Replay {
         let period = Period::from_hz(scene.tick_hz)
             .ok_or_else(|| ReplayError::Scene(format!("no tick has {} Hz", scene.tick_hz)))?;
         let timetable = Timetable::new(Nanos::ZERO, period);
-        let (tap, tapped) = TickRecorder::new();
+        let (recorder, rings) = TickRecorder::new();
         let (_no_times, times) = Pulses::new();
-        let (told, hear) = mpsc::channel();
+        let (sender, receiver) = mpsc::channel();
         let system = |error: String| ReplayError::Read(error);
-        let pump = TelemetryThread::new(
-            tapped,
-            times,
-            hear,
-            clock::from_seconds(period.as_secs_f64()).as_u64(),
-        );
-        let mut pump = pump.map_err(|error| system(error.to_string()))?;
-        let said = Said::default();
-        // Before it begins, so that all keys are followed from the first tick on; whoever hears is
-        // there as long as this is.
-        let _heard = told.send(TelemetryMessage::Sink(Box::new(said.clone())));
-        pump.begin(catalogue.began, catalogue.clone());
+        let nanos = clock::from_seconds(period.as_secs_f64()).as_u64();
+        let telemetry = TelemetryThread::new(rings, times, receiver, nanos);
+        let mut telemetry = telemetry.map_err(|error| system(error.to_string()))?;
+        let replayed = ReplayedMessages::default();
+        // Sent before the beginning, so that all keys are followed from the first tick on. The
+        // receiver exists as long as the replay.
+        let _received = sender.send(TelemetryMessage::Sink(Box::new(replayed.clone())));
+        telemetry.begin(catalogue.began, catalogue.clone());
         let (ring, events) = rtrb::RingBuffer::new(RING);
-        let bell = WakeFd::new().map_err(|error| system(error.to_string()))?;
+        let wake = WakeFd::new().map_err(|error| system(error.to_string()))?;
         let counters = std::sync::Arc::<LiveCounters>::default();
         let publisher = TickPublisher::new(
             ring,
-            std::sync::Arc::new(bell),
+            std::sync::Arc::new(wake),
             counters,
             Box::default(),
             period.as_secs_f64(),
         );
-        let output = Box::new(MonitoredOutput { output: nowhere(), sender: told.clone() });
-        let desk = MidiDispatcher::new(events, output, scene.midi.curve);
+        let output = Box::new(MonitoredOutput { output: nowhere(), sender: sender.clone() });
+        let dispatcher = MidiDispatcher::new(events, output, scene.midi.curve);
         Ok(Box::new(Self {
-            // What was left out and who waited is in the recording.
+            // The recording contains what was left out and which keys waited.
             scheduler: scheduler(timetable, scene.render.slew_limit),
             timetable,
             feed: Feed::new(),
@@ -178,11 +165,11 @@ impl Replay {
             render: scene.render,
             scene,
             versions,
-            watchers: Watchers { publisher, recorder: tap },
-            pump,
-            desk,
-            told,
-            said,
+            watchers: Watchers { publisher, recorder },
+            telemetry,
+            dispatcher,
+            sender,
+            replayed,
             comparison: Comparison::default(),
             pedals: Vec::new(),
             pass: None,
@@ -192,78 +179,21 @@ impl Replay {
             last: 0,
             faults: 0,
             strikes: 0,
-            missing: UnreadParts::new(period.as_secs_f64()),
-            knowledge: Knowledge::Whole,
-            whole_until: None,
+            damage: None,
+            has_hole: false,
         }))
     }
 
     fn take(&mut self, message: Update) -> Result<(), ReplayError> {
-        self.note_damage(&message);
+        if let Update::Ticks(message) = &message {
+            self.recorded += message.after.len() as u64;
+        }
         if self.feed.gap().is_some() {
             return Ok(());
         }
-        let followed = self.follow(message);
-        if followed.is_err() && self.is_lost() {
-            self.knowledge = Knowledge::Over;
-            return Ok(());
-        }
-        followed
-    }
-
-    /// Whether ticks are missing before the one that is run next.
-    const fn is_lost(&self) -> bool {
-        !matches!(self.knowledge, Knowledge::Whole)
-    }
-
-    /// Notes whether ticks are missing before `message`.
-    fn note_damage(&mut self, message: &Update) {
-        let is_said_again = matches!(message, Update::Catalogue(_) | Update::Voice(_));
-        if self.missing.is_damaged() && !is_said_again {
-            if self.feed.gap().is_none() {
-                self.end_part();
-                self.knowledge = Knowledge::Lost;
-            }
-            self.missing.begin();
-        }
-        if let Update::Ticks(message) = message {
-            for tick in ticks(message) {
-                self.missing.end(tick);
-                self.recorded += 1;
-            }
-        }
-    }
-
-    /// Ends what was compared up to a hole, or to the end behind one.
-    fn end_part(&mut self) {
-        match &self.knowledge {
-            Knowledge::Whole => {
-                self.pump.pump();
-                self.comparison.forget_unrun();
-                self.comparison.window(self.last, &self.said);
-                let timed = self.comparison.n_sent();
-                self.comparison.sort_sent(timed);
-                self.comparison.tear(timed);
-                self.comparison.finish(self.last, timed);
-                self.whole_until = Some(if self.is_running { self.last + 1 } else { 0 });
-            }
-            Knowledge::Resumed(agreement) => {
-                let period = self.timetable.period().as_secs_f64();
-                self.missing.resumed(agreement.result(period));
-            }
-            Knowledge::Lost | Knowledge::Over => {}
-        }
-    }
-
-    fn follow(&mut self, message: Update) -> Result<(), ReplayError> {
         match &message {
             Update::Voice(voice) => self.voice(voice)?,
-            Update::Block(block) => {
-                self.feed.block(block);
-                if let Knowledge::Resumed(agreement) = &mut self.knowledge {
-                    agreement.expect(block);
-                }
-            }
+            Update::Block(block) => self.feed.block(block),
             Update::Event(event) => self.event(event),
             Update::Ticks(message) => self.window(message)?,
             Update::Catalogue(catalogue) => {
@@ -277,22 +207,19 @@ impl Replay {
             | Update::Midi(_)
             | Update::Log(_) => {}
         }
-        if !self.is_lost() {
-            self.comparison.expect(message);
-        }
+        self.comparison.expect(message);
         Ok(())
     }
 
     fn event(&mut self, event: &Event) {
         self.feed.event(event);
-        let is_counted = u64::from(!self.is_lost());
         match event.kind() {
             Kind::Pedal => {
                 self.pedals.extend(pedal_move(event));
                 self.pass = Some(event.every).filter(|every| 0 < *every);
             }
-            Kind::Fault => self.faults += is_counted,
-            Kind::Strike => self.strikes += is_counted,
+            Kind::Fault => self.faults += 1,
+            Kind::Strike => self.strikes += 1,
             Kind::Unknown
             | Kind::Switch
             | Kind::DamperLift
@@ -310,48 +237,24 @@ impl Replay {
         }
     }
 
-    /// Runs the ticks of a window, whose rows have come before.
+    /// Runs the ticks of a window. Their rows precede the window in the recording.
     fn window(&mut self, message: &Ticks) -> Result<(), ReplayError> {
-        match &self.knowledge {
-            Knowledge::Whole => {
-                let from = self.last;
-                for tick in ticks(message) {
-                    self.tick(tick)?;
-                }
-                self.pump.pump();
-                if self.lanes.is_unknown() {
-                    // Behind the ticks before, nothing can be compared.
-                    self.feed.lose(from + 1);
-                    self.said.take_all();
-                } else {
-                    self.comparison.window(self.last, &self.said);
-                }
-            }
-            Knowledge::Lost => {
-                // The rows of this window may be lost in part: they tell where the keys are.
-                for tick in ticks(message) {
-                    self.steer(tick);
-                    self.feed.tick(tick);
-                }
-                self.lanes.begin_anew()?;
-                self.knowledge = Knowledge::Resumed(Agreement::default());
-            }
-            Knowledge::Resumed(_) => {
-                for tick in ticks(message) {
-                    self.tick(tick)?;
-                }
-                self.pump.pump();
-                if let Knowledge::Resumed(agreement) = &mut self.knowledge {
-                    ticks(message).for_each(|tick| agreement.run(tick));
-                    agreement.window(&self.said);
-                }
-            }
-            Knowledge::Over => {}
+        let from = self.last;
+        for tick in ticks(message) {
+            self.tick(tick)?;
+        }
+        self.telemetry.pump();
+        if self.lanes.is_unknown() {
+            // Nothing can be compared behind the ticks before this window.
+            self.feed.lose(from + 1);
+            self.replayed.take_all();
+        } else {
+            self.comparison.window(self.last, &self.replayed);
         }
         Ok(())
     }
 
-    /// Learns of a voice, and tells the pump, so that it sees with the same probes.
+    /// Learns of a voice, and sends it to the telemetry, which then uses the same probes.
     fn voice(&mut self, message: &Voice) -> Result<(), ReplayError> {
         let model = self.versions.model(message)?;
         let played = KeyVoice { model, values: message.values.clone() };
@@ -362,8 +265,8 @@ impl Replay {
             kept: message.kept,
         };
         let key = u8::try_from(message.key).unwrap_or(u8::MAX);
-        // Whoever hears is there as long as this is.
-        let _heard = self.told.send(voice(key, &played, origin));
+        // The receiver exists as long as the replay.
+        let _received = self.sender.send(voice(key, &played, origin));
         let part = RecordedVoice { voice: played, kept: message.kept, render: self.render };
         self.lanes.learn(message.key, message.revision, part)
     }
@@ -382,7 +285,7 @@ impl Replay {
 
     fn tick(&mut self, tick: u64) -> Result<(), ReplayError> {
         if !self.is_running {
-            if 0 < tick && !self.is_lost() && self.feed.begins_late(tick) {
+            if 0 < tick && self.feed.begins_late(tick) {
                 return Err(ReplayError::Middle(tick));
             }
             let length =
@@ -402,47 +305,22 @@ impl Replay {
         if let Some(failed) = self.lanes.failed.take() {
             return Err(failed);
         }
-        self.desk.drain();
-        self.ticks += u64::from(done.is_some() && !self.is_lost());
+        self.dispatcher.drain();
+        self.ticks += u64::from(done.is_some());
         self.last = tick;
         Ok(())
     }
 
+    /// Compares the rest, up to the end of the recording or to its first hole.
     fn finish(mut self) -> Replayed {
-        if self.is_lost() {
-            self.end_part();
-        } else {
-            self.end_run();
-        }
-        if self.whole_until.is_some() {
-            // What could not be read at the end is the reason, or one of them.
-            self.missing.begin();
-        }
-        let Comparison { compared, different, first, .. } = self.comparison;
-        Replayed {
-            scene: self.scene.name,
-            ticks: self.ticks,
-            recorded: self.recorded,
-            compared,
-            different,
-            first_difference: first,
-            incomplete_from: self.whole_until,
-            missing: self.missing.list,
-            faults: self.faults,
-            strikes: self.strikes,
-        }
-    }
-
-    /// Ends what was compared up to the end of the recording.
-    fn end_run(&mut self) {
-        self.pump.pump();
-        let mut is_torn = self.comparison.forget_unrun() || !self.missing.list.is_empty();
-        self.comparison.window(self.last, &self.said);
+        self.telemetry.pump();
+        let mut is_torn = self.comparison.forget_unrun() || self.has_hole;
+        self.comparison.window(self.last, &self.replayed);
         let timed = self.comparison.n_sent();
         // Ends the notes, as the run did.
-        self.desk.end_notes(self.comparison.ending());
-        self.pump.pump();
-        self.comparison.window(self.last, &self.said);
+        self.dispatcher.end_notes(self.comparison.ending());
+        self.telemetry.pump();
+        self.comparison.window(self.last, &self.replayed);
         self.comparison.sort_sent(timed);
         is_torn |= self.comparison.lacks_end(timed);
         if is_torn {
@@ -452,6 +330,21 @@ impl Replay {
         if gap.is_none() {
             self.comparison.finish(self.last, timed);
         }
-        self.whole_until = gap.or_else(|| is_torn.then_some(self.last + 1));
+        let next = if self.is_running { self.last + 1 } else { 0 };
+        let incomplete_from = gap.or_else(|| is_torn.then_some(next));
+        let Comparison { compared, different, first, .. } = self.comparison;
+        Replayed {
+            scene: self.scene.name,
+            ticks: self.ticks,
+            recorded: self.recorded,
+            compared,
+            different,
+            first_difference: first,
+            incomplete_from,
+            // Damage behind the last tick takes nothing away that would be replayed.
+            damage: self.damage.filter(|_| incomplete_from.is_some()),
+            faults: self.faults,
+            strikes: self.strikes,
+        }
     }
 }
