@@ -3,7 +3,9 @@
 //! Every line of a tracked `.rs` counts, as rustfmt leaves it. Product is all outside `tests/`,
 //! `benches/`, `examples/` and `fuzz/`, without inline test modules.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
+use std::io::{self, Write as _};
 use std::path::Path;
 use std::process::Command;
 
@@ -50,24 +52,9 @@ struct ProjectSize {
 /// # Errors
 /// Files that cannot be listed or read.
 pub(crate) fn print() -> Result<(), Error> {
-    let (mut size, allowed) = (count()?, allowance()?);
-    let RustLines { product, all } = size.lines;
-    println!("product  {product:7} lines of {} allowed", allowed.product);
-    println!("tests    {:7} lines, with benches, examples and fuzzing", all - product);
-    println!("all Rust {all:7} lines of {} allowed", allowed.all);
-    println!("\n{} crates and programs, by lines of product:", size.crates.len());
-    let mut crates: Vec<_> = size.crates.iter().collect();
-    crates.sort_by_key(|(_, lines)| std::cmp::Reverse(**lines));
-    for (name, lines) in crates {
-        println!("  {lines:6} {name}");
-    }
-    for (what, items) in [("fields", &mut size.structs), ("methods", &mut size.traits)] {
-        println!("\nmost {what}:");
-        items.sort();
-        for CountedItem { members, name, file } in items.iter().rev().take(SHOWN) {
-            println!("  {members:6} {name} in {file}");
-        }
-    }
+    let report = count()?.report(allowance()?);
+    // Who reads no further, as `head`, has seen enough.
+    let _closed = io::stdout().write_all(report.as_bytes());
     Ok(())
 }
 
@@ -104,6 +91,28 @@ fn count() -> Result<ProjectSize, Error> {
 }
 
 impl ProjectSize {
+    fn report(&self, allowed: RustLines) -> String {
+        let RustLines { product, all } = self.lines;
+        let mut lines = vec![
+            format!("product  {product:7} lines of {} allowed", allowed.product),
+            format!("tests    {:7} lines, with benches, examples and fuzzing", all - product),
+            format!("all Rust {all:7} lines of {} allowed", allowed.all),
+            format!("\n{} crates and programs, by lines of product:", self.crates.len()),
+        ];
+        let mut crates: Vec<_> = self.crates.iter().collect();
+        crates.sort_by_key(|(_, lines)| Reverse(**lines));
+        lines.extend(crates.iter().map(|(name, lines)| format!("  {lines:6} {name}")));
+        for (what, items) in [("fields", &self.structs), ("methods", &self.traits)] {
+            lines.push(format!("\nmost {what}:"));
+            let mut items: Vec<_> = items.iter().collect();
+            items.sort_by_key(|it| Reverse(*it));
+            let item = |it: &&CountedItem| format!("  {:6} {} in {}", it.members, it.name, it.file);
+            lines.extend(items.iter().take(SHOWN).map(item));
+        }
+        lines.push(String::new());
+        lines.join("\n")
+    }
+
     fn add(&mut self, path: &str, text: &str) {
         self.lines.all += text.lines().count();
         let folders = Path::new(path).parent().unwrap_or(Path::new(""));
