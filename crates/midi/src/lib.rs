@@ -38,8 +38,7 @@ pub use note::{Note, Velocity};
 #[cfg(unix)]
 pub use output::RawPort;
 pub use output::{
-    MessageRecorder, MidiPort, MidiSendError, MidiSystem, Output, ReconnectingPort, Smf,
-    Unavailable, ports,
+    MidiPort, MidiSendError, MidiSystem, Output, ReconnectingPort, Smf, Unavailable, ports,
 };
 pub use pedal::{Pedal, PedalMove};
 pub use player::{NoteEvent, NoteEventKind, Player, PressureTarget};

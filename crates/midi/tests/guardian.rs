@@ -5,7 +5,11 @@
 use std::collections::BTreeSet;
 
 use midi::guardian::SILENT_AFTER;
-use midi::{Controller, Message, MessageRecorder, Note, NoteGuardian, Pedal, Velocity};
+mod common;
+
+use midi::{Controller, Message, Note, NoteGuardian, Pedal, Velocity};
+
+use common::MessageRecorder;
 use proptest::prelude::*;
 
 /// A receiver by the letter of the MIDI specification, which shares no line with `HeldNotes`.

@@ -5,10 +5,14 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+mod common;
+
 use midi::{
-    Message, MessageRecorder, MidiSendError, NoteEvent, NoteEventKind, Output, Pedal, Player,
-    PressureTarget, Velocity, VelocityCurve,
+    Message, MidiSendError, NoteEvent, NoteEventKind, Output, Pedal, Player, PressureTarget,
+    Velocity, VelocityCurve,
 };
+
+use common::MessageRecorder;
 
 /// Middle C.
 const KEY: u8 = 39;

@@ -1,6 +1,6 @@
 //! One worker's voices and their share of the tick.
 
-use crate::port::{Lanes, TickInput, TickOutput};
+use crate::port::{TickInput, TickOutput};
 use crate::slot::Slot;
 use crate::voice::{Voice, VoiceOutput, VoiceWork};
 use crate::work::{LaneBudget, LaneClock};
@@ -73,18 +73,6 @@ pub fn run_slots<V: Voice, C: LaneClock>(
         }
     }
     slots.rotate_left(n_run);
-}
-
-/// The plainest lanes: one, run where it is called.
-#[derive(Debug)]
-pub struct Inline<'a, V> {
-    pub slots: &'a mut [Slot<V>],
-}
-
-impl<V: Voice> Lanes for Inline<'_, V> {
-    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
-        run_slots(self.slots, LaneBudget::unlimited(f64::INFINITY), input, output);
-    }
 }
 
 #[cfg(test)]

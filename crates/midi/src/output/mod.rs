@@ -1,8 +1,7 @@
-//! Where messages go: a port, a file, or memory.
+//! Where messages go: a port or a file.
 //!
 //! An output is owned by one [`Player`](crate::Player), which may block; none is for the tick.
 
-mod memory;
 mod port;
 mod ports;
 #[cfg(unix)]
@@ -17,7 +16,6 @@ use std::path::PathBuf;
 
 use diagnostics::shown;
 
-pub use memory::MessageRecorder;
 pub use port::MidiPort;
 pub(crate) use ports::{CLIENT, look_for_sequencer};
 #[cfg(unix)]

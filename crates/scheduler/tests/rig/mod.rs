@@ -3,13 +3,26 @@
 #![allow(dead_code, reason = "no test program uses all of it")]
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test may stop here")]
 
-use scheduler::lane::Inline;
+use scheduler::lane::run_slots;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
-use scheduler::port::{FinishedTick, KeyBus, TickObserver};
+use scheduler::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
 use scheduler::slot::Slot;
 use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Period, Timetable};
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput, VoiceWork};
+use scheduler::work::LaneBudget;
+
+/// The plainest lanes: one, run where it is called.
+#[derive(Debug)]
+pub struct Inline<'a, V> {
+    pub slots: &'a mut [Slot<V>],
+}
+
+impl<V: Voice> Lanes for Inline<'_, V> {
+    fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
+        run_slots(self.slots, LaneBudget::unlimited(f64::INFINITY), input, output);
+    }
+}
 
 /// A spring with memory: the force depends on all samples since the last reset.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
-//! An output that remembers, for tests and for assessing a performance.
+//! An output that remembers.
+#![expect(unreachable_pub, reason = "shared by test programs")]
 
-use super::{MidiSendError, Output};
-use crate::message::Message;
+use midi::{Message, MidiSendError, Output};
 
 /// Keeps every message with its time.
 #[derive(Clone, PartialEq, Debug, Default)]
