@@ -171,7 +171,18 @@ pub fn run(letoff: &Letoff) -> ExitCode {
     about::start();
     let mut out = io::stdout().lock();
     let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
+    if !matches!(letoff.command, Command::Run(_)) {
+        report_interpretation();
+    }
     done.map_or_else(Failure::tell, |()| ExitCode::SUCCESS)
+}
+
+/// Reports that models are interpreted, if they are: ticks have less room then.
+fn report_interpretation() {
+    if let Some(reason) = descriptions::interpreted() {
+        let text = format!("models are interpreted, about ten times slower than compiled: {reason}");
+        log::tell_as(Level::Warning, &text);
+    }
 }
 
 /// Reports that the system gives the command no thread to run on, and returns its exit code.

@@ -19,7 +19,7 @@ use super::signals::{Signals, runtime};
 use super::stable::refuse_unstable;
 use super::streaming::{self, StreamArgs};
 use super::target::SceneTarget;
-use super::{Failure, live, print_report, system, tell};
+use super::{Failure, live, print_report, report_interpretation, system, tell};
 use host::control::{Clients, RunHandle, StartingHost, StatusSink, temporary_folder};
 use host::guardian::guardian_path;
 use host::observe::{BlackBoxSink, LogSink, RecordingHandle};
@@ -311,6 +311,7 @@ impl TriedRun {
         let scene = &mut *found.scene;
         let chosen = if args.virtual_time { Ok(Vec::new()) } else { choose_fidelity(scene) };
         let fidelity = chosen.map_err(|error| Failure::Usage(error.to_string()))?;
+        report_interpretation();
         for chosen in &fidelity {
             tell(&chosen.to_string());
         }
