@@ -61,10 +61,12 @@ const KANE_MAY_KNOW: [&str; 8] = [
     "pode",
 ];
 
-const LAB_MAY_KNOW: [&str; 9] = [
+const LAB_MAY_KNOW: [&str; 11] = [
     "hand-written",
     "descriptions",
     "diagnostics",
+    "expressions",
+    "formulas",
     "haptics",
     "kane",
     "keyboard",

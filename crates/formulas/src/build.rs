@@ -243,11 +243,18 @@ impl ValueBuilder<'_> {
         let reach = values.iter().fold(Dependence::NOTHING, |all, it| all.and(it.reach));
         match (function(name)?, values.as_slice(), arguments) {
             (Function::Unary(function, rule), [x], [at]) => self.unary((function, rule), *x, *at),
-            (Function::Tangent, [x], [at]) => {
-                let (sine, cosine) = (UnaryFunction::Sin, UnaryFunction::Cos);
-                let sine = self.unary((sine, UnitRule::Ratio), *x, *at)?;
-                let cosine = self.graph.unary(cosine, x.node);
-                Some(Measured { node: self.graph.divide(sine.node, cosine), ..sine })
+            (Function::Composed(compose), [x], [at]) => {
+                self.ratio(*x, *at)?;
+                Some(Measured { node: compose(self.graph, x.node), ..*x })
+            }
+            (Function::OfNumber(function), [x], [at]) => {
+                self.ratio(*x, *at)?;
+                let Some(number) = self.graph.number(x.node) else {
+                    let message = format!("{name} is of numbers only");
+                    self.found.push(TextError::new(self.span(*at), message, "write a number"));
+                    return None;
+                };
+                Some(Measured { node: self.graph.constant(function(number)), ..*x })
             }
             (Function::Binary(function, rule), [x, y], [first, second]) => {
                 let same = self.agree(*first, *second, name)?;
@@ -272,18 +279,26 @@ impl ValueBuilder<'_> {
         }
     }
 
+    /// Reports `x`, the part `at`, if it has a unit.
+    fn ratio(&mut self, x: Measured, at: usize) -> Option<()> {
+        if x.dimension.is_none() {
+            return Some(());
+        }
+        let span = self.span(at);
+        let written = quoted(self.expression.slice(&span));
+        let message = format!("{written} is in {}, not a ratio or an angle", x.dimension);
+        self.found.push(TextError::new(span, message, "divide it by something of its unit"));
+        None
+    }
+
     fn unary(
         &mut self,
         (function, rule): (UnaryFunction, UnitRule),
         x: Measured,
         at: usize,
     ) -> Option<Measured> {
-        if rule == UnitRule::Ratio && !x.dimension.is_none() {
-            let span = self.span(at);
-            let written = quoted(self.expression.slice(&span));
-            let message = format!("{written} is in {}, not a ratio or an angle", x.dimension);
-            self.found.push(TextError::new(span, message, "divide it by something of its unit"));
-            return None;
+        if rule == UnitRule::Ratio {
+            self.ratio(x, at)?;
         }
         let dimension = match rule {
             UnitRule::Ratio | UnitRule::ToRatio => Dimension::NONE,

@@ -1,6 +1,8 @@
 //! The functions that an expression can name.
 
-use expressions::graph::{BinaryFunction, UnaryFunction};
+use expressions::graph::{BinaryFunction, Graph, Node, UnaryFunction};
+
+use super::composed;
 
 /// What a function asks of its arguments' units, and what comes out.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -16,11 +18,14 @@ pub(super) enum UnitRule {
 }
 
 /// A function of an expression.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Function {
     Unary(UnaryFunction, UnitRule),
     Binary(BinaryFunction, UnitRule),
-    Tangent,
+    /// Built from other functions; a ratio or an angle in, a ratio out.
+    Composed(fn(&mut Graph, Node) -> Node),
+    /// Of ratios that are numbers, and depend on nothing.
+    OfNumber(fn(f64) -> f64),
     /// A choice between two values.
     If,
     /// The total rate along the motion.
@@ -30,18 +35,27 @@ pub(super) enum Function {
 }
 
 /// Every function with its name.
-const ALL: [(&str, Function); 27] = [
+const ALL: [(&str, Function); 43] = [
     ("sin", Function::Unary(UnaryFunction::Sin, UnitRule::Ratio)),
     ("cos", Function::Unary(UnaryFunction::Cos, UnitRule::Ratio)),
-    ("tan", Function::Tangent),
+    ("tan", Function::Composed(composed::tan)),
     ("asin", Function::Unary(UnaryFunction::Asin, UnitRule::Ratio)),
     ("acos", Function::Unary(UnaryFunction::Acos, UnitRule::Ratio)),
+    ("atan", Function::Composed(composed::atan)),
     ("atan2", Function::Binary(BinaryFunction::Atan2, UnitRule::ToRatio)),
     ("hypot", Function::Binary(BinaryFunction::Hypot, UnitRule::Same)),
     ("sqrt", Function::Unary(UnaryFunction::Sqrt, UnitRule::Root)),
     ("exp", Function::Unary(UnaryFunction::Exp, UnitRule::Ratio)),
     ("ln", Function::Unary(UnaryFunction::Ln, UnitRule::Ratio)),
+    ("log", Function::Unary(UnaryFunction::Ln, UnitRule::Ratio)),
+    ("log2", Function::Composed(composed::log2)),
+    ("log10", Function::Composed(composed::log10)),
+    ("sinh", Function::Composed(composed::sinh)),
+    ("cosh", Function::Composed(composed::cosh)),
     ("tanh", Function::Unary(UnaryFunction::Tanh, UnitRule::Ratio)),
+    ("asinh", Function::Composed(composed::asinh)),
+    ("acosh", Function::Composed(composed::acosh)),
+    ("atanh", Function::Composed(composed::atanh)),
     ("abs", Function::Unary(UnaryFunction::Abs, UnitRule::Same)),
     ("sign", Function::Unary(UnaryFunction::Sign, UnitRule::ToRatio)),
     ("min", Function::Binary(BinaryFunction::Min, UnitRule::Same)),
@@ -50,6 +64,13 @@ const ALL: [(&str, Function); 27] = [
     ("logistic", Function::Unary(UnaryFunction::Logistic, UnitRule::Ratio)),
     ("softplus_area", Function::Unary(UnaryFunction::SoftplusArea, UnitRule::Ratio)),
     ("softplus_square_area", Function::Unary(UnaryFunction::SoftplusSquareArea, UnitRule::Ratio)),
+    ("cbrt", Function::OfNumber(f64::cbrt)),
+    ("signum", Function::OfNumber(f64::signum)),
+    ("floor", Function::OfNumber(f64::floor)),
+    ("ceil", Function::OfNumber(f64::ceil)),
+    ("round", Function::OfNumber(f64::round)),
+    ("trunc", Function::OfNumber(f64::trunc)),
+    ("fract", Function::OfNumber(f64::fract)),
     ("if", Function::If),
     ("rate", Function::Rate),
     ("x", Function::Named(1)),
@@ -80,7 +101,7 @@ impl Function {
     /// Returns how many arguments it takes.
     pub(super) const fn arguments(self) -> usize {
         match self {
-            Self::Unary(..) | Self::Tangent | Self::Rate => 1,
+            Self::Unary(..) | Self::Composed(_) | Self::OfNumber(_) | Self::Rate => 1,
             Self::Binary(..) => 2,
             Self::If => 3,
             Self::Named(count) => count,

@@ -5,6 +5,7 @@
 //! text.
 
 mod build;
+mod composed;
 mod dimension;
 mod expression;
 mod functions;

@@ -72,7 +72,7 @@ impl Parser<'_> {
 
     fn push(&mut self, shape: PartShape, span: Range<usize>) -> Parsed {
         if self.parts.len() >= MOST_PARTS {
-            let help = "give parts of it names in [definitions]";
+            let help = "shorten it, or give parts of it names";
             return Err(TextError::new(span, "the expression is too long", help));
         }
         self.parts.push(ExpressionPart { shape, span });
@@ -82,7 +82,7 @@ impl Parser<'_> {
     fn deeper(&mut self, inner: impl FnOnce(&mut Self) -> Parsed) -> Parsed {
         if self.depth >= DEEPEST {
             let message = format!("the expression nests more than {DEEPEST} deep");
-            let help = "give parts of it names in [definitions]";
+            let help = "shorten it, or give parts of it names";
             return Err(TextError::new(self.span(), message, help));
         }
         self.depth += 1;
@@ -268,7 +268,7 @@ impl Parser<'_> {
     fn arguments(&mut self, function: Function) -> Result<Vec<usize>, TextError> {
         let mut arguments = Vec::new();
         loop {
-            let is_condition = function == Function::If && arguments.is_empty();
+            let is_condition = matches!(function, Function::If) && arguments.is_empty();
             let argument = if is_condition { Self::condition } else { Self::value };
             arguments.push(self.deeper(argument)?);
             if *self.kind() != LexemeKind::Comma {

@@ -14,7 +14,7 @@ use super::{Dimension, TextError};
 #[derive(Clone, PartialEq, Debug)]
 pub struct PhysicalUnit {
     factor: f64,
-    /// BindingPower of ten on top of the factor, apart from it so that 5 mm is 5/1000 exactly.
+    /// Power of ten on top of the factor, apart from it so that 5 mm is 5/1000 exactly.
     tens: i32,
     pub dimension: Dimension,
     /// The same in SI units without prefixes: `N·m/rad`.

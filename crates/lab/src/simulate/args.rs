@@ -47,7 +47,8 @@ pub struct SimulateArgs {
     ///
     /// An expression is exact with its derivatives; it has + - * / ^, parentheses, pi, e,
     /// tau, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, exp,
-    /// ln, log2, log10, sqrt. Without --input, s = 0.
+    /// ln, log2, log10, sqrt, and with corners and jumps abs, sign, min(a, b), max(a, b),
+    /// if(a > b, x, y). Without --input, s = 0.
     #[arg(long, value_name = "FILE.csv|s=EXPR")]
     pub input: Option<String>,
 

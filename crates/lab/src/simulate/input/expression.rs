@@ -1,48 +1,54 @@
 //! An input given as a formula of t, exact with its first three derivatives, and bounded.
 
 use std::cell::Cell;
-use std::fmt;
-use std::thread;
+use std::f64::consts::{E, PI, TAU};
 
-use exmex::{DiffDataType, Differentiate as _, MakeOperators};
-use exmex::{ExError, ExResult, Express as _, FlatEx};
+use diagnostics::quoted;
+use expressions::graph::{Graph, Place};
+use expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
+use formulas::{Dependence, Dimension, Form, Measured, NameError, NameScope, TextError};
 use pode::Motion;
 
-use super::interval::{Interval, IntervalOperators};
-use super::spelling::spelt_out;
+use super::interval::{Interval, enclose};
 use super::{InputMistake, NAME, is_finite};
 
-/// Room for exmex's recursion on the longest expression; untouched pages cost nothing.
-const STACK: usize = 256 << 20;
-/// Longest expression that is derived once more (bytes): a second or two.
-const MOST_LENGTH: usize = 12_000;
+/// The symbol of t, and its argument.
+const TIME: (Place, Argument) = (Place::Extra(0), Argument::Extra(0));
+
+/// Work on the graph beyond which nothing is derived once more: a derivative of n factors has n
+/// products of them.
+const MAX_WORK: u64 = 30_000;
 
 /// s(t) and its rates.
+#[derive(Debug)]
 pub(in super::super) struct Expression {
-    /// s and its first three derivatives, each of t alone.
-    derivatives: Vec<FlatEx<f64>>,
-    /// The same over ranges of t; none where exmex knows a function for numbers only.
-    ranges: Vec<FlatEx<Interval, IntervalOperators>>,
-    /// The last t and what came out: stages, guards and readouts share their instants.
+    /// Computes s and its first three derivatives.
+    tape: Tape,
+    /// The last t and its motion: stages, guards and readouts share their instants.
     last: Cell<(f64, Motion)>,
 }
 
 impl Expression {
     /// Reads `text`, which begins with `name` and `=`.
-    pub(super) fn read(text: &str, name: &str) -> Result<Self, InputMistake> {
+    pub(super) fn read(text: &str, name: &str) -> Result<Self, Vec<InputMistake>> {
         if name != NAME {
-            return Err(InputMistake::Name { name: name.to_owned() });
+            return Err(vec![InputMistake::Name { name: name.to_owned() }]);
         }
         let begin = text.find('=').map_or(0, |at| at + 1);
-        let formula = spelt_out(&text[begin..]).map_err(|misspelt| {
-            let column = text[..begin + misspelt.at].chars().count() + 1;
-            InputMistake::Spelling { column, problem: misspelt.problem }
+        let tape = derived(&text[begin..]).map_err(|errors| {
+            let column = |error: &TextError| {
+                text.get(..begin + error.span.start).map_or(1, |before| before.chars().count() + 1)
+            };
+            let mistake = |error: TextError| InputMistake::Spelling {
+                column: column(&error),
+                problem: format!("{}; {}", error.message, error.help),
+            };
+            errors.into_iter().map(mistake).collect::<Vec<_>>()
         })?;
-        let (derivatives, ranges) =
-            with_derivatives(formula).map_err(|cause| InputMistake::NotDerivable { cause })?;
-        let last = Cell::new((f64::NAN, Motion::default()));
-        let expression = Self { derivatives, ranges, last };
-        if is_finite(&expression.at(0.0)) { Ok(expression) } else { Err(InputMistake::NotFinite) }
+        let tape = tape.ok_or_else(|| vec![InputMistake::TooLong])?;
+        let expression = Self { tape, last: Cell::new((f64::NAN, Motion::default())) };
+        let is_driven = is_finite(&expression.at(0.0));
+        if is_driven { Ok(expression) } else { Err(vec![InputMistake::NotFinite]) }
     }
 
     /// s and its rates at `t` (s).
@@ -51,70 +57,90 @@ impl Expression {
         if last.to_bits() == t.to_bits() {
             return motion;
         }
-        let [position, rate, acceleration, jerk] = [0, 1, 2, 3].map(|order| {
-            // One variable is always the right number of them: `derive` saw to it.
-            self.derivatives[order].eval(&[t]).unwrap_or(f64::NAN)
-        });
+        let values = self.tape.evaluate(&TapeArguments { extra: &[t], ..TapeArguments::default() });
+        let [position, rate, acceleration, jerk] =
+            [0, 1, 2, 3].map(|order| values.get(order).copied().unwrap_or(f64::NAN));
         let motion = Motion { position, rate, acceleration, jerk };
         self.last.set((t, motion));
         motion
     }
 
-    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` where one of them is
-    /// not defined or not finite all over that time.
+    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` if one of them jumps,
+    /// or is not defined or not finite, within that time.
     pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
-        let time = Interval::new(from, to);
+        let ranges = enclose(&self.tape, Interval::new(from, to));
         let most = |order: usize| {
-            let range = self.ranges.get(order)?.eval(&[time]).ok()?;
+            let range = ranges.get(order)?;
             Some(range.magnitude()).filter(|most| most.is_finite())
         };
         Some(Motion { position: most(0)?, rate: most(1)?, acceleration: most(2)?, jerk: most(3)? })
     }
 }
 
-/// A formula and its first three derivatives, for numbers and for ranges.
-type Derived = (Vec<FlatEx<f64>>, Vec<FlatEx<Interval, IntervalOperators>>);
-
-/// `formula` and its first three derivatives with respect to t.
-///
-/// exmex goes down into an expression by recursion, tens of kilobytes a level, and a
-/// derivative is some levels deeper than what it is of: hence a thread with room.
-fn with_derivatives(formula: String) -> ExResult<Derived> {
-    let failed = |why: &dyn fmt::Display| ExError::new(&why.to_string());
-    let thread = thread::Builder::new().name("derive".into()).stack_size(STACK);
-    let derived =
-        thread.spawn(move || derive_both(&formula)).map_err(|error| failed(&error))?.join();
-    derived.unwrap_or_else(|_panic| Err(failed(&"it gave up on it")))
-}
-
-/// Derives for numbers, and then for ranges, without which there are no bounds.
-fn derive_both(formula: &str) -> ExResult<Derived> {
-    let numbers = derive(formula)?;
-    Ok((numbers, derive(formula).unwrap_or_default()))
-}
-
-/// Derives a formula three times, for whatever is calculated with.
-fn derive<T, O>(formula: &str) -> ExResult<Vec<FlatEx<T, O>>>
-where
-    T: DiffDataType,
-    T::Err: fmt::Debug,
-    O: MakeOperators<T>,
-{
-    // The added term makes each of them a function of t, also where t has dropped out.
-    let mut derivatives = vec![FlatEx::parse(&format!("({formula})+0*t"))?];
-    for _ in 0..3 {
-        let Some(last) = derivatives.last().filter(|last| last.unparse().len() <= MOST_LENGTH)
-        else {
-            return Err(ExError::new("its derivatives are too long; give a CSV file"));
-        };
-        derivatives.push(last.clone().partial(0)?);
+/// Returns the program of `formula` and its first three derivatives; none if that is too much work.
+fn derived(formula: &str) -> Result<Option<Tape>, Vec<TextError>> {
+    let parsed = formulas::parse(formula, Form::Value).map_err(|error| vec![error])?;
+    let mut graph = Graph::new();
+    graph.limit_work();
+    let value = formulas::build(&parsed, &mut graph, &mut InputNames)?;
+    if !value.dimension.is_none() {
+        let message = format!("the input is in {}", value.dimension);
+        let help = "write numbers without units, in SI";
+        return Err(vec![TextError::new(0..formula.len(), message, help)]);
     }
-    Ok(derivatives)
+    let mut outputs = vec![value.node];
+    for order in 0..3 {
+        if graph.work() > MAX_WORK {
+            return Ok(None);
+        }
+        outputs.push(graph.partial(outputs[order], TIME.0));
+    }
+    let mut layout = ArgumentLayout::default();
+    layout.place(TIME.0, TIME.1);
+    let tape = Tape::lower(&graph, &layout, &outputs).ok();
+    Ok(tape.filter(|_tape| graph.given_up().is_none()))
 }
 
-impl fmt::Debug for Expression {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_tuple("Expression").field(&self.derivatives[0].unparse()).finish()
+/// The names in a formula: t and some constants.
+struct InputNames;
+
+impl NameScope for InputNames {
+    fn value(
+        &mut self,
+        graph: &mut Graph,
+        name: &str,
+        primes: u8,
+    ) -> Result<Measured, Option<NameError>> {
+        let node = match (name, primes) {
+            ("t", 0) => graph.symbol(TIME.0),
+            ("pi" | "PI" | "π", 0) => graph.constant(PI),
+            ("tau" | "TAU" | "τ", 0) => graph.constant(TAU),
+            ("e" | "E", 0) => graph.constant(E),
+            _ => {
+                let message = format!("there is no {}", quoted(name));
+                let help = "the variable is t, and there are pi, e, tau and functions as sin(t)";
+                return Err(Some(NameError { message, help: help.to_owned() }));
+            }
+        };
+        Ok(Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING })
+    }
+
+    fn named(
+        &mut self,
+        _graph: &mut Graph,
+        _function: &str,
+        _names: &[&str],
+    ) -> Result<Measured, (usize, Option<NameError>)> {
+        let message = "an input has no points and no forces".to_owned();
+        Err((0, Some(NameError { message, help: "write a function of t".to_owned() })))
+    }
+
+    fn rate(&mut self, graph: &mut Graph, value: Measured) -> Result<Measured, NameError> {
+        Ok(Measured { node: graph.partial(value.node, TIME.0), ..value })
+    }
+
+    fn allowed(&self) -> Dependence {
+        Dependence::NOTHING
     }
 }
 
@@ -143,11 +169,14 @@ mod tests {
         check("s=1e-3*t^3 - 2*t", 2.0, [0.008 - 4.0, 0.012 - 2.0, 0.012, 0.006]);
         check("s=(1-t)^3", 2.0, [-1.0, -3.0, -6.0, -6.0]);
         check("s=8/2*t-3-1", 1.0, [0.0, 4.0, 0.0, 0.0]);
+        check("s=2^3^2*t+1/2*3*-t", 2.0, [1021.0, 510.5, 0.0, 0.0]);
+        check("s=2^-t^2", 0.0, [1.0, 0.0, -2.0 * std::f64::consts::LN_2, 0.0]);
+        check("s=+.5 + 1.5E+2 - ( t )", 0.25, [150.25, -1.0, 0.0, 0.0]);
     }
 
     #[test]
     fn waves() {
-        let w = std::f64::consts::TAU;
+        let w = TAU;
         let (sin, cos) = (w * 0.3).sin_cos();
         let expected = [0.1 * sin, 0.1 * w * cos, -0.1 * w * w * sin, -0.1 * w * w * w * cos];
         check("s=0.1*sin(2*pi*t)", 0.3, expected);
@@ -282,16 +311,55 @@ mod tests {
     }
 
     #[test]
-    fn a_long_sum_is_derived_and_a_longer_one_refused() {
+    fn corners_are_derived_on_both_sides_and_have_no_bound() {
+        check("s=abs(t-0.5)", 0.2, [0.3, -1.0, 0.0, 0.0]);
+        check("s=if(t > 0.5, t^2, 3*t)", 0.6, [0.36, 1.2, 2.0, 0.0]);
+        for text in ["s=abs(t-0.5)", "s=max(t, 1-t)", "s=if(t > 0.5, 1, 2)", "s=sign(t-0.5)"] {
+            let expression = Expression::read(text, "s").expect("an expression");
+            assert!(expression.bound(0.49, 0.51).is_none(), "{text}");
+            assert!(expression.bound(0.1, 0.11).is_some(), "{text}");
+            assert!(expression.bound(0.6, 0.61).is_some(), "{text}");
+        }
+    }
+
+    #[test]
+    fn functions_that_are_built_from_others_are_right_far_away_too() {
+        for x in [-1e3_f64, -20.0, -0.7, -1e-3, 1e-9, 0.3, 4.0, 500.0] {
+            let of = |name: &str| {
+                let text = format!("s={name}({x})+0*t");
+                Expression::read(&text, "s").expect("an expression").at(0.0).position
+            };
+            let check = |name: &str, expected: f64| {
+                let error = (of(name) - expected).abs();
+                assert!(error <= 1e-15 + 4e-15 * expected.abs(), "{name}({x})");
+            };
+            check("asinh", x.asinh());
+            check("atan", x.atan());
+            if x.abs() < 700.0 {
+                check("sinh", x.sinh());
+                check("cosh", x.cosh());
+            }
+        }
+        check("s=cbrt(0.027)*signum(-2)*t+floor(0.5)+fract(1.25)", 2.0, [-0.35, -0.3, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn what_is_too_long_is_refused() {
+        let refused = |formula: &str| {
+            let mistakes = Expression::read(&format!("s={formula}"), "s").expect_err("too long");
+            mistakes.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+        };
         let sum = |n: usize| {
             let terms: Vec<_> = (0..n).map(|i| format!("0.5*tanh((t-0.{i})/0.015)")).collect();
-            format!("s={}", terms.join("+"))
+            terms.join("+")
         };
-        assert!(Expression::read(&sum(40), "s").is_ok());
-        let refused = Expression::read(&sum(100), "s").expect_err("too long");
-        assert!(refused.to_string().contains("more than 250 operations"), "{refused}");
-        let product = format!("s=t{}", "*sin(t)".repeat(60));
-        let refused = Expression::read(&product, "s").expect_err("too long");
-        assert!(refused.to_string().contains("too long; give a CSV file"), "{refused}");
+        assert!(Expression::read(&format!("s={}", sum(100)), "s").is_ok());
+        assert!(refused(&sum(300)).contains("the expression is too long"));
+        let deep = format!("{}t{}", "(".repeat(300), ")".repeat(300));
+        assert!(refused(&deep).contains("nests more than 200 deep"));
+        let factors: Vec<_> = (1..300).map(|i| format!("sin({i}*t)")).collect();
+        assert!(refused(&factors.join("*")).contains("too long; give a CSV file"));
+        assert!(refused(&factors[..60].join("*")).contains("too long; give a CSV file"));
+        assert!(Expression::read(&format!("s={}", factors[..20].join("*")), "s").is_ok());
     }
 }

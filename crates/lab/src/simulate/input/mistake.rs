@@ -18,11 +18,8 @@ pub enum InputMistake {
         column: usize,
         problem: String,
     },
-    /// The expression has no derivatives.
-    #[error(
-        "--input: exmex cannot derive this expression, and the model needs s', s'' and s''': {cause}"
-    )]
-    NotDerivable { cause: exmex::ExError },
+    #[error("--input: the expression and its three derivatives are too long; give a CSV file")]
+    TooLong,
     /// The expression is infinite or undefined where it starts.
     #[error("--input: s or one of its first three derivatives is not finite at t = 0")]
     NotFinite,

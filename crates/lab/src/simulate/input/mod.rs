@@ -3,7 +3,6 @@
 mod expression;
 mod interval;
 mod mistake;
-mod spelling;
 mod table;
 
 use pode::Motion;
@@ -37,8 +36,7 @@ impl InputSignal {
             InputTable::read(path.as_ref(), how).map(Self::Table)
         };
         let expression = |text: &str, name: &str| {
-            let read = Expression::read(text, name).map_err(|mistake| vec![mistake])?;
-            Ok(Self::Expression(Box::new(read)))
+            Expression::read(text, name).map(|it| Self::Expression(Box::new(it)))
         };
         let given = args.input.as_deref();
         let input = match given.map(|text| (text, name_before_equals(text))) {
