@@ -88,10 +88,11 @@ const VOICE_MAY_KNOW: [&str; 10] = [
     "scheduler",
 ];
 
-const SCENE_MAY_KNOW: [&str; 12] = [
+const SCENE_MAY_KNOW: [&str; 13] = [
     "descriptions",
     "diagnostics",
     "firmware-protocol",
+    "formulas",
     "haptics",
     "hardware",
     "keyboard",

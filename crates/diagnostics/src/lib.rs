@@ -2,7 +2,8 @@
 //!
 //! [`Diagnostic`] is one mistake with its line and column, [`Diagnostics`] all of one file;
 //! [`rendered`] shows them with their lines; [`choice`] and [`nearest`] say which name was probably
-//! meant; [`shown`] and [`quoted`] make names fit to be printed; [`open_input`] opens the file in the first place.
+//! meant; [`shown`] and [`quoted`] make names fit to be printed; [`open_input`] opens the file in the
+//! first place, and [`toml`] reads it if it is TOML.
 
 mod caret;
 mod diagnostic;
@@ -10,6 +11,7 @@ mod diagnostic;
 mod input;
 mod shown;
 mod suggest;
+pub mod toml;
 
 pub use caret::rendered;
 pub use diagnostic::{Diagnostic, Diagnostics};

@@ -28,6 +28,12 @@ impl PhysicalUnit {
         if self.tens < 0 { scaled / 10f64.powi(-self.tens) } else { scaled * 10f64.powi(self.tens) }
     }
 
+    /// Returns `true` if both measure one kind of quantity, and both or neither an angle.
+    pub fn fits(&self, other: &Self) -> bool {
+        let is_angle = |it: &Self| it.si.contains("rad");
+        self.dimension.fits(other.dimension) && is_angle(self) == is_angle(other)
+    }
+
     /// Whether a number of it is the same number in SI.
     pub fn is_si(&self) -> bool {
         (self.to_si(1.0) - 1.0).abs() < f64::EPSILON
@@ -46,7 +52,7 @@ enum Prefixes {
 
 use Prefixes::{None as Plain, Usual};
 
-const UNITS: [NamedUnit; 18] = [
+const UNITS: [NamedUnit; 19] = [
     ("m", 1.0, 0, [1, 0, 0], "m", Usual),
     ("g", 1.0, -3, [0, 1, 0], "kg", Usual),
     ("s", 1.0, 0, [0, 0, 1], "s", Usual),
@@ -60,6 +66,7 @@ const UNITS: [NamedUnit; 18] = [
     ("W", 1.0, 0, [2, 1, -3], "W", Usual),
     ("Pa", 1.0, 0, [-1, 1, -2], "Pa", Usual),
     ("Hz", 1.0, 0, [0, 0, -1], "1/s", Usual),
+    ("hz", 1.0, 0, [0, 0, -1], "1/s", Usual),
     ("min", 60.0, 0, [0, 0, 1], "s", Plain),
     ("h", 3600.0, 0, [0, 0, 1], "s", Plain),
     ("inch", 0.0254, 0, [1, 0, 0], "m", Plain),
@@ -144,17 +151,21 @@ impl UnitReader<'_> {
     pub(super) fn read(&mut self) -> Result<PhysicalUnit, TextError> {
         let mut unit = self.factor()?;
         while let Some(joint) = self.goes_on() {
-            self.at += 1;
             let right = self.factor()?;
             unit = combined(&unit, &right, joint);
         }
         Ok(unit)
     }
 
-    /// Returns `*` or `/` if it and another factor follow.
-    fn goes_on(&self) -> Option<Joint> {
-        let joint = self.joint()?;
-        if self.within == UnitPlace::Alone {
+    /// Passes over `*` or `/` if it and another factor follow; alone, `N m` is a product too.
+    fn goes_on(&mut self) -> Option<Joint> {
+        let is_alone = self.within == UnitPlace::Alone;
+        let Some(joint) = self.joint() else {
+            let is_name = matches!(self.kind(0), Some(LexemeKind::Name(_, 0)));
+            return (is_alone && is_name).then_some(Joint::Times);
+        };
+        if is_alone {
+            self.at += 1;
             return Some(joint);
         }
         let next = self.lexemes.get(self.at + 1)?;
@@ -164,7 +175,11 @@ impl UnitReader<'_> {
             LexemeKind::Open => self.is_group(),
             _ => false,
         };
-        (is_tight && is_unit).then_some(joint)
+        if !(is_tight && is_unit) {
+            return None;
+        }
+        self.at += 1;
+        Some(joint)
     }
 
     fn joint(&self) -> Option<Joint> {
@@ -198,10 +213,12 @@ impl UnitReader<'_> {
         };
         self.at += 1;
         let unit = match &lexeme.kind {
-            LexemeKind::Name(name, 0) => named(name).ok_or_else(|| {
-                let message = format!("there is no unit {}", quoted(name));
-                TextError::new(lexeme.span.clone(), message, unit_help(name))
-            })?,
+            LexemeKind::Name(name, 0) => {
+                named(name).or_else(|| self.raised(name)).ok_or_else(|| {
+                    let message = format!("there is no unit {}", quoted(name));
+                    TextError::new(lexeme.span.clone(), message, unit_help(name))
+                })?
+            }
             LexemeKind::Number(1.0) => PhysicalUnit {
                 factor: 1.0,
                 tens: 0,
@@ -215,6 +232,14 @@ impl UnitReader<'_> {
             }
         };
         Ok(self.exponent().map_or(unit.clone(), |exponent| powered(&unit, exponent)))
+    }
+
+    /// The unit of `name` if that is a unit with its power, as `m2`; in an expression it is a name.
+    fn raised(&self, name: &str) -> Option<PhysicalUnit> {
+        let base = name.trim_end_matches(|it: char| it.is_ascii_digit());
+        let power: u8 = name.get(base.len()..)?.parse().ok()?;
+        let unit = named(base).filter(|_| self.within == UnitPlace::Alone)?;
+        Some(powered(&unit, power.into()))
     }
 
     /// Factors in parentheses, one level deep.

@@ -8,9 +8,9 @@ use keyboard::KeyRange;
 use super::embedded::INSTRUMENTS;
 use super::quantity::Quantity;
 use super::read::TableReader;
-use super::report::{Location, MistakeList};
 use super::source::{SourceError, SourceText};
 use super::voicing::Voicing;
+use diagnostics::toml::{FindingList, SourcePlace};
 
 /// Share of each lane's time.
 const BUDGET: Quantity = Quantity { unit: "1", range: (1e-3, 1.0) };
@@ -69,13 +69,13 @@ pub(super) enum WantedFidelity {
 }
 
 /// Reads the share of each lane's time that all keys may take when they move at once.
-pub(super) fn read_budget(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> f64 {
+pub(super) fn read_budget(report: &mut FindingList, scene: &mut TableReader<'_>) -> f64 {
     scene.number(report, "budget", BUDGET).unwrap_or(DEFAULT_BUDGET)
 }
 
 /// Reads the instruments that render the one of this file with less work.
 pub(super) fn read_levels(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     instrument: &mut TableReader<'_>,
 ) -> Vec<(Fidelity, String)> {
     let Some(mut reader) = instrument.table(report, "fidelity") else { return Vec::new() };
@@ -91,8 +91,8 @@ pub(super) fn read_levels(
 /// Returns the name of an instrument that is part of the program, or the path of the file that is
 /// there.
 pub(super) fn known_instrument(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     name: &str,
 ) -> Option<String> {
     if INSTRUMENTS.find(name).is_some() {
@@ -110,10 +110,7 @@ pub(super) fn known_instrument(
 }
 
 /// Reads what a scene says of a range's fidelity; all of it without a word.
-pub(super) fn read_wanted(
-    report: &mut MistakeList<'_>,
-    range: &mut TableReader<'_>,
-) -> WantedFidelity {
+pub(super) fn read_wanted(report: &mut FindingList, range: &mut TableReader<'_>) -> WantedFidelity {
     let named = Fidelity::ALL.map(|it| (it.name(), WantedFidelity::Level(it)));
     let all: Vec<_> = named.into_iter().chain([("auto", WantedFidelity::Auto)]).collect();
     let wanted = range.choice(report, "fidelity", "there is no fidelity", &all);

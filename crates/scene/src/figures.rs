@@ -1,10 +1,9 @@
 //! `[figures]`: what should be measured of an instrument, by name.
 
-use super::document::{DocumentNode, TomlValue};
 use super::quantity::Quantity;
-use super::read::{self, TableReader, wrong_type};
-use super::report::MistakeList;
+use super::read::{self, TableReader, wrong_kind};
 use diagnostics::quoted;
+use diagnostics::toml::{FindingList, TomlKind, TomlNode};
 
 /// Any number that is finite.
 const LIMIT: Quantity = Quantity { unit: "", range: (f64::MIN, f64::MAX) };
@@ -14,12 +13,12 @@ const HELP: &str = "give [lowest, highest], { at_least = â€¦ } or { at_most = â€
 /// Reads the lowest and the highest value that each figure should have; infinite where there is
 /// none.
 pub(super) fn read(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     instrument: &mut TableReader<'_>,
 ) -> Vec<(String, (f64, f64))> {
     let Some(entry) = instrument.take("figures") else { return Vec::new() };
     let Some(figures) = entry.node.entries() else {
-        wrong_type(report, "figures", &entry.node, "a table", "write it as [figures]");
+        wrong_kind(report, "figures", &entry.node, "a table", "write it as [figures]");
         return Vec::new();
     };
     let mut read = Vec::new();
@@ -30,8 +29,8 @@ pub(super) fn read(
     read
 }
 
-fn limits(report: &mut MistakeList<'_>, name: &str, node: &DocumentNode) -> Option<(f64, f64)> {
-    let TomlValue::List(items) = &node.value else { return limit(report, name, node) };
+fn limits(report: &mut FindingList, name: &str, node: &TomlNode) -> Option<(f64, f64)> {
+    let TomlKind::List(items) = &node.kind else { return limit(report, name, node) };
     let [low, high] = items.as_slice() else {
         report.say(node.place, format!("{} has {} values", quoted(name), items.len()), HELP);
         return None;
@@ -47,9 +46,9 @@ fn limits(report: &mut MistakeList<'_>, name: &str, node: &DocumentNode) -> Opti
 }
 
 /// A limit on one side.
-fn limit(report: &mut MistakeList<'_>, name: &str, node: &DocumentNode) -> Option<(f64, f64)> {
+fn limit(report: &mut FindingList, name: &str, node: &TomlNode) -> Option<(f64, f64)> {
     if node.entries().is_none() {
-        wrong_type(report, name, node, "a list or a table", HELP);
+        wrong_kind(report, name, node, "a list or a table", HELP);
         return None;
     }
     let mut reader = TableReader::new(report, name, node)?;

@@ -1,5 +1,6 @@
 //! An instrument: a model and a preset over the compass, with a title.
 
+use descriptions::Library;
 use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -8,7 +9,6 @@ use models::{LoadedModel, ModelEntry, Preset};
 use serde::Serialize;
 use toml_edit::{DocumentMut, Item};
 
-use super::document;
 use super::embedded::INSTRUMENTS;
 use super::fidelity::{Fidelity, read_levels};
 use super::figures;
@@ -16,11 +16,10 @@ use super::kind::describes_model;
 use super::needs::Needs;
 use super::quantity::Quantity;
 use super::read::TableReader;
-use super::report::MistakeList;
 use super::source::{SourceError, SourceText, refuse};
 use super::voicing::Voicing;
-use descriptions::Library;
 use diagnostics::Diagnostics;
+use diagnostics::toml::FindingList;
 
 /// A number of General MIDI, as its tables count.
 const PROGRAM: Quantity = Quantity { unit: "", range: (1.0, 128.0) };
@@ -130,20 +129,22 @@ impl Instrument {
             let help = "name it in an instrument: model = \"…\"".to_owned();
             return Err(refuse(Path::new(&source.file), None, message, help));
         }
-        let mut report = MistakeList::new(source, &[], library);
-        let root = document::parse(&mut report);
+        let (mut report, root) = source.parsed(&[]);
         let read = root.and_then(|root| {
             let mut reader = TableReader::new(&mut report, &source.name, &root)?;
-            let instrument = Self::read(&mut report, &mut reader);
+            let instrument = Self::read(&mut report, &mut reader, (&source.name, library));
             reader.finish(&mut report);
             instrument
         });
         report.verdict(read)
     }
 
-    fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Self> {
-        let source = report.source();
-        let title = reader.text(report, "title").map_or_else(|| source.name.clone(), |(t, _)| t);
+    fn read(
+        report: &mut FindingList,
+        reader: &mut TableReader<'_>,
+        (name, library): (&str, &Library),
+    ) -> Option<Self> {
+        let title = reader.text(report, "title").map_or_else(|| name.to_owned(), |(t, _)| t);
         let doc = reader.text(report, "doc").map_or_else(String::new, |(doc, _)| doc);
         if reader.take("model").is_none() {
             report.miss(reader.place, "the instrument has no model", "add model = \"…\"");
@@ -152,23 +153,14 @@ impl Instrument {
         let figures = figures::read(report, reader);
         let program = reader.whole(report, "program", PROGRAM);
         let levels = read_levels(report, reader);
-        let voicing = Voicing::read(report, reader);
+        let voicing = Voicing::read(report, reader, library);
         let Some(mut voicing) = voicing else {
             reader.take("parameters");
             return None;
         };
         voicing.read_parameters(report, reader);
         voicing.refuse_unmet(report, reader.place, KeyRange::ALL);
-        Some(Self {
-            name: source.name.clone(),
-            title,
-            doc,
-            needs,
-            figures,
-            program,
-            levels,
-            voicing,
-        })
+        Some(Self { name: name.to_owned(), title, doc, needs, figures, program, levels, voicing })
     }
 }
 

@@ -5,17 +5,17 @@ use std::sync::Arc;
 use keyboard::{KEYS, KeyRange, RangeError};
 use models::{LoadedModel, ModelEntry};
 
-use super::document::{DocumentNode, TomlValue};
 use super::embedded::INSTRUMENTS;
 use super::fidelity::{AutoFidelity, Fidelity, FidelityLevel, WantedFidelity, read_wanted};
 use super::instrument::{Instrument, known_as};
 use super::kind::describes_model;
 use super::needs::{LoopSettings, Unmet};
 use super::read::{self, TableReader};
-use super::report::{Location, MistakeList};
 use super::source::{SourceError, SourceText};
 use super::voicing::Voicing;
+use descriptions::Library;
 use diagnostics::quoted;
+use diagnostics::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
 
 /// A model with its values for one key.
 #[derive(Clone, Debug)]
@@ -42,14 +42,23 @@ pub(super) struct ReadKeys {
     pub(super) auto: Vec<AutoFidelity>,
 }
 
+/// How keys are read.
+#[derive(Clone, Copy)]
+pub(super) struct KeyReading<'a> {
+    /// Reads the descriptions that are named.
+    pub(super) library: &'a Library,
+    /// The loop in which instruments must be stable, if they must.
+    pub(super) in_loop: Option<LoopSettings<'a>>,
+}
+
 /// Reads the key ranges.
 ///
 /// Refuses instruments that are not stable `in_loop`, if there is one, and values that do not go
 /// together.
 pub(super) fn read(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     reader: &mut TableReader<'_>,
-    in_loop: Option<LoopSettings<'_>>,
+    reading: KeyReading<'_>,
 ) -> ReadKeys {
     let mut read = ReadKeys { voicings: vec![None; KEYS], ranges: Vec::new(), auto: Vec::new() };
     let Some(entry) = reader.take("keys") else {
@@ -57,8 +66,8 @@ pub(super) fn read(
         report.miss(reader.place, "the scene has no keys", help);
         return read;
     };
-    let TomlValue::List(ranges) = &entry.node.value else {
-        read::wrong_type(report, "keys", &entry.node, "a list", "write it as [[keys]]");
+    let TomlKind::List(ranges) = &entry.node.kind else {
+        read::wrong_kind(report, "keys", &entry.node, "a list", "write it as [[keys]]");
         return read;
     };
     if ranges.is_empty() {
@@ -68,11 +77,11 @@ pub(super) fn read(
     let mut taken = Vec::new();
     let mut models: Vec<Arc<LoadedModel>> = Vec::new();
     for node in ranges {
-        let found = read_range(report, node, &mut taken, in_loop);
+        let found = read_range(report, node, &mut taken, reading);
         let Some((range, RangeVoicing { voicing, levels })) = found else { continue };
         refuse_namesake(report, node.place, &voicing.model, &models);
         models.push(Arc::clone(&voicing.model));
-        if in_loop.is_some() {
+        if reading.in_loop.is_some() {
             voicing.refuse_unmet(report, node.place, range);
         }
         for key in range.numbers() {
@@ -86,8 +95,8 @@ pub(super) fn read(
 
 /// Refuses a model at `place` that is called like another one of the scene.
 fn refuse_namesake(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     model: &ModelEntry,
     others: &[Arc<LoadedModel>],
 ) {
@@ -111,14 +120,14 @@ impl From<Voicing> for RangeVoicing {
 }
 
 /// A range that was read, and where.
-type ReadRange = (KeyRange, Location);
+type ReadRange = (KeyRange, SourcePlace);
 
 /// Reads one `[[keys]]` table; all of it, even if part of it is wrong.
 fn read_range(
-    report: &mut MistakeList<'_>,
-    node: &DocumentNode,
+    report: &mut FindingList,
+    node: &TomlNode,
     taken: &mut Vec<ReadRange>,
-    in_loop: Option<LoopSettings<'_>>,
+    reading: KeyReading<'_>,
 ) -> Option<(KeyRange, RangeVoicing)> {
     let mut reader = TableReader::new(report, "[keys]", node)?;
     let range = read_bounds(report, &mut reader);
@@ -126,7 +135,7 @@ fn read_range(
         refuse_overlap(report, range, taken);
         taken.push(range);
     }
-    let voicing = read_voicing(report, &mut reader, in_loop);
+    let voicing = read_voicing(report, &mut reader, reading);
     let voicing = if let Some(mut voicing) = voicing {
         if voicing.levels.is_some() {
             refuse_parameters(report, &mut reader);
@@ -142,13 +151,13 @@ fn read_range(
     Some((range?.0, voicing?))
 }
 
-fn read_bounds(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<ReadRange> {
+fn read_bounds(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<ReadRange> {
     let Some(entry) = reader.take("range") else {
         report.miss(reader.place, "these keys have no range", "add range = \"A0..C8\"");
         return None;
     };
     let place = entry.node.place;
-    let text = if let TomlValue::Integer(number) = entry.node.value {
+    let text = if let TomlKind::Integer(number) = entry.node.kind {
         number.to_string()
     } else {
         read::text(report, "range", &entry.node)?
@@ -162,7 +171,7 @@ fn read_bounds(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Op
     }
 }
 
-fn refuse_range(report: &mut MistakeList<'_>, place: Location, refusal: RangeError<'_>) {
+fn refuse_range(report: &mut FindingList, place: SourcePlace, refusal: RangeError<'_>) {
     let (message, help) = match refusal {
         RangeError::NotANote(note) => (
             format!("{} in the range is no note", quoted(note)),
@@ -179,10 +188,10 @@ fn refuse_range(report: &mut MistakeList<'_>, place: Location, refusal: RangeErr
     report.say(place, message, help);
 }
 
-fn refuse_overlap(report: &mut MistakeList<'_>, (range, place): ReadRange, taken: &[ReadRange]) {
+fn refuse_overlap(report: &mut FindingList, (range, place): ReadRange, taken: &[ReadRange]) {
     for (other, other_place) in taken {
         if let Some(shared) = range.intersection(*other) {
-            let first = report.describe(*other_place);
+            let first = report.line(*other_place);
             let message = format!("{shared} already belongs to the range of {first}");
             report.say(place, message, "let every key be in one range only");
         }
@@ -190,7 +199,7 @@ fn refuse_overlap(report: &mut MistakeList<'_>, (range, place): ReadRange, taken
 }
 
 /// Refuses parameters of a model that is not chosen yet.
-fn refuse_parameters(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) {
+fn refuse_parameters(report: &mut FindingList, reader: &mut TableReader<'_>) {
     if let Some(entry) = reader.take("parameters") {
         let message = "parameters stand beside fidelity \"auto\", which chooses their model";
         report.say(entry.place, message, "name the fidelity to which they belong");
@@ -199,9 +208,9 @@ fn refuse_parameters(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>)
 
 /// Reads `instrument` and `fidelity`, or `model` and `preset`.
 fn read_voicing(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     reader: &mut TableReader<'_>,
-    in_loop: Option<LoopSettings<'_>>,
+    reading: KeyReading<'_>,
 ) -> Option<RangeVoicing> {
     let model = reader.take("model");
     let preset = reader.take("preset");
@@ -210,10 +219,10 @@ fn read_voicing(
             let help = "add instrument = \"grand-springs\", or a model and a preset";
             report.miss(reader.place, "these keys have no instrument", help);
         }
-        let voicing = Voicing::read(report, reader)?;
+        let voicing = Voicing::read(report, reader, reading.library)?;
         let named = preset.map(|_entry| voicing.preset());
         if let (Some(entry), Some(known)) = (model, known_as(&voicing.model, named)) {
-            refuse_unstable(report, entry.node.place, &known, in_loop);
+            refuse_unstable(report, entry.node.place, &known, reading);
         }
         if let Some(entry) = reader.take("fidelity") {
             let message = "\"fidelity\" stands beside a model, which is one fidelity";
@@ -229,25 +238,26 @@ fn read_voicing(
     let name = read::text(report, "instrument", &entry.node)?;
     let place = entry.node.place;
     let wanted = read_wanted(report, reader);
-    let instrument = read_instrument(report, place, &name)?;
+    let instrument = read_instrument(report, place, &name, reading.library)?;
     match wanted {
         WantedFidelity::Level(Fidelity::Full) => {
-            refuse_unstable(report, place, &instrument, in_loop);
+            refuse_unstable(report, place, &instrument, reading);
             Some(instrument.voicing.into())
         }
         WantedFidelity::Level(fidelity) => {
-            let level = read_level(report, place, &instrument, fidelity)?;
-            refuse_unstable(report, place, &level, in_loop);
+            let level = read_level(report, place, &instrument, fidelity, reading.library)?;
+            refuse_unstable(report, place, &level, reading);
             Some(level.voicing.into())
         }
-        WantedFidelity::Auto => auto(report, place, &instrument, in_loop),
+        WantedFidelity::Auto => auto(report, place, &instrument, reading),
     }
 }
 
 fn read_instrument(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     name: &str,
+    library: &Library,
 ) -> Option<Instrument> {
     let found = match SourceText::find(&INSTRUMENTS, name, report.folder(place)) {
         Ok(source) if describes_model(&source) => {
@@ -256,7 +266,7 @@ fn read_instrument(
             report.say(place, message, format!("write model = {} instead", quoted(name)));
             return None;
         }
-        Ok(source) => Instrument::check(report.library(), &source),
+        Ok(source) => Instrument::check(library, &source),
         Err(SourceError::Unreadable(diagnostics)) => Err(diagnostics),
         Err(SourceError::Unknown((message, help))) => {
             report.say(place, message, help);
@@ -268,10 +278,11 @@ fn read_instrument(
 
 /// Reads the instrument that renders `instrument` at a lower `fidelity`.
 fn read_level(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     instrument: &Instrument,
     fidelity: Fidelity,
+    library: &Library,
 ) -> Option<Instrument> {
     let found = instrument.levels.iter().find(|(known, _name)| *known == fidelity);
     let Some((_fidelity, name)) = found else {
@@ -281,15 +292,15 @@ fn read_level(
         read::unknown(report, place, &refusal, fidelity.name(), known);
         return None;
     };
-    Instrument::load(report.library(), name).map_err(|diagnostics| report.absorb(diagnostics)).ok()
+    Instrument::load(library, name).map_err(|diagnostics| report.absorb(diagnostics)).ok()
 }
 
 /// Returns all levels of `instrument` that are stable `in_loop`, to be chosen from.
 fn auto(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     instrument: &Instrument,
-    in_loop: Option<LoopSettings<'_>>,
+    reading: KeyReading<'_>,
 ) -> Option<RangeVoicing> {
     let mut levels = Vec::new();
     let lower = instrument.levels.iter().map(|(fidelity, _name)| *fidelity);
@@ -297,15 +308,15 @@ fn auto(
         let level = if fidelity == Fidelity::Full {
             instrument.clone()
         } else {
-            read_level(report, place, instrument, fidelity)?
+            read_level(report, place, instrument, fidelity, reading.library)?
         };
-        if unmet(&level, in_loop).is_none() {
+        if unmet(&level, reading).is_none() {
             let Instrument { name, voicing, .. } = level;
             levels.push(FidelityLevel { fidelity, instrument: name, voicing });
         }
     }
     let Some(first) = levels.first() else {
-        refuse_unstable(report, place, instrument, in_loop);
+        refuse_unstable(report, place, instrument, reading);
         return None;
     };
     Some(RangeVoicing { voicing: first.voicing.clone(), levels: Some(levels) })
@@ -313,18 +324,18 @@ fn auto(
 
 /// Reports an instrument at `place` that makes energy in the scene's loop.
 fn refuse_unstable(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     instrument: &Instrument,
-    in_loop: Option<LoopSettings<'_>>,
+    reading: KeyReading<'_>,
 ) {
-    if let Some(unmet) = unmet(instrument, in_loop) {
+    if let Some(unmet) = unmet(instrument, reading) {
         report.say(place, unmet.lacks, unmet.help);
     }
 }
 
 /// Returns what the loop lacks for an instrument, if it lacks anything.
-fn unmet(instrument: &Instrument, in_loop: Option<LoopSettings<'_>>) -> Option<Unmet> {
-    let LoopSettings { tick_hz, render } = in_loop?;
+fn unmet(instrument: &Instrument, reading: KeyReading<'_>) -> Option<Unmet> {
+    let LoopSettings { tick_hz, render } = reading.in_loop?;
     instrument.needs.unmet(&instrument.name, tick_hz, render)
 }

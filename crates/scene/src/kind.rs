@@ -1,14 +1,12 @@
 //! Tells scenes, instruments and descriptions of models by the names in the file.
 
-use descriptions::Library;
 use std::path::Path;
 
 use serde::Serialize;
 
-use super::document;
-use super::report::{Location, MistakeList};
 use super::source::SourceText;
 use diagnostics::Diagnostics;
+use diagnostics::toml::{SourcePlace, TomlNode};
 
 /// Names that only a scene has.
 const SCENE: [&str; 10] =
@@ -78,9 +76,8 @@ pub(super) fn describes_model(source: &SourceText) -> bool {
 
 /// Returns the kind of which `source` has more names.
 pub(super) fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
-    let mut report = MistakeList::new(source, &[], &Library::default());
-    let root = document::parse(&mut report);
-    let entries = root.as_ref().and_then(document::DocumentNode::entries).unwrap_or_default();
+    let (mut report, root) = source.parsed(&[]);
+    let entries = root.as_ref().and_then(TomlNode::entries).unwrap_or_default();
     let count = |names: &[&str]| {
         entries.iter().filter(|entry| names.contains(&entry.name.as_str())).count()
     };
@@ -88,7 +85,7 @@ pub(super) fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
         (0, 0, 0) => {
             let help = "a scene has [[keys]], an instrument a model, a description [modes]";
             let message = "this is neither a scene nor an instrument nor a model";
-            report.miss(Location::At(0), message, help);
+            report.miss(SourcePlace::default(), message, help);
             None
         }
         (scene, instrument, model) if scene.max(instrument) < model => Some(FileKind::Model),

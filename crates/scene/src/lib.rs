@@ -24,7 +24,6 @@
 //! to the working directory where an override or an embedded scene does.
 
 mod checked_file;
-mod document;
 mod embedded;
 mod fidelity;
 mod figures;
@@ -41,7 +40,6 @@ mod quantity;
 mod read;
 mod realtime;
 mod render;
-mod report;
 mod rig;
 mod scene;
 mod setting;

@@ -1,14 +1,12 @@
 //! Settings of `[render]` that change while a host plays.
 
-use descriptions::Library;
+use diagnostics::toml::{FindingList, SourcePlace};
 use diagnostics::{Diagnostics, quoted};
 
-use super::document;
 use super::overrides;
 use super::read::TableReader;
 use super::render::{self, Render};
-use super::report::{Location, MistakeList};
-use super::source::{Override, SourceText};
+use super::source::{Override, SourceText, typed_place};
 
 /// Limits that the safety and the boards keep from the start on.
 const FIXED: [&str; 2] = ["force_limit", "slew_limit"];
@@ -34,9 +32,8 @@ impl Render {
             typed: format!("{name}={value}"),
         };
         let changes: Vec<_> = changes.iter().map(typed).collect();
-        let mut report = MistakeList::new(&source, &changes, &Library::default());
+        let (mut report, root) = source.parsed(&changes);
         refuse_fixed(&mut report, &changes);
-        let root = document::parse(&mut report);
         let read = root.and_then(|mut root| {
             let settings = changes.iter().enumerate().filter(|(_, it)| setting(it).is_some());
             for (index, change) in settings {
@@ -55,10 +52,10 @@ fn setting(change: &Override) -> Option<&str> {
 }
 
 /// Reports names that are none of `[render]`, and those that are fixed.
-fn refuse_fixed(report: &mut MistakeList<'_>, changes: &[Override]) {
+fn refuse_fixed(report: &mut FindingList, changes: &[Override]) {
     if changes.is_empty() {
         let help = "give one or more, as render.passivity=control";
-        report.say(Location::At(0), "no setting is given", help);
+        report.say(SourcePlace::default(), "no setting is given", help);
     }
     for (index, change) in changes.iter().enumerate() {
         if setting(change).is_some_and(|name| !FIXED.contains(&name)) {
@@ -70,7 +67,7 @@ fn refuse_fixed(report: &mut MistakeList<'_>, changes: &[Override]) {
         } else {
             "give settings of [render] but its limits, as render.passivity=control"
         };
-        report.say(Location::Override(index), message, help);
+        report.say(typed_place(index), message, help);
     }
 }
 

@@ -4,15 +4,14 @@ use std::fmt;
 
 use haptics::EstimatorName;
 
-use super::document::DocumentNode;
 use super::quantity::number;
 use super::read::{self, TableReader};
 use super::render::{
     COUPLING_DAMPING, COUPLING_STIFFNESS, ESTIMATORS, InputReconstruction, JERK_DENSITY,
     PassivityMode, RECONSTRUCTIONS, Render, TICK_HZ,
 };
-use super::report::MistakeList;
 use super::setting::TableSetting as _;
+use diagnostics::toml::{FindingList, TomlNode};
 
 /// The settings with which an instrument is quiet when its keys are left alone.
 ///
@@ -60,7 +59,7 @@ impl fmt::Display for Unmet {
 
 impl Needs {
     /// Reads `offline` and the tables `stable` of an instrument, of which one must be met.
-    pub(super) fn read(report: &mut MistakeList<'_>, instrument: &mut TableReader<'_>) -> Self {
+    pub(super) fn read(report: &mut FindingList, instrument: &mut TableReader<'_>) -> Self {
         let offline = instrument.text(report, "offline").map(|(why, _place)| why);
         let Some(entry) = instrument.take("stable") else {
             return Self { offline, stable: Vec::new() };
@@ -110,7 +109,7 @@ impl Needs {
 }
 
 impl Stable {
-    fn read(report: &mut MistakeList<'_>, node: &DocumentNode) -> Option<Self> {
+    fn read(report: &mut FindingList, node: &TomlNode) -> Option<Self> {
         let mut reader = TableReader::new(report, "[stable]", node)?;
         let stable = Self {
             min_tick_hz: reader.whole(report, "min_tick_hz", TICK_HZ),

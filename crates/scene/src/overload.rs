@@ -3,10 +3,9 @@
 use scheduler::overload::{OverloadRules, Simplification};
 use toml_edit::{Array, Table, value};
 
-use super::document::TomlValue;
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
-use super::report::{Location, MistakeList};
+use diagnostics::toml::{FindingList, SourcePlace, TomlKind};
 
 /// A part of a tick.
 const LOAD: Quantity = Quantity { unit: "1", range: (0.01, 2.0) };
@@ -15,7 +14,7 @@ const LOAD: Quantity = Quantity { unit: "1", range: (0.01, 2.0) };
 const EVALUATIONS: Quantity = Quantity { unit: "1", range: (1.0, 1e9) };
 
 /// Reads the table, if it is there.
-pub(super) fn read(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> OverloadRules {
+pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>) -> OverloadRules {
     let mut rules = OverloadRules::default();
     let Some(mut reader) = scene.table(report, "overload") else { return rules };
     rules.order = read_order(report, &mut reader).unwrap_or(rules.order);
@@ -33,14 +32,14 @@ pub(super) fn read(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) ->
 
 /// Reads names, each once.
 fn read_order(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     reader: &mut TableReader<'_>,
 ) -> Option<[Option<Simplification>; Simplification::ALL.len()]> {
     let entry = reader.take("order")?;
-    let TomlValue::List(nodes) = &entry.node.value else {
+    let TomlKind::List(nodes) = &entry.node.kind else {
         let help =
             "write what is left out first, as [\"telemetry\", \"slopes\"], or [] for nothing";
-        read::wrong_type(report, "order", &entry.node, "a list", help);
+        read::wrong_kind(report, "order", &entry.node, "a list", help);
         return None;
     };
     let mut order: Vec<Simplification> = Vec::new();
@@ -54,8 +53,8 @@ fn read_order(
 
 /// Returns what is called `name`, unless it is in `order`.
 fn known(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     name: &str,
     order: &[Simplification],
 ) -> Option<Simplification> {

@@ -2,10 +2,9 @@
 //!
 //! A number in a path is a place in a list: `links.bus.0.bit_rate` is that of the first bus.
 
-use super::document::{DocumentEntry, DocumentNode, TomlValue};
-use super::report::{Location, MistakeList};
-use super::source::Override;
+use super::source::{Override, typed_place};
 use diagnostics::quoted;
+use diagnostics::toml::{FindingList, SourcePlace, TomlEntry, TomlKind, TomlNode};
 
 /// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
 const DEEPEST: usize = 8;
@@ -17,19 +16,19 @@ const VOICE: [&str; 3] = ["instrument", "model", "preset"];
 ///
 /// `keys.0.…` means the first key range, and `keys.…` all of them.
 pub(super) fn apply(
-    report: &mut MistakeList<'_>,
-    root: &mut DocumentNode,
+    report: &mut FindingList,
+    root: &mut TomlNode,
     index: usize,
     Override { name, value, .. }: &Override,
 ) {
-    let place = Location::Override(index);
+    let place = typed_place(index);
     let steps: Vec<&str> = name.split('.').map(str::trim).collect();
     if steps.iter().any(|step| step.is_empty()) || DEEPEST < steps.len() {
         let help = "write it as render.stepper=heun or keys.0.instrument=grand-reduced";
         report.say(place, format!("{} is no name of a value", quoted(name)), help);
         return;
     }
-    let node = DocumentNode::overriding(value, place);
+    let node = TomlNode::typed(value, place);
     match steps.as_slice() {
         ["keys", rest @ ..] if !rest.is_empty() => set_keys(report, root, rest, &node),
         steps => set(report, root, steps, 0, &node),
@@ -37,12 +36,7 @@ pub(super) fn apply(
 }
 
 /// Sets the value at `steps` of some or all key ranges.
-fn set_keys(
-    report: &mut MistakeList<'_>,
-    root: &mut DocumentNode,
-    steps: &[&str],
-    value: &DocumentNode,
-) {
+fn set_keys(report: &mut FindingList, root: &mut TomlNode, steps: &[&str], value: &TomlNode) {
     let (chosen, steps) = match steps {
         [first, rest @ ..] => match first.parse::<usize>() {
             Ok(range) => (Some(range), rest),
@@ -74,22 +68,23 @@ fn set_keys(
     }
 }
 
-fn ranges_of(root: &mut DocumentNode) -> &mut [DocumentNode] {
-    let TomlValue::Table(entries) = &mut root.value else { return &mut [] };
-    match entries.iter_mut().find(|entry| entry.name == "keys").map(|entry| &mut entry.node.value) {
-        Some(TomlValue::List(ranges)) => ranges,
+fn ranges_of(root: &mut TomlNode) -> &mut [TomlNode] {
+    let TomlKind::Table(entries) = &mut root.kind else { return &mut [] };
+    match entries.iter_mut().find(|entry| entry.name == "keys").map(|entry| &mut entry.node.kind) {
+        Some(TomlKind::List(ranges)) => ranges,
         _ => &mut [],
     }
 }
 
 /// Removes the voice that the file gives, if `steps` set another.
-fn replace_voice(range: &mut DocumentNode, steps: &[&str]) {
+fn replace_voice(range: &mut TomlNode, steps: &[&str]) {
     if !matches!(steps, ["instrument" | "model"]) {
         return;
     }
-    if let TomlValue::Table(entries) = &mut range.value {
+    if let TomlKind::Table(entries) = &mut range.kind {
         entries.retain(|entry| {
-            matches!(entry.place, Location::Override(_)) || !VOICE.contains(&entry.name.as_str())
+            matches!(entry.place, SourcePlace { source: 1.., .. })
+                || !VOICE.contains(&entry.name.as_str())
         });
     }
 }
@@ -97,11 +92,11 @@ fn replace_voice(range: &mut DocumentNode, steps: &[&str]) {
 /// Sets the value at `steps` of a table, of which the first `depth` have led to `node`; whether
 /// it belongs there is checked later.
 fn set(
-    report: &mut MistakeList<'_>,
-    node: &mut DocumentNode,
+    report: &mut FindingList,
+    node: &mut TomlNode,
     steps: &[&str],
     depth: usize,
-    value: &DocumentNode,
+    value: &TomlNode,
 ) {
     let Some(step) = steps.get(depth) else {
         node.clone_from(value);
@@ -118,7 +113,7 @@ fn set(
     if node.entries().is_none() {
         *node = empty(value.place);
     }
-    let TomlValue::Table(entries) = &mut node.value else { return };
+    let TomlKind::Table(entries) = &mut node.kind else { return };
     let entry = entry(entries, step, value.place);
     if depth + 1 == steps.len() {
         entry.place = value.place;
@@ -127,23 +122,19 @@ fn set(
 }
 
 /// Returns the entry called `name`; made if it is not there.
-fn entry<'a>(
-    entries: &'a mut Vec<DocumentEntry>,
-    name: &str,
-    place: Location,
-) -> &'a mut DocumentEntry {
+fn entry<'a>(entries: &'a mut Vec<TomlEntry>, name: &str, place: SourcePlace) -> &'a mut TomlEntry {
     let found = entries.iter().position(|entry| entry.name == name);
     let index = found.unwrap_or_else(|| {
-        entries.push(DocumentEntry { name: name.to_owned(), place, node: empty(place) });
+        entries.push(TomlEntry { name: name.to_owned(), place, node: empty(place) });
         entries.len() - 1
     });
     &mut entries[index]
 }
 
 /// Reports that `node`, to which `path` leads, has no such item.
-fn refuse_item(report: &mut MistakeList<'_>, node: &DocumentNode, path: &[&str], place: Location) {
+fn refuse_item(report: &mut FindingList, node: &TomlNode, path: &[&str], place: SourcePlace) {
     let path = path.join(".");
-    let n = node.items().map_or(0, <[DocumentNode]>::len);
+    let n = node.items().map_or(0, <[TomlNode]>::len);
     let help = match n {
         0 => "add one to the file first".to_owned(),
         1 => format!("use {path}.0, the only one"),
@@ -153,6 +144,6 @@ fn refuse_item(report: &mut MistakeList<'_>, node: &DocumentNode, path: &[&str],
     report.miss(place, format!("{} {what}", quoted(&path)), help);
 }
 
-const fn empty(place: Location) -> DocumentNode {
-    DocumentNode { place, value: TomlValue::Table(Vec::new()) }
+const fn empty(place: SourcePlace) -> TomlNode {
+    TomlNode { place, kind: TomlKind::Table(Vec::new()) }
 }

@@ -53,17 +53,23 @@ pub(super) fn number(value: f64) -> String {
     }
 }
 
-/// Reads `text` as a number of `unit`, which may have an SI prefix m, µ or k in it.
+/// Reads `text` as a number of `unit`, or of another unit of its kind.
 ///
 /// # Errors
 ///
 /// If it is no number, or one of something else.
 pub(super) fn parse(text: &str, unit: &str) -> Result<f64, QuantityError> {
     let (value, given) = split(text.trim()).ok_or(QuantityError::NoNumber)?;
-    match exponent(given, unit) {
-        Some(exponent) => Ok(scaled(value, exponent)),
-        None if given.is_empty() => Err(QuantityError::NoUnit(value)),
-        None => Err(QuantityError::WrongUnit(value, given.to_owned())),
+    if given == unit || (unit == "1" && given.is_empty()) {
+        return Ok(value);
+    }
+    if given.is_empty() {
+        return Err(QuantityError::NoUnit(value));
+    }
+    match (formulas::unit(given), formulas::unit(unit)) {
+        // An angle is no ratio here: revolutions per second are not hertz.
+        (Ok(given), Ok(wanted)) if wanted.is_si() && given.fits(&wanted) => Ok(given.to_si(value)),
+        _ => Err(QuantityError::WrongUnit(value, given.to_owned())),
     }
 }
 
@@ -78,56 +84,6 @@ fn split(text: &str) -> Option<(f64, &str)> {
         let (digits, rest) = text.split_at(len);
         digits.parse().ok().map(|value| (value, rest.trim()))
     })
-}
-
-/// `given` is ten to what of `wanted`, if it is that unit at all.
-fn exponent(given: &str, wanted: &str) -> Option<i32> {
-    // A prefix belongs into a power: mm² is not milli-m².
-    let is_power = wanted.trim_start_matches(char::is_alphabetic).starts_with(['²', '³']);
-    let (given, wanted) = (plain(given), plain(wanted));
-    if given == wanted || (wanted == "1" && given.is_empty()) {
-        return Some(0);
-    }
-    if is_power {
-        return None;
-    }
-    match wanted.strip_prefix("kg") {
-        Some(rest) => prefix(&given, &format!("g{rest}")).map(|exponent| exponent - 3),
-        None => prefix(&given, &wanted),
-    }
-}
-
-/// `given` is `wanted` with one of the prefixes before it, or none: ten to what.
-///
-/// Hertz may be written in small letters, as many do.
-fn prefix(given: &str, wanted: &str) -> Option<i32> {
-    let in_small = if wanted == "Hz" { given.strip_suffix("hz") } else { None };
-    let exponent = match in_small.or_else(|| given.strip_suffix(wanted))? {
-        "" => 0,
-        "k" => 3,
-        "m" => -3,
-        "u" => -6,
-        _ => return None,
-    };
-    Some(exponent)
-}
-
-/// Returns a unit without the ways in which it can be written.
-fn plain(unit: &str) -> String {
-    let kept = unit.chars().filter(|c| !matches!(c, ' ' | '·' | '*' | '^'));
-    kept.map(|c| match c {
-        '²' => '2',
-        '³' => '3',
-        'µ' | 'μ' => 'u',
-        other => other,
-    })
-    .collect()
-}
-
-/// `value` times ten to `exponent`, rounded once.
-fn scaled(value: f64, exponent: i32) -> f64 {
-    let power = 10.0_f64.powi(exponent.abs());
-    if exponent < 0 { value / power } else { value * power }
 }
 
 #[cfg(test)]
@@ -157,6 +113,10 @@ mod tests {
         check("11.2 g", "kg", &Ok(0.0112));
         check("11200 mg", "kg", &Ok(0.0112));
         check("0.13 kg", "kg", &Ok(0.13));
+        check("2 MN", "N", &Ok(2e6));
+        check("2 mm^2", "m²", &Ok(2e-6));
+        check("2 mm2", "m²", &Ok(2e-6));
+        check("50 gf", "N", &Ok(50.0 * 9.80665 / 1000.0));
     }
 
     #[test]
@@ -179,8 +139,8 @@ mod tests {
     fn what_is_meant_otherwise_is_refused() {
         check("20 kg", "N", &wrong(20.0, "kg"));
         check("20", "N", &Err(QuantityError::NoUnit(20.0)));
-        check("2 MN", "N", &wrong(2.0, "MN"));
-        check("2 mm2", "m²", &wrong(2.0, "mm2"));
+        check("2 rev/s", "Hz", &wrong(2.0, "rev/s"));
+        check("2 N*m", "N·m/rad", &wrong(2.0, "N*m"));
         check("2 km", "m/s", &wrong(2.0, "km"));
         check("2 eV", "s", &wrong(2.0, "eV"));
         for text in ["", "N", "fast", "nan N", "inf N", "--1 N", "½ N"] {

@@ -1,52 +1,36 @@
-//! Typed access to a table: wrong entries are reported, and so are unknown ones.
+//! Entries of scenes: numbers with units, texts, names of a list; wrong ones are reported.
 
-use super::document::{DocumentEntry, DocumentNode, TomlValue};
 use super::quantity::{self, Quantity, QuantityError};
-use super::report::{Location, MistakeList};
+pub(super) use diagnostics::toml::wrong_kind;
+use diagnostics::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
 use diagnostics::{choice, quoted};
 
 /// Reads the entries of one table.
 #[derive(Debug)]
 pub(super) struct TableReader<'a> {
-    entries: &'a [DocumentEntry],
+    keys: KeyReader<'a>,
     /// The place of the table.
-    pub(super) place: Location,
-    /// Every name that was asked for.
-    known: Vec<&'static str>,
+    pub(super) place: SourcePlace,
 }
 
 impl<'a> TableReader<'a> {
     /// Returns a reader of `node`, called `name`; reports what is not a table.
-    pub(super) fn new(
-        report: &mut MistakeList<'_>,
-        name: &str,
-        node: &'a DocumentNode,
-    ) -> Option<Self> {
-        let Some(entries) = node.entries() else {
-            let help = match node.place {
-                Location::At(_) => format!("write it as [{name}]"),
-                Location::Override(_) => "set the values in it one by one".to_owned(),
-            };
-            wrong_type(report, name, node, "a table", &help);
-            return None;
+    pub(super) fn new(report: &mut FindingList, name: &str, node: &'a TomlNode) -> Option<Self> {
+        let help = match report.typed_at(node.place) {
+            None => format!("write it as [{name}]"),
+            Some(_) => "set the values in it one by one".to_owned(),
         };
-        Some(Self { entries, place: node.place, known: Vec::new() })
+        let keys = KeyReader::of_table(report, name, node, &help)?;
+        Some(Self { keys, place: node.place })
     }
 
     /// Returns the entry called `name`, if it is there.
-    pub(super) fn take(&mut self, name: &'static str) -> Option<&'a DocumentEntry> {
-        if !self.known.contains(&name) {
-            self.known.push(name);
-        }
-        self.entries.iter().find(|entry| entry.name == name)
+    pub(super) fn take(&mut self, name: &'static str) -> Option<&'a TomlEntry> {
+        self.keys.take(name)
     }
 
     /// Returns the table called `name`, if it is there.
-    pub(super) fn table(
-        &mut self,
-        report: &mut MistakeList<'_>,
-        name: &'static str,
-    ) -> Option<Self> {
+    pub(super) fn table(&mut self, report: &mut FindingList, name: &'static str) -> Option<Self> {
         let entry = self.take(name)?;
         Self::new(report, name, &entry.node)
     }
@@ -54,7 +38,7 @@ impl<'a> TableReader<'a> {
     /// Returns the number called `name`, if it is there and right.
     pub(super) fn number(
         &mut self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         name: &'static str,
         quantity: Quantity,
     ) -> Option<f64> {
@@ -65,7 +49,7 @@ impl<'a> TableReader<'a> {
     /// Returns the whole number called `name`, if it is there and right.
     pub(super) fn whole(
         &mut self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         name: &'static str,
         quantity: Quantity,
     ) -> Option<u32> {
@@ -76,9 +60,9 @@ impl<'a> TableReader<'a> {
     /// Returns the text called `name`, if it is there and not empty, with its place.
     pub(super) fn text(
         &mut self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         name: &'static str,
-    ) -> Option<(String, Location)> {
+    ) -> Option<(String, SourcePlace)> {
         let entry = self.take(name)?;
         text(report, name, &entry.node).map(|text| (text, entry.node.place))
     }
@@ -88,7 +72,7 @@ impl<'a> TableReader<'a> {
     /// `refusal` is said before a wrong name, as "there is no stepper".
     pub(super) fn choice<T: Copy>(
         &mut self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         name: &'static str,
         refusal: &str,
         all: &[(&str, T)],
@@ -96,7 +80,7 @@ impl<'a> TableReader<'a> {
         let node = &self.take(name)?.node;
         let names = all.iter().map(|(known, _)| *known);
         let Some(wanted) = plain_text(report, node) else {
-            wrong_type(report, name, node, "text", &choice("", names));
+            wrong_kind(report, name, node, "text", &choice("", names));
             return None;
         };
         let found = all.iter().find(|(known, _)| *known == wanted).map(|(_, value)| *value);
@@ -107,13 +91,8 @@ impl<'a> TableReader<'a> {
     }
 
     /// Reports every entry that was never asked for.
-    pub(super) fn finish(self, report: &mut MistakeList<'_>) {
-        for entry in self.entries {
-            if !self.known.contains(&entry.name.as_str()) {
-                let message = format!("there is no key {} here", quoted(&entry.name));
-                report.say(entry.place, message, choice(&entry.name, self.known.iter().copied()));
-            }
-        }
+    pub(super) fn finish(self, report: &mut FindingList) {
+        self.keys.finish(report);
     }
 }
 
@@ -121,8 +100,8 @@ impl<'a> TableReader<'a> {
 ///
 /// `refusal` is said before the name, as "there is no stepper".
 pub(super) fn unknown(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     refusal: &str,
     wanted: &str,
     known: impl IntoIterator<Item = impl AsRef<str>>,
@@ -130,38 +109,22 @@ pub(super) fn unknown(
     report.say(place, format!("{refusal} {}", quoted(wanted)), choice(wanted, known));
 }
 
-/// Reports that `node`, called `name`, should be something else.
-pub(super) fn wrong_type(
-    report: &mut MistakeList<'_>,
-    name: &str,
-    node: &DocumentNode,
-    expected: &str,
-    help: &str,
-) {
-    let message = format!("{} is {}, not {expected}", quoted(name), node.kind());
-    report.say(node.place, message, help);
-}
-
 /// Returns the text of `node`, if it is any.
-fn plain_text(report: &MistakeList<'_>, node: &DocumentNode) -> Option<String> {
-    match &node.value {
-        TomlValue::Text(text) => Some(text.clone()),
+fn plain_text(report: &FindingList, node: &TomlNode) -> Option<String> {
+    match &node.kind {
+        TomlKind::Text(text, _) => Some(text.clone()),
         // On the command line quotes are the shell's, so `title=1984` is meant as text.
-        TomlValue::Integer(_) | TomlValue::Float(_) | TomlValue::Truth(_) | TomlValue::Date => {
-            report.overriding(node.place).map(str::to_owned)
+        TomlKind::Integer(_) | TomlKind::Float(_) | TomlKind::Truth(_) | TomlKind::Date => {
+            report.typed_at(node.place).map(str::to_owned)
         }
-        TomlValue::List(_) | TomlValue::Table(_) => None,
+        TomlKind::List(_) | TomlKind::Table(_) => None,
     }
 }
 
 /// Returns the text of `node`, called `name`; not empty.
-pub(super) fn text(
-    report: &mut MistakeList<'_>,
-    name: &str,
-    node: &DocumentNode,
-) -> Option<String> {
+pub(super) fn text(report: &mut FindingList, name: &str, node: &TomlNode) -> Option<String> {
     let Some(text) = plain_text(report, node) else {
-        wrong_type(report, name, node, "text", "write it in quotes");
+        wrong_kind(report, name, node, "text", "write it in quotes");
         return None;
     };
     if text.trim().is_empty() {
@@ -174,24 +137,24 @@ pub(super) fn text(
 
 /// Returns the number of `node`, called `name`, in SI; within its range.
 pub(super) fn number(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     name: &str,
-    node: &DocumentNode,
+    node: &TomlNode,
     quantity: Quantity,
 ) -> Option<f64> {
-    let value = match &node.value {
-        TomlValue::Integer(value) => *value as f64,
-        TomlValue::Float(value) => *value,
-        TomlValue::Text(text) => match quantity::parse(text, quantity.unit) {
+    let value = match &node.kind {
+        TomlKind::Integer(value) => *value as f64,
+        TomlKind::Float(value) => *value,
+        TomlKind::Text(text, _) => match quantity::parse(text, quantity.unit) {
             Ok(value) => value,
             Err(refusal) => {
                 refuse(report, name, node.place, text, &refusal, quantity);
                 return None;
             }
         },
-        TomlValue::Truth(_) | TomlValue::Date | TomlValue::List(_) | TomlValue::Table(_) => {
+        TomlKind::Truth(_) | TomlKind::Date | TomlKind::List(_) | TomlKind::Table(_) => {
             let help = format!("give {}", quantity.show_range());
-            wrong_type(report, name, node, "a number", &help);
+            wrong_kind(report, name, node, "a number", &help);
             return None;
         }
     };
@@ -205,9 +168,9 @@ pub(super) fn number(
 
 /// Returns the whole number of `node`, called `name`; within its range of small positive numbers.
 pub(super) fn whole(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     name: &str,
-    node: &DocumentNode,
+    node: &TomlNode,
     quantity: Quantity,
 ) -> Option<u32> {
     let value = number(report, name, node, quantity)?;
@@ -227,21 +190,21 @@ pub(super) fn whole(
 
 /// Returns the nodes of a list of tables.
 pub(super) fn tables<'a>(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     name: &str,
-    node: &'a DocumentNode,
-) -> &'a [DocumentNode] {
+    node: &'a TomlNode,
+) -> &'a [TomlNode] {
     node.items().unwrap_or_else(|| {
-        wrong_type(report, name, node, "a list", &format!("write it as [[{name}]]"));
+        wrong_kind(report, name, node, "a list", &format!("write it as [[{name}]]"));
         &[]
     })
 }
 
 /// Reports that `text` is not the quantity called `name`.
 fn refuse(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     name: &str,
-    place: Location,
+    place: SourcePlace,
     text: &str,
     refusal: &QuantityError,
     quantity: Quantity,

@@ -1,9 +1,8 @@
 //! `[realtime]`: how the threads of the tick are scheduled, and where they run.
 
-use super::document::TomlValue;
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
-use super::report::MistakeList;
+use diagnostics::toml::{FindingList, TomlKind};
 
 /// Numbers that processors have.
 const PROCESSOR: Quantity = Quantity { unit: "1", range: (0.0, 1023.0) };
@@ -50,7 +49,7 @@ impl ThreadPolicy {
 
 /// Reads the table, if it is there; `lanes` share the tick.
 pub(super) fn read(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     scene: &mut TableReader<'_>,
     lanes: LaneCount,
 ) -> ThreadRules {
@@ -68,11 +67,11 @@ pub(super) fn read(
     rules
 }
 
-fn read_cpus(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Vec<usize> {
+fn read_cpus(report: &mut FindingList, reader: &mut TableReader<'_>) -> Vec<usize> {
     let Some(entry) = reader.take("cpus") else { return Vec::new() };
-    let TomlValue::List(nodes) = &entry.node.value else {
+    let TomlKind::List(nodes) = &entry.node.kind else {
         let help = "write the processors' numbers, as [2, 3]";
-        read::wrong_type(report, "cpus", &entry.node, "a list", help);
+        read::wrong_kind(report, "cpus", &entry.node, "a list", help);
         return Vec::new();
     };
     let number = |node| usize::try_from(read::whole(report, "cpus", node, PROCESSOR)?).ok();
@@ -81,7 +80,7 @@ fn read_cpus(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Vec<
 
 /// Says what the kernel does not allow for `SCHED_DEADLINE`, and what would stop such a thread.
 fn refuse_for_deadline(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     reader: &TableReader<'_>,
     rules: &ThreadRules,
     lanes: LaneCount,

@@ -7,8 +7,8 @@ use pode::{Limits, Stepper as _};
 
 use super::quantity::Quantity;
 use super::read::TableReader;
-use super::report::{Location, MistakeList};
 use super::setting::{NamedValues, settings};
+use diagnostics::toml::{FindingList, SourcePlace};
 
 /// Rates of the tick.
 pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
@@ -196,11 +196,7 @@ impl InputReconstruction {
 }
 
 /// Reads the table `render` for ticks at `tick_hz`; the default for what is not there.
-pub(super) fn read(
-    report: &mut MistakeList<'_>,
-    scene: &mut TableReader<'_>,
-    tick_hz: u32,
-) -> Render {
+pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>, tick_hz: u32) -> Render {
     let mut render = Render::default();
     let Some(mut reader) = scene.table(report, "render") else { return render };
     render.read_all(report, &mut reader);
@@ -213,12 +209,7 @@ pub(super) fn read(
 }
 
 /// Reports a step of which more are needed than a tick may take.
-fn refuse_too_short(
-    report: &mut MistakeList<'_>,
-    place: Location,
-    longest_step: f64,
-    tick_hz: u32,
-) {
+fn refuse_too_short(report: &mut FindingList, place: SourcePlace, longest_step: f64, tick_hz: u32) {
     let limits = Limits::default();
     // An event may cut a step in two.
     let most = f64::from(limits.pieces.saturating_sub(limits.events).max(1));

@@ -7,8 +7,8 @@ use haptics::plant::{
 
 use super::quantity::Quantity;
 use super::read::TableReader;
-use super::report::MistakeList;
 use super::setting::{NamedValues, TableSetting as _, settings};
+use diagnostics::toml::FindingList;
 
 const WAY: Quantity = Quantity { unit: "m", range: (1e-3, 0.2) };
 const MASS: Quantity = Quantity { unit: "kg", range: (1e-3, 10.0) };
@@ -164,7 +164,7 @@ impl Rig {
 }
 
 /// Reads the table `rig`; the usual keybed for what is not there.
-pub(super) fn read(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Rig {
+pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>) -> Rig {
     let Some(mut reader) = scene.table(report, "rig") else { return Rig::default() };
     let mut rig = match KINDS.read(report, &mut reader, "kind") {
         Some(RigKind::Paper) => Rig::paper(),

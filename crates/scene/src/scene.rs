@@ -1,5 +1,6 @@
 //! A scene: which keys, models, parameters, rate, links and MIDI.
 
+use descriptions::Library;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice;
@@ -7,10 +8,9 @@ use std::slice;
 use keyboard::KeyRange;
 use midi::VelocityCurve;
 
-use super::document::{self, TomlValue};
 use super::embedded::{PERFORMANCES, SCENES};
 use super::fidelity::{AutoFidelity, FidelityLevel, known_instrument, read_budget};
-use super::keys::{self, KeyVoice, ReadKeys};
+use super::keys::{self, KeyReading, KeyVoice, ReadKeys};
 use super::links::{self, LinksConfig, Rate};
 use super::needs::LoopSettings;
 use super::overload;
@@ -19,11 +19,10 @@ use super::quantity::Quantity;
 use super::read::{self, TableReader};
 use super::realtime::{self, LaneCount, ThreadRules};
 use super::render::{self, Render, TICK_HZ};
-use super::report::{Location, MistakeList};
 use super::rig::{self, Rig};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use super::voicing::Voicing;
-use descriptions::Library;
+use diagnostics::toml::{FindingList, SourcePlace, TomlKind};
 use diagnostics::{Diagnostics, shown};
 use diagnostics::{choice, quoted};
 use scheduler::overload::OverloadRules;
@@ -240,14 +239,13 @@ impl Scene {
         overrides: &[Override],
         stability: Stability,
     ) -> Result<Self, Diagnostics> {
-        let mut report = MistakeList::new(source, overrides, library);
-        let root = document::parse(&mut report);
+        let (mut report, root) = source.parsed(overrides);
         let read = root.and_then(|mut root| {
             for (index, change) in overrides.iter().enumerate() {
                 overrides::apply(&mut report, &mut root, index, change);
             }
             let mut reader = TableReader::new(&mut report, &source.name, &root)?;
-            let scene = Self::read(&mut report, &mut reader, stability);
+            let scene = Self::read(&mut report, &mut reader, (&source.name, library), stability);
             reader.finish(&mut report);
             Some(scene)
         });
@@ -256,11 +254,12 @@ impl Scene {
 
     /// Reads everything, with a default for what is missing or wrong.
     fn read(
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         reader: &mut TableReader<'_>,
+        (name, library): (&str, &Library),
         stability: Stability,
     ) -> Self {
-        let name = report.source().name.clone();
+        let name = name.to_owned();
         let title = reader.text(report, "title").map_or_else(|| name.clone(), |(title, _)| title);
         let rate = read_tick_hz(report, reader);
         let tick_hz = rate.map_or(DEFAULT_TICK_HZ, |rate| rate.hz);
@@ -274,7 +273,8 @@ impl Scene {
             Stability::Recorded => None,
         };
         let budget = read_budget(report, reader);
-        let ReadKeys { voicings, ranges, auto } = keys::read(report, reader, in_loop);
+        let reading = KeyReading { library, in_loop };
+        let ReadKeys { voicings, ranges, auto } = keys::read(report, reader, reading);
         let voice = |(key, voicing): (u8, &Option<Voicing>)| {
             voicing.as_ref().map(|voicing| KeyVoice::new(voicing, key))
         };
@@ -283,7 +283,7 @@ impl Scene {
         let midi = read_midi(report, reader);
         let play_list = read_pianist(report, reader);
         Self {
-            library: report.library().clone(),
+            library: library.clone(),
             name,
             title,
             tick_hz,
@@ -315,15 +315,15 @@ impl Scene {
     }
 }
 
-fn read_tick_hz(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Rate> {
+fn read_tick_hz(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<Rate> {
     let node = &reader.take("tick_hz")?.node;
     let hz = read::whole(report, "tick_hz", node, TICK_HZ)?;
     Some(Rate { hz, place: node.place })
 }
 
-fn read_lanes(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<LaneCount> {
+fn read_lanes(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<LaneCount> {
     let node = &reader.take("lanes")?.node;
-    if let TomlValue::Text(text) = &node.value {
+    if let TomlKind::Text(text, _) = &node.kind {
         if text == "auto" {
             return Some(LaneCount::Auto);
         }
@@ -335,7 +335,7 @@ fn read_lanes(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Opt
     Some(LaneCount::Count(usize::try_from(count).unwrap_or(1)))
 }
 
-fn read_midi(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Midi {
+fn read_midi(report: &mut FindingList, scene: &mut TableReader<'_>) -> Midi {
     let mut midi = Midi::default();
     let Some(mut reader) = scene.table(report, "midi") else { return midi };
     if let Some((output, _)) = reader.text(report, "output") {
@@ -358,11 +358,11 @@ fn read_midi(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Midi 
 }
 
 /// Reads the instruments of programs; each must be there.
-fn read_programs(report: &mut MistakeList<'_>, midi: &mut TableReader<'_>) -> Vec<String> {
+fn read_programs(report: &mut FindingList, midi: &mut TableReader<'_>) -> Vec<String> {
     let Some(entry) = midi.take("programs") else { return Vec::new() };
-    let TomlValue::List(nodes) = &entry.node.value else {
+    let TomlKind::List(nodes) = &entry.node.kind else {
         let help = "write the instruments of the programs from 1 on, as [\"grand\", \"organ\"]";
-        read::wrong_type(report, "programs", &entry.node, "a list", help);
+        read::wrong_kind(report, "programs", &entry.node, "a list", help);
         return Vec::new();
     };
     let mut programs = Vec::new();
@@ -390,7 +390,7 @@ fn midi_output(output: String) -> MidiOutput {
     }
 }
 
-fn read_pianist(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Option<PlayList> {
+fn read_pianist(report: &mut FindingList, scene: &mut TableReader<'_>) -> Option<PlayList> {
     let mut reader = scene.table(report, "pianist")?;
     let pieces = read_pieces(report, &mut reader);
     let repeat = read_repeat(report, &mut reader);
@@ -398,18 +398,14 @@ fn read_pianist(report: &mut MistakeList<'_>, scene: &mut TableReader<'_>) -> Op
     (!pieces.is_empty()).then_some(PlayList { pieces, repeat })
 }
 
-fn read_pieces(
-    report: &mut MistakeList<'_>,
-    pianist: &mut TableReader<'_>,
-) -> Vec<PerformanceSource> {
+fn read_pieces(report: &mut FindingList, pianist: &mut TableReader<'_>) -> Vec<PerformanceSource> {
     let Some(entry) = pianist.take("performance") else {
         let help = "add performance = \"…\", or leave the table out";
         report.miss(pianist.place, "the pianist has no performance", help);
         return Vec::new();
     };
     let node = &entry.node;
-    let nodes =
-        if let TomlValue::List(nodes) = &node.value { nodes } else { slice::from_ref(node) };
+    let nodes = if let TomlKind::List(nodes) = &node.kind { nodes } else { slice::from_ref(node) };
     if nodes.is_empty() {
         report.say(node.place, "\"performance\" is empty", "name a piece, or give \"none\"");
     }
@@ -426,20 +422,20 @@ fn read_pieces(
     pieces
 }
 
-fn read_repeat(report: &mut MistakeList<'_>, pianist: &mut TableReader<'_>) -> bool {
+fn read_repeat(report: &mut FindingList, pianist: &mut TableReader<'_>) -> bool {
     let Some(entry) = pianist.take("repeat") else { return false };
-    if let TomlValue::Truth(repeat) = entry.node.value {
+    if let TomlKind::Truth(repeat) = entry.node.kind {
         return repeat;
     }
     let help = "give true to begin again after the last piece, without an end";
-    read::wrong_type(report, "repeat", &entry.node, "true or false", help);
+    read::wrong_kind(report, "repeat", &entry.node, "true or false", help);
     false
 }
 
 /// Returns the embedded performance or the file that is `wanted`.
 fn find_performance(
-    report: &mut MistakeList<'_>,
-    place: Location,
+    report: &mut FindingList,
+    place: SourcePlace,
     wanted: &str,
 ) -> Option<PerformanceSource> {
     if let Some((name, bytes)) = PERFORMANCES.iter().find(|(name, _)| *name == wanted) {

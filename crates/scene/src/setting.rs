@@ -4,14 +4,14 @@ use toml_edit::Value;
 
 use super::quantity::Quantity;
 use super::read::TableReader;
-use super::report::MistakeList;
+use diagnostics::toml::FindingList;
 
 /// Reads and writes a value of a table.
 pub(super) trait TableSetting<T> {
     /// Reads the value called `name`, if it is there and right.
     fn read(
         &self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         reader: &mut TableReader<'_>,
         name: &'static str,
     ) -> Option<T>;
@@ -23,7 +23,7 @@ pub(super) trait TableSetting<T> {
 impl TableSetting<f64> for Quantity {
     fn read(
         &self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         reader: &mut TableReader<'_>,
         name: &'static str,
     ) -> Option<f64> {
@@ -47,7 +47,7 @@ pub(super) struct NamedValues<T: 'static> {
 impl<T: Copy + PartialEq> TableSetting<T> for NamedValues<T> {
     fn read(
         &self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         reader: &mut TableReader<'_>,
         name: &'static str,
     ) -> Option<T> {
@@ -84,7 +84,7 @@ macro_rules! settings {
             /// Takes over what `reader` has.
             fn read_all(
                 &mut self,
-                report: &mut $crate::report::MistakeList<'_>,
+                report: &mut diagnostics::toml::FindingList,
                 reader: &mut $crate::read::TableReader<'_>,
             ) {
                 use $crate::setting::TableSetting as _;

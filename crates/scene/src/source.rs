@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::embedded::EmbeddedFiles;
+use diagnostics::toml::{self, FindingList, SourcePlace, TextPlace, TomlNode, TomlSource};
 use diagnostics::{Diagnostic, Diagnostics, escaped, shown};
 
 /// Longest file that is read (bytes); the largest scene of ours has two thousand.
@@ -36,7 +37,24 @@ impl From<(String, String)> for Override {
     }
 }
 
+/// Returns the place of the override with this index; the file is the first source.
+pub(super) const fn typed_place(index: usize) -> SourcePlace {
+    SourcePlace { source: index + 1, offset: 0 }
+}
+
 impl SourceText {
+    /// Returns the tree of the text, as far as it is TOML, and the mistakes in it and in `overrides`.
+    pub(super) fn parsed(&self, overrides: &[Override]) -> (FindingList, Option<TomlNode>) {
+        let mut report = FindingList::in_folder(self.folder.clone());
+        let source = TomlSource { name: self.file.clone(), text: self.text.clone() };
+        let source = report.source(source);
+        for Override { typed, value, .. } in overrides {
+            report.typed(typed, value);
+        }
+        let root = toml::parse(&mut report, source, TextPlace::Quote);
+        (report, root)
+    }
+
     /// Returns an embedded file of `shelf` called `name`.
     pub(super) fn embedded(shelf: &EmbeddedFiles, name: &str) -> Option<Self> {
         let text = shelf.find(name)?;

@@ -2,15 +2,14 @@
 
 use std::sync::Arc;
 
-use descriptions::{MissingModel, unmet};
+use descriptions::{Library, MissingModel, unmet};
 use keyboard::{KeyIndex, KeyRange};
 use models::{LoadedModel, Parameter, Preset};
 
-use super::document::{DocumentNode, TomlValue};
 use super::quantity::Quantity;
 use super::read::{self, TableReader, unknown};
-use super::report::{Location, MistakeList};
 use diagnostics::quoted;
+use diagnostics::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
 
 /// Index of the compass's last key.
 const LAST: u8 = KeyIndex::HIGHEST.number();
@@ -78,8 +77,8 @@ impl Voicing {
     /// meet on one of `keys`.
     pub(super) fn refuse_unmet(
         &self,
-        report: &mut MistakeList<'_>,
-        place: Location,
+        report: &mut FindingList,
+        place: SourcePlace,
         keys: KeyRange,
     ) {
         let on_key = |key| Some((key, unmet(&self.model, &self.values(key)).into_iter().next()?));
@@ -103,11 +102,15 @@ impl Voicing {
     }
 
     /// Reads the keys `model` and `preset`; the model's first preset if none is named.
-    pub(super) fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Self> {
+    pub(super) fn read(
+        report: &mut FindingList,
+        reader: &mut TableReader<'_>,
+        library: &Library,
+    ) -> Option<Self> {
         let model = reader.text(report, "model");
         let preset = reader.text(report, "preset");
         let (name, place) = model?;
-        let model = match report.library().find(&name, report.folder(place)) {
+        let model = match library.find(&name, report.folder(place)) {
             Ok(model) => model,
             Err(MissingModel::Unknown { message, help }) => {
                 report.say(place, message, help);
@@ -137,13 +140,13 @@ impl Voicing {
     /// Reads the table `parameters`, if there is one.
     pub(super) fn read_parameters(
         &mut self,
-        report: &mut MistakeList<'_>,
+        report: &mut FindingList,
         reader: &mut TableReader<'_>,
     ) {
         let Some(entry) = reader.take("parameters") else { return };
         let Some(entries) = entry.node.entries() else {
             let help = "write it as a table of the model's parameters";
-            read::wrong_type(report, "parameters", &entry.node, "a table", help);
+            read::wrong_kind(report, "parameters", &entry.node, "a table", help);
             return;
         };
         let model = Arc::clone(&self.model);
@@ -160,7 +163,7 @@ impl Voicing {
         }
     }
 
-    fn unknown_parameter(&self, report: &mut MistakeList<'_>, place: Location, name: &str) {
+    fn unknown_parameter(&self, report: &mut FindingList, place: SourcePlace, name: &str) {
         let refusal = format!("{} has no parameter", self.model.name);
         let known = self.model.parameters.iter().map(|parameter| parameter.name);
         unknown(report, place, &refusal, name, known);
@@ -168,18 +171,14 @@ impl Voicing {
 }
 
 /// Returns a number, or `{ bass = …, treble = … }`.
-fn read_graded(
-    report: &mut MistakeList<'_>,
-    parameter: &Parameter,
-    node: &DocumentNode,
-) -> Option<Graded> {
+fn read_graded(report: &mut FindingList, parameter: &Parameter, node: &TomlNode) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
-    if !matches!(node.value, TomlValue::Table(_)) {
+    if !matches!(node.kind, TomlKind::Table(_)) {
         let value = read::number(report, parameter.name, node, quantity)?;
         return Some(Graded { bass: value, treble: value });
     }
     let mut reader = TableReader::new(report, parameter.name, node)?;
-    let mut end = |report: &mut MistakeList<'_>, name| {
+    let mut end = |report: &mut FindingList, name| {
         let value = reader.take(name);
         if value.is_none() {
             let message = format!("{} is graded but has no {name}", quoted(parameter.name));

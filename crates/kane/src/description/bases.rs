@@ -1,11 +1,11 @@
 //! Descriptions that others start from.
 
 use diagnostics::quoted;
+use diagnostics::toml::{
+    self, FindingList, SourcePlace, TextPlace, TomlEntry, TomlKind, TomlNode, TomlSource,
+};
 
-use super::report::FindingList;
-use super::source::{DescriptionSource, SourcePlace};
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode, parse};
-use super::{LONGEST, key_reader};
+use super::LONGEST;
 
 /// How many descriptions may start one from the other.
 const MOST_BASES: usize = 8;
@@ -34,7 +34,7 @@ impl Bases for NoBases {
 /// Returns the tree of `source` merged onto its bases; the deepest base first.
 pub(super) fn merged(
     report: &mut FindingList,
-    source: DescriptionSource,
+    source: TomlSource,
     bases: &dyn Bases,
 ) -> Option<TomlNode> {
     let mut chain: Vec<(String, TomlNode)> = Vec::new();
@@ -42,7 +42,7 @@ pub(super) fn merged(
     while let Some(source) = next {
         let name = source.name.clone();
         let number = report.source(source);
-        let tree = parse(report, number)?;
+        let tree = toml::parse(report, number, TextPlace::FirstCharacter)?;
         next = base_of(report, &tree, &name, &chain, bases);
         chain.push((name, tree));
     }
@@ -70,9 +70,9 @@ fn base_of(
     from: &str,
     chain: &[(String, TomlNode)],
     bases: &dyn Bases,
-) -> Option<DescriptionSource> {
+) -> Option<TomlSource> {
     let entry = tree.get("base")?;
-    let (base, place) = key_reader::text(report, "base", &entry.node)?;
+    let (base, place) = toml::text(report, "base", &entry.node)?;
     if chain.len() + 1 >= MOST_BASES {
         let message = format!("more than {MOST_BASES} descriptions start one from the other");
         report.say(place, message, "start from one nearer to the first");
@@ -97,7 +97,7 @@ fn base_of(
         return None;
     }
     match String::from_utf8(bytes) {
-        Ok(text) => Some(DescriptionSource { name, text }),
+        Ok(text) => Some(TomlSource { name, text }),
         Err(_no_text) => {
             let message = format!("the base {} is not UTF-8 text", quoted(base));
             report.say(place, message, "give a description");
@@ -109,8 +109,8 @@ fn base_of(
 /// Removes from `tree` what `over` says.
 fn remove(report: &mut FindingList, tree: &mut TomlNode, over: &TomlNode) {
     let Some(entry) = over.get("remove") else { return };
-    for item in key_reader::list(report, "remove", &entry.node) {
-        let Some((path, place)) = key_reader::text(report, "remove", item) else { continue };
+    for item in toml::list(report, "remove", &entry.node) {
+        let Some((path, place)) = toml::text(report, "remove", item) else { continue };
         if !remove_path(tree, path) {
             let message = format!("the base has no {}", quoted(path));
             report.say(place, message, "write the path of a table or key, as springs.k1");

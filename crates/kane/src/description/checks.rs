@@ -1,12 +1,13 @@
 //! Checks of numbers, which need no derivation: values over the keys, and the initial pose.
 
+use diagnostics::toml::SourcePlace;
+
 use std::collections::BTreeSet;
 
 use diagnostics::quoted;
 
 use super::names::number;
 use super::reader::{MechanismReader, STATE};
-use super::source::SourcePlace;
 use crate::graph::{Node, Place};
 use crate::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 use crate::text::Dependence;

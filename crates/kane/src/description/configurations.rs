@@ -1,8 +1,8 @@
 //! The modes that rigid contacts make of those that are written.
 
-use super::source::SourcePlace;
+use diagnostics::toml::{SourcePlace, TomlEntry, TomlKind, TomlNode};
+
 use super::toml_making::{each, entry, key_of, list_of, names_in, of_name, table, text};
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 
 /// What joins a mode's name and those of the contacts that are closed.
 pub(super) const JOINT: char = '+';

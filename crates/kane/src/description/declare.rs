@@ -1,13 +1,11 @@
 //! Collects every name of a description, with the expressions that belong to it.
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, SourcePlace, TomlEntry, TomlKind, list, text};
 
 use super::items::{DescribedItem, FileExpression, ItemKind, ItemLink, LinkKind};
-use super::key_reader::{KeyReader, list, text};
 use super::names::{SymbolKind, number};
 use super::reader::MechanismReader;
-use super::source::SourcePlace;
-use super::toml_tree::{TomlEntry, TomlKind};
 use crate::graph::{Graph, Place};
 use crate::mechanism::{Coordinate, InputSpec, Speed};
 use crate::text::{Dependence, Dimension, Measured};

@@ -1,13 +1,11 @@
 //! Frames, points and constraints as they are written.
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, SourcePlace, TomlEntry};
 
 use super::declare::{AT, ORIGIN};
 use super::items::{ItemKind, LinkKind};
-use super::key_reader::KeyReader;
 use super::reader::MechanismReader;
-use super::source::SourcePlace;
-use super::toml_tree::TomlEntry;
 use crate::mechanism::ConstraintKind;
 
 impl MechanismReader {

@@ -1,11 +1,9 @@
 //! How a mechanism looks from the side: what is drawn on which frame, and springs.
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode, list, text};
 
-use super::key_reader::{KeyReader, list, text};
 use super::reader::{CONSTANT, MechanismReader};
-use super::source::SourcePlace;
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::graph::Node;
 use crate::mechanism::{DrawnBody, DrawnFrame, DrawnSpring};
 use crate::text::Dimension;

@@ -5,13 +5,12 @@
 )]
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, TomlKind, TomlNode, wrong_kind};
 
 use super::MOST_EXPRESSIONS;
 use super::items::{FileExpression, TextOrigin};
-use super::key_reader::{KeyReader, wrong_kind};
 use super::names_in_use::NamesInUse;
 use super::reader::MechanismReader;
-use super::toml_tree::{TomlKind, TomlNode};
 use crate::graph::Node;
 use crate::text::{self, Dependence, Dimension, Form, Measured, TextError};
 

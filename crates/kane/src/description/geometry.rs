@@ -1,12 +1,11 @@
 //! Frames, points in the ground's axes, and bodies.
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, TomlEntry, TomlKind, list};
 
 use super::declare::{AT, ORIGIN, zero};
 use super::items::{DescribedItem, FileExpression, ItemLink, LinkKind};
-use super::key_reader::{KeyReader, list};
 use super::reader::{CONSTANT, MechanismReader, POSE};
-use super::toml_tree::{TomlEntry, TomlKind};
 use super::world_frame::{WorldFrame, WorldPoint};
 use crate::graph::{Node, Place};
 use crate::mechanism::{ReferenceFrame, RigidBody};

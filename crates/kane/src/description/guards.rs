@@ -4,15 +4,13 @@
     reason = "TOML has many kinds of values, and each place takes few of them"
 )]
 
+use diagnostics::toml::{KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode, text};
 use diagnostics::{choice, quoted};
 
 use super::items::FileExpression;
-use super::key_reader::{KeyReader, text};
 use super::linear::is_linear_in_speeds;
 use super::names::SymbolKind;
 use super::reader::{CONSTANT, MOTION, MechanismReader, STATE};
-use super::source::SourcePlace;
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::mechanism::{Fires, Guard, GuardBranch, Impact, Target};
 use crate::text::{Dependence, Dimension, Form, Measured};
 

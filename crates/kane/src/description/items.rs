@@ -1,6 +1,7 @@
 //! What a description holds before it is understood: names, places and expressions.
 
-use super::source::SourcePlace;
+use diagnostics::toml::SourcePlace;
+
 use crate::mechanism::ConstraintKind;
 use crate::text::{Dimension, ParsedExpression};
 

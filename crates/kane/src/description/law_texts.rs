@@ -1,12 +1,11 @@
 //! Springs, felts, forces, contacts and frictions as they are written.
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, TomlEntry, TomlNode, text};
 
 use super::items::{DescribedItem, FrictionText, ItemKind, ItemLink, LawKind, LinkKind};
-use super::key_reader::{KeyReader, text};
 use super::laws::{law_keys, needed_keys};
 use super::reader::MechanismReader;
-use super::toml_tree::{TomlEntry, TomlNode};
 use crate::text::{Dependence, Dimension};
 
 impl MechanismReader {

@@ -1,9 +1,9 @@
 //! What becomes of strikes and of the key's force in MIDI.
 
+use diagnostics::toml::{self, KeyReader};
 use diagnostics::{choice, quoted};
 use equations::table::{MidiTable, PressureKind, PressureTable};
 
-use super::key_reader::{self, KeyReader};
 use super::reader::MechanismReader;
 use crate::text::Dimension;
 
@@ -55,7 +55,7 @@ impl MechanismReader {
 
     fn pressure(&mut self, keys: &mut KeyReader<'_>) -> Option<PressureTable> {
         let entry = keys.take("pressure")?;
-        let (wanted, _place) = key_reader::text(&mut self.report, "pressure", &entry.node)?;
+        let (wanted, _place) = toml::text(&mut self.report, "pressure", &entry.node)?;
         let Some((_, kind)) = PRESSURES.into_iter().find(|(name, _)| *name == wanted) else {
             let message = format!("there is no pressure {}", quoted(wanted));
             self.report.say(entry.place, message, choice(wanted, PRESSURES.map(|it| it.0)));

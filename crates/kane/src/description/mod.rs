@@ -1,7 +1,7 @@
 //! A description in TOML, read into a [`Mechanism`] with all its mistakes at once.
 //!
-//! [`read`] is the door. In the order in which a file passes: `toml_tree` and `bases` make one
-//! tree, `rigid` writes out what rigid contacts mean, `declare` collects every name with its
+//! [`read`] is the door. In the order in which a file passes: `diagnostics::toml` and `bases`
+//! make one tree, `rigid` writes out what rigid contacts mean, `declare` collects every name with its
 //! expressions, `order` sorts what is built from what, `geometry`, `laws` and `modes` build nodes,
 //! `checks` looks at the numbers.
 
@@ -16,7 +16,6 @@ mod expressions;
 mod geometry;
 mod guards;
 mod items;
-mod key_reader;
 mod law_texts;
 mod laws;
 mod linear;
@@ -31,19 +30,16 @@ mod parameters;
 mod presets;
 mod reachable;
 mod reader;
-mod report;
 mod resolve;
 mod rest;
 mod rigid;
-mod source;
 mod toml_making;
-mod toml_tree;
 mod world_frame;
 
 pub use bases::{Bases, NoBases};
 pub use caret::rendered;
-pub use source::DescriptionSource;
 
+use diagnostics::toml::TomlSource;
 use diagnostics::{Diagnostic, Diagnostics};
 
 use crate::mechanism::Mechanism;
@@ -67,7 +63,7 @@ pub struct Description {
     /// Paragraphs about it: figure, sources, where it stops being true.
     pub doc: String,
     /// The description's text, then its bases', each after the one that starts from it.
-    pub sources: Vec<DescriptionSource>,
+    pub sources: Vec<TomlSource>,
 }
 
 /// Reads the description `text`; `name` stands in mistakes and is given to `bases`.
@@ -79,7 +75,7 @@ pub fn read(name: &str, text: &str, bases: &dyn Bases) -> Result<Description, Di
     if text.len() > LONGEST {
         return Err(refused(name, &format!("this is {} bytes long", text.len())));
     }
-    let source = DescriptionSource { name: name.to_owned(), text: text.to_owned() };
+    let source = TomlSource { name: name.to_owned(), text: text.to_owned() };
     reader::MechanismReader::default().read(source, bases)
 }
 

@@ -1,13 +1,11 @@
 //! Modes: what holds and acts in each, and what follows from what.
 
+use diagnostics::toml::{KeyReader, SourcePlace, TomlEntry};
 use diagnostics::{choice, quoted};
 
 use super::items::FileExpression;
-use super::key_reader::KeyReader;
 use super::names::SymbolKind;
 use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
-use super::source::SourcePlace;
-use super::toml_tree::TomlEntry;
 use crate::graph::Node;
 use crate::mechanism::Mode;
 use crate::text::{Dependence, Dimension, Measured};

@@ -1,10 +1,11 @@
 //! What every name of a description stands for.
 
+use diagnostics::toml::SourcePlace;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use diagnostics::{choice, quoted};
 
-use super::source::SourcePlace;
 use super::world_frame::WorldPoint;
 use crate::graph::{Graph, Node, Place, Tangent};
 use crate::text::{Dependence, Dimension, Measured, NameError};
@@ -76,7 +77,7 @@ impl<T: Clone> NameCatalogue<T> {
 #[derive(Debug, Default)]
 pub(super) struct NameTable {
     pub(super) symbols: BTreeMap<String, (SymbolKind, SourcePlace)>,
-    /// ExpressionPart of a file is not readable: a name that is missing may stand there.
+    /// Part of a file is not readable: a name that is missing may stand there.
     pub(super) is_broken: bool,
     /// Names whose unit is not known, because it was written wrong.
     pub(super) vague: BTreeSet<String>,

@@ -1,10 +1,9 @@
 //! The lines of a drawing, from what is written to points on a frame.
 
+use diagnostics::toml::{KeyReader, TomlEntry, TomlNode, list};
 use diagnostics::{choice, quoted};
 
-use super::key_reader::{KeyReader, list};
 use super::reader::{CONSTANT, MechanismReader};
-use super::toml_tree::{TomlEntry, TomlNode};
 use crate::graph::Node;
 use crate::mechanics::turned;
 use crate::mechanism::{Material, Outline};

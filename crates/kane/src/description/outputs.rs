@@ -1,11 +1,10 @@
 //! Quantities for files and plots.
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, TomlEntry, TomlKind, TomlNode};
 
 use super::items::FileExpression;
-use super::key_reader::KeyReader;
 use super::reader::{MOTION, MechanismReader};
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::mechanism::MechanismOutput;
 use crate::text::{Dimension, Measured};
 

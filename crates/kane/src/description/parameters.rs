@@ -5,12 +5,11 @@
 )]
 
 use diagnostics::quoted;
+use diagnostics::toml::{KeyReader, TomlEntry, TomlKind};
 
 use super::items::{FileExpression, ParameterText};
-use super::key_reader::KeyReader;
 use super::names::SymbolKind;
 use super::reader::{CONSTANT, MechanismReader};
-use super::toml_tree::{TomlEntry, TomlKind};
 use crate::mechanism::{MechanismParameter, Requirement};
 use crate::text::{self, Dimension, Form, PartShape};
 

@@ -4,15 +4,13 @@
     reason = "TOML has many kinds of values, and each place takes few of them"
 )]
 
+use diagnostics::toml::{KeyReader, SourcePlace, TomlEntry};
 use diagnostics::{choice, quoted};
 
 use super::items::FileExpression;
-use super::key_reader::KeyReader;
 use super::names::{SymbolKind, pi};
 use super::order::sorted;
 use super::reader::MechanismReader;
-use super::source::SourcePlace;
-use super::toml_tree::TomlEntry;
 use crate::graph::{Graph, Place};
 use crate::mechanism::MechanismPreset;
 use crate::text::{self, Dependence, Dimension, Measured, NameError, NameScope, PartShape};

@@ -4,16 +4,15 @@
     reason = "TOML has many kinds of values, and each place takes few of them"
 )]
 
+use diagnostics::toml::{
+    FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode, TomlSource,
+};
 use diagnostics::{Diagnostics, quoted};
 
 use super::bases::{self, Bases};
 use super::items::{DescribedItem, FileExpression, FrictionText, ParameterText};
-use super::key_reader::KeyReader;
 use super::names::NameTable;
-use super::report::FindingList;
 use super::rigid;
-use super::source::{DescriptionSource, SourcePlace};
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use super::{Description, MOST_COORDINATES, MOST_OF_A_KIND};
 use crate::graph::{Graph, Node, Substitution};
 use crate::mechanism::{Constraint, DrawnFrame, Force, Mechanism, MechanismContact};
@@ -88,7 +87,7 @@ pub(super) struct MechanismReader {
 impl MechanismReader {
     pub(super) fn read(
         mut self,
-        source: DescriptionSource,
+        source: TomlSource,
         bases: &dyn Bases,
     ) -> Result<Description, Diagnostics> {
         self.graph.limit_work();
@@ -102,8 +101,8 @@ impl MechanismReader {
             self.report.replace(bases::start(0), end.to_string(), "describe a smaller model");
         }
         let mechanism = Mechanism { graph: self.graph, ..self.mechanism };
-        let sources = self.report.verdict()?;
-        Ok(Description { mechanism, doc, sources })
+        let sources = self.report.texts();
+        self.report.verdict(Some(Description { mechanism, doc, sources }))
     }
 
     /// Reads a whole tree; returns the paragraphs about it.

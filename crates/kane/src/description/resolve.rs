@@ -178,7 +178,7 @@ impl MechanismReader {
             self.report.say(file.place, message, help);
             return;
         }
-        // BindingPower is reaction times rate.
+        // Power is reaction times rate.
         self.names.constraints.set(index, Dimension::POWER.over(rate.dimension));
         self.watch(file, zero, None);
         let name = item.name.clone();

@@ -1,11 +1,10 @@
 //! Where the mechanism rests, and the damper that the key lifts.
 
+use diagnostics::toml::{KeyReader, TomlEntry, TomlNode};
 use diagnostics::{choice, quoted};
 
-use super::key_reader::KeyReader;
 use super::names::SymbolKind;
 use super::reader::{CONSTANT, MechanismReader};
-use super::toml_tree::{TomlEntry, TomlNode};
 use crate::mechanism::{Rest, StringDamper};
 use crate::text::{Dependence, Dimension, Form};
 

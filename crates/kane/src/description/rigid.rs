@@ -6,11 +6,9 @@
 //! leaves no rebound. What is written out has the places of what was written.
 
 use diagnostics::quoted;
+use diagnostics::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
 
 use super::configurations::{Configurations, JOINT, RigidContact};
-use super::key_reader::KeyReader;
-use super::report::FindingList;
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
 use crate::mechanism::most_modes;
 
 /// What of a rigid contact is understood.
@@ -125,12 +123,7 @@ fn without_rigid(tree: &mut TomlNode, rigid: &[&String]) {
 }
 
 /// Puts `more` into the table called `name`, which is made if it is not there.
-fn extend(
-    entries: &mut Vec<TomlEntry>,
-    name: &str,
-    place: super::source::SourcePlace,
-    more: Vec<TomlEntry>,
-) {
+fn extend(entries: &mut Vec<TomlEntry>, name: &str, place: SourcePlace, more: Vec<TomlEntry>) {
     if let Some(entry) = entries.iter_mut().find(|entry| entry.name == name) {
         if let TomlKind::Table(all) = &mut entry.node.kind {
             all.extend(more);

@@ -1,7 +1,6 @@
 //! Parts of a tree that nobody wrote, at the place of what they follow from.
 
-use super::source::SourcePlace;
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
+use diagnostics::toml::{SourcePlace, TomlEntry, TomlKind, TomlNode};
 
 /// An entry of a table.
 pub(super) fn entry(name: &str, place: SourcePlace, kind: TomlKind) -> TomlEntry {

@@ -195,7 +195,7 @@ fn all_mistakes_come_at_once() {
 fn a_caret_stands_under_the_place() {
     let text = WEIGHT.replacen("\"y - s\"", "\"y - zz\"", 1);
     let mistakes = read("test.toml", &text, &NoBases).expect_err("zz is unknown");
-    let source = kane::description::DescriptionSource { name: "test.toml".to_owned(), text };
+    let source = diagnostics::toml::TomlSource { name: "test.toml".to_owned(), text };
     let shown = rendered(&mistakes, &[source]);
     assert!(shown.contains("\n  stretch = \"y - zz\"\n                 ^\n"), "{shown}");
 }

@@ -12,7 +12,8 @@ mod mistakes;
 mod readme;
 mod units;
 
-use kane::description::{Bases, Description, DescriptionSource, NoBases, read, rendered};
+use diagnostics::toml::TomlSource;
+use kane::description::{Bases, Description, NoBases, read, rendered};
 
 /// A weight on a spring, with a wall that it can lean on.
 pub(crate) const WEIGHT: &str = r#"
@@ -91,7 +92,7 @@ pub(crate) fn good(text: &str) -> Description {
         Ok(description) => description,
         Err(mistakes) => {
             let name = "test.toml".to_owned();
-            panic!("{}", rendered(&mistakes, &[DescriptionSource { name, text: text.to_owned() }]))
+            panic!("{}", rendered(&mistakes, &[TomlSource { name, text: text.to_owned() }]))
         }
     }
 }

@@ -3,19 +3,18 @@
 use firmware_protocol::key::MOST_KEYS;
 use keyboard::KeyRange;
 
-use crate::document::DocumentNode;
 use crate::quantity::Quantity;
 use crate::read::{self, TableReader};
-use crate::report::{Location, MistakeList};
+use diagnostics::toml::{FindingList, SourcePlace, TomlNode};
 
 const NUMBER: Quantity = Quantity { unit: "1", range: (0.0, 14.0) };
 
 /// A board as far as it could be read, and where it stands.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Listed {
-    place: Location,
-    number: Option<(u8, Location)>,
-    keys: Option<(KeyRange, Location)>,
+    place: SourcePlace,
+    number: Option<(u8, SourcePlace)>,
+    keys: Option<(KeyRange, SourcePlace)>,
 }
 
 impl Listed {
@@ -27,7 +26,7 @@ impl Listed {
 }
 
 /// Reads all boards of a bus.
-pub(super) fn read_all(report: &mut MistakeList<'_>, node: &DocumentNode) -> Vec<Listed> {
+pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<Listed> {
     let mut boards = Vec::new();
     for node in read::tables(report, "links.bus.board", node) {
         let Some(mut reader) = TableReader::new(report, "links.bus.board", node) else { continue };
@@ -37,7 +36,7 @@ pub(super) fn read_all(report: &mut MistakeList<'_>, node: &DocumentNode) -> Vec
     boards
 }
 
-fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Listed {
+fn read(report: &mut FindingList, reader: &mut TableReader<'_>) -> Listed {
     let number = reader.whole(report, "number", NUMBER).and_then(|it| u8::try_from(it).ok());
     let number = number.zip(reader.take("number").map(|entry| entry.node.place));
     let keys = reader.text(report, "keys");
@@ -50,7 +49,7 @@ fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Listed {
 }
 
 /// Returns the keys of a board, if it can have so many.
-fn read_keys(report: &mut MistakeList<'_>, text: &str, place: Location) -> Option<KeyRange> {
+fn read_keys(report: &mut FindingList, text: &str, place: SourcePlace) -> Option<KeyRange> {
     match KeyRange::parse(text) {
         Ok(keys) if keys.numbers().len() <= MOST_KEYS => Some(keys),
         Ok(keys) => {
@@ -68,12 +67,12 @@ fn read_keys(report: &mut MistakeList<'_>, text: &str, place: Location) -> Optio
 }
 
 /// Refuses numbers that two boards of one bus have.
-pub(super) fn refuse_shared_numbers(report: &mut MistakeList<'_>, boards: &[Listed]) {
+pub(super) fn refuse_shared_numbers(report: &mut FindingList, boards: &[Listed]) {
     for (n, board) in boards.iter().enumerate() {
         let Some((number, place)) = board.number else { continue };
         let is_it = |other: &&Listed| other.number.is_some_and(|(it, _)| it == number);
         if let Some(first) = boards.iter().take(n).find(is_it) {
-            let there = report.describe(first.place);
+            let there = report.line(first.place);
             let message = format!("{number} is already the number of the board of {there}");
             report.say(place, message, "give each board on a bus its own");
         }
@@ -81,17 +80,15 @@ pub(super) fn refuse_shared_numbers(report: &mut MistakeList<'_>, boards: &[List
 }
 
 /// Refuses keys that two boards have, on whatever buses.
-pub(super) fn refuse_shared_keys(report: &mut MistakeList<'_>, boards: &[Listed]) {
+pub(super) fn refuse_shared_keys(report: &mut FindingList, boards: &[Listed]) {
     for (n, board) in boards.iter().enumerate() {
         let Some((keys, place)) = board.keys else { continue };
         let shared = boards.iter().take(n).find_map(|other| {
             other.keys.and_then(|(its, _)| its.intersection(keys)).map(|shared| (other, shared))
         });
         if let Some((first, shared)) = shared {
-            let message = format!(
-                "{shared} already belongs to the board of {}",
-                report.describe(first.place)
-            );
+            let message =
+                format!("{shared} already belongs to the board of {}", report.line(first.place));
             report.say(place, message, "let every key be on one board only");
         }
     }

@@ -5,11 +5,10 @@ use links::can::CanMode;
 
 use super::board::{self, Listed};
 use super::{BIT_RATES, BoardBus};
-use crate::document::DocumentNode;
 use crate::quantity::Quantity;
 use crate::read::{self, TableReader};
-use crate::report::MistakeList;
 use diagnostics::quoted;
+use diagnostics::toml::{FindingList, TomlNode};
 
 const BAUD_RATE: Quantity = Quantity { unit: "1", range: (9_600.0, 20e6) };
 const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
@@ -21,7 +20,7 @@ const PLACES: [&str; 3] = ["serial", "can", "rig"];
 const OF_CAN: [&str; 3] = ["mode", "bit_rate", "data_bit_rate"];
 
 /// Reads every `[[links.bus]]` of a scene.
-pub(super) fn read_all(report: &mut MistakeList<'_>, node: &DocumentNode) -> Vec<BoardBus> {
+pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<BoardBus> {
     let mut buses: Vec<BoardBus> = Vec::new();
     let mut listed = Vec::new();
     for node in read::tables(report, "links.bus", node) {
@@ -44,7 +43,7 @@ pub(super) fn read_all(report: &mut MistakeList<'_>, node: &DocumentNode) -> Vec
 }
 
 /// Reads a bus without its boards.
-fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<BoardBus> {
+fn read(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<BoardBus> {
     let [serial, can, rig] = PLACES.map(|name| reader.text(report, name));
     let baud = reader.whole(report, "baud", BAUD_RATE).unwrap_or(BAUD);
     let modes = [("fd", CanMode::Fd), ("classic", CanMode::Classic)];
@@ -88,7 +87,7 @@ fn read(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) -> Option<Bo
 
 /// Refuses what this kind of bus does not have.
 fn refuse(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     reader: &mut TableReader<'_>,
     names: &[&'static str],
     has: &str,

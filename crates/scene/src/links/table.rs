@@ -4,11 +4,10 @@ use firmware_protocol::acyclic::arm::{LONGEST_VALID_MS, SHORTEST_VALID_MS};
 use firmware_protocol::frame::key_forces::ForcePacking;
 
 use super::{Boards, FORCES, LinksConfig, SAMPLES, bus, period_us};
-use crate::document::DocumentNode;
 use crate::quantity::Quantity;
 use crate::read::TableReader;
-use crate::report::{Location, MistakeList};
 use diagnostics::quoted;
+use diagnostics::toml::{FindingList, SourcePlace, TomlNode};
 
 const VALID: Quantity = Quantity {
     unit: "s",
@@ -28,12 +27,12 @@ enum LinksKind {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rate {
     pub(crate) hz: u32,
-    pub(crate) place: Location,
+    pub(crate) place: SourcePlace,
 }
 
 /// Reads the table `links` of a scene with this rate; a simulated keybed if there is none.
 pub(crate) fn read(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     scene: &mut TableReader<'_>,
     rate: Option<Rate>,
 ) -> LinksConfig {
@@ -59,9 +58,9 @@ pub(crate) fn read(
 
 /// Reads what is agreed with boards, and where they are.
 fn read_boards(
-    report: &mut MistakeList<'_>,
+    report: &mut FindingList,
     reader: &mut TableReader<'_>,
-    buses: Option<&DocumentNode>,
+    buses: Option<&TomlNode>,
 ) -> Boards {
     let mut boards = Boards::default();
     let samples = reader.choice(report, "samples", "samples have no packing", &SAMPLES);
@@ -83,11 +82,7 @@ fn read_boards(
 }
 
 /// Refuses slopes without the velocities that they are multiplied with.
-fn refuse_blind_slopes(
-    report: &mut MistakeList<'_>,
-    reader: &mut TableReader<'_>,
-    boards: &Boards,
-) {
+fn refuse_blind_slopes(report: &mut FindingList, reader: &mut TableReader<'_>, boards: &Boards) {
     let Some(entry) = reader.take("forces") else { return };
     if boards.forces == ForcePacking::Force16Slope && !boards.samples.has_velocity() {
         let message = "\"force16-slope\" needs velocities, and these samples have none";
@@ -97,12 +92,12 @@ fn refuse_blind_slopes(
 }
 
 /// Refuses boards behind no bus.
-fn refuse_no_bus(report: &mut MistakeList<'_>, place: Location, buses: Option<&DocumentNode>) {
+fn refuse_no_bus(report: &mut FindingList, place: SourcePlace, buses: Option<&TomlNode>) {
     let message = "boards need a bus";
     let help = "add [[links.bus]] with serial = \"/dev/ttyACM0\" or can = \"can0\"";
     match buses {
         None => report.miss(place, message, help),
-        Some(node) if node.items().is_some_and(<[DocumentNode]>::is_empty) => {
+        Some(node) if node.items().is_some_and(<[TomlNode]>::is_empty) => {
             report.say(node.place, message, help);
         }
         Some(_) => {}
@@ -110,7 +105,7 @@ fn refuse_no_bus(report: &mut MistakeList<'_>, place: Location, buses: Option<&D
 }
 
 /// Refuses what would have no meaning for a simulated keybed.
-fn refuse_of_boards(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) {
+fn refuse_of_boards(report: &mut FindingList, reader: &mut TableReader<'_>) {
     for name in OF_BOARDS {
         let Some(entry) = reader.take(name) else { continue };
         let message = match name {
@@ -122,7 +117,7 @@ fn refuse_of_boards(report: &mut MistakeList<'_>, reader: &mut TableReader<'_>) 
 }
 
 /// Refuses a rate that boards cannot have.
-fn refuse_rate(report: &mut MistakeList<'_>, rate: Option<Rate>) {
+fn refuse_rate(report: &mut FindingList, rate: Option<Rate>) {
     let Some(Rate { hz, place }) = rate.filter(|it| period_us(it.hz).is_none()) else { return };
     let message = format!("boards exchange every whole number of 100 us, and {hz} Hz is none");
     let slower = (1..hz).rev().find(|it| period_us(*it).is_some()).unwrap_or(100);

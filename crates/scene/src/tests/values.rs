@@ -106,9 +106,9 @@ fn an_instrument_of_one_s_own_lies_beside_the_scene() {
     assert_eq!(check_file(&Library::default(), Path::new(&scene)), Ok(FileKind::Scene));
 
     // A mistake in the instrument is said once, in the instrument's file.
-    folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 N/mm\"\n");
+    folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 N/s\"\n");
     let expected =
-        format!("{soft}:2:16: \"K\" has the wrong unit \"N/mm\"; give it in N/m, 0 to 1e9 N/m");
+        format!("{soft}:2:16: \"K\" has the wrong unit \"N/s\"; give it in N/m, 0 to 1e9 N/m");
     assert_eq!(Scene::load(&Library::default(), &scene, &[]).unwrap_err().to_string(), expected);
 }
 

@@ -4,13 +4,13 @@ use std::ops::Range;
 
 use toml_edit::{Document, Item, Key, Table, TableLike};
 
-use super::report::FindingList;
-use super::source::SourcePlace;
+use super::report::{FindingList, SourcePlace};
+use crate::quoted;
 
 /// Lines that are left out in turn because they are no TOML, to find more mistakes after them.
 const MOST_BROKEN_LINES: usize = 20;
 
-/// A file that is larger than anybody's description (bytes).
+/// A file that is larger than any that a person writes (bytes).
 const LARGE: usize = 1 << 17;
 
 /// Most dots on a line: a key with thousands of parts would make a tree as deep.
@@ -18,15 +18,15 @@ const MOST_DOTS: usize = 2_000;
 
 /// A value and where it stands.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct TomlNode {
-    /// Of a text its first character, if it stands in the file as it is.
-    pub(super) place: SourcePlace,
-    pub(super) kind: TomlKind,
+pub struct TomlNode {
+    /// Its first character; of a text see [`TextPlace`].
+    pub place: SourcePlace,
+    pub kind: TomlKind,
 }
 
 /// A value of TOML.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) enum TomlKind {
+pub enum TomlKind {
     /// A text, and whether it stands in the file as it is, without escapes.
     Text(String, bool),
     Integer(i64),
@@ -39,15 +39,15 @@ pub(super) enum TomlKind {
 
 /// A name with its value.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct TomlEntry {
-    pub(super) name: String,
-    pub(super) place: SourcePlace,
-    pub(super) node: TomlNode,
+pub struct TomlEntry {
+    pub name: String,
+    pub place: SourcePlace,
+    pub node: TomlNode,
 }
 
 impl TomlNode {
     /// Returns the kind of its value in words.
-    pub(super) const fn words(&self) -> &'static str {
+    pub const fn words(&self) -> &'static str {
         match self.kind {
             TomlKind::Text(..) => "text",
             TomlKind::Integer(_) | TomlKind::Float(_) => "a number",
@@ -59,28 +59,52 @@ impl TomlNode {
     }
 
     /// Returns the entries, if it is a table.
-    pub(super) fn entries(&self) -> Option<&[TomlEntry]> {
+    pub fn entries(&self) -> Option<&[TomlEntry]> {
         if let TomlKind::Table(entries) = &self.kind { Some(entries) } else { None }
     }
 
     /// Returns the items, if it is a list.
-    pub(super) fn items(&self) -> Option<&[Self]> {
+    pub fn items(&self) -> Option<&[Self]> {
         if let TomlKind::List(items) = &self.kind { Some(items) } else { None }
     }
 
     /// Returns the text, if it is any.
-    pub(super) fn text(&self) -> Option<&str> {
+    pub fn text(&self) -> Option<&str> {
         if let TomlKind::Text(text, _) = &self.kind { Some(text) } else { None }
     }
 
+    /// Returns the item with this index, if it is a list with so many.
+    pub fn item_mut(&mut self, index: usize) -> Option<&mut Self> {
+        if let TomlKind::List(items) = &mut self.kind { items.get_mut(index) } else { None }
+    }
+
+    /// Returns the value of an override at `place`: TOML, or text without its quotes.
+    pub fn typed(text: &str, place: SourcePlace) -> Self {
+        let tree = TreeMaker { source: place.source, text: None, texts: TextPlace::Quote };
+        match text.parse::<toml_edit::Value>() {
+            Ok(value) => tree.value(&value),
+            Err(_no_toml) => Self { place, kind: TomlKind::Text(text.to_owned(), false) },
+        }
+    }
+
     /// Returns the value of an entry of a table.
-    pub(super) fn get(&self, name: &str) -> Option<&TomlEntry> {
+    pub fn get(&self, name: &str) -> Option<&TomlEntry> {
         self.entries()?.iter().find(|entry| entry.name == name)
     }
 }
 
-/// Reads a source; reports every line that is no TOML and reads on without it.
-pub(super) fn parse(report: &mut FindingList, source: usize) -> Option<TomlNode> {
+/// The place of a text.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TextPlace {
+    Quote,
+    /// The character after the quotes, if the text has no escapes.
+    FirstCharacter,
+}
+
+/// Reads the source with this number; reports every line that is not TOML and reads on without it.
+///
+/// Returns `None` if the rest could not be understood.
+pub fn parse(report: &mut FindingList, source: usize, texts: TextPlace) -> Option<TomlNode> {
     let mut text = report.text(source).to_owned();
     if let Some(line) = text.lines().position(|it| it.matches('.').count() > MOST_DOTS) {
         let offset = text.lines().take(line).map(|it| it.len() + 1).sum();
@@ -95,7 +119,7 @@ pub(super) fn parse(report: &mut FindingList, source: usize) -> Option<TomlNode>
     for _ in 0..most {
         let error = match Document::parse(text.as_str()) {
             Ok(document) => {
-                let tree = TreeMaker { source, text: &text };
+                let tree = TreeMaker { source, text: Some(&text), texts };
                 return Some(tree.table(document.as_table(), Some(0..0)));
             }
             Err(error) => error,
@@ -136,7 +160,7 @@ fn say_error(report: &mut FindingList, place: SourcePlace, message: &str, writte
     let message = message.replace(['\n', '\r'], " ");
     if message.contains("duplicate key") {
         let name = written.unwrap_or("a name").trim_matches(['[', ']', ' ']);
-        let message = format!("{} stands here a second time", diagnostics::quoted(name));
+        let message = format!("{} stands here a second time", quoted(name));
         report.say(place, message, "give it another name, or remove one of the two");
     } else {
         report.say(place, format!("this is not TOML, {message}"), "correct the line");
@@ -145,11 +169,14 @@ fn say_error(report: &mut FindingList, place: SourcePlace, message: &str, writte
 
 struct TreeMaker<'a> {
     source: usize,
-    text: &'a str,
+    /// The text that spans are of; none if they mean nothing.
+    text: Option<&'a str>,
+    texts: TextPlace,
 }
 
 impl TreeMaker<'_> {
     fn place(&self, span: Option<Range<usize>>) -> SourcePlace {
+        let span = span.filter(|_| self.text.is_some());
         SourcePlace { source: self.source, offset: span.map_or(0, |span| span.start) }
     }
 
@@ -168,7 +195,7 @@ impl TreeMaker<'_> {
     fn value(&self, value: &toml_edit::Value) -> TomlNode {
         use toml_edit::Value as Toml;
         let kind = match value {
-            Toml::String(text) => return self.string(text.value(), &value.span().unwrap_or(0..0)),
+            Toml::String(text) => return self.string(text.value(), value.span()),
             Toml::Integer(number) => TomlKind::Integer(*number.value()),
             Toml::Float(number) => TomlKind::Float(*number.value()),
             Toml::Boolean(truth) => TomlKind::Truth(*truth.value()),
@@ -179,10 +206,8 @@ impl TreeMaker<'_> {
         TomlNode { place: self.place(value.span()), kind }
     }
 
-    /// A text; its place is that of its first character where it has no escapes.
-    fn string(&self, text: &str, span: &Range<usize>) -> TomlNode {
-        let start = span.start;
-        let raw = self.text.get(span.clone()).unwrap_or("");
+    fn string(&self, text: &str, span: Option<Range<usize>>) -> TomlNode {
+        let raw = self.text.zip(span.clone()).and_then(|(all, span)| all.get(span)).unwrap_or("");
         let quotes = if raw.starts_with("\"\"\"") || raw.starts_with("'''") { 3 } else { 1 };
         let inner = raw.get(quotes..).unwrap_or("");
         let newline = if quotes == 3 {
@@ -191,8 +216,11 @@ impl TreeMaker<'_> {
             0
         };
         let is_exact = inner.get(newline..).is_some_and(|it| it.starts_with(text));
-        let offset = if is_exact { start + quotes + newline } else { start };
-        let place = SourcePlace { source: self.source, offset };
+        let place = self.place(span);
+        let place = match self.texts {
+            TextPlace::FirstCharacter if is_exact => place.after(quotes + newline),
+            TextPlace::FirstCharacter | TextPlace::Quote => place,
+        };
         TomlNode { place, kind: TomlKind::Text(text.to_owned(), is_exact) }
     }
 

@@ -1,23 +1,21 @@
 //! Access to the entries of one table: unknown ones are reported.
 
-use diagnostics::{choice, quoted};
-
-use super::report::FindingList;
-use super::source::SourcePlace;
-use super::toml_tree::{TomlEntry, TomlKind, TomlNode};
+use super::report::{FindingList, SourcePlace};
+use super::tree::{TomlEntry, TomlKind, TomlNode};
+use crate::{choice, quoted};
 
 /// Reads the entries of one table.
 #[derive(Debug)]
-pub(super) struct KeyReader<'a> {
+pub struct KeyReader<'a> {
     entries: &'a [TomlEntry],
     /// Place of the table, or of its name.
-    pub(super) place: SourcePlace,
+    pub place: SourcePlace,
     known: Vec<&'static str>,
 }
 
 impl<'a> KeyReader<'a> {
     /// Returns a reader of `entry`; reports what is not a table.
-    pub(super) fn new(report: &mut FindingList, entry: &'a TomlEntry) -> Option<Self> {
+    pub fn new(report: &mut FindingList, entry: &'a TomlEntry) -> Option<Self> {
         let Some(entries) = entry.node.entries() else {
             let help = format!("write it as {} = {{ … }}", entry.name);
             wrong_kind(report, &entry.name, &entry.node, "a table", &help);
@@ -27,16 +25,26 @@ impl<'a> KeyReader<'a> {
     }
 
     /// Returns a reader of a table that has no name of its own.
-    pub(super) fn of(report: &mut FindingList, name: &str, node: &'a TomlNode) -> Option<Self> {
+    pub fn of(report: &mut FindingList, name: &str, node: &'a TomlNode) -> Option<Self> {
+        Self::of_table(report, name, node, "write it as { … }")
+    }
+
+    /// Like [`Self::of`], but advises `help` if `node` is not a table.
+    pub fn of_table(
+        report: &mut FindingList,
+        name: &str,
+        node: &'a TomlNode,
+        help: &str,
+    ) -> Option<Self> {
         let Some(entries) = node.entries() else {
-            wrong_kind(report, name, node, "a table", "write it as { … }");
+            wrong_kind(report, name, node, "a table", help);
             return None;
         };
         Some(Self { entries, place: node.place, known: Vec::new() })
     }
 
     /// Returns the entry called `name`, if it is there.
-    pub(super) fn take(&mut self, name: &'static str) -> Option<&'a TomlEntry> {
+    pub fn take(&mut self, name: &'static str) -> Option<&'a TomlEntry> {
         if !self.known.contains(&name) {
             self.known.push(name);
         }
@@ -44,7 +52,7 @@ impl<'a> KeyReader<'a> {
     }
 
     /// Returns the text called `name`, if it is there.
-    pub(super) fn text(
+    pub fn text(
         &mut self,
         report: &mut FindingList,
         name: &'static str,
@@ -54,16 +62,12 @@ impl<'a> KeyReader<'a> {
     }
 
     /// Returns the items of the list called `name`; none if it is missing.
-    pub(super) fn list(&mut self, report: &mut FindingList, name: &'static str) -> &'a [TomlNode] {
+    pub fn list(&mut self, report: &mut FindingList, name: &'static str) -> &'a [TomlNode] {
         self.take(name).map_or(&[], |entry| list(report, name, &entry.node))
     }
 
     /// Returns the entries of the table called `name`, whose names are free.
-    pub(super) fn table(
-        &mut self,
-        report: &mut FindingList,
-        name: &'static str,
-    ) -> &'a [TomlEntry] {
+    pub fn table(&mut self, report: &mut FindingList, name: &'static str) -> &'a [TomlEntry] {
         let Some(entry) = self.take(name) else { return &[] };
         entry.node.entries().unwrap_or_else(|| {
             wrong_kind(report, name, &entry.node, "a table", &format!("write it as [{name}]"));
@@ -72,7 +76,7 @@ impl<'a> KeyReader<'a> {
     }
 
     /// Returns the truth called `name`; false if it is missing.
-    pub(super) fn is_set(&mut self, report: &mut FindingList, name: &'static str) -> bool {
+    pub fn is_set(&mut self, report: &mut FindingList, name: &'static str) -> bool {
         let Some(entry) = self.take(name) else { return false };
         if let TomlKind::Truth(truth) = entry.node.kind {
             return truth;
@@ -82,12 +86,12 @@ impl<'a> KeyReader<'a> {
     }
 
     /// Returns the entries that were not asked for: their names are free.
-    pub(super) fn others(&self) -> impl Iterator<Item = &'a TomlEntry> + use<'a, '_> {
+    pub fn others(&self) -> impl Iterator<Item = &'a TomlEntry> + use<'a, '_> {
         self.entries.iter().filter(|entry| !self.known.contains(&entry.name.as_str()))
     }
 
     /// Reports every entry that was never asked for.
-    pub(super) fn finish(self, report: &mut FindingList) {
+    pub fn finish(self, report: &mut FindingList) {
         for entry in self.others().take(FindingList::MOST) {
             let message = format!("there is no key {} here", quoted(&entry.name));
             report.say(entry.place, message, choice(&entry.name, self.known.iter().copied()));
@@ -96,7 +100,7 @@ impl<'a> KeyReader<'a> {
 }
 
 /// Reports that `node`, called `name`, should be something else.
-pub(super) fn wrong_kind(
+pub fn wrong_kind(
     report: &mut FindingList,
     name: &str,
     node: &TomlNode,
@@ -108,7 +112,7 @@ pub(super) fn wrong_kind(
 }
 
 /// Returns the text of `node`, called `name`.
-pub(super) fn text<'a>(
+pub fn text<'a>(
     report: &mut FindingList,
     name: &str,
     node: &'a TomlNode,
@@ -121,7 +125,7 @@ pub(super) fn text<'a>(
 }
 
 /// Returns the items of `node`, called `name`.
-pub(super) fn list<'a>(report: &mut FindingList, name: &str, node: &'a TomlNode) -> &'a [TomlNode] {
+pub fn list<'a>(report: &mut FindingList, name: &str, node: &'a TomlNode) -> &'a [TomlNode] {
     node.items().unwrap_or_else(|| {
         wrong_kind(report, name, node, "a list", "write it in [ ]");
         &[]
