@@ -12,6 +12,7 @@
 //! parallel.rs work on all processors
 //! digits.rs   numbers as people write them
 //! random.rs   numbers that a seed repeats
+//! studied_method.rs   any method by its name
 //! plot/       pictures as SVG, for simulate, piano, fit, stability and report
 //! ```
 //!
@@ -36,3 +37,4 @@ pub mod report;
 pub mod scenario;
 pub mod simulate;
 pub mod stability;
+mod studied_method;

@@ -1,9 +1,9 @@
 //! One run: a scenario, a method, a tick.
 
-use pode::{Limits, Silent, Simulator, Stepper, Tick, Watch};
+use pode::{Limits, Signal, Silent, Simulator, Stepper, Tick, Watch};
 
 use super::stepped::{Stepped, Stepping};
-use crate::scenario::Scenario;
+use crate::scenario::{InputOf, Scenario};
 
 /// All that a run needs, so that it can be done any number of times.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
         watch: &mut W,
     ) -> Tick {
         let (start, h) = (simulator.tick() as f64, self.tick);
-        let signal = |theta: f64| self.scenario.input((start + theta) * h);
+        let signal = ScenarioSignal { scenario: self.scenario, start, h };
         simulator.advance(h, &signal, watch)
     }
 
@@ -50,5 +50,23 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
     #[inline(never)]
     pub(super) fn advance_alone(&self, simulator: &mut Simulator<Stepped<S::Model>, T>) -> Tick {
         self.advance(simulator, &mut Silent)
+    }
+}
+
+/// A scenario's input over the tick that begins after `start` ticks of `h` (s).
+struct ScenarioSignal<'a, S> {
+    scenario: &'a S,
+    start: f64,
+    h: f64,
+}
+
+impl<S: Scenario> Signal<InputOf<S>> for ScenarioSignal<'_, S> {
+    #[inline]
+    fn at(&self, theta: f64) -> InputOf<S> {
+        self.scenario.input((self.start + theta) * self.h)
+    }
+
+    fn series(&self, theta: f64, span: f64, out: &mut [InputOf<S>]) -> bool {
+        self.scenario.input_series(((self.start + theta) * self.h, span * self.h), out)
     }
 }

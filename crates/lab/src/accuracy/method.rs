@@ -2,11 +2,12 @@
 
 use std::sync::LazyLock;
 
-use pode::stepper::{Any, ByNeed, Dop853, Rk4};
+use pode::stepper::{Any, ByNeed, Dop853, Rk4, Taylor};
 use pode::{Limits, Stepper as _};
 
 use super::stepped::Stepping;
 use crate::scenario::Plan;
+use crate::studied_method::StudiedMethod;
 
 /// A method by its name.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -16,7 +17,7 @@ pub struct NamedMethod {
     /// Order of convergence as its authors state it.
     pub order: u32,
     pub kind: MethodKind,
-    stepper: Any,
+    stepper: StudiedMethod,
 }
 
 /// Where a method's steps come from.
@@ -50,9 +51,9 @@ const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 /// The longest tick in which methods with a budget are studied, that of a keyboard (s).
 const LONGEST_BUDGETED: f64 = 1e-3;
 
-/// Every method that is compared: those of [`Any`], and RK4 as instruments are played with it.
+/// Every method that is compared, and RK4 as instruments are played with it.
 pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
-    let all = Any::NAMES.iter().filter_map(|name| Any::named(name)).map(NamedMethod::of);
+    let all = StudiedMethod::names().filter_map(StudiedMethod::named).map(NamedMethod::of);
     let (mut methods, others): (Vec<_>, Vec<_>) =
         all.partition(|method| method.kind == MethodKind::Fixed);
     methods.extend(others);
@@ -60,7 +61,7 @@ pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
         name: "as-played",
         order: Rk4::ORDER,
         kind: MethodKind::Played,
-        stepper: Any::Rk4(Rk4),
+        stepper: StudiedMethod::OneOfMany(Any::Rk4(Rk4)),
     });
     methods
 });
@@ -68,10 +69,11 @@ pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
 impl NamedMethod {
     /// The study of a method by its own name; the method of the longest steps takes them by a
     /// tolerance.
-    fn of(stepper: Any) -> Self {
+    fn of(stepper: StudiedMethod) -> Self {
         let (name, kind) = match stepper.name() {
             ByNeed::NAME => (ByNeed::NAME, MethodKind::Budgeted),
             Dop853::NAME => ("dop853-adaptive", MethodKind::Controlled),
+            Taylor::NAME => (Taylor::NAME, MethodKind::Controlled),
             name => (name, MethodKind::Fixed),
         };
         Self { name, order: stepper.order(), kind, stepper }
@@ -98,7 +100,7 @@ impl NamedMethod {
     }
 
     /// Returns the method as precise as `setting` says.
-    pub(super) fn stepper(&self, setting: &Setting) -> Any {
+    pub(super) fn stepper(&self, setting: &Setting) -> StudiedMethod {
         let precise = |tolerance| self.stepper.with_tolerance(tolerance, setting.tick);
         setting.tolerance.and_then(precise).unwrap_or(self.stepper)
     }

@@ -1,6 +1,6 @@
 //! What happens in a run: events, states at the times of samples, work of each tick.
 
-use pode::stepper::Any;
+use pode::Stepper;
 use pode::{Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Watch, Work};
 
 use super::job::RunJob;
@@ -36,7 +36,7 @@ pub(super) struct ObservedRun<M: Model> {
 }
 
 /// Does the run once, looking on.
-pub(super) fn observe<S: Scenario>(job: &RunJob<'_, S, Any>) -> ObservedRun<S::Model> {
+pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> ObservedRun<S::Model> {
     let mut log = EventRecorder::<S::Model>::new(job.tick);
     let mut samples = Samples::new(job.scenario, job.tick);
     let mut trouble = None;
@@ -63,7 +63,7 @@ pub(super) fn observe<S: Scenario>(job: &RunJob<'_, S, Any>) -> ObservedRun<S::M
 
 /// Returns the work of every tick, until the end or the first fault, without a watch: a look
 /// inside a step may cost evaluations.
-fn work<S: Scenario>(job: &RunJob<'_, S, Any>) -> Vec<Work> {
+fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
     let mut simulator = job.simulator();
     let mut work = Vec::new();
     for _ in 0..job.ticks() {

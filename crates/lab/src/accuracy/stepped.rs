@@ -4,6 +4,7 @@
 //! Everything else is the model's: each method of the traits is passed on, also those that have
 //! a default.
 
+use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
 use pode::{Energetic, Reset, Resets, Settling, State};
 
@@ -47,6 +48,15 @@ impl<M: Model> Model for Stepped<M> {
         input: &M::Input,
     ) -> <M::State as State>::Matrix {
         self.model.jacobian(mode, x, input)
+    }
+
+    fn series(
+        &self,
+        mode: M::Mode,
+        input: &[M::Input; INPUT_TERMS],
+        out: &mut Expansion<M::State>,
+    ) -> bool {
+        self.model.series(mode, input, out)
     }
 
     #[inline]

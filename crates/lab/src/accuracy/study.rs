@@ -8,6 +8,8 @@ use super::observe::observe;
 use super::row::{EvaluationCounts, StudyRow};
 use super::time::time;
 use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
+use crate::studied_method::MethodVisitor;
+use pode::Stepper;
 
 /// A scenario that can be run with every method.
 pub(super) trait Study {
@@ -57,9 +59,28 @@ impl<S: Scenario> Study for S {
         setting: Setting,
         effort: Effort,
     ) -> StudyRow {
+        let run = StudyRun { scenario: self, name: scenario, method, setting, effort };
+        method.stepper(&setting).visit(run)
+    }
+}
+
+/// A run whose method is known by its name only.
+struct StudyRun<'a, S> {
+    scenario: &'a S,
+    name: &'static str,
+    method: &'static NamedMethod,
+    setting: Setting,
+    effort: Effort,
+}
+
+impl<S: Scenario> MethodVisitor for StudyRun<'_, S> {
+    type Output = StudyRow;
+
+    fn visit<T: Stepper>(self, stepper: T) -> StudyRow {
+        let Self { scenario, name, method, setting, effort } = self;
         let job = RunJob {
-            scenario: self,
-            stepper: method.stepper(&setting),
+            scenario,
+            stepper,
             limits: method.limits(),
             stepping: method.stepping(),
             tick: setting.tick,
@@ -67,10 +88,10 @@ impl<S: Scenario> Study for S {
         let observed = observe(&job);
         let times = time(&job, &observed.work, effort);
         StudyRow {
-            scenario,
+            scenario: name,
             method,
             setting,
-            verdict: judge(self.reference(), &observed),
+            verdict: judge(scenario.reference(), &observed),
             counts: EvaluationCounts::new::<S>(&observed.work, setting.tick),
             times,
             energy_residual: observed.residual,

@@ -5,8 +5,8 @@ use models::LoadedModel;
 use super::data::MeasuredStroke;
 use super::smooth::{EXACT, noise, smoothed};
 use crate::piano::Opener;
-use crate::simulate::{InputTable, Reconstruct};
 use crate::random::SeededRandom;
+use crate::simulate::{InputTable, Reconstruct};
 
 /// Longest tick (s).
 const TICK: f64 = 1e-3;

@@ -1,6 +1,7 @@
 //! Strokes as functions of time, exact with their derivatives.
 
 use pode::Motion;
+use pode::series::add_bell;
 
 /// An input that is a sum of terms, each of a size, a time and a width.
 pub(super) trait TermInput: Copy {
@@ -9,6 +10,9 @@ pub(super) trait TermInput: Copy {
 
     /// The input at `t` (s).
     fn at(&self, t: f64) -> Motion;
+
+    /// Adds the coefficients of the input at t + dt τ (s) by power of τ to `terms`.
+    fn add_series(&self, time: (f64, f64), terms: &mut [f64]);
 }
 
 /// A, tc (s) and 1/w (1/s) of each term.
@@ -39,6 +43,12 @@ impl<const N: usize> TermInput for Bells<N> {
         }
         motion
     }
+
+    fn add_series(&self, (t, dt): (f64, f64), terms: &mut [f64]) {
+        for [a, tc, per_w] in self.0 {
+            add_bell(terms, a, (t - tc) * per_w, dt * per_w);
+        }
+    }
 }
 
 /// s(t) = Σ A (1 + tanh((t − tc)/w))/2.
@@ -62,6 +72,24 @@ impl<const N: usize> TermInput for Presses<N> {
             motion.jerk += a * slope * (3.0 * tanh * tanh - 1.0) * per_w * per_w * per_w;
         }
         motion
+    }
+
+    /// With y = tanh z each coefficient of y takes one of 1 − y² before it.
+    fn add_series(&self, (t, dt): (f64, f64), terms: &mut [f64]) {
+        for [a, tc, per_w] in self.0 {
+            let mut tanh = vec![((t - tc) * per_w).tanh()];
+            for k in 1..terms.len() {
+                let square: f64 = tanh.iter().zip(tanh.iter().rev()).map(|(x, y)| x * y).sum();
+                let slope = f64::from(u8::from(k == 1)) - square;
+                tanh.push(dt * per_w * slope / k as f64);
+            }
+            if let Some(first) = terms.first_mut() {
+                *first += 0.5 * a;
+            }
+            for (term, tanh) in terms.iter_mut().zip(tanh) {
+                *term += 0.5 * a * tanh;
+            }
+        }
     }
 }
 
@@ -93,6 +121,25 @@ mod tests {
     fn an_input_has_its_stated_rates() {
         check(Bells::<2>::of(&TERMS).unwrap());
         check(Presses::<2>::of(&TERMS).unwrap());
+    }
+
+    #[track_caller]
+    fn check_series(input: impl TermInput) {
+        for t in [0.1, 0.35, 0.5, 0.78] {
+            let mut terms = [0.0; 27];
+            input.add_series((t, 0.02), &mut terms);
+            for tau in [0.0, 0.4, 1.0] {
+                let found = terms.iter().rev().fold(0.0, |sum, term| term + tau * sum);
+                let expected = input.at(t + 0.02 * tau).position;
+                assert!((found - expected).abs() < 1e-14, "{t}, {tau}: {found}, {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_input_is_its_series() {
+        check_series(Bells::<2>::of(&TERMS).unwrap());
+        check_series(Presses::<2>::of(&TERMS).unwrap());
     }
 
     #[test]

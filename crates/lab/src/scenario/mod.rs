@@ -77,6 +77,11 @@ pub trait Scenario {
     /// Returns the exact input at `t` (s).
     fn input(&self, t: f64) -> InputOf<Self>;
 
+    /// Writes the input at t + dt τ (s) as a power series in τ; returns `false` where it has none.
+    fn input_series(&self, _time: (f64, f64), _out: &mut [InputOf<Self>]) -> bool {
+        false
+    }
+
     /// Returns the events and states that are right.
     fn reference(&self) -> &Reference<Self::Model>;
 }

@@ -3,6 +3,7 @@
 use models::Described as _;
 use models::SmallModel;
 use pode::Motion;
+use pode::series::INPUT_TERMS;
 
 use super::file::{BadFile, ReferenceCase, ReferenceFile, file};
 use super::input::{Bells, Presses, TermInput};
@@ -76,6 +77,16 @@ impl<I: TermInput> Scenario for StrokeScenario<I> {
     #[inline]
     fn input(&self, t: f64) -> Motion {
         self.input.at(t)
+    }
+
+    fn input_series(&self, time: (f64, f64), out: &mut [Motion]) -> bool {
+        let mut terms = [0.0; INPUT_TERMS];
+        let terms = terms.get_mut(..out.len()).unwrap_or_default();
+        self.input.add_series(time, terms);
+        for (out, position) in out.iter_mut().zip(&*terms) {
+            *out = Motion { position: *position, ..Motion::default() };
+        }
+        out.len() == terms.len()
     }
 
     fn reference(&self) -> &Reference<SmallModel> {

@@ -10,6 +10,7 @@ use pode::{Limits, State as _};
 use super::args::SimulateArgs;
 use super::error::SimulateMistake;
 use super::input::InputSignal;
+use crate::studied_method::StudiedMethod;
 
 /// More ticks than this are a slip of the exponent: a day's work at least.
 const MOST_TICKS: f64 = 1e11;
@@ -25,18 +26,20 @@ const LAST_KEY: u8 = 87;
 const USUAL_TICK: f64 = 1e-3;
 
 /// The method called for, with its tolerance; RK4 where there is a mistake.
-fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> Any {
-    let Some(method) = Any::named(&args.method) else {
-        mistakes.push(SimulateMistake::unknown("method", &args.method, Any::NAMES));
-        return Any::default();
+fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> StudiedMethod {
+    let Some(method) = StudiedMethod::named(&args.method) else {
+        let known: Vec<_> = StudiedMethod::names().collect();
+        mistakes.push(SimulateMistake::unknown("method", &args.method, &known));
+        return StudiedMethod::default();
     };
     // `by-need` has a budget even where nobody said how precise it should be.
-    let by_default = matches!(method, Any::ByNeed(_)).then_some(ByNeed::BUDGET);
+    let is_by_need = matches!(method, StudiedMethod::OneOfMany(Any::ByNeed(_)));
+    let by_default = is_by_need.then_some(ByNeed::BUDGET);
     let Some(tolerance) = args.tolerance.or(by_default) else { return method };
     method.with_tolerance(tolerance, USUAL_TICK).unwrap_or_else(|| {
         mistakes.push(SimulateMistake::NoTolerance {
             method: args.method.clone(),
-            known: Any::TOLERANT,
+            known: StudiedMethod::tolerant().collect(),
         });
         method
     })
@@ -52,7 +55,7 @@ pub(super) struct TickClock {
     /// Number of ticks, of which the last may be shorter.
     pub(super) ticks: u64,
     /// The method, as precise as was asked for.
-    pub(super) method: Any,
+    pub(super) method: StudiedMethod,
     /// What a tick may cost, and how finely events are located.
     pub(super) limits: Limits,
 }

@@ -3,7 +3,7 @@
 use models::{Described, Playable};
 use pode::stepper::{Any, ByNeed, Choice};
 use pode::{Advance, Cap, EnergyAudit, Event, EventCause, Motion, Piece, Signal, Simulator};
-use pode::{State as _, Stepper as _, Tick, Watch};
+use pode::{State as _, Stepper, Tick, Watch};
 
 use super::check::{Start, TickClock};
 use super::error::SimulateError;
@@ -11,6 +11,7 @@ use super::input::{InputSignal, is_finite};
 use super::mode::mode_name;
 use super::output::OutputFiles;
 use super::summary::{Capped, RunCounts, RunFailure, SimulationReport};
+use crate::studied_method::{MethodVisitor, StudiedMethod};
 
 /// Runs a model with the method of the clock, and says what `by-need` takes.
 pub(super) fn run<M: Playable>(
@@ -19,8 +20,8 @@ pub(super) fn run<M: Playable>(
     files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
     let TickClock { method, step, .. } = *plan.0;
-    let report = drive(start, plan, files)?;
-    Ok(if let Any::ByNeed(by_need) = method {
+    let report = method.visit(Driving { start, plan, files })?;
+    Ok(if let StudiedMethod::OneOfMany(Any::ByNeed(by_need)) = method {
         SimulationReport { choices: choices(&by_need, &start.model, step), ..report }
     } else {
         SimulationReport { handed_on: handed_on(&method, &start.model), ..report }
@@ -28,7 +29,7 @@ pub(super) fn run<M: Playable>(
 }
 
 /// Modes with equations that `method` hands on to another, by its name.
-fn handed_on<M: Playable>(method: &Any, model: &M) -> Vec<(&'static str, &'static str)> {
+fn handed_on<M: Playable>(method: &StudiedMethod, model: &M) -> Vec<(&'static str, &'static str)> {
     let moves = model.modes().filter(|(mode, _)| !model.parts(*mode).is_empty());
     let taken = moves.map(|(mode, name)| (name, method.name_in(&model.nature(mode))));
     taken.filter(|(_, taken)| *taken != method.name()).collect()
@@ -41,9 +42,25 @@ fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static
     model.modes().map(|(mode, name)| (name, choice(mode))).collect()
 }
 
+/// A simulation whose method is known by its name only.
+struct Driving<'a, M: Playable> {
+    start: &'a Start<M>,
+    plan: (&'a TickClock, &'a InputSignal),
+    files: &'a mut OutputFiles,
+}
+
+impl<M: Playable> MethodVisitor for Driving<'_, M> {
+    type Output = Result<SimulationReport, SimulateError>;
+
+    fn visit<T: Stepper>(self, stepper: T) -> Self::Output {
+        drive(self.start, stepper, self.plan, self.files)
+    }
+}
+
 /// Advances a model from 0 to the clock's end, or to its first fault.
-fn drive<M: Playable>(
+fn drive<M: Playable, T: Stepper>(
     start: &Start<M>,
+    stepper: T,
     (clock, input): (&TickClock, &InputSignal),
     files: &mut OutputFiles,
 ) -> Result<SimulationReport, SimulateError> {
@@ -54,7 +71,7 @@ fn drive<M: Playable>(
     let mut follower =
         Follower { model: model.clone(), clock, audit, last, closed_form: (0.0, 0), files };
     let mut tally = RunTally::default();
-    let mut simulator = Simulator::new(model, clock.method, clock.limits, mode, state);
+    let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
     follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
     for tick in 0..clock.ticks {
         let signal = TickSignal { clock, input, tick };
@@ -99,6 +116,11 @@ impl Signal<Motion> for TickSignal<'_> {
     fn bound(&self, from: f64, to: f64) -> Option<Motion> {
         let [from, to] = [from, to].map(|theta| self.clock.time(self.tick, theta));
         self.input.bound(from, to)
+    }
+
+    fn series(&self, theta: f64, span: f64, out: &mut [Motion]) -> bool {
+        let [from, to] = [theta, theta + span].map(|theta| self.clock.time(self.tick, theta));
+        self.input.series(from, to - from, out)
     }
 }
 

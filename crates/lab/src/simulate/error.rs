@@ -113,7 +113,7 @@ pub enum SimulateMistake {
     NoTolerance {
         method: String,
         /// Those that heed one.
-        known: &'static [&'static str],
+        known: Vec<&'static str>,
     },
     /// A time that is not a length of time.
     #[error("{option} = {value:?}: it must be a positive, finite number of seconds")]

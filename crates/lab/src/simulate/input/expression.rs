@@ -10,6 +10,7 @@ use formulas::{Dependence, Dimension, Form, Measured, NameError, NameScope, Text
 use pode::Motion;
 
 use super::interval::{Interval, enclose};
+use super::series::FormulaSeries;
 use super::{InputMistake, NAME, is_finite};
 
 /// The symbol of t, and its argument.
@@ -24,6 +25,8 @@ const MAX_WORK: u64 = 30_000;
 pub(in super::super) struct Expression {
     /// Computes s and its first three derivatives.
     tape: Tape,
+    /// Computes the power series of s; none where a branch or a corner may end one.
+    series: Option<FormulaSeries>,
     /// The last t and its motion: stages, guards and readouts share their instants.
     last: Cell<(f64, Motion)>,
 }
@@ -46,7 +49,8 @@ impl Expression {
             errors.into_iter().map(mistake).collect::<Vec<_>>()
         })?;
         let tape = tape.ok_or_else(|| vec![InputMistake::TooLong])?;
-        let expression = Self { tape, last: Cell::new((f64::NAN, Motion::default())) };
+        let series = FormulaSeries::new(&tape);
+        let expression = Self { tape, series, last: Cell::new((f64::NAN, Motion::default())) };
         let is_driven = is_finite(&expression.at(0.0));
         if is_driven { Ok(expression) } else { Err(vec![InputMistake::NotFinite]) }
     }
@@ -63,6 +67,11 @@ impl Expression {
         let motion = Motion { position, rate, acceleration, jerk };
         self.last.set((t, motion));
         motion
+    }
+
+    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` where it has none.
+    pub(super) fn series(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
+        self.series.as_ref().is_some_and(|series| series.write(t, span, out))
     }
 
     /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` if one of them jumps,

@@ -3,6 +3,7 @@
 mod expression;
 mod interval;
 mod mistake;
+mod series;
 mod table;
 
 use pode::Motion;
@@ -58,6 +59,18 @@ impl InputSignal {
             Self::Rest => Motion::default(),
             Self::Expression(expression) => expression.at(t),
             Self::Table(table) => table.at(t),
+        }
+    }
+
+    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` where it has none.
+    pub(super) fn series(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
+        match self {
+            Self::Rest => {
+                out.fill(Motion::default());
+                true
+            }
+            Self::Expression(expression) => expression.series(t, span, out),
+            Self::Table(_) => false,
         }
     }
 

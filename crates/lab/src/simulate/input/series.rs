@@ -1,0 +1,83 @@
+//! The power series of a formula of t.
+
+use expressions::tape::{Argument, Instruction, Tape, TapeArguments, TapeSlot};
+use expressions::taylor::{Recursion, SeriesTapes};
+use pode::Motion;
+
+/// A formula's recursion, as two tapes along t' = 1.
+#[derive(Debug)]
+pub(super) struct FormulaSeries(SeriesTapes);
+
+impl FormulaSeries {
+    /// Returns the series of the first output of `tape`, which is a function of its only argument;
+    /// none if a branch or a corner may end it.
+    pub(super) fn new(tape: &Tape) -> Option<Self> {
+        let along = |instruction: &Instruction| match instruction {
+            Instruction::Argument(_) => Instruction::Argument(Argument::State(0)),
+            other => *other,
+        };
+        let mut instructions: Vec<_> = tape.instructions.iter().map(along).collect();
+        let one = TapeSlot(u32::try_from(instructions.len()).ok()?);
+        instructions.push(Instruction::Number(1.0));
+        let outputs = vec![one, *tape.outputs.first()?];
+        let tapes = Recursion::new(&Tape { instructions, outputs }, 1).tapes();
+        (tapes.conditions == 0).then_some(Self(tapes))
+    }
+
+    /// Writes the formula at `t` + `span` τ as a power series in τ, as far as `out` goes; returns
+    /// `false` if a coefficient is not finite.
+    pub(super) fn write(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
+        let SeriesTapes { start, step, lanes, .. } = &self.0;
+        let given = TapeArguments { state: &[t], ..TapeArguments::default() };
+        let mut values = start.evaluate(&given);
+        let kept = values.split_off(2.min(values.len()));
+        // Factors by lane and order; those of order 0 are in no sum.
+        let mut factors = [vec![vec![0.0]; *lanes], vec![vec![0.0]; *lanes]];
+        for (k, place) in out.iter_mut().enumerate() {
+            if k > 0 {
+                let [first, second] = &factors;
+                let sum = |lane: usize| -> f64 {
+                    (1..k).map(|j| first[lane][j] * second[lane][k - j]).sum()
+                };
+                let sums: Vec<f64> = (0..*lanes).map(sum).collect();
+                let extra = [&[k as f64, 1.0 / k as f64], kept.as_slice(), &sums].concat();
+                let state = [if k == 1 { span } else { 0.0 }];
+                values = step.evaluate(&TapeArguments { state: &state, extra: &extra, ..given });
+                for (rows, made) in factors.iter_mut().zip(values[2..].chunks((*lanes).max(1))) {
+                    for (row, value) in rows.iter_mut().zip(made) {
+                        row.push(*value);
+                    }
+                }
+            }
+            let position = values.get(1).copied().unwrap_or(f64::NAN);
+            if !position.is_finite() {
+                return false;
+            }
+            *place = Motion { position, ..Motion::default() };
+        }
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::expression::Expression;
+    use super::*;
+
+    #[test]
+    fn a_series_is_the_formula_in_its_neighbourhood() {
+        for text in ["0.3", "0.1*sin(7*t)", "exp(-((t-0.4)/0.2)^2)", "tanh(t/0.3)*t^2", "sqrt(1+t)"]
+        {
+            let formula = Expression::read(&format!("s={text}"), "s").expect("a formula");
+            let mut terms = [Motion::default(); 24];
+            assert!(formula.series(0.3, 0.05, &mut terms), "{text}");
+            for tau in [-1.0, 0.3, 1.0] {
+                let sum = terms.iter().rev().fold(0.0, |sum, term| term.position + tau * sum);
+                let value = formula.at(0.3 + 0.05 * tau).position;
+                assert!((sum - value).abs() < 1e-14, "{text} at {tau}: {sum} is not {value}");
+            }
+        }
+        let corner = Expression::read("s=abs(t-0.5)", "s").expect("a formula");
+        assert!(!corner.series(0.3, 0.05, &mut [Motion::default(); 4]));
+    }
+}
