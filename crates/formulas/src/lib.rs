@@ -20,7 +20,7 @@ pub use expression::{ExpressionPart, Form, ParsedExpression, PartShape};
 pub use functions::FUNCTIONS;
 pub use parser::{DEEPEST, MOST_PARTS, parse};
 pub use scope::{Dependence, Measured, NameError, NameScope};
-pub use units::{PhysicalUnit, unit};
+pub use units::{PhysicalUnit, converted, number_and_unit, unit};
 
 use std::ops::Range;
 

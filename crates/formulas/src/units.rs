@@ -28,12 +28,6 @@ impl PhysicalUnit {
         if self.tens < 0 { scaled / 10f64.powi(-self.tens) } else { scaled * 10f64.powi(self.tens) }
     }
 
-    /// Returns `true` if both measure one kind of quantity, and both or neither an angle.
-    pub fn fits(&self, other: &Self) -> bool {
-        let is_angle = |it: &Self| it.si.contains("rad");
-        self.dimension.fits(other.dimension) && is_angle(self) == is_angle(other)
-    }
-
     /// Whether a number of it is the same number in SI.
     pub fn is_si(&self) -> bool {
         (self.to_si(1.0) - 1.0).abs() < f64::EPSILON
@@ -332,4 +326,32 @@ pub fn unit(text: &str) -> Result<PhysicalUnit, TextError> {
         )),
         _ => Ok(unit),
     }
+}
+
+/// Returns the number that `text` begins with, and what follows it.
+pub fn number_and_unit(text: &str) -> Option<(f64, &str)> {
+    /// Longest number that is read (bytes).
+    const MAX_NUMBER: usize = 40;
+    let text = text.trim();
+    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
+    let len = text.find(|c: char| !is_part(c)).unwrap_or(text.len());
+    // All of these are ASCII, so every split is between characters; "2eV" is 2 of "eV".
+    (1..=len.min(MAX_NUMBER)).rev().find_map(|len| {
+        let (digits, rest) = text.split_at(len);
+        digits.parse().ok().map(|number| (number, rest.trim()))
+    })
+}
+
+/// Returns `number` of the unit `given` in the unit `wanted`, which is one of SI; `None` if they
+/// measure different kinds of quantities.
+///
+/// An angle is not a ratio here: revolutions per second are not hertz.
+pub fn converted(number: f64, given: &str, wanted: &str) -> Option<f64> {
+    if given == wanted {
+        return Some(number);
+    }
+    let (given, wanted) = (unit(given).ok()?, unit(wanted).ok().filter(PhysicalUnit::is_si)?);
+    let is_angle = |it: &PhysicalUnit| it.si.contains("rad");
+    let fits = given.dimension.fits(wanted.dimension) && is_angle(&given) == is_angle(&wanted);
+    fits.then(|| given.to_si(number))
 }

@@ -59,31 +59,13 @@ pub(super) fn number(value: f64) -> String {
 ///
 /// If it is no number, or one of something else.
 pub(super) fn parse(text: &str, unit: &str) -> Result<f64, QuantityError> {
-    let (value, given) = split(text.trim()).ok_or(QuantityError::NoNumber)?;
-    if given == unit || (unit == "1" && given.is_empty()) {
-        return Ok(value);
+    let (value, given) = formulas::number_and_unit(text).ok_or(QuantityError::NoNumber)?;
+    match formulas::converted(value, given, unit) {
+        Some(value) => Ok(value),
+        None if given.is_empty() && unit == "1" => Ok(value),
+        None if given.is_empty() => Err(QuantityError::NoUnit(value)),
+        None => Err(QuantityError::WrongUnit(value, given.to_owned())),
     }
-    if given.is_empty() {
-        return Err(QuantityError::NoUnit(value));
-    }
-    match (formulas::unit(given), formulas::unit(unit)) {
-        // An angle is no ratio here: revolutions per second are not hertz.
-        (Ok(given), Ok(wanted)) if wanted.is_si() && given.fits(&wanted) => Ok(given.to_si(value)),
-        _ => Err(QuantityError::WrongUnit(value, given.to_owned())),
-    }
-}
-
-/// Returns the number at the beginning, and what follows it.
-fn split(text: &str) -> Option<(f64, &str)> {
-    /// Longest number that is read (bytes).
-    const LONGEST: usize = 40;
-    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
-    let len = text.find(|c: char| !is_part(c)).unwrap_or(text.len());
-    // All of these are ASCII, so every split is between characters; "2eV" is 2 of "eV".
-    (1..=len.min(LONGEST)).rev().find_map(|len| {
-        let (digits, rest) = text.split_at(len);
-        digits.parse().ok().map(|value| (value, rest.trim()))
-    })
 }
 
 #[cfg(test)]

@@ -2,24 +2,20 @@
 
 use diagnostics::quoted;
 
-/// Longest number that is read (bytes).
-const LONGEST: usize = 40;
-
 /// Reads `text` as a number of `unit`: plain, in that unit, or with another of the same kind, as
 /// `1 ms` or `50 gf`.
 pub(crate) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
     let text = text.trim();
     let wanted = || if unit.is_empty() { String::new() } else { format!(", as 1.5 {unit}") };
-    let Some((number, given)) = split(text) else {
+    let read = formulas::number_and_unit(text).filter(|(number, _)| number.is_finite());
+    let Some((number, given)) = read else {
         return Err(format!("{} is no number{}", quoted(text), wanted()));
     };
-    if given.is_empty() || given == unit {
+    if given.is_empty() {
         return Ok(number);
     }
-    let other = || format!("{} is no number of {unit}{}", quoted(text), wanted());
-    let typed = formulas::unit(given).map_err(|_no_unit| other())?;
-    let is_same = formulas::unit(unit).is_ok_and(|it| it.dimension.fits(typed.dimension));
-    if is_same { Ok(typed.to_si(number)) } else { Err(other()) }
+    formulas::converted(number, given, unit)
+        .ok_or_else(|| format!("{} is no number of {unit}{}", quoted(text), wanted()))
 }
 
 /// Reads `text` as two numbers with `..` between them.
@@ -28,17 +24,6 @@ pub(crate) fn range(text: &str, unit: &str) -> Result<(f64, f64), String> {
         .split_once("..")
         .ok_or_else(|| format!("{} is no range: write two values, as 1..10", quoted(text)))?;
     Ok((quantity(low, unit)?, quantity(high, unit)?))
-}
-
-/// Returns the number at the beginning, and what follows it.
-fn split(text: &str) -> Option<(f64, &str)> {
-    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
-    let len = text.find(|c: char| !is_part(c)).unwrap_or(text.len());
-    (1..=len.min(LONGEST)).rev().find_map(|len| {
-        let (digits, rest) = text.split_at(len);
-        let number = digits.parse().ok().filter(|it: &f64| it.is_finite());
-        number.map(|number| (number, rest.trim()))
-    })
 }
 
 #[cfg(test)]

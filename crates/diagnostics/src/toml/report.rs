@@ -21,6 +21,7 @@ pub struct SourcePlace {
 }
 
 impl SourcePlace {
+    /// Returns the place so many bytes later.
     #[must_use]
     pub const fn after(self, bytes: usize) -> Self {
         Self { offset: self.offset + bytes, ..self }
@@ -65,6 +66,7 @@ impl FindingList {
         self.sources.len() - 1
     }
 
+    /// Returns the text of the source with this number; empty if there is none.
     pub fn text(&self, source: usize) -> &str {
         self.sources.get(source).map_or("", |(source, _)| &source.text)
     }
@@ -157,10 +159,12 @@ impl FindingList {
         line.or_else(name).unwrap_or_default()
     }
 
+    /// Returns `true` if no mistake was found so far.
     pub const fn is_empty(&self) -> bool {
         self.found.is_empty()
     }
 
+    /// Returns how many mistakes were found so far.
     pub const fn len(&self) -> usize {
         self.found.len()
     }
