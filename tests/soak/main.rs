@@ -91,7 +91,6 @@ fn main() -> ExitCode {
 
 /// Tries the host and prints the verdicts. Returns `true` if every promise was kept.
 fn soak(args: &SoakArgs) -> Result<bool, Box<dyn Error>> {
-    cli::read_descriptions();
     let name = format!("letoff-soak-{}", std::process::id());
     let folder = args.out.clone().unwrap_or_else(|| std::env::temp_dir().join(name));
     DirBuilder::new().recursive(args.out.is_some()).mode(0o700).create(&folder)?;
