@@ -32,11 +32,7 @@ pub(super) struct SceneFile {
 impl SceneFile {
     /// Returns the file of the scene that was typed with `overrides`, with its last text in `last`;
     /// `None` for a scene that is part of the program.
-    pub(super) fn of(
-        typed: &str,
-        overrides: Vec<Override>,
-        last: Option<PathBuf>,
-    ) -> Option<Self> {
+    pub(super) fn of(typed: &str, overrides: Vec<Override>, last: Option<PathBuf>) -> Option<Self> {
         let exists = Path::new(typed).is_file() || last.as_deref().is_some_and(Path::is_file);
         let is_file = exists && !scene::scenes().any(|it| it == typed);
         let (path, library) = (PathBuf::from(typed), Library::default());

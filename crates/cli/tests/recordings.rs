@@ -217,7 +217,10 @@ fn what_was_recovered_is_replayed_as_what_it_was_recovered_from() {
         assert_eq!((code, err.as_str()), (Some(0), ""));
         assert!(!out.contains("`letoff recover"), "it was done: {out}");
         let (was, is) = (replayed(&old), replayed(&new));
-        assert!(is.1.contains(&format!("{new} was recovered from {old}, which is damaged")), "{is:?}");
+        assert!(
+            is.1.contains(&format!("{new} was recovered from {old}, which is damaged")),
+            "{is:?}"
+        );
         if name == "beginning" {
             assert_eq!((was.0, is.0), (Some(2), Some(2)));
             assert!(is.1.contains("what it had at its beginning is left out"), "{}", is.1);

@@ -36,7 +36,6 @@ pub struct Replayed {
     pub compared: u64,
     /// Messages among these that differ.
     pub different: u64,
-    /// The first difference.
     pub first_difference: Option<ReplayDifference>,
     /// First tick with incomplete inputs, if any: the recording breaks off or has a hole, rows are
     /// missing, or a lane was late for too long. Nothing is compared from there on.
