@@ -6,12 +6,11 @@
 #![forbid(unsafe_code)]
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use dashboard::demo::Demo;
-use dashboard::{App, Pane, WallClock};
+use dashboard::{App, Pane, demonstration};
 use eframe::egui;
+use telemetry::recording::OpenError;
 use telemetry::{KeyBlock, Overview, Update};
 
 /// Frames that are measured, after some to warm up.
@@ -21,14 +20,10 @@ const WARM: usize = 50;
 /// The key whose rows are drawn.
 const KEY: u32 = 39;
 
-fn main() {
-    let hand = Arc::new(AtomicU64::new(0));
-    let clock: WallClock = {
-        let hand = Arc::clone(&hand);
-        Arc::new(move || hand.load(Ordering::Relaxed))
-    };
+fn main() -> Result<(), OpenError> {
+    let take = demonstration(Box::new(|| 0.0))?;
     let ctx = egui::Context::default();
-    let mut app = App::new(Box::new(Demo::live(clock.clone())), clock, None, &ctx);
+    let mut app = App::new(Box::new(take), Arc::new(|| 0), None, &ctx);
     let mut panes = vec![Pane::Overview];
     panes.extend((0..8).map(Pane::Scope));
     app.show_grid(panes);
@@ -54,6 +49,7 @@ fn main() {
         println!("our own part of a frame: median {:.2} ms, p95 {:.2} ms", at(50), at(95));
         println!("of which panels {draw:.2} ms, the rest triangles");
     }
+    Ok(())
 }
 
 /// Draws one frame: how long the panels took, and the triangles (ms).

@@ -11,7 +11,7 @@
 //! | `panels` | one file for each panel: what it remembers, and how it is drawn |
 //! | [`app`] | the window around them |
 //! | [`source_thread`] | a live source on its own thread, so that a still keyboard costs no frames |
-//! | [`demo`] | a source without a host |
+//! | [`demonstration`] | a recorded take in a loop: a source without a host |
 //!
 //! Nothing here knows a key's physics, waits, or reads a clock that it was not given.
 
@@ -19,7 +19,7 @@
 
 pub mod app;
 mod app_state;
-pub mod demo;
+mod demonstration;
 mod fault_text;
 mod layout;
 pub mod names;
@@ -38,6 +38,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 pub use app::{App, SavedWindow};
+pub use demonstration::demonstration;
 pub use panels::Pane;
 
 /// A clock of the system's time (ns since 1970).

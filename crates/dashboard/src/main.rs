@@ -29,7 +29,7 @@ struct DashboardArguments {
     /// What the host's certificate must be, as the host prints it.
     #[arg(long)]
     fingerprint: Option<String>,
-    /// Shows a piece that nobody plays, without a host.
+    /// Plays a recorded take again and again, without a host.
     #[arg(long)]
     demo: bool,
     /// Writes a man page, and completions for bash, zsh and fish, into this folder.

@@ -31,16 +31,6 @@ pub(crate) const fn index(x: f64) -> usize {
     x as usize
 }
 
-/// Returns a part of 255, for colours.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a cast saturates, and NaN becomes 0"
-)]
-pub(crate) const fn byte(x: f32) -> u8 {
-    x as u8
-}
-
 /// Returns `n` as a key, if it is one: 0 (A0) to 87 (C8).
 pub(crate) fn key(n: u32) -> Option<u8> {
     u8::try_from(n).ok().and_then(telemetry::KeyIndex::new).map(telemetry::KeyIndex::number)

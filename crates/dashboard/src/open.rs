@@ -2,18 +2,14 @@
 
 use std::fmt;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use telemetry::Source;
-use telemetry::recording::{Playback, Recording};
+use telemetry::recording::{Playback, PlaybackClock, Recording};
 use telemetry::stream::{Client, Dial, Fingerprint};
 
-use crate::demo::Demo;
 use crate::source_thread::{Notifier, SourceThread};
-use crate::{RepaintWaker, wall_clock};
-
-/// How often the demonstration has something new.
-const DEMO_PERIOD: Duration = Duration::from_millis(33);
+use crate::{RepaintWaker, demonstration};
 
 /// What a window shows.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -30,7 +26,7 @@ pub enum WindowTarget {
     Recording {
         file: String,
     },
-    /// A simulated host, to look at.
+    /// A recorded take in a loop, to look at.
     Demonstration,
 }
 
@@ -77,16 +73,11 @@ pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source
         }
         WindowTarget::Recording { file } => {
             let recording = Recording::open(file).map_err(|error| Sentence(error.to_string()))?;
-            let began = Instant::now();
-            let clock = Box::new(move || began.elapsed().as_secs_f64());
-            Ok(Box::new(Playback::new(recording, clock)))
+            Ok(Box::new(Playback::new(recording, clock())))
         }
         WindowTarget::Demonstration => {
-            let make = |notifier| -> Result<Box<dyn Source + Send>, Sentence> {
-                notify_often(notifier);
-                Ok(Box::new(Demo::live(wall_clock())))
-            };
-            Ok(Box::new(SourceThread::start(make, Arc::clone(wake))?))
+            let playback = demonstration(clock()).map_err(|error| Sentence(error.to_string()))?;
+            Ok(Box::new(playback))
         }
     }
 }
@@ -98,13 +89,10 @@ fn pin(text: &str) -> Result<Fingerprint, Sentence> {
     })
 }
 
-/// Wakes the window again and again: the demonstration is computed when it is looked at.
-fn notify_often(notifier: Notifier) {
-    std::thread::spawn(move || {
-        while notifier.notify() {
-            std::thread::sleep(DEMO_PERIOD);
-        }
-    });
+/// Returns a clock that begins now.
+fn clock() -> PlaybackClock {
+    let began = Instant::now();
+    Box::new(move || began.elapsed().as_secs_f64())
 }
 
 #[cfg(test)]

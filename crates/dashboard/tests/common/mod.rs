@@ -1,24 +1,20 @@
-//! The window with the demonstration behind it, at a time that the test chooses.
+//! The window with the recorded take behind it, at a time that the test chooses.
 
 #![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
 #![allow(dead_code, reason = "no test file uses all of it")]
 
+mod host;
 pub(crate) mod raster;
 pub(crate) mod snapshot;
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use dashboard::demo::{Demo, RequestLog};
 use dashboard::{App, Pane, SavedWindow, WallClock};
 use eframe::egui;
 use egui_kittest::{Harness, kittest::Queryable as _};
-use telemetry::source::Ticket;
-use telemetry::{
-    Arrival, Catalogue, ConnectionState, Description, DescriptionFile, Request, Source, Topic,
-    Update, Voice,
-};
+use host::{RequestLog, TakeHost};
+use telemetry::{Catalogue, Description, DescriptionFile, Request, Source, Update, Voice};
 
 /// When every test begins (ns since 1970).
 const BEGAN: u64 = 1_800_000_000_000_000_000;
@@ -66,6 +62,10 @@ pub(crate) struct TestWindow {
 /// A window that shows `pane` alone, three seconds after the beginning.
 pub(crate) fn open(pane: Pane, behind: Behind) -> TestWindow {
     let mut window = open_with(behind, None, move |app| app.show_only(pane));
+    if pane == Pane::Tuning {
+        // High enough for all parameters.
+        window.harness.set_size(egui::vec2(900.0, 1100.0));
+    }
     window.play(3.0);
     window
 }
@@ -88,60 +88,11 @@ pub(crate) fn open_with(
     TestWindow { harness, time, asked }
 }
 
-/// The demonstration, and what it is asked.
+/// The recorded take, and what it is asked.
 pub(crate) fn source(time: &TestClock, behind: Behind) -> (Box<dyn Source>, RequestLog) {
-    let demo = match behind {
-        Behind::Live | Behind::Vanishing => Demo::live(time.clock()),
-        Behind::Recording => Demo::recording(time.clock()),
-    };
-    let asked = demo.asked();
-    if matches!(behind, Behind::Vanishing) {
-        return (Box::new(Vanishing { demo, stopped: None }), asked);
-    }
-    (Box::new(demo), asked)
-}
-
-/// Answers a stop as a connection does that was lost.
-#[derive(Debug)]
-struct Vanishing {
-    demo: Demo,
-    stopped: Option<Ticket>,
-}
-
-/// Why it is gone.
-const GONE: &str = "the connection was lost before the host answered";
-
-impl Source for Vanishing {
-    fn next(&mut self) -> Option<Arrival> {
-        match (self.demo.next()?, self.stopped) {
-            (Arrival::Reply { ticket, .. }, Some(stopped)) if ticket == stopped => {
-                Some(Arrival::Reply { ticket, result: Err(GONE.to_owned()) })
-            }
-            (arrival, _) => Some(arrival),
-        }
-    }
-
-    fn follow(&mut self, topics: &BTreeSet<Topic>) {
-        self.demo.follow(topics);
-    }
-
-    fn ask(&mut self, request: Request) -> Ticket {
-        let is_stop = matches!(request, Request::Stop {});
-        let ticket = self.demo.ask(request);
-        self.stopped = self.stopped.or(is_stop.then_some(ticket));
-        ticket
-    }
-
-    fn standing(&self) -> ConnectionState {
-        match self.stopped {
-            Some(_) => ConnectionState::Lost("the host ended the connection".to_owned()),
-            None => ConnectionState::Live,
-        }
-    }
-
-    fn name(&self) -> String {
-        self.demo.name()
-    }
+    let host = TakeHost::new(time.clock(), behind);
+    let asked = host.asked();
+    (Box::new(host), asked)
 }
 
 impl TestWindow {

@@ -1,17 +1,22 @@
-//! The bytes of a file, read as they are asked for.
+//! The bytes of a file or of a part of the program, read as they are asked for.
 
-use std::fs::File;
-use std::io::{self, Read as _, Seek as _, SeekFrom};
+use std::fmt;
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use crate::file;
 
-/// The bytes of an open file.
+/// Bytes that are read from any place.
+trait ReadSeek: Read + Seek + fmt::Debug + Send {}
+
+impl<T: Read + Seek + fmt::Debug + Send> ReadSeek for T {}
+
+/// The bytes of an open file, or of a file that is part of the program.
 #[derive(Debug)]
 pub(super) struct FileBytes {
-    file: Mutex<File>,
+    file: Mutex<Box<dyn ReadSeek>>,
     pub(super) size: u64,
     read: AtomicU64,
 }
@@ -21,7 +26,13 @@ impl FileBytes {
     pub(super) fn open(path: &Path) -> io::Result<Self> {
         let file = file::open(path)?;
         let size = file.metadata()?.len();
-        Ok(Self { file: Mutex::new(file), size, read: AtomicU64::new(0) })
+        Ok(Self { file: Mutex::new(Box::new(file)), size, read: AtomicU64::new(0) })
+    }
+
+    /// Creates the bytes of a file that is part of the program.
+    pub(super) fn of(bytes: &'static [u8]) -> Self {
+        let file = Mutex::new(Box::new(Cursor::new(bytes)) as Box<dyn ReadSeek>);
+        Self { file, size: bytes.len() as u64, read: AtomicU64::new(0) }
     }
 
     /// Reads `length` bytes from `offset` on.

@@ -34,8 +34,13 @@ pub(super) struct PartFile {
 
 impl PartFile {
     pub(super) fn open(path: &Path) -> Result<Self, OpenError> {
+        let bytes = FileBytes::open(path);
+        Self::of(path, bytes.map_err(|cause| OpenError::Io { path: path.to_owned(), cause })?)
+    }
+
+    /// Reads labels and index of the file `path`, which has `bytes`.
+    pub(super) fn of(path: &Path, bytes: FileBytes) -> Result<Self, OpenError> {
         let io = |cause| OpenError::Io { path: path.to_owned(), cause };
-        let bytes = FileBytes::open(path).map_err(io)?;
         let head = FileStart::of(&bytes.read(0, bytes.size.min(HEAD)).map_err(io)?);
         let index = match (index::summary(&bytes).map_err(io)?, &head) {
             (Some(index), _) => index,

@@ -41,6 +41,8 @@ pub struct Playback {
     at: u64,
     since: f64,
     speed: f64,
+    /// `true` if it begins again at its end.
+    repeats: bool,
     followed: BTreeSet<Topic>,
     /// Arrivals that come before all others.
     arrivals: VecDeque<Arrival>,
@@ -67,6 +69,7 @@ impl Playback {
             span,
             at: span.0,
             speed: 1.0,
+            repeats: false,
             followed: BTreeSet::new(),
             arrivals: VecDeque::new(),
             past: VecDeque::new(),
@@ -79,6 +82,13 @@ impl Playback {
             playback.arrivals.push_back(log(span.0, Level::Warning, tear));
         }
         playback
+    }
+
+    /// Begins again at the end, from then on with [`Arrival::Anew`].
+    #[must_use]
+    pub fn repeating(mut self) -> Self {
+        self.repeats = true;
+        self
     }
 
     /// Returns the recording that is played.
@@ -138,11 +148,17 @@ impl Playback {
 impl Source for Playback {
     fn next(&mut self) -> Option<Arrival> {
         self.marks.extend(self.coming.try_iter());
-        let arrival = self.arrivals.pop_front();
-        arrival.or_else(|| {
-            let raw = self.next_raw()?;
-            Some(self.arrive(raw))
-        })
+        if let Some(arrival) = self.arrivals.pop_front() {
+            return Some(arrival);
+        }
+        if let Some(raw) = self.next_raw() {
+            return Some(self.arrive(raw));
+        }
+        let is_over = self.span.0 < self.span.1 && Timeline::at(self) == self.span.1;
+        if self.repeats && is_over && 0.0 < self.speed {
+            self.seek(self.span.0);
+        }
+        self.arrivals.pop_front()
     }
 
     fn follow(&mut self, topics: &BTreeSet<Topic>) {

@@ -9,6 +9,7 @@ use mcap::records::MessageHeader;
 
 use super::chunk::Inside;
 use super::error::{OpenError, ReadError};
+use super::file_bytes::FileBytes;
 use super::format::{first_path, part_path};
 use super::index::ChunkPosition;
 use super::missing::MissingPiece;
@@ -75,6 +76,16 @@ impl Recording {
     pub fn open_file(path: &Path) -> Result<Self, OpenError> {
         let mut recording = Self { parts: Vec::new(), tear: None };
         recording.add(PartFile::open(path)?);
+        Ok(recording)
+    }
+
+    /// Opens a recording of one file that is part of the program, under the name `path`.
+    ///
+    /// # Errors
+    /// If it is no recording that this version reads.
+    pub fn from_bytes(path: impl AsRef<Path>, bytes: &'static [u8]) -> Result<Self, OpenError> {
+        let mut recording = Self { parts: Vec::new(), tear: None };
+        recording.add(PartFile::of(path.as_ref(), FileBytes::of(bytes))?);
         Ok(recording)
     }
 

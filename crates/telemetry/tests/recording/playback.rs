@@ -70,6 +70,28 @@ fn it_begins_with_catalogue_and_voices_and_goes_on_by_the_clock() {
 }
 
 #[test]
+fn a_repeating_playback_begins_again_at_its_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("take.mcap");
+    record(&path, &performance(1_000));
+    let (playback, clock) = played(&path);
+    let mut playback = playback.repeating();
+    playback.follow(&BTreeSet::from([Topic::Block(39)]));
+    come(&mut playback);
+    let (_, end) = playback.span();
+    clock.store((end - at(0)) / 1_000_000 + 1, Ordering::Relaxed);
+    let second = come(&mut playback);
+    let anew = second.iter().position(Option::is_none).expect("it begins again");
+    assert_eq!(second[anew + 1], Some((at(0), Topic::Catalogue)));
+    assert_eq!(playback.at(), at(0));
+    // One that is paused at its end stays there.
+    playback.set_speed(0.0);
+    playback.seek(end);
+    come(&mut playback);
+    assert_eq!(playback.at(), end);
+}
+
+#[test]
 fn another_place_begins_with_the_seconds_before_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");
