@@ -7,6 +7,7 @@ mod common;
 mod control;
 mod dash;
 mod guardian;
+mod interpreted;
 mod links;
 mod listening;
 #[path = "../../../tests/stage/machine_time.rs"]

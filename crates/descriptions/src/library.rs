@@ -162,7 +162,7 @@ impl Library {
         let name = path.to_string_lossy().into_owned();
         let derived = derive_unless_cancelled(&name, &text, files, is_cancelled)?;
         let source = ModelSource {
-            file: absolute(path).to_string_lossy().into(),
+            file: absolute(path).to_string_lossy().into_owned(),
             version: self.0.versions.fetch_add(1, Ordering::Relaxed) + 1,
             contents: files.contents(),
         };
@@ -226,6 +226,7 @@ pub fn interpreted() -> Option<&'static str> {
 }
 
 /// Compiles a derived model; interprets it where no machine code can be made.
+#[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
 fn compiled(
     path: &Path,
     derived: DerivedModel,

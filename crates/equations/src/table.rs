@@ -2,6 +2,7 @@
 //!
 //! A table is constant, made once for a description and shared by all that play it. Names and units
 //! are `&'static str`, as everywhere in `pode`; prose is owned.
+#![expect(clippy::disallowed_types, reason = "a table is made once, off the tick")]
 
 use alloc::boxed::Box;
 use alloc::sync::Arc;

@@ -1,4 +1,9 @@
 //! What is known of a model without building one.
+#![expect(
+    clippy::disallowed_types,
+    clippy::disallowed_macros,
+    reason = "once for a model, off the tick"
+)]
 
 use core::fmt;
 use core::sync::atomic::{AtomicU64, Ordering};
@@ -148,7 +153,7 @@ impl ModelEntry {
 
     /// Returns the path of its description; none of a model that is part of the program.
     pub fn file(&self) -> Option<&str> {
-        self.source.as_ref().map(|source| &*source.file)
+        self.source.as_ref().map(|source| source.file.as_str())
     }
 
     /// Returns the number of its version; 0 of a model that is part of the program.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ModelSource {
     /// Absolute path of the description.
-    pub file: Box<str>,
+    pub file: String,
     /// Number among the versions that were read, from 1.
     pub version: u32,
     /// Contents of its files, the description first, then its bases.

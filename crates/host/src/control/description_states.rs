@@ -39,7 +39,7 @@ impl DescriptionStates {
     /// Returns what stood in the files of the description of `model` when they were read last.
     pub(super) fn contents(&self, model: &ModelEntry) -> Option<FileContents> {
         let source = model.source.as_ref()?;
-        let read = self.files.get(&*source.file);
+        let read = self.files.get(&source.file);
         Some(read.map_or(&source.contents, |read| &read.contents).clone())
     }
 

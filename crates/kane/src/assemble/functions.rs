@@ -25,6 +25,16 @@ impl TapeFunctions {
 const SHORT: usize = 256;
 const LONG: usize = 8192;
 
+#[inline(never)]
+#[expect(
+    clippy::large_stack_frames,
+    clippy::large_stack_arrays,
+    reason = "a lane's stack has room for 64 KiB, and its tick no heap"
+)]
+fn evaluate_long(tape: &Tape, arguments: &tape::TapeArguments<'_>, out: &mut [f64]) {
+    tape.evaluate_into(arguments, &mut [0.0; LONG], out);
+}
+
 impl Functions for TapeFunctions {
     fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
         let Some(tape) = self.tapes.get(usize::from(function)) else { return };
@@ -35,10 +45,13 @@ impl Functions for TapeFunctions {
             extra: arguments.extra,
         };
         // On the stack, since the tick may ask; what is longer than any shipped function is not.
-        match tape.instructions.len() {
-            ..=SHORT => tape.evaluate_into(&arguments, &mut [0.0; SHORT], out),
-            ..=LONG => tape.evaluate_into(&arguments, &mut [0.0; LONG], out),
-            length => tape.evaluate_into(&arguments, &mut vec![0.0; length], out),
+        let length = tape.instructions.len();
+        if length <= SHORT {
+            tape.evaluate_into(&arguments, &mut [0.0; SHORT], out);
+        } else if length <= LONG {
+            evaluate_long(tape, &arguments, out);
+        } else {
+            tape.evaluate_into(&arguments, &mut vec![0.0; length], out);
         }
     }
 }

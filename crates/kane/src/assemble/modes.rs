@@ -36,7 +36,7 @@ pub(super) fn mode(
         balance: forces.balance,
         series: series::series(graph, functions, &builder)?,
         guards,
-        guard_specs: guard_specs,
+        guard_specs,
         contacts,
         freedom: freedom(context.mechanism, number),
         longest_projection: longest_projection(graph, functions, context.mechanism, number)?,

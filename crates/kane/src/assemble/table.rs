@@ -64,7 +64,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
         guard_specs: all_specs(&tables),
         modes: tables,
         contacts: contact_tables,
-        contact_specs: contact_specs,
+        contact_specs,
         outputs,
         rest: values.rest,
         damper: mechanism.sound.map(|it| DamperTable {
