@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lab::figure6::{ClosedLoop, Figure6, Pace, TIME_SCALES, figure6, write_figure6};
-use lab::piano::SHEET;
+use lab::report::PAGE;
 
 use super::{Failure, prepare_report, print_page, print_report};
 
@@ -63,7 +63,7 @@ fn tell(args: &Figure6Args, figure: &Figure6, out: &mut dyn Write) -> Result<(),
         let [event, force, energy] = errors.map(|it| format!("{it:.1e}"));
         writeln!(out, "  {:54} {event:>10} {force:>10} {energy:>10}", it.kind.title())?;
     }
-    print_page(args.out.as_deref(), SHEET, out)
+    print_page(args.out.as_deref(), PAGE, out)
 }
 
 /// The events of a reading in a line.

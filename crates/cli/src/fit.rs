@@ -7,7 +7,7 @@ use clap::Args;
 use diagnostics::{choice, quoted, shown};
 use keyboard::KeyIndex;
 use lab::fit::{FitOutcome, FitSubject, MeasuredStroke, fit, read_stroke, write_fit};
-use lab::piano::SHEET;
+use lab::report::PAGE;
 use models::ModelEntry;
 use scene::{FittedValues, Instrument, Library, fitted_text};
 
@@ -213,7 +213,7 @@ fn tell(
     for remark in &found.remarks {
         writeln!(out, "{remark}")?;
     }
-    for file in std::iter::once(SHEET).chain(file) {
+    for file in std::iter::once(PAGE).chain(file) {
         writeln!(out, "{}", shown(&args.out.join(file)))?;
     }
     Ok(())

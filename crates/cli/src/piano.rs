@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use diagnostics::{choice, quoted, shown};
 use indicatif::ProgressBar;
-use lab::piano::{
-    Examination, Figure, JOBS, PianoSubject, SHEET, examine, figure_names, write_sheet,
-};
+use lab::piano::{Examination, Figure, JOBS, PianoSubject, examine, figure_names, write_sheet};
+use lab::report::PAGE;
 use scene::{Instrument, Library};
 use serde::Serialize;
 
@@ -123,7 +122,7 @@ fn tell(args: &PianoArgs, examined: &[Examination], out: &mut dyn Write) -> Resu
             writeln!(out, "  {}", line(figure))?;
         }
     }
-    let page = args.out.as_deref().map(|folder: &Path| folder.join(SHEET)).unwrap_or_default();
+    let page = args.out.as_deref().map(|folder: &Path| folder.join(PAGE)).unwrap_or_default();
     Ok(writeln!(out, "{}", shown(&page))?)
 }
 

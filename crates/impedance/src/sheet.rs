@@ -2,15 +2,13 @@
 
 use std::path::Path;
 
-use lab::digits::rounded;
-use lab::report::page::{HtmlCell, STYLE, escape, table};
-use lab::report::{DiskError, PAGE, write_file};
+use lab::report::{DiskError, Report, Table, TableCell};
 use serde::Serialize;
 
 use crate::curve::{ActiveBand, ImpedanceCurve, ImpedancePoint};
-use crate::picture::svg;
+use crate::picture::picture;
 
-/// Most rows of a table on the page.
+/// Most rows of a curve on the page.
 const ROWS: usize = 16;
 
 /// What a reader must know before looking at a curve.
@@ -56,52 +54,37 @@ pub fn write_impedance(
     curves: &[ImpedanceCurve],
 ) -> Result<(), DiskError> {
     let title = format!("Impedance of {name}");
-    let picture = svg(&title, curves);
-    write_file(&folder.join("impedance.csv"), &csv(curves))?;
-    write_file(&folder.join("impedance.svg"), &picture)?;
-    write_file(&folder.join(PAGE), &page(&title, curves, &picture))
-}
-
-fn csv(curves: &[ImpedanceCurve]) -> String {
-    let header = "curve,frequency [Hz],magnitude [N s/m],phase [deg],real [N s/m],\
-                  imaginary [N s/m],coherence,error [N s/m]\n";
-    let line = |name: &str, it: &ImpedancePoint| {
-        let (magnitude, phase) = (it.magnitude(), it.phase());
-        let ImpedancePoint { frequency, real, imaginary, coherence, error } = it;
-        format!(
-            "\"{name}\",{frequency},{magnitude},{phase},{real},{imaginary},{coherence},{error}\n"
-        )
-    };
-    let lines = curves.iter().flat_map(|curve| {
-        let name = curve.name.replace('"', "\"\"");
-        curve.points.iter().map(move |it| line(&name, it))
-    });
-    std::iter::once(header.to_owned()).chain(lines).collect()
-}
-
-fn page(title: &str, curves: &[ImpedanceCurve], picture: &str) -> String {
-    let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>Letoff: {0}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <h1>{0}</h1>\n<p class=\"read\">{HOW}</p>\n<figure>\n{picture}</figure>\n",
-        escape(title),
-    );
+    let mut report = Report::new(title.clone());
+    report.introduce(HOW);
+    report.picture("impedance", &picture(title, curves));
     for curve in curves {
-        let [name, remark, verdict] =
-            [&curve.name, &curve.remark, &curve.verdict()].map(|it| escape(it));
-        page += &["<h2>", &name, "</h2>\n<p>", &remark, ". ", &verdict, ".</p>\n"].concat();
-        page += &points_table(curve);
+        report.heading(&curve.name);
+        report.text(&format!("{}. {}.", curve.remark, curve.verdict()));
+        let step = curve.points.len().div_ceil(ROWS).max(1);
+        report.table(&points().with(curve.points.iter().step_by(step).map(|it| row(curve, it))));
     }
-    page + "</body>\n</html>\n"
+    let rows = curves.iter().flat_map(|curve| curve.points.iter().map(|it| row(curve, it)));
+    report.csv("impedance", &points().with(rows));
+    report.write(folder)
 }
 
-fn points_table(curve: &ImpedanceCurve) -> String {
-    let header = ["f [Hz]", "|Z| [N·s/m]", "phase [°]", "Re Z [N·s/m]", "coherence"];
-    let row = |it: &ImpedancePoint| {
-        let values = [it.frequency, it.magnitude(), it.phase(), it.real, it.coherence];
-        values.map(|it| HtmlCell::Number(rounded(it))).to_vec()
-    };
-    let step = curve.points.len().div_ceil(ROWS).max(1);
-    table(&header, &curve.points.iter().step_by(step).map(row).collect::<Vec<_>>())
+fn points() -> Table {
+    Table::new([
+        ("curve", ""),
+        ("frequency [Hz]", "f [Hz]"),
+        ("magnitude [N s/m]", "|Z| [N·s/m]"),
+        ("phase [deg]", "phase [°]"),
+        ("real [N s/m]", "Re Z [N·s/m]"),
+        ("imaginary [N s/m]", "Im Z [N·s/m]"),
+        ("coherence", "coherence"),
+        ("error [N s/m]", "standard error [N·s/m]"),
+    ])
+}
+
+fn row(curve: &ImpedanceCurve, point: &ImpedancePoint) -> Vec<TableCell> {
+    let ImpedancePoint { frequency, real, imaginary, coherence, error } = *point;
+    let polar = [frequency, point.magnitude(), point.phase()];
+    let numbers = polar.into_iter().chain([real, imaginary, coherence, error]);
+    let name = TableCell::words(curve.name.as_str());
+    std::iter::once(name).chain(numbers.map(TableCell::Number)).collect()
 }

@@ -248,7 +248,7 @@ fn bands_begin_and_end_where_the_real_part_is_zero() {
     let expected = [band(1.5, 3.5, -2.0, 3.0), band(4.0 + 2.0 / 3.0, 5.0, -1.0, 5.0)];
     assert_eq!(curve.active_bands(), expected);
     assert!(curve.verdict().contains("from 1.5 to 3.5 Hz (lowest -2 N·s/m at 3 Hz), and from"));
-    let svg = picture::svg("K", std::slice::from_ref(&curve));
-    // Two bands in each of three panels, in a thin blue.
-    assert_eq!(svg.matches("#CCE3F0").count(), 6, "{svg}");
+    let svg = picture::picture("K".to_owned(), std::slice::from_ref(&curve)).svg();
+    // Two bands in each of three panels, and their row in the legend, in a thin blue.
+    assert_eq!(svg.matches("#CCE3F0").count(), 7, "{svg}");
 }

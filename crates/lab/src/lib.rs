@@ -4,7 +4,7 @@
 //! simulate/   one model under one input: trajectory, events, picture, summary
 //! scenario/   problems with known answers: models, inputs, references
 //! accuracy/   runs each with every method and step, judges it, times it
-//! report/     what was measured, as CSV, SVG and one HTML page
+//! report/     the page of every study with its tables and pictures; the accuracy of all methods
 //! piano/      an instrument beside measured grands
 //! fit/        an instrument from a measured action
 //! figure6/    the paper's experiment at the paper's rates, and how wrong its step was

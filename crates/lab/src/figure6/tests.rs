@@ -161,7 +161,7 @@ fn only_a_pace_that_the_rig_can_follow_is_one() {
 #[test]
 fn the_picture_names_its_switches_and_curves() {
     let figure = experiment();
-    let svg = picture::svg("the title", &figure.slow_motion.paper, figure.string);
+    let svg = picture::picture("the title", &figure.slow_motion.paper, figure.string).svg();
     let words = ["the title", "t₁", "t₁₁", "F_KU", "hammer θh", "gap [mm]", "B1", "B2", "string"];
     for word in words {
         assert!(svg.contains(word), "{word}");

@@ -22,5 +22,5 @@ mod subject;
 pub use figure::{Figure, figure_names};
 pub use gather::{Examination, JOBS, examine};
 pub(crate) use key::Opener;
-pub use sheet::{SHEET, write_sheet};
+pub use sheet::write_sheet;
 pub use subject::PianoSubject;

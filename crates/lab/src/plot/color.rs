@@ -19,6 +19,15 @@ pub const CURVES: [Color; 7] = [
     Color(118, 76, 36),
 ];
 
+/// Shades of modes.
+pub const MODES: [Color; 5] = [
+    Color(253, 236, 205),
+    Color(222, 235, 247),
+    Color(226, 243, 222),
+    Color(243, 228, 243),
+    Color(235, 235, 235),
+];
+
 impl Color {
     /// Returns the colour as SVG reads it: `#28D0FF`.
     pub fn hex(self) -> String {

@@ -1,17 +1,18 @@
 //! What was measured, as CSV, SVG and one HTML page.
 //!
-//! A report is written anew after each scenario, so that a study that is stopped halfway keeps
-//! what it has measured. Each file is written beside its place and then moved there, so that none
-//! is ever half of one.
+//! [`Report`] is the page of every study, with its tables and pictures and the files beside it;
+//! [`StudyReport`] that of the accuracy of all methods. Each file is written beside its place and
+//! then moved there, so that none is ever half of one.
 
 mod date;
 mod disk;
+mod glance;
 mod machine;
-pub mod page;
+mod page;
 mod peers;
-mod plot;
+mod picture;
+mod runs;
 mod summary;
-mod table;
 pub(crate) mod text;
 
 use std::path::Path;
@@ -19,6 +20,7 @@ use std::time::SystemTime;
 
 pub use disk::DiskError;
 pub use machine::Machine;
+pub use page::{Report, Table, TableCell};
 pub use peers::{BadPeers, Peer, read as read_peers};
 pub use summary::Summary;
 
@@ -26,8 +28,9 @@ use crate::accuracy::MeasuredScenario;
 
 /// Name of the page's file.
 pub const PAGE: &str = "index.html";
-/// Name of the table's file.
-pub const TABLE: &str = "accuracy.csv";
+
+/// What a reader must know before looking at a plot.
+const HOW_TO_READ: &str = include_str!("how_to_read.html");
 
 /// What a study has measured so far, and where.
 #[derive(Clone, Debug)]
@@ -38,16 +41,6 @@ pub struct StudyReport {
     pub measured: Vec<MeasuredScenario>,
     /// Runs of other codes on some of the same problems.
     pub peers: Vec<Peer>,
-}
-
-/// Why a report could not be made.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ReportError {
-    #[error(transparent)]
-    Disk(#[from] DiskError),
-    #[error("the table cannot be put together: {0}")]
-    Table(#[from] csv::Error),
 }
 
 /// Creates `folder` and looks whether files can be created there.
@@ -67,32 +60,47 @@ pub fn write_file(path: &Path, text: &str) -> Result<(), DiskError> {
 }
 
 impl StudyReport {
-    /// Writes the table, a plot for each scenario, and the page into `folder`.
+    /// Writes the table, a picture for each scenario, and the page into `folder`.
+    ///
+    /// It is written anew after each scenario, so that a study that is stopped halfway keeps what
+    /// it has measured.
     ///
     /// # Errors
     /// When a file cannot be written; those that could are complete.
-    pub fn write(&self, folder: &Path) -> Result<(), ReportError> {
-        disk::write(&folder.join(TABLE), &table::csv(&self.measured)?)?;
-        let mut pages = Vec::new();
+    pub fn write(&self, folder: &Path) -> Result<(), DiskError> {
+        let Machine { processor, processors, system, program } = &self.machine;
+        let date = date::utc(self.date);
+        let mut report = Report::new("Speed against error");
+        report.text(&format!("{date} · {processor}, {processors} of them, {system} · {program}."));
+        report.marked_up(HOW_TO_READ);
+        report.heading("Cheapest at equal error");
+        report.text(glance::TEXT);
+        report.table(&glance::table(self));
+        let mut all = runs::ours(&[]);
         for measured in &self.measured {
-            let plots = self.plots(measured);
-            for (name, svg) in &plots {
-                disk::write(&folder.join(name), svg)?;
-            }
-            pages.push(plots.into_iter().map(|(_, svg)| svg).collect());
+            self.add(measured, &mut report);
+            all.rows.extend(runs::ours(std::slice::from_ref(measured)).rows);
         }
-        Ok(disk::write(&folder.join(PAGE), &page::html(self, &pages))?)
+        report.csv("accuracy", &all);
+        report.write(folder)
     }
 
-    /// The plots of a scenario with their files' names: ours, and other codes' if there are any.
-    fn plots(&self, measured: &MeasuredScenario) -> Vec<(String, String)> {
-        let name = measured.entry.name;
-        let mut plots = vec![(format!("{name}.svg"), plot::methods(measured))];
-        let peers = self.peers_on(name);
+    /// Adds a scenario: its title, what its reference is, its pictures and its runs.
+    fn add(&self, measured: &MeasuredScenario, report: &mut Report) {
+        let entry = measured.entry;
+        report.heading(&format!("{}: {}", entry.name, entry.title));
+        report.text(entry.source);
+        report.picture(entry.name, &picture::methods(measured));
+        let peers = self.peers_on(entry.name);
         if !peers.is_empty() {
-            plots.push((format!("{name}-peers.svg"), plot::peers(measured, &peers)));
+            report.picture(&format!("{}-peers", entry.name), &picture::peers(measured, &peers));
         }
-        plots
+        let ours = runs::ours(std::slice::from_ref(measured));
+        report.folded(&format!("All {} runs", ours.rows.len()), &ours);
+        if !peers.is_empty() {
+            let title = format!("All {} runs of other codes", peers.len());
+            report.folded(&title, &runs::theirs(&peers));
+        }
     }
 
     /// Returns the main figures, for a program to read.

@@ -17,11 +17,6 @@ pub(super) fn short(value: f64) -> String {
     }
 }
 
-/// An error: always with its power of ten, so that columns can be compared at a glance.
-pub(super) fn error(value: f64) -> String {
-    format!("{value:.1e}")
-}
-
 /// A number with its power of ten, as `1e-9`, with one decimal where it is no power itself.
 pub(super) fn exponent(value: f64) -> String {
     let text = format!("{value:.1e}");
@@ -59,7 +54,6 @@ mod tests {
     fn numbers_are_as_short_as_can_be() {
         let found = [0.0, 0.012_34, 1.234, 23.45, 456.7, 1.2e6, 3e-5].map(short);
         assert_eq!(found, ["0", "0.012", "1.23", "23.4", "457", "1.2e6", "3.0e-5"]);
-        assert_eq!(error(3.21e-9), "3.2e-9");
         assert_eq!([1e-9, 3.162_277_660_168e-12].map(exponent), ["1e-9", "3.2e-12"]);
     }
 

@@ -1,29 +1,14 @@
-//! A map as SVG: a colour for each verdict, the measured boundary, and the lines of theory.
+//! A map as a picture: a colour for each verdict, the measured boundary, and the lines of theory.
 
 use super::axis::MapAxis;
 use super::judge::LoopVerdict;
 use super::map::{StabilityMap, StabilityStudy};
-use crate::plot::axis::Axis;
-use crate::plot::canvas::{Anchor, Canvas, Pixel};
+use crate::plot::axis::AxisScale;
 use crate::plot::color::{Color, INK, Stroke};
-use crate::plot::edge::{PanelEdge, PanelSide};
-use crate::plot::legend;
-
-/// Size of the picture (pixels).
-const SIZE: Pixel = (980.0, 536.0);
-/// Upper left and lower right corner of the map (pixels).
-const PANEL: [Pixel; 2] = [(84.0, 92.0), (600.0, 478.0)];
-/// Where the legend begins (pixels).
-const LEGEND: Pixel = (626.0, 106.0);
-/// Size of the titles' text, of the line below them, and of names along an axis (pixels).
-const TITLE: f64 = 15.0;
-const TEXT: f64 = 12.0;
-/// Radius of a mark of the measured boundary (pixels).
-const MARK: f64 = 2.4;
-/// About how many numbers an axis has.
-const NUMBERS: f64 = 8.0;
-/// Width and height of a sample of a colour (pixels).
-const SAMPLE: Pixel = (28.0, 12.0);
+use crate::plot::marker::MarkerShape::Circle;
+use crate::plot::picture::{
+    CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel,
+};
 
 /// Colours of the lines of theory, which differ from those of the verdicts.
 const LINES: [Color; 4] =
@@ -38,131 +23,91 @@ const fn color(verdict: LoopVerdict) -> Color {
     }
 }
 
-/// Draws a map of a study, with lines of what is no axis.
-pub(super) fn svg(study: &StabilityStudy<'_>, map: &StabilityMap, settings: &[String]) -> String {
-    let mut canvas = Canvas::new(SIZE);
-    let [(left, top), (right, bottom)] = PANEL;
-    draw_cells(&mut canvas, map);
-    for (axis, side) in study.axes.iter().zip([PanelSide::Below, PanelSide::Left]) {
-        draw_axis(&mut canvas, axis, side);
+/// Returns the picture of a map of a study, with lines of what is no axis.
+pub(super) fn picture(
+    study: &StabilityStudy<'_>,
+    map: &StabilityMap,
+    settings: Vec<String>,
+) -> Picture {
+    let [across, up] = &study.axes;
+    let x = |part: f64| shown(across, part);
+    let y = |part: f64| shown(up, part);
+    let places = |places: &[(f64, f64)]| places.iter().map(|it| (x(it.0), y(it.1))).collect();
+    let boundary = map.crossings.iter().enumerate().flat_map(|(column, crossings)| {
+        crossings.iter().map(move |it| (study.middle(0, column), up.part(*it)))
+    });
+    let boundary: Vec<_> = boundary.collect();
+    let marks = CurveLook::Marks(Circle);
+    let name = "boundary, by bisection";
+    let mut curves = vec![PictureCurve::new(name, Stroke::new(INK, 0.5), marks, places(&boundary))];
+    for (line, color) in map.theories.iter().zip(LINES).filter(|it| !it.0.lines.is_empty()) {
+        let stroke = Stroke { is_dashed: true, ..Stroke::new(color, 1.8) };
+        let curve = PictureCurve::new(line.theory.title, stroke, CurveLook::Line, Vec::new());
+        let stretches = line.lines.iter().map(|it| places(it)).collect();
+        curves.push(PictureCurve { stretches, ..curve });
     }
-    draw_boundary(&mut canvas, study, map);
-    for (line, color) in map.theories.iter().zip(LINES) {
-        for places in &line.lines {
-            let places: Vec<_> = places.iter().map(|it| pixel(*it)).collect();
-            canvas.line(&places, theory_stroke(color));
-        }
-    }
+    let panel = PicturePanel {
+        x: picture_axis(across),
+        y: vec![picture_axis(up)],
+        areas: areas(map, [&x, &y]),
+        curves,
+        levels: Vec::new(),
+    };
     let title = format!("{}, velocity by {}", study.name, map.estimator.name());
-    canvas.text(&title, (left, 20.0), TITLE, Anchor::Start);
-    for (row, line) in settings.iter().enumerate() {
-        canvas.text(line, (left, 38.0 + 15.0 * row as f64), 11.0, Anchor::Start);
-    }
-    let [across, up] = [0, 1].map(|axis| axis_title(&study.axes[axis]));
-    canvas.text(&up, (left, top - 14.0), TEXT, Anchor::Start);
-    canvas.text(&across, (0.5 * (left + right), bottom + 34.0), TEXT, Anchor::Middle);
-    draw_legend(&mut canvas, map);
-    canvas.into_svg()
-}
-
-const fn theory_stroke(color: Color) -> Stroke {
-    Stroke { is_dashed: true, ..Stroke::new(color, 1.8) }
+    Picture { notes: settings, size: (516.0, 386.0), ..Picture::of_panel(title, panel) }
 }
 
 /// Title of an axis with its unit.
-pub(super) fn axis_title(axis: &MapAxis) -> String {
+fn axis_title(axis: &MapAxis) -> String {
     match axis.shown.0.as_str() {
         "" | "1" => axis.title.clone(),
         unit => format!("{} [{unit}]", axis.title),
     }
 }
 
-/// Where a part of both axes is.
-fn pixel((x, y): (f64, f64)) -> Pixel {
-    let [(left, top), (right, bottom)] = PANEL;
-    (left + x * (right - left), bottom - y * (bottom - top))
+/// The value at a part of an axis, in the unit in which it is shown.
+fn shown(axis: &MapAxis, part: f64) -> f64 {
+    // A name has a whole number in the middle of its cell.
+    axis.names()
+        .map_or_else(|| axis.value(part) * axis.shown.1, |names| part * names.len() as f64 - 0.5)
 }
 
-/// The nearest whole pixel: no seam is seen between cells that begin and end on one.
-fn snapped((x, y): Pixel) -> Pixel {
-    (x.round(), y.round())
+fn picture_axis(axis: &MapAxis) -> PictureAxis {
+    let scale = if axis.is_logarithmic() { AxisScale::Logarithmic } else { AxisScale::Linear };
+    let names = axis.names().into_iter().flatten().map(|it| (*it).to_owned()).collect();
+    let ends = Some((shown(axis, 0.0), shown(axis, 1.0)));
+    PictureAxis { title: axis_title(axis), scale, ends, names }
 }
 
-/// Fills each run of cells of one verdict in a column.
-fn draw_cells(canvas: &mut Canvas, map: &StabilityMap) {
+/// Each run of cells of one verdict in a column, and the count of all cells with it.
+fn areas(map: &StabilityMap, [x, y]: [&dyn Fn(f64) -> f64; 2]) -> Vec<PictureArea> {
+    let counts = map.counts();
+    let name = |verdict: LoopVerdict| {
+        let count = match verdict {
+            LoopVerdict::Rests => counts.rests,
+            LoopVerdict::Rings => counts.rings,
+            LoopVerdict::MakesEnergy => counts.makes_energy,
+            LoopVerdict::Fails => counts.fails,
+        };
+        format!("{} ({count} cells)", verdict.title())
+    };
     let across = map.columns.len() as f64;
-    for (x, column) in map.columns.iter().enumerate() {
-        let up = column.len() as f64;
+    let mut areas = Vec::new();
+    for (column, cells) in map.columns.iter().enumerate() {
+        let up = cells.len() as f64;
+        let ends = (x(column as f64 / across), x((column as f64 + 1.0) / across));
         let mut from = 0;
-        for run in column.chunk_by(|a, b| a == b) {
+        for run in cells.chunk_by(|a, b| a == b) {
             let to = from + run.len();
-            let low = pixel((x as f64 / across, from as f64 / up));
-            let high = pixel(((x as f64 + 1.0) / across, to as f64 / up));
-            canvas.fill([low, high].map(snapped), color(run[0]));
+            areas.push(PictureArea {
+                x: ends,
+                y: Some((y(from as f64 / up), y(to as f64 / up))),
+                color: color(run[0]),
+                name: name(run[0]),
+                text: String::new(),
+            });
             from = to;
         }
     }
-}
-
-fn draw_axis(canvas: &mut Canvas, axis: &MapAxis, side: PanelSide) {
-    let [(left, top), (right, bottom)] = PANEL;
-    let is_below = side == PanelSide::Below;
-    let places = if is_below { (left, right) } else { (bottom, top) };
-    if let Some(names) = axis.names() {
-        for (number, name) in names.iter().enumerate() {
-            let part = axis.part(number as f64);
-            let place = if is_below { pixel((part, 0.0)) } else { pixel((0.0, part)) };
-            let (at, anchor) = if is_below {
-                ((place.0, place.1 + 13.0), Anchor::Middle)
-            } else {
-                ((place.0 - 7.0, place.1), Anchor::End)
-            };
-            canvas.text(name, at, TEXT, anchor);
-        }
-        return;
-    }
-    let per = axis.shown.1;
-    let range = axis.ends.0 * per..axis.ends.1 * per;
-    let drawn = if axis.is_logarithmic() {
-        Axis::decades(&range, places)
-    } else {
-        Axis::linear(&range, places)
-    };
-    let edge = PanelEdge { axis: &drawn, side, panel: PANEL, wanted: NUMBERS };
-    edge.draw_grid(canvas);
-    edge.draw_axis(canvas);
-}
-
-/// Marks each place at which a column goes from stable to unstable.
-fn draw_boundary(canvas: &mut Canvas, study: &StabilityStudy<'_>, map: &StabilityMap) {
-    for (x, crossings) in map.crossings.iter().enumerate() {
-        for crossing in crossings {
-            let place = pixel((study.middle(0, x), study.axes[1].part(*crossing)));
-            canvas.circle(place, MARK, INK, Stroke::new(INK, 0.5));
-        }
-    }
-}
-
-fn draw_legend(canvas: &mut Canvas, map: &StabilityMap) {
-    let counts = map.counts();
-    let counts = [counts.rests, counts.rings, counts.makes_energy, counts.fails];
-    let mut at = LEGEND;
-    for (verdict, count) in LoopVerdict::ALL.into_iter().zip(counts) {
-        if count == 0 && verdict == LoopVerdict::Fails {
-            continue;
-        }
-        let corner = (at.0, at.1 - 0.5 * SAMPLE.1);
-        canvas.fill([corner, (corner.0 + SAMPLE.0, corner.1 + SAMPLE.1)], color(verdict));
-        legend::draw_name(canvas, at, &format!("{} ({count} cells)", verdict.title()));
-        at.1 += legend::ROW;
-    }
-    at.1 += 0.5 * legend::ROW;
-    let middle = legend::draw_name(canvas, at, "boundary, by bisection");
-    canvas.circle(middle, MARK, INK, Stroke::new(INK, 0.5));
-    at.1 += legend::ROW;
-    let drawn = map.theories.iter().zip(LINES).filter(|it| !it.0.lines.is_empty());
-    for (line, color) in drawn {
-        legend::draw_row(canvas, at, theory_stroke(color), line.theory.title);
-        at.1 += legend::ROW;
-    }
+    areas
 }

@@ -7,15 +7,13 @@ use haptics::EstimatorName;
 use serde::Serialize;
 
 use super::axis::{AxisTarget, MapAxis};
-use super::judge::LoopVerdict;
 use super::map::{StabilityMap, StabilityStudy, VerdictCounts};
-use super::picture::{axis_title, svg};
+use super::picture::picture;
 use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
 use crate::digits::rounded;
-use crate::report::page::{HtmlCell, STYLE, escape, table};
-use crate::report::{DiskError, PAGE, write_file};
+use crate::report::{DiskError, Report, Table, TableCell};
 
-/// Most rows of a table of the boundary on the page.
+/// Most columns of a map of which the page has the boundary.
 const ROWS: usize = 16;
 
 /// The figures of a study, for programs.
@@ -167,6 +165,13 @@ fn setting(name: &str, value: f64) -> String {
     }
 }
 
+/// What a reader must know before looking at a map.
+const HOW: &str = "Each cell is one closed loop in simulation: the key rests, is knocked once by a \
+    weight that is laid on it and taken away, and is left alone. In four windows after that the \
+    mean square of its velocity and the range of the force must fall, else it rings for ever or \
+    makes energy. The boundary is found between two cells by bisection. A theory of passivity \
+    says where every passive load at the key is stable; a key of a given mass alone allows more.";
+
 /// Writes the maps of a study into `folder`: map.csv, boundary.csv, a picture for each, and a page.
 ///
 /// # Errors
@@ -177,108 +182,73 @@ pub fn write_maps(
     maps: &[StabilityMap],
 ) -> Result<(), DiskError> {
     let summary = StabilitySummary::new(study, maps);
-    let picture = |map: &StabilityMap| svg(study, map, &settings_lines(study, map.estimator));
-    let pictures: Vec<_> = maps.iter().map(picture).collect();
-    for (map, picture) in maps.iter().zip(&pictures) {
-        write_file(&folder.join(format!("{}.svg", map.estimator.name())), picture)?;
+    let mut report = Report::new(format!("Where {} is stable", study.name));
+    report.introduce(HOW);
+    report.csv("map", &cells(study, maps));
+    let mut all = boundary_table(study);
+    for (map, figures) in maps.iter().zip(&summary.maps) {
+        let name = map.estimator.name();
+        report.heading(&format!("Velocity by {name}"));
+        let settings = settings_lines(study, map.estimator);
+        report.picture(name, &picture(study, map, settings));
+        let step = figures.boundary.len().div_ceil(ROWS).max(1);
+        let shown = figures.boundary.iter().step_by(step);
+        report.table(&boundary_table(study).with(shown.flat_map(|row| row.cells(name))));
+        all.rows.extend(figures.boundary.iter().flat_map(|row| row.cells(name)));
     }
-    write_file(&folder.join("map.csv"), &cells_csv(study, maps))?;
-    write_file(&folder.join("boundary.csv"), &boundary_csv(study, &summary))?;
-    write_file(&folder.join(PAGE), &page(study, &summary, &pictures))
+    report.csv("boundary", &all);
+    report.write(folder)
 }
 
-/// The header of an axis's column.
-fn column(axis: &MapAxis) -> String {
+/// The name of an axis's column in CSV, and its title.
+fn column(axis: &MapAxis) -> (String, String) {
     let unit = axis.unit.replace(['*', '^'], "");
-    if unit.is_empty() || unit == "1" {
-        axis.name.clone()
-    } else {
-        format!("{} [{unit}]", axis.name)
-    }
-}
-
-fn cells_csv(study: &StabilityStudy<'_>, maps: &[StabilityMap]) -> String {
-    let [across, up] = [0, 1].map(|axis| column(&study.axes[axis]));
-    let header = format!("estimator,{across},{up},verdict\n");
-    let value = |axis: usize, cell| study.axes[axis].value(study.middle(axis, cell));
-    let line = |estimator: EstimatorName, x, (y, verdict): (usize, &LoopVerdict)| {
-        let name = estimator.name();
-        format!("{name},{},{},{}\n", value(0, x), value(1, y), verdict.title())
+    let titled = |title: &str| match unit.as_str() {
+        "" | "1" => title.to_owned(),
+        unit => format!("{title} [{unit}]"),
     };
-    let columns = maps
-        .iter()
-        .flat_map(|map| map.columns.iter().enumerate().map(|(x, cells)| (map.estimator, x, cells)));
-    let lines = columns.flat_map(|(estimator, x, cells)| {
-        cells.iter().enumerate().map(move |cell| line(estimator, x, cell))
-    });
-    std::iter::once(header).chain(lines).collect()
+    (titled(&axis.name), titled(&axis.title))
 }
 
-fn boundary_csv(study: &StabilityStudy<'_>, summary: &StabilitySummary) -> String {
+fn own_column(name: &str) -> (String, String) {
+    (name.to_owned(), name.to_owned())
+}
+
+fn cells(study: &StabilityStudy<'_>, maps: &[StabilityMap]) -> Table {
     let [across, up] = [0, 1].map(|axis| column(&study.axes[axis]));
-    let header = format!("estimator,{across},boundary,{up}\n");
-    let rows = summary
-        .maps
-        .iter()
-        .flat_map(|map| map.boundary.iter().flat_map(|row| row.lines(map.estimator)));
-    std::iter::once(header).chain(rows).collect()
+    let table = Table::new([own_column("estimator"), across, up, own_column("verdict")]);
+    let value =
+        |axis: usize, cell| TableCell::Number(study.axes[axis].value(study.middle(axis, cell)));
+    table.with(maps.iter().flat_map(|map| {
+        let name = map.estimator.name();
+        map.columns.iter().enumerate().flat_map(move |(x, cells)| {
+            cells.iter().enumerate().map(move |(y, verdict)| {
+                let [name, verdict] = [name, verdict.title()].map(TableCell::words);
+                [name, value(0, x), value(1, y), verdict]
+            })
+        })
+    }))
+}
+
+fn boundary_table(study: &StabilityStudy<'_>) -> Table {
+    let [across, up] = [0, 1].map(|axis| column(&study.axes[axis]));
+    // On the page the estimator is the heading.
+    let estimator = ("estimator".to_owned(), String::new());
+    Table::new([estimator, across, own_column("boundary"), up])
 }
 
 impl BoundaryRow {
-    /// A line of the table for each place of the boundary, measured and by theory.
-    fn lines(&self, estimator: &str) -> Vec<String> {
-        let measured = [("measured", &self.measured)];
+    /// A row of the table for each place of the boundary, measured and by theory.
+    fn cells(&self, estimator: &str) -> Vec<Vec<TableCell>> {
         let theory = self.theory.iter().map(|(name, all)| (*name, all));
-        let named = measured.into_iter().chain(theory);
-        let places = named.flat_map(|(name, all)| all.iter().map(move |it| (name, it)));
-        places.map(|(name, value)| format!("{estimator},{},{name},{value}\n", self.x)).collect()
+        let named = std::iter::once(("measured", &self.measured)).chain(theory);
+        let places = named.flat_map(|(name, all)| all.iter().map(move |it| (name, *it)));
+        let cells = places.map(|(name, value)| {
+            let [estimator, name] = [estimator, name].map(TableCell::words);
+            vec![estimator, TableCell::Number(self.x), name, TableCell::Number(value)]
+        });
+        cells.collect()
     }
-}
-
-/// What a reader must know before looking at a map.
-const HOW: &str = "Each cell is one closed loop in simulation: the key rests, is knocked once by a \
-    weight that is laid on it and taken away, and is left alone. In four windows after that the \
-    mean square of its velocity and the range of the force must fall, else it rings for ever or \
-    makes energy. The boundary is found between two cells by bisection. A theory of passivity \
-    says where every passive load at the key is stable; a key of a given mass alone allows more.";
-
-fn page(study: &StabilityStudy<'_>, summary: &StabilitySummary, pictures: &[String]) -> String {
-    let title = format!("Where {} is stable", study.name);
-    let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>Letoff: {0}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <h1>{0}</h1>\n<p class=\"read\">{HOW}</p>\n",
-        escape(&title),
-    );
-    for (map, picture) in summary.maps.iter().zip(pictures) {
-        page += &["<h2>Velocity by ", map.estimator, "</h2>\n<figure>\n", picture].concat();
-        page += "</figure>\n";
-        page += &boundary_table(study, map);
-    }
-    page + "</body>\n</html>\n"
-}
-
-/// Some rows of the boundary; nothing where there is none.
-fn boundary_table(study: &StabilityStudy<'_>, map: &MapSummary) -> String {
-    let theories = map.boundary.first().into_iter().flat_map(|it| it.theory.keys());
-    let up = axis_title(&study.axes[1]);
-    let mut header = vec![axis_title(&study.axes[0]), format!("{up}: measured")];
-    header.extend(theories.map(|name| format!("by {name}")));
-    let header: Vec<_> = header.iter().map(String::as_str).collect();
-    let step = map.boundary.len().div_ceil(ROWS).max(1);
-    let number = |axis: usize, value: f64| rounded(value * study.axes[axis].shown.1);
-    let list = |all: &Vec<f64>| {
-        let all: Vec<_> = all.iter().map(|it| number(1, *it)).collect();
-        HtmlCell::Number(all.join("; "))
-    };
-    let row = |row: &BoundaryRow| {
-        let first = [HtmlCell::Number(number(0, row.x)), list(&row.measured)];
-        first.into_iter().chain(row.theory.values().map(list)).collect()
-    };
-    let rows = map.boundary.iter().step_by(step).filter(|it| !it.measured.is_empty());
-    let rows: Vec<Vec<HtmlCell>> = rows.map(row).collect();
-    if rows.is_empty() { String::new() } else { table(&header, &rows) }
 }
 
 #[cfg(test)]

@@ -15,8 +15,10 @@ pub struct Axis {
     places: (f64, f64),
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum AxisScale {
+/// How values lie along an axis.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum AxisScale {
+    #[default]
     Linear,
     Logarithmic,
 }

@@ -56,9 +56,9 @@ impl EventMarks {
         }
     }
 
-    /// Labels that are `apart` from each other and at most `astray` behind their mark;
-    /// where there is no room, several marks share one (all in columns).
-    pub(super) fn labels(&self, apart: f64, astray: f64) -> Vec<EventLabel> {
+    /// Returns labels with their times (s), of which there are so few that each has room `apart`
+    /// from the others and at most `astray` behind its mark (columns): marks share one.
+    pub(super) fn labels(&self, apart: f64, astray: f64) -> Vec<(f64, String)> {
         let mut groups: Vec<(f64, EventMark)> = Vec::new();
         for mark in &self.all {
             let x = mark.t / self.axis.until * self.axis.n as f64;
@@ -69,23 +69,8 @@ impl EventMarks {
             }
         }
         let decimals = decimals(self.axis.until);
-        let label = |(place, mark): (f64, EventMark)| EventLabel {
-            t: mark.t,
-            place,
-            text: mark.text(decimals),
-        };
-        groups.into_iter().map(label).collect()
+        groups.into_iter().map(|(_, mark)| (mark.t, mark.text(decimals))).collect()
     }
-}
-
-/// The text above a mark.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct EventLabel {
-    /// Time of the mark (s).
-    pub(super) t: f64,
-    /// Where the label stands (columns).
-    pub(super) place: f64,
-    pub(super) text: String,
 }
 
 /// Decimals that tell thousandths of `until` (s) apart.
@@ -109,27 +94,23 @@ mod tests {
         marks
     }
 
-    fn check(events: &[(f64, &'static str)], expected: &[(f64, &str)]) {
+    fn check(events: &[(f64, &'static str)], expected: &[&str]) {
         let labels = marks(events).labels(10.0, 15.0);
-        let found: Vec<_> =
-            labels.iter().map(|label| (label.place.round(), label.text.as_str())).collect();
+        let found: Vec<_> = labels.iter().map(|(_, text)| text.as_str()).collect();
         assert_eq!(found, expected);
     }
 
     #[test]
-    fn far_marks_have_their_labels_above_them() {
-        check(&[(0.1, "a"), (0.5, "b")], &[(10.0, "a 0.100 s"), (50.0, "b 0.500 s")]);
+    fn far_marks_have_their_own_labels() {
+        check(&[(0.1, "a"), (0.5, "b")], &["a 0.100 s", "b 0.500 s"]);
     }
 
     #[test]
     fn near_labels_give_way_and_crowded_ones_are_one() {
         let events = [(0.1, "a"), (0.12, "b"), (0.14, "c"), (0.16, "b"), (0.5, "a")];
-        let expected = [(10.0, "a 0.100 s"), (20.0, "b, c ×3 from 0.120 s"), (50.0, "a 0.500 s")];
-        check(
-            &events,
-            &[expected[0], (20.0, "b, c ×2 from 0.120 s"), (30.0, "b 0.160 s"), expected[2]],
-        );
-        check(&[events[0], events[1], (0.125, "c"), (0.126, "c"), events[4]], &expected);
+        check(&events, &["a 0.100 s", "b, c ×2 from 0.120 s", "b 0.160 s", "a 0.500 s"]);
+        let crowded = [events[0], events[1], (0.125, "c"), (0.126, "c"), events[4]];
+        check(&crowded, &["a 0.100 s", "b, c ×3 from 0.120 s", "a 0.500 s"]);
     }
 
     #[test]

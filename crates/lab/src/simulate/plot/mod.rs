@@ -1,14 +1,14 @@
 //! `--plot`: the run as a picture, in the manner of `[GC93]` figure 6.
 //!
 //! In the order of a run: `curve` what is plotted, in which `unit`; `track`, `mark` and
-//! `epoch` what of a run of any length can be seen; `picture` all that is shown; `draw` the
+//! `epoch` what of a run of any length can be seen; `run_picture` all that is shown; `draw` the
 //! SVG. What is kept is bounded by the picture's width, not by the run.
 
 mod curve;
 mod draw;
 mod epoch;
 mod mark;
-mod picture;
+mod run_picture;
 mod source;
 mod track;
 mod unit;
@@ -23,7 +23,7 @@ use pode::{Event, Motion, Piece, Signal};
 use self::curve::ModelInstant;
 use self::epoch::Epochs;
 use self::mark::EventMarks;
-use self::picture::Picture;
+use self::run_picture::RunPicture;
 use self::track::Columns;
 use super::args::SimulateArgs;
 use super::check::Start;
@@ -35,7 +35,7 @@ use super::mode::mode_index;
 pub(super) struct Plot {
     path: PathBuf,
     file: File,
-    picture: Picture,
+    picture: RunPicture,
     /// Room for a row's outputs.
     outputs: Vec<f64>,
 }
@@ -53,7 +53,7 @@ impl Plot {
         let axis = Columns { n: draw::COLUMNS, until: args.until };
         let model = &start.model;
         let entry = model.entry();
-        let picture = Picture {
+        let picture = RunPicture {
             title: [
                 entry.name.to_owned(),
                 args.method.clone(),

@@ -1,4 +1,4 @@
-//! All that a picture shows.
+//! All that the picture of a run shows.
 
 use super::curve::SignalCurve;
 use super::epoch::Epochs;
@@ -7,8 +7,8 @@ use super::track::Columns;
 
 /// What a run has shown, in bounded memory.
 #[derive(Debug)]
-pub(super) struct Picture {
-    /// Model, method and tick, one in a line.
+pub(super) struct RunPicture {
+    /// Model, method and tick, one to a line.
     pub(super) title: [String; 3],
     pub(super) axis: Columns,
     /// Names of the model's modes.

@@ -1,25 +1,11 @@
-//! How a curve and its marks look: the same in every panel.
+//! Marks of points: shapes that differ beside colours.
 
-use crate::plot::canvas::{Canvas, Pixel};
-use crate::plot::color::{Color, PAPER, Stroke};
-
-/// How a curve is drawn.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CurveStyle {
-    pub(super) shape: MarkerShape,
-    pub(super) stroke: Stroke,
-}
-
-impl CurveStyle {
-    /// Whether the curve is another code's: dashed, with hollow marks.
-    pub(super) const fn is_peer(&self) -> bool {
-        self.stroke.is_dashed
-    }
-}
+use super::canvas::{Canvas, Pixel};
+use super::color::{Color, PAPER, Stroke};
 
 /// The shape of a mark.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum MarkerShape {
+pub enum MarkerShape {
     Circle,
     Square,
     Up,
@@ -32,7 +18,7 @@ pub(super) enum MarkerShape {
 
 impl MarkerShape {
     /// Eight, beside seven colours: that makes 56 pairs.
-    pub(super) const ALL: [Self; 8] = [
+    pub const ALL: [Self; 8] = [
         Self::Circle,
         Self::Square,
         Self::Up,
@@ -43,7 +29,7 @@ impl MarkerShape {
         Self::Tall,
     ];
 
-    /// Its corners around the origin, in half widths; none for a circle.
+    /// Returns its corners around the origin, in half widths; none for a circle.
     const fn corners(self) -> &'static [Pixel] {
         match self {
             Self::Circle => &[],
@@ -59,16 +45,16 @@ impl MarkerShape {
 }
 
 /// Half a mark's width (pixels).
-const SIZE: f64 = 3.6;
+const SIZE: f64 = 3.2;
 
 /// Width of a mark's edge (pixels).
 const EDGE: f64 = 1.2;
 
-/// Draws the mark of a curve.
-pub(super) fn draw(canvas: &mut Canvas, at: Pixel, style: &CurveStyle) {
-    let color = style.stroke.color;
-    let (fill, edge) = (if style.is_peer() { PAPER } else { color }, Stroke::new(color, EDGE));
-    let corners = style.shape.corners();
+/// Draws a mark of a curve; that of a dashed one is hollow.
+pub(super) fn draw(canvas: &mut Canvas, at: Pixel, shape: MarkerShape, stroke: Stroke) {
+    let Stroke { color, is_dashed, .. } = stroke;
+    let (fill, edge) = (if is_dashed { PAPER } else { color }, Stroke::new(color, EDGE));
+    let corners = shape.corners();
     if corners.is_empty() {
         canvas.circle(at, SIZE, fill, edge);
     } else {
@@ -77,7 +63,7 @@ pub(super) fn draw(canvas: &mut Canvas, at: Pixel, style: &CurveStyle) {
     }
 }
 
-/// Draws the mark of a run whose events were wrong.
+/// Draws the cross of a failure.
 pub(super) fn draw_failure(canvas: &mut Canvas, (x, y): Pixel, color: Color) {
     let (r, stroke) = (SIZE, Stroke::new(color, 1.6));
     canvas.line(&[(x - r, y - r), (x + r, y + r)], stroke);

@@ -1,0 +1,242 @@
+//! A report: one page that needs no other file, and the files beside it.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use super::{DiskError, PAGE, write_file};
+use crate::digits::rounded;
+use crate::plot::picture::Picture;
+
+/// The style sheet of all pages.
+const STYLE: &str = include_str!("style.css");
+
+/// A report of a study.
+#[derive(Clone, Debug)]
+pub struct Report {
+    title: String,
+    /// What stands below the title, as HTML.
+    body: String,
+    /// Names and texts of the files beside the page.
+    files: Vec<(String, String)>,
+}
+
+/// A table, which is shown on the page, written as CSV, or both.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Table {
+    /// Name of each column in CSV, and its title on the page; empty if it is not shown there.
+    columns: Vec<(String, String)>,
+    pub rows: Vec<Vec<TableCell>>,
+}
+
+/// A cell of a table.
+#[derive(Clone, PartialEq, Debug)]
+pub enum TableCell {
+    Words(String),
+    /// A number: with all its digits in CSV, with four on the page.
+    Number(f64),
+    Missing,
+    /// Words, or a number, that say that something went wrong.
+    WrongWords(String),
+    WrongNumber(f64),
+}
+
+impl TableCell {
+    /// Returns a cell with words.
+    pub fn words(words: impl Into<String>) -> Self {
+        Self::Words(words.into())
+    }
+
+    /// Returns a cell with a number, if there is one.
+    pub fn maybe(number: Option<f64>) -> Self {
+        number.map_or(Self::Missing, Self::Number)
+    }
+
+    /// Returns the cell as text, with its numbers as `number` writes them.
+    fn text(&self, number: impl Fn(f64) -> String) -> String {
+        match self {
+            Self::Words(words) | Self::WrongWords(words) => words.clone(),
+            Self::Number(it) | Self::WrongNumber(it) => number(*it),
+            Self::Missing => String::new(),
+        }
+    }
+
+    const fn class(&self) -> &'static str {
+        match self {
+            Self::Words(_) | Self::Missing => "",
+            Self::Number(_) => " class=\"n\"",
+            Self::WrongWords(_) | Self::WrongNumber(_) => " class=\"wrong\"",
+        }
+    }
+}
+
+impl Table {
+    /// Returns a table without rows; each column has a name in CSV and a title on the page.
+    pub fn new<N: Into<String>, T: Into<String>>(
+        columns: impl IntoIterator<Item = (N, T)>,
+    ) -> Self {
+        let columns = columns.into_iter().map(|(name, title)| (name.into(), title.into()));
+        Self { columns: columns.collect(), rows: Vec::new() }
+    }
+
+    /// Returns the table with these rows.
+    #[must_use]
+    pub fn with<R: Into<Vec<TableCell>>>(mut self, rows: impl IntoIterator<Item = R>) -> Self {
+        self.rows.extend(rows.into_iter().map(Into::into));
+        self
+    }
+
+    fn csv(&self) -> String {
+        let names = self.columns.iter().map(|(name, _)| name.clone()).collect();
+        let rows = self.rows.iter().map(|row| row.iter().map(|it| it.text(|it| format!("{it:?}"))));
+        let lines = std::iter::once(names).chain(rows.map(Iterator::collect::<Vec<_>>));
+        lines
+            .map(|fields| fields.iter().map(|it| field(it)).collect::<Vec<_>>().join(",") + "\n")
+            .collect()
+    }
+
+    /// The table as HTML, which can be scrolled sideways on its own.
+    fn html(&self) -> String {
+        let mut text = "<div class=\"wide\"><table>\n<tr>".to_owned();
+        let is_shown = |it: &usize| !self.columns[*it].1.is_empty();
+        let shown: Vec<_> = (0..self.columns.len()).filter(is_shown).collect();
+        for column in &shown {
+            // Writing to a String cannot fail.
+            let _written = write!(text, "<th>{}</th>", escape(&self.columns[*column].1));
+        }
+        text += "</tr>\n";
+        for row in &self.rows {
+            text += "<tr>";
+            for cell in shown.iter().map(|column| &row[*column]) {
+                let words = escape(&cell.text(rounded));
+                let _written = write!(text, "<td{}>{words}</td>", cell.class());
+            }
+            text += "</tr>\n";
+        }
+        text + "</table></div>\n"
+    }
+}
+
+impl Report {
+    /// Returns a report without anything but its title.
+    pub fn new(title: impl Into<String>) -> Self {
+        Self { title: title.into(), body: String::new(), files: Vec::new() }
+    }
+
+    /// Adds what a reader must know first.
+    pub fn introduce(&mut self, text: &str) {
+        self.html("p class=\"read\"", text);
+    }
+
+    /// Begins a part with a heading.
+    pub fn heading(&mut self, text: &str) {
+        self.html("h2", text);
+    }
+
+    /// Adds a paragraph.
+    pub fn text(&mut self, text: &str) {
+        self.html("p", text);
+    }
+
+    fn html(&mut self, tag: &str, text: &str) {
+        let end = tag.split(' ').next().unwrap_or(tag);
+        self.body += &format!("<{tag}>{}</{end}>\n", escape(text));
+    }
+
+    /// Adds a part that is HTML already.
+    pub(super) fn marked_up(&mut self, html: &str) {
+        self.body += html;
+    }
+
+    /// Adds a table, if it has rows.
+    pub fn table(&mut self, table: &Table) {
+        if !table.rows.is_empty() {
+            self.body += &table.html();
+        }
+    }
+
+    /// Adds a table behind a line that opens it.
+    pub fn folded(&mut self, title: &str, table: &Table) {
+        let (title, html) = (escape(title), table.html());
+        self.body += &format!("<details><summary>{title}</summary>\n{html}</details>\n");
+    }
+
+    /// Adds a picture, also as the file `<name>.svg`.
+    pub fn picture(&mut self, name: &str, picture: &Picture) {
+        let svg = picture.svg();
+        self.body += &["<figure>\n", &svg, "</figure>\n"].concat();
+        self.file(format!("{name}.svg"), svg);
+    }
+
+    /// Adds the file `<name>.csv` with a table.
+    pub fn csv(&mut self, name: &str, table: &Table) {
+        self.file(format!("{name}.csv"), table.csv());
+    }
+
+    /// Adds a file.
+    pub fn file(&mut self, name: impl Into<String>, text: String) {
+        self.files.push((name.into(), text));
+    }
+
+    /// Writes the files, and the page last, into `folder`.
+    ///
+    /// # Errors
+    /// When a file cannot be written; those that could are complete.
+    pub fn write(&self, folder: &Path) -> Result<(), DiskError> {
+        for (name, text) in &self.files {
+            write_file(&folder.join(name), text)?;
+        }
+        write_file(&folder.join(PAGE), &self.page())
+    }
+
+    fn page(&self) -> String {
+        let (title, body) = (escape(&self.title), &self.body);
+        format!(
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <title>Letoff: {title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+             <h1>{title}</h1>\n{body}</body>\n</html>\n"
+        )
+    }
+}
+
+/// Returns `text` with its marks of HTML made harmless.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Returns `text` as a field of CSV, in quotes if it has to be.
+fn field(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        return format!("\"{}\"", text.replace('"', "\"\""));
+    }
+    text.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_the_same_on_the_page_and_as_csv() {
+        let source = || TableCell::words("long");
+        let table = Table::new([("name", "the <name>"), ("value", "value [1]"), ("source", "")])
+            .with([
+                [TableCell::words("a, \"b\""), TableCell::Number(1.0 / 3.0), source()],
+                [TableCell::words("<script>"), TableCell::Missing, source()],
+                [TableCell::words("c"), TableCell::WrongNumber(2.0), source()],
+            ]);
+        assert_eq!(
+            table.csv(),
+            "name,value,source\n\"a, \"\"b\"\"\",0.3333333333333333,long\n<script>,,long\nc,2.0,long\n"
+        );
+        let mut report = Report::new("A & B");
+        report.table(&table);
+        let page = report.page();
+        assert!(!page.contains("<script>") && page.contains("<th>the &lt;name&gt;</th>"), "{page}");
+        assert!(
+            page.contains("<td class=\"n\">0.3333</td>") && page.contains("A &amp; B"),
+            "{page}"
+        );
+        assert!(page.contains("<td class=\"wrong\">2</td>") && !page.contains("long"), "{page}");
+    }
+}
