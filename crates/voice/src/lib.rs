@@ -22,11 +22,11 @@ mod carried;
 pub mod coupling;
 pub mod damper;
 pub mod input;
-#[cfg(test)]
-mod loaded;
 pub mod rendered_key;
 mod rest;
 mod shift;
+#[cfg(test)]
+mod tests;
 
 pub use audit::{AuditCell, AuditReport};
 pub use builder::{AnyVoice, BuildError, VoiceBuilder};

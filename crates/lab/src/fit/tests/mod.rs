@@ -1,8 +1,12 @@
 //! Fits to strokes whose parameters are known.
 
+use std::path::Path;
+use std::sync::Arc;
+
 use std::f64::consts::TAU;
 
-use models::{ModelEntry, catalogue};
+use descriptions::Library;
+use models::{LoadedModel, ModelEntry};
 
 use super::data::StrokeRow;
 use super::driven::DrivenStroke;
@@ -12,10 +16,11 @@ use crate::random::SeededRandom;
 /// C4.
 const KEY: u8 = 39;
 
-fn model(name: &str, preset: &str) -> (&'static ModelEntry, Vec<f64>) {
-    let model = catalogue::built_in(name).expect("a model");
+fn model(name: &str, preset: &str) -> (Arc<LoadedModel>, Vec<f64>) {
+    let model = Library::default().find(name, Path::new("")).expect("a model");
     let preset = model.presets.iter().find(|it| it.name == preset).expect("a preset");
-    (model, (0..model.parameters.len()).map(|at| (preset.value)(at, KEY)).collect())
+    let values = preset.values(KEY);
+    (model, values)
 }
 
 fn place(model: &ModelEntry, name: &str) -> usize {
@@ -25,7 +30,7 @@ fn place(model: &ModelEntry, name: &str) -> usize {
 /// Strokes of a key with `changed` parameters: `count` of `depth` (m) and back in 0.4 s, a row each
 /// 2 ms, and the same slower by half.
 fn played(
-    (model, values): (&'static ModelEntry, &[f64]),
+    (model, values): (&LoadedModel, &[f64]),
     changed: &[(&str, f64)],
     depth: f64,
 ) -> Vec<MeasuredStroke> {
@@ -65,7 +70,7 @@ fn measured(
 }
 
 fn fitted(
-    (model, values): (&'static ModelEntry, &[f64]),
+    (model, values): (&LoadedModel, &[f64]),
     names: &[&str],
     strokes: &[MeasuredStroke],
 ) -> FitOutcome {
@@ -84,11 +89,11 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     let (model, values) = model("key-hammer-springs", "playable");
     let truth = [("M2", 0.0100), ("JK", 2.3e-3), ("cK", -0.010)];
     let names = truth.map(|it| it.0);
-    let strokes = played((model, &values), &truth, 8e-3);
+    let strokes = played((&model, &values), &truth, 8e-3);
     let (mut held, mut all) = (0, 0);
     for seed in 0..6 {
         // A cell of 10 mN and a ruler of 1 µm.
-        let found = fitted((model, &values), &names, &measured(&strokes, seed, (0.01, 1e-6)));
+        let found = fitted((&model, &values), &names, &measured(&strokes, seed, (0.01, 1e-6)));
         held += found.parameters.iter().zip(truth).filter(|(it, of)| covers(it, of.1)).count();
         all += truth.len();
         assert!(found.strokes.iter().all(|it| it.after < 0.013), "{:?}", found.strokes);
@@ -100,10 +105,10 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
 #[test]
 fn what_has_no_influence_or_a_double_is_named_and_keeps_its_value() {
     let (model, values) = model("key-hammer-springs", "playable");
-    let strokes = played((model, &values), &[("M2", 0.0100)], 8e-3);
+    let strokes = played((&model, &values), &[("M2", 0.0100)], 8e-3);
     // The string is not reached, and mass times distance is one moment, whatever the mass.
     let names = ["string_angle", "M2", "M1", "cK"];
-    let found = fitted((model, &values), &names, &measured(&strokes, 1, (0.01, 0.0)));
+    let found = fitted((&model, &values), &names, &measured(&strokes, 1, (0.01, 0.0)));
     let told = found.remarks.join("\n");
     assert!(told.contains("string (string_angle) has no influence on these strokes"), "{told}");
     assert!(
@@ -124,7 +129,7 @@ fn published_touch_weights_are_followed_and_their_friction_found() {
     // The whole way before the damper, both ways.
     stroke.rows.retain(|row| (0.8e-3..4.8e-3).contains(&row.travel));
     let (model, values) = model("reduced-grand", "default");
-    let found = fitted((model, &values), &["Wk", "Fc"], &[stroke]);
+    let found = fitted((&model, &values), &["Wk", "Fc"], &[stroke]);
     // Weights of 50 and 26 gf are constants, and so is what the model has there.
     assert!(found.strokes[0].after < 0.02, "{:?}", found.strokes);
     let friction = &found.parameters[1];

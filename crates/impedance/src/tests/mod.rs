@@ -1,5 +1,7 @@
 //! Impedances beside closed forms, that no line of the product has part in.
 
+use std::path::Path;
+
 use std::f64::consts::TAU;
 
 use haptics::{EstimatorName, RigParameters};
@@ -15,7 +17,7 @@ fn j_omega(frequency: f64) -> Z {
 }
 
 /// Values of a model of the program, where these differ from its defaults.
-fn values(model: &'static models::ModelEntry, changed: &[(&str, f64)]) -> Vec<f64> {
+fn values(model: &models::ModelEntry, changed: &[(&str, f64)]) -> Vec<f64> {
     let value = |(place, parameter): (usize, &models::Parameter)| {
         let given = changed.iter().find(|it| it.0 == parameter.name);
         given.map_or_else(|| model.default_value(place), |it| it.1)
@@ -35,9 +37,9 @@ fn check_mode(
     depth: f64,
     expected: &dyn Fn(f64) -> Z,
 ) {
-    let model = models::catalogue::find(name).unwrap();
-    let values = values(model, changed);
-    let held = HeldMode { model, values: &values, mode: Some(mode), depth };
+    let model = descriptions::Library::default().find(name, Path::new("")).unwrap();
+    let values = values(&model, changed);
+    let held = HeldMode { model: &model, values: &values, mode: Some(mode), depth };
     let linear = linearise(&held).unwrap();
     assert_eq!(linear.mode, mode);
     for frequency in frequencies((1.0, 1e3), 25) {
