@@ -1,16 +1,11 @@
 //! The problems, with everything that is run on them.
 
-use std::fs;
-
-use hand_written::{BouncingBall, KeyHammerSprings, key_hammer_springs};
-use models::Described;
 use pode::series::{INPUT_TERMS, add_bell};
 use pode::{Motion, Resets};
-use serde_json::Value;
 
 use crate::entry::Entry;
 use crate::peers;
-use crate::peers::{Driven, Ours, Written};
+use crate::peers::{Driven, KeyHammer, Ours, Written};
 use crate::problem::Problem;
 use crate::problems::{Ball, Block, BlockMode, Cradle};
 use crate::reference::{self, Reference};
@@ -54,16 +49,7 @@ pub(crate) fn all() -> Result<Vec<Case>, String> {
 fn ball() -> Case {
     const T_END: f64 = 3.6;
     let problem = Ball { g: 9.81, e: 0.8, height: 1.0 };
-    let model = BouncingBall {
-        g: problem.g,
-        restitution: problem.e,
-        mass: 1.0,
-        y0: problem.height,
-        scale: 1.0,
-    };
-    let input = |_: f64| Motion::default();
-    let start = model.at_rest(&input(0.0));
-    let ours = Ours { model, input, start };
+    let ours = Ours { model: Written(problem), input: |_: f64| (), start: problem.start() };
     let mut entries = peers::entries::<2, 1, 3, _>(problem, T_END);
     entries.extend(peers::ours(ours, T_END));
     let Ball { g, e, height } = problem;
@@ -112,8 +98,7 @@ impl Driven<Motion> for Bells {
 fn model_b(name: &'static str, file: &str, summary: &'static str) -> Result<Case, String> {
     let (problem, t_end, reference) = reference::model_b(file)?;
     let input = Bells(problem.bells);
-    let model = model(file)?;
-    let ours = Ours { model, input, start: model.at_rest(&input.at(0.0)) };
+    let ours = Ours { model: KeyHammer::new(&problem), input, start: problem.start() };
     let mut entries = peers::entries::<4, 2, 5, _>(problem, t_end);
     entries.extend(peers::ours(ours, t_end));
     entries.extend(peers::expanded(ours, t_end));
@@ -164,24 +149,11 @@ where
     Ok(Case { name, summary, t_end, reference, entries, parameters })
 }
 
-/// Our model with the parameters of a case.
-fn model(file: &str) -> Result<KeyHammerSprings, String> {
-    let path = reference::folder().join(format!("{file}.json"));
-    let text = fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let json: Value = serde_json::from_str(&text).map_err(|error| format!("{file}: {error}"))?;
-    let given = |name: &str| reference::number(&json["parameters"][name]);
-    let entry = &key_hammer_springs::ENTRY;
-    let parameters = entry.parameters.iter().enumerate();
-    let values: Vec<f64> = parameters
-        .map(|(index, it)| given(it.name).unwrap_or_else(|| entry.default_value(index)))
-        .collect();
-    Ok(KeyHammerSprings::default().with_values(&values))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use hand_written::key_hammer_springs::Mode;
+    use crate::problems::ModelBMode as Mode;
+    use pode::series::Expansion;
     use pode::{GuardId, Guarded as _, Model as _};
 
     /// A small generator: the same states every time.
@@ -197,20 +169,58 @@ mod tests {
     }
 
     #[test]
-    fn the_peers_equations_are_the_models() {
+    fn the_peers_equations_are_ours() {
         let (problem, _, _) = reference::model_b("model-b-figure6").unwrap();
-        let model = model("model-b-figure6").unwrap();
-        let coupled = problem.start().0;
-        let apart = problem.fire(coupled, 0, &[0.0; 4]).0;
+        let model = KeyHammer::new(&problem);
         for x in states() {
-            for (ours, theirs, sign) in [(Mode::B1, coupled, -1.0), (Mode::B2, apart, 1.0)] {
+            for (mode, contact) in [(Mode::Coupled, 0), (Mode::Apart, 1)] {
                 let t = 3.0 * (x[0] + 0.5);
                 let input = Motion { position: problem.input(t), ..Motion::default() };
-                check(model.derivative(ours, &x, &input), problem.derivative(theirs, t, &x));
-                let guard = model.guard(ours, GuardId(1), &x, &input);
-                let gap = sign * problem.guards(theirs, &x)[0];
-                let rate = sign * problem.guard_rates(theirs, &x)[0];
-                check([guard.value, guard.rate], [gap, rate]);
+                check(model.derivative(mode, &x, &input), problem.derivative(mode, t, &x));
+                for (guard, id) in [contact, 2].into_iter().enumerate() {
+                    let found = model.guard(mode, GuardId(id), &x, &input);
+                    let (value, rate) = problem.guard(mode, guard, &x);
+                    check([found.value, found.rate], [value, rate]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_series_solves_the_equations() {
+        const ORDER: usize = 24;
+        let (problem, _, _) = reference::model_b("model-b-figure6").unwrap();
+        let model = KeyHammer::new(&problem);
+        let (scale, start) = (0.03, [-0.1, 0.03, 1.5, -1.6]);
+        // A hand that moves as a polynomial, in units of the scale.
+        let mut input = [Motion::default(); INPUT_TERMS];
+        for (input, position) in input.iter_mut().zip([0.05, 0.02, -0.01, 0.004]) {
+            input.position = position;
+        }
+        for mode in [Mode::Coupled, Mode::Apart] {
+            let mut out = Expansion::of(&start, ORDER, scale);
+            assert!(model.series(mode, &input, &mut out));
+            for tau in [0.0, 0.1, 0.35] {
+                let sum = |of: &dyn Fn(usize) -> f64| {
+                    (0..=ORDER).rev().fold(0.0, |sum, k| of(k) + tau * sum)
+                };
+                let x = std::array::from_fn(|i| sum(&|k| out.terms[k][i]));
+                let rate = |i: usize| {
+                    let term = |k: usize| k as f64 * out.terms[k][i];
+                    (1..=ORDER).rev().fold(0.0, |sum, k| term(k) + tau * sum) / scale
+                };
+                let position = input.iter().rev().fold(0.0, |sum, it| it.position + tau * sum);
+                let s = Motion { position, ..Motion::default() };
+                let found: [f64; 4] = std::array::from_fn(rate);
+                let expected = model.derivative(mode, &x, &s);
+                for (a, b) in found.iter().zip(expected) {
+                    assert!((a - b).abs() < 1e-12 * b.abs().max(1.0), "{mode:?}: {a}, not {b}");
+                }
+                for (index, spec) in model.guards(mode).iter().enumerate() {
+                    let guard = model.guard(mode, spec.id, &x, &s).value;
+                    let error = (sum(&|k| out.guards[index][k]) - guard).abs();
+                    assert!(error < 1e-15, "{mode:?}, {}: {error:e}", spec.name);
+                }
             }
         }
     }

@@ -1,5 +1,7 @@
 //! A ball that bounces on a floor: free fall between impacts, times in closed form.
 
+use pode::{EquationKind, Nature};
+
 use crate::problem::Problem;
 use crate::reference::{Expected, Reference};
 
@@ -52,6 +54,10 @@ impl Problem<2, 1> for Ball {
 
     fn longest_step(&self) -> f64 {
         f64::INFINITY
+    }
+
+    fn nature(&self) -> Nature {
+        Nature::new(EquationKind::Affine, 0.0)
     }
 }
 

@@ -1,12 +1,15 @@
-//! Our own: `pode` with the models of the crate `models`, as a user of the two would write it.
+//! Our own: `pode` with models written out for it, as its user would write them.
 //!
 //! **To add a method**: a line in [`by_tick`] if its step is the tick or a part of it, in
 //! [`by_tolerance`] if it chooses its steps itself and the tick is the whole run. One with a
 //! loop of its own: a file beside this one and a line in [`entries`]. Nothing else changes.
 
+mod key_hammer;
+mod series;
 mod ticks;
 mod written;
 
+pub(crate) use key_hammer::KeyHammer;
 pub(crate) use written::Written;
 
 use std::hint::black_box;
@@ -58,7 +61,7 @@ where
         method: "Taylor",
         setting: Setting::Best("sweep"),
         knob: tolerance,
-        note: "one tick, steps by the tolerance; the series is emitted from the equations",
+        note: "one tick, steps by the tolerance; the series is one function",
         run: run(ours, Taylor::to(Tolerance::both(tolerance)), offline(), t_end, t_end),
     };
     tolerances(15).map(row).collect()

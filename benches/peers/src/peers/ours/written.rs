@@ -2,10 +2,13 @@
 
 use std::fmt::Debug;
 
-use pode::{GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets, State};
+use pode::{
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets,
+    State,
+};
 
 use crate::problem::Problem;
-use crate::problems::{Block, Cradle};
+use crate::problems::{Ball, Block, Cradle};
 
 /// The problem, as our traits ask for it; autonomous.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +21,20 @@ pub(crate) trait Specified {
 
     /// The guards of a mode, by their place in [`Problem::guards`].
     fn specs(mode: Self::Mode) -> &'static [GuardSpec];
+
+    /// Entry of the state that is the only guard of every mode, if one is.
+    const GUARD: Option<usize> = None;
+}
+
+impl Specified for Ball {
+    type Mode = ();
+
+    const GUARD: Option<usize> = Some(0);
+
+    fn specs((): ()) -> &'static [GuardSpec] {
+        const FLOOR: [GuardSpec; 1] = [GuardSpec::new(0, "floor").of_state()];
+        &FLOOR
+    }
 }
 
 impl Specified for Cradle {
@@ -78,6 +95,11 @@ where
 {
     fn guards(&self, mode: Self::Mode) -> &'static [GuardSpec] {
         P::specs(mode)
+    }
+
+    #[inline]
+    fn guard_bound(&self, _: Self::Mode, _: GuardId, over: &Enclosure<[f64; N], ()>) -> GuardBound {
+        P::GUARD.map_or(GuardBound::UNKNOWN, |entry| over.entry(entry))
     }
 
     #[inline]
