@@ -1,5 +1,5 @@
 //! Model B, a grand's size, one tick of 1 ms: every method, with and without an event; the same
-//! tick by hand and as its description gives it; and the root finder alone.
+//! tick in each form of its description; and the root finder alone.
 #![expect(
     clippy::expect_used,
     clippy::large_stack_frames,
@@ -14,7 +14,6 @@ use std::hint::black_box;
 
 use criterion::Criterion;
 use equations::EquationModel;
-use hand_written::KeyHammerSprings;
 use models::catalogue::Visitor;
 use models::emitted::key_hammer_springs::{KeyHammerSpringsFunctions, TABLE};
 use models::registry::SmallModel;
@@ -98,14 +97,12 @@ type Emitted = EquationModel<KeyHammerSpringsFunctions, 4, 192>;
 /// Model B as machine code that is made while the program runs.
 type Native<'a> = EquationModel<&'a native::NativeFunctions, 4, 192>;
 
-/// The same tick by one method, of one model in all its forms: by hand; as emitted Rust whose calls
+/// The same tick by one method, of one model in all its forms: as emitted Rust whose calls
 /// the compiler knows, by itself and as a voice plays it; the same where calls go through a table,
 /// the method known (`rk4`) or one of several; and as machine code that is made while the program
 /// runs.
 fn forms(criterion: &mut Criterion) {
     let values = values();
-    let hand = KeyHammerSprings::default().with_values(&values);
-    tick(criterion, "rk4/by hand", at_rest(hand, Rk4));
     let emitted = Emitted::new(&TABLE, KeyHammerSpringsFunctions, &values).expect("model B");
     tick(criterion, "rk4/emitted", simulator(emitted, Rk4, emitted.at_rest(&Motion::default())));
     built_in::visit_by_type(model(), Played { criterion, values: &values });

@@ -11,7 +11,7 @@ use toml_edit::{Document, Item};
 ///
 /// Crates that design.md names but that are not there yet are listed too, so that
 /// their first commit is held to the same rule.
-const MAY_KNOW: [(&str, &[&str]); 30] = [
+const MAY_KNOW: [(&str, &[&str]); 29] = [
     ("keyboard", &[]),
     ("diagnostics", &[]),
     ("pode", &[]),
@@ -24,11 +24,8 @@ const MAY_KNOW: [(&str, &[&str]); 30] = [
     ("contacts", &["pode"]),
     ("equations", &["contacts", "pode"]),
     ("models", &["contacts", "equations", "pode"]),
-    // For tests alone, which compare with it.
-    ("hand-written", &["equations", "models", "pode"]),
     ("descriptions", &["contacts", "diagnostics", "equations", "models", "pode"]),
-    // The models are what tests compare with.
-    ("expressions", &["equations", "hand-written", "models", "pode"]),
+    ("expressions", &["equations", "pode"]),
     ("formulas", &["diagnostics", "expressions"]),
     ("kane", &KANE_MAY_KNOW),
     ("native", &["contacts", "equations", "expressions", "pode"]),
@@ -50,19 +47,10 @@ const MAY_KNOW: [(&str, &[&str]); 30] = [
     ("letoff", &EVERYONE),
 ];
 
-const KANE_MAY_KNOW: [&str; 8] = [
-    "contacts",
-    "diagnostics",
-    "equations",
-    "expressions",
-    "formulas",
-    "hand-written",
-    "models",
-    "pode",
-];
+const KANE_MAY_KNOW: [&str; 6] =
+    ["contacts", "diagnostics", "equations", "expressions", "formulas", "pode"];
 
-const LAB_MAY_KNOW: [&str; 11] = [
-    "hand-written",
+const LAB_MAY_KNOW: [&str; 10] = [
     "descriptions",
     "diagnostics",
     "expressions",
@@ -75,8 +63,7 @@ const LAB_MAY_KNOW: [&str; 11] = [
     "pode",
 ];
 
-const VOICE_MAY_KNOW: [&str; 10] = [
-    "hand-written",
+const VOICE_MAY_KNOW: [&str; 9] = [
     "descriptions",
     "diagnostics",
     "equations",
@@ -124,7 +111,7 @@ const HOST_MAY_KNOW: [&str; 17] = [
     "voice",
 ];
 
-const EVERYONE: [&str; 30] = [
+const EVERYONE: [&str; 29] = [
     "cli",
     "contacts",
     "dashboard",
@@ -134,7 +121,6 @@ const EVERYONE: [&str; 30] = [
     "expressions",
     "firmware-protocol",
     "formulas",
-    "hand-written",
     "haptics",
     "hardware",
     "host",

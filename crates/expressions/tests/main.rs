@@ -1,5 +1,5 @@
 //! Expressions against trees that are evaluated by recursion, tapes against both, and series
-//! against what is committed.
+//! against closed forms and the committed code.
 
 mod common;
 mod graph;

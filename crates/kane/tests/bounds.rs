@@ -4,26 +4,19 @@
 //! dense output.
 #![expect(
     clippy::unwrap_used,
-    clippy::float_cmp,
     clippy::large_stack_frames,
-    clippy::print_stdout,
     reason = "a test fails aloud, and bits are what is compared"
 )]
 
 use equations::ModeNumber;
 use kane::graph::{BinaryFunction, Graph, Node, UnaryFunction};
 use pode::input::Cubic;
-use pode::{
-    Dense as _, DenseBounds, Enclosure, GuardBound, GuardId, GuardSpec, Guarded, Motion,
-    Polynomial, Signal as _,
-};
+use pode::{Dense as _, DenseBounds, Enclosure, GuardId, Guarded, Motion, Polynomial, Signal as _};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-use hand_written::{KeyHammerSprings, ReducedGrand};
-use models::Described as _;
-
-use crate::by_hand::{Described, Draft, guard, key_hammer, lift_off, model};
+use crate::by_hand::{Draft, guard};
+use crate::runnable::{Runnable, runnable};
 
 /// Looks at each guard over one step.
 const LOOKS: usize = 64;
@@ -169,19 +162,19 @@ fn two_of(graph: &mut Graph, code: u8, [x, y]: [Node; 2], parameter: Node) -> No
 }
 
 /// A model whose only guard is the expression.
-fn guarded(codes: &[Code]) -> Described<4, 2048> {
+fn guarded(codes: &[Code]) -> Runnable<4, 2048> {
     shaken(codes, 0.0)
 }
 
 /// The same with each of its parts off by a fraction.
-fn shaken(codes: &[Code], shake: f64) -> Described<4, 2048> {
+fn shaken(codes: &[Code], shake: f64) -> Runnable<4, 2048> {
     let mut draft = Draft::new(&[("p", 0.7)], &["x", "y"]);
     let value = expression(&mut draft, codes, shake);
     let zero = draft.graph().constant(0.0);
     let same = draft.same();
     let mode = draft.mode("only", &[zero; 4]);
     mode.guards = vec![guard("any", [value, zero], Draft::way(0, &same, zero))];
-    model(draft.program(), &[])
+    runnable(draft.program(), &[])
 }
 
 fn step() -> impl Strategy<Value = Motions<4>> {
@@ -213,7 +206,7 @@ fn rounding(codes: &[Code], step: &Motions<4>) -> f64 {
 
 /// Checks that an expression goes and bends no further over a step than `model`'s bound of it.
 fn check(
-    model: &Described<4, 2048>,
+    model: &Runnable<4, 2048>,
     codes: &[Code],
     step: &Motions<4>,
 ) -> Result<(), TestCaseError> {
@@ -299,114 +292,4 @@ fn the_bound_of_an_angle_near_its_end_is_that_of_the_angle() {
     let off = 4.0 * (LOOKS * LOOKS) as f64 * rounding(&turned, &step);
     assert!((rough - bent).abs() > 1e-8 && (rough - bent).abs() < off, "{rough:e}, {off:e}");
     check(&guarded(&turned), &turned, &step).unwrap();
-}
-
-/// The middle of a list.
-fn median(mut list: Vec<f64>) -> f64 {
-    list.sort_by(f64::total_cmp);
-    list[list.len() / 2]
-}
-
-/// A number in −1 .. 1 that looks random and is the same in every run.
-fn next(seed: &mut u64) -> f64 {
-    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-}
-
-/// A step near `x` as a key is played: all entries move, none of them wildly.
-fn played(x: [f64; 4], travel: f64, seed: &mut u64) -> Motions<4> {
-    let h = 10.0_f64.powf(-3.5 + 0.8 * next(seed));
-    let wild = 10.0_f64.powf(-1.25 + 0.75 * next(seed));
-    let input = core::array::from_fn(|power| {
-        let fast = (100.0 * h).powi(i32::try_from(power).unwrap());
-        travel * fast * (0.25 + 0.75 * next(seed)) * if power > 0 { wild } else { 1.0 }
-    });
-    let terms = core::array::from_fn(|power| {
-        core::array::from_fn(|entry| {
-            let fast = if entry < 2 { 1.0 } else { 30.0 };
-            let steps = (100.0 * h).powi(i32::try_from(power).unwrap());
-            let near = if power == 0 { x[entry] } else { 0.0 };
-            near + fast * wild * steps * 0.01 * (0.25 + 0.75 * next(seed))
-        })
-    });
-    Motions::new(h, terms, input)
-}
-
-/// How much wider than what is seen, and than the hand-written ones, bounds are in the middle.
-#[test]
-fn the_bounds_of_model_b_are_as_tight_as_the_hand_written_ones() {
-    let mut seed = 5;
-    for preset in [0, 2] {
-        let of =
-            |index: usize| (KeyHammerSprings::default().entry().presets[preset].value)(index, 30);
-        let values: Vec<f64> = (0..key_hammer::NAMES.len()).map(of).collect();
-        let described: Described<4> = model(key_hammer::program(), &values);
-        let written = KeyHammerSprings::default().with_values(&values);
-        for ((mode, name), number) in written.modes().zip(0..) {
-            for spec in written.guards(mode) {
-                let label = format!("{preset} {name} {}", spec.name);
-                let own = (&described, ModeNumber(number));
-                check_tight(&label, own, (&written, mode), spec, &mut seed);
-            }
-        }
-    }
-}
-
-/// Compares the bounds of one guard with the hand-written ones, and with what is seen.
-fn check_tight(
-    label: &str,
-    (described, number): (&Described<4>, ModeNumber),
-    (written, mode): (&KeyHammerSprings, hand_written::key_hammer_springs::Mode),
-    spec: &GuardSpec,
-    seed: &mut u64,
-) {
-    let own = described.guards(number).iter().find(|it| it.name == spec.name).unwrap();
-    let rest = described.at_rest(&Motion::default()).1;
-    let travel = 0.01 * described.input_per_metre();
-    let mut ratios = [const { Vec::new() }; 4];
-    for _ in 0..2000 {
-        let step = played(rest, travel, seed);
-        let over = step.enclosure();
-        let GuardBound { moves, bend } = described.guard_bound(number, own.id, &over);
-        let hand = written.guard_bound(mode, spec.id, &over);
-        let [moved, bent, _] = step.seen(written, mode, spec.id).unwrap();
-        let all = [moves / hand.moves, bend / hand.bend, moves / moved, bend / bent];
-        ratios.iter_mut().zip(all).for_each(|(ratios, ratio)| ratios.push(ratio));
-    }
-    let found = ratios.map(median);
-    println!("{label}: {found:.2?}");
-    assert!(found[0] < 1.05 && found[1] < 1.05, "{label}: {found:?}");
-    assert!(found[2] < 4.0 && found[3] < 4.0, "{label}: {found:?}");
-}
-
-#[test]
-fn the_bound_of_a_force_of_felts_is_as_tight_as_the_hand_written_one() {
-    let mut seed = 7;
-    let entry = ReducedGrand::default().entry();
-    let of = |index: usize| (entry.presets[0].value)(index, 40);
-    let values: Vec<f64> = (0..entry.parameters.len()).map(of).collect();
-    let described: Described<4, 256> = model(lift_off::program(), &values);
-    let written = ReducedGrand::default().with_values(&values);
-    let (mode, _) = written.at_rest(&Motion::default());
-    let mut ratios = [const { Vec::new() }; 4];
-    for place in [-1e-4, 0.004, 0.008, 0.0102] {
-        for _ in 0..2000 {
-            let step = played([place, 0.0, 0.0, 0.0], place, &mut seed);
-            let over = step.enclosure();
-            let [moved, bent, _] = step.seen(&described, ModeNumber(0), GuardId(0)).unwrap();
-            let [same, _, _] = step.seen(&written, mode, GuardId(0)).unwrap();
-            assert!((moved - same).abs() < 1e-9 * (1.0 + same), "{moved} is not {same}");
-            let GuardBound { moves, bend } =
-                described.guard_bound(ModeNumber(0), GuardId(0), &over);
-            let hand = written.guard_bound(mode, GuardId(0), &over);
-            assert!(moved <= moves * (1.0 + 1e-9), "{moved} beyond {moves}");
-            ratios[0].push(moves / hand.moves);
-            ratios[1].push(if bend == hand.bend { 1.0 } else { bend / hand.bend });
-            ratios[2].push(moves / moved);
-            ratios[3].push(bend / bent);
-        }
-    }
-    let found = ratios.map(median);
-    println!("lift-off: {found:.2?}");
-    assert!(found[0] < 1.05 && found[1] < 1.05 && found[2] < 4.0 && found[3] < 6.0, "{found:?}");
 }

@@ -2,32 +2,6 @@
 
 use crate::builder::MechanismBuilder;
 use crate::evaluation::{Derived, Numbers, close, imbalance};
-use crate::{models_ab, small_models};
-
-/// Compares dE/dt with supplied − dissipated at random states of every mode.
-fn balances(builder: MechanismBuilder, size: f64) {
-    let mut derived = Derived::from(builder);
-    let mut numbers = Numbers::new(9);
-    for mode in 0..derived.system.modes.len() {
-        for _ in 0..10 {
-            let state: Vec<f64> =
-                derived.system.state.iter().map(|_| size * numbers.next()).collect();
-            let input = numbers.list::<4>().map(|it| size * it);
-            let state = derived.consistent(mode, &state, input);
-            let lost = imbalance(&mut derived, mode, &state, input);
-            close(lost, 0.0, 1e-10, &format!("mode {mode} at {state:?}, {input:?}"));
-        }
-    }
-}
-
-#[test]
-fn energy_of_models_by_hand_is_conserved() {
-    balances(models_ab::model_a(0), 0.6);
-    balances(models_ab::model_b(0), 0.6);
-    balances(models_ab::model_b(2), 0.6);
-    balances(small_models::ball(), 1.0);
-    balances(small_models::cart(), 1.0);
-}
 
 /// Crank of 0.1 m, coupler of 0.3 m, rocker of 0.25 m between pivots 0.3 m apart; the crank is
 /// driven by a spring.

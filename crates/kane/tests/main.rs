@@ -3,33 +3,38 @@
 #![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 
 mod assembled;
-mod beside_hand_written;
+mod beside_by_hand;
 mod bounds;
 mod builder;
 mod by_hand;
+mod by_hand_models;
 mod certain_steps;
 mod closed_forms;
 mod common;
 mod conserved;
 mod contacts;
-mod derived;
 mod description;
 mod energy;
 mod errors;
 mod evaluation;
-mod hand_written;
-mod models_ab;
+mod grand;
+mod guard_bounds;
+mod impacts;
+mod lagrange;
 mod oracle;
+mod passivity;
 mod plain_equations;
+mod playable;
 mod readable;
+mod reference;
 mod resting;
 mod rigid;
-
+mod runnable;
 mod series;
 mod shipped;
-mod small_models;
 mod sounding;
 mod spring_wall;
 mod stated;
+mod stroke;
 mod touching;
 mod work;

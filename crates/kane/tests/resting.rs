@@ -1,46 +1,14 @@
-//! Where described models rest: against closed forms, and beside models written by hand.
-#![expect(clippy::unwrap_used, reason = "a test fails aloud")]
+//! Where described models rest, against closed forms.
 
 use contacts::WithContacts;
-use equations::{EquationModel, ModeNumber, RestPose};
-use hand_written::{CartPendulum, ReducedGrand, SpringWall};
-use kane::assemble::TapeFunctions;
+use equations::ModeNumber;
+use kane::derive_model;
 use kane::description::NoBases;
-use kane::{DerivedModel, derive_model};
-use models::Described;
 use pode::stepper::Rk4;
-use pode::{Limits, Motion, Silent, Simulator};
+use pode::{Limits, Silent, Simulator};
 
-use crate::shipped::{Folder, files};
-
-pub(crate) type Run<const N: usize> = EquationModel<&'static TapeFunctions, N, 512>;
-
-/// The model that `text` describes.
-pub(crate) fn described(text: &str) -> DerivedModel {
-    derive_model("it.toml", text, &Folder).unwrap_or_else(|mistakes| panic!("{mistakes}"))
-}
-
-/// The same, with the values of a preset for a key.
-#[expect(clippy::large_stack_frames, reason = "a test, off the tick")]
-pub(crate) fn model<const N: usize>(derived: DerivedModel, case: (usize, u8)) -> Run<N> {
-    let functions: &'static TapeFunctions = Box::leak(Box::new(derived.program.functions));
-    let table = derived.program.table;
-    let default = Run::<N>::new(table, functions, &[]).unwrap();
-    let mut values = vec![0.0; table.parameters.len()];
-    default.preset(case.0, case.1, &mut values);
-    Run::<N>::new(table, functions, &values).unwrap()
-}
-
-/// The text of a description that is shipped.
-pub(crate) fn shipped(name: &str) -> String {
-    let texts = files().into_iter().map(|file| std::fs::read_to_string(file).unwrap());
-    let mut named = texts.filter(|text| text.starts_with(&format!("name = \"{name}\"")));
-    named.next().unwrap()
-}
-
-fn still(position: f64) -> Motion {
-    Motion { position, ..Motion::default() }
-}
+use crate::runnable::{self, CART, Run, WALL, described, model, shipped};
+use crate::stroke::still;
 
 /// A beam on two felts, its weight nearer to the left one; it starts above both.
 const BEAM: &str = r#"
@@ -126,34 +94,21 @@ fn a_grand_action_rests_on_its_felts_on_every_key() {
     }
 }
 
-#[track_caller]
-fn rests_as_by_hand<M, const N: usize>(name: &str, written: &M, inputs: &[f64])
-where
-    M: Described<State = [f64; N]>,
-    Run<N>: Clone,
-{
-    let described: Run<N> = model(described(&shipped(name)), (0, 0));
-    for input in inputs {
-        let (mode, state) = written.at_rest(&still(*input));
-        let mode = ModeNumber(written.mode_code(mode).structure());
-        let RestPose { mode: own, state: found, imbalance } = described.rest_pose(&still(*input));
-        assert_eq!(own, mode, "{name} at {input}: {found:?}");
-        assert_eq!(imbalance, None);
-        for (a, b) in found.iter().zip(&state) {
-            assert!((a - b).abs() < 1e-9, "{name} at {input}: {found:?}, not {state:?}");
-        }
-    }
-}
-
 #[test]
 fn the_mode_at_rest_is_the_one_that_holds_under_the_input() {
-    rests_as_by_hand("cart-pendulum", &CartPendulum::default(), &[0.0, 0.03, 0.09, -0.2]);
-    rests_as_by_hand("reduced-grand", &ReducedGrand::default(), &[0.0, 1e-3, 5e-3]);
+    // The pendulum hangs, and the cart is where the spring is slack, or at the wall before that.
+    let cart = CART.model::<4>("default", 0, &[]);
+    for (input, mode) in [(0.0, "free"), (0.03, "free"), (0.09, "right"), (-0.2, "left")] {
+        let pose = cart.rest_pose(&still(input));
+        assert_eq!((runnable::mode_name(&cart, pose.mode), pose.imbalance), (mode, None));
+        let expected = [f64::clamp(input, -0.05, 0.05), 0.0, 0.0, 0.0];
+        for (a, b) in pose.state.iter().zip(expected) {
+            assert!((a - b).abs() < 1e-9, "at {input}: {:?}", pose.state);
+        }
+    }
     // It has no states: one more entry stays 0.
-    let wall: Run<1> = model(described(&shipped("spring-wall")), (0, 0));
-    for input in [0.0, 4e-3, 9e-3, 20e-3] {
-        let written = SpringWall::default();
-        let mode = written.mode_code(written.at_rest(&still(input)).0).structure();
+    let wall = WALL.model::<1>("default", 0, &[]);
+    for (input, mode) in [(0.0, 0), (4e-3, 0), (9e-3, 1), (20e-3, 1)] {
         assert_eq!(wall.at_rest(&still(input)).0, ModeNumber(mode), "at {input}");
     }
 }

@@ -6,7 +6,7 @@ use kane::description::{NoBases, read};
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, RunRecorder, Simulator};
 
-use crate::resting::{Run, described, model, shipped};
+use crate::runnable::{Run, described, model, shipped};
 
 /// A run's events, by name, mode and time, and its state every millisecond.
 type Story<const N: usize> = (Vec<(String, u8, f64)>, Vec<[f64; N]>);

@@ -5,7 +5,7 @@ use contacts::{ContactGuard, WithContacts};
 use pode::stepper::Rk4;
 use pode::{Event, EventCause, Limits, Motion, Piece, Signal, Simulator, Watch, Work};
 
-use crate::resting::{Run, described, model, shipped};
+use crate::runnable::{Run, described, model, shipped};
 
 type Action = WithContacts<Run<10>>;
 

@@ -7,11 +7,12 @@ use pode::{
     Auditor, Energetic as _, Guarded as _, Limits, Model as _, Motion, RunRecorder, Simulator,
 };
 
-use crate::by_hand::{Described, model, touching};
+use crate::by_hand::touching;
+use crate::runnable::{Runnable, runnable};
 
 #[test]
 fn a_mass_stays_on_its_spring_for_the_time_of_the_closed_form() {
-    let described: Described<2> = model(touching::falling(), &[]);
+    let described: Runnable<2> = runnable(touching::falling(), &[]);
     let model = WithContacts::new(described).unwrap();
     let still = Motion::default();
     let (mode, x) = model.start(ModeNumber(0), &[0.1, 0.0], &still);
@@ -39,7 +40,7 @@ fn a_mass_stays_on_its_spring_for_the_time_of_the_closed_form() {
 
 #[test]
 fn the_step_on_a_contact_is_that_of_its_stiffness() {
-    let described: Described<2> = model(touching::falling(), &[]);
+    let described: Runnable<2> = runnable(touching::falling(), &[]);
     let model = WithContacts::new(described).unwrap();
     let still = Motion::default();
     let (open, x) = model.start(ModeNumber(0), &[0.1, 0.0], &still);
@@ -54,7 +55,7 @@ fn the_step_on_a_contact_is_that_of_its_stiffness() {
 
 #[test]
 fn a_bearing_sticks_and_slips_as_the_closed_form_does() {
-    let described: Described<2> = model(touching::drawn(), &[]);
+    let described: Runnable<2> = runnable(touching::drawn(), &[]);
     let model = WithContacts::new(described).unwrap();
     let speed = 0.05;
     let input = |t: f64| Motion { position: speed * t, rate: speed, ..Motion::default() };
@@ -81,8 +82,8 @@ fn a_bearing_sticks_and_slips_as_the_closed_form_does() {
 /// that is closed, and with a bearing that holds, and slips each way.
 #[test]
 fn a_balance_is_its_three_numbers() {
-    let (falling, drawn): (Described<2>, Described<2>) =
-        (model(touching::falling(), &[]), model(touching::drawn(), &[]));
+    let (falling, drawn): (Runnable<2>, Runnable<2>) =
+        (runnable(touching::falling(), &[]), runnable(touching::drawn(), &[]));
     let input = Motion { position: 0.02, rate: 0.3, ..Motion::default() };
     let frictions = [ContactState::Stick, ContactState::SlideUp, ContactState::SlideDown];
     let cases = [(falling, &[ContactState::Closed][..]), (drawn, &frictions[..])];

@@ -6,12 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, UNIX_EPOCH};
 
-use hand_written::BouncingBall;
-use hand_written::bouncing_ball::Mode;
 use lab::accuracy::{
     Effort, METHODS, MeasuredScenario, SequenceVerdict, StudyChoice, StudyRow, measure,
 };
 use lab::report::{self, Machine, StudyReport, read_peers};
+use models::{Described as _, built_in};
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Silent, Simulator, Work};
 
@@ -65,8 +64,10 @@ fn errors_fall_with_the_order_of_the_method() {
 fn counts_are_those_that_pode_reports() {
     let measured = study(&["ball"], &["rk4"], COUNTED);
     let row = run(&measured[0], "rk4", 5e-3);
-    let ball = BouncingBall { g: 9.81, restitution: 0.8, mass: 1.0, y0: 1.0, scale: 1.0 };
-    let mut simulator = Simulator::new(ball, Rk4, Limits::default(), Mode::Flight, [1.0, 0.0]);
+    let ball = built_in::small("bouncing-ball").expect("the ball");
+    let ball = ball.with_values(&[9.81, 0.8, 1.0, 1.0, 1.0]);
+    let (flight, state) = ball.at_rest(&Motion::default());
+    let mut simulator = Simulator::new(ball, Rk4, Limits::default(), flight, state);
     let still = |_: f64| Motion::default();
     let ticks: Vec<Work> =
         (0..720).map(|_| simulator.advance(5e-3, &still, &mut Silent).work).collect();

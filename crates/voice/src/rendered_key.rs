@@ -549,13 +549,14 @@ const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
 
 #[cfg(test)]
 mod tests {
-    use hand_written::BouncingBall;
     use haptics::{AnyEstimator, EnergyBound, Kalman};
+    use models::registry::SmallModel;
+    use models::{Described as _, built_in};
 
     use super::*;
 
     /// A ball that weighs nothing, on a key that is not touched.
-    fn weightless(h: f64) -> RenderedKey<BouncingBall, pode::stepper::Rk4> {
+    fn weightless(h: f64) -> RenderedKey<SmallModel, pode::stepper::Rk4> {
         let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
         let fittings = VoiceSettings {
             input: InputPath::new(estimator, None, -5.0, h),
@@ -571,7 +572,9 @@ mod tests {
             slopes: SlopeOutput::Unused,
             revision: 0,
         };
-        let model = BouncingBall { g: 0.0, restitution: 0.5, mass: 0.01, y0: 0.1, scale: -5.0 };
+        // Gravity, restitution, mass, drop, and floor per key travel.
+        let values = [0.0, 0.5, 0.01, 0.1, -5.0];
+        let model = built_in::small("bouncing-ball").expect("the ball").with_values(&values);
         let mut voice = RenderedKey::new(model, pode::stepper::Rk4, fittings);
         voice.reset(&KeySample::fresh(0.0));
         voice
@@ -595,7 +598,7 @@ mod tests {
             assert_eq!(idle(&mut weightless(h)), Some(u64::from(hz) / 50), "{hz} Hz");
             let mut drifting = weightless(h);
             let mode = drifting.simulator.mode();
-            drifting.simulator.place(mode, [0.1, 20e-3]);
+            drifting.simulator.place(mode, [0.1, 20e-3, 0.0, 0.0]);
             assert_eq!(idle(&mut drifting), None, "{hz} Hz");
         }
     }

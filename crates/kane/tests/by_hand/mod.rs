@@ -2,21 +2,16 @@
 #![expect(clippy::unwrap_used, reason = "a test fails aloud, and bits are what is compared")]
 #![expect(unreachable_pub, reason = "a test's own module")]
 
-pub mod ball;
-pub mod key_hammer;
-pub mod lift_off;
 pub mod pendulum;
 pub mod touching;
 
-use kane::assemble::{Program, TapeFunctions};
+use kane::assemble::Program;
 use kane::graph::{Graph, Node, Place};
 use kane::mechanism::{
-    Coordinate, Fires, GuardBranch, InputSpec, Mechanism, MechanismOutput, MechanismParameter,
-    MechanismPreset, Mode, Rest, Speed,
+    Coordinate, Fires, GuardBranch, InputSpec, Mechanism, MechanismParameter, MechanismPreset,
+    Mode, Rest, Speed,
 };
 use kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
-
-use equations::EquationModel;
 
 /// A system that is being written down.
 #[derive(Debug)]
@@ -98,18 +93,6 @@ impl Draft {
         self.modes.last_mut().unwrap()
     }
 
-    /// Adds an output with one expression per mode.
-    pub fn output(&mut self, name: &str, values: &[Node]) {
-        for (mode, value) in self.modes.iter_mut().zip(values) {
-            mode.outputs.push(*value);
-        }
-        self.mechanism.outputs.push(MechanismOutput {
-            name: name.to_owned(),
-            unit: "1".to_owned(),
-            values: values.to_vec(),
-        });
-    }
-
     /// A way to a mode with this state after it.
     pub fn way(to: usize, state: &[Node], impulse: Node) -> Way {
         let branch = GuardBranch { when: None, to, set: Vec::new(), impact: None };
@@ -143,14 +126,4 @@ pub fn guard(name: &str, [value, rate]: [Node; 2], way: Way) -> GuardEquations {
         ways: vec![way],
         sounds: None,
     }
-}
-
-/// The model of a program with its parameters' default values.
-pub type Described<const N: usize, const C: usize = 64> =
-    EquationModel<&'static TapeFunctions, N, C>;
-
-/// The model of a program with these values.
-pub fn model<const N: usize, const C: usize>(program: Program, values: &[f64]) -> Described<N, C> {
-    let functions: &'static TapeFunctions = Box::leak(Box::new(program.functions));
-    EquationModel::new(program.table, functions, values).unwrap()
 }

@@ -3,7 +3,7 @@
 
 use super::meaning::value;
 use super::{WEIGHT, good, mistakes_of};
-use crate::resting::{Run, described, model};
+use crate::runnable::{Run, described, model};
 use equations::ModeNumber;
 use kane::description::NoBases;
 use pode::Motion;

@@ -2,7 +2,6 @@
 
 mod bad_input;
 mod bases;
-mod builtin;
 mod drawing;
 mod foreign;
 mod keys;

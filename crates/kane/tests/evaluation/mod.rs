@@ -2,18 +2,14 @@
 
 use std::path::Path;
 
-use equations::EquationModel;
-use kane::assemble::TapeFunctions;
 use kane::graph::{Node, Place};
 use kane::mechanism::Mechanism;
 use kane::system::EquationSystem;
 use kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 
 use crate::builder::{MechanismBuilder, number};
+use crate::runnable::{Runnable, runnable};
 use crate::shipped::Folder;
-
-/// The model of a derived system, whose state has N entries.
-pub(crate) type Assembled<const N: usize> = EquationModel<&'static TapeFunctions, N, 256>;
 
 /// A derived system with the values of its parameters.
 pub(crate) struct Derived {
@@ -78,10 +74,8 @@ impl Derived {
     }
 
     /// What the simulator runs.
-    pub(crate) fn model<const N: usize>(&self) -> Assembled<N> {
-        let program = self.system.clone().assemble().expect("a program");
-        let functions: &'static TapeFunctions = Box::leak(Box::new(program.functions));
-        EquationModel::new(program.table, functions, &self.values).expect("it fits")
+    pub(crate) fn model<const N: usize>(&self) -> Runnable<N> {
+        runnable(self.system.clone().assemble().expect("a program"), &self.values)
     }
 
     /// The values of `nodes`, which are over state, parameters and input.

@@ -6,7 +6,8 @@ use serde_json::{Value, json};
 
 use equations::ModeNumber;
 
-use crate::evaluation::{Assembled, Derived};
+use crate::evaluation::Derived;
+use crate::runnable::Runnable;
 
 /// Three unlike rods that hang on one another, with a spring and a damper in the last joint.
 const CHAIN: &str = r#"
@@ -105,7 +106,7 @@ fn motions(derived: &Derived, start: &[f64], input: f64) -> [Vec<Vec<f64>>; 2] {
 }
 
 /// The same by steps of `h`.
-fn motion(model: &Assembled<6>, (still, start): (Motion, [f64; 6]), h: f64) -> Vec<Vec<f64>> {
+fn motion(model: &Runnable<6>, (still, start): (Motion, [f64; 6]), h: f64) -> Vec<Vec<f64>> {
     let mut simulator = Simulator::new(*model, Rk4, Limits::default(), ModeNumber(0), start);
     let mut recorder = RunRecorder::new(h).sampled(EVERY);
     assert!(simulator.run(UNTIL, h, |_| still, &mut recorder).is_completed());

@@ -1,28 +1,24 @@
 //! The Taylor series of described models: every mode of every description that has one.
 #![expect(
     clippy::large_types_passed_by_value,
-    clippy::large_stack_frames,
     reason = "models are copied, and a test has the stack"
 )]
 
 mod coefficients;
-mod hand_written;
 mod motion;
 
 use std::path::PathBuf;
 
+use equations::ModeNumber;
 use equations::table::{Arguments, Functions as _};
-use equations::{EquationModel, ModeNumber};
-use kane::assemble::{Program, TapeFunctions};
+use kane::assemble::Program;
 use kane::derive_model;
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Model as _, Motion};
 
 use crate::evaluation::Numbers;
+use crate::runnable::{Runnable, ShippedModel};
 use crate::shipped::{Folder, files};
-
-/// A description's model by interpretation, with room for any of them.
-type Interpreted<const N: usize> = EquationModel<&'static TapeFunctions, N, 256>;
 
 /// The program of a description.
 fn program(file: &PathBuf) -> Program {
@@ -38,12 +34,9 @@ fn named(name: &str) -> Program {
 }
 
 /// The model of a program, with the values of a preset in the middle of the keys.
-fn model<const N: usize>(program: &Program, preset: usize) -> Interpreted<N> {
-    let functions: &'static TapeFunctions = Box::leak(Box::new(program.functions.clone()));
-    let mut values = [0.0; 256];
-    let model = Interpreted::<N>::new(program.table, functions, &[]).expect("room for it");
-    model.preset(preset, 44, &mut values);
-    Interpreted::new(program.table, functions, &values).expect("room for it")
+fn model<const N: usize>(program: &Program, preset: usize) -> Runnable<N> {
+    let model = ShippedModel::of(program.clone());
+    model.valued(&model.values(preset, 44))
 }
 
 /// Parameters and what follows from them.
@@ -60,7 +53,7 @@ fn constants(program: &Program, parameters: &[f64]) -> Vec<f64> {
 
 /// A mode of a model somewhere near its rest, under an input that moves, and its series.
 struct Case<const N: usize> {
-    model: Interpreted<N>,
+    model: Runnable<N>,
     mode: ModeNumber,
     /// The mode's number in the table.
     index: usize,
@@ -72,7 +65,7 @@ const ORDER: usize = 16;
 
 impl<const N: usize> Case<N> {
     /// None where the mode has no series.
-    fn new(model: Interpreted<N>, index: usize, numbers: &mut Numbers) -> Option<Self> {
+    fn new(model: Runnable<N>, index: usize, numbers: &mut Numbers) -> Option<Self> {
         let table = model.table();
         table.modes[index].series?;
         let mode = ModeNumber(u8::try_from(index).expect("a few modes"));

@@ -5,7 +5,9 @@ use pode::series::{INPUT_TERMS, add_bell};
 use pode::stepper::{Controlled, Dop853, Stepper, Taylor, Tolerance};
 use pode::{Advance, Energetic as _, Limits, Motion, RunRecorder, Signal, Simulator, Work};
 
-use super::{Interpreted, model, named};
+use super::{model, named};
+use crate::runnable::{Runnable, runnable};
+use crate::stroke::{FIGURE_6, bells};
 
 /// The strokes of figure 6 over one tick of `h` (s), with their series.
 struct Strokes {
@@ -16,18 +18,16 @@ struct Strokes {
     scale: f64,
 }
 
-/// Height, middle (s) and width (s) of each.
-const BELLS: [[f64; 3]; 3] = [[0.099, 0.514, 0.079], [0.181, 1.095, 0.109], [0.186, 1.573, 0.059]];
-
 impl Signal<Motion> for Strokes {
     fn at(&self, theta: f64) -> Motion {
-        crate::beside_hand_written::figure_6(self.scale)(self.from + theta * self.h)
+        let at = FIGURE_6.map(|[height, tc, w]| [self.scale * height, tc, w]);
+        bells(&at, self.from + theta * self.h)
     }
 
     fn series(&self, theta: f64, span: f64, out: &mut [Motion]) -> bool {
         let (t, dt) = (self.from + theta * self.h, span * self.h);
         let mut terms = [0.0; INPUT_TERMS];
-        for [height, tc, w] in BELLS {
+        for [height, tc, w] in FIGURE_6 {
             add_bell(&mut terms, self.scale * height, (t - tc) / w, dt / w);
         }
         for (out, position) in out.iter_mut().zip(terms) {
@@ -47,7 +47,7 @@ struct Outcome<const N: usize> {
 }
 
 fn run<const N: usize, T: Stepper>(
-    model: Interpreted<N>,
+    model: Runnable<N>,
     method: T,
     (mode, start): (ModeNumber, [f64; N]),
     (h, ticks, scale): (f64, u32, f64),
@@ -105,7 +105,7 @@ fn its_energy_stays() {
     let mut values = model.parameters().to_vec();
     let wall = program.table.parameters.iter().position(|it| it.name == "wall").expect("a wall");
     values[wall] = 0.5;
-    model = Interpreted::new(program.table, model.functions(), &values).expect("room");
+    model = runnable(program.clone(), &values);
     let start = (ModeNumber(0), [-0.6, 0.3, 0.0, 4.0]);
     let taylor = run(model, Taylor::to(Tolerance::both(1e-15)), start, (0.1, 100, 0.0));
     let first = model.energy(start.0, &start.1, &Motion::default());

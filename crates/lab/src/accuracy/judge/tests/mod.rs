@@ -1,15 +1,36 @@
 //! Hand-made runs: missing and extra events, states that differ, runs cut short.
 
-use hand_written::bouncing_ball::{BouncingBall, Mode};
+use pode::Motion;
 
 use super::*;
 
-fn expected(t: f64, guard: &str, to: Mode) -> ExpectedEvent<BouncingBall> {
+/// A ball whose equations nothing here needs.
+#[derive(Clone, Copy, Debug)]
+struct Ball;
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Mode {
+    Flight,
+    Rest,
+}
+
+impl Model for Ball {
+    type Mode = Mode;
+    type State = [f64; 2];
+    type Input = Motion;
+    const COORDS: usize = 1;
+
+    fn derivative(&self, _mode: Mode, _x: &[f64; 2], _input: &Motion) -> [f64; 2] {
+        [0.0; 2]
+    }
+}
+
+fn expected(t: f64, guard: &str, to: Mode) -> ExpectedEvent<Ball> {
     ExpectedEvent { t, guard: guard.to_owned(), to }
 }
 
 /// Two bounces and a lift, states of size 2 and 4, forces of size 10.
-fn reference() -> Reference<BouncingBall> {
+fn reference() -> Reference<Ball> {
     Reference {
         events: vec![
             expected(0.1, "floor", Mode::Flight),
@@ -27,7 +48,7 @@ fn reference() -> Reference<BouncingBall> {
 }
 
 /// A run that met the reference.
-fn right() -> ObservedRun<BouncingBall> {
+fn right() -> ObservedRun<Ball> {
     let reference = reference();
     let seen = [("floor", Mode::Flight), ("floor", Mode::Rest), ("lift", Mode::Flight)];
     let times = reference.events.iter().map(|event| event.t);
@@ -43,7 +64,7 @@ fn right() -> ObservedRun<BouncingBall> {
 
 /// The index and what was expected and found where the sequence is wrong.
 #[track_caller]
-fn wrong(observed: &ObservedRun<BouncingBall>) -> (usize, String, String) {
+fn wrong(observed: &ObservedRun<Ball>) -> (usize, String, String) {
     let verdict = judge(&reference(), observed);
     let errors = [verdict.event_error, verdict.state_error, verdict.force_error];
     assert_eq!(errors, [None; 3], "a wrong sequence has no error");
