@@ -236,11 +236,11 @@ fn rest_lasts<M: Playable>(model: M) {
         let input = still(0.002 * model.input_per_metre());
         let (mode, x) = model.at_rest(&input);
         let force = model.readout(mode, &x, &input);
-        let (books, end) = run(model, (mode, x), (1e-3, 1.0), |_| input);
-        assert!(books.events.is_empty(), "{label}: {:?}", books.names());
+        let (audited, end) = run(&model, (mode, x), (1e-3, 1.0), |_| input);
+        assert!(audited.events.is_empty(), "{label}: {:?}", audited.names());
         let drift = end.state().plus(-1.0, &x);
         assert!(is_nothing(&drift), "{label} moved by {drift:?}");
-        let last = books.ticks.last().expect("a tick").mean_readout;
+        let last = audited.ticks.last().expect("a tick").mean_readout;
         assert!((last - force).abs() < 1e-8 * force.abs().max(1.0), "{label}: {last} N");
     }
 }
