@@ -25,7 +25,6 @@ mod quiet;
 mod readme;
 mod references;
 mod rooms;
-mod soak;
 mod sources;
 mod stability;
 mod stage;

@@ -100,7 +100,10 @@ impl fmt::Display for CertificateReport {
             f,
             "certain     {certain} steps: no crossing of the computed orbit is missed there"
         )?;
-        writeln!(f, "unknown     {unknown} steps; a guard was negative in {negative} of all steps")?;
+        writeln!(
+            f,
+            "unknown     {unknown} steps; a guard was negative in {negative} of all steps"
+        )?;
         writeln!(
             f,
             "violations  {violations} steps were called certain with a guard below zero in one of \

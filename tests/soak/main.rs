@@ -41,7 +41,9 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use scene::{LinksConfig, Override, Scene};
+use rustix::process::Signal;
+use scene::{Library, LinksConfig, Override, Scene};
+use tokio::signal::unix::{SignalKind, signal};
 
 use trial::{SoakChoice, SoakTime};
 
@@ -91,6 +93,10 @@ fn main() -> ExitCode {
 
 /// Tries the host and prints the verdicts. Returns `true` if every promise was kept.
 fn soak(args: &SoakArgs) -> Result<bool, Box<dyn Error>> {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+    let _entered = runtime.enter();
+    // With a handler, a write beyond `RLIMIT_FSIZE` is an error and does not end the process.
+    let _too_large = signal(SignalKind::from_raw(Signal::XFSZ.as_raw()))?;
     let name = format!("letoff-soak-{}", std::process::id());
     let folder = args.out.clone().unwrap_or_else(|| std::env::temp_dir().join(name));
     DirBuilder::new().recursive(args.out.is_some()).mode(0o700).create(&folder)?;
@@ -114,6 +120,7 @@ fn soak(args: &SoakArgs) -> Result<bool, Box<dyn Error>> {
 fn scene(name: &str) -> Result<Scene, Box<dyn Error>> {
     let set = [("pianist.performance", "none"), ("midi.output", "none")];
     let set = set.map(|(name, value)| Override::from((name.to_owned(), value.to_owned())));
-    let scene = Scene::load_as_typed(name, &set).map_err(|wrong| wrong.to_string())?;
+    let scene =
+        Scene::load_as_typed(&Library::default(), name, &set).map_err(|wrong| wrong.to_string())?;
     Ok(Scene { links: LinksConfig::Simulated, ..scene })
 }

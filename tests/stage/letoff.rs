@@ -1,9 +1,9 @@
 //! Builds and runs the program.
 //!
-//! Cargo passes a test the paths of the programs of its own package, but `letoff` is that of `cli`.
-//! `cargo xtask test` builds it with the tests and sets `LETOFF_PROGRAM`. Otherwise the Cargo that
-//! runs the tests builds it once, into the folder and profile of this test, and it is never an old
-//! one.
+//! Cargo tells a test where the programs of its own package are, but `letoff` is that of `cli`.
+//! `cargo xtask test` builds it with the tests and says where it is. Otherwise the program is
+//! built here, once, by the Cargo that runs the tests, into the folder and profile that this
+//! test was built in, and is never an old one.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
 use std::fmt::Debug;
@@ -15,43 +15,25 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
 
-/// The variable with the path of a program that was built with the tests.
-const PROGRAM: &str = "LETOFF_PROGRAM";
-
-/// Path of the program, built now if need be.
+/// Where the program is, built now if need be.
 pub(crate) fn program() -> &'static Path {
-    static PROGRAM_PATH: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM_PATH.get_or_init(|| {
-        let built = std::env::var_os(PROGRAM).map(PathBuf::from);
-        built.unwrap_or_else(|| build(["--package", "cli", "--bin", "letoff"]).join("letoff"))
-    })
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    PROGRAM.get_or_init(build)
 }
 
-/// Path of one of this package's tools under `tests/`, built now unless that was done with the
-/// tests.
-pub(crate) fn example(name: &str) -> PathBuf {
-    let is_built = std::env::var_os(PROGRAM).is_some();
-    let folder =
-        if is_built { profile_folder() } else { build(["--package", "letoff", "--example", name]) };
-    folder.join("examples").join(name)
-}
-
-/// Folder of the profile that this test was built with, `<target>/<profile>`.
-fn profile_folder() -> PathBuf {
+fn build() -> PathBuf {
+    if let Some(built) = std::env::var_os("LETOFF_PROGRAM") {
+        return built.into();
+    }
+    // <target>/<profile's folder>/deps/<this test>
     let test = std::env::current_exe().expect("this test");
-    test.ancestors().nth(2).expect("<target>/<profile>/deps/<this test>").to_owned()
-}
-
-/// Builds a program; returns the profile's folder.
-fn build(which: [&str; 4]) -> PathBuf {
-    let folder = profile_folder();
+    let folder = test.ancestors().nth(2).expect("the profile's folder");
     let target = folder.parent().expect("the target folder");
     let name = folder.file_name().and_then(|name| name.to_str()).expect("the profile's name");
     let profile = if name == "debug" { "dev" } else { name };
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut build = Command::new(cargo);
-    // Variables that cargo set for this test: build scripts of others depend on them, and would
-    // run again.
+    // What cargo set for this test: build scripts of others look at it, and would run again.
     for (name, _value) in std::env::vars_os() {
         let of_ours = ["CARGO_PKG_", "CARGO_MANIFEST_"];
         if name.to_str().is_some_and(|name| of_ours.iter().any(|it| name.starts_with(it))) {
@@ -60,13 +42,12 @@ fn build(which: [&str; 4]) -> PathBuf {
     }
     let built = build
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["build", "--quiet", "--profile", profile])
-        .args(which)
-        .arg("--target-dir")
+        .args(["build", "--quiet", "--package", "cli", "--bin", "letoff"])
+        .args(["--profile", profile, "--target-dir"])
         .arg(target)
         .status();
     assert!(built.expect("cargo").success(), "the program cannot be built");
-    folder
+    folder.join("letoff")
 }
 
 /// A folder of its own for the files of one test; those of an earlier run may lie there.

@@ -67,6 +67,10 @@ Chores of this workspace.
 Example: cargo xtask demo -- --duration 5
 ";
 
+/// The target of each tool in the folder `tests/`, as cargo's arguments.
+const SOAK: &[&str] = &["--package", "soak"];
+const CERTIFICATES: &[&str] = &["--package", "letoff", "--example", "certificates"];
+
 /// What was asked for.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Task {
@@ -99,8 +103,8 @@ pub(crate) enum Task {
     Fuzz(FuzzOptions),
     /// Count lines.
     Size,
-    /// Run a tool of the folder `tests/` with these arguments.
-    Tool(&'static str, Vec<OsString>),
+    /// Run the tool that cargo builds from this target, with these arguments.
+    Tool(&'static [&'static str], Vec<OsString>),
     /// Say what there is.
     Help,
 }
@@ -111,8 +115,8 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
     let task = match name.to_str() {
         Some("demo") => return demo(arguments),
         Some("peers") => return peers(arguments),
-        Some("soak") => return Ok(Task::Tool("soak", arguments.collect())),
-        Some("certificates") => return Ok(Task::Tool("certificates", arguments.collect())),
+        Some("soak") => return Ok(Task::Tool(SOAK, arguments.collect())),
+        Some("certificates") => return Ok(Task::Tool(CERTIFICATES, arguments.collect())),
         Some("fuzz") => {
             let options = FuzzOptions::parse(arguments)?;
             return Ok(options.map_or(Task::Help, Task::Fuzz));
@@ -269,9 +273,9 @@ mod tests {
 
     #[test]
     fn what_follows_a_tool_is_the_tool_s() {
-        check("soak", &Task::Tool("soak", Vec::new()));
+        check("soak", &Task::Tool(SOAK, Vec::new()));
         let forwarded = vec!["--seed".into(), "7".into(), "--help".into()];
-        check("certificates --seed 7 --help", &Task::Tool("certificates", forwarded));
+        check("certificates --seed 7 --help", &Task::Tool(CERTIFICATES, forwarded));
     }
 
     #[test]

@@ -31,7 +31,6 @@ mod test;
 mod tools;
 
 use std::env;
-use std::ffi::OsString;
 use std::process::ExitCode;
 
 use arguments::{Task, USAGE};
@@ -62,10 +61,9 @@ fn perform(task: Task) -> Result<(), Error> {
         Task::Fuzz(options) => fuzz::run(&options),
         Task::Peers(options) => peers::run(&options),
         Task::Size => size::print(),
-        Task::Tool(name, arguments) => {
-            let ours = ["run", "--release", "--quiet", "--package", "letoff", "--example", name, "--"];
-            let ours = ours.map(OsString::from);
-            command::become_command(&mut command::cargo(ours.into_iter().chain(arguments)))
+        Task::Tool(target, arguments) => {
+            let mut tool = command::cargo(["run", "--release", "--quiet"]);
+            command::become_command(tool.args(target).arg("--").args(arguments))
         }
         Task::Help => {
             print!("{USAGE}");

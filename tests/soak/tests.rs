@@ -1,11 +1,11 @@
 //! `cargo xtask soak`: the whole host under faults keeps its promises, and a seed its bits.
 
+#![expect(clippy::expect_used, reason = "helpers of tests fail aloud")]
+
 use std::process::{Command, Output};
 
-use crate::letoff::example;
-
 fn run(arguments: &str) -> Output {
-    let mut command = Command::new(example("soak"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_soak"));
     command.args(arguments.split(' ')).output().expect("the program runs")
 }
 
