@@ -1,5 +1,5 @@
-//! Model B, a grand's size, one tick of 1 ms: every method, with and without an event; the same
-//! tick in each form of its description; and the root finder alone.
+//! Model B, a grand's size, one tick of 1 ms: every method, with and without an event, and one of
+//! several; and the root finder alone.
 #![expect(
     clippy::expect_used,
     clippy::large_stack_frames,
@@ -11,13 +11,10 @@ mod setting;
 
 use std::f64::consts::TAU;
 use std::hint::black_box;
+use std::sync::Arc;
 
 use criterion::Criterion;
-use equations::EquationModel;
-use models::catalogue::Visitor;
-use models::emitted::key_hammer_springs::{KeyHammerSpringsFunctions, TABLE};
-use models::registry::SmallModel;
-use models::{Described, Playable, built_in, descriptions};
+use models::{Described, LoadedModel, SmallModel};
 use pode::input::Cubic;
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,
@@ -25,6 +22,7 @@ use pode::stepper::{
     VelocityVerlet,
 };
 use pode::{Bracket, Event, Limits, Model, Motion, Resets, Simulator, Stepper, Watch, locate};
+use scene::Library;
 use setting::TICKS;
 
 /// Tick (s).
@@ -49,7 +47,7 @@ fn main() {
     quiet(&mut criterion, Rodas4);
     quiet(&mut criterion, ExponentialRosenbrock);
     quiet(&mut criterion, Exprb32);
-    forms(&mut criterion);
+    tick(&mut criterion, "rk4/any", at_rest(model(), Any::Rk4(Rk4)));
     eventful(&mut criterion);
     roots(&mut criterion);
     criterion.final_summary();
@@ -58,17 +56,12 @@ fn main() {
 /// Model B as the program has it.
 const NAME: &str = "key-hammer-springs";
 
-/// The parameters of the middle key.
-fn values() -> Vec<f64> {
-    let entry = built_in::small(NAME).expect("model B").entry();
-    let preset = entry.presets.iter().find(|preset| preset.name == "playable");
-    let value = preset.expect("the preset").value;
-    (0..entry.parameters.len()).map(|it| value(it, 39)).collect()
-}
-
 /// Model B of the middle key.
 fn model() -> SmallModel {
-    built_in::small(NAME).expect("model B").with_values(&values())
+    let model: Arc<LoadedModel> = Library::default().find(NAME, "".as_ref()).expect("model B");
+    let preset = model.presets.iter().find(|preset| preset.name == "playable");
+    let values = preset.expect("the preset").values(39);
+    model.small().expect("a small model").with_values(&values)
 }
 
 /// A model at rest.
@@ -89,43 +82,6 @@ fn simulator<M: Model + Resets, T: Stepper>(
 /// A tick with guards and without an event, the key swinging slowly, by each method.
 fn quiet<T: Stepper>(criterion: &mut Criterion, stepper: T) {
     tick(criterion, T::NAME, at_rest(model(), stepper));
-}
-
-/// Model B as emitted Rust.
-type Emitted = EquationModel<KeyHammerSpringsFunctions, 4, 192>;
-
-/// Model B as machine code that is made while the program runs.
-type Native<'a> = EquationModel<&'a native::NativeFunctions, 4, 192>;
-
-/// The same tick by one method, of one model in all its forms: as emitted Rust whose calls
-/// the compiler knows, by itself and as a voice plays it; the same where calls go through a table,
-/// the method known (`rk4`) or one of several; and as machine code that is made while the program
-/// runs.
-fn forms(criterion: &mut Criterion) {
-    let values = values();
-    let emitted = Emitted::new(&TABLE, KeyHammerSpringsFunctions, &values).expect("model B");
-    tick(criterion, "rk4/emitted", simulator(emitted, Rk4, emitted.at_rest(&Motion::default())));
-    built_in::visit_by_type(model(), Played { criterion, values: &values });
-    tick(criterion, "rk4/any", at_rest(model(), Any::Rk4(Rk4)));
-    let text = descriptions::description(NAME).expect("a description");
-    let derived = kane::derive_model(NAME, text, &kane::description::NoBases).expect("model B");
-    let functions = native::compile(derived.program.tapes()).expect("machine code");
-    let native = Native::new(derived.program.table, &functions, &values).expect("model B");
-    tick(criterion, "rk4/native", simulator(native, Rk4, native.at_rest(&Motion::default())));
-}
-
-/// A model as a voice plays it.
-struct Played<'a> {
-    criterion: &'a mut Criterion,
-    values: &'a [f64],
-}
-
-impl Visitor for Played<'_> {
-    type Output = ();
-
-    fn visit<M: Playable>(self, model: M) {
-        tick(self.criterion, "rk4/as played", at_rest(model.with_values(self.values), Rk4));
-    }
 }
 
 fn tick<M, T>(criterion: &mut Criterion, name: &str, mut simulator: Simulator<M, T>)
@@ -163,7 +119,7 @@ fn eventful(criterion: &mut Criterion) {
         let name = format!("pode/model_b_tick_event_to_1_ns/{guard}");
         criterion.bench_function(&name, |bencher| {
             bencher.iter(|| {
-                let mut simulator = *black_box(&before);
+                let mut simulator = black_box(&before).clone();
                 let done = simulator.advance(H, black_box(&signal), &mut pode::Silent);
                 (simulator, done)
             });
@@ -186,7 +142,7 @@ fn just_before(guard: &str) -> (Simulator<SmallModel, Rk4>, Cubic) {
     let mut simulator = at_rest(model(), Rk4);
     for tick in 0..1000 {
         let signal = pressed(f64::from(tick) * H);
-        let (before, mut fired) = (simulator, Fired::default());
+        let (before, mut fired) = (simulator.clone(), Fired::default());
         let _done = simulator.advance(H, &signal, &mut fired);
         if fired.0 == [guard] {
             return (before, signal);

@@ -21,12 +21,11 @@ use std::sync::Arc;
 
 use criterion::Criterion;
 use haptics::{AnyEstimator, Kalman, RigParameters};
-use models::registry::SmallModel;
-use models::{Described as _, built_in};
+use models::SmallModel;
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};
-use scene::{PassivityMode, Scene};
+use scene::{Library, PassivityMode, Scene};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
@@ -66,20 +65,17 @@ struct Key {
 impl Key {
     #[expect(clippy::large_stack_frames, reason = "once, at set-up")]
     fn new(number: u8) -> Self {
-        let known = built_in::small("key-hammer-springs").expect("model B");
-        let entry = known.entry();
-        let preset = entry.presets.iter().find(|preset| preset.name == "playable");
-        let value = preset.expect("the preset").value;
-        let indices = 0..entry.parameters.len();
-        let model =
-            known.with_values(&indices.map(|index| value(index, number)).collect::<Vec<_>>());
+        let known = Library::default().find("key-hammer-springs", "".as_ref()).expect("model B");
+        let preset = known.presets.iter().find(|preset| preset.name == "playable");
+        let values = preset.expect("the preset").values(number);
+        let model = known.small().expect("a small model").with_values(&values);
         let positions = swing_of(number.into());
         let kalman = Kalman::new(H, RigParameters::default().quantum, Kalman::KEY_JERK_DENSITY);
         let scale = model.input_per_metre();
         let mut input = InputPath::new(AnyEstimator::Kalman(kalman), None, scale, H);
         let (mode, state) = model.at_rest(&input.reset(positions[0]));
         let simulator = Simulator::new(model, Rk4, Limits::default(), mode, state);
-        let unread = simulator.without_readout();
+        let unread = simulator.clone().without_readout();
         Self { input, simulator, unread, auditor: Auditor::default(), positions, felt: 0.0 }
     }
 }
@@ -108,7 +104,7 @@ fn keys(criterion: &mut Criterion, name: &str, mut rest: impl FnMut(&mut Key, &C
 /// A tick of whole voices, with an observer of what they make or a controller.
 fn voices(criterion: &mut Criterion, name: &str, passivity: PassivityMode) {
     let set = [("render.passivity".to_owned(), passivity.name().to_owned())];
-    let scene = Scene::load(&scene::Library::default(), "springs", &set).expect("a scene of ours");
+    let scene = Scene::load(&Library::default(), "springs", &set).expect("a scene of ours");
     let assembler = VoiceBuilder::new(&scene).expect("a scene of ours");
     let voice = |(number, described)| {
         let positions = swing_of(number);

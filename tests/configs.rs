@@ -27,7 +27,7 @@ fn every_description_is_a_model_that_its_name_finds() {
     let known: BTreeSet<_> = descriptions::model_names().map(String::from).collect();
     for name in names(&files("models", "toml")) {
         assert!(known.contains(&name), "{name} is not part of the program");
-        let model = descriptions::find_model(&name, Path::new(""));
+        let model = scene::Library::default().find(&name, Path::new(""));
         assert_eq!(model.expect("a good description").name, name);
     }
 }

@@ -36,7 +36,9 @@ fn the_experiment_writes_its_report_and_the_figure_that_the_readme_shows() {
     assert_eq!(file("figure6.csv").lines().count(), 1502);
     assert_eq!(file("errors.csv").lines().count(), 6);
     assert!(file("events.csv").contains("figure6-real-time,string,B2,B2,"));
-    assert!(file("errors.csv").contains(",true,12,") && file("event-errors.svg").contains("<circle"));
+    assert!(
+        file("errors.csv").contains(",true,12,") && file("event-errors.svg").contains("<circle")
+    );
     assert!(file("figure6-real-time.svg").contains("each in 2 ms"));
     assert!(file("figure6-beside.svg").contains("same samples, located"));
     let json: serde_json::Value = serde_json::from_str(&file("figure6.json")).expect("JSON");

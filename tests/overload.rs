@@ -214,7 +214,7 @@ const HOSTILE_KEY: usize = 39;
 /// Returns a voice of the scene with some of its values replaced.
 fn hostile(scene: &Scene, values: &[(&str, f64)]) -> BoxedVoice {
     let mut voice = scene.keys[HOSTILE_KEY].clone().expect("a voice");
-    let parameters = voice.model.parameters;
+    let parameters = &voice.model.parameters;
     for (name, value) in values {
         let index = parameters.iter().position(|it| it.name == *name).expect("a parameter");
         let (min, max) = parameters[index].range;

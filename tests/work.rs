@@ -1,17 +1,16 @@
 //! How much a tick computes, in counted evaluations: the same on every machine.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
-use models::built_in::small;
-use models::catalogue::{Visitor, built_ins, visit};
-use models::registry::SmallModel;
-use models::{Described as _, ModeCode, Playable};
+use models::{Described as _, LoadedModel, ModeCode, Playable, SmallModel, Visitor};
 use pode::input::Cubic;
 use pode::stepper::{ByNeed, Rk4, Stepper};
 use pode::{Auditor, Limits, Motion, Silent, Simulator, Watch, Work};
+use scene::Library;
 use scheduler::motion::KEYS;
 use scheduler::voice::VoiceWork;
 
@@ -152,12 +151,18 @@ const COUNTS: [(&str, [u32; 4], [u32; 4]); 6] = [
     ("spring-wall", [0, 0, 1, 3000], [0, 0, 1000, 3000]),
 ];
 
+/// The model of the program called `name`.
+fn named(name: &str) -> Arc<LoadedModel> {
+    Library::default().find(name, "".as_ref()).expect("a model")
+}
+
+fn small(name: &str) -> SmallModel {
+    named(name).small().expect("a small model")
+}
+
 /// The first preset of a model for the middle key.
 fn first<M: Playable>(model: &M) -> M {
-    let entry = model.entry();
-    let preset = &entry.presets[0];
-    let values: Vec<_> = (0..entry.parameters.len()).map(|it| (preset.value)(it, 39)).collect();
-    model.with_values(&values)
+    model.with_values(&model.entry().presets[0].values(39))
 }
 
 /// The work of [`COUNTED`] ticks of 1 ms from `start`, the key swinging `depth` (m) down and up.
@@ -202,16 +207,16 @@ impl Visitor for Counts {
 
 #[test]
 fn every_model_computes_what_is_committed_at_rest_and_moving() {
-    let found: Vec<_> = built_ins()
-        .map(|it| (it.name, visit(it, Counts).expect("a model")))
-        .map(|(name, [rest, moving])| (name, rest, moving))
-        .collect();
+    let found = COUNTS.map(|(name, ..)| {
+        let [rest, moving] = named(name).visit(Counts);
+        (name, rest, moving)
+    });
     assert_eq!(found, COUNTS);
 }
 
 #[test]
 fn what_nobody_asked_for_is_not_evaluated() {
-    for entry in built_ins() {
+    for (name, ..) in COUNTS {
         struct Unread;
         impl Visitor for Unread {
             type Output = (Work, Work);
@@ -220,17 +225,17 @@ fn what_nobody_asked_for_is_not_evaluated() {
                 (unread, counted(at_rest(&model), 3e-3, &mut Silent))
             }
         }
-        let (unread, read) = visit(entry, Unread).expect("a model");
-        assert_eq!(unread.readouts, 0, "{}", entry.name);
-        assert!(COUNTED <= read.readouts, "{}", entry.name);
-        assert_eq!(unread, Work { readouts: 0, ..read }, "{}: nothing else", entry.name);
+        let (unread, read) = named(name).visit(Unread);
+        assert_eq!(unread.readouts, 0, "{name}");
+        assert!(COUNTED <= read.readouts, "{name}");
+        assert_eq!(unread, Work { readouts: 0, ..read }, "{name}: nothing else");
     }
 }
 
 #[test]
 fn an_energy_audit_counts_what_it_evaluates() {
     let mut audit = Auditor::<SmallModel>::default();
-    let springs = small("key-hammer-springs").expect("model B");
+    let springs = small("key-hammer-springs");
     let work = counted(at_rest(&springs), 3e-3, &mut audit);
     // Five a piece, two an event, and one where an event has left the state unknown.
     let least = u64::from(5 * work.pieces + 2 * work.events);
@@ -254,19 +259,19 @@ fn quiet<M: Playable>(model: M, method: impl Stepper, (mode, state): (M::Mode, M
 #[test]
 fn modes_compute_their_own_degrees_of_freedom_and_no_others() {
     // `[GC93]` table 1: A1 has none, A2 and each half of B2 have one, B1 has two.
-    let rigid = first(&small("key-hammer-rigid").expect("model A"));
+    let rigid = first(&small("key-hammer-rigid"));
     let (mode, on_key) = rigid.at_rest(&Motion::default());
     let none = quiet(rigid, Rk4, (mode, on_key));
     assert_eq!((none.derivatives, none.rates, none.jacobians), (0, 0, 0), "A1");
-    let springs = first(&small("key-hammer-springs").expect("model B"));
+    let springs = first(&small("key-hammer-springs"));
     let (b1, rest) = springs.at_rest(&Motion::default());
-    let together = quiet(springs, Rk4, (b1, rest));
+    let together = quiet(springs.clone(), Rk4, (b1, rest));
     assert_eq!((together.derivatives, together.rates), (400, 1600), "B1");
     // The hammer in the air, rising. A state of four entries is stepped as one by one method; where
     // each half has its own, the hammer takes one step for three of the key's.
     let b2 = springs.mode(ModeCode::structural(1)).expect("B2");
     let above = (b2, [rest[0] + 0.15, rest[1], 0.5, 0.0]);
-    assert_eq!(quiet(springs, Rk4, above).rates, 1600, "B2, as one");
+    assert_eq!(quiet(springs.clone(), Rk4, above).rates, 1600, "B2, as one");
     let apart = quiet(springs, ByNeed::default(), above);
     assert!(apart.rates < 1000, "B2, apart: {apart:?}");
 }

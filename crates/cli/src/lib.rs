@@ -180,7 +180,8 @@ pub fn run(letoff: &Letoff) -> ExitCode {
 /// Reports that models are interpreted, if they are: ticks have less room then.
 fn report_interpretation() {
     if let Some(reason) = descriptions::interpreted() {
-        let text = format!("models are interpreted, about ten times slower than compiled: {reason}");
+        let text =
+            format!("models are interpreted, about ten times slower than compiled: {reason}");
         log::tell_as(Level::Warning, &text);
     }
 }

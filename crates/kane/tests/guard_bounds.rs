@@ -123,7 +123,7 @@ fn varied(
     numbers: &mut Numbers,
 ) -> Model {
     let mut values = shipped.values(preset, key);
-    for (value, parameter) in values.iter_mut().zip(shipped.table.parameters) {
+    for (value, parameter) in values.iter_mut().zip(&shipped.table.parameters) {
         let (low, high) = parameter.range;
         let varied = *value * spread.mul_add(between(numbers, -0.9, 2.0), 1.0);
         *value = varied.max(low).min(high);

@@ -3,7 +3,6 @@
 use contacts::WithContacts;
 use equations::ModeNumber;
 use kane::derive_model;
-use kane::description::NoBases;
 use pode::stepper::Rk4;
 use pode::{Limits, Silent, Simulator};
 
@@ -128,7 +127,7 @@ fn a_rest_that_nothing_holds_is_a_mistake_of_its_line() {
     let end = BEAM.find("[rest]").unwrap();
     let falling = format!("{}{}", &BEAM[..start], &BEAM[end..]);
     let says = |text: &str, parts: &[&str]| {
-        let said = derive_model("beam.toml", text, &NoBases).map(|_| ());
+        let said = derive_model("beam.toml", text, &()).map(|_| ());
         let said = said.unwrap_err().to_string();
         for part in parts {
             assert!(said.contains(part), "{said} lacks {part}");
@@ -139,9 +138,9 @@ fn a_rest_that_nothing_holds_is_a_mistake_of_its_line() {
         &["beam.toml:18:2", "nothing holds y' at rest", "changes by 9.810 m/s per second"],
     );
     let starts = falling.replace("[rest]", "[rest]\nstart = true");
-    assert!(derive_model("beam.toml", &starts, &NoBases).is_ok());
+    assert!(derive_model("beam.toml", &starts, &()).is_ok());
     let unsaid = &falling[..falling.find("[rest]").unwrap()];
-    assert!(derive_model("beam.toml", unsaid, &NoBases).is_ok(), "it is not said that it rests");
+    assert!(derive_model("beam.toml", unsaid, &()).is_ok(), "it is not said that it rests");
     // With one felt it turns until its centre is below it.
     let hanging = BEAM.replace("gap = \"y(right)\"", "gap = \"y(right) + 5 m\"");
     says(&hanging, &["beam.toml:22:2", "rests at turn = -1.57", "out of its range"]);

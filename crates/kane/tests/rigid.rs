@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails aloud")]
 
 use kane::derive_model;
-use kane::description::{NoBases, read};
+use kane::description::read;
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, RunRecorder, Simulator};
 
@@ -159,7 +159,7 @@ fn too_many_configurations_are_counted_and_refused() {
                  guards = [{ name = \"go\", positive = \"0.5 m - x\", to = \"free\" }]\n\
                  [outputs.push]\nunit = \"N\"\nvalue = \"reaction(s0)\"\n";
     for (extra, count) in [("", "37"), (modes, "66")] {
-        let said = read("stops.toml", &stops(8, extra), &NoBases).unwrap_err().to_string();
+        let said = read("stops.toml", &stops(8, extra), &()).unwrap_err().to_string();
         for part in
             [&format!("the rigid contacts would make {count} modes"), "32 at most", "stops.toml:12"]
         {
@@ -182,7 +182,7 @@ guards = [{ name = "come", positive = "x - 0.4 m", to = "in" }]
     let names: Vec<_> = derived.program.table.modes.iter().map(|it| it.name).collect();
     assert_eq!(names, ["in", "out", "in+s0", "in+s1", "in+s0+s1", "out+s1"]);
     let to = |mode: usize| {
-        let guards = derived.program.table.modes[mode].guards;
+        let guards = &derived.program.table.modes[mode].guards;
         guards.iter().find(|it| it.name == "go").unwrap().ways[0].to
     };
     assert_eq!([to(0), to(2), to(3)], [1, 1, 5], "what is closed stays closed if it can");
@@ -207,7 +207,7 @@ fn an_impact_of_a_rigid_contact_keeps_the_momentum_along_it() {
 fn what_a_rigid_contact_says_wrong_is_named() {
     let says = |from: &str, to: &str, part: &str| {
         let text = stops(1, "").replace(from, to);
-        let said = derive_model("it.toml", &text, &NoBases).unwrap_err().to_string();
+        let said = derive_model("it.toml", &text, &()).unwrap_err().to_string();
         assert!(said.contains(part), "{said} lacks {part}");
         assert!(!said.contains("no stiffness"), "a consequence: {said}");
     };

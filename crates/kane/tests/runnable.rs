@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use equations::table::ModelTable;
 use equations::{EquationModel, ModeNumber};
-use kane::assemble::{Program, TapeFunctions};
+use kane::assemble::Program;
 use kane::{DerivedModel, derive_model};
 use pode::{GuardId, Guarded as _};
 
@@ -12,7 +12,7 @@ use crate::shipped::{Folder, files};
 
 /// A model by interpretation, whose state is at the front of N entries, with room for C constants.
 pub(crate) type Runnable<const N: usize, const C: usize = 256> =
-    EquationModel<&'static TapeFunctions, N, C>;
+    EquationModel<&'static Program, N, C>;
 
 /// The model of a program, with one value per parameter; missing ones are those of the default.
 pub(crate) fn runnable<const N: usize, const C: usize>(
@@ -46,13 +46,13 @@ pub(crate) fn shipped(name: &str) -> String {
 /// A description that became a program.
 pub(crate) struct ShippedModel {
     pub(crate) table: &'static ModelTable,
-    functions: &'static TapeFunctions,
+    program: &'static Program,
 }
 
 impl ShippedModel {
     pub(crate) fn of(program: Program) -> Self {
-        let functions = Box::leak(Box::new(program.functions));
-        Self { table: program.table, functions }
+        let program = Box::leak(Box::new(program));
+        Self { table: &program.table, program }
     }
 
     /// The description of this name.
@@ -62,7 +62,7 @@ impl ShippedModel {
 
     /// The model with one value per parameter.
     pub(crate) fn valued<const N: usize, const C: usize>(&self, values: &[f64]) -> Runnable<N, C> {
-        EquationModel::new(self.table, self.functions, values).expect("there is room for it")
+        EquationModel::new(self.program, values).expect("there is room for it")
     }
 
     /// The values of a preset for a key.
@@ -125,7 +125,7 @@ pub(crate) fn mode<const N: usize>(model: &Runnable<N>, name: &str) -> ModeNumbe
 /// The modes of a model with their names.
 pub(crate) fn modes<const N: usize>(
     model: &Runnable<N>,
-) -> impl Iterator<Item = (ModeNumber, &'static str)> + use<N> {
+) -> impl Iterator<Item = (ModeNumber, &'static str)> + use<'_, N> {
     (0..).map(ModeNumber).zip(model.table().modes.iter().map(|it| it.name))
 }
 

@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use kane::description::NoBases;
 use kane::graph::MAX_WORK;
 use kane::{derive_model, derive_unless_cancelled};
 
@@ -61,7 +60,7 @@ phi1 = "s"
 #[test]
 fn a_description_of_too_much_work_is_refused_in_a_sentence() {
     for links in [16, 64] {
-        let said = derive_model("pendulum.toml", &pendulum(links), &NoBases).unwrap_err();
+        let said = derive_model("pendulum.toml", &pendulum(links), &()).unwrap_err();
         let [mistake] = said.as_slice() else { panic!("{said}") };
         assert!(mistake.message.contains("too much work"), "{said}");
         assert!(mistake.help.starts_with("describe a smaller model"), "{said}");
@@ -82,14 +81,14 @@ fn presets_that_take_too_long_to_come_to_rest_are_refused_in_a_sentence() {
     let text = pendulum(2).replace("[coordinates]", &format!("{definitions}[coordinates]"));
     let text = text.replace("s - phi1\"", "s - phi1 + 1e-9*d12\"");
     let text = text.replace("phi1 = \"s\"\n", "phi1 = \"3 rad\"\nphi2 = \"3 rad\"\n");
-    let said = derive_model("pendulum.toml", &text, &NoBases).unwrap_err().to_string();
+    let said = derive_model("pendulum.toml", &text, &()).unwrap_err().to_string();
     assert!(said.contains("too much work"), "{said}");
 }
 
 #[test]
 fn the_work_on_a_description_is_always_the_same() {
     let work = || {
-        let model = derive_model("pendulum.toml", &pendulum(4), &NoBases).expect("a model");
+        let model = derive_model("pendulum.toml", &pendulum(4), &()).expect("a model");
         model.program.work
     };
     assert_eq!(work(), work());
@@ -110,7 +109,7 @@ fn the_limit_of_work_lies_far_above_every_model_of_the_program() {
 #[test]
 fn a_derivation_ends_when_it_is_cancelled() {
     let is_cancelled = Arc::new(AtomicBool::new(false));
-    let derive = || derive_unless_cancelled("it.toml", &pendulum(2), &NoBases, &is_cancelled);
+    let derive = || derive_unless_cancelled("it.toml", &pendulum(2), &(), &is_cancelled);
     assert!(derive().is_ok());
     is_cancelled.store(true, Ordering::Relaxed);
     let said = derive().unwrap_err().to_string();

@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, UNIX_EPOCH};
 
+use descriptions::Library;
 use lab::accuracy::{
     Effort, METHODS, MeasuredScenario, SequenceVerdict, StudyChoice, StudyRow, measure,
 };
 use lab::report::{self, Machine, StudyReport, read_peers};
-use models::{Described as _, built_in};
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Silent, Simulator, Work};
 
@@ -64,8 +64,8 @@ fn errors_fall_with_the_order_of_the_method() {
 fn counts_are_those_that_pode_reports() {
     let measured = study(&["ball"], &["rk4"], COUNTED);
     let row = run(&measured[0], "rk4", 5e-3);
-    let ball = built_in::small("bouncing-ball").expect("the ball");
-    let ball = ball.with_values(&[9.81, 0.8, 1.0, 1.0, 1.0]);
+    let ball = Library::default().find("bouncing-ball", "".as_ref()).expect("the ball");
+    let ball = ball.small().expect("a small model").with_values(&[9.81, 0.8, 1.0, 1.0, 1.0]);
     let (flight, state) = ball.at_rest(&Motion::default());
     let mut simulator = Simulator::new(ball, Rk4, Limits::default(), flight, state);
     let still = |_: f64| Motion::default();

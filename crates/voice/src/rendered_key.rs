@@ -550,8 +550,8 @@ const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
 #[cfg(test)]
 mod tests {
     use haptics::{AnyEstimator, EnergyBound, Kalman};
-    use models::registry::SmallModel;
-    use models::{Described as _, built_in};
+    use models::SmallModel;
+    use scene::Library;
 
     use super::*;
 
@@ -574,7 +574,8 @@ mod tests {
         };
         // Gravity, restitution, mass, drop, and floor per key travel.
         let values = [0.0, 0.5, 0.01, 0.1, -5.0];
-        let model = built_in::small("bouncing-ball").expect("the ball").with_values(&values);
+        let model = Library::default().find("bouncing-ball", "".as_ref()).expect("the ball");
+        let model = model.small().expect("a small model").with_values(&values);
         let mut voice = RenderedKey::new(model, pode::stepper::Rk4, fittings);
         voice.reset(&KeySample::fresh(0.0));
         voice

@@ -22,10 +22,7 @@ pub trait Bases {
 }
 
 /// No bases at all.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct NoBases;
-
-impl Bases for NoBases {
+impl Bases for () {
     fn load(&self, _base: &str, _from: &str) -> Result<(String, Vec<u8>), String> {
         Err("there are no other descriptions here".to_owned())
     }

@@ -36,7 +36,7 @@ mod rigid;
 mod toml_making;
 mod world_frame;
 
-pub use bases::{Bases, NoBases};
+pub use bases::Bases;
 pub use caret::rendered;
 
 use diagnostics::toml::TomlSource;

@@ -5,7 +5,6 @@ use super::meaning::value;
 use super::{WEIGHT, good, mistakes_of};
 use crate::runnable::{Run, described, model};
 use equations::ModeNumber;
-use kane::description::NoBases;
 use pode::Motion;
 
 /// A lid that leaves its weight where the weight leans on the wall.
@@ -90,7 +89,7 @@ fn a_frame_of_a_mode_is_that_of_its_configurations() {
 fn what_is_wrong_in_a_drawing_is_said() {
     let says = |old: &str, new: &str, part: &str| {
         assert!(LID.contains(old), "{old:?} is not there");
-        let mistakes = mistakes_of(&format!("{WEIGHT}{}", LID.replacen(old, new, 1)), &NoBases);
+        let mistakes = mistakes_of(&format!("{WEIGHT}{}", LID.replacen(old, new, 1)), &());
         assert!(mistakes.iter().any(|it| it.contains(part)), "{mistakes:?} lacks {part:?}");
     };
     says("lid = { frame = \"W\"", "lid = { frame = \"V\"", "there is no frame \"V\"");

@@ -1,6 +1,6 @@
 //! Foreign bytes: whatever they are, an answer comes back.
 
-use kane::description::{NoBases, read, read_bytes};
+use kane::description::{read, read_bytes};
 use proptest::prelude::*;
 
 use super::WEIGHT;
@@ -58,7 +58,7 @@ proptest! {
         is_large in any::<bool>(),
     ) {
         let text = spoiled(if is_large { SPRINGS } else { WEIGHT }, &at);
-        match read("spoiled.toml", &text, &NoBases) {
+        match read("spoiled.toml", &text, &()) {
             Ok(description) => prop_assert!(!description.mechanism.modes.is_empty()),
             Err(mistakes) => prop_assert!(!mistakes.as_slice().is_empty()),
         }
@@ -66,7 +66,7 @@ proptest! {
 
     #[test]
     fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
-        if let Err(mistakes) = read_bytes("bytes", &bytes, &NoBases) {
+        if let Err(mistakes) = read_bytes("bytes", &bytes, &()) {
             prop_assert!(!mistakes.as_slice().is_empty());
         }
     }

@@ -6,8 +6,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
-use kane::description::NoBases;
-
 use super::mistakes_of;
 
 const README: &str = include_str!("../../README.md");
@@ -127,7 +125,7 @@ fn read_keys() -> BTreeMap<&'static str, BTreeSet<String>> {
         write!(text, "qq{}qq = 1{rest}", rows.len()).expect("text grows");
         rows.push(row);
     }
-    let mistakes = mistakes_of(&text, &NoBases);
+    let mistakes = mistakes_of(&text, &());
     let mut keys = BTreeMap::<_, BTreeSet<String>>::new();
     for (number, row) in rows.iter().enumerate() {
         let key = format!("\"qq{number}qq\"");

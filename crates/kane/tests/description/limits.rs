@@ -2,20 +2,20 @@
 
 use std::fmt::Write as _;
 
-use kane::description::{LONGEST, MOST_EXPRESSIONS, NoBases, read_bytes};
+use kane::description::{LONGEST, MOST_EXPRESSIONS, read_bytes};
 
 use super::{WEIGHT, mistake, mistakes_of};
 
 #[track_caller]
 fn refuses(text: &str, part: &str) {
-    let mistakes = mistakes_of(text, &NoBases);
+    let mistakes = mistakes_of(text, &());
     assert!(mistakes.iter().any(|it| it.contains(part)), "{part:?} is not in {mistakes:?}");
 }
 
 #[test]
 fn a_hundred_megabytes_are_refused_unread() {
     let bytes = vec![b'#'; 100 << 20];
-    let mistakes = read_bytes("large.toml", &bytes, &NoBases).expect_err("too long");
+    let mistakes = read_bytes("large.toml", &bytes, &()).expect_err("too long");
     assert!(mistakes.to_string().contains("104857600 bytes long"), "{mistakes}");
 }
 
@@ -56,7 +56,7 @@ fn values_that_nest_are_refused_without_a_stack_overflow() {
         format!("{}a = 1", "a . ".repeat(1_900)),
         format!("[[{}a]]", "a.".repeat(1_900)),
     ] {
-        assert!(!mistakes_of(&deep, &NoBases).is_empty());
+        assert!(!mistakes_of(&deep, &()).is_empty());
     }
 }
 

@@ -171,7 +171,9 @@ fn points_are_placed_by_all_frames_below_them() {
 #[test]
 fn one_way_stands_for_a_list_of_one() {
     let derived = |text: &str| {
-        kane::derive_model("a file", text, &kane::description::NoBases).expect("a model").rust()
+        let model = kane::derive_model("a file", text, &());
+        let program = model.expect("a model").program;
+        (program.table, program.functions)
     };
     let table = SPRINGS.replace("to = \"B2\"", "to = { mode = \"B2\" }");
     assert_ne!(table, SPRINGS);

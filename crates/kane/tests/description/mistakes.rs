@@ -1,6 +1,6 @@
 //! Each mistake is named with its place and what to do.
 
-use kane::description::{NoBases, read, read_bytes, rendered};
+use kane::description::{read, read_bytes, rendered};
 
 use super::{WEIGHT, good, mistake, mistakes_of};
 
@@ -102,7 +102,7 @@ fn a_guard_leads_somewhere() {
 
 #[test]
 fn modes_can_be_reached_and_left() {
-    let mistakes = mistakes_of(&WEIGHT.replacen("to = \"leaning\"", "to = \"free\"", 1), &NoBases);
+    let mistakes = mistakes_of(&WEIGHT.replacen("to = \"leaning\"", "to = \"free\"", 1), &());
     assert!(
         mistakes.iter().any(|it| it.contains("the mode \"leaning\" is unreachable")),
         "{mistakes:?}"
@@ -187,14 +187,14 @@ fn all_mistakes_come_at_once() {
         .replacen("\"y - s\"", "\"y - z\"", 1)
         .replacen("to = \"free\"", "to = \"fre\"", 1)
         .replacen("mass = \"m\"", "mass = \"1 m\"", 1);
-    let mistakes = mistakes_of(&text, &NoBases);
+    let mistakes = mistakes_of(&text, &());
     assert_eq!(mistakes.len(), 3, "{mistakes:#?}");
 }
 
 #[test]
 fn a_caret_stands_under_the_place() {
     let text = WEIGHT.replacen("\"y - s\"", "\"y - zz\"", 1);
-    let mistakes = read("test.toml", &text, &NoBases).expect_err("zz is unknown");
+    let mistakes = read("test.toml", &text, &()).expect_err("zz is unknown");
     let source = diagnostics::toml::TomlSource { name: "test.toml".to_owned(), text };
     let shown = rendered(&mistakes, &[source]);
     assert!(shown.contains("\n  stretch = \"y - zz\"\n                 ^\n"), "{shown}");
@@ -202,10 +202,10 @@ fn a_caret_stands_under_the_place() {
 
 #[test]
 fn bytes_that_are_no_description_are_refused() {
-    let mistakes = read_bytes("a.toml", b"name = \"x\"\n\xff", &NoBases).expect_err("no text");
+    let mistakes = read_bytes("a.toml", b"name = \"x\"\n\xff", &()).expect_err("no text");
     assert!(mistakes.to_string().contains("not UTF-8 text from line 2 on"), "{mistakes}");
-    let said = mistakes_of("<html>\n<body>", &NoBases);
+    let said = mistakes_of("<html>\n<body>", &());
     assert!(said.iter().any(|it| it.contains("this is not TOML")), "{said:?}");
-    let said = mistakes_of("", &NoBases);
+    let said = mistakes_of("", &());
     assert!(said.iter().any(|it| it.contains("the description has no name")), "{said:?}");
 }

@@ -12,7 +12,7 @@ mod readme;
 mod units;
 
 use diagnostics::toml::TomlSource;
-use kane::description::{Bases, Description, NoBases, read, rendered};
+use kane::description::{Bases, Description, read, rendered};
 
 /// A weight on a spring, with a wall that it can lean on.
 pub(crate) const WEIGHT: &str = r#"
@@ -87,7 +87,7 @@ y = "s - m*g/k"
 /// Reads a text that has no mistake.
 #[track_caller]
 pub(crate) fn good(text: &str) -> Description {
-    match read("test.toml", text, &NoBases) {
+    match read("test.toml", text, &()) {
         Ok(description) => description,
         Err(mistakes) => {
             let name = "test.toml".to_owned();
@@ -108,7 +108,7 @@ pub(crate) fn mistakes_of(text: &str, bases: &dyn Bases) -> Vec<String> {
 #[track_caller]
 pub(crate) fn mistake(old: &str, new: &str) -> String {
     assert!(WEIGHT.contains(old), "{old:?} is not there");
-    let mistakes = mistakes_of(&WEIGHT.replacen(old, new, 1), &NoBases);
+    let mistakes = mistakes_of(&WEIGHT.replacen(old, new, 1), &());
     assert_eq!(mistakes.len(), 1, "{mistakes:#?}");
     mistakes.into_iter().next().unwrap_or_default()
 }

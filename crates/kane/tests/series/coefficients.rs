@@ -1,39 +1,8 @@
-//! Coefficients by two functions against the interpreted recursion, and against the equations.
+//! Coefficients by two functions against the equations.
 
-use kane::taylor::{SeriesStart, TapeSeries};
 use pode::{GuardId, Guarded as _, Model as _};
 
-use super::{ORDER, constants, each, motion_at};
-
-/// The recursion of the derivative as it stands, slaved entries by their rates.
-#[test]
-fn two_functions_give_the_coefficients_of_the_recursion() {
-    let mut worst: f64 = 0.0;
-    let modes = each(|program, case| {
-        let mode = &program.table.modes[case.index];
-        let series = TapeSeries::new(&program.tapes()[usize::from(mode.derivative)], case.states());
-        let input: Vec<f64> = case.input.iter().map(|it| it.position).collect();
-        let constants = constants(program, case.model.parameters());
-        let start = SeriesStart {
-            constants: &constants,
-            state: &case.series.terms[0][..case.states()],
-            input: &input,
-            scale: case.series.scale,
-        };
-        let expected = series.expand(&start, ORDER);
-        for k in 0..=ORDER {
-            let all = expected.iter().map(|row| row[k].abs());
-            let size = all.fold(1e-14, f64::max);
-            for (entry, row) in expected.iter().enumerate() {
-                let off = (row[k] - case.series.terms[k][entry]).abs() / size;
-                assert!(off < 1e-11, "{}: entry {entry} of order {k}: {off:e}", case.name());
-                worst = worst.max(off);
-            }
-        }
-    });
-    println!("{modes} modes, {worst:e}");
-    assert!(modes >= 20, "only {modes} modes have a series");
-}
+use super::{ORDER, each, motion_at};
 
 /// How far the series says something: its last terms are then in the rounding, and no condition is
 /// near its zero.

@@ -10,7 +10,6 @@ mod motion;
 use std::path::PathBuf;
 
 use equations::ModeNumber;
-use equations::table::{Arguments, Functions as _};
 use kane::assemble::Program;
 use kane::derive_model;
 use pode::series::{Expansion, INPUT_TERMS};
@@ -37,18 +36,6 @@ fn named(name: &str) -> Program {
 fn model<const N: usize>(program: &Program, preset: usize) -> Runnable<N> {
     let model = ShippedModel::of(program.clone());
     model.valued(&model.values(preset, 44))
-}
-
-/// Parameters and what follows from them.
-fn constants(program: &Program, parameters: &[f64]) -> Vec<f64> {
-    let count = program.table.parameters.len();
-    let mut all = vec![0.0; program.table.constants];
-    all[..count].copy_from_slice(&parameters[..count]);
-    let mut derived = vec![0.0; program.table.constants - count];
-    let given = Arguments { constants: &all[..count], state: &[], input: &[0.0; 4], extra: &[] };
-    program.functions.call(program.table.derive_constants, &given, &mut derived);
-    all[count..].copy_from_slice(&derived);
-    all
 }
 
 /// A mode of a model somewhere near its rest, under an input that moves, and its series.
