@@ -111,7 +111,9 @@ impl TakeHost {
         let done = |text: &str| Ok(Reply::Done { text: text.to_owned() });
         match request {
             Request::Set { changes } => {
-                changes.iter().for_each(|change| self.set(change));
+                for change in changes {
+                    self.set(change);
+                }
                 done("Values changed.")
             }
             Request::Stop {} if matches!(self.behind, Behind::Vanishing) => {
@@ -247,18 +249,11 @@ fn retime(it: &mut Ticks) {
 }
 
 /// A distribution around `middle` (us).
-fn spread(middle: f64, width: f64) -> Option<Spread> {
-    let edge: Vec<f64> = (1..=24).map(|i| f64::from(i) * width).collect();
-    let count = edge.iter().map(|edge| 1000 / (1 + ((edge - middle) / width).abs() as u64).pow(3));
+fn spread(middle: f64, width: f64) -> Spread {
+    let edge = (1..=24).map(|i| f64::from(i) * width).collect();
+    let count = (1..=24_u64).map(|i| 1000 / (1 + i.abs_diff(9)).pow(3)).collect();
     let (p99, p999) = (middle + 4.5 * width, middle + 7.0 * width);
-    Some(Spread {
-        p50: middle,
-        p99,
-        p999,
-        max: middle + 16.0 * width,
-        count: count.collect(),
-        edge,
-    })
+    Spread { p50: middle, p99, p999, max: middle + 16.0 * width, edge, count }
 }
 
 fn deadlines(ticks: u64) -> Deadlines {
@@ -269,10 +264,10 @@ fn deadlines(ticks: u64) -> Deadlines {
         woken_late: 1,
         preempted: 0,
         skipped: 0,
-        lateness: spread(15.0, 4.0),
-        turnaround: spread(116.0, 12.0),
-        work: spread(110.0, 12.0),
-        baseline: spread(12.0, 4.0),
+        lateness: Some(spread(15.0, 4.0)),
+        turnaround: Some(spread(116.0, 12.0)),
+        work: Some(spread(110.0, 12.0)),
+        baseline: Some(spread(12.0, 4.0)),
     }
 }
 
