@@ -5,7 +5,7 @@
 //! mode.rs     of a model that is held in a mode: its linearisation
 //! sampled.rs  of a voice: shaken by a small sinusoid, its force held and late
 //! stroke.rs   of a recorded stroke: cross-spectrum and coherence
-//! picture.rs  the curves as SVG       sheet.rs  CSV, page, figures for programs
+//! picture.rs  the curves as a picture  sheet.rs  CSV, page, figures for programs
 //! ```
 //!
 //! The force is the key's on the finger, up positive; the velocity is the finger's, down positive.

@@ -192,8 +192,8 @@ impl PictureCurve {
             if !matches!(self.look, CurveLook::Marks(_)) {
                 canvas.line(&places, self.stroke);
             }
-            if let Some(shape) = self.marker() {
-                places.iter().for_each(|at| marker::draw(canvas, *at, shape, self.stroke));
+            for (at, shape) in places.into_iter().zip(self.marker().into_iter().cycle()) {
+                marker::draw(canvas, at, shape, self.stroke);
             }
         }
         for x in &self.failures {
@@ -322,16 +322,18 @@ impl Picture {
 
     /// Returns each name once, beside the panel that has it first if there is one column.
     fn legend<'a>(&self, drawn: &[DrawnPanel<'a>], left: f64) -> Vec<(Pixel, LegendRow<'a>)> {
-        let mut rows: Vec<(Pixel, LegendRow<'a>)> = Vec::new();
-        for it in drawn {
+        let first = drawn.first().map_or(0.0, |it| it.corners[0].1);
+        let named = drawn.iter().flat_map(|it| {
             let areas = it.panel.areas.iter().map(LegendRow::Area);
-            for row in areas.chain(it.panel.curves.iter().map(LegendRow::Curve)) {
-                if row.name().is_empty() || rows.iter().any(|it| it.1.name() == row.name()) {
-                    continue;
-                }
-                let below = rows.last().map_or(0.0, |(at, _)| at.1 + ROW);
-                let beside = if self.is_stacked() { it.corners[0].1 + 8.0 } else { below };
-                rows.push(((left, below.max(beside).max(drawn[0].corners[0].1 + 8.0)), row));
+            let rows = areas.chain(it.panel.curves.iter().map(LegendRow::Curve));
+            let top = if self.is_stacked() { it.corners[0].1 } else { first };
+            rows.map(move |row| (top + 8.0, row)).filter(|(_, row)| !row.name().is_empty())
+        });
+        let mut rows: Vec<(Pixel, LegendRow<'a>)> = Vec::new();
+        for (top, row) in named {
+            let below = rows.last().map_or(top, |(at, _)| top.max(at.1 + ROW));
+            if !rows.iter().any(|it| it.1.name() == row.name()) {
+                rows.push(((left, below), row));
             }
         }
         rows

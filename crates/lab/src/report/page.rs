@@ -139,7 +139,7 @@ impl Report {
 
     fn html(&mut self, tag: &str, text: &str) {
         let end = tag.split(' ').next().unwrap_or(tag);
-        self.body += &format!("<{tag}>{}</{end}>\n", escape(text));
+        let _written = writeln!(self.body, "<{tag}>{}</{end}>", escape(text));
     }
 
     /// Adds a part that is HTML already.
@@ -157,7 +157,8 @@ impl Report {
     /// Adds a table behind a line that opens it.
     pub fn folded(&mut self, title: &str, table: &Table) {
         let (title, html) = (escape(title), table.html());
-        self.body += &format!("<details><summary>{title}</summary>\n{html}</details>\n");
+        self.body +=
+            &["<details><summary>", &title, "</summary>\n", &html, "</details>\n"].concat();
     }
 
     /// Adds a picture, also as the file `<name>.svg`.

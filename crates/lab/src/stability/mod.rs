@@ -5,7 +5,7 @@
 //! trial.rs     one loop, knocked once            judge.rs    whether it comes to rest
 //! voice.rs     what answers the key              map.rs      all places of a grid, and between
 //! theory.rs    boundaries of theory              poles.rs    exact poles of key and wall
-//! contour.rs   lines where a margin is zero      picture.rs  a map as SVG
+//! contour.rs   lines where a margin is zero      picture.rs  a map as a picture
 //! sheet.rs     CSV, page, figures for programs
 //! ```
 //!
