@@ -30,5 +30,6 @@ mod stability;
 mod stage;
 mod trials;
 mod watch;
+mod ways_in;
 mod wording;
 mod work;

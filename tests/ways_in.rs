@@ -11,9 +11,8 @@ use syn::{Attribute, Ident, Item, Macro, Type, Visibility};
 
 use crate::sources::{self, Source};
 
-/// Public types that wait for their way in, each with what will lead to it.
-const WAITING: &[(&str, &str)] =
-    &[("contacts", "restitution: the impact laws that descriptions are to name")];
+/// Modules that wait for their way in: the impact laws that descriptions are to name.
+const WAITING: [&str; 1] = ["contacts::restitution::"];
 
 /// An item of a crate, and the identifiers in it.
 struct NamedItem {
@@ -46,6 +45,7 @@ fn every_public_type_of_a_library_has_a_way_in() {
         }
         found.extend(unreached(own, named).map(|it| format!("{name}::{it}")));
     }
+    found.retain(|it| !WAITING.iter().any(|waiting| it.starts_with(waiting)));
     assert!(found.is_empty(), "no way leads to\n{}", found.join("\n"));
 }
 
