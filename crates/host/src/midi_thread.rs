@@ -15,7 +15,7 @@ use realtime::clock;
 use realtime::thread::{DEFAULT_PRIORITY, ThreadPlan};
 use realtime::wake_fd::WakeFd;
 
-/// Longest wait without a bell: ports that vanished are looked for this often.
+/// Longest wait without being woken: ports that vanished are looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);
 
 /// The priority of MIDI: below the tick, above the rest, since a late force is worse than a late
@@ -117,11 +117,11 @@ impl MidiDispatcher {
         }
     }
 
-    /// Plays from the ring whenever `bell` rings, each event at its time after `start`,
+    /// Plays from the ring whenever `wake` is rung, each event at its time after `start`,
     /// until `stop`.
     pub fn attend(
         &mut self,
-        bell: &WakeFd,
+        wake: &WakeFd,
         start: Nanos,
         stop: &AtomicBool,
         handover: &mut Histogram<u64>,
@@ -133,7 +133,7 @@ impl MidiDispatcher {
                 return;
             }
             self.look(clock::monotonic().since(start).as_secs_f64());
-            bell.wait(PATIENCE);
+            wake.wait(PATIENCE);
         }
     }
 
@@ -222,7 +222,7 @@ impl MidiDispatcher {
 pub struct MidiThread {
     stop: Arc<AtomicBool>,
     emergency: Arc<AtomicBool>,
-    bell: Arc<WakeFd>,
+    wake: Arc<WakeFd>,
     thread: std::thread::JoinHandle<PlaybackSummary>,
 }
 
@@ -234,23 +234,23 @@ impl MidiThread {
     pub fn start(
         mut dispatcher: Box<MidiDispatcher>,
         plan: &ThreadPlan,
-        bell: Arc<WakeFd>,
+        wake: Arc<WakeFd>,
         start: Nanos,
         mut handover: Histogram<u64>,
     ) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
         let emergency = Arc::new(AtomicBool::new(false));
-        let (its_stop, its_bell) = (Arc::clone(&stop), Arc::clone(&bell));
+        let (its_stop, its_wake) = (Arc::clone(&stop), Arc::clone(&wake));
         let its_emergency = Arc::clone(&emergency);
         let plan = plan.below(PRIORITY);
         let thread = std::thread::Builder::new().name("letoff-midi".into()).spawn(move || {
             let _as_the_tick_reports = plan.ask(0);
-            dispatcher.attend(&its_bell, start, &its_stop, &mut handover);
+            dispatcher.attend(&its_wake, start, &its_stop, &mut handover);
             let is_emergency = its_emergency.load(Ordering::Acquire);
             let ending = if is_emergency { NoteEnding::Emergency } else { NoteEnding::Regular };
             dispatcher.close(ending, Some(handover))
         })?;
-        Ok(Self { stop, emergency, bell, thread })
+        Ok(Self { stop, emergency, wake, thread })
     }
 
     /// Plays what is left, ends all notes, and returns what was seen.
@@ -260,7 +260,7 @@ impl MidiThread {
     pub fn finish(self, ending: NoteEnding) -> std::thread::Result<PlaybackSummary> {
         self.emergency.store(ending == NoteEnding::Emergency, Ordering::Release);
         self.stop.store(true, Ordering::Release);
-        self.bell.ring();
+        self.wake.ring();
         self.thread.join()
     }
 }
@@ -362,10 +362,10 @@ mod tests {
         let strike = VoiceEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) };
         let fall = VoiceEvent::DamperFall { speed: 0.1 };
         let (ring, events) = rtrb::RingBuffer::new(256);
-        let bell = Arc::new(WakeFd::new().expect("an eventfd"));
+        let wake = Arc::new(WakeFd::new().expect("an eventfd"));
         let pedals = Box::from([PedalMove { pedal: Pedal::Sustain, at: 0.014, depth: 1.0 }]);
         let counters = Arc::<LiveCounters>::default();
-        let mut publisher = TickPublisher::new(ring, Arc::clone(&bell), counters, pedals, PERIOD);
+        let mut publisher = TickPublisher::new(ring, Arc::clone(&wake), counters, pedals, PERIOD);
         let heard = Heard::default();
         let mut dispatcher =
             MidiDispatcher::new(events, Box::new(heard.clone()), VelocityCurve::default());
@@ -375,7 +375,7 @@ mod tests {
         let chord = [(10, 0.9, strike), (30, 0.6, strike), (50, 0.6, fall), (87, 0.1, strike)];
         publish(1, &chord, &mut publisher);
         let stop = AtomicBool::new(true);
-        dispatcher.attend(&bell, start, &stop, &mut histogram().expect("a histogram"));
+        dispatcher.attend(&wake, start, &stop, &mut histogram().expect("a histogram"));
         let sent = heard.0.lock().expect("nobody panics with it").clone();
         let times: Vec<f64> = sent.iter().map(|it| (it.0 * 1e6).round() / 1e6).collect();
         assert_eq!(times, [0.005, 0.011, 0.014, 0.016, 0.016, 0.019], "{sent:?}");

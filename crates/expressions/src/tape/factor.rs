@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::forms::{FormId, Forms, TapeForm};
 use crate::graph::Graph;
 
-/// FactorPairs within factors are looked for this deep.
+/// Depth to which pairs within factors are searched.
 const DEEPEST: u8 = 12;
 
 /// Sums of more terms are left as they are.

@@ -92,7 +92,7 @@ impl OverloadCounters {
 #[derive(Debug)]
 pub struct TickPublisher {
     ring: Producer<MidiEvent>,
-    bell: Arc<WakeFd>,
+    wake: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
     /// Moves of the pedals, in order of time.
     pedals: Box<[PedalMove]>,
@@ -106,15 +106,15 @@ pub struct TickPublisher {
 }
 
 impl TickPublisher {
-    /// Publishes into `ring`, rings `bell`, and counts; also plays `pedals`.
+    /// Publishes into `ring`, rings `wake`, and counts; also plays `pedals`.
     pub fn new(
         ring: Producer<MidiEvent>,
-        bell: Arc<WakeFd>,
+        wake: Arc<WakeFd>,
         counters: Arc<LiveCounters>,
         pedals: Box<[PedalMove]>,
         period: f64,
     ) -> Self {
-        Self { ring, bell, counters, pedals, next_pedal: 0, repeat: None, pass: 0.0, period }
+        Self { ring, wake, counters, pedals, next_pedal: 0, repeat: None, pass: 0.0, period }
     }
 
     /// Plays `pedals` from now on, which are in order of time.
@@ -242,7 +242,7 @@ impl TickObserver for TickPublisher {
         counters.asleep.store(sums.asleep);
         counters.overload.count(seen.simplified, &sums);
         if sums.news {
-            self.bell.ring();
+            self.wake.ring();
         }
     }
 }

@@ -47,7 +47,7 @@ impl RecordingHandle {
         Ok(it)
     }
 
-    /// Ends it with what the pump gives next.
+    /// Ends the recording with the next messages of telemetry.
     pub fn stop(&self) {
         self.stop.store(true, Ordering::Release);
     }

@@ -70,7 +70,7 @@ pub enum Attention {
     Over,
 }
 
-/// What the pump is told of by others than the tick.
+/// Messages to telemetry from other threads than the tick's.
 pub enum TelemetryMessage {
     /// A voice that may be put in from now on, and what to see it with.
     Voice(Box<Voice>, Option<Box<dyn ModelProbe>>),
@@ -162,7 +162,7 @@ const LOOK: u64 = 33_000_000;
 const SUM: u64 = 1_000_000_000;
 
 impl TelemetryThread {
-    /// A pump for ticks of `period` (ns), on the heap since it is large.
+    /// Returns telemetry of ticks of `period` (ns), on the heap since it is large.
     ///
     /// # Errors
     /// If a histogram cannot be made, which their constants rule out.
@@ -587,7 +587,8 @@ mod tests {
         let (mut tap, tapped) = TickRecorder::new();
         let (_no_times, pulses) = Pulses::new();
         let (told, hear) = mpsc::channel();
-        let mut pump = TelemetryThread::new(tapped, pulses, hear, 1_000_000).expect("a pump");
+        let mut telemetry =
+            TelemetryThread::new(tapped, pulses, hear, 1_000_000).expect("telemetry");
         let window = Window::default();
         assert!(told.send(TelemetryMessage::Sink(Box::new(window.clone()))).is_ok());
         let mut samples = [KeySample::default(); KEYS];
@@ -610,7 +611,7 @@ mod tests {
                 followed,
                 observed: &observed,
             });
-            pump.pump();
+            telemetry.pump();
         }
         let told = window.0.lock().expect("nobody panics with it").1.clone();
         let [Update::Block(block)] = told.as_slice() else { panic!("{told:?}") };

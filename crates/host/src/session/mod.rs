@@ -232,7 +232,7 @@ struct PreparedRun {
     play_list: Option<RehearsedPlayList>,
     watchers: Watchers,
     midi: OpenedOutput,
-    bell: Arc<WakeFd>,
+    wake: Arc<WakeFd>,
     counters: Arc<LiveCounters>,
     handle: Arc<RunHandle>,
 }
@@ -290,12 +290,12 @@ impl RunSession {
         let (producer, consumer) = rtrb::RingBuffer::new(RING);
         let (output, midi) = midi_out::open(&scene.midi, &handle)?;
         let output: AnyOutput = Box::new(MonitoredOutput { output, sender: observed.sender() });
-        let (bell, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
+        let (wake, counters) = (Arc::new(WakeFd::new()?), Arc::new(LiveCounters::default()));
         let dispatcher = dispatcher(consumer, (output, scene.midi.curve), performance, &counters);
         let pedals = observed::pedals(play_list.as_ref(), &handle);
         let mut publisher = TickPublisher::new(
             producer,
-            Arc::clone(&bell),
+            Arc::clone(&wake),
             Arc::clone(&counters),
             pedals.into(),
             period,
@@ -318,7 +318,7 @@ impl RunSession {
             play_list,
             watchers: Watchers { publisher, recorder },
             midi,
-            bell,
+            wake,
             counters,
             handle,
         };

@@ -46,7 +46,7 @@ impl TickObserver for Watchers {
 /// The outputs of what was recorded in the tick.
 pub(super) struct ObservedOutputs {
     pulses: Pulses,
-    pump: Box<TelemetryThread>,
+    telemetry: Box<TelemetryThread>,
     catalogue: Box<Catalogue>,
     sender: mpsc::Sender<TelemetryMessage>,
 }
@@ -61,12 +61,13 @@ pub(super) fn connect(
     let (recorder, rings) = TickRecorder::new();
     let (pulses, times) = Pulses::new();
     let (sender, messages) = mpsc::channel();
-    let pump = TelemetryThread::new(rings, times, messages, clock::from_seconds(period).as_u64());
-    let pump = pump.map_err(std::io::Error::other)?;
+    let telemetry =
+        TelemetryThread::new(rings, times, messages, clock::from_seconds(period).as_u64());
+    let telemetry = telemetry.map_err(std::io::Error::other)?;
     handle.connect(sender.clone());
     let models = observe::distinct(scene.keys.iter().flatten().map(|voice| &voice.model));
     let catalogue = Box::new(observe::catalogue(scene, &models));
-    Ok((recorder, ObservedOutputs { pulses, pump, catalogue, sender }))
+    Ok((recorder, ObservedOutputs { pulses, telemetry, catalogue, sender }))
 }
 
 /// Builds the voices of a scene, measures what their work costs, and sends them to telemetry.
@@ -132,9 +133,9 @@ impl ObservedOutputs {
     /// Returns the loop's end and the telemetry of a run whose tick 0 is due at `began` (ns since
     /// 1970).
     pub(super) fn begin(self, began: u64) -> (Pulses, Box<TelemetryThread>) {
-        let Self { pulses, mut pump, catalogue, sender: _ } = self;
-        pump.begin(began, *catalogue);
-        (pulses, pump)
+        let Self { pulses, mut telemetry, catalogue, sender: _ } = self;
+        telemetry.begin(began, *catalogue);
+        (pulses, telemetry)
     }
 }
 
@@ -150,16 +151,16 @@ impl RunningTelemetry {
     ///
     /// # Errors
     /// If the system gives no thread.
-    pub(super) fn start(mut pump: Box<TelemetryThread>) -> std::io::Result<Self> {
+    pub(super) fn start(mut telemetry: Box<TelemetryThread>) -> std::io::Result<Self> {
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);
         let thread =
             std::thread::Builder::new().name("letoff-telemetry".into()).spawn(move || {
                 while !its_stop.load(Ordering::Acquire) {
-                    pump.pump();
+                    telemetry.pump();
                     std::thread::park_timeout(LOOK);
                 }
-                pump.pump();
+                telemetry.pump();
             })?;
         Ok(Self { stop, thread })
     }

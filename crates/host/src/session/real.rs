@@ -47,7 +47,7 @@ pub(super) fn run(
     let midi = MidiThread::start(
         dispatcher,
         &prepared.threads,
-        Arc::clone(&prepared.bell),
+        Arc::clone(&prepared.wake),
         start,
         handover,
     )?;

@@ -32,7 +32,7 @@ pub(super) fn run(
     let (mut bus, _start) = keys.arm(&prepared, LEAD)?;
     bus.attend_until_start();
     // No clock decides anything: time begins at 0.
-    let (_no_clock, mut pump) = observed.begin(0);
+    let (_no_clock, mut telemetry) = observed.begin(0);
     let mut assembly = Assembly {
         scheduler: &mut scheduler,
         bus: &mut bus,
@@ -44,7 +44,7 @@ pub(super) fn run(
         ticks += 1;
         skipped += report.skipped;
         if ticks % TICKS_PER_LOOK == 0 {
-            pump.pump();
+            telemetry.pump();
         }
     });
     if assembly.bus.outlives_the_run() {
@@ -55,8 +55,8 @@ pub(super) fn run(
     drop(lanes);
     let (realtime, deadline) = no_clock();
     let played = dispatcher.close(NoteEnding::Regular, None);
-    pump.pump();
-    drop(pump);
+    telemetry.pump();
+    drop(telemetry);
     Ok(prepared.report(
         ticks,
         played,

@@ -1,6 +1,6 @@
 //! Three measured grands: times of travel, key bottom and free flight against hammer speed.
 //!
-//! W. Goebl, R. Bresin, A. Galembo, "StrokeTouch and temporal behavior of grand piano actions", J. Acoust.
+//! W. Goebl, R. Bresin, A. Galembo, "Touch and temporal behavior of grand piano actions", J. Acoust.
 //! Soc. Am. 118 (2005): more than 2300 tones on a Steinway C, a Yamaha Disklavier and a Bösendorfer
 //! SE290; fits in ms over the hammer's speed at the string (m/s).
 

@@ -3,7 +3,7 @@
 #![expect(clippy::pedantic, reason = "generated")]
 
 use pode::series::lanes::{SeriesLanes, SeriesPair};
-use pode::series::rows::PER_ORDER;
+use pode::series::PER_ORDER;
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Motion, math};
 
