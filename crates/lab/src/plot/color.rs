@@ -19,7 +19,7 @@ pub const CURVES: [Color; 7] = [
     Color(118, 76, 36),
 ];
 
-/// Shades of modes.
+/// Colours behind the epochs of a run, by the place of their mode in the model's list.
 pub const MODES: [Color; 5] = [
     Color(253, 236, 205),
     Color(222, 235, 247),

@@ -132,7 +132,7 @@ impl Report {
         self.html("h2", text);
     }
 
-    /// Adds a paragraph.
+    /// Adds a paragraph, whose marks of HTML are made harmless.
     pub fn text(&mut self, text: &str) {
         self.html("p", text);
     }
@@ -173,7 +173,7 @@ impl Report {
         self.file(format!("{name}.csv"), table.csv());
     }
 
-    /// Adds a file.
+    /// Adds a file that is written into the folder of the page.
     pub fn file(&mut self, name: impl Into<String>, text: String) {
         self.files.push((name.into(), text));
     }
