@@ -25,7 +25,7 @@ const MAX_WORK: u64 = 30_000;
 pub(in super::super) struct Expression {
     /// Computes s and its first three derivatives.
     tape: Tape,
-    /// Computes the power series of s; none where a branch or a corner may end one.
+    /// Computes the power series of s.
     series: Option<FormulaSeries>,
     /// The last t and its motion: stages, guards and readouts share their instants.
     last: Cell<(f64, Motion)>,

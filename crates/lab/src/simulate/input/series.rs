@@ -4,13 +4,15 @@ use expressions::tape::{Argument, Instruction, Tape, TapeArguments, TapeSlot};
 use expressions::taylor::{Recursion, SeriesTapes};
 use pode::Motion;
 
+/// Outputs of the tapes before the conditions: the rate of t, and the formula.
+const OUTPUTS: usize = 2;
+
 /// A formula's recursion, as two tapes along t' = 1.
 #[derive(Debug)]
 pub(super) struct FormulaSeries(SeriesTapes);
 
 impl FormulaSeries {
-    /// Returns the series of the first output of `tape`, which is a function of its only argument;
-    /// none if a branch or a corner may end it.
+    /// Returns the series of the first output of `tape`, which is a function of its only argument.
     pub(super) fn new(tape: &Tape) -> Option<Self> {
         let along = |instruction: &Instruction| match instruction {
             Instruction::Argument(_) => Instruction::Argument(Argument::State(0)),
@@ -20,17 +22,20 @@ impl FormulaSeries {
         let one = TapeSlot(u32::try_from(instructions.len()).ok()?);
         instructions.push(Instruction::Number(1.0));
         let outputs = vec![one, *tape.outputs.first()?];
-        let tapes = Recursion::new(&Tape { instructions, outputs }, 1).tapes();
-        (tapes.conditions == 0).then_some(Self(tapes))
+        Some(Self(Recursion::new(&Tape { instructions, outputs }, 1).tapes()))
     }
 
     /// Writes the formula at `t` + `span` τ as a power series in τ, as far as `out` goes; returns
-    /// `false` if a coefficient is not finite.
+    /// `false` if a coefficient is not finite, or the formula may change its form before τ = 1, by a
+    /// branch or as a bell that was not seen from afar.
     pub(super) fn write(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
-        let SeriesTapes { start, step, lanes, .. } = &self.0;
+        let SeriesTapes { start, step, lanes, conditions, .. } = &self.0;
+        let outputs = OUTPUTS + conditions;
         let given = TapeArguments { state: &[t], ..TapeArguments::default() };
         let mut values = start.evaluate(&given);
-        let kept = values.split_off(2.min(values.len()));
+        let kept = values.split_off(outputs.min(values.len()));
+        // What each condition is at the start, less all that it may change.
+        let mut margins: Vec<f64> = values.iter().skip(OUTPUTS).map(|it| it.abs()).collect();
         // Factors by lane and order; those of order 0 are in no sum.
         let mut factors = [vec![vec![0.0]; *lanes], vec![vec![0.0]; *lanes]];
         for (k, place) in out.iter_mut().enumerate() {
@@ -43,7 +48,12 @@ impl FormulaSeries {
                 let extra = [&[k as f64, 1.0 / k as f64], kept.as_slice(), &sums].concat();
                 let state = [if k == 1 { span } else { 0.0 }];
                 values = step.evaluate(&TapeArguments { state: &state, extra: &extra, ..given });
-                for (rows, made) in factors.iter_mut().zip(values[2..].chunks((*lanes).max(1))) {
+                for (margin, moved) in margins.iter_mut().zip(&values[OUTPUTS..]) {
+                    *margin -= moved.abs();
+                }
+                for (rows, made) in
+                    factors.iter_mut().zip(values[outputs..].chunks((*lanes).max(1)))
+                {
                     for (row, value) in rows.iter_mut().zip(made) {
                         row.push(*value);
                     }
@@ -55,7 +65,7 @@ impl FormulaSeries {
             }
             *place = Motion { position, ..Motion::default() };
         }
-        true
+        margins.iter().all(|margin| *margin >= 0.0)
     }
 }
 
@@ -78,6 +88,9 @@ mod tests {
             }
         }
         let corner = Expression::read("s=abs(t-0.5)", "s").expect("a formula");
-        assert!(!corner.series(0.3, 0.05, &mut [Motion::default(); 4]));
+        assert!(corner.series(0.3, 0.05, &mut [Motion::default(); 4]), "0.2 s before it");
+        assert!(!corner.series(0.3, 0.25, &mut [Motion::default(); 4]), "in it");
+        let bell = Expression::read("s=exp(-((t-1)/0.05)^2)", "s").expect("a formula");
+        assert!(!bell.series(0.0, 1.0, &mut [Motion::default(); 24]), "it is not seen from afar");
     }
 }
