@@ -186,14 +186,6 @@ mod tests {
     }
 
     #[test]
-    fn a_negative_reading_keeps_its_sign_in_three_bytes() {
-        assert_eq!(Counts::saturating(-2).to_le_bytes(), [0xFE, 0xFF, 0xFF]);
-        for counts in [Counts::MIN, Counts::saturating(-1), Counts::default(), Counts::MAX] {
-            assert_eq!(Counts::from_le_bytes(counts.to_le_bytes()), counts);
-        }
-    }
-
-    #[test]
     fn a_force_outside_16_bits_stops_at_the_edge() {
         assert_eq!(Millinewtons::saturating(40_000), Millinewtons::MAX);
         assert_eq!(Millinewtons::saturating(-40_000), Millinewtons::MIN);

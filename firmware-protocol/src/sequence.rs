@@ -37,22 +37,3 @@ pub enum FrameOrder {
     /// It was overtaken on its way.
     Older,
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_go_on_across_the_wrap() {
-        assert_eq!(SequenceNumber(255).next(), SequenceNumber(0));
-        assert_eq!(SequenceNumber(0).after(SequenceNumber(255)), FrameOrder::Newer { missing: 0 });
-        assert_eq!(SequenceNumber(3).after(SequenceNumber(254)), FrameOrder::Newer { missing: 4 });
-    }
-
-    #[test]
-    fn a_repeated_and_an_overtaken_frame_are_told_apart() {
-        assert_eq!(SequenceNumber(7).after(SequenceNumber(7)), FrameOrder::Repeated);
-        assert_eq!(SequenceNumber(6).after(SequenceNumber(7)), FrameOrder::Older);
-        assert_eq!(SequenceNumber(254).after(SequenceNumber(3)), FrameOrder::Older);
-    }
-}

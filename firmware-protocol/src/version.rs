@@ -26,16 +26,3 @@ impl ProtocolVersion {
         self.major == other.major
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_addition_is_understood_and_a_new_generation_is_not() {
-        let newer = ProtocolVersion { major: 2, minor: 9 };
-        let foreign = ProtocolVersion { major: 3, minor: 0 };
-        assert!(PROTOCOL_VERSION.understands(newer));
-        assert!(!PROTOCOL_VERSION.understands(foreign));
-    }
-}

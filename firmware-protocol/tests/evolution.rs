@@ -105,8 +105,3 @@ fn a_kind_of_a_newer_version_is_ignored() {
     assert_eq!(AcyclicRequest::decode(&bytes), Err(DecodeError::Kind(7)));
     assert_eq!(Broadcast::decode(&bytes[..8]), Err(DecodeError::Kind(7)));
 }
-
-#[test]
-fn a_broadcast_of_a_newer_version_is_refused_and_nothing_else() {
-    assert_eq!(Broadcast::decode(&[0x0F, 4, 1, 2, 3]), Err(DecodeError::Value { at: 1 }));
-}

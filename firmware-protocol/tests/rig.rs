@@ -128,22 +128,6 @@ fn runs_with_one_seed_are_alike_bit_by_bit_and_others_are_not() {
 }
 
 #[test]
-fn the_finger_follows_its_script() {
-    let places = |script: &str| {
-        let mut rig = Rig::start(&["--finger", script])?;
-        rig.play(nothing, 3_000);
-        Some(rig.samples().iter().map(|(_, it)| first_key(it).0).collect::<Vec<_>>())
-    };
-    let (Some(none), Some(slow)) = (places("none"), places("slow")) else { return };
-    assert!(none.iter().all(|it| *it == 0));
-    assert!(slow.iter().any(|it| *it < 50) && slow.iter().any(|it| 9_000 < *it));
-    let hold = places("hold").expect("a compiler");
-    // 8 N less the return spring, on a felt of 60 kN/m.
-    let bottom = BOTTOM + 7_700 / 60;
-    assert!(hold.iter().rev().take(1_000).all(|it| (it - bottom).abs() < 10));
-}
-
-#[test]
 fn the_sanitizers_find_nothing() {
     let flags = "-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all";
     let Some(program) = build("sanitized", flags) else { return };
@@ -468,27 +452,22 @@ fn pairs(fault: &str) -> Option<Vec<[(i32, i32); 2]>> {
 }
 
 #[test]
-fn a_turned_or_wrongly_scaled_encoder_reads_multiples() {
-    for (fault, factor) in [("encsign", -1), ("scale", 2), ("scale=-3", -3)] {
-        let Some(pairs) = pairs(fault) else { return };
-        let (mut largest, mut fastest) = (0, 0);
-        for [honest, faulty] in pairs {
-            largest = largest.max((faulty.0 - factor * honest.0).abs());
-            fastest = fastest.max((faulty.1 - factor * honest.1).abs());
-        }
-        // Both are rounded on their own.
-        assert!(largest <= 2 && fastest <= 2, "{fault}: {largest} um, {fastest}");
-    }
-}
-
-#[test]
-fn velocities_are_turned_missing_or_scaled_alone() {
-    for (fault, factor) in [("velsign", -1), ("velzero", 0), ("velscale", 2)] {
+fn an_encoder_that_is_turned_or_wrongly_scaled_reads_multiples_and_velocities_may_be_so_alone() {
+    // Factors of place and velocity, and their error: both are rounded on their own.
+    for (fault, place, velocity, error) in [
+        ("encsign", -1, -1, (2, 2)),
+        ("scale", 2, 2, (2, 2)),
+        ("scale=-3", -3, -3, (2, 2)),
+        ("velsign", 1, -1, (0, 1)),
+        ("velzero", 1, 0, (0, 1)),
+        ("velscale", 1, 2, (0, 1)),
+    ] {
         let Some(pairs) = pairs(fault) else { return };
         assert!(pairs.iter().any(|[honest, _]| 1_000 < honest.1));
         for [honest, faulty] in pairs {
-            assert_eq!(honest.0, faulty.0, "{fault}");
-            assert!((faulty.1 - factor * honest.1).abs() <= 1, "{fault}");
+            let found = (faulty.0 - place * honest.0, faulty.1 - velocity * honest.1);
+            let is_near = found.0.abs() <= error.0 && found.1.abs() <= error.1;
+            assert!(is_near, "{fault}: {found:?}");
         }
     }
 }

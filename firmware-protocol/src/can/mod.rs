@@ -74,26 +74,3 @@ pub fn identifier(frame: &[u8]) -> Option<u16> {
 pub fn agrees(id: u16, frame: &[u8]) -> bool {
     identifier(frame) == Some(id)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_class_stands_before_the_board() {
-        // Stop; bus time; forces for board 7; multicast group 2; samples of board 0.
-        let cases: [(&[u8], u16); 5] = [
-            (&[0x0F, 1, 0xDE, 0xAD, 0], 0x00F),
-            (&[0x0F, 2, 0, 0, 0, 0], 0x08F),
-            (&[0x27], 0x187),
-            (&[0x42], 0x10F),
-            (&[0x60], 0x200),
-        ];
-        for (frame, expected) in cases {
-            assert_eq!(identifier(frame), Some(expected), "{frame:x?}");
-            assert!(agrees(expected, frame) && !agrees(expected + 1, frame));
-        }
-        assert_eq!(identifier(&[]), None);
-        assert_eq!(identifier(&[0xFF]), None);
-    }
-}

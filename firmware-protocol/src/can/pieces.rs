@@ -101,45 +101,6 @@ impl Reassembler {
 mod tests {
     use super::*;
 
-    fn frame(len: usize) -> [u8; MAX_FRAME] {
-        let mut next = 0;
-        let mut frame = [(); MAX_FRAME].map(|()| {
-            next += 3;
-            next
-        });
-        frame[len..].fill(0);
-        frame
-    }
-
-    #[test]
-    fn every_length_comes_back_whole() {
-        let mut assembler = Reassembler::default();
-        for (len, roll) in (0..=MAX_FRAME).zip((0..8).cycle()) {
-            let whole = frame(len);
-            let n = count(len);
-            for (i, (piece, size)) in cut(&whole[..len], roll).enumerate() {
-                let got = assembler.push(&piece[..size]).unwrap();
-                assert_eq!(got, (i + 1 == n).then_some(&whole[..len]), "{len}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_lost_piece_costs_its_frame_only() {
-        let whole = frame(26);
-        for lost in 0..4 {
-            let mut assembler = Reassembler::default();
-            let sent = (0..2).flat_map(|roll| cut(&whole[..26], roll)).enumerate();
-            let came = sent.filter(|(number, _)| *number != lost);
-            let frames = came.filter(|(_, (piece, size))| {
-                let got = assembler.push(&piece[..*size]).unwrap_or_default();
-                assert!(got.is_none_or(|got| got == &whole[..26]));
-                got.is_some()
-            });
-            assert_eq!(frames.count(), 1, "piece {lost}");
-        }
-    }
-
     #[test]
     fn pieces_that_run_on_for_ever_are_refused() {
         let mut assembler = Reassembler::default();

@@ -81,29 +81,3 @@ impl MulticastForces {
         bytes
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn it_reads_back_and_other_lengths_and_groups_are_refused() {
-        let mut force = -15_000;
-        let forces = [(); GROUP].map(|()| {
-            force += 1_000;
-            Millinewtons::saturating(force)
-        });
-        let sent = MulticastForces {
-            group: 2,
-            sequence: SequenceNumber(9),
-            stamp_us: 12_345,
-            flag: true,
-            forces,
-        };
-        let mut bytes = sent.encode();
-        assert_eq!(MulticastForces::decode(&bytes), Ok(sent));
-        assert_eq!(MulticastForces::decode(&bytes[..63]), Err(DecodeError::Length { got: 63 }));
-        bytes[0] = 0x43;
-        assert_eq!(MulticastForces::decode(&bytes), Err(DecodeError::Value { at: 0 }));
-    }
-}

@@ -14,13 +14,3 @@ const CCITT: Crc<u16> = Crc::<u16>::new(&CRC_16_IBM_3740);
 pub(super) fn checksum(bytes: &[u8]) -> [u8; LEN] {
     CCITT.checksum(bytes).to_le_bytes()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_catalogue_s_check_value_is_met() {
-        assert_eq!(checksum(b"123456789"), 0x29B1_u16.to_le_bytes());
-    }
-}
