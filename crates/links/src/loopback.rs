@@ -108,15 +108,4 @@ mod tests {
         assert_eq!(wire.board_end().try_recv(&mut buffer), Ok(None));
         assert_eq!(wire.dropped(), 1);
     }
-
-    #[test]
-    fn with_one_place_it_is_a_mailbox() {
-        let mut wire = Loopback::new(1);
-        for frame in [b"old", b"new"] {
-            wire.board_end().try_send(frame).unwrap();
-        }
-        let mut buffer = [0; 8];
-        assert_eq!(wire.host_end().try_recv(&mut buffer), Ok(Some(3)));
-        assert_eq!(&buffer[..3], b"new");
-    }
 }

@@ -21,16 +21,6 @@ const PATIENCE: usize = 3_000_000;
 const SPOILT: [u8; 3] = [9, 1, 0];
 
 #[test]
-fn loopback_with_framing() {
-    let mut wire = Loopback::new(16);
-    let (mut host, mut board) = (Framing::default(), Framing::default());
-    check(&mut |side, turn| match side {
-        Side::Host => turn(&mut host.around(wire.host_end())),
-        Side::Board => turn(&mut board.around(wire.board_end())),
-    });
-}
-
-#[test]
 fn faulty_without_faults_with_framing() {
     let mut wire = Loopback::new(16);
     let mut faults = Faults::new(FaultPlan::default());

@@ -5,17 +5,9 @@ use links::loopback::Loopback;
 use links::{Link as _, MAX_LEN, RecvError, SendError};
 
 #[test]
-fn a_dropped_frame_never_arrives() {
+fn a_frame_never_arrives_arrives_twice_or_is_overtaken() {
     check(LinkFault::Drop, &[&[], &[1], &[2], &[3]]);
-}
-
-#[test]
-fn a_duplicated_frame_arrives_twice() {
     check(LinkFault::Duplicate, &[&[0, 0], &[1], &[2], &[3]]);
-}
-
-#[test]
-fn a_delayed_frame_is_overtaken() {
     check(LinkFault::Delay(2), &[&[], &[1], &[0, 2], &[3]]);
 }
 

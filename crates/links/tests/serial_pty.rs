@@ -1,5 +1,5 @@
-//! The real serial driver on pseudo-terminals: rates, order, what happens when an end goes
-//! away or stops reading, and bytes that are no frames.
+//! The real serial driver on pseudo-terminals: rates, order, and what happens when an end goes
+//! away or stops reading.
 //!
 //! Counts are asserted, times only told: they are this machine's.
 #![cfg(unix)]
@@ -16,7 +16,6 @@ use firmware_protocol::MAX_FRAME;
 use links::serial::{Pty, Serial};
 use links::wire::{Wire, WirePlan};
 use links::{Link, RecvError, SendError};
-use proptest::prelude::*;
 
 const BAUD: u32 = 1_000_000;
 /// Length of most frames: samples of eleven keys, 24 bits each.
@@ -73,35 +72,6 @@ fn eight_boards_at_1_khz_answer_every_frame_in_order() {
         f64::from(answers) / BOARDS as f64 / seconds,
         quantiles(trips)
     ));
-}
-
-#[test]
-fn one_board_answers_over_a_wire_that_takes_its_time() {
-    const FRAMES: u32 = 300;
-    for baud in [1_000_000, 3_000_000, 12_000_000] {
-        let wire = Wire::open(WirePlan { baud: Some(baud), ..WirePlan::default() }).unwrap();
-        let mut host = [Answered::new(open(wire.host()))];
-        let board = open(wire.board());
-        let over = AtomicBool::new(false);
-        thread::scope(|scope| {
-            let _end = End(&over);
-            scope.spawn(|| echo(board, &over));
-            for number in 0..FRAMES {
-                host[0].ask(number);
-                listen_for(&mut host, number + 1);
-            }
-        });
-        let [Answered { next, trips, .. }] = host;
-        assert_eq!(next, FRAMES);
-        // Both ways 37 + 2 + 1 + 1 bytes of ten bits: no wire is faster.
-        let least = Duration::from_secs_f64(2.0 * 41.0 * 10.0 / f64::from(baud));
-        assert!(trips.iter().all(|trip| least <= *trip), "{:?} < {least:?}", trips.iter().min());
-        tell(&format!(
-            "wire of {} Mbaud, at least {least:?}: {}",
-            baud / 1_000_000,
-            quantiles(trips)
-        ));
-    }
 }
 
 #[test]
@@ -219,29 +189,6 @@ fn a_wire_that_is_cut_is_silent_and_carries_again_when_it_is_mended() {
     assert_eq!(board.try_recv(&mut [0; MAX_FRAME]), Ok(None));
     wire.mend();
     check_passes(&mut host, &mut board);
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
-
-    #[test]
-    fn any_bytes_are_frames_or_refused_and_the_next_frame_is_read(
-        bytes in proptest::collection::vec(prop_oneof![Just(0), any::<u8>()], 0..400),
-    ) {
-        let Pty { mut board, path } = Pty::open().unwrap();
-        let mut client = std::fs::File::options().write(true).open(path).unwrap();
-        client.write_all(&bytes).unwrap();
-        client.write_all(&[0]).unwrap();
-        let mut wire = [0; firmware_protocol::serial::MAX_WIRE];
-        let len = firmware_protocol::serial::encode(&numbered(7), &mut wire).unwrap();
-        client.write_all(&wire[..len]).unwrap();
-        let last = soon(|| {
-            let mut buffer = [0; MAX_FRAME];
-            let len = board.try_recv(&mut buffer).ok()??;
-            (buffer[..len] == numbered(7)).then_some(len)
-        });
-        prop_assert_eq!(last, LEN);
-    }
 }
 
 fn open(path: &Path) -> Serial {

@@ -70,22 +70,6 @@ mod tests {
     }
 
     #[test]
-    fn an_interface_that_is_up_and_fits_has_no_obstacle() {
-        assert!(obstacle(&interface(), CanMode::Fd).is_none());
-        let classic = CanInterface { carries_fd: false, ..interface() };
-        assert!(obstacle(&classic, CanMode::Classic).is_none());
-    }
-
-    #[test]
-    fn an_interface_that_is_down_says_what_brings_it_up() {
-        let command = "sudo ip link set can0 up".to_owned();
-        let obstacle_found = Some(Obstacle::Down { command });
-        let down = CanInterface { is_up: false, obstacle: obstacle_found, ..interface() };
-        let sentence = obstacle(&down, CanMode::Fd).unwrap().to_string();
-        assert_eq!(sentence, "the interface is down; bring it up: sudo ip link set can0 up");
-    }
-
-    #[test]
     fn an_interface_without_fd_says_what_sets_it_up() {
         for (is_virtual, part) in [(true, "can0 mtu 72"), (false, "dbitrate 5000000 fd on")] {
             let classic = CanInterface { carries_fd: false, is_virtual, ..interface() };

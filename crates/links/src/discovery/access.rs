@@ -109,12 +109,6 @@ mod tests {
     }
 
     #[test]
-    fn the_kernel_s_file_names_user_and_groups() {
-        let user = User::parse(STATUS);
-        assert_eq!(user, User { id: Some(1_000), groups: vec![27, 44, 1_000, 1_000] });
-    }
-
-    #[test]
     fn a_port_of_dialout_is_for_its_members() {
         let mut user = User::parse(STATUS);
         assert_eq!(user.may_use(&port(0o020_660)), Some(false));

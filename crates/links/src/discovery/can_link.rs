@@ -118,7 +118,7 @@ mod tests {
          "txqlen":1000,"link_type":"can","linkinfo":{"info_kind":"vcan"}}]"#;
 
     #[test]
-    fn a_controller_s_rates_state_and_counters_are_read() {
+    fn a_controller_s_rates_state_and_counters_are_read_and_a_virtual_interface_has_none() {
         let links = parse(IP);
         assert_eq!(links.keys().collect::<Vec<_>>(), ["can0", "can1", "vcan0"]);
         let expected = CanLink {
@@ -131,17 +131,10 @@ mod tests {
             modes: vec!["FD".to_owned(), "TDC_AUTO".to_owned()],
         };
         assert_eq!(links["can0"], expected);
-    }
-
-    #[test]
-    fn a_sample_point_may_be_a_text_or_a_number() {
-        let nominal = parse(IP)["can1"].nominal;
+        // A sample point may be a text or a number.
+        let nominal = links["can1"].nominal;
         assert_eq!(nominal, Some(BitTiming { bitrate: 250_000, sample_point: 875 }));
-    }
-
-    #[test]
-    fn a_virtual_interface_has_no_controller() {
-        assert_eq!(parse(IP)["vcan0"], CanLink::default());
+        assert_eq!(links["vcan0"], CanLink::default());
     }
 
     #[test]

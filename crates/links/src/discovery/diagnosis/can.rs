@@ -239,11 +239,6 @@ mod tests {
     }
 
     #[test]
-    fn a_controller_that_never_restarts_is_told_to() {
-        check(&with(|link| link.restart_ms = Some(0)), NEW, &["up type can restart-ms 100"]);
-    }
-
-    #[test]
     fn a_sample_point_is_moved_without_forgetting_the_other_rate() {
         let at =
             |it: Option<BitTiming>, sample_point| it.map(|it| BitTiming { sample_point, ..it });
@@ -258,14 +253,11 @@ mod tests {
     }
 
     #[test]
-    fn a_controller_in_trouble_says_where_to_look() {
+    fn what_a_controller_says_of_itself_is_answered_with_what_to_do() {
         let state = |state: &str| with(|link| link.state = Some(state.to_owned()));
         check(&state("BUS-OFF"), NEW, &["went off the bus", "120 ohm", "sudo ip link set can0 up"]);
         check(&state("ERROR-PASSIVE"), NEW, &["ERROR-PASSIVE", "0 transmit and 0 receive errors"]);
-    }
-
-    #[test]
-    fn a_controller_that_only_listens_is_told_to_speak() {
+        check(&with(|link| link.restart_ms = Some(0)), NEW, &["up type can restart-ms 100"]);
         let listening = with(|link| link.modes.push("LISTEN-ONLY".to_owned()));
         check(&listening, NEW, &["sends nothing", "listen-only off"]);
     }

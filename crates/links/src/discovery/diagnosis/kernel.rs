@@ -74,14 +74,6 @@ mod tests {
     }
 
     #[test]
-    fn a_throttle_of_minus_one_is_none() {
-        let root =
-            |runtime| Root::new("throttle").with("proc/sys/kernel/sched_rt_runtime_us", runtime);
-        assert_eq!(throttling(root("950000").path()), Some((950_000, 1_000_000)));
-        assert_eq!(throttling(root("-1").path()), None);
-    }
-
-    #[test]
     fn each_governor_is_named_once() {
         let file = |cpu| format!("sys/devices/system/cpu/cpu{cpu}/cpufreq/scaling_governor");
         let root = Root::new("governors")

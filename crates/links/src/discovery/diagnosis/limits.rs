@@ -78,15 +78,6 @@ Max realtime priority     0                    95
 Max realtime timeout      unlimited            unlimited            us";
 
     #[test]
-    fn the_soft_limits_are_read() {
-        let limits = ProcessLimits::parse(LIMITS, "CapEff:\t0000000000000000\n").unwrap();
-        assert_eq!(
-            limits,
-            ProcessLimits { priority: ResourceLimit::Of(0), locked: ResourceLimit::Of(8_388_608) }
-        );
-    }
-
-    #[test]
     fn capabilities_lift_their_limits() {
         let nice = ProcessLimits::parse(LIMITS, "Name:\tx\nCapEff:\t0000000000800000\n").unwrap();
         assert_eq!(
@@ -98,10 +89,5 @@ Max realtime timeout      unlimited            unlimited            us";
             root,
             ProcessLimits { priority: ResourceLimit::None, locked: ResourceLimit::None }
         );
-    }
-
-    #[test]
-    fn a_text_without_them_has_no_limits_to_tell() {
-        assert_eq!(ProcessLimits::parse("Limit Soft Hard", ""), None);
     }
 }

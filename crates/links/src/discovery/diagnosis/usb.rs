@@ -123,19 +123,14 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn devices_behind_a_hub_with_one_translator_share_it() {
-        let root = tree("single-tt", "01");
-        let shared = |tty| place(root.path(), tty).unwrap().shared.unwrap();
-        assert_eq!(shared("ttyACM0"), shared("ttyACM1"));
-        assert!(shared("ttyACM0").ends_with("usb1/1-1"));
-        assert_ne!(shared("ttyACM0"), shared("ttyACM2"));
-    }
-
-    #[test]
-    fn devices_behind_a_hub_with_a_translator_for_each_port_share_nothing() {
-        let root = tree("multi-tt", "02");
-        let shared = |tty| place(root.path(), tty).unwrap().shared.unwrap();
-        assert_ne!(shared("ttyACM0"), shared("ttyACM1"));
+    fn devices_behind_a_hub_share_its_translator_unless_each_port_has_one() {
+        for (test, protocol, is_one) in [("single-tt", "01", true), ("multi-tt", "02", false)] {
+            let root = tree(test, protocol);
+            let shared = |tty| place(root.path(), tty).unwrap().shared.unwrap();
+            assert_eq!(shared("ttyACM0") == shared("ttyACM1"), is_one, "{test}");
+            assert_eq!(shared("ttyACM0").ends_with("usb1/1-1"), is_one, "{test}");
+            assert_ne!(shared("ttyACM0"), shared("ttyACM2"), "{test}");
+        }
     }
 
     #[test]
