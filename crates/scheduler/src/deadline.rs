@@ -197,35 +197,6 @@ mod tests {
         assert!(!tick(100, 0, 8, 5).is_late_by_simulated_keys());
     }
 
-    #[track_caller]
-    fn check(late: u64, work: u64, stolen: u64, expected: Outcome) {
-        assert_eq!(Ledger::default().enter(&tick(100, late, work, stolen), 0), expected);
-    }
-
-    #[test]
-    fn forces_out_exactly_at_the_deadline_are_in_time() {
-        check(0, 10, 0, Outcome::Met);
-        check(4, 3, 3, Outcome::Met);
-    }
-
-    #[test]
-    fn work_longer_than_the_tick_is_own_work_however_late_it_began() {
-        check(0, 11, 0, Outcome::Missed(MissCause::OwnWork));
-        check(50, 11, 50, Outcome::Missed(MissCause::OwnWork));
-    }
-
-    #[test]
-    fn a_late_wake_is_the_cause_if_it_cost_the_most() {
-        check(9, 2, 0, Outcome::Missed(MissCause::WokenLate));
-        check(4, 4, 4, Outcome::Missed(MissCause::WokenLate));
-    }
-
-    #[test]
-    fn lost_time_is_the_cause_if_it_cost_the_most() {
-        check(0, 2, 9, Outcome::Missed(MissCause::Preempted));
-        check(4, 2, 5, Outcome::Missed(MissCause::Preempted));
-    }
-
     #[test]
     fn every_split_of_the_time_has_the_cause_that_would_have_saved_it() {
         for (late, work, stolen) in all_splits(2 * SLACK) {

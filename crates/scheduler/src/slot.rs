@@ -402,24 +402,6 @@ mod tests {
     }
 
     #[test]
-    fn a_new_voice_is_put_at_rest_where_its_key_is() {
-        let mut slot = Slot::new(3, Spy { fails_at: 9, ..Spy::default() });
-        let first = turn_of(&mut slot, 0, 0.004);
-        assert!((first.force - 0.004).abs() == 0.0 && first.fresh);
-        assert!(!turn_of(&mut slot, 1, 0.005).fresh);
-        assert_eq!(slot.voice.resets, 1);
-    }
-
-    #[test]
-    fn a_force_that_is_not_finite_is_a_fault_and_the_voice_is_reset() {
-        let mut slot = Slot::new(3, Spy { fails_at: 1, ..Spy::default() });
-        assert_eq!(turn_of(&mut slot, 0, 0.0).fault, None);
-        assert_eq!(turn_of(&mut slot, 1, 0.0).fault, Some(VoiceFault::NotFinite));
-        let back = turn_of(&mut slot, 2, 0.002);
-        assert_eq!((back.fault, back.fresh, slot.voice.resets), (None, true, 2));
-    }
-
-    #[test]
     fn an_observation_says_in_which_of_the_last_ticks_its_voice_was_run() {
         let mut slot = Slot::new(3, Spy { fails_at: 99, ..Spy::default() });
         let (mut turn, mut seen) = (VoiceOutput::default(), VoiceObservation::default());
@@ -740,17 +722,6 @@ mod tests {
         slot.succeed(next());
         slot.tick(4, &at(0.0), &mut turn);
         assert_eq!((turn.fault, slot.voice.ticks), (None, 1), "at rest");
-    }
-
-    #[test]
-    fn a_voice_of_another_model_goes_on_as_it_is() {
-        let mut slot = Slot::new(3, Tunable { value: 1.0, ticks: 0 });
-        let mut turn = VoiceOutput::default();
-        slot.tick(0, &at(0.0), &mut turn);
-        assert!(!slot.retune(&values(TUNABLE + 1, 2.0)));
-        slot.tick(1, &at(0.0), &mut turn);
-        assert_eq!((slot.voice.ticks, turn.fresh), (2, false));
-        assert!((turn.force - 1.0).abs() < f64::EPSILON);
     }
 
     #[test]

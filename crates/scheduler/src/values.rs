@@ -41,18 +41,3 @@ impl ModelValues {
         self.values.get(..self.n).unwrap_or_default()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn as_many_values_as_a_model_may_have_are_kept_in_order() {
-        let all: [f64; MAX_VALUES] = core::array::from_fn(|index| index as f64);
-        let values = ModelValues::new(3, 7, &all).unwrap();
-        assert_eq!((values.model(), values.revision(), values.as_slice()), (3, 7, &all[..]));
-        let values = ModelValues::new(3, 8, &all[..3]).unwrap();
-        assert_eq!(values.as_slice(), [0.0, 1.0, 2.0]);
-        assert_eq!(ModelValues::new(3, 9, &[0.0; MAX_VALUES + 1]), None);
-    }
-}

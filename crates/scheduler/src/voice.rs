@@ -305,22 +305,3 @@ impl Events {
         self.dropped
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::motion::KEYS;
-
-    #[test]
-    fn a_voice_is_looked_at_when_it_was_run_and_when_it_is_new() {
-        let run = VoiceOutput::default();
-        let rest = VoiceOutput { idle: true, ..run };
-        let followed = FollowedKeys::new(0b110, 0b101);
-        let wanted = |turn: &VoiceOutput| [0, 1, 2, 87].map(|key| turn.is_seen(key, followed));
-        assert_eq!(wanted(&run), [false, true, true, false]);
-        assert_eq!(wanted(&rest), [false, false, true, false]);
-        assert!(followed.is_new(2) && !followed.is_new(0) && !followed.is_new(1));
-        assert!((0..KEYS).all(|key| FollowedKeys::ALL.contains(key)));
-        assert!((0..KEYS).all(|key| !FollowedKeys::NONE.contains(key)));
-    }
-}

@@ -30,13 +30,10 @@ fn failing(failure: Failure) -> Slot<Spring> {
 }
 
 #[test]
-fn a_fault_that_is_reported_stays_with_its_key() {
-    check_neighbours(|rig| rig.slots[40] = failing(Failure::Reported));
-}
-
-#[test]
-fn nan_that_nobody_noticed_stays_with_its_key() {
-    check_neighbours(|rig| rig.slots[40] = failing(Failure::Unnoticed));
+fn a_fault_stays_with_its_key_also_where_nobody_noticed_that_a_force_is_nan() {
+    for failure in [Failure::Reported, Failure::Unnoticed] {
+        check_neighbours(|rig| rig.slots[40] = failing(failure));
+    }
 }
 
 #[test]

@@ -100,17 +100,3 @@ fn a_skipped_tick_gives_no_force_step() {
         last = force;
     }
 }
-
-#[test]
-fn a_disarmed_keybed_is_silent_within_the_fade() {
-    let mut rig = Rig::new();
-    for tick in 0..100 {
-        rig.forces_of(tick);
-    }
-    rig.scheduler.disarm();
-    let silent = 100 + u64::from(FADE_TICKS);
-    for tick in 100..silent {
-        rig.forces_of(tick);
-    }
-    assert!(rig.forces_of(silent).iter().all(|force| force.abs() == 0.0));
-}
