@@ -64,9 +64,4 @@ mod tests {
             assert_eq!(listed(nothing), [0; 0], "{nothing:?}");
         }
     }
-
-    #[test]
-    fn a_thread_may_run_somewhere() {
-        assert!(!allowed().is_empty());
-    }
 }

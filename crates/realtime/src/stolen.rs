@@ -32,10 +32,4 @@ mod tests {
             assert_eq!(stolen_ticks(foreign), None, "{foreign}");
         }
     }
-
-    #[test]
-    fn this_kernel_counts_forwards() {
-        let Some(before) = stolen() else { return };
-        assert!(0.0 <= before && before <= stolen().expect("as before"));
-    }
 }
