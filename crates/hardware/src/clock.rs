@@ -278,17 +278,6 @@ mod tests {
     }
 
     #[test]
-    fn a_clock_that_goes_backwards_is_noticed_and_learned_anew() {
-        let (mut clock, board) = learned(50, 1.0, 5_000_000);
-        let now = 1_000_000 + 20_000 * 50;
-        let before = board(now).wrapping_sub(3_000_000);
-        assert_eq!(clock.learn(now, before, now + 300), ClockUpdate::Jumped);
-        assert!(!clock.is_known());
-        assert_eq!(clock.learn(now, before, now + 300), ClockUpdate::News);
-        assert_eq!(clock.board_us(now + 150), Some(before));
-    }
-
-    #[test]
     fn a_clock_that_was_set_anew_runs_as_fast_as_before() {
         let (mut clock, board) = learned(100, 0.98, 5_000_000);
         let now = 1_000_000 + 20_000 * 100;

@@ -48,18 +48,3 @@ impl fmt::Display for ClaimedKeys {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_that_no_board_can_have_are_shown_as_they_are_claimed() {
-        assert_eq!(ClaimedKeys { first: 33, n: 11 }.to_string(), "F#3..E4");
-        let beyond = ClaimedKeys { first: 80, n: 11 }.to_string();
-        assert_eq!(beyond, "keys 80 to 90 (A0 is 0, C8 is 87)");
-        assert_eq!(ClaimedKeys { first: 3, n: 0 }.to_string(), "no keys");
-        let of = |number| ClaimedKeys { first: 33, n: 11 }.contains(KeyIndex::new(number).unwrap());
-        assert_eq!([32, 33, 43, 44].map(of), [false, true, true, false]);
-    }
-}

@@ -335,21 +335,4 @@ mod tests {
         let refusal = Refusal::NotCalibrated { board, link, file };
         assert!(refusal.to_string().contains("calibrate --link can:can0 --board 3`"));
     }
-
-    #[test]
-    fn a_clock_that_is_refused_is_named_with_its_drift_and_the_tolerance() {
-        let board = BoardName { line: "can0".into(), number: 3 };
-        let sentence = Refusal::Clock { board, ppm: -48_300 }.to_string();
-        let start = "board 3 on can0: its clock runs 4.8 % too slow, and at most 3 % is accepted";
-        assert!(sentence.starts_with(start), "{sentence}");
-    }
-
-    #[test]
-    fn another_generation_is_told_which_side_is_old() {
-        let board = BoardName { line: "/dev/ttyACM0".into(), number: 3 };
-        assert_eq!(
-            Refusal::Version { board, major: 9 }.to_string(),
-            "board 3 on /dev/ttyACM0 speaks protocol 9, this host 2; update the host"
-        );
-    }
 }

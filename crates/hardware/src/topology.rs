@@ -41,15 +41,3 @@ pub fn standard() -> Vec<BoardPlace> {
     });
     places.flatten().collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_standard_boards_carry_every_key_once() {
-        let keys: Vec<_> = standard().iter().flat_map(BoardPlace::keys).collect();
-        assert_eq!(keys, (0..KEYS).collect::<Vec<_>>());
-        assert!(standard().iter().all(BoardPlace::is_possible));
-    }
-}

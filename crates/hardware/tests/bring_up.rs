@@ -6,17 +6,13 @@ use std::time::Duration;
 
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use firmware_protocol::key::KeyIndex;
-use haptics::plant::{Gesture, Touch};
 use hardware::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
-use hardware::refusal::Refusal;
 use hardware::rt::board_supervisor::{ArmLockout, ArmState};
 use hardware::rt::link_snapshot::LinkSnapshot;
-use keyboard::KeyRange;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 
-use crate::common::{Living, board, clock, keybed, nominal, now_us, pair};
+use crate::common::{clock, keybed, nominal, pair};
 
 const PATIENCE: u64 = 5_000_000;
 
@@ -125,27 +121,6 @@ fn a_host_that_falls_silent_leaves_a_board_safe_and_one_that_comes_back_arms_it_
 }
 
 #[test]
-fn a_simulated_finger_plays_over_the_link() {
-    let (offline, _boards) = keybed(&[3]);
-    let mut keybed = armed(offline);
-    let key = KeyIndex::new(39).expect("C4");
-    let gesture =
-        Gesture { start: 0.1, release: 0.4, touch: Touch::Pressed, speed: 0.3, ..Gesture::USUAL };
-    keybed.play(key, &[gesture]);
-    keybed.begin_at(now_us());
-    let mut deepest = 0.0_f64;
-    let mut samples = [KeySample::default(); KEYS];
-    for tick in 0..700 {
-        keybed.receive(tick, &mut samples);
-        keybed.send(tick, &[0.2; KEYS], &[KeySlope::HELD; KEYS]);
-        deepest = deepest.max(samples[39].position);
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    assert!(9e-3 < deepest, "{deepest}");
-    assert!(samples[39].position < 1e-3, "{:?}", samples[39]);
-}
-
-#[test]
 fn a_line_without_a_board_is_refused_by_its_name() {
     let (host, _nobody) = pair();
     let line = NamedLink::new("/dev/printer", Box::new(host));
@@ -155,48 +130,6 @@ fn a_line_without_a_board_is_refused_by_its_name() {
         sentence.contains("/dev/printer") && sentence.contains("not a byte came"),
         "{sentence}"
     );
-}
-
-#[test]
-fn one_board_on_two_lines_is_refused() {
-    let (offline, _boards) = keybed(&[1, 1]);
-    let refusals = offline.identify(PATIENCE).expect_err("twins");
-    assert!(matches!(refusals.0[..], [Refusal::SameBoard { .. }]), "{refusals}");
-}
-
-#[test]
-fn a_board_that_carries_other_keys_than_the_scene_says_is_refused() {
-    let (offline, _boards) = keybed(&[1]);
-    let identified = offline.identify(PATIENCE).expect("a board");
-    let scene = KeyRange::parse("A0..G1").expect("keys");
-    let boards = vec![(0, 1, scene), (0, 7, scene)];
-    let refusals = identified.calibrate(&WantedBoards { boards, ..wanted() }, nominal);
-    let sentence = refusals.expect_err("other keys").to_string();
-    assert!(
-        sentence.contains("says that it carries G#1..F#2, the scene says A0..G1"),
-        "{sentence}"
-    );
-    assert!(sentence.contains("the scene wants board 7 on socket 1"), "{sentence}");
-}
-
-#[test]
-fn a_board_that_dies_is_brought_up_again_and_the_other_never_notices() {
-    let (host, away) = pair();
-    let (other_host, other_away) = pair();
-    let lines =
-        vec![NamedLink::new("dies", Box::new(host)), NamedLink::new("lives", Box::new(other_host))];
-    let first = Living::start(board(0), away);
-    let other = Living::start(board(1), other_away);
-    let mut keybed = armed(Keybed::new(lines, clock()));
-    exchange(&mut keybed, 0, 100, -1.0);
-    drop(first);
-    let samples = exchange(&mut keybed, 100, 200, -1.0);
-    assert!(100 < samples[0].age && samples[11].age < 100, "{:?} {:?}", samples[0], samples[11]);
-    assert!(9e-3 < samples[11].position);
-    let statistics = keybed.board_reports()[1].statistics;
-    assert!(200 < statistics.samples.frames, "{statistics:?}");
-    let counts = other.stop().counts();
-    assert_eq!(counts.trips, 0, "{counts:?}");
 }
 
 #[test]

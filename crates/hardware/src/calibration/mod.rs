@@ -170,18 +170,6 @@ mod tests {
     };
 
     #[test]
-    fn the_rest_reading_is_zero_metres() {
-        assert_eq!(MICROMETRES.position(Counts::saturating(-400)).to_bits(), 0.0_f64.to_bits());
-        assert_eq!(MICROMETRES.counts(0.0), Counts::saturating(-400));
-    }
-
-    #[test]
-    fn a_key_goes_down_from_its_rest_to_its_bottom() {
-        assert!((MICROMETRES.travel() - 10.16e-3).abs() < 1e-12);
-        assert!((KeyCalibration::nominal(2e-6).travel() - 10.16e-3).abs() < 1e-12);
-    }
-
-    #[test]
     fn a_force_that_is_no_number_is_no_force() {
         for force in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(millinewtons(force).get(), 0);

@@ -100,15 +100,3 @@ impl FdBits {
 fn micros(bits: usize, rate: u32) -> f64 {
     bits as f64 * 1e6 / f64::from(rate)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_frame_without_a_rate_switch_lasts_as_long_as_all_its_bits() {
-        let bits = FdBits::of(Id::Standard, 8, Stuffing::Fewest);
-        assert_eq!(bits, FdBits { nominal: 29, data: 97 });
-        assert!((bits.time(1_000_000, 1_000_000) - 126.0).abs() < 1e-9);
-    }
-}

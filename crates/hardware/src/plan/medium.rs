@@ -133,7 +133,6 @@ impl fmt::Display for Medium {
 mod tests {
     use super::*;
 
-    const CLASSIC: Medium = Medium::ClassicCan { bitrate: 1_000_000 };
     const FD: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
 
     #[track_caller]
@@ -143,29 +142,9 @@ mod tests {
     }
 
     #[test]
-    fn classic_can_carries_seven_bytes_in_each_frame() {
-        check(CLASSIC, 0, 65.0);
-        check(CLASSIC, 7, 135.0);
-        check(CLASSIC, 8, 135.0 + 75.0);
-        check(CLASSIC, 26, 3.0 * 135.0 + 115.0);
-    }
-
-    #[test]
     fn what_is_too_long_for_a_can_fd_frame_goes_as_several() {
         check(FD, 26, 104.8);
         check(FD, 64, 168.8);
         check(FD, 64 + 8, 168.8 + 55.8);
-    }
-
-    #[test]
-    fn a_long_frame_blocks_for_one_piece_only() {
-        assert!((CLASSIC.blocking(48) - 135.0).abs() < 1e-9);
-        assert!((FD.blocking(180) - 168.8).abs() < 1e-9);
-        assert!((Medium::UsbFullSpeed.blocking(48) - 1_000.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn a_medium_names_its_rates() {
-        assert_eq!(FD.to_string(), "CAN FD at 1/5 Mbit/s");
     }
 }

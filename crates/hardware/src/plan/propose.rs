@@ -145,12 +145,6 @@ mod tests {
     }
 
     #[test]
-    fn slopes_come_with_velocities() {
-        let mut slopes = RICHEST_FIRST.iter().filter(|it| it.1 == ForcePacking::Force16Slope);
-        assert!(slopes.all(|(samples, _)| samples.has_velocity()));
-    }
-
-    #[test]
     fn a_link_to_one_board_is_not_offered_frames_for_all() {
         let usb = BusPlan { medium: Medium::UsbFullSpeed, ..wanted(1_000.0) };
         assert!(usb.candidates().all(|it| it.forces != ForcePacking::Multicast16));

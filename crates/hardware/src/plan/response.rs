@@ -43,11 +43,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn alone_a_frame_waits_for_the_one_on_the_bus() {
-        assert_eq!(worst_response(168.8, &[], 104.8), Some(168.8 + 104.8));
-    }
-
-    #[test]
     fn those_that_come_again_while_it_waits_go_first_again() {
         // By hand: 20, then 20 + 10, 20 + 2 * 10, 20 + 2 * 10 stays.
         let higher = [Periodic { period: 25.0, time: 10.0 }];

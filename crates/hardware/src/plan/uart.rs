@@ -47,9 +47,4 @@ mod tests {
             assert_eq!(sent, wire_bytes(n), "{n} bytes");
         }
     }
-
-    #[test]
-    fn a_byte_takes_ten_bits() {
-        assert!((time(26, 1_000_000) - 300.0).abs() < 1e-9);
-    }
 }

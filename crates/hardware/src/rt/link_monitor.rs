@@ -46,25 +46,3 @@ impl LinkMonitor {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::rt::bus::LineStatistics;
-    use crate::rt::link_snapshot::LineSnapshot;
-
-    #[test]
-    fn a_round_takes_a_tick_for_each_and_is_made_once_a_second() {
-        let (mut monitor, mut seen) = LinkMonitor::new(100);
-        let line = LineSnapshot { statistics: LineStatistics::default(), meter: None };
-        let three = |place| (place < 3).then_some(LinkSnapshot::Line(place, line));
-        (0..250).for_each(|tick| monitor.take(tick, three));
-        let mut ticks = Vec::new();
-        while let Ok((tick, LinkSnapshot::Line(line, _))) = seen.pop() {
-            ticks.push((tick, line));
-        }
-        let rounds = [0, 103, 206];
-        let wanted = rounds.iter().flat_map(|at| (0..3).map(move |n| (at + n as u64, n)));
-        assert_eq!(ticks, wanted.collect::<Vec<_>>());
-    }
-}

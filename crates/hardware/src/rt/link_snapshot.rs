@@ -47,20 +47,3 @@ impl KeybedBus {
         Some(LinkSnapshot::Board(board, BoardSnapshot { statistics, status: None }))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::sim::keybed::SimulatedKeybed;
-    use haptics::plant::RigParameters;
-
-    #[test]
-    fn lines_come_before_boards_and_then_nothing() {
-        let keybed = SimulatedKeybed::new(1e-3, RigParameters::default()).unwrap();
-        let seen: Vec<_> = (0..17).map(|place| keybed.snapshot(place)).collect();
-        assert!(matches!(seen[7], Some(LinkSnapshot::Line(7, _))), "{:?}", seen[7]);
-        assert!(matches!(seen[8], Some(LinkSnapshot::Board(0, _))), "{:?}", seen[8]);
-        assert!(matches!(seen[15], Some(LinkSnapshot::Board(7, _))), "{:?}", seen[15]);
-        assert_eq!(seen[16], None);
-    }
-}

@@ -220,17 +220,6 @@ mod tests {
         interlock
     }
 
-    #[test]
-    fn it_is_armed_by_the_nonce_that_was_given_out_and_only_once() {
-        let mut interlock = ForceInterlock::new(7);
-        assert_eq!(interlock.arm(7, VALID), Err(NotArmed::NotDisarmed));
-        let (old, nonce) = (interlock.disarm(0).unwrap(), interlock.disarm(0).unwrap());
-        assert_ne!(old, nonce);
-        assert_eq!(interlock.arm(old, VALID), Err(NotArmed::WrongNonce));
-        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
-        assert_eq!(interlock.arm(nonce, VALID), Err(NotArmed::NotDisarmed));
-    }
-
     /// An interlock in a state of PROTOCOL.md, and the nonce that was given out last.
     fn in_state(state: &str) -> (ForceInterlock, u32) {
         let mut interlock = ForceInterlock::new(7);
@@ -315,19 +304,6 @@ mod tests {
         assert!(shares.is_sorted_by(|one, next| next <= one), "{shares:?}");
         assert!(0.99 < shares[0] && shares[10..].iter().all(|share| *share <= 0.0), "{shares:?}");
         assert_eq!((interlock.is_armed(), interlock.counts()), (false, (1, 1)));
-    }
-
-    #[test]
-    fn it_stays_safe_until_it_is_disarmed_and_armed() {
-        let mut interlock = armed();
-        assert_eq!(interlock.feed(0, 0), ForceDecision::Rendered);
-        assert!(interlock.share(50_000) <= 0.0);
-        assert_eq!(interlock.feed(50_000, 50_000), ForceDecision::Unarmed);
-        let nonce = interlock.disarm(60_000).unwrap();
-        assert_eq!(interlock.feed(60_000, 60_000), ForceDecision::Unarmed);
-        assert_eq!(interlock.arm(nonce, VALID), Ok(()));
-        assert_eq!(interlock.feed(60_000, 60_000), ForceDecision::Rendered);
-        assert!(1.0 <= interlock.share(61_000));
     }
 
     #[test]

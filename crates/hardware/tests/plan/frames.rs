@@ -102,53 +102,6 @@ fn fd_vectors_have_their_exact_length() {
     }
 }
 
-/// Random numbers, the same in every run.
-struct Xorshift(u64);
-
-impl Xorshift {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
-    fn payload<const N: usize>(&mut self) -> [u8; N] {
-        std::array::from_fn(|_| self.next().to_le_bytes()[3])
-    }
-
-    fn id(&mut self) -> usize {
-        usize::from(u16::from_le_bytes(self.payload())) & 0x7FF
-    }
-}
-
-#[test]
-fn random_payloads_are_a_sixth_below_the_worst() {
-    const FRAMES: usize = 20_000;
-    let mut random = Xorshift(0x9E37_79B9_7F4A_7C15);
-    let (mut classic, mut nominal, mut data) = (0, 0, 0);
-    for _ in 0..FRAMES {
-        classic += encoder::classic(Standard, random.id(), &random.payload::<8>());
-        let bits = encoder::fd(Standard, random.id(), &random.payload::<64>());
-        nominal += bits.nominal;
-        data += bits.data;
-    }
-    // A standard deviation is below 4.5 bits, so that of the mean is below 0.032.
-    for (sum, mean) in [(classic, 114.3), (nominal, 29.4), (data, mean_of_64_bytes())] {
-        let got = sum as f64 / FRAMES as f64;
-        assert!((got - mean).abs() < 0.1, "{got} bits on average, not {mean}");
-    }
-}
-
-/// Data bits of a frame of 64 random bytes, on average.
-///
-/// A run of 1, 2, 3, 4 equal bits becomes longer or ends with equal chances, and a fifth
-/// brings a stuff bit: 1 in 30 bits in the long run. The length's code, four ones, is worth
-/// `7/15` more than a run of one, the average run `17/225`; behind the last bit comes none.
-fn mean_of_64_bytes() -> f64 {
-    550.0 + 511.0 / 30.0 + 7.0 / 15.0 - 17.0 / 225.0
-}
-
 /// Payloads by their runs of equal bits: around four is what costs most.
 fn by_runs() -> impl Strategy<Value = Vec<u8>> {
     (prop::collection::vec(1_usize..7, 64 * 8), any::<bool>()).prop_map(|(runs, first)| {

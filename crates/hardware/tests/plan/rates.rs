@@ -3,7 +3,6 @@
 use super::hertz;
 use ForcePacking::{Force16, Multicast16};
 use SamplePacking::{Position16, Position16Velocity, Position24, Position24Velocity};
-use hardware::plan::can::Stuffing;
 use hardware::plan::{BusPlan, Extras, ForcePacking, Medium, SamplePacking, standard};
 
 pub(crate) const CLASSIC: Medium = Medium::ClassicCan { bitrate: 1_000_000 };
@@ -33,14 +32,6 @@ fn check(medium: Medium, up: SamplePacking, down: ForcePacking, rates: [u32; 4])
     assert_eq!(got, rates, "{up:?} and {down:?} over {medium}");
 }
 
-/// The same for packings that are only lengths (bytes).
-#[track_caller]
-fn check_bytes(medium: Medium, up: usize, down: usize, rates: [u32; 4]) {
-    let cycle = medium.time(up, Stuffing::Most) + medium.time(down, Stuffing::Most);
-    let got = [8.0, 4.0, 2.0, 1.0].map(|boards: f64| hertz(0.8e6 / (boards * cycle)));
-    assert_eq!(got, rates, "{up} and {down} bytes over {medium}");
-}
-
 #[test]
 fn forces_for_each_board_over_can_fd_reach_the_rates_of_the_table() {
     check(FD5, Position16, Force16, [477, 954, 1_908, 3_817]);
@@ -51,15 +42,6 @@ fn forces_for_each_board_over_can_fd_reach_the_rates_of_the_table() {
     check(FD8, Position24, Force16, [569, 1_138, 2_276, 4_552]);
     check(FD8, Position16Velocity, Force16, [569, 1_138, 2_276, 4_552]);
     check(FD8, Position24Velocity, Force16, [511, 1_022, 2_043, 4_087]);
-}
-
-#[test]
-fn packings_of_twelve_and_eight_bits_reach_the_rates_of_the_table() {
-    // 11 keys of 12 bits are 17 bytes.
-    check_bytes(FD5, 26, 4 + 17, [517, 1_033, 2_066, 4_132]);
-    check_bytes(FD8, 26, 4 + 17, [686, 1_372, 2_744, 5_489]);
-    check_bytes(FD5, 4 + 17, 4 + 11, [623, 1_245, 2_491, 4_981]);
-    check_bytes(FD8, 4 + 17, 4 + 11, [799, 1_598, 3_197, 6_394]);
 }
 
 /// The table has one bus for all 88 keys; for more it cuts frames off behind the last key, which
@@ -89,46 +71,4 @@ fn classic_can_carries_whole_frames_in_pieces_of_seven_bytes() {
     check(CLASSIC, Position24, Force16, hand(5.0 * 135.0 + 85.0));
     check(CLASSIC, Position16Velocity, Force16, hand(6.0 * 135.0 + 125.0));
     check(CLASSIC, Position24Velocity, Force16, hand(8.0 * 135.0 + 95.0));
-}
-
-/// The table's classic rates are of another encapsulation: the keys' values only, in frames
-/// of 8 bytes whose first replaces the header.
-#[test]
-fn without_their_headers_frames_over_classic_can_reach_the_rates_of_the_table() {
-    let time = |bytes: usize| bytes.div_ceil(7) as f64 * CLASSIC.time(7, Stuffing::Most);
-    let cases = [
-        (22, 22, [93, 185, 370, 741]),
-        (33, 22, [82, 165, 329, 658]),
-        (44, 22, [67, 135, 269, 539]),
-        (55, 22, [62, 123, 247, 494]),
-        (22, 17, [106, 212, 423, 847]),
-        (17, 11, [148, 296, 593, 1_185]),
-    ];
-    for (up, down, rates) in cases {
-        let cycle = time(up) + time(down);
-        let got = [8.0, 4.0, 2.0, 1.0].map(|boards: f64| hertz(0.8e6 / (boards * cycle)));
-        assert_eq!(got, rates, "{up} and {down} bytes");
-    }
-}
-
-/// Only the keys that move, behind a header of 6 bytes that says which: the cycle of a bus on
-/// whose boards so many move, with positions and velocities up and forces down (us).
-fn masked(active: &[usize]) -> f64 {
-    let time = |bytes| FD5.time(bytes, Stuffing::Most);
-    active.iter().map(|keys| time(6 + 4 * keys) + time(6 + 2 * keys)).sum()
-}
-
-#[test]
-fn frames_of_the_keys_that_move_reach_the_rates_of_the_table() {
-    let cases: [(&[usize], u32); 6] = [
-        (&[2, 2, 1, 1, 1, 1, 1, 1], 809),
-        (&[2, 2, 1, 1], 1_567),
-        (&[3, 3, 3, 3, 2, 2, 2, 2], 714),
-        (&[3, 3, 3, 3], 1_383),
-        (&[4, 4, 4, 4, 4, 4, 3, 3], 639),
-        (&[4, 4, 4, 4], 1_245),
-    ];
-    for (active, rate) in cases {
-        assert_eq!(hertz(0.8e6 / masked(active)), rate, "{active:?}");
-    }
 }

@@ -88,15 +88,6 @@ fn a_frame_of_usb_has_room_for_as_many_transactions_as_its_standard_says() {
 }
 
 #[test]
-fn a_cycle_of_eight_full_speed_boards_takes_what_the_table_says() {
-    let costs = PACKINGS.map(|packing| {
-        let cost = |bytes| UsbRate::Full.cost(wire_bytes(bytes));
-        8 * (cost(packing.frame_len(11)) + cost(ForcePacking::Force16.frame_len(11)))
-    });
-    assert_eq!(costs, [688, 776, 864, 952]);
-}
-
-#[test]
 fn usb_reaches_the_rates_of_the_table() {
     let full = Medium::UsbFullSpeed;
     assert_eq!(rates(full, &standard(0..8)), [1_744, 1_546, 1_389, 1_261]);

@@ -23,17 +23,6 @@ fn plans_with_different_rates_have_the_loads_of_the_table() {
     check(&plan(FD8, 1, Position16Velocity, Multicast16), [500.0, 500.0], 56.8);
 }
 
-/// By hand: 136.8 us for samples at 1/5 Mbit/s and 97.9 at 1/8, 168.8 and 117.9 for forces. The
-/// table has less, because it cuts frames off behind their last key.
-#[test]
-fn frames_for_all_boards_are_whole_on_a_bus_with_some_of_the_keys_too() {
-    check(&plan(FD8, 2, Position16Velocity, Multicast16), [1_000.0, 1_000.0], 62.7);
-    check(&plan(FD5, 4, Position16Velocity, Multicast16), [1_000.0, 1_000.0], 61.1);
-    check(&plan(FD8, 4, Position24Velocity, Multicast16), [1_000.0, 1_000.0], 47.2);
-    // With as many frames of its own size for each board, such a bus is emptier.
-    check(&plan(FD5, 4, Position16Velocity, Force16), [1_000.0, 1_000.0], 48.3);
-}
-
 /// By hand, at 1/5 and 1/8 Mbit/s: requests of 3 bytes take 45.8 and 41 us, a time of 8 bytes
 /// 55.8 and 47.2, counts of 44 in 48 bytes 136.8 and 97.9, the bus's time in 6 bytes 51.8 and 44.8.
 #[test]
@@ -56,4 +45,5 @@ fn the_longest_frame_blocks_as_long_as_the_table_says() {
     let blocking = |medium: Medium| plan(medium, 1, Position24Velocity, Multicast16).blocking();
     assert!((blocking(FD5) - 168.8).abs() < 1e-9);
     assert!((blocking(CLASSIC) - 135.0).abs() < 1e-9);
+    assert!((blocking(Medium::UsbFullSpeed) - 1_000.0).abs() < 1e-9);
 }

@@ -42,14 +42,6 @@ fn with(change: impl Fn(&mut RigParameters)) -> RigParameters {
 }
 
 #[test]
-fn a_trip_tells_bottom_and_friction() {
-    let it = travelled(RigParameters::default(), 1.0).unwrap();
-    assert!((it.bottom - 10.16e-3).abs() < 20e-6, "{it:?}");
-    // Its return spring pushes with 0.3 N.
-    assert!((it.friction - 0.12).abs() < 0.01 && (it.float - 0.3).abs() < 0.01, "{it:?}");
-}
-
-#[test]
 fn a_key_that_springs_back_by_itself_has_its_friction_and_not_its_spring() {
     let it = travelled(with(|rig| rig.key.weight = 0.5), 1.0).unwrap();
     assert!((it.friction - 0.12).abs() < 0.01 && (it.float - 0.5).abs() < 0.01, "{it:?}");

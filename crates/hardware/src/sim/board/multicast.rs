@@ -77,21 +77,3 @@ impl SimulatedBoard {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_oldest_of_a_board_s_groups_counts_once_all_have_come() {
-        let mut groups = Groups::default();
-        let (one, two) = (0..11, 22..33);
-        assert_eq!(groups.hear(0, 5, &one), Some(5));
-        assert_eq!(groups.hear(0, 6, &two), None);
-        assert_eq!(groups.hear(1, 9, &two), Some(6));
-        assert_eq!(groups.hear(1, 30, &two), Some(6));
-        assert_eq!(groups.hear(0, 31, &two), Some(30));
-        assert_eq!(groups.hear(0, 40, &(19..30)), Some(40));
-        assert_eq!(groups.hear(200, 1, &one), None);
-    }
-}
