@@ -130,26 +130,3 @@ pub enum Reply {
     /// What the host does and how it goes.
     Status { status: Box<HostStatus> },
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_change_has_a_name_on_the_stream() {
-        let change = Change { key: 39, parameter: "k2".into(), value: 1.5 };
-        assert_eq!(change.name(), "/key/39/k2");
-        assert_eq!(Change::named("/key/39/k2", 1.5), Some(change));
-        for foreign in ["", "/key/39", "/key/88/k2", "/key/x/k2", "key/39/k2"] {
-            assert_eq!(Change::named(foreign, 0.0), None, "{foreign}");
-        }
-    }
-
-    #[test]
-    fn requests_are_json_with_a_service_s_name() {
-        let text = serde_json::to_string(&Request::Press { key: 39, newtons: 2.5 }).expect("JSON");
-        assert_eq!(text, r#"{"service":"press","key":39,"newtons":2.5}"#);
-        let foreign = r#"{"service":"press","key":39,"newtons":"much"}"#;
-        assert!(serde_json::from_str::<Request>(foreign).is_err());
-    }
-}

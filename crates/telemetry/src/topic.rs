@@ -227,30 +227,6 @@ mod tests {
     }
 
     #[test]
-    fn a_message_comes_back_as_it_went() {
-        let block = KeyBlock {
-            key: 39,
-            tick: 12,
-            after: vec![0, 1, 4],
-            position: vec![0.0, 1e-3, f64::MIN_POSITIVE],
-            signals: vec![1.0, -2.0],
-            ..KeyBlock::default()
-        };
-        let update = Update::Block(block);
-        assert_eq!(update.topic(), Some(Topic::Block(39)));
-        let back = Update::decode(Topic::Block(39), &update.encode()).expect("a block");
-        assert_eq!(back, update);
-    }
-
-    #[test]
-    fn a_message_of_no_key_travels_nowhere() {
-        for key in [88, 255, 256, u32::MAX] {
-            let block = KeyBlock { key, ..KeyBlock::default() };
-            assert_eq!(Update::Block(block).topic(), None);
-        }
-    }
-
-    #[test]
     fn foreign_bytes_are_refused_in_a_sentence() {
         let refused = Update::decode(Topic::Events, &[0xff; 9]).expect_err("no event").to_string();
         assert!(refused.starts_with("what came under /events is no letoff.telemetry.Event: "));

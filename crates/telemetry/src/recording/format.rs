@@ -130,24 +130,3 @@ pub(super) fn first_path(path: &Path, part: u32) -> PathBuf {
 fn extension(path: &Path) -> String {
     path.extension().map_or_else(|| "mcap".to_owned(), |it| it.to_string_lossy().into_owned())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_topic_has_a_number_of_its_own() {
-        assert_eq!(topics().len(), Topic::all().count());
-        assert!(Topic::all().all(|topic| schema(topic) > 0));
-    }
-
-    #[test]
-    fn a_part_s_name_leads_to_the_first_and_back() {
-        let first = Path::new("takes/slow.mcap");
-        let third = part_path(first, 3);
-        assert_eq!(third, Path::new("takes/slow-0003.mcap"));
-        assert_eq!(first_path(&third, 3), first);
-        // A name that only looks like a part's.
-        assert_eq!(first_path(&third, 1), third);
-    }
-}

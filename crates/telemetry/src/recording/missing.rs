@@ -164,25 +164,6 @@ mod tests {
     }
 
     #[test]
-    fn a_piece_says_what_is_lost_and_advises_where_it_was_not_recovered_yet() {
-        let says = |it: &MissingPiece| it.to_string();
-        let here = piece();
-        let text = "takes/one.mcap is damaged at byte 4711 (no chunk): what it had from 2.500 s \
-                    to 3.250 s is left out";
-        assert_eq!(here.what(), text);
-        let advice = ", and `letoff recover takes/one.mcap` makes a complete file of the rest";
-        assert_eq!(says(&here), format!("{text}{advice}"));
-        assert_eq!(
-            says(&MissingPiece { defect: Defect::left_out(here.defect.wrong), ..piece() }),
-            text
-        );
-        let at_beginning = MissingPiece { span: (0, 1_000_000_000), ..piece() };
-        assert!(at_beginning.what().ends_with("what it had at its beginning is left out"));
-        let at_once = MissingPiece { span: (2_000_000_000, 2_000_000_000), ..piece() };
-        assert!(at_once.what().ends_with("what it had at 1.000 s is left out"));
-    }
-
-    #[test]
     fn a_note_comes_back_from_its_metadata_and_commands_no_terminal() {
         let note = MissingNote::new(&piece());
         assert_eq!(MissingNote::of(&note.metadata()), Some(note.clone()));

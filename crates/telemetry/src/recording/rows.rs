@@ -59,28 +59,3 @@ pub fn rows<W: FnMut(u32) -> usize>(
 fn at<T: Copy>(column: &[T], row: usize) -> Option<T> {
     column.get(row).copied()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rows_of_two_models_have_signals_of_their_own() {
-        let block = KeyBlock {
-            tick: 7,
-            after: vec![0, 2],
-            position: vec![1.0, 2.0],
-            revision: vec![1, 2],
-            signals: vec![1.0, 2.0, 3.0],
-            ..KeyBlock::default()
-        };
-        let width = |revision| if revision == 1 { 2 } else { 1 };
-        let rows: Vec<_> = rows(&block, width).collect();
-        assert_eq!(rows.iter().map(|row| row.tick).collect::<Vec<_>>(), [7, 9]);
-        assert_eq!(
-            rows.iter().map(|row| row.signals.to_vec()).collect::<Vec<_>>(),
-            [vec![1.0, 2.0], vec![3.0]]
-        );
-        assert!(rows.iter().all(|row| row.force.is_nan()));
-    }
-}

@@ -127,16 +127,6 @@ mod tests {
     }
 
     #[test]
-    fn as_long_as_there_is_room_nothing_is_missed() {
-        let mut backlog = Backlog::new(1000);
-        for voice in ["voice 1", "voice 2", "voice 3"] {
-            backlog.push(voice, Worth::Latest(1), 100);
-        }
-        assert_eq!(backlog.take_dropped(), 0);
-        assert_eq!(all(&mut backlog), ["voice 1", "voice 2", "voice 3"]);
-    }
-
-    #[test]
     fn what_is_larger_than_the_room_is_dropped_itself() {
         let mut backlog = Backlog::new(10);
         backlog.push(1, Worth::Passing, 1000);

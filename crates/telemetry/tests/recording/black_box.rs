@@ -45,11 +45,3 @@ fn it_never_holds_more_than_it_may() {
     let stray = telemetry::KeyState::default();
     assert!(black_box.keep(0, &Update::State(200, stray)).is_err());
 }
-
-#[test]
-fn an_empty_one_is_a_recording_of_nothing() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("fault.mcap");
-    BlackBox::new(Duration::from_secs(1), 0).dump(&path, "the run").expect("written");
-    assert_eq!(read(&Recording::open(&path).expect("a recording")), (vec![], vec![]));
-}

@@ -4,7 +4,6 @@
 mod bad_input;
 mod black_box;
 mod csv;
-mod damage;
 mod declared;
 mod killed;
 mod playback;

@@ -8,7 +8,7 @@ use proptest::sample::Index;
 use telemetry::Update;
 use telemetry::recording::{Recorder, Recording, recover};
 
-use crate::common::{performance, read, record, settings};
+use crate::common::{noise, performance, read, record, settings};
 
 /// Messages, and when they were made (ns since 1970).
 type Told = Vec<(u64, Update)>;
@@ -166,6 +166,39 @@ fn a_recording_that_breaks_off_and_is_damaged_is_read_behind_the_damage() {
         assert_eq!((found.len() + lost, wrong.len()), (told.len(), 1), "{hit}: {wrong:?}");
         let tear = recording.tear().expect("it breaks off").to_string();
         assert!(tear.contains(", but for one damaged piece, and `letoff recover "), "{tear}");
+    }
+}
+
+#[test]
+fn a_hole_costs_the_chunks_that_it_hits_and_their_neighbours_at_most_and_garbage_behind_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (hit, new) = (folder.path().join("hit.mcap"), folder.path().join("new.mcap"));
+    let (told, whole) = &*RECORDED;
+    let garbage: Vec<u8> = (0..5_000).map(|n| noise(n).to_bits().to_le_bytes()[0]).collect();
+    fs::write(&hit, [&whole[..], &garbage].concat()).expect("a file");
+    assert_eq!(read(&Recording::open(&hit).expect("a recording")).0, *told);
+    let summary = mcap::Summary::read(whole).expect("a summary").expect("there is one");
+    let mut chunks = summary.chunk_indexes;
+    chunks.sort_by_key(|chunk| chunk.chunk_start_offset);
+    let starts = chunks.iter().map(|chunk| chunk.chunk_start_offset);
+    let starts: Vec<_> = starts.map(|at| usize::try_from(at).expect("a small file")).collect();
+    let n_of_chunks = messages_of_chunks(whole);
+    for (length, hole) in (0..40).map(|n| (64 << (n % 11), n * whole.len() / 40)) {
+        let end = whole.len().min(hole + length);
+        let mut bytes = whole.clone();
+        bytes[hole..end].fill(0);
+        fs::write(&hit, bytes).expect("a file");
+        let Ok(recording) = Recording::open(&hit) else { panic!("{hole}: not even opened") };
+        let (found, _wrong) = read(&recording);
+        let first_hit = starts.partition_point(|start| *start <= hole).saturating_sub(1);
+        let behind = starts.partition_point(|start| *start < end);
+        let before: usize = n_of_chunks.iter().take(first_hit.saturating_sub(1)).sum();
+        let after: usize = n_of_chunks.iter().skip(behind + 1).sum();
+        assert!(found.starts_with(&told[..before]), "{length} B from byte {hole}");
+        assert!(found.ends_with(&told[told.len() - after..]), "{length} B from byte {hole}");
+        let _before = fs::remove_file(&new);
+        let saved = recover(&hit, &new).map(|it| it.messages);
+        assert_eq!(saved.expect("it is saved"), found.len() as u64, "{length} B from byte {hole}");
     }
 }
 

@@ -84,14 +84,6 @@ mod tests {
     }
 
     #[test]
-    fn an_address_leads_to_its_uri() {
-        for text in ["ws://127.0.0.1:9000/", "wss://[::1]:1/"] {
-            let uri = HostAddress::parse(text).expect("an address").uri().expect("a URI");
-            assert_eq!(uri.to_string(), text);
-        }
-    }
-
-    #[test]
     fn what_is_none_is_refused() {
         for text in ["", "http://x", "ws://", "ws://a b", "ws://x:99999", "ws://x/path", "u@x"] {
             assert!(HostAddress::parse(text).is_err(), "{text}");

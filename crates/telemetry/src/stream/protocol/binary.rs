@@ -229,29 +229,5 @@ mod tests {
                 prop_assert_eq!(frame.encode(), bytes);
             }
         }
-
-        #[test]
-        fn a_message_comes_back_as_it_went(
-            subscription: u32,
-            at: u64,
-            payload in prop::collection::vec(any::<u8>(), 0..64),
-        ) {
-            let frame = ServerFrame::Message { subscription, at, payload: &payload };
-            let bytes = frame.encode();
-            prop_assert_eq!(ServerFrame::decode(&bytes).expect("a message"), frame);
-        }
-
-        #[test]
-        fn a_response_comes_back_as_it_went(
-            service: u32,
-            call: u32,
-            encoding: String,
-            payload in prop::collection::vec(any::<u8>(), 0..64),
-        ) {
-            let frame =
-                ServerFrame::Response { service, call, encoding: &encoding, payload: &payload };
-            let bytes = frame.encode();
-            prop_assert_eq!(ServerFrame::decode(&bytes).expect("a response"), frame);
-        }
     }
 }

@@ -55,21 +55,11 @@ fn shortened(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
-
     use super::*;
 
     fn refused(text: &str) -> String {
         let parameter: ParameterValue = serde_json::from_str(text).expect("a parameter");
         parameter.change().expect_err("refused").to_string()
-    }
-
-    #[test]
-    fn a_number_for_a_name_is_a_change() {
-        let parameter: ParameterValue =
-            serde_json::from_value(json!({"name": "/key/39/k2", "value": 2})).expect("JSON");
-        let change = Change { key: 39, parameter: "k2".to_owned(), value: 2.0 };
-        assert_eq!(parameter.change(), Ok(change));
     }
 
     #[test]

@@ -55,33 +55,3 @@ impl Following {
         followed.fold(0, |mask, key| mask | 1 << key)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_topic_is_counted_for_itself() {
-        let following = Following::default();
-        for topic in Topic::all() {
-            assert!(!following.has(topic));
-            following.add(topic);
-            assert!(following.has(topic));
-        }
-        assert_eq!(following.keys(), (1 << KEYS) - 1);
-        for topic in Topic::all() {
-            following.remove(topic);
-        }
-        following.add(Topic::State(87));
-        following.add(Topic::Block(0));
-        assert_eq!(following.keys(), 1 | 1 << 87);
-    }
-
-    #[test]
-    fn what_is_no_topic_is_followed_by_nobody() {
-        let following = Following::default();
-        following.add(Topic::Block(88));
-        assert!(!following.has(Topic::Block(88)));
-        assert_eq!(following.keys(), 0);
-    }
-}

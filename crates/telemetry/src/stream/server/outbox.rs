@@ -137,25 +137,6 @@ impl QueuedSample {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Topic, Update};
-
-    fn sample(at: u64) -> StreamSample {
-        StreamSample::new(Topic::Events, at, &Update::Event(crate::Event::default()))
-    }
-
-    #[tokio::test]
-    async fn replies_are_never_dropped_and_whoever_takes_none_is_cut() {
-        let limits = ServerLimits { control_messages: 3, ..ServerLimits::default() };
-        let (outbox, mut control) = Outbox::new(&limits);
-        for number in 0..4 {
-            outbox.status(Level::Info, number.to_string(), None);
-        }
-        outbox.cut().await;
-        for number in 0..3 {
-            let text = format!(r#"{{"op":"status","level":0,"message":"{number}"}}"#);
-            assert_eq!(control.recv().await, Some(Message::text(text)));
-        }
-    }
 
     #[tokio::test]
     async fn few_replies_that_are_long_are_too_many_as_well() {
@@ -170,19 +151,5 @@ mod tests {
             outbox.status(Level::Info, "x".repeat(900), None);
         }
         outbox.cut().await;
-    }
-
-    #[tokio::test]
-    async fn samples_are_dropped_and_none_comes_of_a_subscription_that_is_no_more() {
-        let limits = ServerLimits { data_bytes: 200, ..ServerLimits::default() };
-        let (outbox, _control) = Outbox::new(&limits);
-        for at in 0..10 {
-            outbox.post(7, sample(at));
-        }
-        outbox.post(8, sample(10).retained(0, 0));
-        assert_eq!(outbox.take_dropped(), 7);
-        outbox.forget(7);
-        let frame = ServerFrame::Message { subscription: 8, at: 10, payload: &[] };
-        assert_eq!(outbox.sample().await, Message::binary(frame.encode()));
     }
 }
