@@ -44,18 +44,3 @@ fn words(keys: u128) -> [u64; 2] {
     const LOW: u128 = u64::MAX as u128;
     [keys & LOW, keys >> 64].map(|bits| u64::try_from(bits).unwrap_or_default())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_of_both_words_are_stored_added_and_read_in_order() {
-        let set = AtomicKeySet::default();
-        set.store(1 << 87 | 1 << 3);
-        set.insert(1 << 64 | 1 << 3);
-        assert_eq!(set.keys().collect::<Vec<_>>(), [3, 64, 87]);
-        set.store(1);
-        assert_eq!(set.load(), 1, "what is stored replaces what was there");
-    }
-}

@@ -181,18 +181,6 @@ mod tests {
     }
 
     #[test]
-    fn all_links_that_cannot_be_opened_are_said_at_once() {
-        let bus = |port: &str| BoardBus::new(Address::Serial { port: port.into(), baud: 1 });
-        let buses = [bus("/dev/no-such-1"), bus("/dev/no-such-2")];
-        let why = open_all(&buses, &clock(&buses)).unwrap_err();
-        let said: Vec<_> = why.split("\nletoff: ").collect();
-        assert!(
-            said.len() == 2 && said[0].contains("such-1") && said[1].contains("such-2"),
-            "{why}"
-        );
-    }
-
-    #[test]
     fn a_link_whose_bits_take_their_time_has_a_medium() {
         check("can:can0", Some("CAN FD at 1/5 Mbit/s"));
         check("classic-can:can0", Some("classic CAN at 1 Mbit/s"));

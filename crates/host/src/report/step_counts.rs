@@ -48,16 +48,3 @@ impl StepCounts {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_share_is_of_the_ticks_without_an_event() {
-        let counts = StepCounts::new([90, 10], [1, 7]);
-        assert_eq!((counts.certain, counts.unknown, counts.in_ticks_with_events), (91, 17, 8));
-        assert_eq!(counts.certain_share_without_event, Some(0.9));
-        assert_eq!(StepCounts::new([0, 0], [1, 1]).certain_share_without_event, None);
-    }
-}

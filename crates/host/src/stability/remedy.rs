@@ -75,15 +75,3 @@ fn candidates(scene: &Scene) -> Vec<Remedy> {
     let all = all.map(|(tick_hz, jerk_density)| Remedy { tick_hz, jerk_density, passivity: None });
     control.into_iter().chain(all.skip(1)).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn settings_are_written_as_a_scene_has_them() {
-        let passivity = Some(PassivityMode::Control);
-        let remedy = Remedy { tick_hz: Some(2000), jerk_density: None, passivity };
-        assert_eq!(remedy.to_string(), "tick_hz=2000 and render.passivity=\"control\"");
-    }
-}
