@@ -57,16 +57,6 @@ fn a_scene_names_a_description_by_its_path_and_is_written_with_it() {
 }
 
 #[test]
-fn a_mistake_in_a_description_is_reported_with_its_place() {
-    let (library, folder) = (Library::default(), tempfile::tempdir().unwrap());
-    let _scene = scene(&library, folder.path());
-    fs::write(folder.path().join("my-ball.toml"), "nothing").unwrap();
-    let path = folder.path().join("scene.toml");
-    let wrong = Scene::load(&library, &path.to_string_lossy(), &[]).unwrap_err();
-    assert!(wrong.to_string().contains("my-ball.toml:1:"), "{wrong}");
-}
-
-#[test]
 fn values_of_another_version_are_refused() {
     let (library, folder) = (Library::default(), tempfile::tempdir().unwrap());
     let first = scene(&library, folder.path());
