@@ -2,16 +2,6 @@ use super::*;
 use crate::trouble::PortTrouble;
 
 #[test]
-fn a_port_that_is_not_there_says_what_to_do() {
-    let error = Serial::open(Path::new("/dev/no-such-port"), 115_200).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "the serial port /dev/no-such-port cannot be opened: it is not there; plug the board in, \
-         `letoff devices` lists the ports there are"
-    );
-}
-
-#[test]
 fn a_file_is_no_port() {
     let error = Serial::open(Path::new("/proc/self/status"), 115_200).unwrap_err();
     assert!(
