@@ -175,12 +175,6 @@ mod tests {
     }
 
     #[test]
-    fn who_asks_for_nothing_gets_no_advice() {
-        let expected = SchedulingPolicy { policy: "SCHED_OTHER".into(), advice: Vec::new() };
-        assert_eq!(granted(WantedPolicy::Ordinary, &[], 0), expected);
-    }
-
-    #[test]
     fn the_answer_is_either_what_was_asked_for_or_says_what_to_do() {
         let standing = granted(WantedPolicy::Fifo(7), &[], 0);
         if standing.advice.is_empty() {
