@@ -47,22 +47,30 @@ fn exchange(keybed: &mut Keybed<Armed>, from: u64, ticks: u64, force: f64) -> [K
 }
 
 #[test]
-fn two_boards_are_found_armed_and_take_forces() {
-    let (offline, boards) = keybed(&[2, 5]);
-    let mut keybed = armed(offline);
-    // Down: 1 N is more than the 0.12 N of stiction.
-    let samples = exchange(&mut keybed, 0, 300, -1.0);
-    for (key, sample) in samples.iter().enumerate() {
-        let is_there = (22..33).contains(&key) || (55..66).contains(&key);
-        assert_eq!(9e-3 < sample.position, is_there, "key {key}: {sample:?}");
-    }
-    let reports = keybed.board_reports();
-    drop(keybed);
-    for (report, living) in reports.iter().zip(boards) {
-        let counts = living.stop().counts();
-        assert!(200 < counts.forces && counts.corrupt == 0 && counts.refused == 0, "{counts:?}");
-        assert!(counts.oldest_us <= 100_000, "{counts:?}");
-        assert_eq!(report.condition.armings, 1, "{report:?}");
+fn two_boards_are_found_armed_and_take_forces_of_their_own_and_for_all_boards() {
+    for (forces, oldest_us) in
+        [(ForcePacking::default(), 100_000), (ForcePacking::Multicast16, 32_000)]
+    {
+        let (offline, boards) = keybed(&[2, 5]);
+        let identified = offline.identify(PATIENCE).expect("boards");
+        let calibrated = identified.calibrate(&WantedBoards { forces, ..wanted() }, nominal);
+        let calibrated = calibrated.expect("boards that take such forces");
+        let mut keybed = calibrated.arm(Terms { forces, ..terms() }, PATIENCE).expect("armed");
+        // Down: 1 N is more than the 0.12 N of stiction.
+        let samples = exchange(&mut keybed, 0, 300, -1.0);
+        for (key, sample) in samples.iter().enumerate() {
+            let is_there = (22..33).contains(&key) || (55..66).contains(&key);
+            assert_eq!(9e-3 < sample.position, is_there, "key {key}: {sample:?}");
+        }
+        let reports = keybed.board_reports();
+        drop(keybed);
+        for (report, living) in reports.iter().zip(boards) {
+            let counts = living.stop().counts();
+            let is_whole = counts.corrupt == 0 && counts.refused == 0;
+            assert!(200 < counts.forces && is_whole, "{counts:?}");
+            assert!(counts.oldest_us <= oldest_us, "{counts:?}");
+            assert_eq!(report.condition.armings, 1, "{report:?}");
+        }
     }
 }
 
@@ -130,22 +138,4 @@ fn a_line_without_a_board_is_refused_by_its_name() {
         sentence.contains("/dev/printer") && sentence.contains("not a byte came"),
         "{sentence}"
     );
-}
-
-#[test]
-fn forces_for_all_boards_move_the_keys_of_each() {
-    let (offline, boards) = keybed(&[2, 5]);
-    let identified = offline.identify(PATIENCE).expect("boards");
-    let forces = ForcePacking::Multicast16;
-    let calibrated = identified.calibrate(&WantedBoards { forces, ..wanted() }, nominal);
-    let calibrated = calibrated.expect("boards that take multicast");
-    let mut keybed = calibrated.arm(Terms { forces, ..terms() }, PATIENCE).expect("armed");
-    let samples = exchange(&mut keybed, 0, 300, -1.0);
-    for key in (22..33).chain(55..66) {
-        assert!(9e-3 < samples[key].position, "key {key}: {:?}", samples[key]);
-    }
-    for living in boards {
-        let counts = living.stop().counts();
-        assert!(200 < counts.forces && counts.oldest_us <= 32_000, "{counts:?}");
-    }
 }

@@ -102,12 +102,6 @@ mod tests {
     }
 
     #[test]
-    fn a_gap_is_counted_with_its_length() {
-        let counts = check(&[(1, 0), (5, 4)], &[true; 2]);
-        assert_eq!((counts.gaps, counts.missing), (1, 3));
-    }
-
-    #[test]
     fn a_repeated_and_an_overtaken_frame_are_no_news() {
         let counts = check(&[(7, 0), (7, 0), (6, 1)], &[true, false, false]);
         assert_eq!((counts.frames, counts.repeated, counts.overtaken), (1, 1, 1));
