@@ -50,13 +50,6 @@ fn each_is_refused_in_a_sentence_of_its_own() {
 }
 
 #[test]
-fn a_folder_is_no_recording() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let error = Recording::open(folder.path()).expect_err("a folder").to_string();
-    assert!(error.contains("cannot be read"), "{error}");
-}
-
-#[test]
 fn a_file_that_another_tool_numbered_anew_is_read_by_names() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("take.mcap");

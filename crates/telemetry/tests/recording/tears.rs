@@ -188,17 +188,19 @@ fn a_hole_costs_the_chunks_that_it_hits_and_their_neighbours_at_most_and_garbage
         let mut bytes = whole.clone();
         bytes[hole..end].fill(0);
         fs::write(&hit, bytes).expect("a file");
-        let Ok(recording) = Recording::open(&hit) else { panic!("{hole}: not even opened") };
+        let recording = Recording::open(&hit).unwrap_or_else(|error| panic!("{hole}: {error}"));
         let (found, _wrong) = read(&recording);
         let first_hit = starts.partition_point(|start| *start <= hole).saturating_sub(1);
         let behind = starts.partition_point(|start| *start < end);
         let before: usize = n_of_chunks.iter().take(first_hit.saturating_sub(1)).sum();
         let after: usize = n_of_chunks.iter().skip(behind + 1).sum();
-        assert!(found.starts_with(&told[..before]), "{length} B from byte {hole}");
-        assert!(found.ends_with(&told[told.len() - after..]), "{length} B from byte {hole}");
+        let [whole_before, whole_behind, saved] =
+            [&told[..before], &told[told.len() - after..], &found].map(but_for_what_is_said_again);
+        assert!(saved.starts_with(&whole_before), "{length} B from byte {hole}");
+        assert!(saved.ends_with(&whole_behind), "{length} B from byte {hole}");
         let _before = fs::remove_file(&new);
-        let saved = recover(&hit, &new).map(|it| it.messages);
-        assert_eq!(saved.expect("it is saved"), found.len() as u64, "{length} B from byte {hole}");
+        let recovered = recover(&hit, &new).expect("it is saved").messages;
+        assert_eq!(recovered, found.len() as u64, "{length} B from byte {hole}");
     }
 }
 
