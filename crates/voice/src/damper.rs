@@ -76,4 +76,13 @@ mod tests {
         assert_eq!((at, event), (Moment { tick: 6, theta: 0.0 }, KeyEvent::DamperLift));
         assert_eq!(damper.follow(8, 8e-3, 1e-3), None);
     }
+
+    #[test]
+    fn a_key_held_at_the_threshold_does_not_chatter() {
+        let mut damper = DamperTracker::new(DAMPER, 0.0);
+        let events = (0..1000)
+            .zip(0_usize..)
+            .filter_map(|(tick, n)| damper.follow(tick, 5.0e-3 + [0.0, 1e-5, -1e-5][n % 3], 1e-3));
+        assert_eq!(events.count(), 1);
+    }
 }
