@@ -128,12 +128,6 @@ mod tests {
     }
 
     #[test]
-    fn a_force_within_all_limits_passes_unchanged() {
-        let want = Gated { force: 3.25, finite: true, limited: false, slewed: false };
-        assert_eq!(gate().apply(3.25, 1e-3), want);
-    }
-
-    #[test]
     fn what_is_not_finite_ramps_to_zero() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let mut gate = gate();
@@ -144,13 +138,6 @@ mod tests {
             assert_eq!(forces.map(f64::to_bits), [7.0, 2.0, 0.0, 0.0].map(f64::to_bits));
             assert!(!gate.apply(bad, 1e-3).finite);
         }
-    }
-
-    #[test]
-    fn a_large_force_ends_at_the_limit_of_its_sign() {
-        let mut gate = gate();
-        let last = [0; 5].map(|_| gate.apply(-1e300, 1e-3))[4];
-        assert_eq!(last, Gated { force: -20.0, finite: true, limited: true, slewed: false });
     }
 
     #[test]

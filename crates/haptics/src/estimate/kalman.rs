@@ -480,19 +480,6 @@ mod tests {
     }
 
     #[test]
-    fn uniform_acceleration_is_followed_without_bias() {
-        let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
-        let mut motion = KeyMotion::at_rest(0.0);
-        for tick in 0..200_u32 {
-            let t = f64::from(tick) * 1e-3;
-            motion = estimator.update(0.5 * 3.0 * t * t, 1e-3);
-        }
-        // The model is exact; what is left is rounding of 0.06 m against T and T².
-        assert!((motion.velocity - 3.0 * 0.199).abs() < 1e-12, "{motion:?}");
-        assert!((motion.acceleration - 3.0).abs() < 1e-9, "{motion:?}");
-    }
-
-    #[test]
     fn samples_at_half_the_rate_get_the_gain_of_a_filter_for_that_rate() {
         let (quantum, density) = (1e-6, Kalman::KEY_JERK_DENSITY);
         let mut often = Kalman::new(1e-3, quantum, density);

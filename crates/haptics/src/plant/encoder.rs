@@ -51,12 +51,6 @@ mod tests {
 
     proptest! {
         #[test]
-        fn counts_survive_the_round_trip(counts: i32, quantum in 1e-9..1e-2_f64) {
-            let encoder = Encoder::new(quantum);
-            prop_assert_eq!(encoder.counts(encoder.position(counts)), counts);
-        }
-
-        #[test]
         fn a_position_comes_back_within_half_a_quantum(
             position in -0.1..0.1_f64,
             quantum in 1e-9..1e-2_f64,

@@ -189,32 +189,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_finger_above_the_key_does_not_touch_it() {
-        assert_eq!(Finger::away().contact(0.0, -3.0).to_bits(), 0.0_f64.to_bits());
-    }
-
-    #[test]
-    fn a_key_that_runs_away_is_not_pulled_back() {
-        let mut finger = Finger::away();
-        finger.place(MuscleCommand { position: 1e-4, velocity: 0.0 }, 0.2);
-        assert_eq!(finger.contact(0.0, 10.0).to_bits(), 0.0_f64.to_bits());
-        // 4000 N/m · 0.1 mm.
-        assert!((finger.contact(0.0, 0.0) - 0.4).abs() < 1e-15);
-    }
-
-    #[test]
-    fn a_hand_that_grips_pulls_as_it_pushes() {
-        let gripping = FingerParameters { grasp: Grasp::Grips, ..FingerParameters::ORDINARY };
-        let mut hand = Finger::new(gripping);
-        for (position, velocity) in [(1e-4, 0.3), (-1e-4, -0.3), (-1e-4, 0.0)] {
-            hand.place(MuscleCommand { position, velocity }, 0.0);
-            // 4000 N/m and 3 N s/m, on either side.
-            let expected = 4e3 * position + 3.0 * velocity;
-            assert!((hand.contact(0.0, 0.0) - expected).abs() < 1e-15);
-        }
-    }
-
-    #[test]
     fn a_finger_is_braced_for_forte_alone_and_no_stiffer_than_the_stiff_corner() {
         let ordinary = FingerParameters::ORDINARY;
         assert_eq!(ordinary.braced(3.0), ordinary);
@@ -240,18 +214,5 @@ mod tests {
         let order = (error(400) / error(800)).abs().log2();
         assert!((order - 1.0).abs() < 0.05, "observed order {order}");
         assert!(error(800).abs() < 1e-4);
-    }
-
-    #[test]
-    fn at_rest_it_presses_with_the_two_springs_in_series() {
-        let mut finger = Finger::away();
-        let mut contact = 0.0;
-        for _ in 0..20_000 {
-            contact = finger.contact(0.01, 0.0);
-            finger.step(0.015, 0.0, contact, 5e-5);
-        }
-        let series = 1.0 / (1.0 / 400.0 + 1.0 / 4000.0);
-        // The rounding of a position of 10 mm against 4 kN/m, a few hundred times over.
-        assert!((contact - series * 0.005).abs() < 1e-12, "{contact}");
     }
 }

@@ -190,16 +190,4 @@ mod tests {
             assert_eq!(motor.force().to_bits(), f64::to_bits(force));
         }
     }
-
-    #[test]
-    fn a_settled_motor_does_not_change() {
-        let mut motor = motor(9);
-        motor.command(0.1 + 0.2);
-        run(&mut motor, 1000);
-        assert!(motor.is_settled());
-        let before = motor;
-        motor.command(0.1 + 0.2);
-        motor.step(H);
-        assert_eq!(motor, before);
-    }
 }

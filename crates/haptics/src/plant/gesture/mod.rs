@@ -160,13 +160,6 @@ mod tests {
     }
 
     #[test]
-    fn a_pressed_finger_starts_on_the_key_and_a_struck_one_above() {
-        let at_start = |touch| endless(touch, 0.5).command(1.0);
-        assert_eq!(at_start(Touch::Pressed), MuscleCommand { position: 0.0, velocity: 0.0 });
-        assert_eq!(at_start(Touch::Struck), MuscleCommand { position: -0.02, velocity: 0.0 });
-    }
-
-    #[test]
     fn a_finger_that_takes_over_starts_at_its_depth_and_is_at_full_speed_no_deeper() {
         let full = |from| {
             let gesture = Gesture { from, ..endless(Touch::Pressed, 0.5) };
@@ -200,14 +193,6 @@ mod tests {
             // Time is rounded at 2 s.
             assert!(command.position.abs() <= 4.0 * speed * f64::EPSILON, "{command:?}");
             assert!((command.velocity - speed).abs() <= f64::EPSILON * speed, "{command:?}");
-        }
-    }
-
-    #[test]
-    fn it_settles_at_the_hold_depth() {
-        for touch in [Touch::Pressed, Touch::Struck] {
-            let command = endless(touch, 0.02).command(10.0);
-            assert_eq!(command, MuscleCommand { position: Gesture::HOLD, velocity: 0.0 });
         }
     }
 
