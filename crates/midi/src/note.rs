@@ -70,24 +70,3 @@ impl Velocity {
         self.0
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_compass_is_a0_to_c8() {
-        assert_eq!(Note::from_key(0).map(Note::number), Some(21));
-        assert_eq!(Note::from_key(87).map(Note::number), Some(108));
-        assert_eq!(Note::from_key(88), None);
-        assert_eq!(Note::from_number(20), None);
-        assert_eq!(Note::from_number(60).map(Note::key), Some(39));
-    }
-
-    #[test]
-    fn a_velocity_is_never_zero_whatever_the_level() {
-        for (level, expected) in [(f64::NAN, 1), (-7.0, 1), (0.6, 1), (64.4, 64), (1e300, 127)] {
-            assert_eq!(Velocity::nearest(level).get(), expected, "level {level}");
-        }
-    }
-}

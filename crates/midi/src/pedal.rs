@@ -65,24 +65,3 @@ impl PedalValues {
         Pedal::ALL.into_iter().zip(self.0)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_pedal_is_found_by_the_number_of_its_controller_and_no_other_is() {
-        let found: Vec<_> = (0..128).filter_map(Pedal::of_number).collect();
-        assert_eq!(found, [Pedal::Sustain, Pedal::Sostenuto, Pedal::UnaCorda]);
-        assert_eq!(Pedal::of_number(65), None);
-    }
-
-    #[test]
-    fn each_pedal_has_a_value_of_its_own() {
-        let mut values = PedalValues::default();
-        assert!(values.set(Pedal::UnaCorda, 90) && !values.set(Pedal::UnaCorda, 90));
-        assert!(!values.set(Pedal::Sustain, 0));
-        let all: Vec<_> = values.all().collect();
-        assert_eq!(all, [(Pedal::Sustain, 0), (Pedal::Sostenuto, 0), (Pedal::UnaCorda, 90)]);
-    }
-}

@@ -60,24 +60,3 @@ impl Output for MidiPort {
         self.0.finish()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_port_can_move_to_the_player_s_thread() {
-        fn check<T: Send>() {}
-        check::<MidiPort>();
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn without_midi_there_is_an_error_and_no_port() {
-        if Path::new("/dev/snd/seq").exists() {
-            return;
-        }
-        assert_eq!(MidiPort::connect("fluid").err(), Some(Unavailable::NoSequencer));
-        assert_eq!(MidiPort::create().err(), Some(Unavailable::NoSequencer));
-    }
-}
