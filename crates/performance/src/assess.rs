@@ -324,13 +324,6 @@ mod tests {
     }
 
     #[test]
-    fn a_double_strike_is_an_extra_one() {
-        let found = assess(&[expected(1, 1.0, 60)], &[struck(1, 1.01, 9), struck(1, 1.001, 60)]);
-        assert_eq!((found.missed, found.extra), (0, 1));
-        assert_eq!(found.velocity_error, Spread::default());
-    }
-
-    #[test]
     fn a_strike_on_another_key_or_too_late_is_a_miss() {
         let notes = [expected(1, 1.0, 60), expected(2, 2.0, 60)];
         let found = assess(&notes, &[struck(2, 1.0, 60), struck(2, 2.0 + 2.0 * REACH, 60)]);
@@ -374,10 +367,5 @@ mod tests {
         assert!((found.onset_error_ms.p99 - 0.098).abs() < 1e-9, "{found}");
         assert_eq!(found.velocity_error, Spread { p50: 1.0, p99: 1.0, max: 1.0 });
         assert_eq!(assessor.finish(4.0 * 1001.0).missed, 1000 + 2);
-    }
-
-    #[test]
-    fn nothing_wanted_and_nothing_struck_is_no_error() {
-        assert_eq!(assess(&[], &[]), Assessment::default());
     }
 }

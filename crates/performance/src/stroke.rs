@@ -146,12 +146,4 @@ mod tests {
         assert!((lift(127) - 1.875 * 25.16e-3 / 0.4).abs() < 1e-9, "{}", lift(127));
         assert_eq!(planned(&[note(0.0, 1.0, 58)])[0].lift.to_bits(), Gesture::LIFT.to_bits());
     }
-
-    #[test]
-    fn a_key_that_does_not_exist_is_left_out() {
-        let score =
-            Score { notes: vec![ScoreNote { key: 88, ..note(0.0, 1.0, 60) }], ..Score::default() };
-        let keys = plan(&score, VelocityCurve::Disklavier, &Technique::default());
-        assert!(keys.iter().all(Vec::is_empty));
-    }
 }

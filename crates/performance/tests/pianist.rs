@@ -1,7 +1,6 @@
 //! A performance prepared and heard, on keys whose answers are known in closed form.
 
 use std::num::NonZero;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use haptics::plant::Gesture;
 use midi::{Pedal, PedalMove};
@@ -97,22 +96,4 @@ fn the_gestures_played_in_one_go_are_heard_as_promised() {
 #[test]
 fn the_number_of_threads_changes_nothing() {
     assert_eq!(prepare(1), prepare(3));
-}
-
-#[test]
-fn every_stroke_is_reported() {
-    let n_calls = AtomicUsize::new(0);
-    let furthest = AtomicUsize::new(0);
-    Pianist::default().prepare(&score(), Toy::new, |progress| {
-        n_calls.fetch_add(1, Ordering::Relaxed);
-        furthest.fetch_max(progress.done, Ordering::Relaxed);
-        assert_eq!(progress.total, 200);
-    });
-    assert_eq!((n_calls.into_inner(), furthest.into_inner()), (200, 200));
-}
-
-#[test]
-fn an_empty_score_is_an_empty_performance() {
-    let performance = Pianist::default().prepare(&Score::default(), Toy::new, |_| ());
-    assert!(performance.gestures.iter().all(Vec::is_empty) && performance.expected.is_empty());
 }

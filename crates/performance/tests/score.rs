@@ -52,12 +52,6 @@ fn note(key: u8, onset: f64, end: f64, velocity: u8) -> ScoreNote {
 }
 
 #[test]
-fn a_quarter_lasts_half_a_second_unless_told_otherwise() {
-    let found = score(&[on(100, 60, 70), off(100, 60)]);
-    assert_eq!(found.notes, [note(39, 0.5, 1.0, 70)]);
-}
-
-#[test]
 fn tempo_changes_hold_for_all_tracks_and_in_the_middle_of_notes() {
     let conductor = vec![tempo(0, 1_000_000), tempo(150, 250_000)];
     let player = vec![on(100, 60, 70), off(100, 60), on(100, 62, 71), off(100, 62)];

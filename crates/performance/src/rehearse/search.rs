@@ -305,33 +305,3 @@ fn between(slow: BracketEnd, fast: BracketEnd) -> f64 {
     let share = -slow.excess / (fast.excess - slow.excess);
     slow.command + share * (fast.command - slow.command)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Tries until `excess` of the guess is below 1e-3; panics if that takes too many.
-    #[track_caller]
-    fn check(excess: impl Fn(f64) -> f64) {
-        let mut bracket = SpeedBracket::new(Touch::Pressed, 0.2);
-        for _ in 0..MAX_TRIES {
-            let found = excess(bracket.guess);
-            if found.abs() < 1e-3 {
-                return;
-            }
-            bracket.learn(found);
-        }
-        panic!("not found, the last guess is {}", bracket.guess);
-    }
-
-    #[test]
-    fn a_proportional_key_is_found_at_once() {
-        check(|command| command + 0.3);
-    }
-
-    #[test]
-    fn a_bent_key_is_found() {
-        check(|command| (command + 0.5).powi(3) + 0.4 * (command + 0.5));
-        check(|command| 3.0 * (command + 2.7));
-    }
-}

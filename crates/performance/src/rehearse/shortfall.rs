@@ -98,14 +98,3 @@ impl fmt::Display for Shortfall {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_left_out_for_want_of_time_says_how_much_is_wanting() {
-        let said = Shortfall::TooSoon { late: Some(0.0426) }.to_string();
-        assert_eq!(said, "left out, since its key can be struck again only 43 ms later");
-    }
-}

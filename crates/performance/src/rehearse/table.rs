@@ -242,10 +242,4 @@ mod tests {
         let hammers: Vec<f64> = rising(&points).iter().map(|point| point.hammer).collect();
         assert_eq!(hammers, [1.0, 1.5, 2.0]);
     }
-
-    #[test]
-    fn an_empty_table_still_guesses() {
-        assert!((StrokeTable::default().command(1.0) - 0.2).abs() < 1e-12);
-        assert!((StrokeTable::default().delay(0.2) - 0.05).abs() < 1e-12);
-    }
 }
