@@ -1,13 +1,11 @@
 //! Expressions that share their parts, and their derivatives.
 #![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
 
-use expressions::graph::{
-    BinaryFunction, Graph, Node, Place, Substitution, Tangent, UnaryFunction,
-};
+use expressions::graph::{Graph, Node, Place, Substitution, UnaryFunction};
 use expressions::tape::Tape;
 use proptest::prelude::*;
 
-use crate::common::{SYMBOLS, Tree, layout, trees, values};
+use crate::common::{SYMBOLS, layout, trees, values};
 use crate::tape::value;
 
 fn symbols<const N: usize>(graph: &mut Graph) -> [Node; N] {
@@ -99,25 +97,6 @@ proptest! {
         let got = evaluate(&graph, whole, &at);
         prop_assert!((got - expected.value).abs() <= 16.0 * expected.error, "{got}");
     }
-
-    #[test]
-    fn substituting_a_symbol_for_itself_changes_nothing(tree in trees()) {
-        let mut graph = Graph::new();
-        let node = tree.build(&mut graph);
-        let itself = SYMBOLS.map(|place| (place, graph.symbol(place)));
-        prop_assert_eq!(Substitution::new(itself).of(&mut graph, node), node);
-    }
-}
-
-#[test]
-fn equal_terms_vanish() {
-    let mut graph = Graph::new();
-    let [x, y] = symbols(&mut graph);
-    let product = graph.multiply(x, y);
-    let zero = graph.subtract(product, product);
-    let one = graph.divide(product, product);
-    assert!(graph.is_zero(zero));
-    assert_eq!(graph.number(one), Some(1.0));
 }
 
 #[test]
@@ -156,8 +135,6 @@ fn many_pairs_of_squares_become_their_number() {
     assert_eq!(graph.number(sum), Some(f64::from(PAIRS)));
 }
 
-/// x ↦ √(x² + c), again and again: after n times √(x² + n c), with the slope x/√(x² + n c).
-/// Neither building, derivative, substitution nor evaluation may go down the stack.
 /// A sum of this many terms is a part of its own in another sum.
 #[test]
 fn odd_and_even_functions_of_a_long_sum_have_one_sign() {
@@ -171,6 +148,8 @@ fn odd_and_even_functions_of_a_long_sum_have_one_sign() {
     assert_eq!(cosine, other);
 }
 
+/// x ↦ √(x² + c), again and again: after n times √(x² + n c), with the slope x/√(x² + n c).
+/// Neither building, derivative, substitution nor evaluation may go down the stack.
 #[test]
 fn deep_chains_do_not_overflow_the_stack() {
     const DEPTH: u32 = 100_000;
@@ -230,33 +209,4 @@ fn long_sums_and_products_written_term_by_term_stay_small() {
     assert!(graph.is_zero(same));
     let one = graph.divide(product, product);
     assert_eq!(graph.number(one), Some(1.0));
-}
-
-#[test]
-fn known_derivatives() {
-    let mut graph = Graph::new();
-    let [x, y] = symbols(&mut graph);
-    let cases: [(Tree, [f64; 6], f64); 5] = [
-        // d atan2(x, y)/dx = y/(x² + y²).
-        (both(BinaryFunction::Atan2), [3.0, 4.0, 0.0, 0.0, 0.0, 0.0], 4.0 / 25.0),
-        (both(BinaryFunction::Hypot), [3.0, 4.0, 0.0, 0.0, 0.0, 0.0], 3.0 / 5.0),
-        (both(BinaryFunction::Power), [2.0, 3.0, 0.0, 0.0, 0.0, 0.0], 12.0),
-        (both(BinaryFunction::Max), [2.0, 3.0, 0.0, 0.0, 0.0, 0.0], 0.0),
-        (both(BinaryFunction::Min), [2.0, 3.0, 0.0, 0.0, 0.0, 0.0], 1.0),
-    ];
-    for (tree, at, expected) in cases {
-        let node = tree.build(&mut graph);
-        let derivative = graph.partial(node, SYMBOLS[0]);
-        let got = evaluate(&graph, derivative, &at);
-        assert!((got - expected).abs() < 1e-14, "{tree:?}: {got} is not {expected}");
-    }
-    // Along a direction in which both move.
-    let one = graph.constant(1.0);
-    let product = graph.multiply(x, y);
-    let rate = Tangent::new([(SYMBOLS[0], one), (SYMBOLS[1], x)]).of(&mut graph, product);
-    assert!((evaluate(&graph, rate, &[2.0, 5.0, 0.0, 0.0, 0.0, 0.0]) - 9.0).abs() < 1e-15);
-}
-
-fn both(function: BinaryFunction) -> Tree {
-    Tree::Binary(function, Box::new(Tree::Symbol(0)), Box::new(Tree::Symbol(1)))
 }
