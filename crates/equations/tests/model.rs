@@ -9,7 +9,7 @@ use equations::{DoesNotFit, EquationModel, ModeNumber};
 use pode::stepper::Rk4;
 use pode::{
     Auditor, EquationKind, GuardBound, GuardId, Guarded as _, Limits, Model as _, Motion,
-    Resets as _, Simulator, Sloped as _, State as _,
+    Resets as _, Simulator,
 };
 
 use crate::swing::Swing;
@@ -34,17 +34,6 @@ fn a_table_that_is_too_large_is_refused_with_what_it_needs() {
 }
 
 #[test]
-fn missing_values_are_the_default_presets() {
-    assert_eq!(swing::<2>(&[]).parameters(), [20.0, 5.0]);
-    assert_eq!(swing::<2>(&[7.0]).parameters(), [7.0, 5.0]);
-    let mut values = [0.0; 2];
-    swing::<2>(&[]).preset(0, 3, &mut values);
-    assert_eq!(values, [23.0, 5.0]);
-    assert_eq!(swing::<2>(&[7.0]), swing::<2>(&[7.0, 5.0]));
-    assert_ne!(swing::<2>(&[7.0]), swing::<2>(&[]));
-}
-
-#[test]
 fn entries_beyond_the_tables_stay_zero() {
     let (small, large) = (swing::<2>(&[]), swing::<5>(&[]));
     let input = still(0.3);
@@ -58,15 +47,6 @@ fn entries_beyond_the_tables_stay_zero() {
     let columns = |x: &[f64; 5]| pode::Matrix::apply(&large.jacobian(SWING, x, &input), x);
     let found = columns(&[0.1, 0.2, 0.0, 0.0, 0.0]);
     assert_eq!(found, [0.2, -(20.0 + 5.0 * 0.1_f64.cos()) * 0.1, 0.0, 0.0, 0.0]);
-}
-
-#[test]
-fn it_rests_where_spring_and_weight_are_balanced() {
-    for position in [-0.4, 0.0, 0.2, 0.45] {
-        let [angle, rate] = swing::<2>(&[]).at_rest(&still(position)).1;
-        let left = 20.0 * (position - angle) - 5.0 * angle.sin();
-        assert!(left.abs() < 1e-14 && rate == 0.0, "{left:e} at {angle}");
-    }
 }
 
 #[test]
@@ -121,26 +101,4 @@ fn energy_is_accounted_for_over_a_swing() {
     assert!(simulator.run(3.0, 1e-3, input, &mut audit).is_completed());
     assert!(audit.sums.supplied.abs() > 1e-3, "{}", audit.sums.supplied);
     assert!(audit.sums.integration.abs() < 1e-11, "{:e}", audit.sums.integration);
-}
-
-#[test]
-fn what_it_says_about_itself_comes_from_the_table() {
-    let model = swing::<2>(&[0.5]);
-    let input = still(0.3);
-    let x = [0.1, 0.0];
-    let mut all = [0.0; 3];
-    model.outputs(SWING, &x, &input, &mut all);
-    assert_eq!(all, [0.1, 0.5 * (0.3 - 0.1), 5.5]);
-    let mut two = [0.0; 2];
-    model.outputs(SWING, &x, &input, &mut two);
-    assert_eq!(two, [all[0], all[1]]);
-    let slopes = model.slopes(SWING, &x, &input);
-    assert_eq!((slopes.per_position, slopes.per_rate), (0.5, 0.0));
-    assert_eq!(model.input_per_metre(), 2.0);
-    assert_eq!(model.unmet().map(|it| it.text.to_string()).collect::<Vec<_>>(), ["k > 1"]);
-    assert_eq!(swing::<2>(&[]).unmet().count(), 0);
-    let mut numbers = [0.0; 5];
-    model.drawing_numbers(&mut numbers);
-    assert_eq!(numbers, [-1.0, -1.0, 1.0, 1.0, 0.5]);
-    assert_eq!(<[f64; 2]>::ZERO, [0.0; 2]);
 }
