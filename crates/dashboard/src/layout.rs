@@ -95,21 +95,4 @@ mod tests {
             assert!(is_open(&layout, *pane), "{pane:?}");
         }
     }
-
-    #[test]
-    fn a_panel_is_closed_and_opened_again() {
-        let mut layout = first();
-        close(&mut layout, Pane::Midi);
-        assert!(!is_open(&layout, Pane::Midi));
-        open(&mut layout, Pane::Midi);
-        open(&mut layout, Pane::Scope(3));
-        assert!(is_open(&layout, Pane::Midi) && is_open(&layout, Pane::Scope(3)));
-    }
-
-    #[test]
-    fn a_layout_survives_a_restart() {
-        let text = serde_json::to_string(&first()).expect("JSON");
-        let back: Layout = serde_json::from_str(&text).expect("a layout");
-        assert!(is_open(&back, Pane::Tuning));
-    }
 }

@@ -160,29 +160,6 @@ fn a_value_goes_back_to_the_instrument_s() {
 }
 
 #[test]
-fn a_locked_parameter_does_not_move() {
-    let mut window = open(Pane::Tuning, Behind::Live);
-    window.click("lock rebound");
-    slide(&mut window, "rebound", 0.9);
-    assert!(window.set(C4, "rebound").is_empty());
-    window.click("lock rebound");
-    slide(&mut window, "rebound", 0.9);
-    assert!(!window.set(C4, "rebound").is_empty());
-}
-
-#[test]
-fn a_range_follows_one_slider() {
-    let mut window = open(Pane::Tuning, Behind::Live);
-    window.click("link");
-    window.click("same value");
-    window.click("All keys");
-    write(&mut window, "lever leather loss value", "9");
-    for key in [C4, 43, 46] {
-        assert_eq!(window.set(key, "c_drive").last(), Some(&9.0), "{key}");
-    }
-}
-
-#[test]
 fn a_and_b_are_compared() {
     let mut window = open(Pane::Tuning, Behind::Live);
     window.click("Store A");
@@ -359,19 +336,6 @@ fn a_board_shows_its_light() {
     assert_eq!(window.asked().last(), Some(&Request::Identify { line: 1, board: 5 }));
     // The answer stands in the bar, and beside the board.
     assert_eq!(window.harness.query_all_by_label("It shows its light.").count(), 2);
-}
-
-#[test]
-fn a_light_that_is_refused_says_why_beside_its_board() {
-    let mut window = open(Pane::Links, Behind::Recording);
-    window.click("Identify board 2 of simulated 2");
-    assert_eq!(
-        window
-            .harness
-            .query_all_by_label("this is a recording: nothing in it can be changed")
-            .count(),
-        2
-    );
 }
 
 #[test]
@@ -767,21 +731,6 @@ fn deadlines_show_which_distribution_is_asked_for() {
 }
 
 #[test]
-fn force_and_travel_say_what_a_technician_wants_to_know() {
-    let window = open(Pane::Phase, Behind::Live);
-    for text in ["down ", "up ", "balance ", "friction "] {
-        assert!(window.says(text), "{text}");
-    }
-}
-
-#[test]
-fn a_mechanism_says_its_mode() {
-    let window = open(Pane::Mechanism, Behind::Live);
-    assert!(window.has("mechanism of C4"));
-    assert!(window.says("caught") || window.says("free"));
-}
-
-#[test]
 fn a_mechanism_of_a_key_without_rows_is_not_drawn_but_waited_for() {
     let waits = "Waiting for this key's first row: how it stands is not known yet.";
     let mut window = open_with(Behind::Live, None, |app| app.show_only(Pane::Mechanism));
@@ -804,17 +753,6 @@ fn a_panel_is_closed_and_opened_from_the_menu() {
     window.click("Reset layout");
     assert!(window.has("STOP") || window.says("STOP"));
     assert!(window.has("key C4"));
-}
-
-#[test]
-fn dark_light_and_scale_are_chosen() {
-    let mut window = open(Pane::Log, Behind::Live);
-    window.click("View");
-    window.click("Light");
-    assert_eq!(window.harness.ctx.theme(), egui::Theme::Light);
-    window.click("View");
-    window.click("Dark");
-    assert_eq!(window.harness.ctx.theme(), egui::Theme::Dark);
 }
 
 #[test]

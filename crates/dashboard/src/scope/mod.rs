@@ -180,17 +180,6 @@ mod tests {
     }
 
     #[test]
-    fn it_follows_until_it_is_touched() {
-        let mut scope = Scope::default();
-        sees(&scope, 10.0, 8.0, 10.0);
-        scope.pan(-1.0, 10.0);
-        sees(&scope, 20.0, 7.0, 9.0);
-        assert!(!scope.follows());
-        scope.pinned = None;
-        sees(&scope, 20.0, 18.0, 20.0);
-    }
-
-    #[test]
     fn zooming_leaves_the_time_under_the_pointer() {
         let mut scope = Scope::default();
         scope.zoom(0.5, 8.5, 10.0);
@@ -207,18 +196,5 @@ mod tests {
         assert_eq!(scope.keys(40), [40, 39, 43, 46]);
         scope.compare(0..88);
         assert_eq!(scope.compared.len(), COMPARED);
-    }
-
-    #[test]
-    fn a_channel_is_shown_and_hidden() {
-        let (mut scope, store) = (Scope::default(), Store::default());
-        assert_eq!(scope.channels(&store, 39), [["sent"], ["position"]]);
-        scope.toggle(&store, 39, 0, "force");
-        scope.toggle(&store, 39, 1, "position");
-        scope.toggle(&store, 39, 2, "speed");
-        let none: Vec<String> = Vec::new();
-        let expected =
-            [vec!["sent".to_owned(), "force".to_owned()], none, vec!["speed".to_owned()]];
-        assert_eq!(scope.channels(&store, 39), expected);
     }
 }

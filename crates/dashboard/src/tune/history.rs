@@ -119,31 +119,11 @@ mod tests {
     }
 
     #[test]
-    fn a_drag_is_one_step() {
-        let mut history = UndoHistory::default();
-        for i in 0..10 {
-            let at = f64::from(i);
-            history.enter("drag", value(at), value(at + 1.0), Some(7));
-        }
-        assert_eq!(history.steps().len(), 1);
-        assert_eq!(history.undo(), Some(value(0.0)));
-        assert_eq!(history.redo(), Some(value(10.0)));
-    }
-
-    #[test]
     fn memory_is_bounded() {
         let mut history = UndoHistory::default();
         for _ in 0..2 * KEPT {
             history.enter("step", value(0.0), value(1.0), None);
         }
         assert_eq!(history.steps().len(), KEPT);
-    }
-
-    #[test]
-    fn what_was_refused_is_no_step() {
-        let mut history = UndoHistory::default();
-        history.enter("step", value(0.0), value(1.0), None);
-        history.forget(&[ParameterSlot::new(39, "k2")]);
-        assert!(history.last().is_none());
     }
 }

@@ -101,25 +101,14 @@ mod tests {
     }
 
     #[test]
-    fn alone_nothing_follows() {
+    fn what_follows_a_key_is_what_its_link_says() {
         check(LinkedKeys::Alone, 14, 3.0, &[(14, 3.0)]);
-    }
-
-    #[test]
-    fn all_take_the_same_value() {
         check(LinkedKeys::Same, 14, 3.0, &[(12, 3.0), (13, 3.0), (14, 3.0), (15, 3.0), (16, 3.0)]);
-    }
-
-    #[test]
-    fn all_change_by_the_same_factor() {
-        let expected = [(12, 24.0), (13, 26.0), (14, 28.0), (15, 30.0), (16, 32.0)];
-        check(LinkedKeys::Factor, 14, 28.0, &expected);
-    }
-
-    #[test]
-    fn a_graded_range_bends_at_the_key_and_keeps_its_ends() {
-        let expected = [(12, 12.0), (13, 16.0), (14, 20.0), (15, 18.0), (16, 16.0)];
-        check(LinkedKeys::Graded, 14, 20.0, &expected);
+        let factor = [(12, 24.0), (13, 26.0), (14, 28.0), (15, 30.0), (16, 32.0)];
+        check(LinkedKeys::Factor, 14, 28.0, &factor);
+        // It bends at the key and keeps its ends.
+        let graded = [(12, 12.0), (13, 16.0), (14, 20.0), (15, 18.0), (16, 16.0)];
+        check(LinkedKeys::Graded, 14, 20.0, &graded);
     }
 
     #[test]

@@ -77,13 +77,4 @@ mod tests {
         let now = [(0, "a".to_owned()), (1, "b".to_owned())].into();
         assert_eq!(snapshot.values(&now), values(&[(0, "k", 1.0)]));
     }
-
-    #[test]
-    fn a_snapshot_survives_a_restart() {
-        let models: BTreeMap<u8, String> = [(0, "a".to_owned())].into();
-        let snapshot = Snapshot::new(models.clone(), &values(&[(0, "k", 0.1 + 0.2)]));
-        let text = serde_json::to_string(&snapshot).expect("JSON");
-        let back: Snapshot = serde_json::from_str(&text).expect("a snapshot");
-        assert_eq!(back.values(&models), snapshot.values(&models));
-    }
 }

@@ -52,16 +52,3 @@ fn keys(text: &str) -> Option<Vec<u8>> {
     let ranges: Option<Vec<_>> = words.map(names::range).collect();
     ranges.map(|ranges| ranges.into_iter().flatten().collect())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn keys_are_named_one_by_one_or_as_ranges() {
-        assert_eq!(keys("E4, G4..A4"), Some(vec![43, 46, 47, 48]));
-        assert_eq!(keys("C4 E4"), Some(vec![39, 43]));
-        assert_eq!(keys(" "), Some(Vec::new()));
-        assert_eq!(keys("C4, H9"), None);
-    }
-}

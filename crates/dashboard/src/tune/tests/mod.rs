@@ -134,40 +134,6 @@ fn values_stay_within_their_limits() {
 }
 
 #[test]
-fn steps_are_taken_back_and_done_again() {
-    let mut tuner = tuner();
-    edit(&mut tuner, 20.0);
-    edit(&mut tuner, 30.0);
-    tuner.undo();
-    shows(&tuner, 20.0);
-    tuner.undo();
-    shows(&tuner, 10.0);
-    tuner.undo();
-    shows(&tuner, 10.0);
-    tuner.redo();
-    tuner.redo();
-    shows(&tuner, 30.0);
-    assert_eq!(send(&mut tuner, 1), [30.0]);
-}
-
-#[test]
-fn one_goes_to_any_step_and_comes_back() {
-    let mut tuner = tuner();
-    for value in [20.0, 30.0, 40.0] {
-        edit(&mut tuner, value);
-    }
-    for (steps, value) in [(1, 20.0), (3, 40.0), (0, 10.0), (2, 30.0), (99, 40.0)] {
-        tuner.go_to(steps);
-        shows(&tuner, value);
-    }
-    tuner.go_to(1);
-    let undone: Vec<Option<f64>> =
-        tuner.history().undone().map(|step| step.after.values().next().copied()).collect();
-    assert_eq!(undone, [Some(30.0), Some(40.0)]);
-    assert_eq!(send(&mut tuner, 1), [20.0]);
-}
-
-#[test]
 fn a_range_is_taken_back_as_one() {
     let mut tuner = tuner();
     tuner.edit((KEY, "k"), 40.0, (LinkedKeys::Same, &(0..=87)), Some(1));
@@ -201,23 +167,6 @@ fn what_is_locked_stays() {
     tuner.toggle_lock("k");
     edit(&mut tuner, 30.0);
     shows(&tuner, 30.0);
-}
-
-#[test]
-fn a_and_b_are_heard_in_turn_and_between() {
-    let mut tuner = tuner();
-    tuner.kept.compared[0] = Some(tuner.snapshot());
-    edit(&mut tuner, 20.0);
-    tuner.kept.compared[1] = Some(tuner.snapshot());
-    tuner.morph(0.25, Some(1));
-    shows(&tuner, 12.5);
-    tuner.morph(0.0, Some(1));
-    shows(&tuner, 10.0);
-    let b = tuner.kept.compared[1].clone().expect("B");
-    tuner.recall(&b, "B");
-    shows(&tuner, 20.0);
-    tuner.undo();
-    shows(&tuner, 10.0);
 }
 
 #[test]
