@@ -92,17 +92,3 @@ fn apt_get(prefix: &[&str], arguments: &[&str]) -> Command {
     command.args(all);
     command
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::command::words;
-
-    #[test]
-    fn apt_get_runs_as_root_or_through_sudo_and_never_asks() {
-        let tail =
-            "env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=120 update";
-        assert_eq!(words(&apt_get(&[], &["update"])), tail);
-        assert_eq!(words(&apt_get(&["sudo"], &["update"])), format!("sudo {tail}"));
-    }
-}

@@ -95,20 +95,3 @@ pub(crate) fn become_command(command: &mut Command) -> Result<(), Error> {
 pub(crate) fn become_command(command: &mut Command) -> Result<(), Error> {
     run(command)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_command_is_shown_as_typed() {
-        let mut command = Command::new("/usr/bin/cargo");
-        command.args(["test", "--doc"]);
-        assert_eq!(words(&command), "cargo test --doc");
-    }
-
-    #[test]
-    fn the_root_holds_the_workspace() {
-        assert!(root().join("Cargo.lock").exists());
-    }
-}

@@ -89,20 +89,3 @@ impl fmt::Display for Error {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_missing_is_named_in_words_and_as_packages() {
-        let needs = vec![Need::PkgConfig, Need::Alsa];
-        let error = Error::Missing { needs, because: "there is no apt-get here" };
-        assert_eq!(
-            error.to_string(),
-            "the build needs pkg-config and the headers of the ALSA library, and there is no \
-             apt-get here: install what is missing (on Debian and Ubuntu: apt-get install \
-             pkg-config libasound2-dev), then try again"
-        );
-    }
-}

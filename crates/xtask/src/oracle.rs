@@ -54,17 +54,3 @@ fn compare(python: &PathBuf) -> Command {
     command.env(PYTHON, python);
     command
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::command::words;
-
-    #[test]
-    fn the_tests_are_given_a_python() {
-        let command = compare(&PathBuf::from("python"));
-        assert_eq!(words(&command), "cargo test --workspace --test all oracle -- --nocapture");
-        assert!(command.get_envs().any(|(name, value)| name == PYTHON && value.is_some()));
-        assert!(root().join(REQUIREMENTS).exists());
-    }
-}

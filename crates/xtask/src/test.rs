@@ -129,13 +129,4 @@ mod tests {
         let skipped: Vec<_> = stages.iter().map(|stage| stage.skipped).collect();
         assert_eq!(skipped, [None, Some("x"), None, None, None, None]);
     }
-
-    #[test]
-    fn the_no_std_build_names_each_crate() {
-        assert_eq!(
-            no_std(&[]).join(" "),
-            "check --no-default-features --package pode --package contacts --package equations \
-             --package scheduler --package firmware-protocol"
-        );
-    }
 }

@@ -64,16 +64,3 @@ pub(crate) fn find(program: &str) -> Option<PathBuf> {
     let folders = env::split_paths(&path).chain(SYSTEM.map(PathBuf::from));
     folders.map(|folder| folder.join(program)).find(|path| Path::is_file(path))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_missing_package_is_named_once() {
-        let tools: [&[Tool]; 2] = [&[("a", "one"), ("b", "other")], &[("c", "one")]];
-        assert!(packages(&tools, |_| true).is_empty());
-        assert_eq!(packages(&tools, |program| program == "b"), ["one"]);
-        assert_eq!(packages(&tools, |_| false), ["one", "other"]);
-    }
-}

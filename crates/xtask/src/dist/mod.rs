@@ -93,15 +93,3 @@ fn size(root: &Path) -> Result<u64, Error> {
     let size = said.split_whitespace().next().and_then(|it| it.parse().ok());
     size.ok_or_else(|| Error::unobtainable("the size of the package", format!("du says {said}")))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cargo_builds_into_a_folder_of_the_profile_or_into_debug() {
-        assert_eq!(folder_of(PROFILE), "dist");
-        assert_eq!(folder_of("release"), "release");
-        assert_eq!(folder_of("dev"), "debug");
-    }
-}

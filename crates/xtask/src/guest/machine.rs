@@ -122,16 +122,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_guest_ends_when_its_program_does() {
-        let (kernel, initrd) = (Path::new("vmlinuz"), Path::new("initrd"));
-        let machine =
-            VirtualMachine { kernel, initrd, system: GuestSystem::Busybox, part: "fates" };
-        let line = command::words(&machine.command());
-        assert!(line.contains("-no-reboot -icount shift=0,sleep=off -kernel vmlinuz"), "{line}");
-        assert!(line.ends_with("panic=-1 quiet reboot=t part=fates"), "{line}");
-    }
-
-    #[test]
     fn a_console_that_closes_ends_the_listening() {
         let (console, lines) = mpsc::channel();
         for text in ["CHECK passed  1.0 s: something", "VERDICT 0 of 1 checks failed, after 1 s"] {
