@@ -119,12 +119,6 @@ fn copies_keep_the_code_alive_on_other_threads() {
 }
 
 #[test]
-fn no_functions_are_no_error() {
-    let native = compile(&[]).unwrap();
-    assert!(native.is_empty());
-}
-
-#[test]
 fn the_two_functions_of_a_series_give_the_tapes_bits() {
     let lever = lever::functions();
     let series = Recursion::new(&lever[1], 4).tapes();
