@@ -174,14 +174,3 @@ pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>) -> Rig
     reader.finish(report);
     rig
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rigs_are_those_of_the_simulated_keybed_and_of_the_paper() {
-        assert_eq!(Rig::default().parameters(), RigParameters::default());
-        assert_eq!(Rig::paper().parameters(), RigParameters::PAPER);
-    }
-}

@@ -210,12 +210,6 @@ mod tests {
     }
 
     #[test]
-    fn a_constant_is_exact_on_every_key() {
-        let graded = Graded { bass: 0.1, treble: 0.1 };
-        assert!((0..88).all(|key| graded.at(key).to_bits() == 0.1_f64.to_bits()));
-    }
-
-    #[test]
     fn every_preset_stays_within_its_model_s_ranges() {
         let library = Library::default();
         for name in descriptions::model_names() {
