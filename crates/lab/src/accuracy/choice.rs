@@ -84,13 +84,6 @@ mod tests {
     }
 
     #[test]
-    fn no_names_are_all_of_them() {
-        let choice = StudyChoice::new(&[], &[], Effort::QUICK).unwrap();
-        assert_eq!(choice.scenarios.len(), SCENARIOS.len());
-        assert_eq!(choice.methods.len(), METHODS.len());
-    }
-
-    #[test]
     fn every_unknown_name_is_told_at_once() {
         let scenarios = names(&["ball", "bell"]);
         let unknown = StudyChoice::new(&scenarios, &names(&["rk5"]), Effort::QUICK).unwrap_err();

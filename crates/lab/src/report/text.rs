@@ -45,21 +45,3 @@ pub(super) fn setting(row: &StudyRow) -> String {
         MethodKind::Budgeted => format!("budget {tolerance:e}"),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_as_short_as_can_be() {
-        let found = [0.0, 0.012_34, 1.234, 23.45, 456.7, 1.2e6, 3e-5].map(short);
-        assert_eq!(found, ["0", "0.012", "1.23", "23.4", "457", "1.2e6", "3.0e-5"]);
-        assert_eq!([1e-9, 3.162_277_660_168e-12].map(exponent), ["1e-9", "3.2e-12"]);
-    }
-
-    #[test]
-    fn durations_have_their_unit() {
-        let found = [5e-3, 2.5e-4, 1e-6, 3.0, 1e-9, 1e-12].map(duration);
-        assert_eq!(found, ["5 ms", "250 µs", "1 µs", "3 s", "1 ns", "1 ps"]);
-    }
-}

@@ -413,18 +413,6 @@ mod tests {
     }
 
     #[test]
-    fn a_cubic_comes_back_from_its_spline() {
-        let cubic = |t: f64| 2.0 - t + 3.0 * t * t - 0.5 * t * t * t;
-        let samples: Vec<_> = [0.0, 0.3, 1.0, 1.1, 2.0].map(|t| (t, cubic(t))).to_vec();
-        let at = InputTable::through(&samples, Reconstruct::Spline).at(1.7);
-        let expected = [cubic(1.7), -1.0 + 6.0 * 1.7 - 1.5 * 1.7 * 1.7, 6.0 - 3.0 * 1.7, -3.0];
-        let got = [at.position, at.rate, at.acceleration, at.jerk];
-        for (got, expected) in got.into_iter().zip(expected) {
-            assert!((got - expected).abs() < 1e-12, "{got} is not {expected}");
-        }
-    }
-
-    #[test]
     fn outside_the_table_the_end_values_hold() {
         for how in [Reconstruct::Hold, Reconstruct::Linear, Reconstruct::Spline] {
             let table = InputTable::through(&sine(0.2), how);

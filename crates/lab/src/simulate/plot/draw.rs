@@ -147,14 +147,3 @@ fn short(value: f64) -> String {
     };
     format!("{value:.decimals$}")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn peaks_have_three_digits() {
-        let shorts = [0.123_45, 12.3, 1234.0, 1e-5, 3e9].map(short);
-        assert_eq!(shorts, ["0.123", "12.3", "1234", "1.00e-5", "3.00e9"]);
-    }
-}
