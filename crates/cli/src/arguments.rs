@@ -94,14 +94,4 @@ mod tests {
             assert!(bytes(text).unwrap_err().contains("is no size"), "{text}");
         }
     }
-
-    #[test]
-    fn a_wrong_number_is_called_what_it_should_be() {
-        assert!(seconds("0").unwrap_err().contains("no length"));
-        assert!(ratio("-1").unwrap_err().contains("no ratio"));
-        assert!(share("2").unwrap_err().contains("no share"));
-        for text in ["nan", "inf", "fast"] {
-            assert!(number(text).unwrap_err().contains("is not a number"), "{text}");
-        }
-    }
 }

@@ -234,20 +234,3 @@ async fn show(mut window: Command, signals: &mut Signals) -> Result<(), Failure>
         Some(_) | None => Ok(()),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_host_s_fingerprint_stands_behind_its_address() {
-        let place = |target: &str, fingerprint: Option<&str>| DashTarget {
-            target: target.to_owned(),
-            token: None,
-            fingerprint: fingerprint.map(str::to_owned),
-        };
-        assert_eq!(DashTarget::said("ws://127.0.0.1:1", None), place("ws://127.0.0.1:1", None));
-        let said = DashTarget::said("wss://[::1]:1#AB:CD", None);
-        assert_eq!(said, place("wss://[::1]:1", Some("AB:CD")));
-    }
-}

@@ -191,14 +191,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn journald_gets_a_level_before_each_line() {
-        let written = LogFormat::Journal.written(Level::Warning, "one\n  two");
-        assert_eq!(written, "<4>one\n<4>  two");
-        assert_eq!(LogFormat::Journal.written(Level::Error, "x"), "<3>x");
-        assert_eq!(LogFormat::Plain.written(Level::Error, "x"), "letoff: x");
-    }
-
-    #[test]
     fn a_line_of_json_is_one_line_whatever_stands_in_it() {
         let written = LogFormat::Json.written(Level::Info, "a \"b\"\nc");
         let read: serde_json::Value = serde_json::from_str(&written).expect("JSON");

@@ -245,10 +245,4 @@ mod tests {
         assert_eq!((it["keys"].as_u64(), it["verdict"].as_str()), (Some(88), Some("refused")));
         assert!((it["load"].as_f64().unwrap() - 1.95).abs() < 0.01, "{text}");
     }
-
-    #[test]
-    fn a_scene_without_boards_says_what_to_give() {
-        let Err(Failure::Usage(why)) = planned(&args(&[])).1 else { panic!("it was planned") };
-        assert!(why.contains("has no boards: give --link"), "{why}");
-    }
 }

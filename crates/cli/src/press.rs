@@ -112,18 +112,3 @@ fn key(text: &str) -> Result<KeyIndex, String> {
         format!("`{text}` is no key: write its name, A0 to C8, or its MIDI number, 21 to 108")
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_key_is_typed_by_its_name_or_its_midi_number() {
-        for text in ["C4", "60"] {
-            assert_eq!(key(text).map(KeyIndex::number), Ok(39), "{text}");
-        }
-        for text in ["H4", "20", "109", "", "C9"] {
-            assert!(key(text).is_err_and(|why| why.contains("A0 to C8")), "{text}");
-        }
-    }
-}

@@ -151,14 +151,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_recovered_file_lies_beside_the_old_one() {
-        let name = |file: &str| beside(Path::new(file), "-recovered");
-        assert_eq!(name("takes/one.mcap"), Path::new("takes/one-recovered.mcap"));
-        assert_eq!(name("one"), Path::new("one-recovered.mcap"));
-        assert_eq!(name("take.1.mcap"), Path::new("take.1-recovered.mcap"));
-    }
-
-    #[test]
     fn what_was_lost_is_said_in_pieces_and_bytes() {
         let of = |cut, damaged| {
             let recovered = Recovered { cut, damaged, ..Recovered::default() };

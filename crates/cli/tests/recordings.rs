@@ -97,16 +97,6 @@ fn what_is_no_recording_is_refused_in_a_sentence() {
     }
 }
 
-#[test]
-fn a_recording_that_was_cut_is_replayed_up_to_the_tear() {
-    let folder = Folder::new("cut");
-    cut(&folder);
-    let (_code, out, err) = folder.letoff(&["replay", "cut.mcap", "--json"]);
-    assert!(err.contains("cut.mcap breaks off"), "{err}");
-    assert!(err.contains("`letoff recover cut.mcap`"), "{err}");
-    assert!(out.contains("\"ticks\": "), "{out}");
-}
-
 /// Records `a.mcap`, and makes `cut.mcap` of its first half.
 fn cut(folder: &Folder) {
     recorded(folder);
@@ -167,20 +157,6 @@ fn a_whole_recording_is_copied_and_nothing_is_lost() {
     assert!(!out.contains("lost"), "{out}");
     let (code, _out, err) = folder.letoff(&["replay", "b.mcap"]);
     assert_eq!(code, Some(0), "{err}");
-}
-
-#[test]
-fn a_damaged_piece_is_left_out_and_counted() {
-    let folder = Folder::new("recover-hit");
-    recorded(&folder);
-    let mut bytes = std::fs::read(folder.join("a.mcap")).expect("a recording");
-    let middle = bytes.len() / 2;
-    bytes[middle] ^= 0xff;
-    folder.write("hit.mcap", &bytes);
-    let (code, out, err) = folder.letoff(&["recover", "hit.mcap"]);
-    assert_eq!((code, err.as_str()), (Some(0), ""));
-    assert!(out.contains("hit.mcap is damaged at byte "), "{out}");
-    assert!(out.contains("lost: a damaged piece"), "{out}");
 }
 
 /// Does damage to the bytes of a recording.

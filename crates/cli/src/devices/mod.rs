@@ -238,7 +238,6 @@ fn midi() -> Section {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use links::discovery::{BitTiming, CanInterface, CanLink};
 
     fn text(section: &Section) -> String {
         let mut out = Vec::new();
@@ -259,38 +258,6 @@ mod tests {
             text(&section),
             "CAN interfaces:\n  can0                     CAN FD, up\n    \
              cannot be used: it is off\n    advice: do this\n    advice: do that\n"
-        );
-    }
-
-    #[test]
-    fn a_controller_is_described_in_one_line() {
-        let timing = |bitrate| Some(BitTiming { bitrate, sample_point: 875 });
-        let can = CanInterface {
-            name: "can0".to_owned(),
-            is_virtual: false,
-            carries_fd: true,
-            is_up: true,
-            state: "up".to_owned(),
-            mtu: Some(72),
-            queue_length: Some(64),
-            driver: Some("gs_usb".to_owned()),
-            link: Some(CanLink {
-                nominal: timing(500_000),
-                data: timing(5_000_000),
-                restart_ms: Some(100),
-                state: Some("ERROR-ACTIVE".to_owned()),
-                tx_errors: Some(1),
-                rx_errors: Some(0),
-                modes: vec!["FD".to_owned()],
-            }),
-            obstacle: None,
-            advice: Vec::new(),
-        };
-        assert_eq!(
-            wire(&can),
-            "CAN FD, up, MTU 72, queue of 64, driver gs_usb, 0.5 Mbit/s sampled at 87.5 %, data \
-             5 Mbit/s sampled at 87.5 %, ERROR-ACTIVE, 1 transmit and 0 receive errors, \
-             restart-ms 100, modes FD"
         );
     }
 
