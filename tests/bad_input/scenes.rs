@@ -63,13 +63,6 @@ fn checking_it_says_the_same_and_for_programs_too() {
 }
 
 #[test]
-fn a_scene_that_is_cut_off_is_refused_where_it_ends() {
-    let folder = folder("cut-scene");
-    fs::write(folder.join("cut.toml"), "title = \"half of it\"\n[[keys").expect("a file");
-    check(&folder, &["run", "cut.toml"], 2, &["cut.toml:2:7", "not TOML"]);
-}
-
-#[test]
 fn a_description_in_the_place_of_an_instrument_is_called_what_it_is() {
     let folder = folder("description-as-instrument");
     let spring = include_str!("../../configs/models/spring.toml");
@@ -97,27 +90,6 @@ fn the_name_of_a_file_is_escaped_in_mistakes_and_in_the_report() {
     );
     let said = run(&folder, &["run", name, "--virtual-time", "--duration", "0.1"]);
     assert!(said.out.starts_with(&format!("{escaped}: 88 voices")), "{said:?}");
-}
-
-#[test]
-fn an_empty_scene_is_refused() {
-    let folder = folder("empty-scene");
-    fs::write(folder.join("empty.toml"), "").expect("a file");
-    check(&folder, &["run", "empty.toml"], 2, &["empty.toml", "no keys"]);
-}
-
-#[test]
-fn a_scene_that_is_no_text_is_refused() {
-    let folder = folder("binary-scene");
-    fs::write(folder.join("binary.toml"), [b'a', b'\n', 0xFF, 0x00]).expect("a file");
-    check(&folder, &["run", "binary.toml"], 2, &["binary.toml:2:1", "UTF-8"]);
-}
-
-#[test]
-fn a_scene_that_is_not_there_is_answered_with_those_that_are() {
-    let folder = folder("no-scene");
-    check(&folder, &["run", "defualt"], 2, &["\"defualt\"", "default"]);
-    check(&folder, &["run", "missing.toml"], 2, &["there is no file \"missing.toml\""]);
 }
 
 #[test]
