@@ -190,27 +190,3 @@ impl Iterator for IndexIter {
         Some(contact)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_contact_is_in_one_state_at_a_time() {
-        use ContactState::{Closed, Open, SlideDown, SlideUp, Stick};
-        let mut set = ContactSet::OPEN.with(63, Closed);
-        for state in [Stick, SlideUp, SlideDown, Closed, Stick, Open, SlideDown, Stick] {
-            set = set.with(5, state);
-            assert_eq!((set.state(5), set.state(63), set.state(4)), (state, Closed, Open));
-            let expected = [state == Stick, matches!(state, SlideUp | SlideDown)];
-            assert_eq!([set.sticking(), set.sliding()].map(|it| it.contains(5)), expected);
-        }
-        assert!(set.closed().iter().eq([5, 63]));
-    }
-
-    #[test]
-    fn a_number_that_no_contact_has_is_ignored() {
-        let set = ContactSet::OPEN.with(64, ContactState::Stick);
-        assert_eq!((set, set.is_closed(64)), (ContactSet::OPEN, false));
-    }
-}

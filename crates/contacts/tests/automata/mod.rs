@@ -8,6 +8,5 @@ mod at_once;
 mod belt;
 mod chain;
 mod limits;
-mod single;
 mod stacked;
 mod thirteen;
