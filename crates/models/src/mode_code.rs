@@ -37,18 +37,3 @@ impl ModeCode {
         if self.contacts() == 0 { modes.get(usize::from(self.structure())).copied() } else { None }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn structure_and_contacts_share_a_number() {
-        let number = ModeCode::with_contacts(200, 0b101);
-        assert_eq!((number.structure(), number.contacts()), (200, 0b101));
-        assert_eq!(ModeCode::structural(7).of(b"abcdefgh"), Some(b'h'));
-        assert_eq!(ModeCode::structural(8).of(b"abcdefgh"), None);
-        assert_eq!(ModeCode::with_contacts(1, 1).of(b"abcdefgh"), None);
-        assert_eq!(ModeCode::NONE.of(b"abcdefgh"), None);
-    }
-}

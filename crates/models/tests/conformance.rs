@@ -4,7 +4,8 @@
     clippy::disallowed_methods,
     clippy::disallowed_macros,
     clippy::expect_used,
-    reason = "a test has the heap, and fails aloud"
+    clippy::needless_pass_by_value,
+    reason = "a test has the heap, fails aloud, and is handed its models"
 )]
 
 use models::{Described, ModeCode, ModeName, ModelEntry, Parameter, Playable};

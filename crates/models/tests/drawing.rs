@@ -3,13 +3,13 @@
 #![expect(
     clippy::disallowed_macros,
     clippy::expect_used,
-    reason = "helpers of tests, outside #[test]: on the heap, and fail aloud"
+    clippy::needless_pass_by_value,
+    reason = "helpers of tests, outside #[test]: on the heap, fail aloud, and are handed models"
 )]
 
-use models::{ModeEntry, ModelEntry, Playable, Preset, Visitor};
+use models::{ModelEntry, Playable, Preset, Visitor};
 
 use crate::sketch::play::{Moment, film};
-use crate::sketch::svg::picture;
 use crate::sketch::{Drawing, Part, Point};
 use crate::stroke::{tuned, values};
 
@@ -195,30 +195,4 @@ fn front(key: &Part, moment: &Moment) -> f64 {
     let own = key.outlines.iter().flat_map(|it| &it.points).copied();
     let before = |a: Point, b: Point| if (b[0], -b[1]) < (a[0], -a[1]) { b } else { a };
     key.place(moment, own.reduce(before).expect("points"))[1]
-}
-
-#[test]
-fn pictures_are_written_to_be_looked_at() {
-    with_all!(is_pictured);
-}
-
-fn is_pictured<M: Playable>(label: &str, model: M) {
-    let drawing = Drawing::of(&model);
-    let modes = model.entry().modes.clone();
-    let film = film(&model);
-    let half = film.iter().position(|it| it.1.signal("position") > 0.005).expect("half way");
-    let strike = film.iter().position(|it| it.0.starts_with("string")).unwrap_or(160);
-    let named = [("rest", 0), ("half", half), ("strike", strike), ("held", 320)];
-    let of_mode = |(mode, entry): (usize, &ModeEntry)| {
-        film.iter().position(|it| it.1.mode == mode).map(|index| (entry.name, index))
-    };
-    for (what, index) in named.into_iter().chain(modes.iter().enumerate().filter_map(of_mode)) {
-        let (event, moment) = &film[index.min(film.len() - 1)];
-        let mode = modes[moment.mode].name;
-        let text = picture(&drawing, moment, &format!("{label}, {what}: {event} {mode}"));
-        assert!(text.ends_with("</svg>") && !text.contains("NaN"), "{label}: {what}");
-        let name = format!("{}-{what}.svg", label.replace(' ', "-"));
-        let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
-        std::fs::write(folder.join(name), text).expect("a folder for pictures");
-    }
 }

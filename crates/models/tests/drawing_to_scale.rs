@@ -61,9 +61,9 @@ fn below_string(drawing: &Drawing, moment: &Moment) -> f64 {
 
 /// The head touches the string where the model says so, in the stroke and by its guard.
 #[track_caller]
-fn check_string<M: Playable>(model: M, guard: &str) {
-    let drawing = Drawing::of(&model);
-    let film = film(&model);
+fn check_string<M: Playable>(model: &M, guard: &str) {
+    let drawing = Drawing::of(model);
+    let film = film(model);
     let hits: Vec<_> = film.iter().filter(|it| it.0 == guard).collect();
     assert!(!hits.is_empty(), "{}: the stroke meets no string", model.entry().name);
     for (_, moment) in hits {
@@ -74,18 +74,18 @@ fn check_string<M: Playable>(model: M, guard: &str) {
 
 fn hammer_strikes<M: Playable>(model: &M) {
     for key in [0, 39, 87] {
-        check_string(tuned(model, "playable", key, &[]), "string");
+        check_string(&tuned(model, "playable", key, &[]), "string");
     }
 }
 
 fn low_string<M: Playable>(model: &M) {
-    check_string(tuned(model, "playable", 39, &[("string_angle", 0.19)]), "string");
+    check_string(&tuned(model, "playable", 39, &[("string_angle", 0.19)]), "string");
 }
 
 fn head_strikes<M: Playable>(model: &M) {
     for key in [0, 39, 87] {
-        check_string(tuned(model, "playable", key, &[]), "string-on");
-        check_string(tuned(model, "default", key, &[("zs", 0.047)]), "string-on");
+        check_string(&tuned(model, "playable", key, &[]), "string-on");
+        check_string(&tuned(model, "default", key, &[("zs", 0.047)]), "string-on");
     }
 }
 
@@ -107,7 +107,9 @@ fn slider(part: &Part, moment: &Moment) -> Vec<Point> {
     part.placed(moment, part.outlines.len() - 1)
 }
 
-fn lies_on_capstan<M: Playable>(known: &M) {
+#[test]
+fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
+    let known = &small(MODEL_A);
     for name in ["paper", "literal", "playable"] {
         let model = tuned(known, name, 39, &[]);
         let l1 = parameter(known, (name, 39), "L1");
@@ -124,11 +126,8 @@ fn lies_on_capstan<M: Playable>(known: &M) {
 }
 
 #[test]
-fn at_rest_the_hammer_of_model_a_lies_on_the_capstan() {
-    lies_on_capstan(&small(MODEL_A));
-}
-
-fn is_off_in_flight<M: Playable>(known: &M) {
+fn in_flight_the_hammer_of_model_a_is_off_by_the_gap() {
+    let known = &small(MODEL_A);
     let model = tuned(known, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
     let film = film(&model);
@@ -145,11 +144,8 @@ fn is_off_in_flight<M: Playable>(known: &M) {
 }
 
 #[test]
-fn in_flight_the_hammer_of_model_a_is_off_by_the_gap() {
-    is_off_in_flight(&small(MODEL_A));
-}
-
-fn lies_on_slider<M: Playable>(known: &M) {
+fn at_rest_the_hammer_of_model_b_lies_on_the_slider() {
+    let known = &small(MODEL_B);
     for name in ["paper", "literal", "playable"] {
         let model = tuned(known, name, 39, &[]);
         let drawing = Drawing::of(&model);
@@ -164,11 +160,8 @@ fn lies_on_slider<M: Playable>(known: &M) {
 }
 
 #[test]
-fn at_rest_the_hammer_of_model_b_lies_on_the_slider() {
-    lies_on_slider(&small(MODEL_B));
-}
-
-fn is_off_by_gap<M: Playable>(known: &M) {
+fn along_a_stroke_the_hammer_of_model_b_is_off_by_the_gap() {
+    let known = &small(MODEL_B);
     let model = tuned(known, "playable", 39, &[]);
     let drawing = Drawing::of(&model);
     for (_, moment) in film(&model) {
@@ -180,11 +173,8 @@ fn is_off_by_gap<M: Playable>(known: &M) {
 }
 
 #[test]
-fn along_a_stroke_the_hammer_of_model_b_is_off_by_the_gap() {
-    is_off_by_gap(&small(MODEL_B));
-}
-
-fn presses_k2<M: Playable>(known: &M) {
+fn k2_is_as_much_shorter_as_it_is_pressed() {
+    let known = &small(MODEL_B);
     let model = tuned(known, "paper", 0, &[]);
     let drawing = Drawing::of(&model);
     let length = |moment: &Moment| {
@@ -204,11 +194,6 @@ fn presses_k2<M: Playable>(known: &M) {
     assert!(q4 > 0.01 && (pressed / q4 - 1.0).abs() < 0.01, "{pressed} m for {q4} m");
 }
 
-#[test]
-fn k2_is_as_much_shorter_as_it_is_pressed() {
-    presses_k2(&small(MODEL_B));
-}
-
 /// A part's line by its place, where it is at a moment.
 fn line(drawing: &Drawing, (name, index): (&str, usize), moment: &Moment) -> Vec<Point> {
     drawing.part(name, moment).placed(moment, index)
@@ -219,7 +204,9 @@ fn knuckle_to_jack(drawing: &Drawing, moment: &Moment) -> f64 {
     distance(&line(drawing, ("hammer", 2), moment), &line(drawing, ("jack", 0), moment))
 }
 
-fn grand_rests<M: Playable>(known: &M) {
+#[test]
+fn at_rest_the_grand_s_knuckle_lies_on_the_jack_and_the_whippen_on_the_capstan() {
+    let known = &small(MODEL_C);
     for (name, key) in [("default", 0), ("playable", 0), ("playable", 87)] {
         let model = tuned(known, name, key, &[]);
         let drawing = Drawing::of(&model);
@@ -236,11 +223,8 @@ fn grand_rests<M: Playable>(known: &M) {
 }
 
 #[test]
-fn at_rest_the_grand_s_knuckle_lies_on_the_jack_and_the_whippen_on_the_capstan() {
-    grand_rests(&small(MODEL_C));
-}
-
-fn knuckle_stays<M: Playable>(known: &M) {
+fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
+    let known = &small(MODEL_C);
     let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let mut worst: f64 = 0.0;
@@ -254,11 +238,8 @@ fn knuckle_stays<M: Playable>(known: &M) {
 }
 
 #[test]
-fn the_grand_s_knuckle_stays_on_the_jack_up_to_the_trip() {
-    knuckle_stays(&small(MODEL_C));
-}
-
-fn check_holds<M: Playable>(known: &M) {
+fn the_grand_s_tail_is_held_by_the_check() {
+    let known = &small(MODEL_C);
     let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     let film = film(&model);
@@ -275,11 +256,8 @@ fn check_holds<M: Playable>(known: &M) {
 }
 
 #[test]
-fn the_grand_s_tail_is_held_by_the_check() {
-    check_holds(&small(MODEL_C));
-}
-
-fn tender_meets<M: Playable>(known: &M) {
+fn the_grand_s_tender_meets_the_button_from_there_to_the_trip() {
+    let known = &small(MODEL_C);
     let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     for y in [0.0082, 0.0085, 0.0088, 0.0091] {
@@ -289,11 +267,6 @@ fn tender_meets<M: Playable>(known: &M) {
         let gap = distance(&felt, &line(&drawing, ("jack", 0), &moment));
         assert!(gap < 1e-4, "{gap} m between tender and button at {y} m");
     }
-}
-
-#[test]
-fn the_grand_s_tender_meets_the_button_from_there_to_the_trip() {
-    tender_meets(&small(MODEL_C));
 }
 
 /// The distance between two points of a drawing (m).
@@ -347,7 +320,9 @@ fn lengths_are_the_parameters() {
     heights_of_head(&small(MODEL_C));
 }
 
-fn blow_is_full<M: Playable>(known: &M) {
+#[test]
+fn the_grand_s_blow_is_drawn_in_full() {
+    let known = &small(MODEL_C);
     // The point of the head that strikes goes on a circle: it is the shank's end that rises.
     let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
@@ -360,11 +335,6 @@ fn blow_is_full<M: Playable>(known: &M) {
     let (low, middle, high) = (at(0.0), at(0.0225), at(0.045));
     assert!((high - low - 0.045).abs() < 1e-12, "{} m for 45 mm", high - low);
     assert!((middle - low - 0.0225).abs() < 1e-12, "{} m for 22.5 mm", middle - low);
-}
-
-#[test]
-fn the_grand_s_blow_is_drawn_in_full() {
-    blow_is_full(&small(MODEL_C));
 }
 
 fn ball_lies<M: Playable>(known: &M) {
@@ -397,7 +367,9 @@ fn the_ball_lies_on_its_paddle_and_the_cart_at_its_walls() {
     cart_is_stopped(&small(CART));
 }
 
-fn pad_waits<M: Playable>(known: &M) {
+#[test]
+fn the_wall_stands_where_it_is_until_the_key_takes_it_along() {
+    let known = &small(WALL);
     let model = tuned(known, "default", 0, &[]);
     let drawing = Drawing::of(&model);
     for (down, top) in [(0.0, -0.005), (0.004, -0.005), (0.005, -0.005), (0.008, -0.008)] {
@@ -407,9 +379,4 @@ fn pad_waits<M: Playable>(known: &M) {
         let key = extreme(&drawing.part("key", &moment).points(&moment), -1.0);
         assert!((key + down).abs() < 1e-12, "the key is at {key} m");
     }
-}
-
-#[test]
-fn the_wall_stands_where_it_is_until_the_key_takes_it_along() {
-    pad_waits(&small(WALL));
 }

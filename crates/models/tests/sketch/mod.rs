@@ -9,7 +9,6 @@
 )]
 
 pub mod play;
-pub mod svg;
 
 use models::Playable;
 use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
@@ -23,7 +22,6 @@ pub type Point = [f64; 2];
 pub struct Outline {
     pub material: Material,
     pub points: Vec<Point>,
-    pub ends: Ends,
 }
 
 /// A body with its lines.
@@ -120,9 +118,9 @@ impl Sketch for Drawing {
         self.parts.push(Part { name, pose: [x, y, angle], modes, outlines: vec![] });
     }
 
-    fn outline(&mut self, material: Material, points: &[Point], ends: Ends) {
+    fn outline(&mut self, material: Material, points: &[Point], _: Ends) {
         let part = self.parts.last_mut().expect("a body before its lines");
-        part.outlines.push(Outline { material, points: points.to_vec(), ends });
+        part.outlines.push(Outline { material, points: points.to_vec() });
     }
 
     fn coil(&mut self, coil: Coil<'_>) {
