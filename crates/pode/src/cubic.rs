@@ -129,29 +129,3 @@ impl Cubic {
         tau
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// (τ − .2)(τ − .4)(τ − .8), negated so that it starts positive.
-    fn three_roots() -> Cubic {
-        let p = |t: f64| -(t - 0.2) * (t - 0.4) * (t - 0.8);
-        let dp = |t: f64| -((t - 0.4) * (t - 0.8) + (t - 0.2) * (t - 0.8) + (t - 0.2) * (t - 0.4));
-        Cubic::hermite(p(0.0), dp(0.0), p(1.0), dp(1.0))
-    }
-
-    #[test]
-    fn the_first_of_three_roots_is_found() {
-        let cubic = three_roots();
-        let root = cubic.first_root(cubic.turns(), 0.0, 1.0).expect("a root");
-        assert!((root - 0.2).abs() < 1e-14, "{root}");
-    }
-
-    #[test]
-    fn a_parabola_turns_once() {
-        let (maximum, minimum) = Cubic::hermite(1.0, -4.0, 1.0, 4.0).turns();
-        assert_eq!(maximum, None);
-        assert!((minimum.expect("a minimum") - 0.5).abs() < 1e-15);
-    }
-}

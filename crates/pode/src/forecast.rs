@@ -142,22 +142,3 @@ fn due(guard: GuardValue, curvature: f64) -> f64 {
     };
     if due > 0.0 { due } else { f64::INFINITY }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn guard(value: f64, rate: f64) -> GuardValue {
-        GuardValue::new(value, rate)
-    }
-
-    #[test]
-    fn a_root_is_due_where_the_parabola_falls_through_zero() {
-        // 1 + t − 2t² and 1 − t: both at 1.
-        for (rate, curvature) in [(1.0, -4.0), (-1.0, 0.0)] {
-            assert!((due(guard(1.0, rate), curvature) - 1.0).abs() < 1e-15);
-        }
-        assert!(due(guard(1.0, 1.0), 0.0).is_infinite());
-        assert!(due(guard(1.0, -1.0), 4.0).is_infinite(), "it turns before");
-    }
-}

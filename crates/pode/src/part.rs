@@ -126,14 +126,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_part_has_its_entries_and_no_others() {
-        const KEY: Part = Part::of(&[1, 3]);
-        assert_eq!([0, 1, 2, 3, 70].map(|index| KEY.has(index)), [false, true, false, true, false]);
-        assert_eq!((KEY.count(4), KEY.count(2), Part::WHOLE.count(4)), (2, 1, 4));
-        assert!(Part::WHOLE.has(70) && Part::WHOLE.is_whole());
-    }
-
-    #[test]
     fn a_slow_part_steps_by_a_multiple_of_the_modes_step() {
         let part = Part::of(&[0]).with_longest_step(2.5e-3);
         let close =

@@ -46,11 +46,3 @@ fn with_a_tolerance_too() {
     check(ByNeed::new(1e-9, 7e-3), named("by-need").expect("it has one"));
     assert_eq!(named("heun"), None);
 }
-
-#[test]
-fn every_name_has_its_method() {
-    for name in Any::NAMES {
-        assert_eq!(Any::named(name).map(|it| it.name()), Some(*name));
-    }
-    assert_eq!(Any::named("rk5"), None);
-}

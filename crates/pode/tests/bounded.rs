@@ -74,18 +74,6 @@ fn a_tick_with_exactly_the_most_work_completes_and_one_more_is_capped() {
 }
 
 #[test]
-fn a_jump_of_a_guard_is_one_event() {
-    for h in crate::common::STEPS {
-        let guard = |_: GuardId, t: f64| GuardValue::new(if t < 0.1 { 1.0 } else { -1.0 }, 0.0);
-        let mut timed = Timed { guards: &ONE, guard, effect: count }.start();
-        let (recorder, ticks) = crate::common::run(&mut timed, h, 0.0, 0.2);
-        crate::common::all_completed(&ticks);
-        assert_eq!(recorder.events().len(), 1, "h {h}: {:?}", recorder.times());
-        crate::common::close("the jump", recorder.events()[0].t, 0.1, 1e-12 * h + 2e-14);
-    }
-}
-
-#[test]
 fn work_of_typical_ticks() {
     let mut ball = Ball::dropped(0.8, 1.0, Limits::default());
     let mut next = || ball.advance(1e-3, &no_input, &mut Silent).work;

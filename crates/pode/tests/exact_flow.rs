@@ -87,15 +87,3 @@ fn a_contact_within_one_tick_takes_few_steps() {
     assert_eq!((tick.advance, tick.work.events), (Advance::Completed, 3));
     assert!(tick.work.pieces <= 8, "{:?}", tick.work);
 }
-
-#[test]
-fn ten_thousand_seconds_keep_the_energy() {
-    let [k, ..] = CONTACTS[1];
-    let mut head = Head { k }.dropped(EXACT);
-    let mut ticks = 0_u32;
-    while ticks < 10_000_000 || head.mode() == Mode::Contact {
-        assert_eq!(head.advance(1e-3, &no_input, &mut Silent).advance, Advance::Completed);
-        ticks += 1;
-    }
-    close("energy", energy(*head.state()), 1.0, 1e-9);
-}

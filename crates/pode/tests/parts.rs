@@ -101,13 +101,6 @@ fn parts_apart_go_where_they_go_together() {
 }
 
 #[test]
-fn parts_are_stepped_together_where_that_costs_less() {
-    assert!(!Rk4.steps_apart(4) && Rk4.steps_apart(10), "an evaluation costs more than a step");
-    assert!(Exact.steps_apart(4), "each part has a method of its own");
-    assert!(!Controlled::<Dop853>::default().steps_apart(10), "one length is controlled");
-}
-
-#[test]
 fn each_part_takes_the_method_that_its_own_nature_asks_for() {
     let (state, work) = after(&APART, Exact);
     // The slow one on its exact flow, the fast one by RK4, against closed forms.

@@ -82,7 +82,7 @@ impl Resets for Rocking {
 #[test]
 fn impacts_of_two_guards_that_come_to_rest_in_one_mode_settle() {
     for restitution in [0.5, 0.8, 0.9] {
-        // Quarter periods of Housner's block: from rest at φ, acosh(1/(1 − φ)).
+        // Quarter periods of Housner's block `[Hou63]`: from rest at φ, acosh(1/(1 − φ)).
         let quarter = |angle: f64| (1.0 / (1.0 - angle)).acosh();
         let (mut angle, mut t) = (0.3_f64, quarter(0.3));
         while angle > 1e-30 {

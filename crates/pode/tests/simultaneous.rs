@@ -1,81 +1,11 @@
 //! Case C4: several guards at one instant, and one on a tick's boundary.
 
-use pode::stepper::Rk4;
-use pode::{
-    GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, RunRecorder, Simulator,
-};
+use pode::{GuardId, GuardSpec, GuardValue, RunRecorder};
 
 use crate::common::{
-    G, ONE, STEPS, Timed, all_completed, close, count, count_and_flip, each_step_and_phase,
-    no_input, run,
+    ONE, STEPS, Timed, all_completed, close, count, count_and_flip, each_step_and_phase, no_input,
+    run,
 };
-
-/// Two balls over one floor, e = 0.8: heights, then speeds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Balls {
-    guards: &'static [GuardSpec],
-}
-
-const FIRST: GuardSpec = GuardSpec::new(0, "first");
-const SECOND: GuardSpec = GuardSpec::new(1, "second");
-
-impl Model for Balls {
-    type Mode = ();
-    type State = [f64; 4];
-    type Input = ();
-    const COORDS: usize = 2;
-
-    fn derivative(&self, (): (), x: &[f64; 4], (): &()) -> [f64; 4] {
-        [x[2], x[3], -G, -G]
-    }
-
-    fn readout(&self, (): (), _: &[f64; 4], (): &()) -> f64 {
-        0.0
-    }
-}
-
-impl Guarded for Balls {
-    fn guards(&self, (): ()) -> &'static [GuardSpec] {
-        self.guards
-    }
-
-    fn guard(&self, (): (), id: GuardId, x: &[f64; 4], (): &()) -> GuardValue {
-        let ball = usize::from(id.0);
-        GuardValue::new(x[ball], x[ball + 2])
-    }
-}
-
-impl Resets for Balls {
-    fn reset(&self, (): (), id: GuardId, x: &[f64; 4], (): &()) -> Reset<Self> {
-        let ball = usize::from(id.0);
-        let mut after = *x;
-        (after[ball], after[ball + 2]) = (0.0, -0.8 * x[ball + 2]);
-        Reset::to((), after)
-    }
-}
-
-#[test]
-fn two_balls_that_land_together_both_bounce() {
-    /// When the ball from 1 m lands for the second time and that from 6.76 m for the first.
-    const TOGETHER: f64 = 1.173_961_466_562_900_4;
-    for guards in [&[FIRST, SECOND], &[SECOND, FIRST]] {
-        each_step_and_phase(|h, phase| {
-            let model = Balls { guards };
-            let start = [1.0, 6.76, 0.0, 0.0];
-            let mut balls = Simulator::new(model, Rk4, Limits::default(), (), start);
-            let (recorder, ticks) = run(&mut balls, h, phase, 1.5);
-            all_completed(&ticks);
-            let named = |name: &str| -> Vec<f64> {
-                recorder.events().iter().filter(|it| it.name == name).map(|it| it.t).collect()
-            };
-            let (first, second) = (named("first"), named("second"));
-            assert_eq!((first.len(), second.len()), (2, 1), "h {h}, phase {phase}");
-            // The flow is a parabola: rounding only.
-            close(format_args!("h {h}: first"), first[1], TOGETHER, 1e-12);
-            close(format_args!("h {h}: second"), second[0], TOGETHER, 1e-12);
-        });
-    }
-}
 
 fn falls_at_0_3(_: GuardId, t: f64) -> GuardValue {
     GuardValue::new(0.3 - t, -1.0)

@@ -1,10 +1,13 @@
-//! Taylor's method: its order, its tolerance, its events, and models that have no series.
+//! Taylor's method: its order, its tolerance, its events (case C3), and models without a series.
+
+#![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
+#![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
 
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::stepper::{Memory as _, Taylor, TaylorMemory, Tolerance};
 use pode::{
     Dense as _, Field, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset,
-    Resets, RunRecorder, Silent, Simulator, Stepper as _,
+    Resets, RunRecorder, Settling, Silent, Simulator, Stepper as _,
 };
 
 const SQUARE: f64 = 9.81;
@@ -71,8 +74,15 @@ impl Guarded for Pendulum {
 }
 
 impl Resets for Pendulum {
+    /// Declares its impacts to end where they never do: nothing pulls it against the wall.
     fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
-        Reset::to((), [0.0, -0.9 * x[1]])
+        Reset::to((), [0.0, -0.9 * x[1]]).settling(Settling {
+            after: f64::INFINITY,
+            ratio: 0.9,
+            mode: (),
+            state: [0.0; 2],
+            impulse: 0.0,
+        })
     }
 }
 
