@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "$0")"
 trap 'rm -f demonstration.mid' EXIT
-cargo run -p performance --example encode_score -- demonstration.score
+python3 ../../../configs/performances/encode_score.py demonstration.score
 rm -f demonstration.mcap
 letoff run demonstration.toml --virtual-time --duration 4.5 --record demonstration.mcap \
     --listen none --black-box none

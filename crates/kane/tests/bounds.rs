@@ -259,20 +259,6 @@ proptest! {
     }
 }
 
-proptest! {
-    #[test]
-    #[ignore = "other cases in each run, as many as PROPTEST_CASES says"]
-    fn no_other_expression_goes_or_bends_further_than_its_bound(
-        codes in expressions(),
-        steps in prop::collection::vec(step(), 4),
-    ) {
-        let model = guarded(&codes);
-        for step in steps {
-            check(&model, &codes, &step)?;
-        }
-    }
-}
-
 /// x + asin(cos(u)) is x + π/2 − u, whose values have no rounding to speak of, for a u of 1e-5.
 #[test]
 fn the_bound_of_an_angle_near_its_end_is_that_of_the_angle() {

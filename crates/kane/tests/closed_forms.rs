@@ -42,31 +42,6 @@ fn a_double_pendulum() {
     }
 }
 
-/// The second link hangs on the first one's frame: the same motion in a relative angle.
-#[test]
-fn frames_may_hang_on_one_another() {
-    let absolute = Derived::from(double_pendulum());
-    let mut m = MechanismBuilder::new(
-        &[("m1", 1.3), ("m2", 0.7), ("l1", 0.9), ("l2", 0.6), ("g", 9.81)],
-        &["a", "c"],
-    );
-    m.gravity(&["0", "-g"]);
-    let first = m.frame(0, &["0", "0"], "a");
-    m.body(first, "m1", &["l1"], "0");
-    let second = m.frame(first, &["l1", "0"], "c");
-    m.body(second, "m2", &["l2"], "0");
-    m.mode("free", &[]);
-    let relative = Derived::from(m);
-    let mut numbers = Numbers::new(2);
-    for _ in 0..20 {
-        let [a, c, u, v] = numbers.list::<4>().map(|it| 3.0 * it);
-        let f = relative.derivative(0, &[a, c, u, v], STILL);
-        let g = absolute.derivative(0, &[a, a + c, u, u + v], STILL);
-        close(f[2], g[2], 1e-11, "a''");
-        close(f[2] + f[3], g[3], 1e-11, "b''");
-    }
-}
-
 /// r'' = r φ'² + g cos φ − k (r − l)/m, φ'' = −(2 r' φ' + g sin φ)/r.
 #[test]
 fn a_spring_pendulum() {

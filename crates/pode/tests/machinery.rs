@@ -3,8 +3,8 @@
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{
-    Advance, Event, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion, Reset,
-    Resets, RunRecorder, Silent, Simulator, Watch,
+    Advance, Cap, Event, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Motion,
+    Reset, Resets, RunRecorder, Silent, Simulator, Watch,
 };
 
 use crate::common::{
@@ -228,6 +228,14 @@ fn a_reset_that_flips_the_sign_at_once_has_one_effect() {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Chain {
     modes: u8,
+    end: End,
+}
+
+/// What follows the last mode of a chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    Stays,
+    LeadsToTheFirst,
 }
 
 impl Model for Chain {
@@ -247,7 +255,7 @@ impl Model for Chain {
 
 impl Guarded for Chain {
     fn guards(&self, mode: u8) -> &'static [GuardSpec] {
-        if mode + 1 < self.modes { &ONE } else { &[] }
+        if self.end == End::LeadsToTheFirst || mode + 1 < self.modes { &ONE } else { &[] }
     }
 
     fn guard(&self, _: u8, _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
@@ -257,15 +265,18 @@ impl Guarded for Chain {
 
 impl Resets for Chain {
     fn reset(&self, mode: u8, _: GuardId, x: &[f64; 1], (): &()) -> Reset<Self> {
-        Reset::to(mode + 1, *x)
+        Reset::to((mode + 1) % self.modes, *x)
     }
+}
+
+fn chain(modes: u8, end: End) -> Simulator<Chain, Rk4> {
+    Simulator::new(Chain { modes, end }, Rk4, Limits::default(), 0, [0.0])
 }
 
 #[test]
 fn a_cascade_goes_through_all_its_modes_at_one_instant() {
     each_step_and_phase(|h, phase| {
-        let mut chain = Simulator::new(Chain { modes: 3 }, Rk4, Limits::default(), 0, [0.0]);
-        let (recorder, ticks) = run(&mut chain, h, phase, 0.5);
+        let (recorder, ticks) = run(&mut chain(3, End::Stays), h, phase, 0.5);
         all_completed(&ticks);
         let modes: Vec<_> = recorder.events().iter().map(|seen| seen.to).collect();
         assert_eq!(modes, [1, 2], "h {h}, phase {phase}");
@@ -276,6 +287,73 @@ fn a_cascade_goes_through_all_its_modes_at_one_instant() {
             "one instant"
         );
     });
+}
+
+#[test]
+fn a_cycle_stops_at_the_cap_and_says_so_in_every_tick() {
+    let cap = Limits::default().cascade;
+    each_step_and_phase(|h, phase| {
+        let mut cycle = chain(2, End::LeadsToTheFirst);
+        let (recorder, ticks) = run(&mut cycle, h, phase, 0.32);
+        let capped: Vec<_> = ticks.iter().filter(|it| it.advance != Advance::Completed).collect();
+        assert!(!capped.is_empty(), "h {h}, phase {phase}");
+        for tick in &capped {
+            assert_eq!(tick.advance, Advance::Capped(Cap::Cascade));
+            assert_eq!(tick.work.events, cap);
+        }
+        assert_eq!(recorder.events().len(), capped.len() * cap as usize);
+        // Held at the guard.
+        close("the coordinate", cycle.state()[0], 0.3, 1e-12);
+    });
+}
+
+/// y' = 1 below 1 and 0 above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Ramp;
+
+impl Model for Ramp {
+    type Mode = bool;
+    type State = [f64; 1];
+    type Input = ();
+    const COORDS: usize = 1;
+
+    fn derivative(&self, below: bool, _: &[f64; 1], (): &()) -> [f64; 1] {
+        [f64::from(below)]
+    }
+
+    fn readout(&self, _: bool, _: &[f64; 1], (): &()) -> f64 {
+        0.0
+    }
+}
+
+impl Guarded for Ramp {
+    fn guards(&self, below: bool) -> &'static [GuardSpec] {
+        if below { &ONE } else { &[] }
+    }
+
+    fn guard(&self, _: bool, _: GuardId, x: &[f64; 1], (): &()) -> GuardValue {
+        GuardValue::new(1.0 - x[0], -1.0)
+    }
+}
+
+impl Resets for Ramp {
+    fn reset(&self, _: bool, _: GuardId, x: &[f64; 1], (): &()) -> Reset<Self> {
+        Reset::to(false, *x)
+    }
+}
+
+#[test]
+fn a_mode_is_frozen_while_its_end_is_searched() {
+    let check = |h: f64, phase: f64| {
+        let mut ramp = Simulator::new(Ramp, Rk4, Limits::default(), true, [0.0]);
+        let _ = run(&mut ramp, h, phase, 1.5);
+        // The last step is a straight line: its end rounds once.
+        close(format_args!("h {h}, phase {phase}"), ramp.state()[0], 1.0, f64::EPSILON);
+    };
+    each_step_and_phase(check);
+    for h in [0.3, 0.7, 1.5] {
+        check(h, 0.0);
+    }
 }
 
 /// Nothing moves but the input; guarded by 1 − u, and then by u − 1.
@@ -418,6 +496,49 @@ fn far_from_the_start_of_time_nothing_changes() {
         for tick in [10_000_000_000, 1_000_000_000, 142_857_142] {
             assert_eq!(bounces_from(0, h), bounces_from(tick, h), "h {h}, tick {tick}");
         }
+    }
+}
+
+#[test]
+fn shuffled_guards_give_the_same_bits() {
+    const A: GuardSpec = GuardSpec::new(0, "a").on_crossing();
+    const B: GuardSpec = GuardSpec::new(1, "b").on_crossing();
+    const C: GuardSpec = GuardSpec::new(2, "c").on_crossing();
+    static ORDERS: [[GuardSpec; 3]; 4] = [[A, B, C], [C, B, A], [B, C, A], [C, A, B]];
+    fn waves(id: GuardId, t: f64) -> GuardValue {
+        let omega = [50.0, 75.0, 100.0][usize::from(id.0)];
+        GuardValue::new((omega * t).cos(), -omega * (omega * t).sin())
+    }
+    fn mix(id: GuardId, x: &mut [f64; 3]) -> bool {
+        x[1] = 0.5 * x[1] + f64::from(id.0);
+        x[2] = x[2].mul_add(0.9, x[1]);
+        false
+    }
+    each_step_and_phase(|h, phase| {
+        let bits = |guards: &'static [GuardSpec]| -> Vec<_> {
+            let mut timed = Timed { guards, guard: waves, effect: mix }.start();
+            let (recorder, _) = run(&mut timed, h, phase, 1.0);
+            recorder.events().iter().map(|it| (it.name, it.t.to_bits(), it.after)).collect()
+        };
+        let first = bits(&ORDERS[0]);
+        assert!(first.len() > 30, "too few events for a comparison: {}", first.len());
+        for order in &ORDERS[1..] {
+            assert_eq!(first, bits(order), "h {h}, phase {phase}");
+        }
+    });
+}
+
+#[test]
+fn ten_short_ticks_and_a_long_one_have_the_same_events() {
+    let events = |h: f64| {
+        let mut ball = Ball::dropped(0.8, 1.0, Limits::default());
+        let (recorder, _) = run(&mut ball, h, 0.0, 3.8);
+        recorder.times()
+    };
+    let (long, short) = (events(1e-3), events(1e-4));
+    assert!(long.len() > 10 && long.len() == short.len());
+    for (long, short) in long.iter().zip(&short) {
+        close("an event of 1 ms and of 10 × 0.1 ms", *long, *short, 1e-12);
     }
 }
 

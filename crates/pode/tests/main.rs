@@ -23,6 +23,7 @@ mod machinery;
 mod maxima;
 mod order;
 mod parts;
+mod pendulum;
 mod properties;
 mod quantised;
 mod rules;

@@ -77,50 +77,6 @@ fn without_losses_no_mode_of_model_c_dissipates() {
     }
 }
 
-#[test]
-fn a_ball_that_loses_nothing_bounces_for_ever() {
-    let derived = without_losses("bouncing_ball");
-    let energy = |[y, v]: &[f64; 2]| 9.81 * y + 0.5 * v * v;
-    let quantities: &[(&str, Conserved<'_, 2>)] = &[("energy", &energy)];
-    conserved(&derived, (0, [1.0, 0.0]), (0.0, 3.0), quantities);
-}
-
-#[test]
-fn a_cart_with_a_pendulum_between_elastic_walls_keeps_its_energy() {
-    let derived = without_losses("cart_pendulum");
-    let [m, bob, l, i, k] =
-        ["cart_mass", "bob_mass", "length", "inertia", "k"].map(|name| derived.value_of(name));
-    let energy = |[x, angle, u, w]: &[f64; 4]| {
-        let [v_x, v_y] = [u + l * angle.cos() * w, l * angle.sin() * w];
-        0.5 * (m * u * u + bob * (v_x * v_x + v_y * v_y) + i * w * w + k * (0.01 - x).powi(2))
-            - bob * 9.81 * l * angle.cos()
-    };
-    let quantities: &[(&str, Conserved<'_, 4>)] = &[("energy", &energy)];
-    conserved(&derived, (0, [0.02, 0.8, 0.9, -3.0]), (0.01, 1.0), quantities);
-}
-
-/// The key's mass is balanced but for 2 mm; the hammer leaves the key and lands.
-#[test]
-fn key_and_hammer_on_springs_keep_their_energy() {
-    let mut derived = without_losses("key_hammer_springs");
-    derived.set("string_angle", 1.4);
-    let of = |name: &str| derived.value_of(name);
-    let [l1, l2, l3, l4] = ["L1", "L2", "L3", "L4"].map(of);
-    let [m1, m2, k1, k2] = ["M1", "M2", "k1", "k2"].map(of);
-    let [ck, jk, jh, g] = ["cK", "JK", "JH", "g"].map(of);
-    let energy = |[h, k, u, v]: &[f64; 4]| {
-        // The spring on the key acts where the key is above the hammer's line.
-        let gap = l4 * h.cos() - l3 * h.sin() - l1 * (k - h).sin();
-        let q4 = -gap / (k - h).cos();
-        let spring = if gap < 0.0 { k2 * q4 * q4 } else { 0.0 };
-        0.5 * (jh * u * u + jk * v * v + k1 * (0.2 - k).powi(2) + spring)
-            + m2 * g * l2 * h.sin()
-            + m1 * g * ck * k.sin()
-    };
-    let quantities: &[(&str, Conserved<'_, 4>)] = &[("energy", &energy)];
-    conserved(&derived, (0, [0.1, 0.1, 0.0, 0.0]), (0.2, 1.0), quantities);
-}
-
 /// Model A under a key that stands: the hammer is a pendulum.
 #[test]
 fn a_hammer_in_flight_keeps_its_energy() {

@@ -1,6 +1,6 @@
 //! Bodies in space: one that tumbles, and one that rolls.
 
-use super::{Conserved, conserved, free};
+use super::{Conserved, conserved};
 use crate::evaluation::Derived;
 
 /// A free body of three unlike moments, on turns about z, x and z: it tumbles.
@@ -74,44 +74,4 @@ fn a_rolling_disk_keeps_its_energy() {
     };
     let start = derived.consistent(0, &DISK, [0.0; 4]).try_into().expect("ten entries");
     conserved(&derived, (0, start), (0.0, 1.0), &[("energy", &energy)]);
-}
-
-/// As functions of the lean θ alone, dω2/dθ = −2 ω3/3 and dω3/dθ = ω3 tan θ − 2 ω2: whatever the
-/// lean does, ω2 and ω3 come back with it. (Appell and Korteweg solved these in series.)
-#[test]
-fn the_turns_of_a_rolling_disk_are_functions_of_its_lean() {
-    let derived = Derived::shipped("rolling-disk");
-    let start = derived.consistent(0, &DISK, [0.0; 4]).try_into().expect("ten entries");
-    let tolerance = 1e-11;
-    let run = free(&derived, (0, start), (0.0, 1.0), tolerance);
-    let [_, b, c] = disk_turns(&start);
-    let mut far = 0.0_f64;
-    for state in &run.states {
-        let [_, along, up] = disk_turns(state);
-        let [expected_along, expected_up] = turns_at(start[3], [b, c], state[3]);
-        far = far.max((state[3] - start[3]).abs());
-        // The turns are of 10 rad/s, and change by as much per radian of the lean.
-        let bound = 100.0 * tolerance * f64::from(run.steps);
-        assert!((along - expected_along).abs() < bound, "{along} is not {expected_along}");
-        assert!((up - expected_up).abs() < bound, "{up} is not {expected_up}");
-    }
-    assert!(far > 0.1, "it leans by {far} only");
-}
-
-/// ω2 and ω3 at another lean: RK4 in 2000 steps.
-fn turns_at(from: f64, mut turns: [f64; 2], to: f64) -> [f64; 2] {
-    let rates = |lean: f64, [b, c]: [f64; 2]| [-2.0 * c / 3.0, c * lean.tan() - 2.0 * b];
-    let h = (to - from) / 2000.0;
-    let ahead = |[b, c]: [f64; 2], [db, dc]: [f64; 2], h: f64| [b + h * db, c + h * dc];
-    for step in 0..2000 {
-        let lean = from + h * f64::from(step);
-        let k1 = rates(lean, turns);
-        let k2 = rates(lean + 0.5 * h, ahead(turns, k1, 0.5 * h));
-        let k3 = rates(lean + 0.5 * h, ahead(turns, k2, 0.5 * h));
-        let k4 = rates(lean + h, ahead(turns, k3, h));
-        for i in 0..2 {
-            turns[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
-        }
-    }
-    turns
 }

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use kane::derive_model;
 use kane::description::{LONGEST, MOST_EXPRESSIONS, read_bytes};
 
 use super::{WEIGHT, mistake, mistakes_of};
@@ -81,4 +82,54 @@ fn expressions_that_grow_are_refused() {
         writeln!(definitions, "a{index} = \"{}\"", sum.join(" + ")).expect("text grows");
     }
     refuses(&WEIGHT.replacen("[definitions]\n", &definitions, 1), "too large together");
+}
+
+#[track_caller]
+fn derived(text: &str) {
+    if let Err(mistakes) = derive_model("it.toml", text, &()) {
+        panic!("{mistakes}");
+    }
+}
+
+/// A sum of more terms than the graph keeps apart, the first of them negative.
+#[test]
+fn the_sine_of_a_long_sum() {
+    let terms = (1..80).map(|it| format!("cos({it}*y/(1 m))")).collect::<Vec<_>>();
+    let sine = format!("\"y - s + 1 m*sin(-{})\"", terms.join(" - "));
+    derived(&WEIGHT.replacen("\"y - s\"", &sine, 1));
+}
+
+/// The line of a description for one of many things.
+type Entry = fn(usize) -> String;
+
+/// Rods that hang on one another.
+fn chain(count: usize) -> String {
+    let mut text = "name = \"chain\"\ngravity = [\"0\", \"-9.81 m/s^2\"]\n".to_owned();
+    let sections: [(&str, Entry); 3] = [
+        ("coordinates", |i| {
+            format!("q{i} = {{ unit = \"rad\", range = [-3, 3], speed_range = [-9, 9] }}")
+        }),
+        ("frames", |i| match i {
+            0 => "f0 = { turn = \"q0\" }".to_owned(),
+            i => format!("f{i} = {{ in = \"f{}\", origin = [\"0.1 m\"], turn = \"q{i}\" }}", i - 1),
+        }),
+        ("bodies", |i| {
+            format!("b{i} = {{ frame = \"f{i}\", mass = \"1 kg\", centre = [\"0.1 m\"] }}")
+        }),
+    ];
+    for (section, entry) in sections {
+        writeln!(text, "[{section}]").expect("text grows");
+        for index in 0..count {
+            writeln!(text, "{}", entry(index)).expect("text grows");
+        }
+    }
+    text
+}
+
+/// What a description may have but a model cannot is refused before it is derived.
+#[test]
+fn a_chain_of_two_hundred_bodies() {
+    let said = derive_model("it.toml", &chain(200), &()).unwrap_err().to_string();
+    assert!(said.contains("\"coordinates\" has 200 entries; there are 64 at most"), "{said}");
+    derived(&chain(8));
 }

@@ -81,33 +81,6 @@ fn primes_are_rates_along_the_motion() {
     assert!((moving("force(spring)") - (20.0 * 0.2 - 2.7)).abs() < 1e-12);
 }
 
-#[test]
-fn an_acceleration_is_left_to_the_derivation() {
-    let text = WEIGHT.replacen("\"force(spring)\"", "\"m*y''\"", 1);
-    let mechanism = good(&text).mechanism;
-    let node = mechanism.outputs[0].values[0];
-    assert!(mechanism.graph.depends(node, |place| place == Place::Acceleration(0)));
-}
-
-/// q3, q4 where they close the loop: the slider is one point of hammer and key.
-#[test]
-fn the_slider_of_model_b_closes_where_its_formulas_say() {
-    let mechanism = good(SPRINGS).mechanism;
-    let (l1, l3, l4) = (0.4f64, 0.1f64, 0.05f64);
-    let (h, k) = (0.17f64, 0.06f64);
-    let d = k - h;
-    let q4 = (l1 * d.sin() - l4 * h.cos() + l3 * h.sin()) / d.cos();
-    let q3 = (l1 - l3 * k.cos() - l4 * k.sin()) / d.cos();
-    let state = [h, k, q3, q4, 0.0, 0.0, 0.0, 0.0];
-    for constraint in &mechanism.constraints {
-        let zero = value(&mechanism, constraint.zero, &state, [0.0; 4]);
-        assert!(zero.abs() < 1e-15, "{} is {zero}", constraint.name);
-    }
-    let gap = mechanism.outputs.iter().find(|it| it.name == "gap").expect("a gap");
-    let gap = value(&mechanism, gap.values[0], &state, [0.0; 4]);
-    assert!((gap + q4 * d.cos()).abs() < 1e-15);
-}
-
 /// The force by its name is the law where it acts, and 0 where it does not.
 #[test]
 fn a_force_is_zero_in_modes_without_it() {
@@ -133,16 +106,6 @@ fn a_felt_pushes_only() {
     assert!((at(felt.energy, 0.3, -1.5) - 8.0 * depth.powf(3.5) / 3.5).abs() < 1e-15);
     assert_eq!(at(felt.tension, 0.3, 9.0), 0.0);
     assert_eq!(at(felt.tension, 0.6, 1.0), 0.0);
-}
-
-/// Steiner: the moment about the mass centre is that about the origin less m c².
-#[test]
-fn inertia_about_the_origin_is_shifted_to_the_centre() {
-    let mechanism = good(SPRINGS).mechanism;
-    let hammer = &mechanism.bodies[1];
-    let moment = hammer.inertia[2].expect("about z");
-    let moment = value(&mechanism, moment, &[0.0; 8], [0.0; 4]);
-    assert!((moment - (0.01 - 0.01 * 1.0)).abs() < 1e-17);
 }
 
 /// Turns about different axes, against a rotation written out by hand.

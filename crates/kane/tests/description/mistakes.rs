@@ -14,12 +14,6 @@ fn says(old: &str, new: &str, parts: &[&str]) {
 }
 
 #[test]
-fn the_description_that_the_others_spoil_is_good() {
-    let description = good(WEIGHT);
-    assert_eq!(description.mechanism.modes.len(), 2);
-}
-
-#[test]
 fn an_unknown_name_has_the_nearest_known_one() {
     says("\"stretch'\"", "\"strech'\"", &["27:9", "there is no \"strech\"", "use \"stretch\""]);
     says("force(spring)", "force(sprong)", &["sprong", "use \"spring\""]);

@@ -1,6 +1,5 @@
 //! Descriptions: what is read, and what is said about mistakes.
 
-mod bad_input;
 mod bases;
 mod drawing;
 mod foreign;

@@ -30,10 +30,3 @@ fn every_example_is_a_description() {
     }
     assert!(before.len() >= 3, "examples were not found");
 }
-
-#[test]
-fn every_function_is_named() {
-    for function in kane::text::FUNCTIONS {
-        assert!(README.contains(&format!("`{function}(")), "{function}");
-    }
-}

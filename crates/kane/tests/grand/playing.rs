@@ -6,7 +6,7 @@ use pode::{Advance, Guarded as _, Limits, Model as _, Motion, Simulator};
 
 use super::lever;
 use crate::runnable::{GRAND, Runnable, guard, mode, mode_name, value};
-use crate::stroke::{AuditedRun, presses, run, still};
+use crate::stroke::{AuditedRun, Seen, presses, run, still};
 
 /// Weight of a gram (N).
 const GRAM: f64 = 9.806_65e-3;
@@ -46,8 +46,14 @@ fn play(gestures: &[[f64; 3]], until: f64) -> (AuditedRun<Runnable<4>>, Vec<Felt
 
 /// Speeds at which the string was struck (m/s).
 fn strikes(audited: &AuditedRun<Runnable<4>>) -> Vec<f64> {
+    let model = GRAND.model::<4>("default", 0, &[]);
     let hits = audited.events.iter().filter(|event| event.name == "string-on");
-    hits.map(|event| event.before.1[3]).collect()
+    let sounds = |event: &Seen<Runnable<4>>| {
+        let speed = model.sounding(guard(&model, event.before.0, event.name), &event.before.1);
+        assert_eq!(speed, Some(event.before.1[3]), "it sounds with the speed of its head");
+        speed
+    };
+    hits.filter_map(sounds).collect()
 }
 
 /// A press to the bottom that takes some 4 `w` (s), with its middle at 6 `w`.
