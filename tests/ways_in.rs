@@ -72,6 +72,7 @@ fn items(source: &Source) -> Vec<NamedItem> {
     all
 }
 
+#[expect(clippy::wildcard_enum_match_arm, reason = "an enum of syn that may grow")]
 fn collect(items: &[Item], module: &[String], all: &mut Vec<NamedItem>) {
     for item in items {
         let (name, is_public_type) = match item {
@@ -107,6 +108,7 @@ const fn is_public(visibility: &Visibility) -> bool {
 }
 
 /// The last name of a type's path, or of what it refers to.
+#[expect(clippy::wildcard_enum_match_arm, reason = "an enum of syn that may grow")]
 fn type_name(of: &Type) -> String {
     match of {
         Type::Path(it) => it.path.segments.last().map_or(String::new(), |it| it.ident.to_string()),

@@ -17,6 +17,7 @@ mod friction;
 mod friction_families;
 mod grazing;
 mod hunt_crossley;
+mod impact_oscillator;
 mod known;
 mod long_run;
 mod machinery;

@@ -212,16 +212,17 @@ mod tests {
     #[test]
     fn every_preset_stays_within_its_model_s_ranges() {
         let library = Library::default();
-        for name in descriptions::model_names() {
-            let model = library.find(name, Path::new("")).unwrap();
-            for preset in &model.presets {
-                for key in 0..88 {
-                    for (parameter, value) in model.parameters.iter().zip(preset.values(key)) {
-                        let quantity = Quantity { unit: parameter.unit, range: parameter.range };
-                        let label = (model.name, preset.name, parameter.name, key);
-                        assert!(quantity.allows(value), "{label:?}");
-                    }
-                }
+        let models = descriptions::model_names();
+        models.for_each(|name| stays_within(&library.find(name, Path::new("")).unwrap()));
+    }
+
+    fn stays_within(model: &LoadedModel) {
+        let sets = model.presets.iter().flat_map(|preset| (0..88).map(move |key| (preset, key)));
+        for (preset, key) in sets {
+            for (parameter, value) in model.parameters.iter().zip(preset.values(key)) {
+                let quantity = Quantity { unit: parameter.unit, range: parameter.range };
+                let label = (model.name, preset.name, parameter.name, key);
+                assert!(quantity.allows(value), "{label:?}");
             }
         }
     }

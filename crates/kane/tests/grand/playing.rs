@@ -1,5 +1,4 @@
 //! The reduced grand under a finger: its weights, its let-off, its blows and repetitions.
-#![expect(clippy::large_stack_frames, reason = "models are values, and a test has the stack")]
 
 use pode::stepper::Rk4;
 use pode::{Advance, Guarded as _, Limits, Model as _, Motion, Simulator};

@@ -169,7 +169,7 @@ pub(super) struct Start<M: Described> {
 impl<M: Playable> Start<M> {
     /// The model with its parameters, at rest except for what is given otherwise.
     pub(super) fn check(
-        model: M,
+        model: &M,
         args: &SimulateArgs,
         input: &InputSignal,
         mistakes: &mut Vec<SimulateMistake>,

@@ -74,7 +74,7 @@ impl Visitor for SimulationJob<'_> {
 
     fn visit<M: Playable>(self, model: M) -> Self::Output {
         let Self { args, clock, input, mut mistakes, out, note } = self;
-        let start = Start::check(model, args, &input, &mut mistakes);
+        let start = Start::check(&model, args, &input, &mut mistakes);
         let (Some(start), true) = (start, mistakes.is_empty()) else {
             return Err(SimulateError::Usage(mistakes));
         };
