@@ -17,6 +17,7 @@ pub(crate) enum StudiedMethod {
 pub(crate) trait MethodVisitor {
     type Output;
 
+    /// Does it with the stepper of a method.
     fn visit<T: pode::Stepper>(self, stepper: T) -> Self::Output;
 }
 

@@ -8,8 +8,8 @@ use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
 use crate::draw::Sketch;
 use crate::entry::ModelEntry;
-use crate::loaded_model::ModelParts;
 use crate::mode_code::ModeCode;
+use crate::parts::ModelParts;
 
 /// A model with a name, parameters, and names for all that it has.
 ///

@@ -15,6 +15,7 @@ mod equation_model;
 mod loaded_model;
 mod mode_code;
 mod mode_name;
+mod parts;
 mod source;
 
 pub mod draw;
@@ -23,9 +24,8 @@ pub use describe::{Damper, Described, Playable, Sounding, hammer_speed};
 pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
 pub use equation_model::MAX_CODED_CONTACTS;
 pub use equations::table::{MidiTable, PressureKind, PressureTable};
-pub use loaded_model::{
-    DoesNotLoad, LARGEST, LoadedModel, ModelParts, SharedFunctions, SmallModel, Visitor,
-};
+pub use loaded_model::{DoesNotLoad, LARGEST, LoadedModel, SharedFunctions, SmallModel, Visitor};
 pub use mode_code::ModeCode;
 pub use mode_name::ModeName;
+pub use parts::ModelParts;
 pub use source::{FileContents, ModelSource};

@@ -4,53 +4,19 @@ use core::ops::Deref;
 use std::sync::Arc;
 
 use contacts::{TooManyGuards, WithContacts};
-use equations::table::{Arguments, Equations, FunctionId, Functions, ModelTable};
+use equations::table::{Equations as _, ModelTable};
 use equations::{DoesNotFit, EquationModel};
 
 use crate::describe::Playable;
 use crate::entry::ModelEntry;
 use crate::equation_model::MAX_CODED_CONTACTS;
+use crate::parts::ModelParts;
+use crate::source::ModelSource;
 
 pub use crate::entry::SharedFunctions;
-use crate::source::ModelSource;
 
 /// Most states, and most parameters and numbers that follow from them, of a model.
 pub const LARGEST: (usize, usize) = (32, 512);
-
-/// The parts of a model that never change, shared by all that play it.
-pub struct ModelParts {
-    entry: ModelEntry,
-    table: ModelTable,
-    functions: SharedFunctions,
-}
-
-impl Deref for ModelParts {
-    type Target = ModelEntry;
-
-    fn deref(&self) -> &ModelEntry {
-        &self.entry
-    }
-}
-
-impl core::fmt::Debug for ModelParts {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.debug_tuple("ModelParts").field(&self.entry.name).finish()
-    }
-}
-
-impl Functions for ModelParts {
-    #[inline]
-    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
-        self.functions.call(function, arguments, out);
-    }
-}
-
-impl Equations for ModelParts {
-    #[inline]
-    fn table(&self) -> &ModelTable {
-        &self.table
-    }
-}
 
 /// A model without contacts, with N states and C constants.
 type Loaded<const N: usize, const C: usize> = EquationModel<Arc<ModelParts>, N, C>;
@@ -118,7 +84,7 @@ impl Prototype {
     /// The smallest type into which the model fits.
     #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
     fn new(parts: Arc<ModelParts>) -> Result<Self, DoesNotLoad> {
-        let table = &parts.table;
+        let table = parts.table();
         let (states, contacts) = (table.states.len(), table.contacts.len());
         let constants = table.constants.max(table.parameters.len());
         let fits = |room: (usize, usize)| states <= room.0 && constants <= room.1;
@@ -156,7 +122,7 @@ impl LoadedModel {
         source: Option<ModelSource>,
     ) -> Result<Self, DoesNotLoad> {
         let entry = ModelEntry::new(&table, &functions, source);
-        let parts = Arc::new(ModelParts { entry, table, functions });
+        let parts = Arc::new(ModelParts::new(entry, table, functions));
         Ok(Self { prototype: Prototype::new(Arc::clone(&parts))?, parts })
     }
 
@@ -181,7 +147,7 @@ impl Deref for LoadedModel {
     type Target = ModelEntry;
 
     fn deref(&self) -> &ModelEntry {
-        &self.parts.entry
+        &self.parts
     }
 }
 

@@ -101,7 +101,7 @@ pub(crate) enum Task {
     Peers(PeerOptions),
     /// Give damaged files to the program.
     Fuzz(FuzzOptions),
-    /// Count lines.
+    /// Count the lines of Rust, and hold them to the allowance.
     Size,
     /// Run the tool that cargo builds from this target, with these arguments.
     Tool(&'static [&'static str], Vec<OsString>),

@@ -22,7 +22,7 @@ const SHOWN: usize = 10;
 /// The file of the lines that the project may have.
 const ALLOWANCE: &str = "tests/size.toml";
 
-/// Lines of Rust.
+/// Lines of Rust by what they are for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 struct RustLines {
     product: usize,
@@ -37,7 +37,7 @@ struct CountedItem {
     file: String,
 }
 
-/// What was counted.
+/// The lines of the project and of its parts.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 struct ProjectSize {
     lines: RustLines,

@@ -12,8 +12,8 @@ use pode::{GuardId, Motion};
 
 use crate::describe::{Damper, Described, Playable, Sounding};
 use crate::draw::Sketch;
-use crate::loaded_model::ModelParts;
 use crate::mode_code::ModeCode;
+use crate::parts::ModelParts;
 
 /// Most contacts whose states fit into a [`ModeCode`]: 5²⁴ is less than 2⁵⁶.
 pub const MAX_CODED_CONTACTS: usize = 24;

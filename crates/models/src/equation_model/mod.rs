@@ -13,8 +13,8 @@ use pode::{GuardId, Motion};
 
 use crate::describe::{Damper, Described, Playable, Sounding};
 use crate::draw::Sketch;
-use crate::loaded_model::ModelParts;
 use crate::mode_code::ModeCode;
+use crate::parts::ModelParts;
 
 pub use contacts::MAX_CODED_CONTACTS;
 
