@@ -133,11 +133,17 @@ fn a_voice_that_takes_over_computes_no_rest_and_keeps_that_of_new_entries() {
     let scene = scene(&library, folder.path());
     // A ball that can turn, and is turned by half a radian at rest.
     let text = description("bouncing-ball").unwrap();
-    let text = text.replace("\n[speeds]", "turned = { unit = \"rad\" }\n\n[speeds]");
-    let text = text.replace("\n[rates]", "w = { unit = \"rad/s\" }\n\n[rates]\nturned = \"w\"");
+    let text = text.replace(
+        "\n[speeds]",
+        "turned = { unit = \"rad\", range = [\"-9 rad\", \"9 rad\"] }\n\n[speeds]",
+    );
+    let text = text.replace(
+        "\n[rates]",
+        "w = { unit = \"rad/s\", range = [\"-9 rad/s\", \"9 rad/s\"] }\n\n[rates]\nturned = \"w\"",
+    );
     let text = text
         .replace("origin = [\"0 m\", \"y\"] }", "origin = [\"0 m\", \"y\"], turn = \"turned\" }");
-    let text = text.replace("mass = \"mass\" }", "mass = \"mass\", inertia = \"1 kg m^2\" }");
+    let text = text.replace("mass = \"mass\" }", "mass = \"mass\", inertia = \"1 kg*m^2\" }");
     let text = text.replace("y = \"s + y0\"", "y = \"s + y0\"\nturned = \"0.5 rad\"");
     let path = folder.path().join("turning.toml");
     fs::write(&path, text).unwrap();
