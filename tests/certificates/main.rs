@@ -3,7 +3,7 @@
 //! A step is certain if no root of a guard can have been missed on the orbit as it was computed.
 //! Here random oscillators with random guards and inputs are advanced by every method, far past
 //! the limits of some: stiff for the step, inputs faster than the tick, guards faster than the
-//! rate that the model declares. Each computed orbit is sampled in [`LOOKS`] places a piece, and
+//! rate that the model declares. Each computed orbit is sampled in `LOOKS` places a piece, and
 //! more densely where a guard is lowest. A guard that is negative in a certain step, without an
 //! event before, is a violation.
 //!
