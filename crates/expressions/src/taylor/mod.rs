@@ -4,6 +4,7 @@
 //! [`SeriesTapes`] makes straight lines of it that compile like any other function. `[JZ05]`
 
 mod carried;
+mod coefficients;
 mod conditions;
 mod functions;
 mod lanes;
@@ -13,6 +14,7 @@ mod step_terms;
 mod straight;
 mod writing;
 
+pub use coefficients::SeriesCoefficients;
 pub use recursion::Recursion;
 pub use rules::SeriesRule;
 pub use straight::SeriesTapes;

@@ -1,7 +1,7 @@
 //! The power series of a formula of t.
 
-use expressions::tape::{Argument, Instruction, Tape, TapeArguments, TapeSlot};
-use expressions::taylor::{Recursion, SeriesTapes};
+use expressions::tape::{Argument, Instruction, Tape, TapeSlot};
+use expressions::taylor::{Recursion, SeriesCoefficients, SeriesTapes};
 use pode::Motion;
 
 /// Outputs of the tapes before the conditions: the rate of t, and the formula.
@@ -29,67 +29,25 @@ impl FormulaSeries {
     /// `false` if a coefficient is not finite, or the formula may change its form before τ = 1, by a
     /// branch or as a bell that was not seen from afar.
     pub(super) fn write(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
-        let mut coefficients = Coefficients::start(&self.0, t);
+        let mut series = SeriesCoefficients::new(&self.0, &[], &[t]);
+        // What each condition is at the start, less all that it may change.
+        let conditions = series.values().iter().skip(OUTPUTS);
+        let mut margins: Vec<f64> = conditions.map(|it| it.abs()).collect();
+        let time = |k: usize| if k == 1 { span } else { 0.0 };
         for (k, place) in out.iter_mut().enumerate() {
             if k > 0 {
-                coefficients.advance(k, span);
+                series.advance(&[time(k)]);
+                let conditions = series.values().iter().skip(OUTPUTS);
+                margins.iter_mut().zip(conditions).for_each(|(margin, it)| *margin -= it.abs());
             }
-            let position = coefficients.formula();
+            let position = series.values().get(1).copied().unwrap_or(f64::NAN);
             if !position.is_finite() {
                 return false;
             }
             *place = Motion { position, ..Motion::default() };
         }
-        coefficients.margins.iter().all(|margin| *margin >= 0.0)
+        margins.iter().all(|margin| *margin >= 0.0)
     }
-}
-
-/// Coefficients of one order after another.
-struct Coefficients<'tapes> {
-    tapes: &'tapes SeriesTapes,
-    /// What the tape of the latest order gave.
-    values: Vec<f64>,
-    /// What the first tape keeps for the others.
-    kept: Vec<f64>,
-    /// What each condition is at the start, less all that it may change.
-    margins: Vec<f64>,
-    /// Factors of the sums by lane and order; those of order 0 are in no sum.
-    factors: [Vec<Vec<f64>>; 2],
-}
-
-impl<'tapes> Coefficients<'tapes> {
-    fn start(tapes: &'tapes SeriesTapes, t: f64) -> Self {
-        let given = TapeArguments { state: &[t], ..TapeArguments::default() };
-        let mut values = tapes.start.evaluate(&given);
-        let kept = values.split_off((OUTPUTS + tapes.conditions).min(values.len()));
-        let margins = values.iter().skip(OUTPUTS).map(|it| it.abs()).collect();
-        let lanes = vec![vec![0.0]; tapes.lanes];
-        Self { tapes, values, kept, margins, factors: [lanes.clone(), lanes] }
-    }
-
-    /// Goes on to order `k` ≥ 1 of a step of `span` (s).
-    fn advance(&mut self, k: usize, span: f64) {
-        let [first, second] = &self.factors;
-        let lanes = first.iter().zip(second);
-        let sums: Vec<f64> = lanes.map(|(a, b)| convolution(a, b, k)).collect();
-        let extra = [&[k as f64, 1.0 / k as f64], self.kept.as_slice(), &sums].concat();
-        let state = [if k == 1 { span } else { 0.0 }];
-        let given = TapeArguments { state: &state, extra: &extra, ..TapeArguments::default() };
-        self.values = self.tapes.step.evaluate(&given);
-        let conditions = self.values.iter().skip(OUTPUTS);
-        self.margins.iter_mut().zip(conditions).for_each(|(margin, moved)| *margin -= moved.abs());
-        let made = self.values.iter().skip(OUTPUTS + self.tapes.conditions);
-        self.factors.iter_mut().flatten().zip(made).for_each(|(row, value)| row.push(*value));
-    }
-
-    fn formula(&self) -> f64 {
-        self.values.get(1).copied().unwrap_or(f64::NAN)
-    }
-}
-
-/// The inner terms of the product's coefficient of order `k`.
-fn convolution(first: &[f64], second: &[f64], k: usize) -> f64 {
-    (1..k).map(|j| first[j] * second[k - j]).sum()
 }
 
 #[cfg(test)]
