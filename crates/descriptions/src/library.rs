@@ -67,8 +67,8 @@ pub fn unknown_model(wanted: &str) -> MissingModel {
 
 /// Reads descriptions into models, and knows those that are in use.
 ///
-/// Copies share what they know. A version of a description lives as long as somebody holds its
-/// model; the models of the program stay.
+/// Clones share their versions. A version of a description lives as long as its model is in use; the
+/// models of the program stay.
 #[derive(Clone, Debug, Default)]
 pub struct Library(Arc<LibraryState>);
 
@@ -121,7 +121,7 @@ impl Library {
         if let Some((contents, model)) = self.current(&place) {
             return (contents, Ok(model));
         }
-        // Whoever asks for a version does not wait until another one is derived.
+        // The lock is not held meanwhile, so that a request does not wait for another derivation.
         let files = DescriptionFiles::new(&self.0.kept);
         let model = self.read(path, &files, is_cancelled);
         if let Ok(model) = &model {
@@ -199,12 +199,11 @@ fn shipped(name: &str) -> Option<Result<Arc<LoadedModel>, MissingModel>> {
     if let Some(model) = model.get() {
         return Some(Ok(Arc::clone(model)));
     }
-    let (name, text) = SHIPPED[index];
-    let kept = KeptFiles::default();
-    let files = DescriptionFiles::new(&kept);
-    let derived = derive_unless_cancelled(name, text, &files, &Arc::default());
-    let read = derived.and_then(|it| compiled(Path::new(name), it, None, &AtomicBool::new(false)));
-    Some(read.map(|read| Arc::clone(model.get_or_init(|| read))).map_err(MissingModel::Wrong))
+    let read = derive(name).and_then(|derived| {
+        compiled(Path::new(name), derived, None, &AtomicBool::new(false))
+            .map_err(MissingModel::Wrong)
+    });
+    Some(read.map(|read| Arc::clone(model.get_or_init(|| read))))
 }
 
 /// Returns the text of the description at `path`.
@@ -251,7 +250,7 @@ fn compiled(
     Ok(Arc::new(model))
 }
 
-/// The diagnostics of a file of which nothing else is known.
+/// One diagnostic about a file as a whole.
 fn refusal(path: &Path, message: String, help: &str) -> Diagnostics {
     Diagnostics::new(vec![Diagnostic {
         file: path.to_string_lossy().into_owned(),
