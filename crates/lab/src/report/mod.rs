@@ -76,17 +76,18 @@ impl StudyReport {
         report.heading("Cheapest at equal error");
         report.text(glance::TEXT);
         report.table(&glance::table(self));
-        let mut all = runs::ours(&[]);
+        let mut tables = Vec::new();
         for measured in &self.measured {
-            self.add(measured, &mut report);
-            all.rows.extend(runs::ours(std::slice::from_ref(measured)).rows);
+            let ours = runs::ours(measured);
+            self.add(measured, &ours, &mut report);
+            tables.push(ours);
         }
-        report.csv("accuracy", &all);
+        report.csv("accuracy", &runs::all(tables));
         report.write(folder)
     }
 
     /// Adds a scenario: its title, what its reference is, its pictures and its runs.
-    fn add(&self, measured: &MeasuredScenario, report: &mut Report) {
+    fn add(&self, measured: &MeasuredScenario, ours: &Table, report: &mut Report) {
         let entry = measured.entry;
         report.heading(&format!("{}: {}", entry.name, entry.title));
         report.text(entry.source);
@@ -95,8 +96,7 @@ impl StudyReport {
         if !peers.is_empty() {
             report.picture(&format!("{}-peers", entry.name), &picture::peers(measured, &peers));
         }
-        let ours = runs::ours(std::slice::from_ref(measured));
-        report.folded(&format!("All {} runs", ours.rows.len()), &ours);
+        report.folded(&format!("All {} runs", ours.rows.len()), ours);
         if !peers.is_empty() {
             let title = format!("All {} runs of other codes", peers.len());
             report.folded(&title, &runs::theirs(&peers));

@@ -41,12 +41,14 @@ const OURS: [(&str, &str); 33] = [
     ("reference", ""),
 ];
 
-/// Returns the runs of scenarios.
-pub(super) fn ours(measured: &[MeasuredScenario]) -> Table {
-    let rows = |it: &MeasuredScenario| {
-        it.rows.iter().map(|row| cells(row, it.entry.source)).collect::<Vec<_>>()
-    };
-    Table::new(OURS).with(measured.iter().flat_map(rows))
+/// Returns the runs of a scenario.
+pub(super) fn ours(measured: &MeasuredScenario) -> Table {
+    Table::new(OURS).with(measured.rows.iter().map(|row| cells(row, measured.entry.source)))
+}
+
+/// Returns the runs of all scenarios.
+pub(super) fn all(tables: Vec<Table>) -> Table {
+    Table::new(OURS).with(tables.into_iter().flat_map(|it| it.rows))
 }
 
 fn cells(row: &StudyRow, source: &str) -> [TableCell; OURS.len()] {
