@@ -14,7 +14,7 @@ use std::hint::black_box;
 use std::sync::Arc;
 
 use criterion::Criterion;
-use models::{Described, LoadedModel, SmallModel};
+use instruments::{Described, LoadedModel, SmallModel};
 use pode::input::Cubic;
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, Any, BogackiShampine, ExponentialRosenbrock, Exprb32, Heun,

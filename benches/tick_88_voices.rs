@@ -19,12 +19,14 @@ mod stage;
 
 use std::sync::Arc;
 
+use boards::sim::key::SimulatedKey;
 use criterion::{BatchSize, Criterion};
+use engine::realtime::wake_fd::WakeFd;
+use engine::voice::RehearsableVoice;
+use engine::voice::VoiceBuilder;
 use haptics::RigParameters;
-use hardware::sim::key::SimulatedKey;
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
-use realtime::wake_fd::WakeFd;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::observation::{FollowedKeys, VoiceObservation};
 use scheduler::port::{FinishedTick, KeyBus, Lanes, TickInput, TickObserver, TickOutput};
@@ -34,8 +36,6 @@ use scheduler::time::{Nanos, Period, Timetable};
 use scheduler::voice::{Voice, VoiceOutput};
 use setting::{TICKS, swing};
 use stage::{Stage, scene, stroke};
-use voice::RehearsableVoice;
-use voice::VoiceBuilder;
 
 const HZ: u32 = 1000;
 
@@ -243,7 +243,7 @@ impl Lanes for Copies {
 /// A scheduler whose next tick is `tick`.
 fn scheduler_at(tick: u64) -> Box<Scheduler> {
     let period = Period::from_hz(HZ).expect("a rate that can be kept");
-    let mut scheduler = realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), SLEW);
+    let mut scheduler = engine::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), SLEW);
     let (due, mut nothing) = (scheduler.timetable().due(tick - 1), Copies(Vec::new()));
     scheduler.poll(due, &mut Held(0.0), &mut nothing, &mut stage::Nobody);
     scheduler

@@ -20,8 +20,10 @@ mod setting;
 use std::sync::Arc;
 
 use criterion::Criterion;
+use engine::voice::input::InputPath;
+use engine::voice::{AnyVoice, VoiceBuilder};
 use haptics::{AnyEstimator, Kalman, RigParameters};
-use models::SmallModel;
+use instruments::SmallModel;
 use pode::input::Cubic;
 use pode::stepper::Rk4;
 use pode::{Auditor, Limits, Signal as _, Silent, Simulator};
@@ -29,8 +31,6 @@ use scene::{Library, PassivityMode, Scene};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
-use voice::input::InputPath;
-use voice::{AnyVoice, VoiceBuilder};
 
 /// Tick (s).
 const H: f64 = 1e-3;

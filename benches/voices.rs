@@ -9,12 +9,12 @@ mod setting;
 use std::sync::Arc;
 
 use criterion::Criterion;
+use engine::voice::{AnyVoice, VoiceBuilder};
 use haptics::RigParameters;
 use scene::Scene;
 use scheduler::motion::KeySample;
 use scheduler::voice::VoiceOutput;
 use setting::{TICKS, swing};
-use voice::{AnyVoice, VoiceBuilder};
 
 /// C4, the key that stands for the others.
 const MIDDLE: usize = 39;

@@ -73,7 +73,7 @@ proptest! {
 
     #[test]
     fn any_bytes_as_a_performance(bytes in vec(any::<u8>(), 0..300)) {
-        assert!(performance::read(&bytes).is_err());
+        assert!(pianist::read(&bytes).is_err());
         let headed = [&BACH[..14], &bytes[..]].concat();
         with_file("any.mid", &headed, perform);
     }

@@ -4,6 +4,13 @@
 
 use std::cell::Cell;
 
+use boards::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
+use boards::links::loopback::Loopback;
+use boards::links::{HostClock, Link, RecvError, SendError};
+use boards::refusal::Refusals;
+use boards::rt::board_supervisor::{ArmLockout, ArmState as BoardStage};
+use boards::rt::key_fault::KeyFault;
+use boards::sim::board::{BoardMake, SimulatedBoard};
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::frame::FrameKind;
 use firmware_protocol::frame::hello::safe_reason;
@@ -12,13 +19,6 @@ use firmware_protocol::frame::key_samples::{KeySamples, SampleLayout, SamplePack
 use firmware_protocol::key::{BoardId, KEYS_PER_BOARD, MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Counts;
 use haptics::{RigParameters, Touch};
-use hardware::keybed::{Armed, Keybed, NamedLink, Offline, Terms, WantedBoards};
-use hardware::refusal::Refusals;
-use hardware::rt::board_supervisor::{ArmLockout, ArmState as BoardStage};
-use hardware::rt::key_fault::KeyFault;
-use hardware::sim::board::{BoardMake, SimulatedBoard};
-use links::loopback::Loopback;
-use links::{HostClock, Link, RecvError, SendError};
 use scheduler::port::{FinishedTick, TickObserver};
 
 use crate::stage::{Stage, scene, stroke};

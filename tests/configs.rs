@@ -24,7 +24,7 @@ fn every_scene_has_a_voice_on_each_key() {
 
 #[test]
 fn every_description_is_a_model_that_its_name_finds() {
-    let known: BTreeSet<_> = descriptions::model_names().map(String::from).collect();
+    let known: BTreeSet<_> = mechanism::model_names().map(String::from).collect();
     for name in names(&files("models", "toml")) {
         assert!(known.contains(&name), "{name} is not part of the program");
         let model = scene::Library::default().find(&name, Path::new(""));
@@ -43,7 +43,7 @@ fn every_performance_is_read_without_leaving_a_note_out_and_is_embedded() {
     let paths = files("performances", "mid");
     assert_eq!(names(&paths), scene::performances().map(String::from).collect());
     for path in paths {
-        let score = performance::read(&fs::read(&path).expect("a file"));
+        let score = pianist::read(&fs::read(&path).expect("a file"));
         let score = score.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         assert!(20 < score.notes.len(), "{}", path.display());
         assert_eq!((score.skipped, score.overlaps), (0, 0), "{}", path.display());

@@ -13,7 +13,8 @@ fn shipped() -> Vec<PathBuf> {
     let mut all: Vec<PathBuf> = Vec::new();
     let listed = |folder: PathBuf| std::fs::read_dir(folder).expect("a folder").flatten();
     all.extend(listed(root().join("configs/models")).map(|entry| entry.path()));
-    let models = listed(root().join("crates/models/src")).map(|it| it.path().join("model.toml"));
+    let models =
+        listed(root().join("crates/instruments/src")).map(|it| it.path().join("model.toml"));
     all.extend(models.filter(|file| file.exists()));
     all.sort();
     all
@@ -42,7 +43,7 @@ fn every_shipped_description_is_good_and_shows_its_modes() {
 #[test]
 fn a_file_and_the_model_of_the_program_are_simulated_alike() {
     let folder = folder("descriptions-alike");
-    let described = root().join("crates/models/src/key_hammer_springs/model.toml");
+    let described = root().join("crates/instruments/src/key_hammer_springs/model.toml");
     let mut ends = Vec::new();
     for model in ["key-hammer-springs", described.to_str().expect("a path")] {
         let arguments = [
@@ -132,7 +133,7 @@ fn play(name: &str, file: &str, preset: &str) {
 
 #[test]
 fn eighty_eight_keys_play_a_description() {
-    play("descriptions-played", "crates/models/src/key_hammer_springs/model.toml", "playable");
+    play("descriptions-played", "crates/instruments/src/key_hammer_springs/model.toml", "playable");
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
+use boards::links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
+use boards::sim::keybed::SimulatedKeybed;
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::sim::keybed::SimulatedKeybed;
-use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
 use scene::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};

@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
+use boards::links::faulty::{Chance, FaultPlan, LinkFault};
+use boards::sim::keybed::SimulatedKeybed;
 use firmware_protocol::key::BoardId;
 use haptics::Touch;
-use hardware::sim::keybed::SimulatedKeybed;
-use links::faulty::{Chance, FaultPlan, LinkFault};
 use scene::Scene;
 use scheduler::motion::{KEYS, KeyEvent};
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 
 use crate::stage::{Stage, audited, key, keybed, scene, stroke};
-use voice::AuditCell;
+use engine::voice::AuditCell;
 
 /// Strokes on each key.
 const STROKES: u32 = 8;

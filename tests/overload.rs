@@ -3,13 +3,13 @@
 
 use std::sync::Arc;
 
-use realtime::pool::BoxedVoice;
+use engine::realtime::pool::BoxedVoice;
+use engine::voice::VoiceBuilder;
 use scene::Scene;
 use scheduler::motion::{KEYS, KeyEvent, KeySample, KeySlope};
 use scheduler::overload::{Simplification, Simplifications};
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceWork};
-use voice::VoiceBuilder;
 
 use crate::stage::{Stage, keybed, play_all, scene, voices};
 

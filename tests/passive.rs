@@ -4,11 +4,11 @@ use std::env;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+use engine::voice::{AnyVoice, VoiceBuilder};
 use lab::random::SeededRandom;
 use scene::{PassivityMode, Scene, instruments};
 use scheduler::motion::KeySample;
 use scheduler::voice::VoiceOutput;
-use voice::{AnyVoice, VoiceBuilder};
 
 /// Tick (s).
 const H: f64 = 1e-3;

@@ -2,11 +2,11 @@
 
 use haptics::{Gesture, Touch};
 use host::rehearsal::RehearsedKey;
-use performance::{Pianist, Score, ScoreNote, Technique};
+use pianist::{Pianist, Score, ScoreNote, Technique};
 use scheduler::motion::KeyEvent;
 use scheduler::port::{FinishedTick, TickObserver};
 
-use voice::VoiceBuilder;
+use engine::voice::VoiceBuilder;
 
 use crate::stage::{Stage, key, keybed, scene, stroke};
 

@@ -181,7 +181,7 @@ fn a_play_list_is_played_again_and_again() {
     assert_eq!((notes.pieces, notes.passes, notes.played), (2, 3, 8), "{notes:?}");
     let said = report.to_string();
     assert!(said.contains("pieces 2, passes 3; what follows is of one pass"), "{said}");
-    let heard = performance::read(&bytes).expect("what was played");
+    let heard = pianist::read(&bytes).expect("what was played");
     let c4 = heard.notes.iter().filter(|note| note.key == 39).map(|note| note.onset);
     check_times(c4, &[1.5, 6.0, 11.5, 16.0, 21.5]);
     // At the end of the run all pedals are lifted.

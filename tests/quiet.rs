@@ -3,14 +3,14 @@
 
 use std::sync::Arc;
 
-use realtime::pool::BoxedVoice;
+use engine::realtime::pool::BoxedVoice;
 use scene::{Scene, instruments};
 use scheduler::motion::KEYS;
 use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::VoiceFault;
 
 use crate::stage::{Stage, keybed, play_all, scene, try_scene};
-use voice::AuditCell;
+use engine::voice::AuditCell;
 
 /// Energy that a key's model may have been given or have made when nobody was there \[J\].
 const NOTHING: f64 = 1e-3;

@@ -1,30 +1,12 @@
-//! No crate holds too much, and no import circle is in any: modules beside each other know each
-//! other in one direction at most.
+//! No import circle is in any crate: modules beside each other know each other in one direction at
+//! most, also where one names the other's items by what a parent re-exports.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use syn::visit::{self, Visit};
-use syn::{ItemUse, Path, UseTree};
+use syn::{Ident, ItemUse, Path, UseTree};
 
 use crate::sources::{self, Source};
-
-/// Of all lines, the share that one crate may hold: an eighth.
-const LARGEST_SHARE: usize = 8;
-
-#[test]
-fn no_crate_holds_more_than_an_eighth_of_the_code() {
-    let mut lines = BTreeMap::<String, usize>::new();
-    for source in sources::all() {
-        *lines.entry(source.room).or_default() += source.lines;
-    }
-    let all: usize = lines.values().sum();
-    for (room, lines) in lines {
-        assert!(
-            lines * LARGEST_SHARE <= all,
-            "{room} holds {lines} of {all} lines: split it along a wall that stands"
-        );
-    }
-}
 
 #[test]
 fn modules_beside_each_other_have_no_import_circle() {
@@ -51,15 +33,12 @@ type Edges = BTreeSet<(String, String)>;
 
 /// Each circle of a crate, as a sentence.
 fn circles(room: &str, all: &[Source]) -> Vec<String> {
-    let modules: BTreeSet<&[String]> = all.iter().map(|it| it.module.as_slice()).collect();
+    let names = Names::new(all);
     let mut levels = BTreeMap::<Vec<String>, Edges>::new();
     for source in all {
-        let mut paths = Paths { found: Vec::new() };
-        paths.visit_file(&source.syntax);
-        for path in paths.found {
-            let edge = resolve(&modules, &source.module, &path)
-                .and_then(|known| siblings(&source.module, &known));
-            if let Some((parent, edge)) = edge {
+        for path in paths_of(source).found {
+            let known = names.resolve(&source.module, &path, DEEPEST_USE);
+            if let Some((parent, edge)) = known.and_then(|it| siblings(&source.module, &it)) {
                 levels.entry(parent).or_default().insert(edge);
             }
         }
@@ -99,35 +78,68 @@ fn reachable(edges: &Edges, start: &str) -> BTreeSet<String> {
     found
 }
 
-/// The module that a path of `module` leads to; none if it leads out of the crate.
-fn resolve(
-    modules: &BTreeSet<&[String]>,
-    module: &[String],
-    path: &[String],
-) -> Option<Vec<String>> {
-    let up = path.iter().take_while(|it| *it == "super").count();
-    let (mut known, rest) = match path.first()?.as_str() {
-        "crate" => (Vec::new(), &path[1..]),
-        "self" => (module.to_vec(), &path[1..]),
-        "super" => (module[..module.len().checked_sub(up)?].to_vec(), &path[up..]),
-        first => {
-            let child = [module, &[first.to_owned()]].concat();
-            (modules.contains(child.as_slice()).then(|| module.to_vec())?, path)
+/// Most re-exports that one name is followed through.
+const DEEPEST_USE: usize = 8;
+
+/// The modules of a crate, and what each brings into its scope by `use`.
+struct Names<'a> {
+    modules: BTreeSet<&'a [String]>,
+    /// The path that a name stands for, by the module that uses it.
+    used: BTreeMap<(&'a [String], String), Vec<String>>,
+}
+
+impl<'a> Names<'a> {
+    fn new(all: &'a [Source]) -> Self {
+        let mut used = BTreeMap::new();
+        for source in all {
+            for (name, path) in paths_of(source).used {
+                used.insert((source.module.as_slice(), name), path);
+            }
         }
-    };
-    for part in rest {
-        known.push(part.clone());
-        if !modules.contains(known.as_slice()) {
-            known.pop();
-            break;
-        }
+        Self { modules: all.iter().map(|it| it.module.as_slice()).collect(), used }
     }
-    Some(known)
+
+    /// The module in which the item of a path of `module` is written; none if the path leads out of
+    /// the crate.
+    fn resolve(&self, module: &[String], path: &[String], deepest: usize) -> Option<Vec<String>> {
+        let up = path.iter().take_while(|it| *it == "super").count();
+        let (mut known, rest) = match path.first()?.as_str() {
+            "crate" => (Vec::new(), &path[1..]),
+            "self" => (module.to_vec(), &path[1..]),
+            "super" => (module[..module.len().checked_sub(up)?].to_vec(), &path[up..]),
+            first => {
+                let child = [module, &[first.to_owned()]].concat();
+                (self.modules.contains(child.as_slice()).then(|| module.to_vec())?, path)
+            }
+        };
+        for part in rest {
+            known.push(part.clone());
+            if !self.modules.contains(known.as_slice()) {
+                known.pop();
+                return Some(self.behind_use(&known, part, deepest).unwrap_or(known));
+            }
+        }
+        Some(known)
+    }
+
+    /// The module from which `module` has `name`, if by a `use`.
+    fn behind_use(&self, module: &[String], name: &str, deepest: usize) -> Option<Vec<String>> {
+        let path = self.used.get(&(module, name.to_owned()))?;
+        self.resolve(module, path, deepest.checked_sub(1)?)
+    }
+}
+
+fn paths_of(source: &Source) -> Paths {
+    let mut paths = Paths { found: Vec::new(), used: Vec::new() };
+    paths.visit_file(&source.syntax);
+    paths
 }
 
 /// Collects all paths of a file, those of `use` with their trees expanded.
 struct Paths {
     found: Vec<Vec<String>>,
+    /// Names that come by `use`, with their paths.
+    used: Vec<(String, Vec<String>)>,
 }
 
 impl<'a> Visit<'a> for Paths {
@@ -150,13 +162,15 @@ impl Paths {
                 prefix.pop();
             }
             UseTree::Group(it) => it.items.iter().for_each(|tree| self.expand(tree, prefix)),
-            UseTree::Name(it) => self.end(prefix, it.ident.to_string()),
-            UseTree::Rename(it) => self.end(prefix, it.ident.to_string()),
+            UseTree::Name(it) => self.end(prefix, &it.ident, &it.ident),
+            UseTree::Rename(it) => self.end(prefix, &it.ident, &it.rename),
             UseTree::Glob(_) => self.found.push(prefix.clone()),
         }
     }
 
-    fn end(&mut self, prefix: &[String], name: String) {
-        self.found.push([prefix, &[name]].concat());
+    fn end(&mut self, prefix: &[String], name: &Ident, known_as: &Ident) {
+        let path = [prefix, &[name.to_string()]].concat();
+        self.used.push((known_as.to_string(), path.clone()));
+        self.found.push(path);
     }
 }

@@ -13,7 +13,6 @@ pub(crate) struct Source {
     pub(crate) path: PathBuf,
     /// The module that it is, as `["stepper", "rk4"]`; empty for the crate's root.
     pub(crate) module: Vec<String>,
-    pub(crate) lines: usize,
     pub(crate) syntax: File,
 }
 
@@ -58,7 +57,7 @@ fn read(room: &str, src: &Path, path: PathBuf) -> Option<Source> {
     let text = fs::read_to_string(&path).expect("a source file");
     let mut syntax = syn::parse_file(&text).expect("a file that compiles");
     syntax.items.retain(|item| !is_for_tests(attributes(item)));
-    Some(Source { room: room.to_owned(), path, module, lines: text.lines().count(), syntax })
+    Some(Source { room: room.to_owned(), path, module, syntax })
 }
 
 /// The programs in a folder of examples.

@@ -5,8 +5,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
+use boards::sim::keybed::SimulatedKeybed;
 use haptics::plant::KeyRig;
-use hardware::sim::keybed::SimulatedKeybed;
 use host::session::{RunOptions, RunSession};
 use host::stability::examine;
 use scene::{FingerName, Scene, instruments};

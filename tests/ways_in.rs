@@ -12,7 +12,7 @@ use syn::{Attribute, Ident, Item, Macro, Type, Visibility};
 use crate::sources::{self, Source};
 
 /// Modules that wait for their way in: the impact laws that descriptions are to name.
-const WAITING: [&str; 1] = ["contacts::restitution::"];
+const WAITING: [&str; 1] = ["pode::contacts::restitution::"];
 
 /// An item of a crate, and the identifiers in it.
 struct NamedItem {

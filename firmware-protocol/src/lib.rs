@@ -46,7 +46,7 @@
 //! }
 //! ```
 //!
-//! Here are integers only. Metres and newtons appear in `hardware::calibration`.
+//! Here are integers only. Metres and newtons appear in `boards::calibration`.
 //! `c/` has the same for firmware in C, `vectors/` golden bytes for any language.
 #![no_std]
 #![forbid(unsafe_code)]

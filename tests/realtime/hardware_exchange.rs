@@ -1,7 +1,7 @@
 //! The exchange with the boards alone, on good wires and bad ones.
 
+use boards::links::faulty::{Chance, FaultPlan, LinkFault};
 use firmware_protocol::key::BoardId;
-use links::faulty::{Chance, FaultPlan, LinkFault};
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus as _;
 

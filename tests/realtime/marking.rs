@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::ops::Range;
 
-use realtime::pool::BoxedVoice;
+use engine::realtime::pool::BoxedVoice;
 use scheduler::motion::KeySample;
 use scheduler::observation::VoiceObservation;
 use scheduler::values::ModelValues;

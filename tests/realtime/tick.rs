@@ -4,12 +4,12 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
+use engine::realtime::run::{Assembly, Timings, Until};
+use engine::realtime::wake_fd::WakeFd;
+use engine::realtime::{clock, run};
 use host::adapters::observer::{LiveCounters, TickPublisher};
 use host::adapters::tick_recorder::{TickRecorder, TickRecorderRings};
 use midi::{NoteEvent as MidiEvent, PedalMove};
-use realtime::run::{Assembly, Timings, Until};
-use realtime::wake_fd::WakeFd;
-use realtime::{clock, run};
 use rtrb::Consumer;
 use scene::Scene;
 use scheduler::motion::KEYS;

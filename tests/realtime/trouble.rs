@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use realtime::pool::{BoxedVoice, LaneCounters, VoiceChange, WaitLimit};
+use engine::realtime::pool::{BoxedVoice, LaneCounters, VoiceChange, WaitLimit};
 use scene::KeyVoice;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::port::{FinishedTick, TickObserver};

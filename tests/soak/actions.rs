@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use boards::links::random::Random;
+use engine::realtime::pool::VoiceChange;
 use host::control::{RequestHandler, RunHandle};
-use links::random::Random;
-use realtime::pool::VoiceChange;
 use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use scene::{KeyVoice, Scene};
 use scheduler::motion::KEYS;
@@ -232,7 +232,7 @@ fn tunings(scene: &Scene, plan: &SoakPlan) -> Vec<(u64, PlannedAction)> {
     let action = |tuning: &crate::plan::Tuning| {
         let voice = voice(scene, tuning.key)?;
         let share = (tuning.parameter * voice.values.len() as f64).floor();
-        let index = usize::try_from(realtime::clock::nearest_integer(share)).ok()?;
+        let index = usize::try_from(engine::realtime::clock::nearest_integer(share)).ok()?;
         let (parameter, value) = (voice.model.parameters.get(index)?, *voice.values.get(index)?);
         let (low, high) = parameter.range;
         let value = match tuning.factor {

@@ -1,7 +1,7 @@
 //! Dense random music: every key about once a second, soft and loud, long and short.
 
+use boards::links::random::Random;
 use haptics::{Gesture, Touch};
-use links::random::Random;
 
 /// Longest time that a key is held (s).
 pub(crate) const LONGEST: f64 = 0.6;

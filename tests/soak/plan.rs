@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
+use boards::links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
+use boards::links::random::Random;
 use firmware_protocol::key::{BoardId, KeyIndex};
 use haptics::Gesture;
-use links::faulty::{Chance, Direction, FaultPlan, LinkFault, Scripted};
-use links::random::Random;
 use scheduler::motion::KEYS;
 
 use crate::music;
@@ -80,7 +80,7 @@ struct PlanDraw {
 
 impl PlanDraw {
     fn tick(&self, seconds: f64) -> u64 {
-        realtime::clock::nearest_integer(seconds * self.hz)
+        engine::realtime::clock::nearest_integer(seconds * self.hz)
     }
 
     fn between(&mut self, low: f64, high: f64) -> f64 {
@@ -107,7 +107,7 @@ impl PlanDraw {
             let share = self.random.unit() * (end + 1) as f64;
             items.swap(
                 end,
-                usize::try_from(realtime::clock::nearest_integer(share.floor()))
+                usize::try_from(engine::realtime::clock::nearest_integer(share.floor()))
                     .unwrap_or(0)
                     .min(end),
             );

@@ -108,6 +108,6 @@ fn run_beside(
 fn act_in_time(mut actor: Actor, now: &AtomicU64, is_over: &AtomicBool) {
     while !is_over.load(Ordering::Acquire) && !actor.is_done() {
         actor.act_until(now.load(Ordering::Acquire));
-        links::pause(Duration::from_millis(1));
+        boards::links::pause(Duration::from_millis(1));
     }
 }

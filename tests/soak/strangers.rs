@@ -10,9 +10,9 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use boards::links::random::Random;
 use host::control::{RequestHandler, StreamSink};
 use host::session::RunSession;
-use links::random::Random;
 use telemetry::stream::{Closer, ServerSettings, StreamServer, serve};
 
 /// How long the process is stopped (s), and how long it is left alone before and between.
@@ -41,7 +41,7 @@ impl StrangerState {
         while !self.is_over.load(Ordering::Acquire) {
             let Some(rest) = left.checked_sub(LOOK) else { return true };
             left = rest;
-            links::pause(LOOK);
+            boards::links::pause(LOOK);
         }
         false
     }

@@ -3,8 +3,8 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use boards::sim::keybed::SimulatedKeybed;
 use firmware_protocol::key::{BoardId, KeyIndex};
-use hardware::sim::keybed::SimulatedKeybed;
 use host::session::RunTrial;
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::safety::{FADE, MAX_EXTRAPOLATED};
@@ -115,7 +115,8 @@ impl KeyWatch {
         (limit, tick_hz): (f64, u32),
     ) -> (Self, SharedFindings) {
         let shared = SharedFindings::default();
-        let ticks = |seconds: f64| realtime::clock::nearest_integer(seconds * f64::from(tick_hz));
+        let ticks =
+            |seconds: f64| engine::realtime::clock::nearest_integer(seconds * f64::from(tick_hz));
         let watch = Self {
             plan: Arc::clone(plan),
             actor,

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use hardware::sim::keybed::SimulatedKeybed;
+use boards::sim::keybed::SimulatedKeybed;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 

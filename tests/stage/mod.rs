@@ -7,18 +7,18 @@ pub mod broken_sensor;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
+use boards::sim::keybed::SimulatedKeybed;
+use engine::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use engine::realtime::thread::ThreadPlan;
+use engine::voice::AuditCell;
+use engine::voice::VoiceBuilder;
 use firmware_protocol::key::KeyIndex;
 use haptics::{Gesture, Touch};
-use hardware::sim::keybed::SimulatedKeybed;
-use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
-use realtime::thread::ThreadPlan;
 use scene::Scene;
 use scheduler::motion::KEYS;
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::tick::{Scheduler, TickReport};
 use scheduler::time::{Nanos, Period, Timetable};
-use voice::AuditCell;
-use voice::VoiceBuilder;
 
 /// Returns a scene of ours with overrides, which is accepted.
 pub fn scene(name: &str, overrides: &[(&str, &str)]) -> Scene {
@@ -147,7 +147,7 @@ impl<B: KeyBus> Stage<B, Nobody> {
     ) -> Self {
         let (lanes, swaps) = lanes(voices, n_lanes);
         let period = Period::from_hz(tick_hz).expect("a rate that can be kept");
-        let scheduler = realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), slew);
+        let scheduler = engine::realtime::run::scheduler(Timetable::new(Nanos::ZERO, period), slew);
         Self { scheduler, bus, lanes, swaps, observer: Nobody }
     }
 

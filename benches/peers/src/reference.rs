@@ -63,7 +63,7 @@ pub(crate) fn row_time(row: u32) -> f64 {
     f64::from(row) * ROW
 }
 
-/// A case of model B as it stands under crates/models/tests/reference.
+/// A case of model B as it stands under crates/instruments/tests/reference.
 pub(crate) fn model_b(name: &str) -> Result<(ModelB, f64, Reference), String> {
     let folder = folder();
     let json = read(&folder.join(format!("{name}.json")))?;
@@ -103,7 +103,7 @@ pub(crate) fn contact(name: &str) -> Result<(BTreeMap<String, f64>, f64, Referen
 
 /// Where the references stand.
 pub(crate) fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../crates/models/tests/reference")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../crates/instruments/tests/reference")
 }
 
 fn read(path: &Path) -> Result<String, String> {

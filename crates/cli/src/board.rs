@@ -8,24 +8,24 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use boards::links::address::Address;
+use boards::links::wire::WirePlan;
+use boards::sim::board::{BoardMake, FakeIdentity};
 use clap::{ArgGroup, Args};
-use diagnostics::shown;
+use documents::shown;
 use firmware_protocol::key::{BoardId, KEYS, KEYS_PER_BOARD};
 use haptics::RigParameters;
-use hardware::sim::board::{BoardMake, FakeIdentity};
-use links::address::Address;
-use links::wire::WirePlan;
 use serde::Serialize;
 
 use super::arguments::{number, ratio, seconds, share};
 use super::signals::{Signals, runtime};
 use super::{Failure, print_json, system};
+use engine::realtime::clock;
 use host::simulated::fault_script::FaultScript;
 use host::simulated::{
     BoardProcess, ExitReport, WireEndpoint, faults_of, place, run as run_boards,
 };
 use keyboard::KeyRange;
-use realtime::clock;
 
 /// Period of a simulated board's control of its motors (s).
 const LAW_PERIOD: f64 = 100e-6;
@@ -180,7 +180,7 @@ fn refuse_unknown_boards(args: &BoardArgs) -> Result<(), Failure> {
 
 /// Returns the n-th board.
 fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Failure> {
-    let usage = |error: hardware::Error| Failure::Usage(error.to_string());
+    let usage = |error: boards::Error| Failure::Usage(error.to_string());
     let number = args.number.saturating_add(n);
     let id = BoardId::new(number).ok_or_else(|| {
         Failure::Usage(format!("no board has the number {number}; they end at 14"))

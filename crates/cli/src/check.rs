@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use diagnostics::shown;
+use documents::shown;
 
 use super::stable::check_stability;
 use super::{Failure, print_json};
@@ -49,7 +49,7 @@ pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> 
     if wrong.is_empty() {
         return Ok(());
     }
-    let texts: Vec<_> = wrong.iter().map(descriptions::rendered).collect();
+    let texts: Vec<_> = wrong.iter().map(mechanism::rendered).collect();
     Err(Failure::Usage(format!("{} wrong:\n{}", files(wrong.len()), texts.join("\n"))))
 }
 

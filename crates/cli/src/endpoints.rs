@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use diagnostics::shown;
+use documents::shown;
 use telemetry::stream::{Closer, Publisher, StreamServer};
 use tokio::task::JoinHandle;
 

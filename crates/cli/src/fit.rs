@@ -4,11 +4,11 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use diagnostics::{choice, quoted, shown};
+use documents::{choice, quoted, shown};
+use instruments::ModelEntry;
 use keyboard::KeyIndex;
 use lab::fit::{FitOutcome, FitSubject, MeasuredStroke, fit, read_stroke, write_fit};
 use lab::report::PAGE;
-use models::ModelEntry;
 use scene::{FittedValues, Instrument, Library, fitted_text};
 
 use super::progress::counter;
@@ -101,7 +101,7 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
 fn check(args: &FitArgs) -> Result<FitJob, Vec<String>> {
     let mut mistakes = Vec::new();
     let instrument = Instrument::load(&Library::default(), &args.instrument)
-        .map_err(|wrong| mistakes.push(descriptions::rendered(&wrong)));
+        .map_err(|wrong| mistakes.push(mechanism::rendered(&wrong)));
     let key = key_named(&args.key).map_err(|wrong| mistakes.push(wrong));
     if !(SPEEDS.0..=SPEEDS.1).contains(&(1e-3 * args.speed)) {
         let speed = args.speed;
@@ -150,7 +150,8 @@ fn places(model: &ModelEntry, wanted: &[String], mistakes: &mut Vec<String>) -> 
         }
     }
     if wanted.is_empty() {
-        let line = |it: &models::Parameter| format!("  {:16} {} [{}]", it.name, it.title, it.unit);
+        let line =
+            |it: &instruments::Parameter| format!("  {:16} {} [{}]", it.name, it.title, it.unit);
         let lines: Vec<_> = model.parameters.iter().map(line).collect();
         let list = lines.join("\n");
         mistakes.push(format!(
@@ -177,7 +178,7 @@ fn text(args: &FitArgs, job: &FitJob, outcome: &FitOutcome) -> Result<String, Fa
     let title = format!("{}, fitted", instrument.title);
     let fitted = FittedValues { title: &title, doc: &doc, key: *key, values: &values };
     fitted_text(&Library::default(), &args.instrument, &fitted).map_err(|wrong| {
-        let wrong = descriptions::rendered(&wrong);
+        let wrong = mechanism::rendered(&wrong);
         Failure::Running(format!(
             "with the fitted values it is no instrument on all keys, so none was written: fit fewer \
              parameters, or change the others\n{wrong}"

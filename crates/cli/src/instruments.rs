@@ -4,8 +4,8 @@ use std::io::Write;
 use std::path::Path;
 
 use clap::{Args, Subcommand};
-use descriptions::model_names;
-use models::ModelEntry;
+use instruments::ModelEntry;
+use mechanism::model_names;
 use serde::Serialize;
 
 use super::{Failure, ask, print_json};
@@ -105,7 +105,7 @@ struct PresetInfo {
 
 impl From<&ModelEntry> for ModelInfo {
     fn from(entry: &ModelEntry) -> Self {
-        let parameter = |(index, it): (usize, &models::Parameter)| ParameterInfo {
+        let parameter = |(index, it): (usize, &instruments::Parameter)| ParameterInfo {
             name: it.name,
             title: it.title.to_string(),
             unit: it.unit,
@@ -135,11 +135,14 @@ fn signals(names: &[&'static str], units: &[&'static str]) -> Vec<SignalInfo> {
     names.iter().zip(units).map(|(name, unit)| SignalInfo { name, unit }).collect()
 }
 
-impl From<&models::ModeEntry> for ModeInfo {
-    fn from(mode: &models::ModeEntry) -> Self {
-        let guard =
-            |it: &models::GuardEntry| GuardInfo { name: it.name, unit: it.unit, to: it.to.clone() };
-        let models::ModeEntry { name, n, m, p, ref guards } = *mode;
+impl From<&instruments::ModeEntry> for ModeInfo {
+    fn from(mode: &instruments::ModeEntry) -> Self {
+        let guard = |it: &instruments::GuardEntry| GuardInfo {
+            name: it.name,
+            unit: it.unit,
+            to: it.to.clone(),
+        };
+        let instruments::ModeEntry { name, n, m, p, ref guards } = *mode;
         Self { name, n, m, p, guards: guards.iter().map(guard).collect() }
     }
 }

@@ -51,7 +51,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use diagnostics::shown;
+use documents::shown;
 
 use lab::simulate::SimulateArgs;
 use telemetry::log::Level;
@@ -179,7 +179,7 @@ pub fn run(letoff: &Letoff) -> ExitCode {
 
 /// Reports that models are interpreted, if they are: ticks have less room then.
 fn report_interpretation() {
-    if let Some(reason) = descriptions::interpreted() {
+    if let Some(reason) = mechanism::interpreted() {
         let text =
             format!("models are interpreted, about ten times slower than compiled: {reason}");
         log::tell_as(Level::Warning, &text);

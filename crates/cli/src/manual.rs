@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, CommandFactory as _};
 use clap_complete::aot::{Shell, generate_to};
-use diagnostics::shown;
+use documents::shown;
 
 use super::{Failure, Letoff};
 

@@ -4,11 +4,11 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand, ValueEnum};
-use descriptions::{MissingModel, derive, description};
-use kane::readable::{Notation, mode_equations, system_equations};
+use mechanism::kane::readable::{Notation, mode_equations, system_equations};
+use mechanism::{MissingModel, derive, description};
 
 use super::{Failure, ask};
-use diagnostics::{choice, quoted, shown};
+use documents::{choice, quoted, shown};
 use host::control::Request;
 
 /// What `letoff model` takes.
@@ -117,7 +117,7 @@ fn print_equations(args: &DeriveArgs, out: &mut dyn Write) -> Result<(), Failure
 
 fn new(args: &NewArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let Some(text) = description(&args.from) else {
-        return Err(Failure::Usage(descriptions::unknown_model(&args.from).rendered()));
+        return Err(Failure::Usage(mechanism::unknown_model(&args.from).rendered()));
     };
     let file: &Path = &args.file;
     let refused = |error: std::io::Error| {

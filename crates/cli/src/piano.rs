@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use diagnostics::{choice, quoted, shown};
+use documents::{choice, quoted, shown};
 use indicatif::ProgressBar;
 use lab::piano::{Examination, Figure, JOBS, PianoSubject, examine, figure_names, write_sheet};
 use lab::report::PAGE;
@@ -73,7 +73,7 @@ pub(super) fn run(args: &PianoArgs, out: &mut dyn Write) -> Result<(), Failure> 
 /// The instrument of that name, whose expected figures are known ones.
 fn load(name: &str) -> Result<Instrument, Failure> {
     let instrument = Instrument::load(&Library::default(), name)
-        .map_err(|mistakes| Failure::Usage(descriptions::rendered(&mistakes)))?;
+        .map_err(|mistakes| Failure::Usage(mechanism::rendered(&mistakes)))?;
     let unknown: Vec<_> = instrument
         .figures
         .iter()

@@ -2,16 +2,16 @@
 
 use std::io::Write;
 
+use boards::plan::{BusPlan, BusVerdict, Proposal};
 use clap::Args;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
-use hardware::plan::{BusPlan, BusVerdict, Proposal};
 use serde::Serialize;
 
 use super::stable::refuse_unstable;
 use super::target::SceneTarget;
 use super::{Failure, print_json};
-use host::boards::planning::{self, NoPlan};
+use host::connected_boards::planning::{self, NoPlan};
 use scene::{BoardBus, Boards, FORCES, SAMPLES};
 
 /// What `letoff plan` takes.
@@ -92,7 +92,7 @@ fn rows(boards: &Boards, plans: &[Result<BusPlan, NoPlan>]) -> Vec<PlanRow> {
 }
 
 fn row(bus: &BoardBus, plan: &Result<BusPlan, NoPlan>) -> PlanRow {
-    let medium = host::boards::medium(bus).filter(|_| *plan != Err(NoPlan::Virtual));
+    let medium = host::connected_boards::medium(bus).filter(|_| *plan != Err(NoPlan::Virtual));
     PlanRow {
         link: bus.address.name(),
         medium: medium.map(|it| it.to_string()),
@@ -203,7 +203,7 @@ fn print(rows: &[PlanRow], out: &mut dyn Write) -> Result<(), Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use links::address::Address;
+    use boards::links::address::Address;
 
     fn args(links: &[&str]) -> PlanArgs {
         let links = links.iter().map(|it| Address::parse(it).unwrap()).collect();

@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use diagnostics::{escaped, shown};
+use documents::{escaped, shown};
 use serde::Serialize;
 use telemetry::recording::{RecordError, RecoverError, Recovered, recover};
 

@@ -6,7 +6,7 @@ use std::io::{self, IsTerminal as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use diagnostics::shown;
+use documents::shown;
 use telemetry::log::Level;
 use tokio::sync::Mutex;
 

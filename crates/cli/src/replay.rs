@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use diagnostics::shown;
+use documents::shown;
 use indicatif::{ProgressBar, ProgressStyle};
 use telemetry::recording::{ReadError, Recording, Selection, export_csv};
 

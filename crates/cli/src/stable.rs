@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use diagnostics::{Diagnostic, Diagnostics};
+use documents::{Diagnostic, Diagnostics};
 use host::stability::{RangeStability, examine, instabilities};
 use scene::{Library, Scene};
 

@@ -4,8 +4,8 @@ use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
+use boards::calibration::file::usual_folder;
 use clap::Args;
-use hardware::calibration::file::usual_folder;
 use telemetry::recording::RecordingLimits;
 use telemetry::stream::server::{Tls, Token};
 use telemetry::stream::{Role, ServerSettings, StreamServer};

@@ -16,7 +16,7 @@ use super::piano::{self, PianoArgs};
 use super::progress::bar;
 use super::stability::{self, StabilityArgs};
 use super::{Failure, print_report};
-use diagnostics::{choice, quoted, shown};
+use documents::{choice, quoted, shown};
 
 /// What `letoff lab` takes.
 #[derive(Clone, Debug, Args)]

@@ -1,7 +1,7 @@
 //! The scene of a command, with the overrides of the command line.
 
+use boards::links::address::Address;
 use clap::Args;
-use links::address::Address;
 
 use super::Failure;
 use super::arguments::{LINK, assignment};

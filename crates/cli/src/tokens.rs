@@ -4,7 +4,7 @@ use std::io::{self, Read as _};
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 
-use diagnostics::shown;
+use documents::shown;
 use telemetry::stream::Role;
 use telemetry::stream::server::Token;
 
@@ -41,7 +41,7 @@ pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
 
 /// Returns what is in the file, and who may read it.
 fn text(file: &Path) -> io::Result<(String, u32)> {
-    let opened = diagnostics::open_input(file)?;
+    let opened = documents::open_input(file)?;
     let mode = opened.metadata()?.permissions().mode();
     let mut text = String::new();
     opened.take(LONGEST + 1).read_to_string(&mut text)?;

@@ -5,9 +5,9 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 
+use boards::calibration::file;
+use boards::sim::board::BoardMake;
 use firmware_protocol::frame::hello::safe_reason;
-use hardware::calibration::file;
-use hardware::sim::board::BoardMake;
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::Value;
 use telemetry::Update;

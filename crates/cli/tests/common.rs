@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::sync_channel;
 use std::thread::JoinHandle;
 
+use boards::identity::Uid;
+use boards::sim::board::BoardMake;
 use firmware_protocol::key::BoardId;
 use haptics::RigParameters;
-use hardware::identity::Uid;
-use hardware::sim::board::BoardMake;
 use host::report::RunReport;
 use host::session::RunSession;
 use host::simulated::{BoardProcess, WireEndpoint, place, run as run_boards};

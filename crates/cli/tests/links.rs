@@ -3,10 +3,10 @@
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
+use boards::links::address::Address;
 use host::control::RunHandle;
 use host::observe::MessageSink;
 use host::session::{RunOptions, RunSession};
-use links::address::Address;
 use scene::{Override, Scene, link_overrides};
 use telemetry::event::Kind;
 use telemetry::{Links, Topic, Update};

@@ -1,11 +1,11 @@
 //! With which weight of a finger a key sounds at a velocity, found by trying on a simulated key.
 
+use engine::voice::VoiceBuilder;
 use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
 use midi::Velocity;
 use scene::{KeyVoice, Scene};
 use scheduler::motion::KeyEvent;
-use voice::VoiceBuilder;
 
 use crate::rehearsal::{RehearsalError, RehearsedKey};
 

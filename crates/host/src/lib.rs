@@ -17,7 +17,7 @@
 //! Not here: equations, wire formats, what a strike means in MIDI, what people type.
 
 pub mod adapters;
-pub mod boards;
+pub mod connected_boards;
 pub mod control;
 pub mod finger_weight;
 pub mod guardian;

@@ -6,14 +6,14 @@ use std::time::Duration;
 
 use hdrhistogram::Histogram;
 use midi::{NoteEvent, NoteEventKind, Output, Player, Schedule, VelocityCurve};
-use performance::{Assessor, Struck};
+use pianist::{Assessor, Struck};
 use rtrb::Consumer;
 use scheduler::time::Nanos;
 
 use crate::adapters::observer::LiveCounters;
-use realtime::clock;
-use realtime::thread::{DEFAULT_PRIORITY, ThreadPlan};
-use realtime::wake_fd::WakeFd;
+use engine::realtime::clock;
+use engine::realtime::thread::{DEFAULT_PRIORITY, ThreadPlan};
+use engine::realtime::wake_fd::WakeFd;
 
 /// Longest wait without being woken: ports that vanished are looked for this often.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -279,7 +279,7 @@ mod tests {
 
     use super::*;
     use crate::adapters::observer::TickPublisher;
-    use realtime::run::histogram;
+    use engine::realtime::run::histogram;
 
     /// An output that writes down what it is sent, in the order in which that happens.
     #[derive(Clone, Default)]

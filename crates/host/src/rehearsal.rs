@@ -4,10 +4,10 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
+use boards::sim::key::SimulatedKey;
+use engine::realtime::clock;
 use haptics::{Gesture, HandCommand, RigParameters};
-use hardware::sim::key::SimulatedKey;
-use performance::{PlayOutcome, Rehearsal, Strike};
-use realtime::clock;
+use pianist::{PlayOutcome, Rehearsal, Strike};
 use scene::KeyVoice;
 use scheduler::motion::{KeyEvent, KeySample, Moment};
 use scheduler::safety::KeyGate;
@@ -16,7 +16,7 @@ use scheduler::time::Period;
 use scheduler::voice::{Voice, VoiceOutput};
 use scheduler::work::TurnLimit;
 
-use voice::{BuildError, RehearsableVoice, VoiceBuilder};
+use engine::voice::{BuildError, RehearsableVoice, VoiceBuilder};
 
 /// Why a key of a scene cannot be rehearsed.
 #[derive(Debug, thiserror::Error)]
@@ -26,7 +26,7 @@ pub enum RehearsalError {
     Voice(#[from] BuildError),
     /// The simulated keybed refuses the scene's period.
     #[error("the simulated keybed cannot run the scene: {0}")]
-    Keybed(#[from] hardware::Error),
+    Keybed(#[from] boards::Error),
     /// The pieces need more ticks than [`MAX_REHEARSED_TICKS`].
     #[error(
         "the pieces take too long to rehearse, more than {MAX_REHEARSED_TICKS} ticks of all keys \

@@ -29,6 +29,7 @@ pub mod accuracy;
 pub mod digits;
 pub mod figure6;
 pub mod fit;
+pub mod impedance;
 pub mod parallel;
 pub mod piano;
 pub mod plot;

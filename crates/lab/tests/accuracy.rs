@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, UNIX_EPOCH};
 
-use descriptions::Library;
 use lab::accuracy::{
     Effort, METHODS, MeasuredScenario, SequenceVerdict, StudyChoice, StudyRow, measure,
 };
 use lab::report::{self, Machine, StudyReport, read_peers};
+use mechanism::Library;
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Silent, Simulator, Work};
 

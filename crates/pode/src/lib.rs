@@ -39,6 +39,7 @@
 #![forbid(unsafe_code)]
 
 mod audit;
+pub mod contacts;
 mod crossing;
 mod cubic;
 mod dense;

@@ -9,6 +9,7 @@ mod bounded;
 mod busy;
 mod by_need;
 mod common;
+mod contacts;
 mod driven;
 mod exact_flow;
 mod exact_zero;

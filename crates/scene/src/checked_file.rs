@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use descriptions::Library;
-use diagnostics::Diagnostics;
+use documents::Diagnostics;
+use mechanism::Library;
 
 use super::instrument::Instrument;
 use super::kind::{FileKind, describes_model, kind_of};

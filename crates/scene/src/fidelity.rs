@@ -10,7 +10,7 @@ use super::quantity::Quantity;
 use super::read::TableReader;
 use super::source::{SourceError, SourceText};
 use super::voicing::Voicing;
-use diagnostics::toml::{FindingList, SourcePlace};
+use documents::toml::{FindingList, SourcePlace};
 
 /// Share of each lane's time.
 const BUDGET: Quantity = Quantity { unit: "1", range: (1e-3, 1.0) };

@@ -2,8 +2,8 @@
 
 use super::quantity::Quantity;
 use super::read::{self, TableReader, wrong_kind};
-use diagnostics::quoted;
-use diagnostics::toml::{FindingList, TomlKind, TomlNode};
+use documents::quoted;
+use documents::toml::{FindingList, TomlKind, TomlNode};
 
 /// Any number that is finite.
 const LIMIT: Quantity = Quantity { unit: "", range: (f64::MIN, f64::MAX) };

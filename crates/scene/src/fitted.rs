@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use descriptions::Library;
-use diagnostics::Diagnostics;
+use documents::Diagnostics;
 use keyboard::KeyIndex;
+use mechanism::Library;
 use toml_edit::{DocumentMut, InlineTable, Item, Table, Value, value};
 
 use super::embedded::INSTRUMENTS;

@@ -1,11 +1,11 @@
 //! An instrument: a model and a preset over the compass, with a title.
 
-use descriptions::Library;
+use mechanism::Library;
 use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use instruments::{LoadedModel, ModelEntry, Preset};
 use keyboard::KeyRange;
-use models::{LoadedModel, ModelEntry, Preset};
 use serde::Serialize;
 use toml_edit::{DocumentMut, Item};
 
@@ -18,8 +18,8 @@ use super::quantity::Quantity;
 use super::read::TableReader;
 use super::source::{SourceError, SourceText, refuse};
 use super::voicing::Voicing;
-use diagnostics::Diagnostics;
-use diagnostics::toml::FindingList;
+use documents::Diagnostics;
+use documents::toml::FindingList;
 
 /// A number of General MIDI, as its tables count.
 const PROGRAM: Quantity = Quantity { unit: "", range: (1.0, 128.0) };

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use instruments::{LoadedModel, ModelEntry};
 use keyboard::{KEYS, KeyRange, RangeError};
-use models::{LoadedModel, ModelEntry};
 
 use super::embedded::INSTRUMENTS;
 use super::fidelity::{AutoFidelity, Fidelity, FidelityLevel, WantedFidelity, read_wanted};
@@ -13,9 +13,9 @@ use super::needs::{LoopSettings, Unmet};
 use super::read::{self, TableReader};
 use super::source::{SourceError, SourceText};
 use super::voicing::Voicing;
-use descriptions::Library;
-use diagnostics::quoted;
-use diagnostics::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
+use documents::quoted;
+use documents::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
+use mechanism::Library;
 
 /// A model with its values for one key.
 #[derive(Clone, Debug)]

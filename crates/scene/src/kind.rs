@@ -5,8 +5,8 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::source::SourceText;
-use diagnostics::Diagnostics;
-use diagnostics::toml::{SourcePlace, TomlNode};
+use documents::Diagnostics;
+use documents::toml::{SourcePlace, TomlNode};
 
 /// Names that only a scene has.
 const SCENE: [&str; 10] =

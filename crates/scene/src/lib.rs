@@ -51,7 +51,6 @@ mod write;
 mod tests;
 
 pub use checked_file::check_file;
-pub use descriptions::Library;
 pub use embedded::{performances, scenes};
 pub use fidelity::{AutoFidelity, Fidelity, FidelityLevel};
 pub use fitted::{FittedValues, fitted_text};
@@ -61,6 +60,7 @@ pub use kind::{FileKind, is_description};
 pub use links::{
     BoardBus, Boards, FORCES, LinksConfig, SAMPLES, overrides as link_overrides, period_us,
 };
+pub use mechanism::Library;
 pub use needs::{Needs, Unmet};
 pub use realtime::{LaneCount, ThreadPolicy, ThreadRules};
 pub use render::{InputReconstruction, PassivityMode, Render};

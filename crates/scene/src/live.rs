@@ -1,7 +1,7 @@
 //! Settings of `[render]` that change while a host plays.
 
-use diagnostics::toml::{FindingList, SourcePlace};
-use diagnostics::{Diagnostics, quoted};
+use documents::toml::{FindingList, SourcePlace};
+use documents::{Diagnostics, quoted};
 
 use super::overrides;
 use super::read::TableReader;

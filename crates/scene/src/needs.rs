@@ -11,7 +11,7 @@ use super::render::{
     PassivityMode, RECONSTRUCTIONS, Render, TICK_HZ,
 };
 use super::setting::TableSetting as _;
-use diagnostics::toml::{FindingList, TomlNode};
+use documents::toml::{FindingList, TomlNode};
 
 /// The settings with which an instrument is quiet when its keys are left alone.
 ///

@@ -5,7 +5,7 @@ use toml_edit::{Array, Table, value};
 
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
-use diagnostics::toml::{FindingList, SourcePlace, TomlKind};
+use documents::toml::{FindingList, SourcePlace, TomlKind};
 
 /// A part of a tick.
 const LOAD: Quantity = Quantity { unit: "1", range: (0.01, 2.0) };

@@ -3,8 +3,8 @@
 //! A number in a path is a place in a list: `links.bus.0.bit_rate` is that of the first bus.
 
 use super::source::{Override, typed_place};
-use diagnostics::quoted;
-use diagnostics::toml::{FindingList, SourcePlace, TomlEntry, TomlKind, TomlNode};
+use documents::quoted;
+use documents::toml::{FindingList, SourcePlace, TomlEntry, TomlKind, TomlNode};
 
 /// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
 const DEEPEST: usize = 8;

@@ -59,8 +59,9 @@ pub(super) fn number(value: f64) -> String {
 ///
 /// If it is no number, or one of something else.
 pub(super) fn parse(text: &str, unit: &str) -> Result<f64, QuantityError> {
-    let (value, given) = formulas::number_and_unit(text).ok_or(QuantityError::NoNumber)?;
-    match formulas::converted(value, given, unit) {
+    let (value, given) =
+        mechanism::formulas::number_and_unit(text).ok_or(QuantityError::NoNumber)?;
+    match mechanism::formulas::converted(value, given, unit) {
         Some(value) => Ok(value),
         None if given.is_empty() && unit == "1" => Ok(value),
         None if given.is_empty() => Err(QuantityError::NoUnit(value)),

@@ -1,9 +1,9 @@
 //! Entries of scenes: numbers with units, texts, names of a list; wrong ones are reported.
 
 use super::quantity::{self, Quantity, QuantityError};
-pub(super) use diagnostics::toml::wrong_kind;
-use diagnostics::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
-use diagnostics::{choice, quoted};
+pub(super) use documents::toml::wrong_kind;
+use documents::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
+use documents::{choice, quoted};
 
 /// Reads the entries of one table.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
-use diagnostics::toml::{FindingList, TomlKind};
+use documents::toml::{FindingList, TomlKind};
 
 /// Numbers that processors have.
 const PROCESSOR: Quantity = Quantity { unit: "1", range: (0.0, 1023.0) };

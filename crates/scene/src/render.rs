@@ -8,7 +8,7 @@ use pode::{Limits, Stepper as _};
 use super::quantity::Quantity;
 use super::read::TableReader;
 use super::setting::{NamedValues, settings};
-use diagnostics::toml::{FindingList, SourcePlace};
+use documents::toml::{FindingList, SourcePlace};
 
 /// Rates of the tick.
 pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };

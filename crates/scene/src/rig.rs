@@ -8,7 +8,7 @@ use haptics::plant::{
 use super::quantity::Quantity;
 use super::read::TableReader;
 use super::setting::{NamedValues, TableSetting as _, settings};
-use diagnostics::toml::FindingList;
+use documents::toml::FindingList;
 
 const WAY: Quantity = Quantity { unit: "m", range: (1e-3, 0.2) };
 const MASS: Quantity = Quantity { unit: "kg", range: (1e-3, 10.0) };

@@ -1,6 +1,6 @@
 //! A scene: which keys, models, parameters, rate, links and MIDI.
 
-use descriptions::Library;
+use mechanism::Library;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice;
@@ -22,9 +22,9 @@ use super::render::{self, Render, TICK_HZ};
 use super::rig::{self, Rig};
 use super::source::{Override, SourceError, SourceText, no_file, refuse};
 use super::voicing::Voicing;
-use diagnostics::toml::{FindingList, SourcePlace, TomlKind};
-use diagnostics::{Diagnostics, shown};
-use diagnostics::{choice, quoted};
+use documents::toml::{FindingList, SourcePlace, TomlKind};
+use documents::{Diagnostics, shown};
+use documents::{choice, quoted};
 use scheduler::overload::OverloadRules;
 
 /// The tick's rate on hardware (Hz).
@@ -444,7 +444,7 @@ fn find_performance(
     let path = report.folder(place).join(wanted);
     if path.is_file() {
         let read = fs::read(&path).map_err(|error| error.to_string());
-        let read = read.and_then(|bytes| performance::read(&bytes).map_err(|it| it.to_string()));
+        let read = read.and_then(|bytes| pianist::read(&bytes).map_err(|it| it.to_string()));
         if let Err(why) = &read {
             let message = format!("the performance {} cannot be played: {why}", shown(&path));
             report.say(place, message, "give another MIDI file");

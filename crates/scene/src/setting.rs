@@ -4,7 +4,7 @@ use toml_edit::Value;
 
 use super::quantity::Quantity;
 use super::read::TableReader;
-use diagnostics::toml::FindingList;
+use documents::toml::FindingList;
 
 /// Reads and writes a value of a table.
 pub(super) trait TableSetting<T> {
@@ -84,7 +84,7 @@ macro_rules! settings {
             /// Takes over what `reader` has.
             fn read_all(
                 &mut self,
-                report: &mut diagnostics::toml::FindingList,
+                report: &mut documents::toml::FindingList,
                 reader: &mut $crate::read::TableReader<'_>,
             ) {
                 use $crate::setting::TableSetting as _;

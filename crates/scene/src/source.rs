@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::embedded::EmbeddedFiles;
-use diagnostics::toml::{self, FindingList, SourcePlace, TextPlace, TomlNode, TomlSource};
-use diagnostics::{Diagnostic, Diagnostics, escaped, shown};
+use documents::toml::{self, FindingList, SourcePlace, TextPlace, TomlNode, TomlSource};
+use documents::{Diagnostic, Diagnostics, escaped, shown};
 
 /// Longest file that is read (bytes); the largest scene of ours has two thousand.
 const LONGEST: u64 = 1 << 18;
@@ -110,10 +110,10 @@ impl SourceText {
             no_file(&path)
         } else {
             (
-                format!("there is no {} {}", shelf.what, diagnostics::quoted(wanted)),
+                format!("there is no {} {}", shelf.what, documents::quoted(wanted)),
                 format!(
                     "{}, or a path to a file of yours",
-                    diagnostics::choice(wanted, shelf.names())
+                    documents::choice(wanted, shelf.names())
                 ),
             )
         }))
@@ -131,7 +131,7 @@ pub(super) enum SourceError {
 
 /// Returns whether `text` is meant as a path rather than as a name.
 fn is_path(text: &str) -> bool {
-    descriptions::is_path(text)
+    mechanism::is_path(text)
 }
 
 /// Returns the message and the help for a file that is not there.
@@ -140,7 +140,7 @@ pub(super) fn no_file(path: &Path) -> (String, String) {
         Ok(folder) if path.is_relative() => format!(" in {}", shown(&folder)),
         Ok(_) | Err(_) => String::new(),
     };
-    let path = diagnostics::quoted(&path.to_string_lossy());
+    let path = documents::quoted(&path.to_string_lossy());
     (format!("there is no file {path}{base}"), "correct the path".to_owned())
 }
 
@@ -152,7 +152,7 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, (String, String)> {
             (format!("the file cannot be read, {error}"), "make it readable".to_owned())
         }
     };
-    let bytes = diagnostics::read_input(path, LONGEST).map_err(failed)?;
+    let bytes = documents::read_input(path, LONGEST).map_err(failed)?;
     if bytes.len() as u64 > LONGEST {
         let message = format!("the file is longer than {} KiB", LONGEST / 1024);
         return Err((message, "this is no scene or instrument, choose another".to_owned()));

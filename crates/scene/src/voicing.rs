@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use descriptions::{Library, MissingModel, unmet};
+use instruments::{LoadedModel, Parameter, Preset};
 use keyboard::{KeyIndex, KeyRange};
-use models::{LoadedModel, Parameter, Preset};
+use mechanism::{Library, MissingModel, unmet};
 
 use super::quantity::Quantity;
 use super::read::{self, TableReader, unknown};
-use diagnostics::quoted;
-use diagnostics::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
+use documents::quoted;
+use documents::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
 
 /// Index of the compass's last key.
 const LAST: u8 = KeyIndex::HIGHEST.number();
@@ -196,7 +196,7 @@ fn read_graded(report: &mut FindingList, parameter: &Parameter, node: &TomlNode)
 mod tests {
     use std::path::Path;
 
-    use descriptions::Library;
+    use mechanism::Library;
 
     use super::*;
 
@@ -212,7 +212,7 @@ mod tests {
     #[test]
     fn every_preset_stays_within_its_model_s_ranges() {
         let library = Library::default();
-        let models = descriptions::model_names();
+        let models = mechanism::model_names();
         models.for_each(|name| stays_within(&library.find(name, Path::new("")).unwrap()));
     }
 

@@ -1,10 +1,10 @@
 //! Writes a scene as a complete file, with the present values of its keys.
 
+use boards::links::address::Address;
+use boards::links::can::CanMode;
+use instruments::ModelEntry;
 use keyboard::KeyIndex;
 use keyboard::KeyRange;
-use links::address::Address;
-use links::can::CanMode;
-use models::ModelEntry;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, InlineTable, Item, Table, Value, value};
 
 use super::keys::KeyVoice;
@@ -172,7 +172,7 @@ mod tests {
     use super::super::embedded::SCENES;
     use super::super::source::SourceText;
     use super::*;
-    use descriptions::Library;
+    use mechanism::Library;
 
     /// `scene` as it is read again.
     fn again(scene: &Scene) -> Scene {

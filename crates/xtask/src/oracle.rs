@@ -15,7 +15,7 @@ const PYTHON: &str = "LETOFF_ORACLE_PYTHON";
 const COUNT: &str = "LETOFF_ORACLE_MECHANISMS";
 
 /// What the Python needs, from the workspace's root.
-const REQUIREMENTS: &str = "crates/kane/tests/oracle/requirements.txt";
+const REQUIREMENTS: &str = "crates/mechanism/tests/kane/oracle/requirements.txt";
 
 /// How many random mechanisms a short run compares: those of two and three bodies among them.
 const SHORT: &str = "6";

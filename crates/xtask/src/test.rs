@@ -23,7 +23,7 @@ const SEED: &str = "1994";
 const PROGRAM: &str = "LETOFF_PROGRAM";
 
 /// The crates of the tick, which must do without the standard library.
-const NO_STD: [&str; 5] = ["pode", "contacts", "equations", "scheduler", "firmware-protocol"];
+const NO_STD: [&str; 4] = ["pode", "instruments", "scheduler", "firmware-protocol"];
 
 /// A target on which there is no standard library to fall back to.
 const BARE_TARGET: &str = "thumbv7em-none-eabihf";

@@ -1,6 +1,6 @@
 //! Model B, the paper's key and hammer with springs in the contacts, under a stroke.
 //!
-//! Written out by hand from crates/models/src/key_hammer_springs/README.md, as the user of
+//! Written out by hand from crates/instruments/src/key_hammer_springs/README.md, as the user of
 //! another library would; a test compares it with what `pode` runs at random states.
 
 use std::fmt::Write as _;

@@ -2,19 +2,19 @@
 
 use std::path::PathBuf;
 
+use boards::calibrate::Bench;
+use boards::calibration::file;
+use boards::keybed::{Calibrated, FoundBoard, Identified, Keybed, Offline, Terms, WantedBoards};
+use boards::refusal::{BoardName, Refusals};
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::KeyIndex;
-use hardware::calibrate::Bench;
-use hardware::calibration::file;
-use hardware::keybed::{Calibrated, FoundBoard, Identified, Keybed, Offline, Terms, WantedBoards};
-use hardware::refusal::{BoardName, Refusals};
 
 use super::Endings;
 use super::operator::Operator;
 use crate::Failure;
 use crate::target::SceneTarget;
-use host::boards::{PATIENCE_US, calibration, clock, folder, open_all, unmeasured};
+use host::connected_boards::{PATIENCE_US, calibration, clock, folder, open_all, unmeasured};
 use scene::{Boards, Scene};
 
 /// Exchanges a second: more would load slow buses, and say no more.

@@ -1,10 +1,10 @@
 //! Measures all keys of all boards, one after the other.
 
+use boards::calibrate::{Bench, CalibrationFault, Ending, Rested, calibrated};
+use boards::calibration::KeyCalibration;
+use boards::keybed::{Armed, Keybed};
+use boards::refusal::Refusal;
 use firmware_protocol::key::KeyIndex;
-use hardware::calibrate::{Bench, CalibrationFault, Ending, Rested, calibrated};
-use hardware::calibration::KeyCalibration;
-use hardware::keybed::{Armed, Keybed};
-use hardware::refusal::Refusal;
 use indicatif::ProgressBar;
 
 use super::bring_up::MeasuredBoard;

@@ -16,10 +16,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use boards::calibrate::{Ending, WEIGHTS};
+use boards::keybed::{Armed, Keybed};
 use clap::Args;
 use firmware_protocol::key::KeyIndex;
-use hardware::calibrate::{Ending, WEIGHTS};
-use hardware::keybed::{Armed, Keybed};
 
 use self::bring_up::Ready;
 use self::operator::Operator;
@@ -28,7 +28,7 @@ use super::arguments::note;
 use super::signals::{Signals, runtime};
 use super::target::SceneTarget;
 use super::{Failure, endpoints, print_json, system};
-use host::boards::stop_all;
+use host::connected_boards::stop_all;
 use host::control::EmergencyStop;
 
 /// What `letoff calibrate` takes.

@@ -3,8 +3,8 @@
 use std::io::{self, BufRead, IsTerminal as _, Write as _};
 use std::path::PathBuf;
 
-use diagnostics::shown;
-use hardware::calibrate::Bench;
+use boards::calibrate::Bench;
+use documents::shown;
 
 use super::CalibrateArgs;
 use crate::Failure;

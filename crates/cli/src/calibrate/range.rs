@@ -4,14 +4,14 @@ use std::f64::consts::TAU;
 use std::io::Write;
 use std::path::Path;
 
-use firmware_protocol::key::KeyIndex;
-use haptics::SampledWall;
-use hardware::calibrate::range::MOST_FORCE;
-use hardware::calibrate::{
+use boards::calibrate::range::MOST_FORCE;
+use boards::calibrate::{
     Bench, CalibrationFault, RangeEnd, RangeFound, RangeMeasurement, RangeTerms, RangedObject,
     Travelled,
 };
-use hardware::refusal::Refusal;
+use boards::refusal::Refusal;
+use firmware_protocol::key::KeyIndex;
+use haptics::SampledWall;
 use scene::{Library, Scene};
 use serde::Serialize;
 

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use diagnostics::shown;
+use documents::shown;
 
 use super::write::{MeasuredKeyRow, Written};
 use crate::Failure;

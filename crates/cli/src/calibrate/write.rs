@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use boards::calibrate::record;
+use boards::calibration::{KeyCalibration, file};
+use boards::keybed::{Armed, Keybed};
+use boards::refusal::Refusal;
+use documents::shown;
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::{Operation, Status};
 use firmware_protocol::key::{KeyIndex, PerKey};
-use hardware::calibrate::record;
-use hardware::calibration::{KeyCalibration, file};
-use hardware::keybed::{Armed, Keybed};
-use hardware::refusal::Refusal;
 use serde::Serialize;
 use time::OffsetDateTime;
 use time::format_description::BorrowedFormatItem;

@@ -2,14 +2,14 @@
 
 use std::io::Write;
 
+use boards::keybed::{FoundBoard, Identified, Keybed};
+use boards::refusal::Refusal;
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::acyclic::health::{
     BoardHealth, KeyHealth, MuteKey, NOT_MEASURED, ReadKeyHealth, key_fault,
 };
 use firmware_protocol::key::KeyIndex;
-use hardware::keybed::{FoundBoard, Identified, Keybed};
-use hardware::refusal::Refusal;
 use serde::Serialize;
 
 use crate::Failure;

@@ -2,18 +2,18 @@
 
 use std::io::Write;
 
+use boards::links::address::Address;
+use boards::links::discovery;
 use clap::Args;
-use diagnostics::shown;
+use documents::shown;
 use firmware_protocol::key::KeyIndex;
-use links::address::Address;
-use links::discovery;
 use serde::Serialize;
 
 use super::arguments::{LINK, note};
 use super::{Failure, print_json};
-use hardware::conformance::ConformanceDepth;
+use boards::conformance::ConformanceDepth;
 
-mod boards;
+mod board_list;
 mod health;
 mod settings;
 mod test;
@@ -101,7 +101,7 @@ struct Device {
 /// Prints serial ports, CAN interfaces, MIDI ports, and what the machine does to a tick.
 pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.boards {
-        return boards::run(args, out);
+        return board_list::run(args, out);
     }
     let sections = [serial(), can(), midi(), machine()];
     if args.json {

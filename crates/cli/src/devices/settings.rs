@@ -1,10 +1,10 @@
 //! `letoff devices --boards --set number=3`: settings that a board keeps.
 
+use boards::keybed::{FoundBoard, Identified, Keybed};
+use boards::refusal::Refusal;
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::acyclic::config::{Config, WriteConfig, setting};
 use firmware_protocol::key::{BoardId, KeyIndex};
-use hardware::keybed::{FoundBoard, Identified, Keybed};
-use hardware::refusal::Refusal;
 
 /// A setting of a board, and its new value.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,17 +2,17 @@
 
 use std::io::Write;
 
-use hardware::conformance::{
+use boards::conformance::{
     ConformanceDepth, ConformanceItem, ConformanceOutcome, MOST_FORCE_MN, TestedBoard, TestedLink,
     conformance, introductions,
 };
-use hardware::identity::Uid;
-use links::address::Address;
+use boards::identity::Uid;
+use boards::links::address::Address;
 use serde::Serialize;
 
 use super::{DevicesArgs, PATIENCE_US};
 use crate::{Failure, print_json, tell};
-use host::boards::clock;
+use host::connected_boards::clock;
 use scene::BoardBus;
 
 /// A board that was tested.

@@ -1,13 +1,13 @@
 //! What was asked for, once all of it is right.
 
-use diagnostics::{choice, quoted};
+use documents::{choice, quoted};
 use haptics::EstimatorName;
-use impedance::{
+use instruments::ModelEntry;
+use lab::digits::rounded;
+use lab::impedance::{
     ForceHold, HeldMode, ImpedanceCurve, RecordedStroke, ShakenVoice, frequencies, linearise,
 };
-use lab::digits::rounded;
 use lab::stability::{LoopQuantity, LoopValues, VoiceOrder};
-use models::ModelEntry;
 
 use super::ImpedanceArgs;
 use super::recording::read_stroke;

@@ -7,8 +7,8 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use impedance::{ImpedanceCurve, ImpedanceSummary, write_impedance};
 use lab::digits::rounded;
+use lab::impedance::{ImpedanceCurve, ImpedanceSummary, write_impedance};
 use lab::report::PAGE;
 
 use super::progress::bar;

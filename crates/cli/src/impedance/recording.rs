@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use diagnostics::shown;
-use impedance::{ForceHold, RecordedStroke};
+use documents::shown;
 use keyboard::KeyIndex;
+use lab::impedance::{ForceHold, RecordedStroke};
 use telemetry::recording::{Recording, Row, rows};
 use telemetry::{Topic, Update};
 

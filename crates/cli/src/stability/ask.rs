@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use diagnostics::{choice, quoted};
+use documents::{choice, quoted};
 use haptics::{EstimatorName, Kalman, RigParameters};
+use instruments::{ModelEntry, Parameter};
 use keyboard::KeyIndex;
 use lab::stability::{
     AxisTarget, FINGERS, LoopPoint, LoopQuantity, LoopValues, MapAxis, QUANTITIES, StabilityStudy,
     StabilitySubject,
 };
-use models::{ModelEntry, Parameter};
 use scene::{Instrument, Library};
 
 use super::StabilityArgs;
@@ -121,7 +121,7 @@ pub(crate) fn voices(
         let of_model = model.and_then(|model| Instrument::of_model(&model).into_iter().next());
         of_model.map(|instrument| Instrument::clone(&instrument)).ok_or(wrong)
     });
-    let instrument = instrument.map_err(|wrong| mistakes.push(descriptions::rendered(&wrong)));
+    let instrument = instrument.map_err(|wrong| mistakes.push(mechanism::rendered(&wrong)));
     let (Ok(key), Ok(instrument)) = (key, instrument) else { return Err(mistakes) };
     let values = instrument.values(key.number());
     let name = format!("{} on {key}", instrument.name);

@@ -1,20 +1,20 @@
 //! Numbers with units, and ranges of them, as they are typed.
 
-use diagnostics::quoted;
+use documents::quoted;
 
 /// Reads `text` as a number of `unit`: plain, in that unit, or with another of the same kind, as
 /// `1 ms` or `50 gf`.
 pub(crate) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
     let text = text.trim();
     let wanted = || if unit.is_empty() { String::new() } else { format!(", as 1.5 {unit}") };
-    let read = formulas::number_and_unit(text).filter(|(number, _)| number.is_finite());
+    let read = mechanism::formulas::number_and_unit(text).filter(|(number, _)| number.is_finite());
     let Some((number, given)) = read else {
         return Err(format!("{} is no number{}", quoted(text), wanted()));
     };
     if given.is_empty() {
         return Ok(number);
     }
-    formulas::converted(number, given, unit)
+    mechanism::formulas::converted(number, given, unit)
         .ok_or_else(|| format!("{} is no number of {unit}{}", quoted(text), wanted()))
 }
 

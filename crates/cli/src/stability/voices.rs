@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use engine::voice::{AnyVoice, VoiceBuilder};
 use haptics::RigParameters;
+use instruments::LoadedModel;
 use lab::stability::{LoopQuantity, TrialAnswer, TrialVoice, VoiceOrder};
-use models::LoadedModel;
 use scene::{KeyVoice, Library, Scene};
 use scheduler::motion::KeySample;
 use scheduler::voice::{VoiceFault, VoiceOutput};
-use voice::{AnyVoice, VoiceBuilder};
 
 /// Rates that a voice can have (Hz), as in scenes.
 const RATES: (f64, f64) = (100.0, 10_000.0);
@@ -27,7 +27,7 @@ impl InstrumentVoices {
     /// Returns a maker of voices of `model`.
     pub(crate) fn new(model: &Arc<LoadedModel>) -> Result<Self, String> {
         let scene = Scene::load(&Library::default(), "springs", &[]);
-        let scene = scene.map_err(|wrong| descriptions::rendered(&wrong))?;
+        let scene = scene.map_err(|wrong| mechanism::rendered(&wrong))?;
         Ok(Self { model: Arc::clone(model), scene })
     }
 

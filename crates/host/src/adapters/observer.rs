@@ -11,7 +11,7 @@ use scheduler::port::{FinishedTick, TickObserver};
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
 use super::key_set::AtomicKeySet;
-use realtime::wake_fd::WakeFd;
+use engine::realtime::wake_fd::WakeFd;
 
 /// What anybody may look at while the host runs.
 #[derive(Debug, Default)]

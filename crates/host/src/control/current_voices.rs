@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use descriptions::unmet;
+use instruments::{LoadedModel, Parameter};
 use keyboard::{KeyIndex, KeyRange};
-use models::{LoadedModel, Parameter};
+use mechanism::unmet;
 use telemetry::request::Change;
 use telemetry::stream::ParameterSetting;
 
 use super::description_states::known_path;
 use super::new_voice::{NewVoice, VoiceHandover};
 use crate::observe::instrument_of;
-use diagnostics::{choice, quoted};
+use documents::{choice, quoted};
 use scene::{KeyVoice, Render, Scene, Voicing};
 
 /// The voice that plays on each key.

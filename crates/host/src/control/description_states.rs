@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use models::{FileContents, ModelEntry};
+use instruments::{FileContents, ModelEntry};
 use telemetry::Description;
 
 /// What became of descriptions, by their files.

@@ -4,7 +4,7 @@ use std::fs::{self, DirBuilder};
 use std::os::unix::fs::DirBuilderExt as _;
 use std::path::{Component, Path, PathBuf};
 
-use diagnostics::{choice, is_unprintable, quoted, shown};
+use documents::{choice, is_unprintable, quoted, shown};
 use scene::instruments;
 use telemetry::recording::RecordingLimits;
 

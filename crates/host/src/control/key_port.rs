@@ -1,8 +1,8 @@
 //! The way to the keys of a run: fingers on simulated ones, lights on real ones.
 
+use boards::rt::board_supervisor::LIGHT_S;
 use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
-use hardware::rt::board_supervisor::LIGHT_S;
 use rtrb::Producer;
 
 use super::{FingerOwner, FingerQueue, NOT_RUNNING};

@@ -10,10 +10,10 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use std::sync::Arc;
 
-use descriptions::rendered;
-use diagnostics::escaped;
+use documents::escaped;
+use instruments::{FileContents, LoadedModel};
 use keyboard::KeyRange;
-use models::{FileContents, LoadedModel};
+use mechanism::rendered;
 use scene::{Render, Scene};
 use telemetry::{Log, Update, log};
 

@@ -10,7 +10,7 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::os::unix::fs::{DirBuilderExt as _, FileTypeExt as _, MetadataExt as _};
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use documents::shown;
 use rustix::process::getuid;
 
 /// The socket of a host that the shipped unit starts.

@@ -84,7 +84,8 @@ impl RequestHandler {
 fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
     for range in std::mem::take(&mut scene.auto) {
         let voice = range.keys.numbers().find_map(|key| playing.keys[usize::from(key)].as_ref());
-        let plays = |model: &models::ModelEntry| voice.is_some_and(|voice| voice.model.is(model));
+        let plays =
+            |model: &instruments::ModelEntry| voice.is_some_and(|voice| voice.model.is(model));
         let chosen = range.levels.iter().find(|level| plays(&level.voicing.model));
         if let Some(level) = chosen.or_else(|| range.levels.first()) {
             scene.set_fidelity(range.keys, level);

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use diagnostics::shortened;
+use documents::shortened;
 use scene::{Instrument, Render};
 use telemetry::request::RenderSetting;
 

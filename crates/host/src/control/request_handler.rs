@@ -5,14 +5,14 @@ use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use engine::realtime::pool::{BoxedVoice, VoiceChange};
+use engine::voice::VoiceBuilder;
 use haptics::HandCommand;
-use realtime::pool::{BoxedVoice, VoiceChange};
 use scene::{Instrument, KeyVoice, Scene, is_description, written};
 use scheduler::values::ModelValues;
 use telemetry::request::Change;
 use telemetry::stream::{Backend, ParameterSetting, Who};
 use telemetry::{Event, Reply, Request, Update, event};
-use voice::VoiceBuilder;
 
 use super::current_voices::{CurrentVoices, is_absent, single};
 use super::description_states::DescriptionStates;

@@ -3,15 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
 
-use diagnostics::escaped;
+use documents::escaped;
+use engine::realtime::pool::{VoiceChange, VoiceSwaps};
+use engine::voice::AuditCell;
 use firmware_protocol::key::KeyIndex;
 use haptics::HandCommand;
 use pode::EnergyAudit;
-use realtime::pool::{VoiceChange, VoiceSwaps};
 use rtrb::Producer;
 use telemetry::recording::RecordingLimits;
 use telemetry::{Log, Update, log};
-use voice::AuditCell;
 
 use super::key_port::{KeyPort, Lights};
 use super::voice_port::VoicePort;

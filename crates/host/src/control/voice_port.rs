@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use engine::realtime::pool::{VoiceChange, VoiceSwaps};
+use engine::voice::AuditCell;
 use pode::EnergyAudit;
-use realtime::pool::{VoiceChange, VoiceSwaps};
-use voice::AuditCell;
 
 use super::NOT_RUNNING;
 

@@ -5,8 +5,8 @@ use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
-use descriptions::contents_now;
-use models::FileContents;
+use instruments::FileContents;
+use mechanism::contents_now;
 
 use super::RequestHandler;
 use super::repeated_look::RepeatedLook;

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use engine::realtime::clock;
 use midi::{HeldNotes, Message, MidiSendError, Output, Unavailable};
-use realtime::clock;
 
 use super::channel::GuardianChannel;
 use super::protocol::{GuardedPort, GuardianLine, HostLine, PassedOn, VERSION, is_missing};

@@ -6,12 +6,12 @@ use std::os::unix::net::UnixListener as StdListener;
 use std::path::Path;
 use std::time::Duration;
 
+use engine::realtime::clock;
+use engine::realtime::memory;
+use engine::realtime::run::histogram;
+use engine::realtime::thread::{ThreadPlan, WantedPolicy};
 use hdrhistogram::Histogram;
 use midi::{Message, MidiSendError, NoteGuardian, Unavailable};
-use realtime::clock;
-use realtime::memory;
-use realtime::run::histogram;
-use realtime::thread::{ThreadPlan, WantedPolicy};
 use scheduler::time::Nanos;
 use tokio::io::{AsyncBufReadExt as _, BufReader, Lines};
 use tokio::net::unix::{OwnedReadHalf, OwnedWriteHalf};

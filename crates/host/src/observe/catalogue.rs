@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use models::{LoadedModel, ModelEntry};
+use instruments::{LoadedModel, ModelEntry};
 use scheduler::motion::KEYS;
 use telemetry::{Catalogue, Description, DescriptionFile, Instrument, Model, Parameter};
 
@@ -69,7 +69,7 @@ fn model(entry: &ModelEntry) -> Model {
     }
 }
 
-fn parameter(it: &models::Parameter) -> Parameter {
+fn parameter(it: &instruments::Parameter) -> Parameter {
     Parameter {
         name: it.name.to_owned(),
         unit: it.unit.to_owned(),

@@ -6,7 +6,7 @@ use telemetry::{Deadlines, Spread};
 
 use super::pulses::PulseRow;
 use crate::report::Quantiles;
-use realtime::run::{CreationError, histogram};
+use engine::realtime::run::{CreationError, histogram};
 
 /// Sums up the times of all ticks.
 #[derive(Debug)]

@@ -1,18 +1,18 @@
 //! Lines and boards as a message, and what became of them in sentences.
 
-use hardware::rt::board::BoardStatistics;
-use hardware::rt::link_snapshot::{BoardSnapshot, BoardStatus, LineSnapshot, LinkSnapshot};
+use boards::rt::board::BoardStatistics;
+use boards::rt::link_snapshot::{BoardSnapshot, BoardStatus, LineSnapshot, LinkSnapshot};
 use rtrb::Consumer;
 use telemetry::Links;
 
-use hardware::rt::board_supervisor::ArmState;
+use boards::rt::board_supervisor::ArmState;
 
 use crate::report::{
     key_names, late_periods_words, misplaced_words, muted_keys, softened_words, stage_words,
     unproven_words, wire_words,
 };
-use hardware::refusal::{burst_words, restart_words};
-use hardware::rt::link_monitor::LinkSample;
+use boards::refusal::{burst_words, restart_words};
+use boards::rt::link_monitor::LinkSample;
 
 /// The state of lines and boards, and the ring from which it is updated.
 #[derive(Debug)]
@@ -125,11 +125,11 @@ fn news(before: &str, now: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use boards::links::{Health, WireState};
+    use boards::plan::{LinkMeter, Medium};
+    use boards::rt::bus::LineStatistics;
+    use boards::rt::key_fault::{GuardFindings, KeyFault};
     use firmware_protocol::key::MOST_KEYS;
-    use hardware::plan::{LinkMeter, Medium};
-    use hardware::rt::bus::LineStatistics;
-    use hardware::rt::key_fault::{GuardFindings, KeyFault};
-    use links::{Health, WireState};
     use rtrb::{Producer, RingBuffer};
     use telemetry::{Board, Line};
 

@@ -2,8 +2,8 @@
 //!
 //! Off the tick: a snapshot has mode, state and input; guards and outputs follow from them.
 
-use models::draw::{Body, Coil, Ends, Follow, Material, Sketch};
-use models::{LoadedModel, ModeCode, ModelEntry, Playable, Visitor};
+use instruments::draw::{Body, Coil, Ends, Follow, Material, Sketch};
+use instruments::{LoadedModel, ModeCode, ModelEntry, Playable, Visitor};
 use pode::Motion;
 use scheduler::observation::ModelSnapshot;
 use telemetry::{Drawing, Follower, Outline, Signal, outline, signal};
@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn every_model_gives_as_many_signals_as_it_names() {
-        for name in descriptions::model_names() {
+        for name in mechanism::model_names() {
             let model = scene::Library::default().find(name, Path::new("")).expect("a model");
             let (entry, probe): (&ModelEntry, _) = (&model, probe(&model, &[]));
             let mut signals = Vec::new();

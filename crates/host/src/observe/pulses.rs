@@ -3,7 +3,7 @@
 use rtrb::{Consumer, Producer, RingBuffer};
 use scheduler::deadline::{MissCause, Outcome};
 
-use realtime::run::TickTiming;
+use engine::realtime::run::TickTiming;
 
 /// Ticks that may wait: a second at 1 kHz.
 const TICKS: usize = 1024;

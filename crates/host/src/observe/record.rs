@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::time::Duration;
 
-use diagnostics::shown;
+use documents::shown;
 use telemetry::event::Kind;
 use telemetry::recording::{
     BlackBox, RecordError, Recorder, RecordingLimits, RecordingSettings, RecordingStatus,

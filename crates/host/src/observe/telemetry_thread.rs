@@ -20,7 +20,7 @@ use super::{LinksWatch, ModelProbe, events};
 use crate::adapters::tick_recorder::{
     EventKind, KeyRow, RecorderRow, TickEvent, TickRecorderRings, TickRow,
 };
-use realtime::run::CreationError;
+use engine::realtime::run::CreationError;
 
 /// Somebody who takes messages.
 pub trait MessageSink: Send {

@@ -11,9 +11,9 @@ use scheduler::voice::VoiceOutput;
 
 use super::ReplayError;
 use super::feed::{KeyTick, LaneStatus};
-use realtime::pool::{LateResult, PanicGuard};
+use engine::realtime::pool::{LateResult, PanicGuard};
+use engine::voice::{AnyVoice, VoiceBuilder};
 use scene::{KeyVoice, Render, Scene};
-use voice::{AnyVoice, VoiceBuilder};
 
 /// A voice of the recording.
 #[derive(Clone, Debug)]
@@ -88,7 +88,7 @@ impl ReplayLanes {
 }
 
 fn build(scene: &Scene, recorded: &RecordedVoice, revision: u32) -> Result<AnyVoice, ReplayError> {
-    let failed = |error: voice::BuildError| ReplayError::Voice(error.to_string());
+    let failed = |error: engine::voice::BuildError| ReplayError::Voice(error.to_string());
     let scene = Scene { render: recorded.render, ..scene.clone() };
     let builder = VoiceBuilder::new(&scene).map_err(failed)?;
     builder.numbered(&recorded.voice, std::sync::Arc::default(), revision).map_err(failed)

@@ -19,9 +19,9 @@ use crate::adapters::tick_recorder::TickRecorder;
 use crate::midi_thread::MidiDispatcher;
 use crate::observe::{Origin, Pulses, TelemetryMessage, TelemetryThread, pedal_move, voice};
 use crate::session::{MonitoredOutput, Watchers, nowhere};
-use realtime::clock;
-use realtime::run::scheduler;
-use realtime::wake_fd::WakeFd;
+use engine::realtime::clock;
+use engine::realtime::run::scheduler;
+use engine::realtime::wake_fd::WakeFd;
 use scene::{KeyVoice, Library, Render, Scene};
 
 /// The result of a replay.

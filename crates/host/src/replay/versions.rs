@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use models::LoadedModel;
+use instruments::LoadedModel;
 use scene::Library;
 use telemetry::{Catalogue, Voice};
 

@@ -2,12 +2,12 @@
 
 use std::fmt;
 
+use boards::identity::ClaimedKeys;
+use boards::keybed::BoardReport;
+use boards::refusal::{burst_words, clock_words, late_words, reason_words, restart_words};
+use boards::rt::board_supervisor::{ArmLockout, ArmState, SlowSamples};
+use boards::rt::key_fault::KeyFault;
 use firmware_protocol::key::{KeyIndex, MOST_KEYS};
-use hardware::identity::ClaimedKeys;
-use hardware::keybed::BoardReport;
-use hardware::refusal::{burst_words, clock_words, late_words, reason_words, restart_words};
-use hardware::rt::board_supervisor::{ArmLockout, ArmState, SlowSamples};
-use hardware::rt::key_fault::KeyFault;
 use serde::Serialize;
 
 /// One board of a run.

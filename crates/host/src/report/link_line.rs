@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use hardware::keybed::{BoardReport, LineReport};
-use hardware::plan::{BusPlan, BusVerdict};
-use links::WireState;
+use boards::keybed::{BoardReport, LineReport};
+use boards::links::WireState;
+use boards::plan::{BusPlan, BusVerdict};
 use serde::Serialize;
 
 /// One link of a run.

@@ -5,7 +5,7 @@ use std::fmt;
 use hdrhistogram::Histogram;
 use serde::{Deserialize, Serialize};
 
-use voice::AuditReport;
+use engine::voice::AuditReport;
 
 mod board_line;
 mod fidelity;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 
 use firmware_protocol::key::KeyIndex;
-use performance::{Assessment, Deviation, DeviationKind, ShortStroke};
+use pianist::{Assessment, Deviation, DeviationKind, ShortStroke};
 use serde::Serialize;
 use telemetry::key_name;
 
@@ -161,7 +161,7 @@ impl NoteReport {
     /// What is said of a performance that went as assessed, with the notes that fell short.
     pub fn new(it: &Assessment, shortfalls: &[ShortStroke]) -> Self {
         let spread =
-            |it: &performance::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
+            |it: &pianist::Spread| ErrorQuantiles { p50: it.p50, p99: it.p99, max: it.max };
         Self {
             pieces: 1,
             passes: 1,

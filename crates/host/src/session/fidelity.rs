@@ -3,13 +3,13 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use engine::realtime::clock;
+use engine::voice::{BuildError, VoiceBuilder};
 use keyboard::KeyRange;
-use realtime::clock;
 use scene::{FidelityLevel, KeyVoice, Scene};
 use scheduler::motion::KeySample;
 use scheduler::time::Nanos;
 use scheduler::voice::VoiceOutput;
-use voice::{BuildError, VoiceBuilder};
 
 use crate::report::{ChosenFidelity, RefusedFidelity};
 

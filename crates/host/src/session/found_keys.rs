@@ -1,9 +1,9 @@
 //! The keys that a scene asks for, as they were found.
 
-use hardware::sim::keybed::SimulatedKeybed;
+use boards::sim::keybed::SimulatedKeybed;
+use engine::voice::VoiceBuilder;
 use keyboard::{KeyIndex, KeyRange};
 use scene::{Boards, LinksConfig as SceneLinks, Scene};
-use voice::VoiceBuilder;
 
 use super::key_source::{self, KeySource};
 use super::trial::SimulatedKeys;

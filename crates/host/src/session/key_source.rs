@@ -1,16 +1,16 @@
 //! The keys before a run: simulated in this process, or on boards that were found.
 
+use boards::keybed::{Calibrated, Keybed, Offline, Terms, WantedBoards};
+use boards::plan::{BusPlan, BusVerdict};
 use haptics::plant::{MAX_DELAY_STEPS, MAX_SUBSTEP};
-use hardware::keybed::{Calibrated, Keybed, Offline, Terms, WantedBoards};
-use hardware::plan::{BusPlan, BusVerdict};
-use performance::Performance;
+use pianist::Performance;
 use scheduler::time::Nanos;
 
 use super::key_transport::{KeyTransport, Plans};
 use super::trial::SimulatedKeys;
 use super::{PreparedRun, SessionError, all_keys};
-use crate::boards::{self, PATIENCE_US, calibration, open_all, planning};
-use realtime::clock;
+use crate::connected_boards::{self, PATIENCE_US, calibration, open_all, planning};
+use engine::realtime::clock;
 use scene::{Boards, period_us};
 
 /// The keys before a run.
@@ -31,7 +31,7 @@ const LONGEST_DELAY: f64 = MAX_DELAY_STEPS as f64 * MAX_SUBSTEP;
 pub(super) fn find(boards: &Boards, tick_hz: u32) -> Result<KeySource, SessionError> {
     let terms = terms(boards, tick_hz)?;
     refuse_overload(&planning::listed(boards, tick_hz))?;
-    let clock = boards::clock(&boards.buses);
+    let clock = connected_boards::clock(&boards.buses);
     let lines = open_all(&boards.buses, &clock).map_err(SessionError::Links)?;
     let keybed = Keybed::<Offline>::new(lines, clock).identify(PATIENCE_US)?;
     let buses = boards.buses.iter().enumerate();

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
+use boards::keybed::{Armed, BoardReport, Keybed, LineReport};
+use boards::plan::BusPlan;
+use boards::rt::link_monitor::LinkSample;
+use boards::sim::keybed::SimulatedKeybed;
+use boards::topology::{BoardPlace, standard};
 use firmware_protocol::key::BoardId;
-use hardware::keybed::{Armed, BoardReport, Keybed, LineReport};
-use hardware::plan::BusPlan;
-use hardware::rt::link_monitor::LinkSample;
-use hardware::sim::keybed::SimulatedKeybed;
-use hardware::topology::{BoardPlace, standard};
 use rtrb::Consumer;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
@@ -16,7 +16,7 @@ use telemetry::{Board, Line};
 
 use super::PreparedRun;
 use super::trial::SimulatedKeys;
-use crate::boards::stop_all;
+use crate::connected_boards::stop_all;
 use crate::control::{BoardsTold, IdentifyTarget, Lights};
 use crate::observe::{LinksWatch, TelemetryMessage};
 use crate::report::{BoardLine, LinkLine, LinkReport};

@@ -1,11 +1,11 @@
 //! A run's measurements of time.
 
 use crate::report::{Deadline, Quantiles, Realtime};
-use realtime::baseline;
-use realtime::memory::Locked;
-use realtime::run::{Pause, Timings};
-use realtime::thread::SchedulingPolicy;
-use realtime::wake_latency::HeldLatency;
+use engine::realtime::baseline;
+use engine::realtime::memory::Locked;
+use engine::realtime::run::{Pause, Timings};
+use engine::realtime::thread::SchedulingPolicy;
+use engine::realtime::wake_latency::HeldLatency;
 
 /// The measured part of a report.
 #[derive(Debug)]

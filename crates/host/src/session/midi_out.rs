@@ -4,7 +4,7 @@ use std::os::unix::fs::FileTypeExt as _;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use diagnostics::shown;
+use documents::shown;
 use midi::{Message, MidiSendError, Output, Smf};
 
 use crate::control::RunHandle;

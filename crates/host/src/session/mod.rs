@@ -8,7 +8,7 @@ mod measured;
 mod midi_out;
 mod monitored_output;
 mod observed;
-mod pianist;
+mod play_list;
 mod real;
 mod threads;
 mod trial;
@@ -20,17 +20,17 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
+use boards::sim::keybed::SimulatedKeybed;
 use firmware_protocol::key::KeyIndex;
-use hardware::sim::keybed::SimulatedKeybed;
 use midi::{NoteEvent, VelocityCurve};
-use performance::{Assessor, ExpectedNote, Performance, ShortStroke};
+use pianist::{Assessor, ExpectedNote, Performance, ShortStroke};
 use scheduler::overload::OverloadRules;
 use scheduler::tick::Scheduler;
 use scheduler::time::{Nanos, Timetable};
 use telemetry::key_name;
 
 use crate::adapters::observer::{LiveCounters, TickPublisher};
-use voice::{BuildError, VoiceBuilder};
+use engine::voice::{BuildError, VoiceBuilder};
 
 use crate::control::{RunHandle, passes};
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
@@ -38,6 +38,11 @@ use crate::observe::{MessageSink, TelemetryMessage};
 use crate::rehearsal::RehearsalError;
 use crate::report::{Deadline, Evaluations, LostTicks, NoteReport, OverloadReport, Realtime};
 use crate::report::{RunReport, StepCounts};
+use engine::realtime::clock;
+use engine::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
+use engine::realtime::run::Pause;
+use engine::realtime::thread::ThreadPlan;
+use engine::realtime::wake_fd::WakeFd;
 use key_source::KeySource;
 use key_transport::KeyTransport;
 use measured::MeasuredRun;
@@ -46,17 +51,12 @@ pub(crate) use midi_out::nowhere;
 pub(crate) use monitored_output::MonitoredOutput;
 use observed::ObservedOutputs;
 pub(crate) use observed::Watchers;
-use realtime::clock;
-use realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
-use realtime::run::Pause;
-use realtime::thread::ThreadPlan;
-use realtime::wake_fd::WakeFd;
 use scene::Scene;
 
 pub use fidelity::choose_fidelity;
 pub use found_keys::FoundKeys;
-pub use pianist::PianistProgress;
-use pianist::RehearsedPlayList;
+pub use play_list::PianistProgress;
+use play_list::RehearsedPlayList;
 pub use trial::RunTrial;
 use unit_costs::UnitCosts;
 
@@ -71,7 +71,7 @@ pub enum SessionError {
     Rehearsal(#[from] RehearsalError),
     /// The simulated keybed refuses the scene's period.
     #[error("the simulated keybed cannot run the scene: {0}")]
-    Keybed(#[from] hardware::Error),
+    Keybed(#[from] boards::Error),
     /// The performance cannot be read.
     #[error("the performance `{name}` cannot be played: {reason}")]
     Performance {
@@ -93,7 +93,7 @@ pub enum SessionError {
     Links(String),
     /// Boards are missing, or may not be used.
     #[error(transparent)]
-    Boards(#[from] hardware::refusal::Refusals),
+    Boards(#[from] boards::refusal::Refusals),
     /// Boards cannot exchange at this rate.
     #[error(
         "boards exchange in whole steps of 100 us, which {tick_hz} Hz is not; \
@@ -275,7 +275,7 @@ impl RunSession {
         if scene.play_list.is_some() && !keys.has_fingers() {
             return Err(SessionError::NoFingers);
         }
-        let play_list = pianist::rehearse(scene, &builder, options.duration, &handle, progress)?;
+        let play_list = play_list::rehearse(scene, &builder, options.duration, &handle, progress)?;
         let performance = play_list.as_ref().map(|list| &list.performance);
         let once = performance.filter(|it| it.repeat.is_none());
         let seconds = options.duration.or_else(|| Some(once?.end() + AFTERGLOW));
@@ -408,7 +408,7 @@ impl PreparedRun {
 
     /// Returns the scheduler of its ticks.
     fn scheduler(&self) -> Result<Box<Scheduler>, SessionError> {
-        let mut scheduler = realtime::run::scheduler(self.timetable()?, self.slew_limit);
+        let mut scheduler = engine::realtime::run::scheduler(self.timetable()?, self.slew_limit);
         scheduler.set_overload(self.overload);
         Ok(scheduler)
     }
@@ -510,7 +510,7 @@ fn notes(
     let performance = &list.performance;
     let passes = list.pass.map_or(1, |length| passes(ticks, length));
     let shortfalls =
-        performance.shortfalls.iter().filter(|it| it.onset < duration - performance::WINDOW);
+        performance.shortfalls.iter().filter(|it| it.onset < duration - pianist::WINDOW);
     let shortfalls: Vec<_> = shortfalls.copied().collect();
     NoteReport {
         pieces: list.pieces,

@@ -10,7 +10,7 @@ use scheduler::observation::FollowedKeys;
 use scheduler::port::{FinishedTick, TickObserver};
 use telemetry::Catalogue;
 
-use super::pianist::RehearsedPlayList;
+use super::play_list::RehearsedPlayList;
 use super::unit_costs::UnitCosts;
 use super::{RunOptions, SessionError};
 use crate::adapters::observer::{LiveCounters, TickPublisher};
@@ -18,10 +18,10 @@ use crate::adapters::tick_recorder::TickRecorder;
 use crate::control::{RunDescription, RunHandle};
 use crate::observe::{self, Origin, Pulses, TelemetryMessage, TelemetryThread};
 use crate::report::MidiReport;
-use realtime::clock;
-use realtime::pool::BoxedVoice;
+use engine::realtime::clock;
+use engine::realtime::pool::BoxedVoice;
+use engine::voice::VoiceBuilder;
 use scene::{KeyVoice, Scene};
-use voice::VoiceBuilder;
 
 /// Time between two looks at the rings: one frame of a screen.
 const LOOK: Duration = Duration::from_millis(16);

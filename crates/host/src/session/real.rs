@@ -13,11 +13,11 @@ use crate::midi_thread::{MidiDispatcher, MidiThread, NoteEnding};
 use crate::observe::Pulses;
 use crate::report::RunReport;
 use ::scheduler::time::Nanos;
-use realtime::baseline::Baseline;
-use realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down};
-use realtime::thread::{SchedulingPolicy, WantedPolicy};
-use realtime::wake_latency::HeldLatency;
-use realtime::{memory, run as ticks};
+use engine::realtime::baseline::Baseline;
+use engine::realtime::run::{Assembly, TickTiming, Timings, Until, histogram, ramp_down};
+use engine::realtime::thread::{SchedulingPolicy, WantedPolicy};
+use engine::realtime::wake_latency::HeldLatency;
+use engine::realtime::{memory, run as ticks};
 use telemetry::HostState;
 
 /// Runs until its end or `stop`; ramps all forces down; then reports.
@@ -121,7 +121,7 @@ fn tick(
 fn since_1970(start: Nanos) -> u64 {
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
     let now = now.map_or(0, |it| u64::try_from(it.as_nanos()).unwrap_or(u64::MAX));
-    now.saturating_add(start.since(realtime::clock::monotonic()).as_u64())
+    now.saturating_add(start.since(engine::realtime::clock::monotonic()).as_u64())
 }
 
 /// Smooths the tick's work and counts misses, for the live line.

@@ -2,8 +2,8 @@
 
 use std::num::NonZeroUsize;
 
-use realtime::affinity;
-use realtime::thread::{ThreadPlan, WantedPolicy};
+use engine::realtime::affinity;
+use engine::realtime::thread::{ThreadPlan, WantedPolicy};
 use scene::{LaneCount, Scene, ThreadPolicy, ThreadRules};
 use scheduler::time::Nanos;
 

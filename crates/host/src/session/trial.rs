@@ -1,7 +1,7 @@
 //! A run that is tried: faults on its simulated keys and wires, and a close look at all of them.
 
-use hardware::sim::keybed::SimulatedKeybed;
-use realtime::clock;
+use boards::sim::keybed::SimulatedKeybed;
+use engine::realtime::clock;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::KeyBus;
 use scheduler::time::Nanos;

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use realtime::clock;
+use engine::realtime::clock;
+use engine::voice::AnyVoice;
 use scheduler::motion::KeySample;
 use scheduler::time::Period;
 use scheduler::voice::VoiceOutput;
 use scheduler::work::{TurnLimit, VoiceKind};
-use voice::AnyVoice;
 
 /// Voices of each kind that are tried; the cheapest counts.
 const TRIED: usize = 3;

@@ -10,8 +10,8 @@ use super::observed::ObservedOutputs;
 use super::{LEAD, PreparedRun, SessionError, no_clock};
 use crate::midi_thread::{MidiDispatcher, NoteEnding};
 use crate::report::RunReport;
-use realtime::run::{Assembly, Until};
-use realtime::virtual_time;
+use engine::realtime::run::{Assembly, Until};
+use engine::realtime::virtual_time;
 
 /// Ticks between two looks at the rings.
 const TICKS_PER_LOOK: u64 = 16;

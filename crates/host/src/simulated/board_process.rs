@@ -1,10 +1,10 @@
 //! One simulated board in real time, with the faults that are injected into it.
 
+use boards::identity::ClaimedKeys;
+use boards::links::{Link, RecvError, SendError};
+use boards::refusal::reason_words;
+use boards::sim::board::{BoardMake, SimulatedBoard};
 use firmware_protocol::frame::hello::safe_reason;
-use hardware::identity::ClaimedKeys;
-use hardware::refusal::reason_words;
-use hardware::sim::board::{BoardMake, SimulatedBoard};
-use links::{Link, RecvError, SendError};
 use scheduler::time::Nanos;
 
 use super::fault_script::{FaultEvent, FaultScript};
@@ -65,7 +65,7 @@ impl BoardProcess {
         placed: Placed,
         ppm: f64,
         faults: Vec<FaultScript>,
-    ) -> Result<Self, hardware::Error> {
+    ) -> Result<Self, boards::Error> {
         Ok(Self {
             board: SimulatedBoard::new(make)?,
             make,

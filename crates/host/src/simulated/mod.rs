@@ -9,13 +9,13 @@ mod wire;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use hardware::sim::board::BoardCounts;
+use boards::sim::board::BoardCounts;
 use scheduler::time::Nanos;
 use serde::Serialize;
 
 pub use board_process::BoardProcess;
+use engine::realtime::clock;
 use fault_script::FaultScript;
-use realtime::clock;
 pub use wire::{Placed, WireEndpoint, place};
 
 /// Time between two polls of the links.

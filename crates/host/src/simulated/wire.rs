@@ -2,15 +2,15 @@
 
 use std::path::PathBuf;
 
+use boards::links::address::Address;
+use boards::links::can::BusSide;
+use boards::links::reconnecting::ReconnectingLink;
+use boards::links::serial::{Pty, Serial};
+use boards::links::wire::{Wire, WirePlan};
+use boards::links::{HostClock, Link};
 use firmware_protocol::key::BoardId;
-use links::address::Address;
-use links::can::BusSide;
-use links::reconnecting::ReconnectingLink;
-use links::serial::{Pty, Serial};
-use links::wire::{Wire, WirePlan};
-use links::{HostClock, Link};
 
-use crate::boards::now_us;
+use crate::connected_boards::now_us;
 
 /// The kind of link that simulated boards get.
 #[derive(Clone, PartialEq, Debug)]
@@ -42,7 +42,7 @@ impl std::fmt::Debug for Placed {
 ///
 /// # Errors
 /// If the system refuses a port or an interface.
-pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, links::Error> {
+pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, boards::links::Error> {
     match at {
         WireEndpoint::Pty => {
             let Pty { board, path } = Pty::open()?;
@@ -66,5 +66,5 @@ pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, links::Error> 
 }
 
 fn serial(port: PathBuf) -> Address {
-    Address::Serial { port, baud: links::address::BAUD }
+    Address::Serial { port, baud: boards::links::address::BAUD }
 }

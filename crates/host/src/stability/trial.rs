@@ -1,11 +1,11 @@
 //! One key under one finger: is its loop stable while it is played, and quiet afterwards?
 
+use engine::voice::VoiceBuilder;
 use haptics::plant::{Gesture, Touch};
 use haptics::{FingerParameters, Grasp, RigParameters, Swing};
 use keyboard::KeyIndex;
 use scene::{KeyVoice, Scene};
 use scheduler::voice::VoiceFault;
-use voice::VoiceBuilder;
 
 use crate::rehearsal::{RehearsalError, RehearsedKey};
 

@@ -1,7 +1,7 @@
 //! The paper's experiment: hand, encoder, model, motor, key, and the hand again.
 
 use haptics::{KeyRig, MuscleCommand};
-use models::SmallModel;
+use instruments::SmallModel;
 use pode::Motion;
 
 use super::hand::{HandPath, LEAD_IN, RIG};

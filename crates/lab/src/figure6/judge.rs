@@ -1,6 +1,6 @@
 //! How wrong a step is: the stroke of the reference, against the reference.
 
-use models::SmallModel;
+use instruments::SmallModel;
 use pode::{Energetic as _, Motion};
 use serde::Serialize;
 

@@ -1,6 +1,6 @@
 //! The same model with its events located inside the steps.
 
-use models::SmallModel;
+use instruments::SmallModel;
 use pode::stepper::Rk4;
 use pode::{EnergyAudit, Limits, Motion, RunRecorder, Simulator};
 

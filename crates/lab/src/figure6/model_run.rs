@@ -1,7 +1,7 @@
 //! What a run of the model leaves behind: a row at the end of each step, and its events.
 
-use models::Described as _;
-use models::SmallModel;
+use instruments::Described as _;
+use instruments::SmallModel;
 use pode::{Energetic as _, Model, Motion};
 
 /// The model's mode.

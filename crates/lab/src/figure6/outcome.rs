@@ -1,6 +1,6 @@
 //! The experiment in both readings, and the comparison with the reference.
 
-use models::SmallModel;
+use instruments::SmallModel;
 use pode::{Guarded as _, Motion};
 use serde::Serialize;
 

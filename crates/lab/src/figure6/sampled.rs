@@ -1,7 +1,7 @@
 //! The paper's step: the input is sampled once and held, the method is RK4, and the guards are
 //! looked at once, at the step's end. `[GC93]` §3.1, §6
 
-use models::SmallModel;
+use instruments::SmallModel;
 use pode::stepper::{Given, Rk4};
 use pode::{Dense as _, Energetic as _, Fires, GuardSpec, Guarded as _, Model as _};
 use pode::{Resets as _, Stepper as _};

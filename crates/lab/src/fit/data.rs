@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::Path;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
-use diagnostics::{choice, quoted, shown};
+use documents::{choice, quoted, shown};
 
 /// The columns that a file may have; the first may be left out.
 const COLUMNS: [&str; 3] = ["time_s", "travel_m", "force_n"];
@@ -84,7 +84,7 @@ pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMi
     let mut scan = StrokeScan { file, places: [None; 3], rows: Vec::new(), mistakes: Vec::new() };
     let mut reader = ReaderBuilder::new();
     let reader = reader.has_headers(false).flexible(true).trim(Trim::All);
-    match diagnostics::open_input(path) {
+    match documents::open_input(path) {
         Ok(file) => scan.read(reader.from_reader(file)),
         Err(error) => scan.say(None, format!("cannot be read: {error}")),
     }

@@ -1,6 +1,6 @@
 //! A simulated key that follows a measured stroke.
 
-use models::LoadedModel;
+use instruments::LoadedModel;
 
 use super::data::MeasuredStroke;
 use super::smooth::{EXACT, noise, smoothed};

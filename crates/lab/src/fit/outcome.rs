@@ -1,6 +1,6 @@
 //! A fit from its first run to its sentences.
 
-use models::Parameter;
+use instruments::Parameter;
 use serde::Serialize;
 
 use super::certainty::{FitCertainty, RemainingSpread};

@@ -1,7 +1,7 @@
 //! What is to be fitted, and all strokes for any values.
 
-use descriptions::unmet;
-use models::LoadedModel;
+use instruments::LoadedModel;
+use mechanism::unmet;
 use nalgebra_of_lm::DVector;
 
 use super::data::MeasuredStroke;

@@ -1,6 +1,6 @@
 //! One key that is driven by position, and what it does.
 
-use models::{ModelEntry, Playable, Visitor};
+use instruments::{ModelEntry, Playable, Visitor};
 use pode::stepper::Any;
 use pode::{
     Advance, EnergyAudit, Event, EventCause, Limits, Motion, Piece, Signal, Simulator, Watch,

@@ -1,6 +1,6 @@
 //! The instrument that is looked at.
 
-use models::LoadedModel;
+use instruments::LoadedModel;
 
 use super::drive::USUAL_DIP;
 use super::key::{DrivenKey, Opener};

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use documents::shown;
 
 /// Which file or folder could not be written, and why.
 #[derive(Debug, thiserror::Error)]

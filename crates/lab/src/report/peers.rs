@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use documents::shown;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 

@@ -2,8 +2,8 @@
 //!
 //! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), all over at t1 (1 + e)/(1 − e).
 
-use models::SmallModel;
-use models::{Described as _, ModeCode};
+use instruments::SmallModel;
+use instruments::{Described as _, ModeCode};
 use pode::Motion;
 
 use super::{BadFile, ExpectedEvent, ForceKind, MS, ModeOf, Plan, Reference, Scenario};

@@ -1,6 +1,6 @@
 //! Reads the references that other programs have made: a JSON and a CSV file each.
 
-use models::Described;
+use instruments::Described;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 

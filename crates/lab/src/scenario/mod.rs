@@ -23,8 +23,8 @@ use core::fmt::Debug;
 
 use std::path::Path;
 
-use descriptions::Library;
-use models::SmallModel;
+use instruments::SmallModel;
+use mechanism::Library;
 use pode::{Energetic, Model, Resets};
 
 use self::ball::BallScenario;

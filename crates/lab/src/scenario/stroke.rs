@@ -1,7 +1,7 @@
 //! Instruments under a stroke, against trajectories of independent programs.
 
-use models::Described as _;
-use models::SmallModel;
+use instruments::Described as _;
+use instruments::SmallModel;
 use pode::Motion;
 use pode::series::INPUT_TERMS;
 
@@ -106,18 +106,18 @@ const TORQUE: &str = "T_KU";
 
 /// Returns model A under two throws.
 pub(super) fn two_throws() -> Result<RigidStroke, BadFile> {
-    let file = file!("../../../models/tests/reference/", "model-a-two-throws");
+    let file = file!("../../../instruments/tests/reference/", "model-a-two-throws");
     StrokeScenario::read(("key-hammer-rigid", TORQUE), &file, StrokeTicks::USUAL)
 }
 
 /// Model B, as the paper has it.
 pub(super) fn figure_6() -> Result<SpringsStroke, BadFile> {
-    springs(&file!("../../../models/tests/reference/", "model-b-figure6"), StrokeTicks::USUAL)
+    springs(&file!("../../../instruments/tests/reference/", "model-b-figure6"), StrokeTicks::USUAL)
 }
 
 /// Model B, 10 times stiffer.
 pub(super) fn stiff_10() -> Result<SpringsStroke, BadFile> {
-    springs(&file!("../../../models/tests/reference/", "model-b-stiff-10"), StrokeTicks::USUAL)
+    springs(&file!("../../../instruments/tests/reference/", "model-b-stiff-10"), StrokeTicks::USUAL)
 }
 
 /// Model B, 100 times stiffer.
@@ -137,7 +137,7 @@ pub(super) fn stiff_10000() -> Result<SpringsStroke, BadFile> {
 pub(super) fn forte() -> Result<GrandStroke, BadFile> {
     const TICKS: &[f64] =
         &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS];
-    let file = file!("../../../models/tests/reference/", "model-c-forte");
+    let file = file!("../../../instruments/tests/reference/", "model-c-forte");
     let pace = StrokeTicks { ticks: TICKS, offline_tick: 50.0 * MS };
     StrokeScenario::read(("reduced-grand", "F_KU"), &file, pace)
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use models::{Described, ModelEntry, Parameter, Playable};
+use instruments::{Described, ModelEntry, Parameter, Playable};
 use pode::stepper::{Any, ByNeed};
 use pode::{Limits, State as _};
 

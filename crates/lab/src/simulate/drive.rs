@@ -1,6 +1,6 @@
 //! Tick after tick, followed by the energy audit and the files.
 
-use models::{Described, Playable};
+use instruments::{Described, Playable};
 use pode::stepper::{Any, ByNeed, Choice};
 use pode::{Advance, Cap, EnergyAudit, Event, EventCause, Motion, Piece, Signal, Simulator};
 use pode::{State as _, Stepper, Tick, Watch};

@@ -5,8 +5,8 @@ use std::io;
 use std::path::PathBuf;
 
 use super::input::InputMistake;
-use descriptions::MissingModel;
-use diagnostics::{nearest, shown};
+use documents::{nearest, shown};
+use mechanism::MissingModel;
 
 /// Why a simulation did not come to its end.
 #[derive(Debug, thiserror::Error)]

@@ -20,8 +20,8 @@ mod tests;
 use std::io::Write;
 use std::path::Path;
 
-use descriptions::Library;
-use models::{Playable, Visitor};
+use instruments::{Playable, Visitor};
+use mechanism::Library;
 
 pub use self::args::{Reconstruct, SimulateArgs};
 use self::check::{Start, TickClock};

@@ -1,6 +1,6 @@
 //! Modes by name, and by their place in the model's list.
 
-use models::{Described, ModeName};
+use instruments::{Described, ModeName};
 
 /// Returns the name of a mode: the structural one's, and what the contacts do that are not open.
 pub(super) fn mode_name<M: Described>(model: &M, mode: M::Mode) -> String {

@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use models::{Described, ModelEntry, Playable};
+use instruments::{Described, ModelEntry, Playable};
 use pode::{EnergyAudit, Event, EventCause, GuardSpec, Motion, Piece, Signal, State as _};
 
 use super::args::SimulateArgs;

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use diagnostics::shown;
+use documents::shown;
 use pode::stepper::Choice;
 use pode::{Cap, EnergyAudit, Fault, Limits};
 use serde::Serialize;

@@ -14,16 +14,17 @@ mod watch;
 use std::io;
 use std::path::PathBuf;
 
-use diagnostics::shown;
+use documents::shown;
 
 pub use port::MidiPort;
+pub use ports::Unavailable;
 pub(crate) use ports::{CLIENT, look_for_sequencer};
 #[cfg(unix)]
 pub use raw::RawPort;
 pub use reconnecting::{MidiSystem, ReconnectingPort};
 pub use smf::Smf;
+pub use system::ports;
 pub(crate) use system::refused;
-pub use system::{Unavailable, ports};
 
 use crate::message::Message;
 

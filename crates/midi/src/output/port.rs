@@ -3,9 +3,10 @@
 use std::io;
 use std::path::Path;
 
+use super::Unavailable;
 use super::ports::CLIENT;
 use super::reconnecting::ReconnectingPort;
-use super::system::{System, Unavailable, WantedPort};
+use super::system::{System, WantedPort};
 use super::{MidiSendError, Output};
 use crate::message::Message;
 

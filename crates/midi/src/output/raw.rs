@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use std::os::unix::fs::{FileTypeExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use documents::shown;
 use rustix::fs::OFlags;
 
 use super::reconnecting::{MidiSystem, ReconnectingPort};

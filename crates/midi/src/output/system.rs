@@ -4,67 +4,9 @@ use std::fmt;
 
 use midir::{MidiOutput, MidiOutputConnection, MidiOutputPort};
 
-use super::ports::{CLIENT, named, open};
+use super::ports::{CLIENT, Unavailable, named, open};
 use super::reconnecting::MidiSystem;
 use super::watch::PortWatch;
-
-/// Why there is no connection to a MIDI port.
-#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-pub enum Unavailable {
-    /// The kernel's sequencer is not loaded.
-    #[error(
-        "there is no MIDI on this machine, /dev/snd/seq does not exist: load it with \
-         `sudo modprobe snd-seq`, or pass /dev/snd into the container"
-    )]
-    NoSequencer,
-    /// The kernel's sequencer may not be opened.
-    #[error(
-        "MIDI may not be used, /dev/snd/seq cannot be opened: join the group audio with \
-         `sudo usermod -aG audio $USER` and log in again"
-    )]
-    NotAllowed,
-    /// The system's MIDI does not start for another reason.
-    #[error("the system's MIDI does not start: see what the system logged, and try again")]
-    NotStarted,
-    /// No port has the wanted name.
-    #[error("no MIDI port is called \"{wanted}\": {}", known(.existing))]
-    NoSuchPort {
-        /// Part of a name that was looked for.
-        wanted: String,
-        /// The ports that exist.
-        existing: Vec<String>,
-    },
-    /// The port is there and does not let itself be connected.
-    #[error("MIDI port \"{port}\" cannot be connected, {reason}: close what else uses it")]
-    Refused {
-        /// Name of the port.
-        port: String,
-        /// What the system said.
-        reason: String,
-    },
-    /// The device or FIFO cannot be written to.
-    #[error("no MIDI can be written to {path}: {reason}")]
-    NoDevice {
-        /// Where it should be.
-        path: String,
-        /// The mistake and the remedy.
-        reason: String,
-    },
-    /// This system has no virtual ports.
-    #[error(
-        "this system cannot make a MIDI port of our own: install a loopback port \
-         and connect to it by its name"
-    )]
-    NoVirtualPorts,
-}
-
-fn known(existing: &[String]) -> String {
-    if existing.is_empty() {
-        "there is none, start the synthesizer first".to_owned()
-    } else {
-        format!("choose one of \"{}\"", existing.join("\", \""))
-    }
-}
 
 /// The names of all ports that could be connected.
 ///

@@ -5,7 +5,7 @@ use keyboard::KeyRange;
 
 use crate::quantity::Quantity;
 use crate::read::{self, TableReader};
-use diagnostics::toml::{FindingList, SourcePlace, TomlNode};
+use documents::toml::{FindingList, SourcePlace, TomlNode};
 
 const NUMBER: Quantity = Quantity { unit: "1", range: (0.0, 14.0) };
 

@@ -1,14 +1,14 @@
 //! `[[links.bus]]`: a link, and what it is like.
 
-use links::address::{Address, BAUD};
-use links::can::CanMode;
+use boards::links::address::{Address, BAUD};
+use boards::links::can::CanMode;
 
 use super::board::{self, Listed};
 use super::{BIT_RATES, BoardBus};
 use crate::quantity::Quantity;
 use crate::read::{self, TableReader};
-use diagnostics::quoted;
-use diagnostics::toml::{FindingList, TomlNode};
+use documents::quoted;
+use documents::toml::{FindingList, TomlNode};
 
 const BAUD_RATE: Quantity = Quantity { unit: "1", range: (9_600.0, 20e6) };
 const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };

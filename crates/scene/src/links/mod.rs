@@ -6,12 +6,12 @@ mod table;
 
 use std::path::PathBuf;
 
+use boards::links::address::Address;
+use boards::links::can::CanMode;
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use keyboard::KeyRange;
-use links::address::Address;
-use links::can::CanMode;
 
 use super::source::Override;
 

@@ -6,8 +6,8 @@ use firmware_protocol::frame::key_forces::ForcePacking;
 use super::{Boards, FORCES, LinksConfig, SAMPLES, bus, period_us};
 use crate::quantity::Quantity;
 use crate::read::TableReader;
-use diagnostics::quoted;
-use diagnostics::toml::{FindingList, SourcePlace, TomlNode};
+use documents::quoted;
+use documents::toml::{FindingList, SourcePlace, TomlNode};
 
 const VALID: Quantity = Quantity {
     unit: "s",

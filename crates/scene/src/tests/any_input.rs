@@ -1,6 +1,6 @@
 //! Whatever is read: no panic, and consistent values or mistakes with a place.
 
-use descriptions::Library;
+use mechanism::Library;
 use std::path::Path;
 
 use proptest::prelude::*;

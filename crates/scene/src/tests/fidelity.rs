@@ -2,7 +2,7 @@
 
 use super::super::embedded::INSTRUMENTS;
 use super::*;
-use descriptions::Library;
+use mechanism::Library;
 
 fn with(line: &str) -> String {
     format!("[[keys]]\nrange = \"A0..C8\"\n{line}")

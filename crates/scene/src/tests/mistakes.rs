@@ -1,9 +1,9 @@
 //! Messages about mistakes, word for word.
 
-use descriptions::Library;
+use mechanism::Library;
 use std::path::Path;
 
-use ::links::address::Address;
+use boards::links::address::Address;
 
 use super::*;
 

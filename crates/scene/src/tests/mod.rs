@@ -6,11 +6,11 @@ mod mistakes;
 mod shipped;
 mod values;
 
-use descriptions::Library;
+use mechanism::Library;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use diagnostics::Diagnostics;
+use documents::Diagnostics;
 
 use super::source::SourceText;
 use super::*;

@@ -1,6 +1,6 @@
 //! The files of configs/.
 
-use descriptions::Library;
+use mechanism::Library;
 
 use super::super::*;
 

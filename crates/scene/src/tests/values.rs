@@ -1,6 +1,6 @@
 //! Values of scenes as they are read.
 
-use descriptions::Library;
+use mechanism::Library;
 use std::path::Path;
 
 use pode::stepper::{self, Any};

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use diagnostics::shown;
+use documents::shown;
 
 use super::format::{FORMAT, LARGEST_CHUNK, LARGEST_RATIO, PROFILE};
 use super::missing::MissingPiece;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use documents::shown;
 use mcap::records::Metadata;
 
 use super::format;

@@ -7,7 +7,7 @@ use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::Duration;
 
-use diagnostics::shown;
+use documents::shown;
 
 use super::error::ReadError;
 use super::marks::marks;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use documents::shown;
 use mcap::records::MessageHeader;
 
 use super::chunk::Inside;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use diagnostics::shown;
+use documents::shown;
 
 use super::error::{OpenError, RecordError};
 use super::latest::Latest;

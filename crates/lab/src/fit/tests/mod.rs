@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use std::f64::consts::TAU;
 
-use descriptions::Library;
-use models::{LoadedModel, ModelEntry};
+use instruments::{LoadedModel, ModelEntry};
+use mechanism::Library;
 
 use super::data::StrokeRow;
 use super::driven::DrivenStroke;

@@ -3,10 +3,10 @@
 use std::cell::Cell;
 use std::f64::consts::{E, PI, TAU};
 
-use diagnostics::quoted;
-use expressions::graph::{Graph, Place};
-use expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
-use formulas::{Dependence, Dimension, Form, Measured, NameError, NameScope, TextError};
+use documents::quoted;
+use mechanism::expressions::graph::{Graph, Place};
+use mechanism::expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
+use mechanism::formulas::{Dependence, Dimension, Form, Measured, NameError, NameScope, TextError};
 use pode::Motion;
 
 use super::interval::{Interval, enclose};
@@ -88,10 +88,10 @@ impl Expression {
 
 /// Returns the program of `formula` and its first three derivatives; none if that is too much work.
 fn derived(formula: &str) -> Result<Option<Tape>, Vec<TextError>> {
-    let parsed = formulas::parse(formula, Form::Value).map_err(|error| vec![error])?;
+    let parsed = mechanism::formulas::parse(formula, Form::Value).map_err(|error| vec![error])?;
     let mut graph = Graph::new();
     graph.limit_work();
-    let value = formulas::build(&parsed, &mut graph, &mut InputNames)?;
+    let value = mechanism::formulas::build(&parsed, &mut graph, &mut InputNames)?;
     if !value.dimension.is_none() {
         let message = format!("the input is in {}", value.dimension);
         let help = "write numbers without units, in SI";

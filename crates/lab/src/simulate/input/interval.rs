@@ -8,8 +8,8 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use expressions::graph::{BinaryFunction, UnaryFunction};
-use expressions::tape::{Instruction, Tape, TapeSlot};
+use mechanism::expressions::graph::{BinaryFunction, UnaryFunction};
+use mechanism::expressions::tape::{Instruction, Tape, TapeSlot};
 
 /// Beyond this the turning points of a wave are not known (rad).
 const MAX_ANGLE: f64 = 1e12;

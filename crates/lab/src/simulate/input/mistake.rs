@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use diagnostics::shown;
+use documents::shown;
 
 /// One mistake in an input.
 #[derive(Debug, thiserror::Error)]

@@ -1,7 +1,7 @@
 //! The power series of a formula of t.
 
-use expressions::tape::{Argument, Instruction, Tape, TapeSlot};
-use expressions::taylor::{Recursion, SeriesCoefficients, SeriesTapes};
+use mechanism::expressions::tape::{Argument, Instruction, Tape, TapeSlot};
+use mechanism::expressions::taylor::{Recursion, SeriesCoefficients, SeriesTapes};
 use pode::Motion;
 
 /// Outputs of the tapes before the conditions: the rate of t, and the formula.

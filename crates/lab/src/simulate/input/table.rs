@@ -7,7 +7,7 @@
 use std::path::Path;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
-use diagnostics::open_input;
+use documents::open_input;
 use pode::Motion;
 
 use super::super::args::Reconstruct;

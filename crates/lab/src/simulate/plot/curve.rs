@@ -1,6 +1,6 @@
 //! What is plotted: forces, guards, coordinates and the input.
 
-use models::{Described, ModelEntry};
+use instruments::{Described, ModelEntry};
 use pode::{Motion, State as _};
 
 use super::source::CurveSource;

@@ -17,7 +17,7 @@ use std::fs::File;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use models::Described;
+use instruments::Described;
 use pode::{Event, Motion, Piece, Signal};
 
 use self::curve::ModelInstant;

@@ -1,6 +1,6 @@
 //! What the curves are measured in.
 
-use models::ModelEntry;
+use instruments::ModelEntry;
 
 use super::source::CurveSource;
 

@@ -83,7 +83,7 @@ fn expressions_that_cannot_be_read_are_refused() {
     let check =
         |input: &str, expected: &str| check(&["bouncing-ball", "--input", input], &[expected]);
     check("x=t", "--input x=…: the model's input is called `s`");
-    let functions = formulas::FUNCTIONS.join(", ");
+    let functions = mechanism::formulas::FUNCTIONS.join(", ");
     check(
         "s = 0.1 * sni(t)",
         &format!(

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process;
 
 use clap::Parser as _;
-use descriptions::Library;
+use mechanism::Library;
 use serde_json::Value;
 
 use super::{SimulateArgs, SimulateError, run};

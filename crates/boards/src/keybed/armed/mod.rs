@@ -1,0 +1,401 @@
+//! Armed boards as the tick's bus.
+
+mod proof;
+mod refusals;
+
+use crate::links::Link as _;
+use firmware_protocol::Nothing;
+use firmware_protocol::acyclic::Operation;
+use firmware_protocol::acyclic::stream::Stream;
+use firmware_protocol::frame::broadcast::{self, Broadcast};
+use firmware_protocol::key::KeyIndex;
+use haptics::plant::Gesture;
+use rtrb::{Consumer, Producer, RingBuffer};
+use scheduler::motion::{KEYS, KeySample, KeySlope};
+use scheduler::port::KeyBus;
+
+use super::{Keybed, NamedLink};
+use crate::plan::{Medium, MeterWindow};
+use crate::refusal::BoardName;
+use crate::request_channel::RequestChannel;
+use crate::rt::board::{BoardEnd, BoardStatistics, BoardTerms};
+use crate::rt::board_supervisor::{BoardSupervisor, Condition};
+use crate::rt::bus::{KeybedBus, LineStatistics};
+use crate::rt::lateness::Lateness;
+use crate::rt::link_monitor::{LinkMonitor, LinkSample};
+use crate::rt::link_snapshot::{BoardSnapshot, LinkSnapshot};
+use crate::topology::BoardPlace;
+
+/// Time in which the forces of a board grow once it renders them, and fade once it does not (us).
+const FADE_US: u64 = 20_000;
+
+/// Lights that may be asked for at once.
+const MOST_IDENTIFY_REQUESTS: usize = 32;
+
+/// The boards render forces.
+#[derive(Debug)]
+pub struct Armed {
+    bus: Box<KeybedBus>,
+    supervisor: BoardSupervisor,
+    names: Vec<BoardName>,
+    /// Time between two exchanges (us).
+    period_us: u64,
+    /// Frames from and to each board before the beginning.
+    before: Vec<(u64, u64)>,
+    /// Since when the lines are metered (us).
+    since_us: u64,
+    /// What the samples of each board usually take.
+    lateness: Vec<Lateness>,
+    /// When tick 0 was due, but for a constant (us).
+    first_us: Option<u64>,
+    monitor: Option<LinkMonitor>,
+    /// Models play, and their keys are guarded.
+    is_guarded: bool,
+    /// Boards that shall show their lights.
+    identify: Option<Consumer<usize>>,
+}
+
+/// What became of one board.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BoardReport {
+    pub name: BoardName,
+    /// Where it is, and its keys.
+    pub place: BoardPlace,
+    /// Its keys were measured: how they read is not only what it says itself.
+    pub is_calibrated: bool,
+    /// What it has sent and was sent.
+    pub statistics: BoardStatistics,
+    /// Frames of samples and of forces since the beginning.
+    pub exchanged: (u64, u64),
+    /// What it is like.
+    pub condition: Condition,
+}
+
+/// What became of one line.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LineReport {
+    pub name: String,
+    /// What it has carried beside the boards' own counts.
+    pub statistics: LineStatistics,
+    /// What it is made of, if that is known.
+    pub medium: Option<Medium>,
+    /// How full it was, if its medium is known.
+    pub load: Option<MeterWindow>,
+    /// The reason why it is down for good, if it is.
+    pub fault: Option<String>,
+}
+
+impl Armed {
+    pub(super) fn new(
+        bus: KeybedBus,
+        supervisor: BoardSupervisor,
+        names: Vec<BoardName>,
+        period_us: u64,
+    ) -> Self {
+        let before = vec![(0, 0); names.len()];
+        let since_us = supervisor.now();
+        let lateness = vec![Lateness::default(); names.len()];
+        let mut bus = Box::new(bus);
+        let fade_ticks = FADE_US / period_us.max(1);
+        bus.fade_over(u32::try_from(fade_ticks).unwrap_or(u32::MAX));
+        Self {
+            bus,
+            supervisor,
+            names,
+            period_us,
+            before,
+            since_us,
+            lateness,
+            first_us: None,
+            monitor: None,
+            is_guarded: false,
+            identify: None,
+        }
+    }
+
+    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
+    fn snapshot(
+        bus: &KeybedBus,
+        supervisor: &BoardSupervisor,
+        place: usize,
+    ) -> Option<LinkSnapshot> {
+        let snapshot = bus.snapshot(place)?;
+        Some(match snapshot {
+            LinkSnapshot::Line(..) => snapshot,
+            LinkSnapshot::Board(board, it) => {
+                let status = supervisor.status(board);
+                LinkSnapshot::Board(board, BoardSnapshot { status, ..it })
+            }
+        })
+    }
+
+    /// Dates by their board's clock the samples that have come in this tick.
+    fn date(&mut self, tick: u64) {
+        let period_us = self.period_us.max(1);
+        let passed_us = tick.saturating_mul(period_us);
+        // The ticks are regular; when this thread wakes is not, and no reason to move a sample.
+        let first_us = self.supervisor.now().saturating_sub(passed_us);
+        let due_us = *self.first_us.get_or_insert(first_us) + passed_us;
+        for (board, lateness) in self.lateness.iter_mut().enumerate() {
+            let newest = self.bus.boards().get(board).and_then(BoardEnd::newest);
+            let Some(newest) = newest.filter(|_| self.bus.has_news(board)) else { continue };
+            let stamp_us = newest.header.stamp_us;
+            let Some(age_us) = self.supervisor.age_us(board, due_us, stamp_us) else { continue };
+            lateness.learn(age_us, period_us);
+            self.supervisor.take_age(board, age_us, period_us);
+            if let Some(usual_us) = lateness.usual_us() {
+                self.supervisor.watch_lateness(board, usual_us);
+            }
+            self.bus.date(board, lateness.of(age_us) / period_us as f64);
+        }
+    }
+}
+
+/// Makes a sample that was held up on its way as old as it is.
+///
+/// What came in this tick is fresh, though it was taken a while before: that is the way's usual
+/// length, and within a tick or two of it no way is exact.
+fn outdate(sample: &mut KeySample) {
+    /// Ticks beyond the usual that a sample may take.
+    const MOST_LATE: f64 = 2.0;
+    if MOST_LATE <= sample.taken {
+        sample.age = sample.age.max(whole(sample.taken));
+    }
+}
+
+/// Returns whole ticks in some that are not negative.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+const fn whole(ticks: f64) -> u32 {
+    ticks as u32
+}
+
+impl Keybed<Armed> {
+    /// Takes what has come and sends what boards are asked, without forces.
+    pub fn attend(&mut self) {
+        let Self { lines, stage: Armed { bus, supervisor, is_guarded, .. }, clock } = self;
+        supervisor.set_now(clock.now_us());
+        for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
+            if index < bus.n_lines() {
+                bus.receive(index, link, supervisor);
+                supervisor.attend(index, bus, link);
+            }
+        }
+        for board in 0..bus.boards().len() {
+            // Measurements without a model need no stable loop.
+            let share = match supervisor.armings(board) {
+                Some(_) if !*is_guarded => 1.0,
+                _ => supervisor.share(board),
+            };
+            bus.limit_share(board, share);
+        }
+    }
+
+    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
+    ///
+    /// # Real-time
+    /// Copies, and sorts 15 numbers; no heap.
+    pub fn snapshot(&self, place: usize) -> Option<LinkSnapshot> {
+        Armed::snapshot(&self.stage.bus, &self.stage.supervisor, place)
+    }
+
+    /// Returns where snapshots of all lines and boards come once a second, for ticks at `tick_hz`
+    /// (1/s); not for the tick.
+    pub fn monitor(&mut self, tick_hz: u32) -> Consumer<LinkSample> {
+        let (monitor, samples) = LinkMonitor::new(tick_hz);
+        self.stage.monitor = Some(monitor);
+        samples
+    }
+
+    /// Returns where boards are asked to show their lights, by their places among all boards; not
+    /// for the tick.
+    pub fn identify_requests(&mut self) -> Producer<usize> {
+        let (requests, identify) = RingBuffer::new(MOST_IDENTIFY_REQUESTS);
+        self.stage.identify = Some(identify);
+        requests
+    }
+
+    /// Lets a board show its light, as soon as it listens.
+    pub fn request_light(&mut self, board: usize) {
+        self.stage.supervisor.request_light(board);
+    }
+
+    /// Tells whether all boards render forces.
+    pub fn is_ready(&self) -> bool {
+        self.stage.supervisor.is_ready()
+    }
+
+    /// Tells whether every board renders forces, or may not be armed.
+    pub(super) fn is_settled(&self) -> bool {
+        self.stage.supervisor.is_settled()
+    }
+
+    /// Plays `gestures` on `key`, in time from [`Self::begin_at`] on.
+    pub fn play(&mut self, key: KeyIndex, gestures: &[Gesture]) {
+        let Armed { bus, supervisor, .. } = &mut self.stage;
+        for (index, board) in bus.boards().iter().enumerate() {
+            let keys = board.terms().place.keys();
+            if keys.contains(&key.index())
+                && let Ok(slot) = u8::try_from(key.index() - keys.start)
+            {
+                supervisor.play(index, slot, gestures);
+            }
+        }
+    }
+
+    /// Plays all gestures again and again, each pass `length` (s) after the one before.
+    pub fn repeat_after(&mut self, length: f64) {
+        self.stage.supervisor.repeat_after(length);
+    }
+
+    /// Returns the newest sample of every key, as old as it is since it came.
+    pub const fn newest(&self) -> &[KeySample; KEYS] {
+        self.stage.bus.samples()
+    }
+
+    /// Returns what was agreed with each board.
+    pub fn terms(&self) -> impl Iterator<Item = &BoardTerms> {
+        self.stage.bus.boards().iter().map(BoardEnd::terms)
+    }
+
+    /// Returns the time between two exchanges (us).
+    pub const fn period_us(&self) -> u64 {
+        self.stage.period_us
+    }
+
+    /// Returns how often the board of `key` was armed, if it renders forces.
+    pub fn armings(&self, key: KeyIndex) -> Option<u64> {
+        let has = |it: &BoardTerms| it.place.keys().contains(&key.index());
+        self.stage.supervisor.armings(self.terms().position(has)?)
+    }
+
+    /// Sets the host time from which on gestures and frames count (us).
+    ///
+    /// What has come before is thrown away.
+    pub fn begin_at(&mut self, origin_us: u64) {
+        self.stage.supervisor.begin_at(origin_us);
+        self.attend();
+        self.forget_exchanges();
+    }
+
+    /// Counts what is exchanged from now on only.
+    fn forget_exchanges(&mut self) {
+        let Armed { bus, before, .. } = &mut self.stage;
+        for (before, board) in before.iter_mut().zip(bus.boards()) {
+            *before = exchanged(&board.statistics());
+        }
+    }
+
+    /// Tells all boards to render no force until they are seen to; returns how many are on lines
+    /// that took it. The others are safe when their forces expire.
+    pub fn stop(&mut self, reason: u8) -> usize {
+        let mut frame = [0; broadcast::MAX_LEN];
+        let len = Broadcast::EmergencyStop { reason }.encode(&mut frame);
+        let Self { lines, stage: Armed { bus, .. }, .. } = self;
+        let mut told = 0;
+        for (index, line) in lines.iter_mut().enumerate() {
+            if line.link.try_send(&frame[..len]).is_ok() {
+                let boards = bus.boards().iter().map(|board| board.terms().place);
+                told += boards.filter(|place| place.line == index).count();
+            }
+        }
+        told
+    }
+
+    /// Tells every board that it shall render no force and send no samples; does not wait for
+    /// answers.
+    ///
+    /// One that was stopped, or has failed, is left as it is until a person sees to it.
+    pub fn disarm(&mut self) {
+        let Armed { bus, supervisor, .. } = &self.stage;
+        let boards = bus.boards().iter().enumerate();
+        for (_, board) in boards.filter(|(index, _)| !supervisor.is_latched(*index)) {
+            let place = board.terms().place;
+            // Another number than that of any request that may be under way.
+            let [first, ..] = self.now_us().to_le_bytes();
+            let mut channel = RequestChannel::new(place.board, first ^ 0x80);
+            channel.ask(Operation::Disarm, &Nothing);
+            if let Some(frame) = channel.due(0) {
+                // A board that does not hear it is safe when its forces expire.
+                let _lost = self.lines[place.line].link.try_send(frame);
+            }
+            channel.ask(Operation::Stream, &Stream { period_us: 0, packing: 0, phase_us: 0 });
+            if let Some(frame) = channel.due(0) {
+                // One that does not hear it sends to nobody, which does no harm.
+                let _lost = self.lines[place.line].link.try_send(frame);
+            }
+        }
+    }
+
+    /// Returns what became of each board.
+    pub fn board_reports(&self) -> Vec<BoardReport> {
+        let Armed { bus, supervisor, names, .. } = &self.stage;
+        let reports = bus.boards().iter().zip(names).enumerate().map(|(index, (board, name))| {
+            let (came, went) = exchanged(&board.statistics());
+            let (before, already) = self.stage.before.get(index).copied().unwrap_or_default();
+            Some(BoardReport {
+                name: name.clone(),
+                place: board.terms().place,
+                is_calibrated: board.terms().is_calibrated(),
+                statistics: board.statistics(),
+                exchanged: (came - before, went - already),
+                condition: supervisor.condition(index)?,
+            })
+        });
+        reports.flatten().collect()
+    }
+
+    /// Returns what became of each line.
+    pub fn line_reports(&self) -> Vec<LineReport> {
+        let Armed { bus, supervisor, since_us, .. } = &self.stage;
+        let seconds = supervisor.now().saturating_sub(*since_us) as f64 * 1e-6;
+        let lines = self.lines.iter().enumerate();
+        let report = |(index, line): (usize, &NamedLink)| LineReport {
+            name: line.name.clone(),
+            statistics: bus.line(index),
+            medium: line.medium,
+            load: bus.load(index, seconds).filter(|_| 0.0 < seconds),
+            fault: line.link.fault().map(ToString::to_string),
+        };
+        lines.map(report).collect()
+    }
+}
+
+/// Returns the frames of samples that came, and of forces that went.
+const fn exchanged(statistics: &BoardStatistics) -> (u64, u64) {
+    (statistics.samples.frames, statistics.sent)
+}
+
+impl KeyBus for Keybed<Armed> {
+    /// Takes what the lines bring.
+    ///
+    /// # Real-time
+    /// At most 128 frames and one request for each board; no heap.
+    fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]) {
+        if let Some(Ok(board)) = self.stage.identify.as_mut().map(Consumer::pop) {
+            self.request_light(board);
+        }
+        self.stage.bus.begin(tick);
+        self.attend();
+        self.stage.date(tick);
+        samples.copy_from_slice(self.stage.bus.samples());
+        samples.iter_mut().for_each(outdate);
+        let Armed { bus, supervisor, monitor, .. } = &mut self.stage;
+        if let Some(monitor) = monitor {
+            monitor.take(tick, |place| Armed::snapshot(bus, supervisor, place));
+        }
+    }
+
+    /// Sends each board its forces.
+    ///
+    /// # Real-time
+    /// One frame for each board; no heap.
+    fn send(&mut self, _tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]) {
+        let now_us = self.now_us();
+        let Self { lines, stage: Armed { bus, .. }, .. } = self;
+        for (index, NamedLink { link, .. }) in lines.iter_mut().enumerate() {
+            if index < bus.n_lines() {
+                bus.send(index, now_us, forces, slopes, link);
+            }
+        }
+    }
+}

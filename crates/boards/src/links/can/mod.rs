@@ -1,0 +1,124 @@
+//! CAN: the protocol's frames on a bus that several boards share.
+//!
+//! On CAN FD a frame of the protocol is one frame of the bus, padded to a length that the bus
+//! has; on classic CAN it travels in pieces. Everything but the socket is plain arithmetic and
+//! knows no operating system.
+
+mod bus;
+mod classic;
+mod filter;
+mod health;
+mod open;
+mod port;
+#[cfg(target_os = "linux")]
+mod socket;
+
+use firmware_protocol::key::BoardId;
+
+#[cfg(target_os = "linux")]
+use self::{port::CanPort, socket::Socket};
+use super::{Health, Link, RecvError, SendError};
+use crate::links::Error;
+
+/// What a bus carries.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CanMode {
+    /// CAN FD with a second, faster bit rate: up to 64 bytes in a frame.
+    Fd,
+    /// Classic CAN: eight bytes.
+    Classic,
+}
+
+/// Which end of the bus this is; the kernel passes on only what is for it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BusSide {
+    /// The host: hears what boards say.
+    Host,
+    /// A board: hears what is for it and for all boards.
+    Board(BoardId),
+}
+
+/// A CAN interface that was opened, and never waits.
+///
+/// Frames that are not of the protocol have no identifier: they are [`SendError::TooLong`],
+/// whatever their length. On CAN FD a frame arrives with the zeros that pad it.
+///
+/// An interface that is taken down says so, and works again when it is up; one that was
+/// removed must be opened anew.
+#[derive(Debug)]
+pub struct Can {
+    #[cfg(target_os = "linux")]
+    port: CanPort<Socket>,
+    #[cfg(not(target_os = "linux"))]
+    port: std::convert::Infallible,
+}
+
+#[cfg(target_os = "linux")]
+impl Can {
+    /// Opens `interface` in `mode` for one end of the bus.
+    ///
+    /// # Errors
+    /// Says what is wrong with the interface, and what to do.
+    pub fn open(interface: &str, mode: CanMode, side: BusSide) -> Result<Self, Error> {
+        let refused = |why| Error::Can { interface: interface.to_owned(), why };
+        open::check(interface, mode).map_err(refused)?;
+        let socket =
+            Socket::open(interface, mode, side).map_err(|error| refused(open::trouble(error)))?;
+        Ok(Self { port: CanPort::new(socket, mode) })
+    }
+
+    /// Returns the frames that were dropped because there was no room for them.
+    pub const fn dropped(&self) -> u64 {
+        self.port.dropped()
+    }
+}
+
+/// # Real-time
+/// A frame sent costs one system call, in pieces up to ten, none of which waits; a reception
+/// at most 256. No heap.
+#[cfg(target_os = "linux")]
+impl Link for Can {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        self.port.try_send(frame)
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        self.port.try_recv(buffer)
+    }
+
+    fn health(&self) -> Health {
+        Health { dropped: self.port.dropped(), ..self.port.health() }
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+impl Can {
+    /// Refuses: CAN is for Linux.
+    ///
+    /// # Errors
+    /// Says so.
+    pub fn open(interface: &str, _mode: CanMode, _side: BusSide) -> Result<Self, Error> {
+        let why = super::trouble::CanTrouble::NotLinux;
+        Err(Error::Can { interface: interface.to_owned(), why })
+    }
+
+    /// Returns the frames that were dropped because there was no room for them.
+    pub const fn dropped(&self) -> u64 {
+        match self.port {}
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+impl Link for Can {
+    fn try_send(&mut self, _frame: &[u8]) -> Result<(), SendError> {
+        match self.port {}
+    }
+
+    fn try_recv(&mut self, _buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        match self.port {}
+    }
+
+    fn health(&self) -> Health {
+        match self.port {}
+    }
+}

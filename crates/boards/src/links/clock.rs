@@ -1,0 +1,65 @@
+//! The time by which the host lives: the machine's, or one that passes only where the host waits.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+use crate::links::pause;
+
+/// The host's clock (us).
+#[derive(Clone, Debug)]
+pub enum HostClock {
+    /// Reads the machine's monotonic clock.
+    Monotonic(fn() -> u64),
+    /// Holds a time that passes only where the host waits, and that all clones share.
+    Virtual(Arc<AtomicU64>),
+}
+
+impl HostClock {
+    /// Returns a virtual clock, which begins at 0.
+    pub fn virtual_time() -> Self {
+        Self::Virtual(Arc::default())
+    }
+
+    /// Returns the time now (us).
+    pub fn now_us(&self) -> u64 {
+        match self {
+            Self::Monotonic(read) => read(),
+            Self::Virtual(now) => now.load(Ordering::Acquire),
+        }
+    }
+
+    /// Lets `length` pass: sleeps, or moves virtual time on. Not for the tick.
+    pub fn pause(&self, length: Duration) {
+        match self {
+            Self::Monotonic(_) => pause(length),
+            Self::Virtual(now) => {
+                let passed = u64::try_from(length.as_micros()).unwrap_or(u64::MAX);
+                now.fetch_add(passed, Ordering::AcqRel);
+            }
+        }
+    }
+
+    /// Moves virtual time on to `now_us`, never back. A monotonic clock passes by itself.
+    pub fn advance_to(&self, now_us: u64) {
+        match self {
+            Self::Monotonic(_) => {}
+            Self::Virtual(now) => _ = now.fetch_max(now_us, Ordering::AcqRel),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn virtual_time_passes_where_the_host_waits_and_never_goes_back() {
+        let clock = HostClock::virtual_time();
+        let other = clock.clone();
+        clock.pause(Duration::from_micros(500));
+        clock.advance_to(2_000);
+        clock.advance_to(1_000);
+        assert_eq!(other.now_us(), 2_000);
+    }
+}

@@ -1,0 +1,46 @@
+//! What this machine has to reach boards with, why it cannot be used, and what to change.
+//!
+//! Reads files of the system and asks `ip`; opens no port: opening one resets many boards.
+//! An [`Obstacle`] keeps a device from being used; advice is for one that can be.
+//! Not for the tick.
+
+mod access;
+mod can;
+mod can_interface;
+mod can_link;
+mod diagnosis;
+mod serial;
+#[cfg(test)]
+mod testing;
+
+pub use crate::links::obstacle::Obstacle;
+pub use can::can_interfaces;
+pub(crate) use can::known_can_interfaces;
+pub use can_interface::CanInterface;
+pub use can_link::{BitTiming, CanLink};
+pub use diagnosis::machine::{Fact, this_machine};
+pub use diagnosis::usb::{UsbPlace, UsbSpeed};
+pub use serial::{SerialPort, UsbIdentity, serial_ports};
+
+/// Returns why the user of this process cannot use the device at `path`, if that can be told.
+#[cfg(unix)]
+pub(crate) fn obstacle(path: &std::path::Path) -> Option<Obstacle> {
+    access::User::current().obstacle(path)
+}
+
+/// What was found, or why there is nothing.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Listing<T> {
+    /// What was found, in the order of names.
+    pub found: Vec<T>,
+    /// One sentence on why `found` is empty; none if it is not.
+    pub why_empty: Option<String>,
+}
+
+impl<T> Listing<T> {
+    /// Returns a list, or `why_empty` if there is nothing in it.
+    fn new(found: Vec<T>, why_empty: &str) -> Self {
+        let why_empty = found.is_empty().then(|| why_empty.to_owned());
+        Self { found, why_empty }
+    }
+}

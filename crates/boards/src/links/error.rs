@@ -1,0 +1,26 @@
+//! What can be wrong with a link at set-up, as sentences for the operator.
+
+use std::io;
+use std::path::PathBuf;
+
+use crate::links::trouble::{CanTrouble, PortTrouble, ProgramTrouble};
+
+/// Why a link could not be set up.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    #[error("the serial port {path} cannot be opened: {why}")]
+    Port { path: PathBuf, why: PortTrouble },
+    #[error("the CAN interface {interface} cannot be opened: {why}")]
+    Can { interface: String, why: CanTrouble },
+    #[error("the program `{command}` cannot be used in lockstep: {why}")]
+    Program { command: String, why: ProgramTrouble },
+    #[error("the system gives no thread: {0}; see its limit of processes: ulimit -u")]
+    Thread(io::Error),
+    #[error("the system gives no pseudo-terminal: {0}; see that /dev/pts is there")]
+    Pty(io::Error),
+    #[error("the system does not list its serial ports: {0}; name one: serial:/dev/ttyACM0")]
+    SerialPorts(#[from] serialport::Error),
+    /// A folder or file of the system could not be read.
+    #[error("{path} cannot be read: {source}; see to its rights")]
+    Unreadable { path: PathBuf, source: io::Error },
+}

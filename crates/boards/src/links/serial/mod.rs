@@ -1,0 +1,142 @@
+//! Serial ports: USB, UART and pseudo-terminals, with frames on their bytes.
+//!
+//! The `serialport` crate sets a port up and keeps other programs out. Its own reads and
+//! writes wait, so a second descriptor of the same port, which does not, carries the bytes.
+
+mod carrier;
+mod pty;
+mod stream;
+
+use std::path::Path;
+use std::time::Duration;
+
+use rustix::fd::OwnedFd;
+use rustix::fs::{Mode, OFlags};
+use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
+
+use self::carrier::SerialCarrier;
+use super::framed::Framing;
+use super::trouble::PortTrouble;
+use super::{Health, Link, RecvError, SendError};
+use crate::links::Error;
+
+pub use pty::Pty;
+pub(super) use pty::PtyPair;
+pub(super) use stream::{Disconnected, NonBlockingFd};
+
+/// A serial port that was opened, and never waits.
+///
+/// A port whose other end is down stays down until its owner opens the port again.
+#[derive(Debug)]
+pub struct Serial {
+    framing: Framing,
+    carrier: SerialCarrier,
+    _keeper: Keeper,
+}
+
+/// Descriptor that stays open beside the one that carries the bytes.
+#[derive(Debug)]
+#[expect(dead_code, reason = "held, never read")]
+enum Keeper {
+    /// The port with its lock.
+    Port(TTYPort),
+    /// The other end of a pseudo-terminal, which keeps the terminal alive between two clients.
+    OtherEnd(OwnedFd),
+}
+
+impl Serial {
+    /// Opens the port at `path` with `baud` bits per second, for this program alone.
+    ///
+    /// Discards the bytes that were received before. A pseudo-terminal ignores `baud`.
+    ///
+    /// # Errors
+    /// If the port cannot be opened or locked, with the remedy.
+    pub fn open(path: &Path, baud: u32) -> Result<Self, Error> {
+        let refused = |why| Error::Port { path: path.to_owned(), why };
+        let (port, stream) = open(path, baud).map_err(|error| refused(trouble(path, error)))?;
+        ask_for_low_latency(path);
+        Ok(Self::new(stream, Keeper::Port(port)))
+    }
+
+    fn new(stream: NonBlockingFd, keeper: Keeper) -> Self {
+        let (framing, carrier) = (Framing::default(), SerialCarrier::new(stream));
+        Self { framing, carrier, _keeper: keeper }
+    }
+
+    /// Sends `frame` with a wrong checksum, as [`super::framed::Framed::try_send_damaged`] does.
+    ///
+    /// # Errors
+    /// If the link rejects the frame.
+    pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        self.framing.around(&mut self.carrier).try_send_damaged(frame)
+    }
+
+    /// Returns the frames that were dropped because those before were still on their way.
+    pub const fn dropped(&self) -> u64 {
+        self.carrier.dropped()
+    }
+}
+
+/// # Real-time
+/// A frame sent costs at most two system calls, none of which waits; a reception at most three
+/// for each piece of 68 bytes. No heap.
+impl Link for Serial {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        self.framing.around(&mut self.carrier).try_send(frame)
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        self.framing.around(&mut self.carrier).try_recv(buffer)
+    }
+
+    fn health(&self) -> Health {
+        Health { dropped: self.carrier.dropped(), ..Health::default() }
+    }
+}
+
+/// Opens a port twice: to set it up, and for the bytes.
+///
+/// A locked port cannot be opened again, so the exclusive lock comes last. Until then a shared lock
+/// keeps out programs that ask for an exclusive one.
+fn open(path: &Path, baud: u32) -> serialport::Result<(TTYPort, NonBlockingFd)> {
+    let settings =
+        serialport::new(path.to_string_lossy(), baud).exclusive(false).timeout(Duration::ZERO);
+    let mut port = TTYPort::open(&settings)?;
+    let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK | OFlags::CLOEXEC;
+    let bytes = rustix::fs::open(path, flags, Mode::empty()).map_err(std::io::Error::from)?;
+    port.set_exclusive(true)?;
+    port.clear(ClearBuffer::All)?;
+    Ok((port, NonBlockingFd::new(bytes)))
+}
+
+/// Translates an error of the system into its cause and remedy.
+fn trouble(path: &Path, error: serialport::Error) -> PortTrouble {
+    use std::io::ErrorKind as Io;
+
+    match error.kind() {
+        ErrorKind::NoDevice | ErrorKind::Io(Io::ResourceBusy) => {
+            PortTrouble::Busy { path: path.to_owned() }
+        }
+        ErrorKind::Io(Io::NotFound) => PortTrouble::Missing,
+        ErrorKind::Io(Io::PermissionDenied) => crate::links::discovery::obstacle(path)
+            .map_or_else(|| PortTrouble::Refused { path: path.to_owned() }, PortTrouble::Forbidden),
+        ErrorKind::Io(_) | ErrorKind::InvalidInput | ErrorKind::Unknown => {
+            PortTrouble::Unfit(error.into())
+        }
+    }
+}
+
+/// Asks an FTDI adapter, which holds bytes back for 16 ms, to hold them for 1 ms.
+///
+/// Where there is no such adapter or no right to ask, nothing happens.
+fn ask_for_low_latency(path: &Path) {
+    let device = std::fs::canonicalize(path).unwrap_or_else(|_unresolved| path.to_owned());
+    let Some(name) = device.file_name() else { return };
+    let timer = Path::new("/sys/class/tty").join(name).join("device/latency_timer");
+    if timer.exists() {
+        let _not_allowed = std::fs::write(timer, "1");
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,89 @@
+//! Why a link cannot be used: the fault and its remedy.
+
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitStatus;
+
+use crate::links::obstacle::Obstacle;
+
+/// Why a serial port could not be opened.
+#[derive(Debug, thiserror::Error)]
+pub enum PortTrouble {
+    /// Nothing has this name.
+    #[error("it is not there; plug the board in, `letoff devices` lists the ports there are")]
+    Missing,
+    /// The user may not.
+    #[error("{0}")]
+    Forbidden(Obstacle),
+    /// The user may not, and the file's rights do not say why.
+    #[error("the system does not allow it; see its rights: ls -l {path}")]
+    Refused { path: PathBuf },
+    /// Another program has it.
+    #[error("another program has it open; see which one: fuser -v {path}")]
+    Busy { path: PathBuf },
+    /// It is there, and is something else, or broken.
+    #[error("it does not work as a serial port: {0}; `letoff devices` says what is behind each")]
+    Unfit(io::Error),
+}
+
+/// Why a CAN interface could not be opened.
+#[derive(Debug, thiserror::Error)]
+pub enum CanTrouble {
+    /// Not on this system.
+    #[error("CAN is for Linux, as SocketCAN; connect the boards by serial ports")]
+    NotLinux,
+    /// Nothing has this name.
+    #[error("there is no CAN interface of that name; {there_are}")]
+    Missing {
+        /// Those that there are, or why there is none.
+        there_are: String,
+    },
+    #[error("{0}")]
+    Down(Obstacle),
+    /// It carries no CAN FD frames.
+    #[error("it is not set up for CAN FD (MTU 16); do that: {command}; or use classic CAN")]
+    NoFd {
+        /// What sets it up.
+        command: String,
+    },
+    /// The process may not.
+    #[error(
+        "this process may not open CAN sockets; a container or a security policy keeps it from \
+         the address family AF_CAN: allow it there, or run outside"
+    )]
+    Forbidden,
+    /// The kernel does not know CAN.
+    #[error("this kernel has no CAN sockets; load them: sudo modprobe can-raw")]
+    NoSockets,
+    #[error("{0}; `letoff devices` says how it is set up")]
+    Other(io::Error),
+}
+
+/// Why a program cannot be used in lockstep.
+#[derive(Debug, thiserror::Error)]
+pub enum ProgramTrouble {
+    /// The host lives by the machine's clock.
+    #[error(
+        "it lives in virtual time only; give --virtual-time to a run, and no other kind of link"
+    )]
+    RealTime,
+    #[error("it cannot be started: {0}; give the path of a program, then its arguments")]
+    NotStarted(io::Error),
+    #[error("it ended ({0}) while the host still needed it; see what it wrote on stderr")]
+    Ended(ExitStatus),
+    /// An answer, or the rest of one, did not come.
+    #[error(
+        "within 5 s {came} of {announced} bytes of its answer came; see that it answers every \
+         exchange with two bytes of length and so many more, and flushes its stdout"
+    )]
+    Silent { came: usize, announced: usize },
+    #[error("it read nothing for 5 s; see that it reads every exchange from its stdin")]
+    ReadsNothing,
+    #[error(
+        "it wrote more than an answer; see that it writes nothing else on its stdout, and messages \
+         on its stderr"
+    )]
+    Unasked,
+    #[error("the system refused to exchange bytes with it: {0}; start it by hand to see why")]
+    Io(#[from] io::Error),
+}

@@ -1,0 +1,377 @@
+//! The host's end of all boards: samples in, forces out, once a tick.
+//!
+//! ```text
+//! begin(tick)                       every sample grows older
+//! for each line   receive(link)     frames → what is newer → metres
+//! samples()                         to the voices
+//! for each line   send(link)        newtons → a frame for each board
+//! ```
+//!
+//! Latest wins: what has come since the last tick is read, the newest counts, and nothing
+//! waits for a better time.
+
+use crate::links::{Health, Link, RecvError};
+use firmware_protocol::MAX_FRAME;
+use firmware_protocol::frame::{FrameKind, board_of};
+use firmware_protocol::key::BoardId;
+use scheduler::motion::{KEYS, KeySample, KeySlope};
+
+use super::board::{BoardEnd, BoardStatistics, BoardTerms};
+use super::key_fault::KeyFault;
+use super::multicast::Multicast;
+use crate::plan::{LinkMeter, Medium, MeterWindow};
+
+/// Frames taken from one line in one tick; the rest waits for the next.
+const MAX_FRAMES: usize = 128;
+
+/// Age of a sample that was never taken.
+pub const NEVER: u32 = u32::MAX;
+
+/// Boards that one line can have.
+const NUMBERS: usize = BoardId::MAX.index() + 1;
+
+/// What a line has carried beside the boards' own counts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct LineStatistics {
+    /// What came and was no frame.
+    pub corrupt: u64,
+    /// Frames of no board that is known here, or of a kind that boards do not send.
+    pub foreign: u64,
+    /// Receptions that failed because the line was down.
+    pub down: u64,
+    /// Bytes of frames in both directions.
+    pub bytes: u64,
+    /// What the wire itself says.
+    pub health: Health,
+}
+
+/// The host's end of the boards, with the newest sample of every key.
+#[derive(Clone, Debug)]
+pub struct KeybedBus {
+    tick: Option<u64>,
+    samples: [KeySample; KEYS],
+    boards: Vec<BoardEnd>,
+    lines: Vec<LineEnd>,
+    /// By how much the share of its forces that a board is sent moves in a tick.
+    share_step: f64,
+}
+
+/// What the host remembers of one line.
+#[derive(Clone, Debug, Default)]
+struct LineEnd {
+    /// Which of all boards has which number on this line.
+    boards: [Option<usize>; NUMBERS],
+    statistics: LineStatistics,
+    multicast: Multicast,
+    /// How full it is, if its medium is known.
+    meter: Option<LinkMeter>,
+}
+
+impl LineEnd {
+    /// Counts a frame of `len` bytes that the link took.
+    fn saw_down(&mut self, len: usize) {
+        self.statistics.bytes += len as u64;
+        if let Some(meter) = &mut self.meter {
+            meter.saw_down(len);
+        }
+    }
+
+    /// Sends the forces of all keys on `boards` in frames for all; says whether the link took
+    /// everything.
+    fn send_to_all(
+        &mut self,
+        now_us: u64,
+        boards: &mut dyn Iterator<Item = &BoardTerms>,
+        forces: &[f64; KEYS],
+        link: &mut (impl Link + ?Sized),
+    ) -> bool {
+        let mut is_whole = true;
+        for (frame, len) in self.multicast.frames(now_us, boards, forces).into_iter().flatten() {
+            if link.try_send(&frame[..len]).is_ok() {
+                self.saw_down(len);
+            } else {
+                is_whole = false;
+            }
+        }
+        is_whole
+    }
+
+    /// Counts a frame of `len` bytes that came.
+    fn saw_up(&mut self, len: usize) {
+        self.statistics.bytes += len as u64;
+        if let Some(meter) = &mut self.meter {
+            meter.saw_up(len);
+        }
+    }
+}
+
+/// Takes what is not cyclic: replies and hellos.
+pub trait AcyclicHandler {
+    /// Takes a frame that came over `line`.
+    fn take(&mut self, line: usize, frame: &[u8]);
+}
+
+/// Drops what is not cyclic.
+#[derive(Clone, Copy, Debug)]
+pub struct IgnoreAcyclic;
+
+impl AcyclicHandler for IgnoreAcyclic {
+    fn take(&mut self, _line: usize, _frame: &[u8]) {}
+}
+
+impl KeybedBus {
+    /// Returns a bus that has not heard of any of `boards`: all keys up, samples never taken. Keys
+    /// of no board are up, and their samples do not age.
+    ///
+    /// No two boards on one line may have the same number.
+    pub fn new(boards: &[BoardTerms]) -> Self {
+        let n_lines = boards.iter().map(|it| it.place.line + 1).max().unwrap_or(0);
+        let mut lines = vec![LineEnd::default(); n_lines];
+        let mut samples = [KeySample::fresh(0.0); KEYS];
+        for (index, terms) in boards.iter().enumerate() {
+            lines[terms.place.line].boards[terms.place.board.index()] = Some(index);
+            samples[terms.place.keys()].iter_mut().for_each(|sample| sample.age = NEVER);
+        }
+        Self {
+            tick: None,
+            samples,
+            boards: boards.iter().copied().map(BoardEnd::new).collect(),
+            lines,
+            share_step: 1.0,
+        }
+    }
+
+    /// Lets forces grow over `ticks` when a board renders them again, and fade over as many when
+    /// it does so no longer; without it, at once.
+    pub fn fade_over(&mut self, ticks: u32) {
+        self.share_step = 1.0 / f64::from(ticks.max(1));
+    }
+
+    /// Guards all keys from now on, in exchanges every `period_us`: readings, forces and motors.
+    ///
+    /// Not for the tick.
+    pub(crate) fn guard(&mut self, period_us: u64) {
+        self.boards.iter_mut().for_each(|board| board.guard(period_us));
+    }
+
+    /// Has the motors of all guarded keys proven before a model may use them.
+    pub(crate) fn demand_proof(&mut self) {
+        self.boards.iter_mut().for_each(BoardEnd::demand_proof);
+    }
+
+    /// Tells whether the proof of a motor is under way, rather than waiting for its key to rest.
+    pub(crate) fn is_proving(&self) -> bool {
+        self.boards.iter().any(BoardEnd::is_proving)
+    }
+
+    /// Plays the key in `slot` of the board with this index no more.
+    pub(crate) fn mute(&mut self, board: usize, slot: usize, fault: KeyFault) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.mute(slot, fault);
+        }
+    }
+
+    /// Limits the share of the forces that the board with this index is sent to `most`, `0 ..= 1`.
+    pub fn limit_share(&mut self, board: usize, most: f64) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.limit_share(most);
+        }
+    }
+
+    /// Meters `line` from now on, which is made of `medium`.
+    pub fn meter(&mut self, line: usize, medium: Medium) {
+        if let Some(line) = self.lines.get_mut(line) {
+            line.meter = Some(LinkMeter::new(medium));
+        }
+    }
+
+    /// Returns how many lines there are.
+    pub const fn n_lines(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// Returns all boards, in the order in which they were given.
+    pub fn boards(&self) -> &[BoardEnd] {
+        &self.boards
+    }
+
+    /// Starts `tick`: every sample is older by the ticks that have passed.
+    ///
+    /// # Real-time
+    /// One addition for each key.
+    pub fn begin(&mut self, tick: u64) {
+        let passed = self.tick.map_or(0, |last| tick.saturating_sub(last));
+        let passed = u32::try_from(passed).unwrap_or(u32::MAX);
+        self.tick = Some(tick);
+        for board in &self.boards {
+            for sample in &mut self.samples[board.terms().place.keys()] {
+                sample.age = sample.age.saturating_add(passed);
+                sample.taken += f64::from(passed);
+            }
+        }
+    }
+
+    /// Takes what has come over `line`, and hands on what is not cyclic.
+    ///
+    /// # Real-time
+    /// At most 128 receptions of 64 bytes for each board; no heap.
+    pub fn receive(
+        &mut self,
+        line: usize,
+        link: &mut (impl Link + ?Sized),
+        acyclic: &mut impl AcyclicHandler,
+    ) {
+        let n_boards = self.lines[line].boards.iter().flatten().count().max(1);
+        for _ in 0..MAX_FRAMES * n_boards {
+            let mut frame = [0; MAX_FRAME];
+            match link.try_recv(&mut frame) {
+                Ok(Some(len)) => self.read(line, &frame[..len.min(MAX_FRAME)], acyclic),
+                Ok(None) => break,
+                Err(RecvError::Corrupt | RecvError::BufferTooShort { .. }) => {
+                    self.lines[line].statistics.corrupt += 1;
+                }
+                Err(RecvError::Down) => {
+                    self.lines[line].statistics.down += 1;
+                    break;
+                }
+            }
+        }
+        self.lines[line].statistics.health = link.health();
+    }
+
+    /// Tells whether samples of the board with this index have come in this tick.
+    pub fn has_news(&self, board: usize) -> bool {
+        let tick = self.tick.unwrap_or_default();
+        self.boards.get(board).is_some_and(|it| it.has_news(tick))
+    }
+
+    /// Says how long before this tick the newest samples of a board were taken (ticks), as in
+    /// [`KeySample::taken`].
+    pub fn date(&mut self, board: usize, taken: f64) {
+        let Some(end) = self.boards.get(board) else { return };
+        let samples = self.samples[end.terms().place.keys()].iter_mut();
+        // Those that are older were not used this time.
+        for sample in samples.filter(|it| it.age == 0) {
+            sample.taken = taken;
+        }
+    }
+
+    /// Returns the newest sample of every key.
+    pub const fn samples(&self) -> &[KeySample; KEYS] {
+        &self.samples
+    }
+
+    /// Sends the boards on `line` their shares of the forces (N, up positive) at `now_us`.
+    ///
+    /// A board that was never heard is sent nothing, unless it takes what is for all: there is
+    /// nothing to answer. One that renders no force, or shall not, is sent none.
+    ///
+    /// # Real-time
+    /// One frame for each board, or four for a line with multicast; no heap.
+    pub fn send(
+        &mut self,
+        line: usize,
+        now_us: u64,
+        forces: &[f64; KEYS],
+        slopes: &[KeySlope; KEYS],
+        link: &mut (impl Link + ?Sized),
+    ) {
+        let end = &mut self.lines[line];
+        let numbers = end.boards;
+        let of_line = || numbers.iter().flatten().copied();
+        for index in of_line() {
+            self.boards[index].move_share(self.share_step);
+        }
+        if of_line().any(|index| self.boards[index].takes_multicast()) {
+            let mut forces = *forces;
+            for index in of_line() {
+                let board = &mut self.boards[index];
+                let rendered = board.rendered(now_us, &forces);
+                let keys = board.terms().place.keys();
+                forces[keys].iter_mut().zip(rendered).for_each(|(it, rendered)| *it = rendered);
+            }
+            let mut terms = of_line().map(|index| self.boards[index].terms());
+            let is_whole = end.send_to_all(now_us, &mut terms, &forces, link);
+            for index in of_line() {
+                self.boards[index].count_sent(is_whole);
+            }
+            return;
+        }
+        for index in of_line() {
+            let board = &mut self.boards[index];
+            // A link that does not take it has lost this frame; the next makes it worthless.
+            let rendered = board.rendered(now_us, forces);
+            let sent = board.answer(&rendered, slopes);
+            let sent = sent.filter(|(frame, len)| link.try_send(&frame[..*len]).is_ok());
+            board.count_sent(sent.is_some());
+            if let Some((_, len)) = sent {
+                end.saw_down(len);
+            }
+        }
+    }
+
+    /// Counts a frame of `len` bytes that was sent over `line` beside the forces.
+    ///
+    /// # Real-time
+    /// As [`LinkMeter::saw_down`].
+    pub fn saw_sent(&mut self, line: usize, len: usize) {
+        if let Some(line) = self.lines.get_mut(line) {
+            line.saw_down(len);
+        }
+    }
+
+    /// Returns how full `line` was in the `seconds` since it is metered; none if its medium is not
+    /// known.
+    pub fn load(&self, line: usize, seconds: f64) -> Option<MeterWindow> {
+        Some(self.lines.get(line)?.meter.as_ref()?.seen(seconds))
+    }
+
+    /// Returns what `line` has carried since it is metered, if its medium is known.
+    pub fn line_meter(&self, line: usize) -> Option<LinkMeter> {
+        self.lines.get(line)?.meter
+    }
+
+    /// Forgets what came from the board with this index, which starts anew.
+    pub fn forget(&mut self, board: usize) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.forget();
+        }
+    }
+
+    /// Gives the muted keys of the board with this index another chance.
+    pub fn unmute(&mut self, board: usize) {
+        if let Some(board) = self.boards.get_mut(board) {
+            board.unmute();
+        }
+    }
+
+    /// Returns what the board with this index has sent and was sent.
+    pub fn statistics(&self, board: usize) -> BoardStatistics {
+        self.boards.get(board).map_or_else(BoardStatistics::default, BoardEnd::statistics)
+    }
+
+    /// Returns what `line` has carried beside.
+    pub fn line(&self, line: usize) -> LineStatistics {
+        self.lines.get(line).map_or_else(LineStatistics::default, |it| it.statistics)
+    }
+
+    /// Returns whose frame this is, among all boards.
+    pub fn board_on(&self, line: usize, frame: &[u8]) -> Option<usize> {
+        self.lines.get(line)?.boards.get(board_of(frame)?.index()).copied().flatten()
+    }
+
+    /// Takes a frame that came over `line`.
+    fn read(&mut self, line: usize, frame: &[u8], acyclic: &mut impl AcyclicHandler) {
+        self.lines[line].saw_up(frame.len());
+        match (FrameKind::of(frame), self.board_on(line, frame)) {
+            (Some(FrameKind::KeySamples), Some(index)) => {
+                let board = &mut self.boards[index];
+                if board.hear(frame, self.tick.unwrap_or_default()) {
+                    board.publish(&mut self.samples);
+                }
+            }
+            (Some(FrameKind::Reply | FrameKind::Hello), Some(_)) => acyclic.take(line, frame),
+            _ => self.lines[line].statistics.foreign += 1,
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Simulated boards on a bench: what they are made of is what is measured.
+#![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
+#![expect(clippy::disallowed_methods, reason = "boards live in real time")]
+
+use boards::calibrate::range::MOST_FORCE;
+use boards::calibrate::{
+    self, Bench, CalibrationFault, RangeMeasurement, RangeTerms, RangedObject, Rested, Travelled,
+};
+use boards::calibration::KeyCalibration;
+use boards::keybed::{Keybed, NamedLink, Terms, WantedBoards};
+use boards::sim::board::{BoardMake, SimulatedBoard};
+use firmware_protocol::Nothing;
+use firmware_protocol::acyclic::Operation;
+use firmware_protocol::acyclic::calibration::{KeyCalibration as Kept, ReadCalibration};
+use firmware_protocol::frame::key_forces::ForcePacking;
+use firmware_protocol::frame::key_samples::SamplePacking;
+use firmware_protocol::key::{BoardId, KeyIndex};
+use haptics::plant::RigParameters;
+use haptics::{AnyEstimator, BackwardDifference, SampledWall};
+
+use crate::common::{Living, clock, nominal, pair};
+
+const PATIENCE: u64 = 5_000_000;
+
+/// Times that a measurement is made again which a busy machine interrupted.
+const TRIES: usize = 5;
+
+/// A board of so many keys from F#3 on.
+fn make(n_keys: usize) -> BoardMake {
+    let id = BoardId::new(3).expect("a board");
+    BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
+}
+
+/// Such a board, armed, on a bench.
+fn bench(make: BoardMake) -> (Bench, Living) {
+    let (host, away) = pair();
+    let board = Living::start(SimulatedBoard::new(make).expect("a possible board"), away);
+    let lines = vec![NamedLink::new("socket 3", Box::new(host))];
+    let identified = Keybed::new(lines, clock()).identify(PATIENCE).expect("a board");
+    let wanted = WantedBoards { hz: 1_000, ..WantedBoards::default() };
+    let calibrated = identified.calibrate(&wanted, nominal).expect("a good board");
+    let (samples, forces) = (SamplePacking::default(), ForcePacking::default());
+    let terms = Terms { period_us: 1_000, samples, forces, valid_ms: 100 };
+    (Bench::new(calibrated.arm(terms, PATIENCE).expect("a board that arms")), board)
+}
+
+fn key(slot: u8) -> KeyIndex {
+    KeyIndex::new(33 + slot).expect("a key")
+}
+
+/// Does it again when the machine was too busy.
+fn tried<T>(
+    mut measure: impl FnMut() -> Result<T, CalibrationFault>,
+) -> Result<T, CalibrationFault> {
+    let mut outcome = measure();
+    for _ in 1..TRIES {
+        if !matches!(outcome, Err(CalibrationFault::Interrupted | CalibrationFault::Silent { .. }))
+        {
+            break;
+        }
+        outcome = measure();
+    }
+    outcome
+}
+
+fn rested(bench: &mut Bench, key: KeyIndex) -> Rested {
+    tried(|| bench.rests(&[key]).remove(0)).expect("a key at rest")
+}
+
+fn measured(bench: &mut Bench, nominal: &KeyCalibration, slot: u8) -> KeyCalibration {
+    let rested = rested(bench, key(slot));
+    let travelled = tried(|| bench.trip(key(slot), &rested)).expect("a key that moves");
+    calibrate::calibrated(nominal, &rested, &travelled, 1.0)
+}
+
+#[test]
+fn rest_bottom_and_friction_of_two_keys_come_out() {
+    let (mut bench, board) = bench(make(2));
+    let rests = tried(|| bench.rests(&[key(0), key(1)]).into_iter().collect::<Result<Vec<_>, _>>());
+    assert_eq!(rests.expect("two keys at rest").len(), 2);
+    for slot in 0..2 {
+        let key = measured(&mut bench, &KeyCalibration::nominal(1e-6), slot);
+        assert!(key.rest.get().abs() <= 2, "{key:?}");
+        // At most 1.5 N on a felt of 60 kN/m, which lies 10.16 mm deep.
+        assert!((10_160..=10_190).contains(&key.bottom.get()), "{key:?}");
+        // Stiction is 0.12 N, and 0.3 N/s go on for some milliseconds.
+        assert!((0.10..0.14).contains(&key.friction), "{key:?}");
+    }
+    let _open = bench.release();
+    // Longer than forces are valid and fade.
+    std::thread::sleep(std::time::Duration::from_millis(150));
+    let board = board.stop();
+    let positions = (0..2).map(|slot| board.rig(slot).expect("a key").position());
+    assert!(positions.map(f64::abs).all(|it| it < 0.5e-3), "both are back");
+    assert!(board.is_safe(), "it renders no force afterwards");
+}
+
+#[test]
+fn an_encoder_of_another_scale_and_offset_is_known_after_the_trip() {
+    let rig = RigParameters { quantum: 2.5e-6, ..RigParameters::default() };
+    let (mut bench, _board) = bench(BoardMake { rig, offset: -1_234, ..make(1) });
+    let key = measured(&mut bench, &KeyCalibration::nominal(2.5e-6), 0);
+    assert!((key.rest.get() + 1_234).abs() <= 2, "{key:?}");
+    assert!((key.travel() - 10.17e-3).abs() < 20e-6, "{} m", key.travel());
+}
+
+#[test]
+fn a_weak_motor_is_known_by_a_weight_and_the_board_is_told() {
+    let mut rig = RigParameters::default();
+    rig.key.mass += 0.05;
+    // 50 g lie on the key from the start, so the trip without them is told.
+    rig.key.weight = -0.05 * calibrate::G;
+    let (mut bench, _board) = bench(BoardMake { rig, strength: 0.8, ..make(1) });
+    let rested = Rested { position: 0.0, spread: 0.0 };
+    let empty = Travelled { bottom: 10.16e-3, friction: 0.12 / 0.8, float: 0.0 };
+    let gain = tried(|| bench.balance(key(0), &rested, &empty, 0.05)).expect("a balance");
+    assert!((gain - 1.25).abs() < 0.03, "{gain}");
+
+    let calibration = calibrate::calibrated(&KeyCalibration::nominal(1e-6), &rested, &empty, gain);
+    assert!((calibration.friction - 0.12).abs() < 0.01, "{calibration:?}");
+    let mut keybed = bench.release();
+    let board = BoardId::new(3).expect("a board");
+    let mut asker = keybed.asker(0, board);
+    let record = calibrate::record(0, &calibration);
+    let written: Result<Nothing, _> = keybed.ask(&mut asker, Operation::WriteCalibration, &record);
+    written.expect("it was written");
+    let wanted = ReadCalibration { slot: 0 };
+    let kept: Kept = keybed.ask(&mut asker, Operation::ReadCalibration, &wanted).expect("a record");
+    assert_eq!(kept, record);
+    assert!((785..=815).contains(&kept.gain_permille), "{kept:?}");
+}
+
+#[test]
+fn a_key_that_jams_is_refused_and_its_neighbour_is_not_felt() {
+    let mut rig = RigParameters::default();
+    rig.key.stiction = 3.0;
+    let (mut bench, board) = bench(BoardMake { rig, ..make(2) });
+    let rested = rested(&mut bench, key(1));
+    let fault = tried(|| bench.trip(key(1), &rested)).expect_err("it jams");
+    assert!(matches!(fault, CalibrationFault::Stuck { .. }), "{fault}");
+    assert!(fault.to_string().contains("does not move under 1.5 N"), "{fault}");
+    drop(bench.release());
+    assert!(board.stop().rig(0).expect("a key").position().abs() < 1e-6);
+}
+
+#[test]
+fn a_spring_is_raised_on_a_board_s_key_and_its_force_is_gone_afterwards() {
+    let (mut bench, board) = bench(make(1));
+    let rested = rested(&mut bench, key(0));
+    let travelled = Travelled { bottom: 10.16e-3, friction: 0.12, float: 0.3 };
+    let estimator = AnyEstimator::BackwardDifference(BackwardDifference::new(1e-3));
+    let terms = RangeTerms { period: 1e-3, limit: MOST_FORCE, estimator };
+    let spring = RangeMeasurement::new(RangedObject::Spring, terms, &rested, &travelled);
+    let found = tried(|| bench.range(key(0), spring)).expect("a range");
+    // A link and a busy host are a delay, and only make it less: 2 b / T, and friction.
+    let free = SampledWall { stiffness: 0.0, damping: 0.0, period: 1e-3, delay: 0.0 };
+    let most = 1.6 * free.linear_stiffness(1.0);
+    assert!(found.good.is_some_and(|it| (20.0..most).contains(&it)), "{found:?}");
+    drop(bench.release());
+    std::thread::sleep(std::time::Duration::from_millis(150));
+    let board = board.stop();
+    assert!(board.is_safe() && board.rig(0).expect("a key").position() < 0.5e-3);
+}
+
+#[test]
+fn a_board_that_goes_is_missed() {
+    let (mut bench, board) = bench(make(1));
+    let rested = rested(&mut bench, key(0));
+    drop(board);
+    let fault = bench.trip(key(0), &rested).expect_err("nobody is there");
+    assert!(
+        matches!(fault, CalibrationFault::Interrupted | CalibrationFault::Silent { .. }),
+        "{fault}"
+    );
+    let fault = bench.rests(&[key(0)]).remove(0).expect_err("nobody is there");
+    assert!(matches!(fault, CalibrationFault::Silent { .. }), "{fault}");
+    let mut keybed = bench.release();
+    let mut asker = keybed.asker(0, BoardId::new(3).expect("a board"));
+    let refused = keybed.ask::<_, Nothing>(&mut asker, Operation::Counters, &Nothing);
+    assert!(refused.expect_err("silence").to_string().contains("did not answer"));
+}

@@ -1,0 +1,128 @@
+//! Simulated boards in real time, on sockets of this process.
+#![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
+#![allow(clippy::expect_used, clippy::missing_panics_doc, reason = "helpers of tests")]
+#![allow(clippy::disallowed_methods, reason = "boards live in real time")]
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "short tests")]
+#![allow(clippy::unnecessary_wraps, reason = "what the keybed calls")]
+
+use std::os::unix::net::UnixDatagram;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+use boards::calibration::KeyCalibration;
+use boards::keybed::{FoundBoard, Keybed, NamedLink, Offline};
+use boards::links::{HostClock, Link, RecvError, SendError};
+use boards::refusal::{BoardName, Refusal};
+use boards::sim::board::{BoardMake, SimulatedBoard};
+use firmware_protocol::key::BoardId;
+use firmware_protocol::key::PerKey;
+use haptics::plant::RigParameters;
+
+/// Microseconds since this program began.
+pub fn now_us() -> u64 {
+    static BEGAN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
+    let passed = BEGAN.get_or_init(Instant::now).elapsed();
+    1_000_000 + u64::try_from(passed.as_micros()).expect("a short test")
+}
+
+/// The clock of a host in this program.
+pub fn clock() -> HostClock {
+    HostClock::Monotonic(now_us)
+}
+
+/// Frames over a pair of datagram sockets.
+#[derive(Debug)]
+pub struct Socket(UnixDatagram);
+
+/// Both ends of a link.
+pub fn pair() -> (Socket, Socket) {
+    let (one, other) = UnixDatagram::pair().expect("sockets");
+    for end in [&one, &other] {
+        end.set_nonblocking(true).expect("a socket that does not wait");
+    }
+    (Socket(one), Socket(other))
+}
+
+impl Link for Socket {
+    fn try_send(&mut self, frame: &[u8]) -> Result<(), SendError> {
+        match self.0.send(frame) {
+            Ok(_) => Ok(()),
+            Err(error) if error.kind() == std::io::ErrorKind::WouldBlock => Err(SendError::Full),
+            Err(_) => Err(SendError::Down),
+        }
+    }
+
+    fn try_recv(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, RecvError> {
+        match self.0.recv(buffer) {
+            Ok(len) => Ok(Some(len)),
+            Err(error) if error.kind() == std::io::ErrorKind::WouldBlock => Ok(None),
+            Err(_) => Err(RecvError::Down),
+        }
+    }
+}
+
+/// A simulated board that lives on a thread until it is dropped.
+pub struct Living {
+    stop: Arc<AtomicBool>,
+    thread: Option<JoinHandle<SimulatedBoard>>,
+}
+
+impl Living {
+    /// Sets `board` going on `link`.
+    pub fn start(mut board: SimulatedBoard, mut link: impl Link + Send + 'static) -> Self {
+        let stop = Arc::new(AtomicBool::new(false));
+        let its_stop = Arc::clone(&stop);
+        let thread = std::thread::spawn(move || {
+            let began = Instant::now();
+            let period = board.make().period;
+            while !its_stop.load(Ordering::Acquire) {
+                let tick = (began.elapsed().as_secs_f64() / period) as u64;
+                board.advance(tick, &mut link);
+                std::thread::sleep(Duration::from_micros(300));
+            }
+            board
+        });
+        Self { stop, thread: Some(thread) }
+    }
+
+    /// Stops it; returns what it has become.
+    pub fn stop(mut self) -> SimulatedBoard {
+        self.stop.store(true, Ordering::Release);
+        self.thread.take().expect("it lives").join().expect("it lives well")
+    }
+}
+
+impl Drop for Living {
+    fn drop(&mut self) {
+        self.stop.store(true, Ordering::Release);
+        if let Some(thread) = self.thread.take() {
+            let _stopped = thread.join();
+        }
+    }
+}
+
+/// A board of the standard compass that works out its forces every 100 us.
+pub fn board(number: u8) -> SimulatedBoard {
+    let id = BoardId::new(number).expect("a board");
+    let make = BoardMake::standard(id, 100e-6, RigParameters::default());
+    SimulatedBoard::new(make).expect("a possible board")
+}
+
+/// A keybed of the boards with these numbers, each on a line of its own.
+pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
+    let (mut lines, mut boards) = (Vec::new(), Vec::new());
+    for number in numbers {
+        let (host, away) = pair();
+        lines.push(NamedLink::new(format!("socket {number}"), Box::new(host)));
+        boards.push(Living::start(board(*number), away));
+    }
+    (Keybed::new(lines, clock()), boards)
+}
+
+/// Keys that read as their boards say.
+pub fn nominal(found: &FoundBoard, _name: &BoardName) -> Result<PerKey<KeyCalibration>, Refusal> {
+    let n = usize::from(found.hello.n_keys);
+    Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), n)))
+}

@@ -1,0 +1,9 @@
+//! Boards on links, in memory.
+
+mod bring_up;
+mod calibrate;
+mod common;
+mod keybed;
+mod links;
+mod metered;
+mod plan;

@@ -1,0 +1,316 @@
+//! `letoff devices --boards`: what answers on links, and who that is.
+
+use std::io::Write;
+
+use boards::calibration::file;
+use boards::identity::ClaimedKeys;
+use boards::keybed::{FoundBoard, Identified, Keybed, Offline};
+use boards::links::address::Address;
+use boards::refusal::{Refusal, reason_words};
+use boards::rt::board_supervisor::LIGHT_S;
+use documents::shown;
+use firmware_protocol::Nothing;
+use firmware_protocol::acyclic::bootloader::{self, Bootloader};
+use firmware_protocol::acyclic::light::Light;
+use firmware_protocol::acyclic::log::{LogLine, ReadLog};
+use firmware_protocol::acyclic::{Operation, Status};
+use firmware_protocol::frame::hello::feature;
+use firmware_protocol::key::KeyIndex;
+use serde::Serialize;
+
+use super::health::{self, HealthRow};
+use super::{DevicesArgs, PATIENCE_US, settings, test};
+use crate::{Failure, print_json};
+use host::connected_boards::{clock, folder, open};
+use scene::{BoardBus, Boards};
+/// Lines of a log that are read at most.
+const MOST_LINES: u16 = 1_000;
+
+/// A link, and what answers on it.
+#[derive(Debug, Serialize)]
+struct OnLink {
+    link: String,
+    boards: Vec<BoardRow>,
+    /// The reasons why it, or a board on it, cannot be used, a sentence each.
+    refusals: Vec<String>,
+    /// Why settings were not written, a sentence each.
+    #[serde(skip)]
+    unwritten: Vec<String>,
+}
+
+/// A board that answered.
+#[derive(Debug, Serialize)]
+struct BoardRow {
+    number: u8,
+    uid: String,
+    keys: String,
+    #[serde(skip)]
+    range: ClaimedKeys,
+    protocol: String,
+    firmware: String,
+    /// Samples, forces, and how often motors' forces are worked out (1/s).
+    sample_hz: u16,
+    force_hz: u16,
+    law_hz: u16,
+    quantum_nm: u32,
+    max_force_n: f64,
+    features: Vec<&'static str>,
+    reset_reason: u8,
+    /// The reason why it renders no force.
+    safe_reason: &'static str,
+    config_crc: String,
+    /// The path of its calibration file, and whether it is there.
+    calibration: Option<String>,
+    is_calibrated: bool,
+    log: Vec<String>,
+    /// Settings that were written.
+    written: Vec<String>,
+    /// What it did that it was asked to, a sentence each.
+    done: Vec<String>,
+    /// How it and its keys are, if it was asked and knows.
+    health: Option<HealthRow>,
+}
+
+/// Prints the boards on all links.
+pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure> {
+    if args.links.is_empty() {
+        return Err(Failure::Usage(
+            "--boards needs a link: give --link serial:PORT or --link can:INTERFACE; `letoff \
+             devices` lists what there is"
+                .into(),
+        ));
+    }
+    if let Some(depth) = args.test {
+        return test::run(args, depth, out);
+    }
+    let links: Vec<_> = args.links.iter().map(|address| look(address, args)).collect();
+    if args.json {
+        print_json(&links, out)?;
+    } else {
+        links.iter().try_for_each(|link| print(link, out))?;
+    }
+    let mut wrong: Vec<_> = links.iter().flat_map(|link| &link.unwritten).cloned().collect();
+    let boards: Vec<_> = links.iter().flat_map(|link| &link.boards).collect();
+    wrong.extend(absent(args, &boards));
+    let empty = links.iter().filter(|link| link.boards.is_empty());
+    wrong.extend(empty.map(|link| format!("no board can be used on {}", link.link)));
+    if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
+}
+
+/// Asks who is on a link, and does with them what is wanted.
+fn look(address: &Address, args: &DevicesArgs) -> OnLink {
+    let (boards, refusals, unwritten) = (Vec::new(), Vec::new(), Vec::new());
+    let mut link = OnLink { link: address.name(), boards, refusals, unwritten };
+    let bus = BoardBus::new(address.clone());
+    let clock = clock(std::slice::from_ref(&bus));
+    let line = match open(&bus, &clock) {
+        Ok(line) => line,
+        Err(error) => {
+            link.refusals.push(error.to_string());
+            return link;
+        }
+    };
+    let mut keybed = match Keybed::<Offline>::new(vec![line], clock).identify(PATIENCE_US) {
+        Ok(keybed) => keybed,
+        Err(refusals) => {
+            link.refusals.extend(refusals.0.iter().map(ToString::to_string));
+            return link;
+        }
+    };
+    keybed.keep(|found| args.board.is_none_or(|number| found.board.number() == number));
+    let mut settings = &args.set[..];
+    if !settings.is_empty() && (keybed.boards().len() != 1 || args.links.len() != 1) {
+        link.unwritten.push(
+            "settings are written to one board: give one --link, and --board with its number"
+                .into(),
+        );
+        settings = &[];
+    }
+    for found in keybed.boards().to_vec() {
+        let (mut board, trouble) = describe(&found);
+        link.refusals.extend(trouble);
+        if args.log && found.hello.features & feature::LOG != 0 {
+            match log(&found, &mut keybed) {
+                Ok(lines) => board.log = lines,
+                Err(refusal) => link.refusals.push(refusal.to_string()),
+            }
+        }
+        if let Err(refusal) = change(args, &found, &mut keybed, &mut board.done) {
+            link.unwritten.push(refusal.to_string());
+        }
+        if args.health && found.hello.features & feature::HEALTH != 0 {
+            match health::read(&found, &mut keybed) {
+                Ok(health) => board.health = Some(health),
+                Err(refusal) => link.refusals.push(refusal.to_string()),
+            }
+        }
+        match settings::write(settings, &found, &mut keybed) {
+            Ok(written) => board.written = written,
+            Err(refusal) => link.unwritten.push(refusal.to_string()),
+        }
+        link.boards.push(board);
+    }
+    link
+}
+
+/// Lets a board blink, mutes and unmutes its keys, and lets it start its bootloader, as is wanted;
+/// `done` hears of each.
+fn change(
+    args: &DevicesArgs,
+    found: &FoundBoard,
+    keybed: &mut Keybed<Identified>,
+    done: &mut Vec<String>,
+) -> Result<(), Refusal> {
+    if args.light == Some(found.board.number()) {
+        let _lit: Nothing = light(found, keybed)?;
+        done.push(format!("it blinks for {LIGHT_S} s"));
+    }
+    let off = (&args.mute, 1, "has its motor off until the board starts anew");
+    let on = (&args.unmute, 0, "has its motor back on");
+    for (keys, muted, what) in [off, on] {
+        for key in keys.iter().filter(|key| found.keys().contains(**key)) {
+            health::mute(found, keybed, *key, muted)?;
+            done.push(format!("{key} {what}"));
+        }
+    }
+    if args.bootloader {
+        let mut asker = keybed.asker(found.line, found.board);
+        let wanted = Bootloader { magic: bootloader::MAGIC };
+        let _left: Nothing = keybed.ask(&mut asker, Operation::Bootloader, &wanted)?;
+        done.push("it starts its bootloader".to_owned());
+    }
+    Ok(())
+}
+
+/// Returns what was asked for of boards and keys that are not there, a sentence each.
+fn absent(args: &DevicesArgs, boards: &[&BoardRow]) -> Vec<String> {
+    let has_board = |number: &u8| boards.iter().any(|it| it.number == *number);
+    let has_key = |key: &KeyIndex| boards.iter().any(|it| it.range.contains(*key));
+    let numbers = args.light.iter().chain(&args.board).filter(|number| !has_board(number));
+    let keys = args.mute.iter().chain(&args.unmute).filter(|key| !has_key(key));
+    let mut absent: Vec<_> = numbers.map(|it| format!("no board has the number {it}")).collect();
+    absent.dedup();
+    absent.extend(keys.map(|key| format!("no board here has the key {key}")));
+    absent
+}
+
+/// Returns the description of a board, and the mistakes of its calibration file.
+fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
+    let hello = &found.hello;
+    let file = folder(&Boards::default()).map(|folder| file::path(&folder, found.uid()));
+    let n_keys = usize::from(hello.n_keys);
+    let read = file.as_ref().map(|file| file::read(file, found.uid(), n_keys));
+    let is_calibrated = matches!(read, Some(Ok(Some(_))));
+    let board = BoardRow {
+        number: found.board.number(),
+        uid: found.uid().to_string(),
+        keys: found.keys().to_string(),
+        range: found.keys(),
+        protocol: format!("{}.{}", hello.major, hello.minor),
+        firmware: format!("{}.{}", hello.firmware_major, hello.firmware_minor),
+        sample_hz: hello.max_sample_hz,
+        force_hz: hello.max_force_hz,
+        law_hz: hello.law_hz,
+        quantum_nm: hello.quantum_nm,
+        max_force_n: f64::from(hello.max_force_mn) * 1e-3,
+        features: features(hello.features),
+        reset_reason: hello.reset_reason,
+        safe_reason: reason_words(hello.safe_reason),
+        config_crc: format!("{:08x}", hello.config_crc),
+        is_calibrated,
+        calibration: file.map(|file| shown(&file)),
+        log: Vec::new(),
+        written: Vec::new(),
+        done: Vec::new(),
+        health: None,
+    };
+    (board, read.and_then(Result::err))
+}
+
+/// Returns the features of a board, in words.
+fn features(bits: u16) -> Vec<&'static str> {
+    const WORDS: [(u16, &str); 7] = [
+        (feature::SLOPES, "slopes"),
+        (feature::MULTICAST, "multicast forces"),
+        (feature::VELOCITY, "velocities"),
+        (feature::FINGERS, "simulated fingers"),
+        (feature::LOG, "a log"),
+        (feature::HEALTH, "health"),
+        (feature::BOOTLOADER, "a bootloader"),
+    ];
+    WORDS.iter().filter(|(bit, _)| bits & bit != 0).map(|(_, word)| *word).collect()
+}
+
+fn light(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Nothing, Refusal> {
+    let mut asker = keybed.asker(found.line, found.board);
+    keybed.ask(&mut asker, Operation::Light, &Light { seconds: LIGHT_S })
+}
+
+/// Returns the lines of a board's log.
+fn log(found: &FoundBoard, keybed: &mut Keybed<Identified>) -> Result<Vec<String>, Refusal> {
+    let mut asker = keybed.asker(found.line, found.board);
+    let mut lines = Vec::new();
+    for line in 0..MOST_LINES {
+        let read = keybed.ask::<_, LogLine>(&mut asker, Operation::ReadLog, &ReadLog { line });
+        let it = match read {
+            Ok(it) => it,
+            // There is no such line: the log is empty, or was shortened.
+            Err(Refusal::Declined { status: Status::BadValue, .. }) => break,
+            Err(refusal) => return Err(refusal),
+        };
+        let text = String::from_utf8_lossy(&it.text);
+        let text = printable(text.trim_end_matches('\0'));
+        lines.push(format!("{:12.6} s  {text}", f64::from(it.board_us) * 1e-6));
+        if it.lines <= line + 1 {
+            break;
+        }
+    }
+    Ok(lines)
+}
+
+/// Returns `text` without what a terminal would obey.
+fn printable(text: &str) -> String {
+    text.replace(char::is_control, "\u{FFFD}")
+}
+
+fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
+    writeln!(out, "{}:", link.link)?;
+    for it in &link.boards {
+        writeln!(
+            out,
+            "  board {:<3} {} {:9} firmware {}, protocol {}, configuration {}",
+            it.number, it.uid, it.keys, it.firmware, it.protocol, it.config_crc
+        )?;
+        writeln!(
+            out,
+            "    samples {}/s, forces {}/s, worked out {}/s, at most {:.1} N, {} nm a count",
+            it.sample_hz, it.force_hz, it.law_hz, it.max_force_n, it.quantum_nm
+        )?;
+        let has = if it.features.is_empty() { "nothing".into() } else { it.features.join(", ") };
+        writeln!(out, "    has {has}")?;
+        let start = match it.reset_reason {
+            1 => "started by power".to_owned(),
+            other => format!("started for reason {other}"),
+        };
+        writeln!(out, "    {start}; {}", it.safe_reason)?;
+        let file = it.calibration.as_deref().unwrap_or("anywhere");
+        let is = if it.is_calibrated { "calibrated in" } else { "no calibration in" };
+        writeln!(out, "    {is} {file}")?;
+        it.done.iter().chain(&it.written).try_for_each(|line| writeln!(out, "    {line}"))?;
+        if let Some(health) = &it.health {
+            health::print(health, out)?;
+        }
+        it.log.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
+    }
+    link.refusals.iter().try_for_each(|why| Ok(writeln!(out, "  {why}")?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_log_cannot_command_the_terminal() {
+        assert_eq!(printable("\u{1b}[2Jhot\r µN"), "\u{FFFD}[2Jhot\u{FFFD} µN");
+    }
+}

@@ -1,0 +1,82 @@
+//! What of a voice goes on in the voice that takes its place.
+
+use std::sync::Arc;
+
+use instruments::{ModeCode, ModelEntry, ModelParts, Playable};
+use pode::Motion;
+use scheduler::observation::ModelSnapshot;
+
+use crate::voice::coupling::Coupling;
+use crate::voice::damper::DamperTracker;
+use crate::voice::input::InputPath;
+use crate::voice::shift::InputShift;
+
+/// What a voice knows beyond its model's mode and state: its model, its key, and its damper.
+#[derive(Clone, Debug)]
+pub struct KeyMemory {
+    /// The model in its version.
+    pub model: Arc<ModelParts>,
+    /// From samples to the model's input.
+    pub input: InputPath,
+    /// Whether the key has lifted the damper.
+    pub damper: DamperTracker,
+    /// Between the player's key and the model's, if there is one.
+    pub coupling: Option<Coupling>,
+    /// Between where the player's key puts the model's, and where it is after a change.
+    pub shift: InputShift,
+}
+
+impl KeyMemory {
+    /// Returns where the player's key puts the model's, or the coupling's end.
+    pub(crate) fn player(&self) -> Motion {
+        let newest = self.input.newest();
+        Motion { position: newest.position + self.shift.now(), ..newest }
+    }
+
+    /// Returns how the model's key moves.
+    pub(crate) fn key(&self) -> Motion {
+        self.coupling.map_or_else(|| self.player(), |it| it.key())
+    }
+
+    /// Goes on where the key of `before` is, the same model with other settings.
+    pub(crate) fn succeed(&mut self, before: &Self) {
+        self.input.succeed(&before.input);
+        let at = if self.coupling.is_some() { before.player() } else { before.key() };
+        self.shift = InputShift::new(at.position - self.input.newest().position);
+        match (&mut self.coupling, &before.coupling) {
+            (Some(own), Some(before)) => own.succeed(before),
+            (Some(own), None) => own.place(&at),
+            (None, _) => {}
+        }
+    }
+}
+
+/// Takes over into `state`, of the model of `own`, what the model of `entry` as it was `seen` has by
+/// the same names and units; the rest stays as it is.
+///
+/// # Real-time
+/// At most 32 × 32 names are compared.
+pub(crate) fn carry(
+    state: &mut [f64],
+    own: &ModelEntry,
+    (entry, seen): (&ModelEntry, &ModelSnapshot),
+) {
+    let names = own.states.iter().zip(&own.state_units);
+    for (place, wanted) in state.iter_mut().zip(names) {
+        let mut others = entry.states.iter().zip(&entry.state_units).zip(seen.state);
+        let same = others.find(|(name_and_unit, _)| *name_and_unit == wanted);
+        if let Some((_, value)) = same.filter(|(_, value)| value.is_finite()) {
+            *place = value;
+        }
+    }
+}
+
+/// Returns the mode of `model` that is called as the structural mode `number` of `entry`.
+///
+/// # Real-time
+/// The names of modes are compared.
+pub(crate) fn same_mode<M: Playable>(model: &M, entry: &ModelEntry, number: u8) -> Option<M::Mode> {
+    let name = entry.modes.get(usize::from(number))?.name;
+    let index = model.entry().modes.iter().position(|mode| mode.name == name)?;
+    model.mode(ModeCode::structural(u8::try_from(index).ok()?))
+}

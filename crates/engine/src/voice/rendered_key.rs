@@ -1,0 +1,606 @@
+//! A pode model as the scheduler's voice: sample in, force out.
+
+use std::any::Any;
+use std::sync::Arc;
+
+use haptics::{DeviceCompensation, ForceGate, KeyMotion, PassivityController, PassivityObserver};
+use instruments::{ModelEntry, Playable, hammer_speed};
+use pode::input::Cubic;
+use pode::{
+    Advance, Auditor, Cap, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator,
+    State as _, Stepper, Watch, WorkLimit,
+};
+use scheduler::motion::{KeyEvent, KeySample, KeySlope, Loudness, Moment};
+use scheduler::observation::{Switch, Switches, VoiceObservation};
+use scheduler::overload::{Simplification, Simplifications};
+use scheduler::values::ModelValues;
+use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
+use scheduler::work::{TurnLimit, VoiceKind};
+
+use crate::voice::aftertouch::PressureTracker;
+use crate::voice::audit::AuditCell;
+use crate::voice::carried::{KeyMemory, carry, same_mode};
+use crate::voice::coupling::{CoupledTick, Coupling};
+use crate::voice::damper::DamperTracker;
+use crate::voice::input::{Followed, InputPath};
+use crate::voice::rest::{RestDetector, SleepTime};
+use crate::voice::shift::InputShift;
+
+/// A voice that can be copied, for rehearsals.
+pub trait RehearsableVoice: Voice + Send {
+    /// A copy with the same bits.
+    fn copy(&self) -> Box<dyn RehearsableVoice>;
+}
+
+/// A key's model in motion, between its sensor and its motor.
+#[derive(Clone, Debug)]
+pub struct RenderedKey<M: Playable, T: Stepper> {
+    simulator: Simulator<M, T>,
+    memory: KeyMemory,
+    gains: Gains,
+    device: Option<DeviceCompensation>,
+    gate: ForceGate,
+    pressure: PressureTracker,
+    rest: RestDetector<M::State>,
+    auditor: Auditor<M>,
+    passivity: PassivityObserver,
+    controller: Option<PassivityController>,
+    cell: Arc<AuditCell>,
+    /// Mode and state at rest with its key up, unless values were changed since they were found:
+    /// that takes longer than a tick where many voices begin at once.
+    up: Option<(M::Mode, M::State)>,
+    /// What the model stores there (J).
+    at_rest: f64,
+    /// `true` if the last turn failed.
+    has_failed: bool,
+    /// Tick (s).
+    h: f64,
+    /// How many leading entries of the state are coordinates.
+    coordinates: usize,
+    slopes: SlopeOutput,
+    simplified: Simplifications,
+    revision: u32,
+    kind: VoiceKind,
+    /// The model's input over the tick that was run last.
+    signal: Cubic,
+    /// Changes of mode in that tick.
+    switches: Switches,
+}
+
+/// Returns the kind of voices with the model `name` and the method `T`: a hash, 32-bit FNV-1a.
+fn kind_of<T>(name: &str) -> VoiceKind {
+    let bytes = name.bytes().chain(std::any::type_name::<T>().bytes());
+    VoiceKind(
+        bytes.fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193)),
+    )
+}
+
+/// Farther than a key moves in a tick (m): twice its dip.
+const LONGEST_WAY: f64 = 0.02;
+
+/// What a voice is built from, besides its model.
+#[derive(Clone, Debug)]
+pub struct VoiceSettings {
+    /// From samples to the model's input.
+    pub input: InputPath,
+    /// Between the player's key and the model's, if there is one.
+    pub coupling: Option<Coupling>,
+    pub gains: Gains,
+    /// What is taken off the device's own mechanics, if something is.
+    pub device: Option<DeviceCompensation>,
+    pub gate: ForceGate,
+    pub passivity: PassivityObserver,
+    /// What keeps the key passive, if something does.
+    pub controller: Option<PassivityController>,
+    pub limits: Limits,
+    /// Where the energy audit is published.
+    pub cell: Arc<AuditCell>,
+    /// Tick (s).
+    pub h: f64,
+    /// Whether the boards render slopes.
+    pub slopes: SlopeOutput,
+    /// Its number among all voices of a run.
+    pub revision: u32,
+}
+
+/// Between a key and its model, beyond the model's own scale.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Gains {
+    /// Times the key's motion.
+    pub motion: f64,
+    /// Times the model's force.
+    pub force: f64,
+}
+
+impl Default for Gains {
+    /// The key is the model's own.
+    fn default() -> Self {
+        Self { motion: 1.0, force: 1.0 }
+    }
+}
+
+/// Whether a voice works out how its force goes on between two ticks.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub enum SlopeOutput {
+    /// The boards hold their forces.
+    #[default]
+    Unused,
+    /// The boards render slopes.
+    Rendered,
+}
+
+impl<M: Playable, T: Stepper> RenderedKey<M, T> {
+    /// Returns a voice at rest with its key up.
+    pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
+        let VoiceSettings { input, coupling, gains, device, gate, limits, cell, h, slopes, .. } =
+            fittings;
+        let (mode, state) = model.at_rest(&Motion::default());
+        let damper = DamperTracker::new(model.damper(), 0.0);
+        let parts = Arc::clone(model.shared());
+        let at_rest = model.energy(mode, &state, &Motion::default());
+        Self {
+            simulator: Simulator::new(model, stepper, limits, mode, state),
+            memory: KeyMemory {
+                model: Arc::clone(&parts),
+                input,
+                damper,
+                coupling,
+                shift: InputShift::default(),
+            },
+            gains,
+            device,
+            gate,
+            pressure: PressureTracker::default(),
+            rest: RestDetector::new(state, h),
+            auditor: Auditor::default(),
+            passivity: fittings.passivity,
+            controller: fittings.controller,
+            cell,
+            up: Some((mode, state)),
+            at_rest,
+            has_failed: false,
+            h,
+            coordinates: parts.coordinates,
+            slopes,
+            simplified: Simplifications::NONE,
+            revision: fittings.revision,
+            kind: kind_of::<T>(parts.name),
+            signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
+            switches: Switches::default(),
+        }
+    }
+
+    /// Returns mode and state at rest under `input`, which does not move, and the displacement from
+    /// there to where the model's key begins.
+    ///
+    /// To search for the rest takes as long as hundreds of steps. After a failed turn the model
+    /// begins with its key up instead, and follows the player's within 0.3 s.
+    fn rest_under(&self, input: &Motion) -> (M::Mode, M::State, f64) {
+        match self.up {
+            Some((mode, state)) if self.has_failed || *input == Motion::default() => {
+                (mode, state, -input.position)
+            }
+            Some(_) | None => {
+                let (mode, state) = self.simulator.model().at_rest(input);
+                (mode, state, 0.0)
+            }
+        }
+    }
+
+    /// Model input per metre at the key's front.
+    fn scale(&self) -> f64 {
+        self.simulator.model().input_per_metre() * self.gains.motion
+    }
+
+    /// Newtons at the key's front for one of the model's readout.
+    fn per_readout(&self) -> f64 {
+        self.simulator.model().input_per_metre() * self.gains.force
+    }
+
+    /// Returns how the mean force of a tick without events goes on around the middle of that
+    /// tick, at whose start the newest sample was `late` (s).
+    ///
+    /// # Real-time
+    /// At most four readouts.
+    fn slope(&self, middle: &Motion, late: f64) -> KeySlope {
+        let scale = self.scale();
+        let (stiffness, damping) = if let Some(coupling) = &self.memory.coupling {
+            let constants = coupling.constants();
+            (constants.stiffness * self.gains.force, constants.damping * self.gains.force)
+        } else {
+            let model = self.simulator.model();
+            let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
+            let per_slope = self.per_readout() * scale;
+            (slopes.per_position * per_slope, slopes.per_rate * per_slope)
+        };
+        KeySlope {
+            stiffness: -stiffness,
+            damping: -damping,
+            position: middle.position / scale,
+            velocity: middle.rate / scale,
+            ahead: late + 0.5 * self.h,
+        }
+    }
+
+    fn renders_slopes(&self) -> bool {
+        self.slopes == SlopeOutput::Rendered && !self.simplified.contains(Simplification::Slopes)
+    }
+
+    fn sleep_time(&self) -> SleepTime {
+        let is_short = self.simplified.contains(Simplification::Rest);
+        if is_short { SleepTime::Short } else { SleepTime::Usual }
+    }
+
+    /// Returns whether the integration has made or lost less energy since `before` than the
+    /// strongest force does over [`LONGEST_WAY`].
+    ///
+    /// Energies are the same at the finger and in the model, whatever its input is measured in.
+    fn is_explained(&self, before: &EnergyAudit) -> bool {
+        let most = self.gate.limit() * LONGEST_WAY;
+        (self.auditor.sums.integration - before.integration).abs() <= most
+    }
+
+    /// Moves the model's key over the tick in which the player's moves as `key`, if they are coupled.
+    fn coupled(&mut self, key: &Cubic) -> Option<CoupledTick> {
+        let scale = self.scale();
+        let simulator = &self.simulator;
+        let played = (simulator.model(), simulator.mode(), simulator.state());
+        Some(self.memory.coupling.as_mut()?.follow(played, key, scale, self.h))
+    }
+
+    /// Returns what is taken off the resistance of the device itself (N) in the middle of a tick in
+    /// which its key moves so.
+    fn compensation(&self, key: &Cubic) -> f64 {
+        let Some(device) = &self.device else { return 0.0 };
+        let (key, scale) = (key.at(0.5), self.scale());
+        device.force(&KeyMotion {
+            position: key.position / scale,
+            velocity: key.rate / scale,
+            acceleration: key.acceleration / scale,
+        })
+    }
+
+    /// Tells the pressure on the key, of an instrument that has one.
+    fn press(&mut self, tick: u64, turn: &mut VoiceOutput) {
+        let Some(table) = self.simulator.model().midi().pressure else { return };
+        if let Some(event) = self.pressure.follow(table, turn.force, self.h) {
+            turn.events.push(Moment { tick, theta: 1.0 }, event);
+        }
+    }
+
+    /// Returns as much of `force` (N) as keeps the key passive, which is at `position` (m).
+    fn passive(&mut self, tick: u64, position: f64, force: f64) -> f64 {
+        let Some(controller) = &mut self.controller else { return force };
+        controller.follow(tick, position);
+        let passive = controller.limit(tick, position, force);
+        self.gate.go_on_from(passive);
+        passive
+    }
+
+    /// Tells the controller what the model took since `before`, and its coupling in this tick
+    /// (J), as energy at the finger.
+    fn account(&mut self, before: &EnergyAudit, coupling: f64) {
+        let Some(controller) = &mut self.controller else { return };
+        let EnergyAudit { dissipated, jumps, stored, .. } = self.auditor.sums;
+        let lost = (dissipated - before.dissipated) - (jumps - before.jumps);
+        let per_energy = self.gains.force / self.gains.motion;
+        controller.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
+    }
+
+    /// Forgets what energy went where, but for what is stored now: another action, or another
+    /// hand.
+    fn begin_account(&mut self) {
+        self.passivity.reset();
+        let stored = self.stored();
+        if let Some(controller) = &mut self.controller {
+            controller.reset();
+            controller.take(stored, 0.0);
+        }
+    }
+
+    /// Returns what the action stores beyond its rest, as energy at the finger (J).
+    fn stored(&self) -> f64 {
+        let simulator = &self.simulator;
+        let (model, mode, state) = (simulator.model(), simulator.mode(), simulator.state());
+        let in_model = model.energy(mode, state, &self.memory.key()) - self.at_rest;
+        let in_coupling = self.memory.coupling.map_or(0.0, |it| it.stored());
+        (in_model + in_coupling) * self.gains.force / self.gains.motion
+    }
+
+    fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        let is_passive = self.passivity.is_passive(tick, sample.position);
+        let Followed { signal, position, late, back } = self.memory.input.follow(tick, sample);
+        if let Some(back) = back {
+            self.memory.shift = InputShift::after_pause(self.memory.shift.now() + back);
+        }
+        let signal = self.memory.shift.follow(signal, self.h);
+        let damped = self.memory.damper.follow(tick, position, self.h);
+        if let Some((at, event)) = damped {
+            turn.events.push(at, event);
+        }
+        let (before, sums) = (*self.simulator.state(), self.auditor.sums);
+        let coupled = self.coupled(&signal);
+        let moved = coupled.map_or(signal, |it| it.signal);
+        let events = &mut turn.events;
+        let mut strikes = Strikes { tick, events, switches: &mut self.switches, impulse: 0.0 };
+        let mut watch = (&mut self.auditor, &mut strikes);
+        let done = self.simulator.advance(self.h, &moved, &mut watch);
+        let impulse = strikes.impulse;
+        if let Some(coupling) = &mut self.memory.coupling {
+            coupling.strike(impulse);
+        }
+        self.signal = moved;
+        let readout = coupled.map_or(done.mean_readout, |it| it.force);
+        let force = readout * self.per_readout() + self.compensation(&signal);
+        let gated = self.gate.apply(force, self.h);
+        turn.force = self.passive(tick, sample.position, gated.force);
+        self.account(&sums, coupled.map_or(0.0, |it| it.stored));
+        let is_whole = gated.finite && !gated.limited && !gated.slewed;
+        let is_free =
+            is_whole && turn.force.to_bits() == gated.force.to_bits() && done.work.events == 0;
+        if self.renders_slopes() && is_free {
+            turn.slope = self.slope(&signal.at(0.5), late);
+        }
+        turn.work = VoiceWork {
+            units: done.work.evaluations(),
+            derivatives: done.work.derivatives,
+            guards: done.work.guards,
+            events: done.work.events,
+            certain: done.work.certain,
+            unknown: done.work.unknown,
+        };
+        turn.limit = limit_reached(done.advance);
+        turn.fault = fault(done.advance, done.work.events)
+            .or_else(|| (!self.is_explained(&sums)).then_some(VoiceFault::Diverged))
+            .or((!is_passive).then_some(VoiceFault::MakesEnergy));
+        self.has_failed = turn.fault.is_some();
+        if turn.fault.is_none() {
+            self.cell.publish(&self.auditor.sums);
+            self.passivity.hold(tick, sample.position, turn.force);
+        } else {
+            // A model that diverges must neither play notes nor spoil the sums.
+            self.auditor.sums = sums;
+            self.auditor.forget();
+            turn.events.clear();
+            if let Some((at, event)) = damped {
+                turn.events.push(at, event);
+            }
+        }
+        self.press(tick, turn);
+        let moved = (&before, self.simulator.state());
+        self.rest.observe((sample.position, turn.force), self.coordinates, moved);
+    }
+}
+
+impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
+    fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
+        self.switches.clear();
+        if let Some(force) = self.rest.force_at(sample.position, self.sleep_time()) {
+            self.memory.input.go_on(tick, sample);
+            (turn.force, turn.idle) = (self.passive(tick, sample.position, force), true);
+            if let Some(controller) = &mut self.controller {
+                controller.take(0.0, 0.0);
+            }
+        } else if sample.is_finite() {
+            self.advance(tick, sample, turn);
+        } else {
+            turn.fault = Some(VoiceFault::BadSample);
+        }
+    }
+
+    fn observe(&self, seen: &mut VoiceObservation) {
+        let Motion { position, rate, acceleration, jerk } = self.signal.at(1.0);
+        let snapshot = &mut seen.snapshot;
+        snapshot.revision = self.revision;
+        snapshot.mode = self.simulator.model().mode_code(self.simulator.mode()).0;
+        snapshot.show(self.simulator.state().entries());
+        snapshot.input = [position, rate, acceleration, jerk];
+        if !self.switches.is_empty() {
+            seen.switches = self.switches;
+        }
+    }
+
+    fn simplify(&mut self, simplified: Simplifications) {
+        self.simplified = simplified;
+        let is_coarse = simplified.contains(Simplification::Steps);
+        self.simulator.set_stretch(if is_coarse { 2.0 } else { 1.0 });
+    }
+
+    fn limit_work(&mut self, TurnLimit { early, most }: TurnLimit) {
+        self.simulator.limit_work(WorkLimit { early, most });
+    }
+
+    fn kind(&self) -> VoiceKind {
+        self.kind
+    }
+
+    fn reset(&mut self, sample: &KeySample) {
+        let input = self.memory.input.reset(sample.position);
+        let (mode, state, displacement) = self.rest_under(&input);
+        self.has_failed = false;
+        let is_there = displacement == 0.0;
+        self.memory.shift =
+            if is_there { InputShift::default() } else { InputShift::new(displacement) };
+        if let Some(coupling) = &mut self.memory.coupling {
+            coupling.place(&Motion { position: input.position + displacement, ..input });
+        }
+        self.simulator.place(mode, state);
+        self.auditor.forget();
+        self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
+        self.begin_account();
+        self.rest = RestDetector::new(*self.simulator.state(), self.h);
+    }
+
+    fn retune(&mut self, values: &ModelValues) -> bool {
+        if values.model() != self.memory.model.id() {
+            return false;
+        }
+        let model = self.simulator.model().with_values(values.as_slice());
+        self.up = self.controller.is_some().then(|| model.at_rest(&Motion::default()));
+        if let Some((mode, state)) = &self.up {
+            self.at_rest = model.energy(*mode, state, &Motion::default());
+        }
+        self.simulator.set_model(model);
+        self.auditor.forget();
+        self.revision = values.revision();
+        // What was at rest may not be any more, and what was stored is another amount.
+        self.rest = RestDetector::new(*self.simulator.state(), self.h);
+        self.begin_account();
+        true
+    }
+
+    fn take_over(&mut self, before: &dyn Voice) -> bool {
+        let memory = before.memory().and_then(|it| it.downcast_ref::<KeyMemory>());
+        let Some(memory) = memory else { return false };
+        let entry: &ModelEntry = &memory.model;
+        let mut seen = VoiceObservation::default();
+        before.observe(&mut seen);
+        let model = self.simulator.model();
+        // It has not begun: it is at rest, as it was built.
+        let structure = seen.snapshot.structure();
+        let Some(mode) = same_mode(model, entry, structure) else { return false };
+        let mut state = *self.simulator.state();
+        carry(state.as_mut(), model.entry(), (entry, &seen.snapshot));
+        self.memory.damper = memory.damper.with_damper(model.damper());
+        if model.entry().is(entry) {
+            self.memory.succeed(memory);
+        } else {
+            // What another version calls its input may be something else.
+            self.memory.input.succeed(&memory.input);
+            let newest = self.memory.input.newest();
+            if let Some(coupling) = &mut self.memory.coupling {
+                coupling.place(&newest);
+            }
+        }
+        let (mode, state) = self.simulator.model().begin(mode, &state, &self.memory.key());
+        self.simulator.place(mode, state);
+        self.begin_account();
+        true
+    }
+
+    fn memory(&self) -> Option<&dyn Any> {
+        Some(&self.memory)
+    }
+}
+
+impl<M, T> RehearsableVoice for RenderedKey<M, T>
+where
+    M: Playable,
+    T: Stepper + Send + 'static,
+{
+    fn copy(&self) -> Box<dyn RehearsableVoice> {
+        Box::new(Self { cell: Arc::default(), ..self.clone() })
+    }
+}
+
+/// Turns the guard that sounds into a strike, and notes changes of mode.
+struct Strikes<'a> {
+    tick: u64,
+    events: &'a mut Events,
+    switches: &'a mut Switches,
+    /// What events took from the model's key so far (readout s).
+    impulse: f64,
+}
+
+impl<M: Playable> Watch<M> for Strikes<'_> {
+    fn piece<S: Signal<Motion>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.impulse += event.impulse;
+        let guard =
+            if let pode::EventCause::Guard(spec) = event.cause { spec.id.0 } else { u8::MAX };
+        self.switches.push(Switch {
+            theta: event.theta,
+            from: model.mode_code(event.before.0).structure(),
+            to: model.mode_code(event.after.0).structure(),
+            guard,
+        });
+        let pode::EventCause::Guard(spec) = event.cause else { return };
+        let sounding = model.sounding(spec.id, &event.before.1);
+        if let Some(sounding) = sounding.filter(|it| it.speed >= model.softest_tone()) {
+            let at = Moment { tick: self.tick, theta: event.theta };
+            self.events.push(at, strike(model, sounding.speed));
+        }
+    }
+}
+
+/// A strike at `speed` (m/s), as loud as the instrument has it.
+fn strike<M: Playable>(model: &M, speed: f64) -> KeyEvent {
+    let midi = model.midi();
+    let loudness = Loudness { hammer_speed: hammer_speed(&midi, speed), velocity: midi.velocity };
+    KeyEvent::Strike { speed, loudness }
+}
+
+/// Returns the limit of work at which a turn was cut off; 0 if it was not.
+const fn limit_reached(advance: Advance) -> u32 {
+    match advance {
+        Advance::Capped(Cap::Work(limit)) => limit,
+        Advance::Capped(_) | Advance::Completed | Advance::Faulty(_) => 0,
+    }
+}
+
+const fn fault(advance: Advance, handled: u32) -> Option<VoiceFault> {
+    match advance {
+        Advance::Completed => None,
+        Advance::Capped(_) => Some(VoiceFault::Capped { handled }),
+        Advance::Faulty(_) => Some(VoiceFault::NotFinite),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use haptics::{AnyEstimator, EnergyBound, Kalman};
+    use instruments::SmallModel;
+    use scene::Library;
+
+    use super::*;
+
+    /// A ball that weighs nothing, on a key that is not touched.
+    fn weightless(h: f64) -> RenderedKey<SmallModel, pode::stepper::Rk4> {
+        let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
+        let fittings = VoiceSettings {
+            input: InputPath::new(estimator, None, -5.0, h),
+            coupling: None,
+            gains: Gains::default(),
+            device: None,
+            gate: ForceGate::new(25.0, 2e4).unwrap(),
+            passivity: PassivityObserver::new(EnergyBound::of_force_limit(25.0, 10e-3), h),
+            controller: None,
+            limits: Limits::default(),
+            cell: Arc::default(),
+            h,
+            slopes: SlopeOutput::Unused,
+            revision: 0,
+        };
+        // Gravity, restitution, mass, drop, and floor per key travel.
+        let values = [0.0, 0.5, 0.01, 0.1, -5.0];
+        let model = Library::default().find("bouncing-ball", "".as_ref()).expect("the ball");
+        let model = model.small().expect("a small model").with_values(&values);
+        let mut voice = RenderedKey::new(model, pode::stepper::Rk4, fittings);
+        voice.reset(&KeySample::fresh(0.0));
+        voice
+    }
+
+    /// The first of `ticks` in which `voice` sleeps.
+    fn first_idle(voice: &mut impl Voice, ticks: u32) -> Option<u64> {
+        let mut turn = VoiceOutput::default();
+        (0..u64::from(ticks)).find(|tick| {
+            turn.begin();
+            voice.tick(*tick, &KeySample::fresh(0.0), &mut turn);
+            turn.idle
+        })
+    }
+
+    #[test]
+    fn a_ball_that_hovers_sleeps_after_20_ms_and_one_that_drifts_never_does() {
+        for hz in [1000_u32, 10_000] {
+            let h = 1.0 / f64::from(hz);
+            let idle = |voice: &mut _| first_idle(voice, hz);
+            assert_eq!(idle(&mut weightless(h)), Some(u64::from(hz) / 50), "{hz} Hz");
+            let mut drifting = weightless(h);
+            let mode = drifting.simulator.mode();
+            drifting.simulator.place(mode, [0.1, 20e-3, 0.0, 0.0]);
+            assert_eq!(idle(&mut drifting), None, "{hz} Hz");
+        }
+    }
+}

@@ -1,0 +1,3 @@
+//! The loop on this machine's threads.
+
+mod realtime;

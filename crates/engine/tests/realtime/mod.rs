@@ -1,0 +1,3 @@
+//! Lanes and budgets on real threads.
+
+mod budgets;

@@ -1,7 +1,0 @@
-//! Expressions against trees that are evaluated by recursion, tapes against both, and series
-//! against closed forms and the committed code.
-
-mod common;
-mod graph;
-mod tape;
-mod taylor;

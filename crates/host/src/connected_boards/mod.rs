@@ -1,0 +1,191 @@
+//! Boards on links, for every command: opening, planning, calibration files.
+
+pub mod planning;
+
+use std::path::PathBuf;
+
+use boards::calibration::{KeyCalibration, file};
+use boards::keybed::{Armed, FoundBoard, Keybed, NamedLink};
+use boards::links::HostClock;
+use boards::links::address::Address;
+use boards::links::can::{BusSide, CanMode};
+use boards::links::reconnecting::ReconnectingLink;
+use boards::plan::Medium;
+use boards::plan::uart::Wiring;
+use boards::refusal::{BoardName, Refusal};
+use documents::shown;
+use firmware_protocol::frame::hello::feature;
+use firmware_protocol::key::PerKey;
+use scheduler::time::Nanos;
+
+use crate::control::BoardsTold;
+use engine::realtime::clock;
+use scene::{BoardBus, Boards};
+
+/// Longest time for boards to answer, and to be armed (us).
+pub const PATIENCE_US: u64 = 4_000_000;
+
+/// Begins of the names of serial ports whose bits take their time on a wire.
+const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
+
+/// Returns the host's clock, as boards' clocks are compared with it (us).
+pub fn now_us() -> u64 {
+    clock::monotonic().as_u64() / 1_000
+}
+
+/// Returns the clock of a host with boards behind `buses`: a virtual one that begins at 0 if all
+/// of them lead to programs in lockstep.
+pub fn clock(buses: &[BoardBus]) -> HostClock {
+    let is_virtual = !buses.is_empty() && buses.iter().all(|bus| bus.address.is_in_lockstep());
+    if is_virtual { HostClock::virtual_time() } else { HostClock::Monotonic(now_us) }
+}
+
+/// Opens a link for a host that lives by `clock`. A link to real boards is opened again whenever
+/// it goes down; a program in lockstep is started once, since another one would begin at time 0.
+///
+/// # Errors
+/// If it cannot be opened now.
+pub fn open(bus: &BoardBus, clock: &HostClock) -> Result<NamedLink, boards::links::Error> {
+    let (address, its_clock) = (bus.address.clone(), clock.clone());
+    let open = move || address.open(BusSide::Host, &its_clock);
+    let link = if bus.address.is_in_lockstep() {
+        open()?
+    } else {
+        Box::new(ReconnectingLink::open(open)?)
+    };
+    let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
+    let (name, address) = (bus.address.name(), bus.address.typed());
+    Ok(NamedLink { name, address, link, medium })
+}
+
+/// Opens all links for a host that lives by `clock`.
+///
+/// # Errors
+/// All that cannot be opened, a sentence on each, to be printed after "letoff: ".
+pub fn open_all(buses: &[BoardBus], clock: &HostClock) -> Result<Vec<NamedLink>, String> {
+    let (mut lines, mut wrong) = (Vec::new(), Vec::new());
+    for bus in buses {
+        match open(bus, clock) {
+            Ok(line) => lines.push(line),
+            Err(error) => wrong.push(error.to_string()),
+        }
+    }
+    if wrong.is_empty() { Ok(lines) } else { Err(wrong.join("\nletoff: ")) }
+}
+
+/// Returns what a link is made of, as far as its name and its rates tell.
+///
+/// USB devices and pseudo-terminals take any baud rate and keep none.
+pub fn medium(bus: &BoardBus) -> Option<Medium> {
+    let (nominal, data) = bus.bit_rates;
+    match &bus.address {
+        Address::Can { mode: CanMode::Fd, .. } => Some(Medium::CanFd { nominal, data }),
+        Address::Can { mode: CanMode::Classic, .. } => {
+            Some(Medium::ClassicCan { bitrate: nominal })
+        }
+        Address::Serial { port, baud } => {
+            let device = std::fs::canonicalize(port).unwrap_or_else(|_absent| port.clone());
+            let name = device.file_name()?.to_str()?;
+            let is_uart = UARTS.iter().any(|start| name.starts_with(start));
+            is_uart.then_some(Medium::Uart { baud: *baud, wiring: Wiring::FullDuplex })
+        }
+        Address::Rig { .. } => None,
+    }
+}
+
+/// Returns whether a link exists in memory only, and takes no time.
+pub fn is_virtual(address: &Address) -> bool {
+    match address {
+        Address::Can { interface, .. } => {
+            interface.starts_with("vcan") || interface.starts_with("vxcan")
+        }
+        Address::Serial { .. } => false,
+        Address::Rig { .. } => true,
+    }
+}
+
+/// Returns the folder of calibration files.
+pub fn folder(boards: &Boards) -> Option<PathBuf> {
+    boards.calibration.clone().or_else(file::usual_folder)
+}
+
+/// Returns how the keys of a board behind one of the `boards`' buses read: from its file; a
+/// simulated board reads as it says.
+///
+/// # Errors
+/// If there is no file, or it cannot be used.
+pub fn calibration(
+    found: &FoundBoard,
+    name: &BoardName,
+    boards: &Boards,
+) -> Result<PerKey<KeyCalibration>, Refusal> {
+    let board = || name.clone();
+    let path = folder(boards).map(|folder| file::path(&folder, found.uid()));
+    let n_keys = usize::from(found.hello.n_keys);
+    let read = path.as_deref().map(|path| file::read(path, found.uid(), n_keys)).transpose();
+    match read.map_err(|why| Refusal::Calibration { board: board(), why })?.flatten() {
+        Some(calibration) => Ok(calibration),
+        None if found.hello.features & feature::FINGERS != 0 => Ok(nominal(found)),
+        None => {
+            let file = path.map_or_else(|| found.uid().to_string(), |it| shown(&it));
+            let bus = boards.buses.get(found.line);
+            let link = bus.map_or_else(|| name.line.clone(), |bus| bus.address.typed());
+            Err(Refusal::NotCalibrated { board: board(), link, file })
+        }
+    }
+}
+
+/// Tells all boards to render no force until they are seen to, several times since none answers.
+pub fn stop_all(keybed: &mut Keybed<Armed>) -> BoardsTold {
+    /// Times that the command is sent, since none answers it.
+    const TIMES: u8 = 3;
+    /// Tries of a line that has no room yet, and the pause between them.
+    const TRIES: u8 = 20;
+    const PAUSE: Nanos = Nanos::from_millis(1);
+    let boards = keybed.terms().count();
+    let mut told = 0;
+    for n in 0..TRIES {
+        told = told.max(keybed.stop(1));
+        if TIMES <= n + 1 && told == boards {
+            break;
+        }
+        clock::sleep_until(clock::monotonic().after(PAUSE));
+    }
+    BoardsTold { told, boards }
+}
+
+/// Returns the calibrations that a board states itself.
+fn nominal(found: &FoundBoard) -> PerKey<KeyCalibration> {
+    alike(found, found.nominal())
+}
+
+/// Returns the keys that are to be measured: how they read is as their board says, where they are
+/// may be anywhere.
+pub fn unmeasured(found: &FoundBoard) -> PerKey<KeyCalibration> {
+    alike(found, found.nominal().unmeasured())
+}
+
+/// Returns the keys that all read in the same way.
+fn alike(found: &FoundBoard, calibration: KeyCalibration) -> PerKey<KeyCalibration> {
+    PerKey::collect(std::iter::repeat_n(calibration, usize::from(found.hello.n_keys)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(address: &str, medium: Option<&str>) {
+        let bus = BoardBus::new(Address::parse(address).unwrap());
+        assert_eq!(super::medium(&bus).map(|it| it.to_string()).as_deref(), medium, "{address}");
+    }
+
+    #[test]
+    fn a_link_whose_bits_take_their_time_has_a_medium() {
+        check("can:can0", Some("CAN FD at 1/5 Mbit/s"));
+        check("classic-can:can0", Some("classic CAN at 1 Mbit/s"));
+        check("serial:/dev/ttyUSB7@3000000", Some("serial line at 3 Mbaud"));
+        check("serial:/dev/ttyACM7", None);
+        check("serial:/dev/pts/99", None);
+    }
+}

@@ -1,0 +1,163 @@
+//! The virtual pianist: reads its pieces, rehearses them on the scene's own keys, sits down.
+//!
+//! A play list is one long score, so that all of it is rehearsed before the first tick.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use documents::shown;
+use haptics::Gesture;
+use instruments::{Playable, Visitor};
+use pianist::{Performance, Pianist, Score, Technique, read};
+
+use super::SessionError;
+use crate::control::RunHandle;
+use crate::rehearsal::{MAX_REHEARSED_TICKS, RehearsalError, RehearsalWork, RehearsedKey};
+use crate::report::UnplayedNotes;
+use engine::realtime::clock;
+use engine::voice::VoiceBuilder;
+use scene::{PerformanceSource, PlayList, Scene};
+
+pub use pianist::Progress as PianistProgress;
+
+/// Silence between two pieces (s), in which fingers and strings come to rest.
+const REST: f64 = 2.0;
+
+/// A play list as it will be played.
+#[derive(Debug)]
+pub(super) struct RehearsedPlayList {
+    pub(super) performance: Performance,
+    pub(super) pieces: usize,
+    /// Length of a pass in ticks, if the list repeats.
+    pub(super) pass: Option<u64>,
+    /// Notes of the pieces that no key is asked for.
+    pub(super) unplayed: UnplayedNotes,
+}
+
+/// Rehearses the scene's play list, up to `duration` (s) if the run ends before the list does.
+pub(super) fn rehearse(
+    scene: &Scene,
+    builder: &VoiceBuilder<'_>,
+    duration: Option<f64>,
+    handle: &RunHandle,
+    progress: &(dyn Fn(PianistProgress) + Sync),
+) -> Result<Option<RehearsedPlayList>, SessionError> {
+    let Some(PlayList { pieces, repeat }) = &scene.play_list else { return Ok(None) };
+    let technique = Technique { hold: Gesture::hold_of(scene.rig.dip), ..Technique::default() };
+    let score = load_all(pieces)?;
+    let length = score.end() + technique.lead_in;
+    let work =
+        Arc::new(RehearsalWork::new(MAX_REHEARSED_TICKS, Arc::clone(handle.background.is_over())));
+    let keys = keys_of(builder, &work)?;
+    let (mut score, unplayed) = within(score, duration, technique.lead_in, &keys);
+    without_dynamics(&mut score, scene);
+    let period = builder.period().as_secs_f64();
+    if least_ticks(&score, period) > MAX_REHEARSED_TICKS as f64 {
+        return Err(RehearsalError::TooLong.into());
+    }
+    let keys = Mutex::new(keys);
+    let instrument = |key: u8| {
+        let keys = keys.lock().unwrap_or_else(PoisonError::into_inner);
+        // `within` left only notes on keys that are there.
+        keys[usize::from(key)].clone().unwrap_or_else(|| unreachable!("key {key} has no voice"))
+    };
+    let pianist = Pianist { curve: scene.midi.curve, technique, ..Pianist::default() };
+    let rehearsed = |now: PianistProgress| {
+        handle.status.rehearse(now.done, now.total);
+        progress(now);
+    };
+    let mut performance = pianist.prepare(&score, instrument, rehearsed);
+    work.verdict()?;
+    // Of a score that was cut, the length says too little.
+    let length = length.max(performance.end()) + REST - technique.lead_in;
+    let pass = repeat.then(|| clock::nearest_integer((length / period).ceil()));
+    performance.repeat = pass.map(|ticks| ticks as f64 * period);
+    Ok(Some(RehearsedPlayList { performance, pieces: pieces.len(), pass, unplayed }))
+}
+
+/// Reads pieces as one score, in which one begins a rest after the other.
+fn load_all(pieces: &[PerformanceSource]) -> Result<Score, SessionError> {
+    let scores: Vec<_> = pieces.iter().map(load).collect::<Result<_, _>>()?;
+    let lifted = scores.into_iter().map(Score::with_pedals_lifted);
+    Ok(lifted.reduce(|one, next| one.followed_by(next, REST)).unwrap_or_default())
+}
+
+fn load(source: &PerformanceSource) -> Result<Score, SessionError> {
+    let failed =
+        |name: &str, reason: String| SessionError::Performance { name: name.into(), reason };
+    let (name, score) = match source {
+        PerformanceSource::Embedded(name, bytes) => ((*name).to_owned(), read(bytes)),
+        PerformanceSource::Path(path) => {
+            let name = shown(path);
+            let bytes = std::fs::read(path).map_err(|error| failed(&name, error.to_string()))?;
+            (name, read(&bytes))
+        }
+    };
+    score.map_err(|error| failed(&name, error.to_string()))
+}
+
+/// Has keys without dynamics played with an even touch, however their notes are written: nobody
+/// strikes an organ harder for a louder tone.
+fn without_dynamics(score: &mut Score, scene: &Scene) {
+    /// The velocity of that touch.
+    const EVEN: u8 = 64;
+    for note in &mut score.notes {
+        let voice = scene.keys[usize::from(note.key)].as_ref();
+        if voice.is_some_and(|voice| voice.model.visit(HasOneVelocity)) {
+            note.velocity = EVEN;
+        }
+    }
+}
+
+/// Asks a model whether all its notes have one velocity.
+struct HasOneVelocity;
+
+impl Visitor for HasOneVelocity {
+    type Output = bool;
+
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
+        model.midi().velocity.is_some()
+    }
+}
+
+/// Returns the key of every voice, at rest.
+fn keys_of(
+    builder: &VoiceBuilder<'_>,
+    work: &Arc<RehearsalWork>,
+) -> Result<Vec<Option<RehearsedKey>>, SessionError> {
+    let mut keys = vec![None; scheduler::motion::KEYS];
+    for (key, voice) in builder.keys() {
+        let rehearsed = keys[key].insert(RehearsedKey::of_scene(builder, key, voice)?);
+        rehearsed.count_by(Arc::clone(work));
+    }
+    Ok(keys)
+}
+
+/// Returns the ticks of `period` (s) that a rehearsal of `score` takes at least: each key's up to
+/// its last note.
+fn least_ticks(score: &Score, period: f64) -> f64 {
+    let mut last = BTreeMap::<u8, f64>::new();
+    for note in &score.notes {
+        let last = last.entry(note.key).or_default();
+        *last = last.max(note.onset);
+    }
+    last.into_values().sum::<f64>() / period
+}
+
+/// Returns the part of `score` that is struck before `duration` (s) on keys that have a voice, and
+/// which of its notes are left out.
+fn within(
+    mut score: Score,
+    duration: Option<f64>,
+    lead_in: f64,
+    keys: &[Option<RehearsedKey>],
+) -> (Score, UnplayedNotes) {
+    let end = duration.map_or(f64::INFINITY, |duration| duration - lead_in);
+    score.notes.retain(|note| note.onset < end);
+    score.pedals.retain(|pedal| pedal.at < end);
+    let (voiced, without_voice): (Vec<_>, Vec<_>) =
+        score.notes.iter().copied().partition(|note| keys[usize::from(note.key)].is_some());
+    let without_voice: Vec<u8> = without_voice.iter().map(|note| note.key).collect();
+    let unplayed = UnplayedNotes::new(&without_voice, score.skipped, score.overlaps);
+    (Score { notes: voiced, ..score }, unplayed)
+}

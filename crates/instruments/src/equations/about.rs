@@ -1,0 +1,78 @@
+//! What a model says about itself: outputs, requirements, how a key plays it, how it is drawn.
+
+use pode::{GuardId, Motion};
+
+use crate::equations::mode_number::ModeNumber;
+use crate::equations::model::EquationModel;
+use crate::equations::table::{Equations, FunctionId, RequirementTable};
+
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// Writes the outputs in the order of [`ModelTable::outputs`](crate::equations::table::ModelTable::outputs).
+    ///
+    /// `out` may be shorter: what has no place is left out.
+    pub fn outputs(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, out: &mut [f64]) {
+        /// Most outputs that are found where there is no place for all of them.
+        const MOST: usize = 64;
+        let function = self.mode_table(mode).outputs;
+        let count = self.table().outputs.len();
+        if out.len() >= count {
+            self.call(function, x, input, out);
+        } else if count <= MOST {
+            let mut all = [0.0; MOST];
+            self.call(function, x, input, &mut all);
+            for (place, value) in out.iter_mut().zip(all) {
+                *place = value;
+            }
+        }
+    }
+
+    /// Returns the input per metre of key-front travel (unit of the input / m).
+    pub fn input_per_metre(&self) -> f64 {
+        self.of_constants(self.table().input_per_metre)
+    }
+
+    /// Returns the speed (m/s) of what strikes where `guard` fires from the state `before`; none
+    /// where that makes no sound.
+    pub fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<f64> {
+        let modes = self.table().modes.iter();
+        let mut guards = modes.flat_map(|mode| &mode.guards).filter(|it| it.id == guard.0);
+        let sounds = guards.find_map(|guard| guard.sounds)?;
+        let [speed] = self.values(sounds, before, &Motion::default());
+        Some(speed)
+    }
+
+    /// Returns the speed (m/s) of what strikes where `contact` closes from the state `before`; none
+    /// where it opens, or makes no sound.
+    pub fn contact_sounding(&self, contact: usize, before: &[f64; N]) -> Option<f64> {
+        let modes = self.table().modes.iter();
+        let mut tables =
+            modes.flat_map(|mode| &mode.contacts).filter(|it| usize::from(it.contact) == contact);
+        let sounds = tables.find_map(|table| table.sounds)?;
+        let [speed] = self.values(sounds, before, &Motion::default());
+        (speed > 0.0).then_some(speed)
+    }
+
+    /// Returns the conditions on the parameters that these values do not meet.
+    pub fn unmet(&self) -> impl Iterator<Item = &RequirementTable> + '_ {
+        let is_unmet = |it: &&RequirementTable| {
+            let margin = self.of_constants(it.margin);
+            margin.is_nan() || margin <= 0.0
+        };
+        self.table().requirements.iter().filter(is_unmet)
+    }
+
+    /// Writes the numbers of the drawing, as many as
+    /// [`DrawingTable::count`](crate::equations::table::DrawingTable::count) says, if `out` has room for them.
+    pub fn drawing_numbers(&self, out: &mut [f64]) {
+        let drawing = &self.table().drawing;
+        if out.len() >= drawing.count {
+            self.call(drawing.numbers, &[0.0; N], &Motion::default(), out);
+        }
+    }
+
+    /// A number that the constants give.
+    pub(crate) fn of_constants(&self, function: FunctionId) -> f64 {
+        let [value] = self.values(function, &[0.0; N], &Motion::default());
+        value
+    }
+}

@@ -1,0 +1,148 @@
+//! The guards of a mode, and where each leads.
+
+use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motion, Reset, Resets};
+
+use crate::equations::mode_number::ModeNumber;
+use crate::equations::model::{EquationModel, rates_of};
+use crate::equations::table::{
+    EnclosureLayout, Equations, FunctionId, GuardTable, RestingTable, WayTable,
+};
+
+/// A rebound slower than this is none (m/s): under gravity it would last 20 ps.
+const STILL: f64 = 1e-10;
+/// Bodies that part slower than this (m/s) while their guard fires all the same: their hop
+/// is lost in the rounding of a place of 1 m, up to 5 km/s² of pressing.
+const HOP: f64 = 1e-5;
+
+impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
+    #[inline]
+    fn guards(&self, mode: ModeNumber) -> &[GuardSpec] {
+        &self.mode_table(mode).guard_specs
+    }
+
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
+    fn guard_bound(
+        &self,
+        mode: ModeNumber,
+        guard: GuardId,
+        over: &Enclosure<[f64; N], Motion>,
+    ) -> GuardBound {
+        let bound = self.guard_table(mode, guard).and_then(|guard| guard.bound);
+        self.bound(bound, over)
+    }
+
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
+    fn guard(&self, mode: ModeNumber, guard: GuardId, x: &[f64; N], input: &Motion) -> GuardValue {
+        let Some(guard) = self.guard_table(mode, guard) else {
+            return GuardValue::new(f64::NAN, f64::NAN);
+        };
+        let (rates, mut out) = (rates_of(input), [f64::NAN; 2]);
+        self.functions().call(guard.value, &self.arguments(x, &rates, &[]), &mut out);
+        GuardValue::new(out[0], out[1])
+    }
+}
+
+impl<F: Equations + Clone, const N: usize, const C: usize> Resets for EquationModel<F, N, C> {
+    fn reset(&self, mode: ModeNumber, guard: GuardId, x: &[f64; N], input: &Motion) -> Reset<Self> {
+        let leads = self.leads(mode, guard, x, input);
+        let reset = Reset::to(leads.to, leads.state).with_impulse(leads.impulse);
+        match leads.rests {
+            Some((to, state)) => reset.resting(to, state),
+            None => reset,
+        }
+    }
+}
+
+/// Where a guard leads, whatever the model around the structure is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leads<const N: usize> {
+    pub(crate) to: ModeNumber,
+    pub(crate) state: [f64; N],
+    pub(crate) impulse: f64,
+    pub(crate) rests: Option<(ModeNumber, [f64; N])>,
+}
+
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// The table of a guard in a mode, if it has it.
+    #[inline]
+    pub(crate) fn guard_table(&self, mode: ModeNumber, id: GuardId) -> Option<&GuardTable> {
+        self.mode_table(mode).guards.iter().find(|guard| guard.id == id.0)
+    }
+
+    /// The bound that a function gives over a step; unknown without one, and where it is no number.
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
+    pub(crate) fn bound(
+        &self,
+        bound: Option<FunctionId>,
+        over: &Enclosure<[f64; N], Motion>,
+    ) -> GuardBound {
+        let Some(bound) = bound else { return GuardBound::UNKNOWN };
+        let numbers = EnclosureLayout::numbers(over);
+        let input = over.input.map_or([f64::INFINITY; 4], |most| {
+            [most.position, most.rate, most.acceleration, most.jerk]
+        });
+        let mut out = [f64::INFINITY; 2];
+        let arguments = self.arguments(&over.start, &input, numbers.as_flattened());
+        self.functions().call(bound, &arguments, &mut out);
+        let [moves, bend] = out.map(|it| if it.is_nan() { f64::INFINITY } else { it });
+        GuardBound::new(moves, bend)
+    }
+
+    /// Where a guard leads from `x`; it keeps everything where the table has no way for it.
+    pub(crate) fn leads(
+        &self,
+        mode: ModeNumber,
+        guard: GuardId,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Leads<N> {
+        let ways = self.guard_table(mode, guard).map_or(&[][..], |guard| &guard.ways);
+        let is_open = |way: &&WayTable| {
+            way.when.is_none_or(|when| {
+                let [margin] = self.values(when, x, input);
+                margin > 0.0
+            })
+        };
+        let stay = Leads { to: mode, state: *x, impulse: 0.0, rests: None };
+        let Some(way) = ways.iter().find(is_open) else { return stay };
+        let (state, impulse) =
+            way.reset.map_or((*x, 0.0), |reset| self.state_and_number(reset, x, input));
+        let leads = Leads { to: ModeNumber(way.to), state, impulse, rests: None };
+        match way.resting {
+            Some(resting) => self.met(resting, (mode, leads), x, input),
+            None => leads,
+        }
+    }
+
+    /// An impact with a restitution: a rebound, a rest, or neither where the bodies part already.
+    fn met(
+        &self,
+        resting: RestingTable,
+        (from, rebound): (ModeNumber, Leads<N>),
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Leads<N> {
+        let [closing, restitution] = self.values(resting.meeting, x, input);
+        if closing < -HOP {
+            // An input that jumped put one into the other.
+            let state = self.with_places_of(&rebound.state, x);
+            return Leads { to: from, state, impulse: 0.0, rests: None };
+        }
+        let (state, impulse) = self.state_and_number(resting.state, x, input);
+        let to = ModeNumber(resting.to);
+        if restitution * closing <= STILL {
+            Leads { to, state, impulse, rests: None }
+        } else {
+            Leads { rests: (restitution < 1.0).then_some((to, state)), ..rebound }
+        }
+    }
+
+    /// The coordinates of `places` with the speeds of `x`.
+    fn with_places_of(&self, places: &[f64; N], x: &[f64; N]) -> [f64; N] {
+        let count = self.table().coordinates;
+        core::array::from_fn(|i| if i < count { places[i] } else { x[i] })
+    }
+}

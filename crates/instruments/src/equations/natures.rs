@@ -1,0 +1,63 @@
+//! What the equations of each mode are like with these parameters: kinds, rates, longest steps.
+
+use pode::{EquationKind, Nature, Part};
+
+use crate::equations::mode_number::ModeNumber;
+use crate::equations::table::ModeTable;
+
+/// Most modes of one [`EquationModel`](crate::equations::EquationModel).
+pub const MAX_MODES: usize = 32;
+
+/// Most parts of all modes that have several; what is more has the nature of its mode.
+pub(crate) const MAX_MODE_PARTS: usize = 24;
+
+/// The natures of all modes, and the parts of those that have several.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct ModeNatures {
+    pub(crate) modes: [ModeNature; MAX_MODES],
+    pub(crate) parts: [Part; MAX_MODE_PARTS],
+}
+
+/// The nature of one mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct ModeNature {
+    pub(crate) nature: Nature,
+    /// Longest step (s).
+    pub(crate) longest_step: f64,
+    /// Where its parts begin; they are the table's own beyond the list.
+    pub(crate) first: usize,
+}
+
+impl Default for ModeNatures {
+    fn default() -> Self {
+        let nature = Nature::new(EquationKind::Smooth, 0.0);
+        let mode = ModeNature { nature, longest_step: f64::INFINITY, first: MAX_MODE_PARTS };
+        Self { modes: [mode; MAX_MODES], parts: [Part::WHOLE; MAX_MODE_PARTS] }
+    }
+}
+
+impl ModeNatures {
+    fn mode(&self, mode: ModeNumber) -> &ModeNature {
+        &self.modes[usize::from(mode.0) % MAX_MODES]
+    }
+
+    #[inline]
+    pub(crate) fn nature(&self, mode: ModeNumber) -> Nature {
+        self.mode(mode).nature
+    }
+
+    #[inline]
+    pub(crate) fn longest_step(&self, mode: ModeNumber) -> f64 {
+        self.mode(mode).longest_step
+    }
+
+    /// The parts of `mode`; the table's own where it has only one.
+    #[inline]
+    pub(crate) fn parts<'a>(&'a self, mode: ModeNumber, table: &'a ModeTable) -> &'a [Part] {
+        let first = self.mode(mode).first;
+        self.parts
+            .get(first..first + table.parts.len())
+            .filter(|_| first < MAX_MODE_PARTS)
+            .unwrap_or(&table.part_list)
+    }
+}

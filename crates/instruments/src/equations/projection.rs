@@ -1,0 +1,37 @@
+//! The state on the constraints that no coordinate is solved from.
+
+use pode::Motion;
+
+use crate::equations::model::EquationModel;
+use crate::equations::table::{Equations, FunctionId, ModeTable};
+
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// The state on the constraints that are not solved in closed form, by a few Newton steps.
+    #[cold]
+    pub(crate) fn projected(
+        &self,
+        projection: FunctionId,
+        mode: &ModeTable,
+        x: [f64; N],
+        input: &Motion,
+    ) -> [f64; N] {
+        /// Along an orbit one is enough; after an event a few.
+        const STEPS: usize = 8;
+        /// What is left of a constraint (m or rad).
+        const NOTHING: f64 = 1e-14;
+        let (count, drifts) = (self.table().states.len(), mode.projected);
+        let mut x = x;
+        for _ in 0..STEPS {
+            let mut out = [[0.0; N]; 3];
+            self.call(projection, &x, input, out.as_flattened_mut());
+            let flat = out.as_flattened();
+            let drift = flat.iter().skip(count).take(drifts);
+            let most = drift.fold(0.0, |most: f64, drift| most.max(drift.abs()));
+            if !most.is_finite() || most <= NOTHING {
+                break;
+            }
+            x = core::array::from_fn(|i| if i < count { flat[i] } else { 0.0 });
+        }
+        x
+    }
+}

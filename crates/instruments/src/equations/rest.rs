@@ -1,0 +1,187 @@
+//! Where a model rests: an equilibrium of the mode that is meant, or of another one that holds.
+
+use pode::{Fires, Guarded as _, Matrix as _, Model as _, Motion, State};
+
+use crate::equations::jacobian_bound::matrix;
+use crate::equations::mode_number::ModeNumber;
+use crate::equations::model::{DoesNotFit, EquationModel};
+use crate::equations::relax::{Descent, is_near};
+use crate::equations::table::{Equations, ModeTable};
+
+/// From a guess a tenth off Newton needs 4 to 6 rounds; 40 leave room for soft felts.
+const ROUNDS: usize = 40;
+/// A step that moves each entry by less than this part of it is rounding.
+const ROUNDING: f64 = 4e-16;
+/// A rate below this (m/s², or rad/s²) is none: a micrometre in four seconds.
+const STILL: f64 = 1e-7;
+
+/// Where a model rests, and whether that is an equilibrium.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct RestPose<const N: usize> {
+    /// The mode at rest, which holds there if any of the model's modes does.
+    pub mode: ModeNumber,
+    /// The state at rest, or the guess where no equilibrium was found near it.
+    pub state: [f64; N],
+    /// The entry of the state that changes fastest, and how fast it does (unit of the entry / s);
+    /// none where the forces balance.
+    pub imbalance: Option<(usize, f64)>,
+}
+
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// Returns where the model rests with the values of a preset for a key, and with the input at 0.
+    ///
+    /// # Errors
+    /// As of [`Self::new`].
+    pub fn rest_of_preset(
+        functions: F,
+        (preset, key): (usize, u8),
+    ) -> Result<RestPose<N>, DoesNotFit> {
+        let mut values = [0.0; C];
+        Self::without_natures(functions.clone(), &[])?.preset(preset, key, &mut values);
+        let model = Self::without_natures(functions, &values)?;
+        Ok(model.rest_pose(&Motion::default()))
+    }
+
+    /// Returns mode and state at rest under a constant input, or where the table says that it
+    /// starts.
+    ///
+    /// # Real-time
+    /// As [`Self::rest_pose`]: bounded, but meant for once per voice.
+    pub fn at_rest(&self, input: &Motion) -> (ModeNumber, [f64; N]) {
+        let RestPose { mode, state, .. } = self.rest_pose(input);
+        (mode, state)
+    }
+
+    /// Returns where it rests, with what is left of the forces.
+    ///
+    /// The mode is the table's where its equilibrium breaks none of its guards, else the first of
+    /// the others whose equilibrium breaks none. A mode that has no equilibrium near the table's
+    /// guess rests at the guess.
+    ///
+    /// # Real-time
+    /// Bounded: in each mode that is tried two descents of 240 steps, and Newton's method twice,
+    /// which stops after 40 rounds. The first mode needs some 20 of all these steps.
+    pub fn rest_pose(&self, input: &Motion) -> RestPose<N> {
+        let still = Motion { position: input.position, ..Motion::default() };
+        let first = self.rest_mode(&still);
+        let own = self.rest_in(first, &still);
+        let pose = if !self.table().rest.is_improved || self.is_valid(&own, &still) {
+            own
+        } else {
+            let numbers = (0..).zip(&self.table().modes).map(|(number, _)| ModeNumber(number));
+            let mut others = numbers
+                .filter(|mode| *mode != first)
+                .map(|mode| self.rest_in(mode, &still))
+                .filter(|pose| self.is_valid(pose, &still));
+            others.next().unwrap_or(own)
+        };
+        RestPose { state: self.constrain(pose.mode, &pose.state, input), ..pose }
+    }
+
+    /// Returns where the mode that the table names comes to rest, whether it is over there or not.
+    pub(crate) fn own_rest(&self, input: &Motion) -> [f64; N] {
+        self.rest_in(self.rest_mode(input), input).state
+    }
+
+    /// The mode that the table names for these parameters.
+    fn rest_mode(&self, input: &Motion) -> ModeNumber {
+        let rest = &self.table().rest;
+        let is_met = |when| {
+            let [margin] = self.values(when, &[0.0; N], input);
+            margin > 0.0
+        };
+        let other = rest.instead.iter().find(|(when, _)| is_met(*when));
+        ModeNumber(other.map_or(rest.mode, |(_, mode)| *mode))
+    }
+
+    /// The equilibrium of one mode near the table's guess, or the guess.
+    fn rest_in(&self, mode: ModeNumber, input: &Motion) -> RestPose<N> {
+        let rest = &self.table().rest;
+        let mut guess = [0.0; N];
+        self.call(rest.state, &[0.0; N], input, &mut guess);
+        let guess = self.constrain(mode, &guess, input);
+        if !rest.is_improved {
+            return RestPose { mode, state: guess, imbalance: None };
+        }
+        let found = self.balanced(mode, &guess, input);
+        let state = found.unwrap_or(guess);
+        let (entry, rate) = self.fastest_entry(self.mode_table(mode), &state, input);
+        let is_balanced = found.is_some() || rate <= STILL;
+        RestPose { mode, state, imbalance: (!is_balanced).then_some((entry, rate)) }
+    }
+
+    /// Whether the pose is an equilibrium at which the mode is not over.
+    fn is_valid(&self, pose: &RestPose<N>, input: &Motion) -> bool {
+        /// What is in rounding of a guard, in its scales.
+        const TOUCHING: f64 = -1e-9;
+        let mut guards =
+            self.guards(pose.mode).iter().filter(|it| it.fires == Fires::WhileNegative);
+        pose.imbalance.is_none()
+            && guards.all(|it| {
+                self.guard(pose.mode, it.id, &pose.state, input).value >= TOUCHING * it.scale
+            })
+    }
+
+    /// The equilibrium near `guess`: by Newton's method where nothing is in the way, else downhill
+    /// first.
+    fn balanced(&self, mode: ModeNumber, guess: &[f64; N], input: &Motion) -> Option<[f64; N]> {
+        let at_once = || self.equilibrium(mode, guess, input);
+        let by = |descent| {
+            let low = self.relaxed(mode, guess, input, descent);
+            self.settled(mode, &low, input)
+        };
+        let downhill = || by(Descent::Energy).or_else(|| by(Descent::Imbalance));
+        if self.mode_table(mode).contacts.is_empty() {
+            at_once().or_else(downhill)
+        } else {
+            downhill().or_else(at_once)
+        }
+    }
+
+    /// The equilibrium at the end of a descent: Newton's method takes it to rounding. Where it
+    /// finds none, since the model can move without a force, the descent's own end may be one.
+    fn settled(&self, mode: ModeNumber, low: &[f64; N], input: &Motion) -> Option<[f64; N]> {
+        /// Newton's method goes no farther from where the descent ended, in parts of an entry.
+        const NEAR: f64 = 1e-3;
+        let exact = self.equilibrium(mode, low, input).filter(|exact| is_near(low, exact, NEAR));
+        let is_still = || self.fastest_entry(self.mode_table(mode), low, input).1 <= STILL;
+        exact.or_else(|| is_still().then_some(*low))
+    }
+
+    /// Where Newton's method from `guess` ends, if it does.
+    fn equilibrium(&self, mode: ModeNumber, guess: &[f64; N], input: &Motion) -> Option<[f64; N]> {
+        let table = self.mode_table(mode);
+        let moving = table.parts.iter().fold(0, |all, part| all | part.entries);
+        let mut x = *guess;
+        for _ in 0..ROUNDS {
+            let step = self.newton_step(table, moving, &x, input)?;
+            x = self.constrain(mode, &x.plus(1.0, &step), input);
+            if is_near(&x, &x.plus(1.0, &step), ROUNDING) {
+                return Some(x);
+            }
+        }
+        // To and fro in the last digits is as good.
+        (self.fastest_entry(table, &x, input).1 <= STILL).then_some(x)
+    }
+
+    /// A step of Newton's method towards a zero of the derivative's entries that move.
+    fn newton_step(
+        &self,
+        table: &ModeTable,
+        moving: u64,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<[f64; N]> {
+        let has = |index: usize| index < self.table().states.len() && moving >> index & 1 == 1;
+        let (rates, rows) = self.held_up(table, x, input);
+        let imbalance = core::array::from_fn(|i| if has(i) { rates[i] } else { 0.0 });
+        // 1 − M is minus the Jacobian where something moves, and 1 elsewhere.
+        let unit = |i: usize, j: usize| f64::from(u8::from(i == j));
+        let entry = |i, j| if has(i) && has(j) { unit(i, j) + rows[i][j] } else { 0.0 };
+        let shifted = core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)));
+        let shifted: <[f64; N] as State>::Matrix = matrix(&shifted);
+        let factored = shifted.factor(1.0);
+        <[f64; N] as State>::Matrix::solve(&factored, &imbalance)
+            .filter(|step| step.iter().all(|entry| entry.is_finite()))
+    }
+}

@@ -1,0 +1,273 @@
+//! A model's table as the structure of a mechanism with contacts.
+
+use core::array;
+
+use pode::contacts::{
+    ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
+    FrictionForces, FrictionLimits, WithContacts,
+};
+use pode::filippov::Surface;
+use pode::{
+    Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded as _, Model,
+    Motion, Nature, ReadoutSlopes, Reset, Sloped,
+};
+
+use crate::equations::mode_number::ModeNumber;
+use crate::equations::model::EquationModel;
+use crate::equations::rows::add_rows;
+use crate::equations::table::{ContactModeTable, Equations, FunctionId};
+
+impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// The table of a contact in a mode, if it can close there.
+    #[inline]
+    fn contact(&self, mode: ModeNumber, contact: usize) -> Option<&ContactModeTable> {
+        self.mode_table(mode).contacts.iter().find(|it| usize::from(it.contact) == contact)
+    }
+
+    /// The sums of all closed contacts' balances: readout, energy, supplied, dissipated.
+    #[inline]
+    pub(crate) fn contact_sums(
+        &self,
+        (mode, closed): (ModeNumber, ContactIndices),
+        x: &[f64; N],
+        input: &Motion,
+    ) -> [f64; 4] {
+        let closed = closed.iter().filter_map(|contact| self.contact(mode, contact)?.balance);
+        closed.fold([0.0; 4], |sums, balance| {
+            let one: [f64; 4] = self.values(balance, x, input);
+            array::from_fn(|number| sums[number] + one[number])
+        })
+    }
+
+    /// What the friction forces add to the readout.
+    pub(crate) fn friction_readout(
+        &self,
+        mode: ModeNumber,
+        forces: &FrictionForces,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> f64 {
+        let one = |(contact, force)| {
+            let response = self.contact(mode, contact)?.response?;
+            Some(force * self.state_and_number(response, x, input).1)
+        };
+        forces.iter().filter_map(one).sum()
+    }
+
+    fn contact_values<const K: usize>(
+        &self,
+        function: Option<FunctionId>,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<[f64; K]> {
+        function.map(|function| self.values(function, x, input))
+    }
+}
+
+impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
+    for EquationModel<F, N, C>
+{
+    type Structure = ModeNumber;
+    type State = [f64; N];
+    type Input = Motion;
+    const COORDS: usize = N / 2;
+
+    #[inline]
+    fn coordinates(&self) -> usize {
+        self.table().coordinates
+    }
+
+    fn contacts(&self) -> &[ContactSpec] {
+        &self.table().contact_specs
+    }
+
+    #[inline]
+    fn gap(&self, mode: ModeNumber, contact: usize, x: &[f64; N], input: &Motion) -> GuardValue {
+        let gap = self.contact(mode, contact).and_then(|contact| contact.gap);
+        // What cannot close is apart.
+        let [value, rate] = self.contact_values(gap, x, input).unwrap_or([1.0, 0.0]);
+        GuardValue::new(value, rate)
+    }
+
+    #[inline]
+    fn derivative(
+        &self,
+        mode: ModeNumber,
+        closed: ContactIndices,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> [f64; N] {
+        let mut rates = Model::derivative(self, mode, x, input);
+        for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
+            self.add_normal(contact.normal, x, input, &mut rates);
+        }
+        rates
+    }
+
+    fn slip(
+        &self,
+        mode: ModeNumber,
+        contact: usize,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Surface<[f64; N]> {
+        let mut out = [[0.0; N]; 3];
+        if let Some(slip) = self.contact(mode, contact).and_then(|contact| contact.slip) {
+            self.call(slip, x, input, out.as_flattened_mut());
+        }
+        let (flat, count) = (out.as_flattened(), self.table().states.len());
+        let at = |index: usize| flat.get(index).copied().unwrap_or(0.0);
+        let gradient = array::from_fn(|i| if i < count { at(2 + i) } else { 0.0 });
+        Surface { value: at(0), drift: at(1), gradient }
+    }
+
+    fn response(&self, mode: ModeNumber, contact: usize, x: &[f64; N], input: &Motion) -> [f64; N] {
+        let response = self.contact(mode, contact).and_then(|contact| contact.response);
+        response.map_or([0.0; N], |response| self.state_and_number(response, x, input).0)
+    }
+
+    fn friction(
+        &self,
+        mode: ModeNumber,
+        contact: usize,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> FrictionLimits {
+        let limits = self.contact(mode, contact).and_then(|contact| contact.limits);
+        let [stiction, kinetic] = self.contact_values(limits, x, input).unwrap_or([0.0; 2]);
+        FrictionLimits { stiction, kinetic }
+    }
+
+    fn readout(
+        &self,
+        mode: ModeNumber,
+        closed: ContactIndices,
+        forces: &FrictionForces,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> f64 {
+        Model::readout(self, mode, x, input)
+            + self.contact_sums((mode, closed), x, input)[0]
+            + self.friction_readout(mode, forces, x, input)
+    }
+
+    /// Those of the structure and of each closed contact; none where a friction is felt at the input.
+    fn slopes(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<ReadoutSlopes> {
+        let mut all = Sloped::slopes(self, mode, x, input);
+        for contact in contacts.closed() {
+            let slopes = self.contact(mode, contact)?.slopes?;
+            let [per_position, per_rate] = self.values(slopes, x, input);
+            all.per_position += per_position;
+            all.per_rate += per_rate;
+        }
+        Some(all)
+    }
+
+    fn structure_guards(&self) -> &[GuardSpec] {
+        &self.table().guard_specs
+    }
+
+    fn is_watched(&self, mode: ModeNumber, guard: GuardId) -> bool {
+        self.guard_table(mode, guard).is_some()
+    }
+
+    fn structure_guard(
+        &self,
+        mode: ModeNumber,
+        guard: GuardId,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> GuardValue {
+        self.guard(mode, guard, x, input)
+    }
+
+    fn reset(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        guard: GuardId,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Reset<WithContacts<Self>> {
+        let leads = self.leads(mode, guard, x, input);
+        let with = |structure| ContactMode { structure, contacts };
+        let reset = Reset::to(with(leads.to), leads.state).with_impulse(leads.impulse);
+        match leads.rests {
+            Some((to, state)) => reset.resting(with(to), state),
+            None => reset,
+        }
+    }
+
+    /// A closed contact's rate is that of the state, hence left to the longest step.
+    fn nature(&self, mode: ModeNumber, contacts: ContactSet) -> Nature {
+        let nature = self.natures().nature(mode);
+        if contacts.closed().is_empty() {
+            nature
+        } else {
+            Nature::new(EquationKind::Smooth, nature.rate)
+        }
+    }
+
+    fn longest_step(&self, mode: ModeNumber, _contacts: ContactSet) -> f64 {
+        self.natures().longest_step(mode)
+    }
+
+    /// By the Jacobian with the contacts that touch: two of them in each step, and a derivative.
+    fn longest_step_at(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> f64 {
+        let closed = contacts.closed();
+        if closed.is_empty() {
+            return Model::longest_step_at(self, mode, x, input);
+        }
+        let jacobian = |x: &[f64; N]| {
+            let mut rows = self.jacobian_rows(self.mode_table(mode).jacobian, x, input);
+            for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
+                add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
+            }
+            rows
+        };
+        let rates = ContactSystem::derivative(self, mode, closed, x, input);
+        self.step_by(jacobian, (self.natures().longest_step(mode), rates), x)
+    }
+
+    #[inline]
+    fn guard_bound(
+        &self,
+        mode: ModeNumber,
+        guard: ContactGuard,
+        over: &Enclosure<[f64; N], Motion>,
+    ) -> GuardBound {
+        let bound = match guard {
+            ContactGuard::Gap(contact) => match self.contact(mode, contact) {
+                Some(contact) => contact.bound,
+                None => return GuardBound::STILL,
+            },
+            ContactGuard::Structure(guard) => {
+                self.guard_table(mode, guard).and_then(|guard| guard.bound)
+            }
+            ContactGuard::Friction(contact) => {
+                self.contact(mode, contact).and_then(|contact| contact.slip_bound)
+            }
+        };
+        self.bound(bound, over)
+    }
+
+    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
+        Model::constrain(self, mode, x, input)
+    }
+
+    fn longest_projection(&self, mode: ModeNumber) -> f64 {
+        Model::longest_projection(self, mode)
+    }
+}

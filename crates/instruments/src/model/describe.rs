@@ -1,0 +1,155 @@
+//! What a model says about itself: names, parameters, presets, how a key plays it.
+
+use alloc::sync::Arc;
+use core::fmt;
+
+use crate::equations::table::MidiTable;
+use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
+
+use crate::model::draw::Sketch;
+use crate::model::entry::ModelEntry;
+use crate::model::mode_code::ModeCode;
+use crate::model::parts::ModelParts;
+
+/// A model with a name, parameters, and names for all that it has.
+///
+/// All of it belongs to the value, not to the type: one type is every model that is read from a
+/// file. Its state is an array, so that entries can be set by name: `x.as_mut()[index]`.
+pub trait Described:
+    Model<Input = Motion, State: AsMut<[f64]>>
+    + Resets
+    + Energetic
+    + Sloped
+    + Clone
+    + PartialEq
+    + Send
+    + 'static
+{
+    /// Returns what all voices of the model share.
+    fn shared(&self) -> &Arc<ModelParts>;
+
+    /// Names, units, parameters and presets.
+    fn entry(&self) -> &ModelEntry {
+        self.shared()
+    }
+
+    /// The same model with one value per parameter; a missing one is taken from the default
+    /// preset.
+    #[must_use]
+    fn with_values(&self, values: &[f64]) -> Self;
+
+    /// The number of `mode`.
+    fn mode_code(&self, mode: Self::Mode) -> ModeCode;
+
+    /// The mode with this number, if there is one.
+    fn mode(&self, number: ModeCode) -> Option<Self::Mode>;
+
+    /// Writes the name of the mode with this number: the structural mode's, where the model has no
+    /// contacts; `?` if there is none.
+    ///
+    /// # Errors
+    /// If `to` takes no text.
+    fn write_mode(&self, number: ModeCode, to: &mut dyn fmt::Write) -> fmt::Result {
+        let mode = self.entry().modes.get(usize::from(number.structure()));
+        to.write_str(mode.filter(|_| self.mode(number).is_some()).map_or("?", |mode| mode.name))
+    }
+
+    /// Every structural mode with its name, with all contacts open.
+    fn modes(&self) -> impl Iterator<Item = (Self::Mode, &'static str)> {
+        let named = |(index, mode): (u8, &crate::model::entry::ModeEntry)| {
+            Some((self.mode(ModeCode::structural(index))?, mode.name))
+        };
+        (0..=u8::MAX).zip(&self.entry().modes).filter_map(named)
+    }
+
+    /// Writes the outputs, forces first, for files and plots.
+    fn outputs(&self, mode: Self::Mode, x: &Self::State, input: &Motion, out: &mut [f64]);
+
+    /// Tells each condition on the parameters that these values do not meet, as people read it:
+    /// `string > trip`.
+    fn unmet(&self, _tell: &mut dyn FnMut(&str)) {}
+
+    /// At rest under a constant input, or where the parameters say that it starts: a
+    /// `y0` above 0 is a drop.
+    fn at_rest(&self, input: &Motion) -> (Self::Mode, Self::State);
+
+    /// Returns where the model begins at `x` in the structural mode of `mode`: constraints hold,
+    /// and what overlaps is closed.
+    fn begin(
+        &self,
+        mode: Self::Mode,
+        x: &Self::State,
+        input: &Motion,
+    ) -> (Self::Mode, Self::State) {
+        (mode, self.constrain(mode, x, input))
+    }
+}
+
+/// A model that can be rendered on a key.
+pub trait Playable: Described {
+    /// The damper that the key lifts.
+    fn damper(&self) -> Damper {
+        Damper::USUAL
+    }
+
+    /// Speed below which what strikes touches the string but does not sound (m/s).
+    fn softest_tone(&self) -> f64 {
+        Damper::USUAL_SOFTEST_TONE
+    }
+
+    /// What becomes of strikes and of the key's force in MIDI.
+    fn midi(&self) -> MidiTable {
+        MidiTable::HAMMER
+    }
+
+    /// Input per metre of key-front travel (unit of the input / m); a force at the
+    /// finger is the readout times this.
+    fn input_per_metre(&self) -> f64;
+
+    /// What firing `guard` in `before` sounds, if anything.
+    fn sounding(&self, guard: GuardId, before: &Self::State) -> Option<Sounding>;
+
+    /// Draws the mechanism, with these values.
+    fn draw(&self, _sketch: &mut dyn Sketch) {}
+}
+
+/// A damper that a key lifts off its string.
+///
+/// `lift` is above `fall` by many encoder counts, so that a key held at a height does not chatter.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Damper {
+    /// Key-front travel at which it leaves the string (m).
+    pub lift: f64,
+    /// Key-front travel at which it is back on the string (m).
+    pub fall: f64,
+}
+
+impl Damper {
+    /// Of a description that says nothing of a damper: at half of the usual dip (piano-facts).
+    pub const USUAL: Self = Self { lift: 5.0e-3, fall: 4.6e-3 };
+
+    /// Softest tone of a description that says nothing of it (m/s).
+    ///
+    /// Grands were measured to give no tone below 0.18 m/s (piano-facts); a little less, so that
+    /// the limit lies below the softest MIDI velocity of the Disklavier's curve.
+    pub const USUAL_SOFTEST_TONE: f64 = 0.15;
+}
+
+/// Returns the speed of a grand's hammer (m/s) that is as loud as a strike at `speed` (m/s).
+///
+/// The softest and the loudest strike of an instrument with these conventions are a grand's softest
+/// and loudest tone, and those between go by logarithms, as loudness is heard.
+pub fn hammer_speed(midi: &MidiTable, speed: f64) -> f64 {
+    /// Of a grand (m/s) (Goebl, Bresin & Galembo 2005).
+    const TONES: (f64, f64) = (0.18, 6.8);
+    let Some((softest, loudest)) = midi.speeds else { return speed };
+    let place = (speed.max(f64::MIN_POSITIVE) / softest).ln() / (loudest / softest).ln();
+    TONES.0 * (TONES.1 / TONES.0).powf(place)
+}
+
+/// A guard's firing that is heard.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Sounding {
+    /// Speed of what strikes (m/s).
+    pub speed: f64,
+}

@@ -1,0 +1,234 @@
+//! What is known of a model without building one.
+#![expect(
+    clippy::disallowed_types,
+    clippy::disallowed_macros,
+    reason = "once for a model, off the tick"
+)]
+
+use alloc::sync::Arc;
+use core::fmt;
+use core::sync::atomic::{AtomicU64, Ordering};
+
+use crate::equations::table::{
+    Arguments, FunctionId, Functions, ModeTable, ModelTable, NamedQuantity, is_pose,
+};
+
+use crate::model::source::ModelSource;
+
+/// Arithmetic that a table and its presets share.
+pub type SharedFunctions = Arc<dyn Functions>;
+
+/// A parameter of a model, with its unit and range.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Parameter {
+    /// Name in scenes, on the command line and in files.
+    pub name: &'static str,
+    /// Name for people; equal to `name` where it needs no other.
+    pub title: Box<str>,
+    /// SI unit; `"1"` for a ratio.
+    pub unit: &'static str,
+    /// Smallest and largest allowed value.
+    pub range: (f64, f64),
+    /// What it is, in one line.
+    pub doc: Box<str>,
+}
+
+/// A named set of parameter values, graded over the compass.
+#[derive(Clone)]
+pub struct Preset {
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub doc: Box<str>,
+    functions: SharedFunctions,
+    values: FunctionId,
+    parameters: usize,
+}
+
+impl Preset {
+    /// Returns the values of all parameters for a key, 0 (A0) ..= 87 (C8).
+    pub fn values(&self, key: u8) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.parameters];
+        let extra = [f64::from(key)];
+        let arguments = Arguments { constants: &[], state: &[], input: &[0.0; 4], extra: &extra };
+        self.functions.call(self.values, &arguments, &mut values);
+        values
+    }
+
+    /// Returns the value of the parameter with this index for a key.
+    pub fn value(&self, parameter: usize, key: u8) -> f64 {
+        self.values(key).get(parameter).copied().unwrap_or(f64::NAN)
+    }
+}
+
+impl fmt::Debug for Preset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Preset").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+/// What is known of a model without building one.
+#[derive(Debug)]
+pub struct ModelEntry {
+    /// Number of this version of the model in this process.
+    id: u64,
+    /// Name in scenes and on the command line.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub summary: Box<str>,
+    /// The files it was read from; none of a model that is part of the program.
+    pub source: Option<ModelSource>,
+    /// The parameters, in the order of [`Described::with_values`](crate::Described::with_values).
+    pub parameters: Vec<Parameter>,
+    /// Its presets; the first is the default.
+    pub presets: Vec<Preset>,
+    /// Name of the input.
+    pub input: &'static str,
+    /// SI unit of the input.
+    pub input_unit: &'static str,
+    /// Names of its state's entries.
+    pub states: Vec<&'static str>,
+    /// SI unit of each of them.
+    pub state_units: Vec<&'static str>,
+    /// How many leading entries of the state are coordinates.
+    pub coordinates: usize,
+    /// Its structural modes, in the order of their numbers.
+    pub modes: Vec<ModeEntry>,
+    /// Names of its outputs.
+    pub outputs: Vec<&'static str>,
+    /// SI unit of each of them.
+    pub output_units: Vec<&'static str>,
+}
+
+impl ModelEntry {
+    /// Returns the entry of the model of `table`, as a version of its own.
+    pub(crate) fn new(
+        table: &ModelTable,
+        functions: &SharedFunctions,
+        source: Option<ModelSource>,
+    ) -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        let names = |all: &[NamedQuantity]| all.iter().map(|it| it.name).collect();
+        let units = |all: &[NamedQuantity]| all.iter().map(|it| it.unit).collect();
+        let parameters = table.parameters.iter().map(|it| Parameter {
+            name: it.name,
+            title: it.title.clone(),
+            unit: it.unit,
+            range: it.range,
+            doc: it.doc.clone(),
+        });
+        let presets = table.presets.iter().map(|it| Preset {
+            name: it.name,
+            doc: it.doc.clone(),
+            functions: Arc::clone(functions),
+            values: it.values,
+            parameters: table.parameters.len(),
+        });
+        Self {
+            id: NEXT.fetch_add(1, Ordering::Relaxed),
+            name: table.name,
+            summary: table.summary.clone(),
+            source,
+            parameters: parameters.collect(),
+            presets: presets.collect(),
+            input: table.input.name,
+            input_unit: table.input.unit,
+            states: names(&table.states),
+            state_units: units(&table.states),
+            coordinates: table.coordinates,
+            modes: table.modes.iter().map(|mode| ModeEntry::new(table, mode)).collect(),
+            outputs: names(&table.outputs),
+            output_units: units(&table.outputs),
+        }
+    }
+
+    /// Returns the number of this version of the model in this process.
+    pub const fn id(&self) -> u64 {
+        self.id
+    }
+
+    /// Returns `true` if this and `other` are the same model in the same version.
+    pub const fn is(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+
+    /// Returns the path of its description; none of a model that is part of the program.
+    pub fn file(&self) -> Option<&str> {
+        self.source.as_ref().map(|source| source.file.as_str())
+    }
+
+    /// Returns the number of its version; 0 of a model that is part of the program.
+    pub fn version(&self) -> u32 {
+        self.source.as_ref().map_or(0, |source| source.version)
+    }
+
+    /// Returns the unit of the guard called `name`; empty if there is none or it is not known.
+    pub fn guard_unit(&self, name: &str) -> &'static str {
+        let mut guards = self.modes.iter().flat_map(|mode| &mode.guards);
+        guards.find(|guard| guard.name == name).map_or("", |guard| guard.unit)
+    }
+
+    /// Returns the outputs that are of use to people; behind them are the poses that a drawing
+    /// follows.
+    pub fn quantities(&self) -> &[&'static str] {
+        let count = self.outputs.iter().take_while(|name| !is_pose(name)).count();
+        self.outputs.split_at(count).0
+    }
+
+    /// Returns the default preset's value of a parameter for the lowest key.
+    pub fn default_value(&self, parameter: usize) -> f64 {
+        self.presets.first().map_or(f64::NAN, |preset| preset.value(parameter, 0))
+    }
+}
+
+/// A structural mode: its mechanics, and how it ends.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ModeEntry {
+    pub name: &'static str,
+    /// Generalised coordinates of its mechanics. `[GC93]` table 1.
+    pub n: u8,
+    /// Constraints among these coordinates.
+    pub m: u8,
+    /// Degrees of freedom, n − m.
+    pub p: u8,
+    /// The guards, in the order of the model's own list.
+    pub guards: Vec<GuardEntry>,
+}
+
+impl ModeEntry {
+    /// A mode with its guards, and behind them the contacts that can close in it, which change no
+    /// structure.
+    fn new(table: &ModelTable, mode: &ModeTable) -> Self {
+        let name = |mode: u8| table.modes.get(usize::from(mode)).map(|mode| mode.name);
+        let guards = mode.guards.iter().map(|guard| {
+            let ways = guard.ways.iter();
+            let mut to: Vec<_> = Vec::new();
+            for next in ways.flat_map(|way| [Some(way.to), way.resting.map(|resting| resting.to)]) {
+                let next = next.and_then(name).filter(|next| !to.contains(next));
+                to.extend(next);
+            }
+            GuardEntry { name: guard.name, unit: guard.unit, to }
+        });
+        let contacts =
+            mode.contacts.iter().filter_map(|it| table.contacts.get(usize::from(it.contact)));
+        let names = contacts.flat_map(|contact| {
+            let gap = contact.gap.map(|_size| (contact.name, "m"));
+            [gap, contact.friction.map(|friction| (friction.0, ""))]
+        });
+        let to = [mode.name];
+        let contacts =
+            names.flatten().map(|(name, unit)| GuardEntry { name, unit, to: to.to_vec() });
+        let guards = guards.chain(contacts).collect();
+        let crate::equations::table::Freedom { n, m, p } = mode.freedom;
+        Self { name: mode.name, n, m, p, guards }
+    }
+}
+
+/// A guard of a mode, and where it leads.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct GuardEntry {
+    pub name: &'static str,
+    /// SI unit; empty if it is not known.
+    pub unit: &'static str,
+    /// The modes that may come next.
+    pub to: Vec<&'static str>,
+}

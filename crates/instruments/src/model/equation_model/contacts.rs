@@ -1,0 +1,189 @@
+//! The same with contacts: a mode is a structural mode, and what each contact does.
+
+use alloc::sync::Arc;
+use core::fmt;
+
+use crate::equations::table::MidiTable;
+use crate::equations::{EquationModel, ModeNumber};
+use pode::contacts::{
+    ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, WithContacts,
+};
+use pode::{GuardId, Motion};
+
+use crate::model::describe::{Damper, Described, Playable, Sounding};
+use crate::model::draw::Sketch;
+use crate::model::mode_code::ModeCode;
+use crate::model::parts::ModelParts;
+
+/// Most contacts whose states fit into a [`ModeCode`]: 5²⁴ is less than 2⁵⁶.
+pub const MAX_CODED_CONTACTS: usize = 24;
+
+/// What a contact can do, each at the place of its digit.
+const STATES: [ContactState; 5] = [
+    ContactState::Open,
+    ContactState::Closed,
+    ContactState::Stick,
+    ContactState::SlideUp,
+    ContactState::SlideDown,
+];
+
+/// The states of `count` contacts as a number to the base 5, the first contact last.
+fn code(contacts: &ContactSet, count: usize) -> u64 {
+    let digit = |contact| {
+        let state = contacts.state(contact);
+        (0..).zip(STATES).find(|(_, it)| *it == state).map_or(0, |(digit, _)| digit)
+    };
+    let digits = (0..count.min(MAX_CODED_CONTACTS)).rev().map(digit);
+    digits.fold(0, |code: u64, digit: u64| 5 * code + digit)
+}
+
+/// The states of `count` contacts of which this is the code; none if it is of more contacts.
+fn decoded(code: u64, count: usize) -> Option<ContactSet> {
+    let (mut set, mut rest) = (ContactSet::OPEN, code);
+    for contact in 0..count.min(MAX_CODED_CONTACTS) {
+        let digit = usize::from((rest % 5).to_le_bytes()[0]);
+        set = set.with(contact, STATES.get(digit).copied().unwrap_or(ContactState::Open));
+        rest /= 5;
+    }
+    (rest == 0).then_some(set)
+}
+
+/// The word for what a contact that is not open does.
+const fn word(state: ContactState) -> &'static str {
+    match state {
+        ContactState::Open => "open",
+        ContactState::Closed => "closed",
+        ContactState::Stick => "stick",
+        ContactState::SlideUp => "up",
+        ContactState::SlideDown => "down",
+    }
+}
+
+impl<const N: usize, const C: usize> Described
+    for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
+{
+    fn shared(&self) -> &Arc<ModelParts> {
+        self.system().shared()
+    }
+
+    /// What had few enough contacts has them again.
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::new(self.system().with_values(values)).unwrap_or_else(|_unchanged| self.clone())
+    }
+
+    fn mode_code(&self, mode: ContactMode<ModeNumber>) -> ModeCode {
+        let contacts = code(&mode.contacts, self.system().contacts().len());
+        ModeCode::with_contacts(mode.structure.0, contacts)
+    }
+
+    fn mode(&self, code: ModeCode) -> Option<ContactMode<ModeNumber>> {
+        let structure = self.system().mode(ModeCode::structural(code.structure()))?;
+        let contacts = decoded(code.contacts(), self.system().contacts().len())?;
+        Some(ContactMode { structure, contacts })
+    }
+
+    /// Writes the structural mode's name and each contact that is not open: `B1 string=closed`.
+    fn write_mode(&self, code: ModeCode, to: &mut dyn fmt::Write) -> fmt::Result {
+        let Some(mode) = self.mode(code) else { return to.write_str("?") };
+        self.system().write_mode(ModeCode::structural(code.structure()), to)?;
+        for contact in mode.contacts.closed() {
+            let name = self.system().contacts().get(contact).map_or("?", |contact| contact.name);
+            write!(to, " {name}={}", word(mode.contacts.state(contact)))?;
+        }
+        Ok(())
+    }
+
+    fn outputs(
+        &self,
+        mode: ContactMode<ModeNumber>,
+        x: &[f64; N],
+        input: &Motion,
+        out: &mut [f64],
+    ) {
+        self.system().outputs(mode.structure, x, input, out);
+    }
+
+    fn unmet(&self, tell: &mut dyn FnMut(&str)) {
+        Described::unmet(self.system(), tell);
+    }
+
+    /// What overlaps at rest is closed, and what has friction sticks.
+    fn at_rest(&self, input: &Motion) -> (ContactMode<ModeNumber>, [f64; N]) {
+        let system = self.system();
+        let (structure, x) = system.at_rest(input);
+        let mut contacts = ContactSet::OPEN;
+        for (number, contact) in system.contacts().iter().enumerate() {
+            let is_apart = system.gap(structure, number, &x, input).value >= 0.0;
+            let state = match (contact.gap, contact.friction) {
+                (Some(_), _) if is_apart => ContactState::Open,
+                (_, Some(_)) => ContactState::Stick,
+                (_, None) => ContactState::Closed,
+            };
+            contacts = contacts.with(number, state);
+        }
+        (ContactMode { structure, contacts }, x)
+    }
+
+    fn begin(
+        &self,
+        mode: ContactMode<ModeNumber>,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> (ContactMode<ModeNumber>, [f64; N]) {
+        self.start(mode.structure, x, input)
+    }
+}
+
+impl<const N: usize, const C: usize> Playable
+    for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
+{
+    fn damper(&self) -> Damper {
+        self.system().damper()
+    }
+
+    fn softest_tone(&self) -> f64 {
+        self.system().softest_tone()
+    }
+
+    fn midi(&self) -> MidiTable {
+        self.system().midi()
+    }
+
+    fn input_per_metre(&self) -> f64 {
+        self.system().input_per_metre()
+    }
+
+    /// Guards of the structure sound, and contacts that close.
+    fn sounding(&self, guard: GuardId, before: &[f64; N]) -> Option<Sounding> {
+        match ContactGuard::of(guard) {
+            ContactGuard::Structure(guard) => Playable::sounding(self.system(), guard, before),
+            ContactGuard::Gap(contact) => {
+                let speed = self.system().contact_sounding(contact, before);
+                speed.map(|speed| Sounding { speed })
+            }
+            ContactGuard::Friction(_) => None,
+        }
+    }
+
+    fn draw(&self, sketch: &mut dyn Sketch) {
+        self.system().draw(sketch);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_code_has_the_state_of_every_contact() {
+        let mut set = ContactSet::OPEN;
+        for (contact, state) in STATES.iter().cycle().take(MAX_CODED_CONTACTS).enumerate() {
+            set = set.with(contact, *state);
+        }
+        let number = code(&set, MAX_CODED_CONTACTS);
+        assert!(number < 1 << 56, "it fits beside the structural mode");
+        assert_eq!(decoded(number, MAX_CODED_CONTACTS), Some(set));
+        assert_eq!(decoded(number, MAX_CODED_CONTACTS - 1), None, "of more contacts");
+        assert_eq!(code(&ContactSet::OPEN, 7), 0);
+    }
+}

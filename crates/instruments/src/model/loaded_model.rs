@@ -1,0 +1,161 @@
+//! The few types of which all models are, and what is done with one of any of them.
+
+use alloc::sync::Arc;
+use core::ops::Deref;
+
+use crate::equations::table::{Equations as _, ModelTable};
+use crate::equations::{DoesNotFit, EquationModel};
+use pode::contacts::{TooManyGuards, WithContacts};
+
+use crate::model::describe::Playable;
+use crate::model::entry::ModelEntry;
+use crate::model::equation_model::MAX_CODED_CONTACTS;
+use crate::model::parts::ModelParts;
+use crate::model::source::ModelSource;
+
+pub use crate::model::entry::SharedFunctions;
+
+/// Most states, and most parameters and numbers that follow from them, of a model.
+pub const LARGEST: (usize, usize) = (32, 512);
+
+/// A model without contacts, with N states and C constants.
+type Loaded<const N: usize, const C: usize> = EquationModel<Arc<ModelParts>, N, C>;
+
+/// Why a model cannot be loaded, with how many there are.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DoesNotLoad {
+    /// More states than [`LARGEST`] has.
+    States(usize),
+    /// More constants than [`LARGEST`] has.
+    Constants(usize),
+    /// More modes than a model can have.
+    Modes(usize),
+    /// More contacts than [`MAX_CODED_CONTACTS`].
+    Contacts(usize),
+    /// More guards, contacts and frictions than can be followed.
+    Guards,
+}
+
+impl From<DoesNotFit> for DoesNotLoad {
+    fn from(why: DoesNotFit) -> Self {
+        match why {
+            DoesNotFit::States(n) => Self::States(n),
+            DoesNotFit::Constants(n) => Self::Constants(n),
+            DoesNotFit::Modes(n) => Self::Modes(n),
+        }
+    }
+}
+
+impl From<TooManyGuards> for DoesNotLoad {
+    fn from(why: TooManyGuards) -> Self {
+        match why {
+            TooManyGuards::Contacts(n) => Self::Contacts(n),
+            TooManyGuards::Frictions | TooManyGuards::Guards | TooManyGuards::Id(_) => Self::Guards,
+        }
+    }
+}
+
+/// A model of up to 4 states without contacts, for those who need its type.
+pub type SmallModel = Loaded<4, 192>;
+
+/// A model with contacts, or one that is large.
+type Contacting<const N: usize, const C: usize> = WithContacts<Loaded<N, C>>;
+
+/// A model with the values of its default preset, as one of a few types.
+///
+/// The types differ by what their arrays hold, so that a model in the tick needs no heap and a new
+/// description no new type. Each of them is compiled with all methods wherever models are visited,
+/// so there are no more than pay: a large model, or one with contacts, hardly notices room that it
+/// does not need.
+#[derive(Debug)]
+#[expect(clippy::large_enum_variant, reason = "one for each description that was read")]
+enum Prototype {
+    /// Up to 4 states and 192 constants, without contacts.
+    Small(SmallModel),
+    /// Up to 16 states and 384 constants, without contacts.
+    Medium(Loaded<16, 384>),
+    /// Up to 16 states and 384 constants, with contacts.
+    MediumWithContacts(Contacting<16, 384>),
+    /// Up to 32 states and 512 constants, with contacts or without.
+    Large(Contacting<32, 512>),
+}
+
+impl Prototype {
+    /// The smallest type into which the model fits.
+    #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+    fn new(parts: Arc<ModelParts>) -> Result<Self, DoesNotLoad> {
+        let table = parts.table();
+        let (states, contacts) = (table.states.len(), table.contacts.len());
+        let constants = table.constants.max(table.parameters.len());
+        let fits = |room: (usize, usize)| states <= room.0 && constants <= room.1;
+        Ok(if contacts > MAX_CODED_CONTACTS {
+            return Err(DoesNotLoad::Contacts(contacts));
+        } else if contacts == 0 && fits((4, 192)) {
+            Self::Small(Loaded::new(parts, &[])?)
+        } else if contacts == 0 && fits((16, 384)) {
+            Self::Medium(Loaded::new(parts, &[])?)
+        } else if fits((16, 384)) {
+            Self::MediumWithContacts(WithContacts::new(Loaded::new(parts, &[])?)?)
+        } else {
+            Self::Large(WithContacts::new(Loaded::new(parts, &[])?)?)
+        })
+    }
+}
+
+/// A model that was read from a description: its entry, and the model itself for a [`Visitor`].
+#[derive(Debug)]
+pub struct LoadedModel {
+    parts: Arc<ModelParts>,
+    prototype: Prototype,
+}
+
+impl LoadedModel {
+    /// Returns the model of `table` and `functions`, as a version of its own; `source` is
+    /// where it was read from.
+    ///
+    /// # Errors
+    /// A model that is larger than any that can be loaded.
+    #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+    pub fn new(
+        table: ModelTable,
+        functions: SharedFunctions,
+        source: Option<ModelSource>,
+    ) -> Result<Self, DoesNotLoad> {
+        let entry = ModelEntry::new(&table, &functions, source);
+        let parts = Arc::new(ModelParts::new(entry, table, functions));
+        Ok(Self { prototype: Prototype::new(Arc::clone(&parts))?, parts })
+    }
+
+    /// Returns the model with its type, if it is small.
+    pub fn small(&self) -> Option<SmallModel> {
+        if let Prototype::Small(model) = &self.prototype { Some(model.clone()) } else { None }
+    }
+
+    /// Does something with the model, which has the values of its default preset.
+    #[expect(clippy::large_stack_frames, reason = "once for a voice, off the tick")]
+    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+        match &self.prototype {
+            Prototype::Small(model) => visitor.visit(model.clone()),
+            Prototype::Medium(model) => visitor.visit(model.clone()),
+            Prototype::MediumWithContacts(model) => visitor.visit(model.clone()),
+            Prototype::Large(model) => visitor.visit(model.clone()),
+        }
+    }
+}
+
+impl Deref for LoadedModel {
+    type Target = ModelEntry;
+
+    fn deref(&self) -> &ModelEntry {
+        &self.parts
+    }
+}
+
+/// Something to be done with a model whose type is known to its [`LoadedModel`] only.
+pub trait Visitor: Sized {
+    /// What the visitor makes of a model.
+    type Output;
+
+    /// Does it with `model`, which has the values of its default preset.
+    fn visit<M: Playable>(self, model: M) -> Self::Output;
+}

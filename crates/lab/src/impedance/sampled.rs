@@ -1,0 +1,176 @@
+//! A voice as it is rendered: the key is shaken by a small sinusoid, and its force is held and late.
+//!
+//! At each frequency a new voice is taken slowly to the depth, and then shaken. Least squares of a
+//! constant, a sine and a cosine through the voice's forces give their fundamental at the ticks.
+//! What the finger feels is each force from its delay on, for a period: the fundamental of that is
+//! sinc(ωT/2) exp(−jω(T/2 + delay)) of it. Copies of it beyond half the rate are not counted.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::parallel::in_parallel;
+use crate::stability::{LoopQuantity, LoopValues, TrialAnswer, TrialVoice, VoiceMaker, VoiceOrder};
+use nalgebra_of_lm::{Complex, Matrix3, Vector3};
+
+use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};
+
+/// Highest frequency, as a part of the rate: at the half a sinusoid may be seen in its zeros only.
+const HIGHEST: f64 = 0.45;
+
+/// Time for the way down, and at rest there (s).
+pub(crate) const APPROACH: f64 = 0.5;
+const REST: f64 = 2.0;
+/// Least time and fewest cycles until the sinusoid is steady, and of what is measured then.
+const STEADY: (f64, f64) = (0.5, 4.0);
+const MEASURED: (f64, f64) = (1.0, 8.0);
+
+/// Largest acceleration of the key (m/s²), so that nothing is thrown that lies on it.
+const GENTLE: f64 = 0.5;
+
+/// How a force comes from its sample to the finger.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct ForceHold {
+    /// For how long it is held (s): a period of the loop.
+    pub period: f64,
+    /// From its sample until it acts (s).
+    pub delay: f64,
+}
+
+impl ForceHold {
+    /// Returns how a loop with these values holds its force.
+    pub const fn of(values: &LoopValues) -> Self {
+        let (period, delay) = (LoopQuantity::Period, LoopQuantity::Delay);
+        Self { period: values.get(period), delay: values.get(delay) }
+    }
+
+    /// Returns what is felt at `frequency` (Hz), over what the voice says.
+    pub fn at(&self, frequency: f64) -> Complex<f64> {
+        let half = PI * frequency * self.period;
+        let sinc = if half == 0.0 { 1.0 } else { half.sin() / half };
+        Complex::from_polar(sinc, -half - TAU * frequency * self.delay)
+    }
+
+    /// Returns the highest frequency (Hz) that is measured.
+    pub fn highest(&self) -> f64 {
+        HIGHEST / self.period
+    }
+}
+
+/// A voice that is shaken.
+#[derive(Clone, Copy)]
+pub struct ShakenVoice<'a> {
+    /// Makes a voice for each frequency.
+    pub maker: VoiceMaker<'a>,
+    /// What is made; period and delay are its own.
+    pub order: VoiceOrder<'a>,
+    /// Travel of the key's front (m).
+    pub depth: f64,
+    /// Largest amplitude (m).
+    pub amplitude: f64,
+}
+
+impl std::fmt::Debug for ShakenVoice<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ShakenVoice").field("order", &self.order).finish_non_exhaustive()
+    }
+}
+
+impl ShakenVoice<'_> {
+    /// Returns the impedance at `frequencies` (Hz); `done` is called after each.
+    ///
+    /// # Errors
+    /// If there is no such voice or it fails, in a sentence.
+    pub fn curve(
+        &self,
+        frequencies: &[f64],
+        done: &(dyn Fn() + Sync),
+    ) -> Result<ImpedanceCurve, String> {
+        let points = in_parallel(frequencies, &|frequency| {
+            let point = self.at(*frequency);
+            done();
+            point
+        });
+        let points = points.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let name = format!("voice, {}", self.order.estimator.name());
+        let ForceHold { period, delay } = ForceHold::of(self.order.values);
+        let [period, delay] = [period, delay].map(|it| 1e3 * it);
+        let remark = format!("force held for {period} ms, {delay} ms late");
+        Ok(ImpedanceCurve { name, remark, points })
+    }
+
+    /// The impedance at one frequency (Hz).
+    fn at(&self, frequency: f64) -> Result<ImpedancePoint, String> {
+        let held = ForceHold::of(self.order.values);
+        let omega = TAU * frequency;
+        let amplitude = self.amplitude.min(GENTLE / (omega * omega));
+        let mut voice = (self.maker)(&self.order)?;
+        let ticks = |time: f64| (time / held.period).ceil();
+        let long = |(time, cycles): (f64, f64)| ticks(time.max(cycles / frequency)).max(64.0);
+        let (down, still) = (ticks(APPROACH), ticks(APPROACH) + ticks(REST));
+        let (steady, end) = (long(STEADY), long(STEADY) + long(MEASURED));
+        let mut wave = Fundamental::default();
+        let mut tick = 0;
+        while (tick as f64) < still + end {
+            let since = tick as f64 - still;
+            let (sin, cos) = (omega * held.period * since).sin_cos();
+            let shaken = amplitude * smooth(since / (0.5 * steady));
+            let position = self.depth * smooth(tick as f64 / down) + shaken * sin;
+            let force = answer(voice.as_mut(), tick, position)
+                .map_err(|what| format!("at {frequency} Hz the voice {what}"))?;
+            if since >= steady {
+                wave.enter(sin, cos, force);
+            }
+            tick += 1;
+        }
+        let (gain, coherence) =
+            wave.gain().ok_or_else(|| format!("no sinusoid fits the forces at {frequency} Hz"))?;
+        let cycles = long(MEASURED) * held.period * frequency;
+        let z = gain / amplitude * held.at(frequency) / Complex::new(0.0, omega);
+        Ok(ImpedancePoint::measured(frequency, z, coherence, cycles))
+    }
+}
+
+fn answer(voice: &mut dyn TrialVoice, tick: u64, position: f64) -> Result<f64, &'static str> {
+    match voice.answer(tick, position) {
+        TrialAnswer::Force(force) => Ok(force),
+        TrialAnswer::Muted => Err("was muted because it makes energy; try a smaller --amplitude"),
+        TrialAnswer::Failed => Err("cannot be followed; try another --depth or a shorter --period"),
+    }
+}
+
+/// From 0 at 0 to 1 at 1, level at both ends.
+pub(crate) fn smooth(x: f64) -> f64 {
+    let x = x.clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
+}
+
+/// Least squares of a constant, a sine and a cosine.
+#[derive(Default)]
+struct Fundamental {
+    matrix: Matrix3<f64>,
+    moments: Vector3<f64>,
+    /// The first force, from which the others are counted (N), and their squares' sum (N²).
+    first: Option<f64>,
+    squares: f64,
+}
+
+impl Fundamental {
+    fn enter(&mut self, sin: f64, cos: f64, force: f64) {
+        let force = force - *self.first.get_or_insert(force);
+        let row = Vector3::new(1.0, sin, cos);
+        self.matrix += row * row.transpose();
+        self.moments += force * row;
+        self.squares += force * force;
+    }
+
+    /// The force's phasor over that of the sine (N), and the share of its power that fits.
+    fn gain(&self) -> Option<(Complex<f64>, f64)> {
+        let fit = self.matrix.cholesky()?.solve(&self.moments);
+        let count = self.matrix[(0, 0)];
+        let mean = self.moments[0] / count;
+        let power = self.squares - count * mean * mean;
+        let rest = self.squares - fit.dot(&self.moments);
+        // A force that does not change is explained, too.
+        let share = if power > f64::MIN_POSITIVE { 1.0 - rest / power } else { 1.0 };
+        Some((Complex::new(fit[1], fit[2]), share.clamp(0.0, 1.0)))
+    }
+}

@@ -1,0 +1,78 @@
+//! The functions that an expression can apply, and their values.
+
+use instruments::equations::functions::{
+    larger, logistic, sign, smaller, softplus, softplus_area, softplus_square_area,
+};
+use pode::math;
+
+/// A function of one argument.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum UnaryFunction {
+    Sin,
+    Cos,
+    Tanh,
+    Exp,
+    Ln,
+    Sqrt,
+    Abs,
+    /// −1, 0 or 1.
+    Sign,
+    /// ln(1 + eˣ), without overflow.
+    Softplus,
+    /// 1/(1 + e⁻ˣ), the slope of `Softplus`.
+    Logistic,
+    /// ∫ softplus from −∞ to x.
+    SoftplusArea,
+    /// ∫ softplus² from −∞ to x.
+    SoftplusSquareArea,
+    Asin,
+    Acos,
+}
+
+/// A function of two arguments.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum BinaryFunction {
+    /// atan2(y, x).
+    Atan2,
+    /// √(x² + y²), without overflow.
+    Hypot,
+    /// xʸ; a negative x gives no number unless y is whole.
+    Power,
+    Min,
+    Max,
+}
+
+impl UnaryFunction {
+    /// Returns the function's value at `x`.
+    pub fn of(self, x: f64) -> f64 {
+        match self {
+            Self::Sin => math::sin_cos(x).0,
+            Self::Cos => math::sin_cos(x).1,
+            Self::Tanh => math::tanh(x),
+            Self::Exp => math::exp(x),
+            Self::Ln => math::ln(x),
+            Self::Sqrt => math::sqrt(x),
+            Self::Abs => x.abs(),
+            Self::Sign => sign(x),
+            Self::Softplus => softplus(x),
+            Self::Logistic => logistic(x),
+            Self::SoftplusArea => softplus_area(x),
+            Self::SoftplusSquareArea => softplus_square_area(x),
+            Self::Asin => math::asin(x),
+            Self::Acos => math::acos(x),
+        }
+    }
+}
+
+impl BinaryFunction {
+    /// Returns the function's value at `x` and `y`, in the order in which it is written.
+    pub fn of(self, x: f64, y: f64) -> f64 {
+        match self {
+            Self::Atan2 => math::atan2(x, y),
+            Self::Hypot => math::hypot(x, y),
+            Self::Power => math::powf(x, y),
+            Self::Min => smaller(x, y),
+            Self::Max => larger(x, y),
+        }
+    }
+}

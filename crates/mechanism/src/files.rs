@@ -1,0 +1,100 @@
+//! The files of descriptions: on the disk, or kept in a recording.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use crate::kane::description::Bases;
+use instruments::FileContents;
+
+use crate::shipped::description;
+
+/// Longest file that is read (bytes).
+const MAX_FILE: u64 = 1 << 18;
+
+/// Why a file cannot be read, and what to do about it.
+pub(crate) type Unread = (String, &'static str);
+
+/// Returns `path` from the root on, as it is written otherwise.
+pub(crate) fn absolute(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_unknown| path.to_owned())
+}
+
+/// The contents of files that are known without the disk, by their absolute paths.
+#[derive(Debug, Default)]
+pub(crate) struct KeptFiles(Mutex<BTreeMap<PathBuf, Arc<[u8]>>>);
+
+impl KeptFiles {
+    pub(crate) fn keep(&self, path: &Path, text: &str) {
+        let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        kept.insert(absolute(path), text.as_bytes().into());
+    }
+
+    /// Returns the contents of the file at `path`: kept, or read from the disk.
+    pub(crate) fn read(&self, path: &Path) -> Result<Vec<u8>, Unread> {
+        let kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(bytes) = kept.get(&absolute(path)) {
+            return Ok(bytes.to_vec());
+        }
+        drop(kept);
+        read_from_disk(path)
+    }
+}
+
+pub(crate) fn read_from_disk(path: &Path) -> Result<Vec<u8>, Unread> {
+    let failed = |error: std::io::Error| {
+        if error.kind() == std::io::ErrorKind::NotFound {
+            ("there is no such file".to_owned(), "correct the path")
+        } else {
+            (format!("the file cannot be read, {error}"), "make it readable")
+        }
+    };
+    let bytes = documents::read_input(path, MAX_FILE).map_err(failed)?;
+    if bytes.len() as u64 > MAX_FILE {
+        let message = format!("the file is longer than {} KiB", MAX_FILE / 1024);
+        return Err((message, "this is no description, choose another"));
+    }
+    Ok(bytes)
+}
+
+/// Returns the present contents on the disk of the files in `before`.
+pub fn contents_now(before: &FileContents) -> FileContents {
+    before.read_again(&|path| read_from_disk(path).ok())
+}
+
+/// Reads the files of one description, and remembers what stood in them.
+#[derive(Debug)]
+pub(crate) struct DescriptionFiles<'a> {
+    kept: &'a KeptFiles,
+    contents: RefCell<FileContents>,
+}
+
+impl<'a> DescriptionFiles<'a> {
+    pub(crate) fn new(kept: &'a KeptFiles) -> Self {
+        Self { kept, contents: RefCell::default() }
+    }
+
+    pub(crate) fn read(&self, path: &Path) -> Result<Vec<u8>, Unread> {
+        let read = self.kept.read(path);
+        self.contents.borrow_mut().0.push((path.to_owned(), read.as_ref().ok().cloned()));
+        read
+    }
+
+    pub(crate) fn contents(&self) -> FileContents {
+        self.contents.borrow().clone()
+    }
+}
+
+/// What descriptions start from: models of the program by their names, and files beside the
+/// description that names them.
+impl Bases for DescriptionFiles<'_> {
+    fn load(&self, base: &str, from: &str) -> Result<(String, Vec<u8>), String> {
+        if let Some(text) = description(base) {
+            return Ok((base.to_owned(), text.as_bytes().to_vec()));
+        }
+        let path = Path::new(from).parent().unwrap_or_else(|| Path::new("")).join(base);
+        let bytes = self.read(&path).map_err(|(message, _help)| message)?;
+        Ok((path.to_string_lossy().into_owned(), bytes))
+    }
+}

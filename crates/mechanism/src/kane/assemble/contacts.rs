@@ -1,0 +1,146 @@
+//! What contacts and bearings do in one mode.
+
+use instruments::equations::table::{ContactModeTable, ContactTable, FunctionId};
+use pode::contacts::{ContactSpec, FrictionSpec};
+
+use super::builder::ModeBuilder;
+use super::functions::FunctionList;
+use super::{AssemblyError, guards, names};
+use crate::kane::graph::{Graph, Node, Place};
+use crate::kane::mechanism::Mechanism;
+use crate::kane::system::{ContactEquations, FrictionEquations};
+
+/// All contacts of a mechanism, as tables and as their automata have them.
+pub(super) fn specs(mechanism: &Mechanism) -> (Vec<ContactTable>, Vec<ContactSpec>) {
+    let one = |contact: &crate::kane::mechanism::MechanismContact| {
+        let gap = contact.gap.map(|_| contact.scale);
+        let friction = contact
+            .friction
+            .as_ref()
+            .map(|friction| (names::name(&friction.name), friction.scales.0, friction.scales.1));
+        let name = names::name(&contact.name);
+        let spec = ContactSpec {
+            name,
+            gap,
+            friction: friction.map(|(name, force, slip)| FrictionSpec::new(name, force, slip)),
+        };
+        (ContactTable { name, gap, friction }, spec)
+    };
+    mechanism.contacts.iter().map(one).unzip()
+}
+
+/// The contacts of a mode.
+pub(super) fn contacts(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+) -> Result<Vec<ContactModeTable>, AssemblyError> {
+    let mut tables = Vec::new();
+    for contact in &builder.equations.contacts {
+        let name = builder.context.mechanism.contacts.get(contact.contact);
+        let name = name.map_or("contact", |contact| contact.name.as_str());
+        tables.push(self::contact(graph, functions, builder, (name, contact))?);
+    }
+    Ok(tables)
+}
+
+fn contact(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, contact): (&str, &ContactEquations),
+) -> Result<ContactModeTable, AssemblyError> {
+    let mut table = ContactModeTable {
+        contact: u8::try_from(contact.contact).unwrap_or(u8::MAX),
+        gap: None,
+        bound: None,
+        normal: None,
+        jacobian: None,
+        balance: None,
+        slip: None,
+        limits: None,
+        response: None,
+        slip_bound: None,
+        slopes: None,
+        sounds: None,
+    };
+    if let Some(gap) = contact.gap {
+        table.gap = Some(builder.add(graph, functions, &format!("{name}_gap"), &gap)?);
+        table.bound = Some(guards::bound(graph, functions, builder, (name, gap[0]))?);
+        if let Some(speed) = contact.sounds {
+            let (closing, zero) = (graph.negate(gap[1]), graph.constant(0.0));
+            let speed = graph.select(closing, speed, zero);
+            table.sounds =
+                Some(builder.add(graph, functions, &format!("{name}_sounds"), &[speed])?);
+        }
+    }
+    if let Some(normal) = contact.normal {
+        self::normal(graph, functions, builder, (name, contact), (normal, &mut table))?;
+    }
+    if let Some(friction) = &contact.friction {
+        self::friction(graph, functions, builder, (name, friction), &mut table)?;
+    }
+    if contact.friction.as_ref().is_none_or(|friction| graph.is_zero(friction.readout)) {
+        table.slopes = Some(slopes(graph, functions, builder, (name, contact))?);
+    }
+    Ok(table)
+}
+
+/// What a closed contact adds to the slopes of the readout.
+fn slopes(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, contact): (&str, &ContactEquations),
+) -> Result<FunctionId, AssemblyError> {
+    let zero = graph.constant(0.0);
+    let force = contact.normal.map_or(zero, |normal| normal[0]);
+    let readout = graph.multiply(contact.normal_readout.unwrap_or(zero), force);
+    let slopes =
+        [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
+    builder.add(graph, functions, &format!("{name}_slopes"), &slopes)
+}
+
+/// The normal force of a closed contact: what it adds to the derivative, and to the balance.
+fn normal(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, contact): (&str, &ContactEquations),
+    ([force, energy, taken], table): ([Node; 3], &mut ContactModeTable),
+) -> Result<(), AssemblyError> {
+    let zero = graph.constant(0.0);
+    let mut added: Vec<_> =
+        contact.normal_response.iter().map(|per| graph.multiply(*per, force)).collect();
+    added.resize(builder.context.places.len(), zero);
+    let rows = builder.state.jacobian(graph, &added);
+    let rows: Vec<_> = rows.into_iter().flatten().collect();
+    let readout = contact.normal_readout.unwrap_or(zero);
+    let readout = graph.multiply(readout, force);
+    let rate = graph.symbol(Place::Input(1));
+    let supplied = graph.multiply(readout, rate);
+    let balance = [readout, energy, supplied, taken];
+    table.normal = Some(builder.add(graph, functions, &format!("{name}_normal"), &added)?);
+    table.jacobian = Some(builder.add(graph, functions, &format!("{name}_jacobian"), &rows)?);
+    table.balance = Some(builder.add(graph, functions, &format!("{name}_balance"), &balance)?);
+    Ok(())
+}
+
+/// The friction of a closed contact or a bearing.
+fn friction(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, friction): (&str, &FrictionEquations),
+    table: &mut ContactModeTable,
+) -> Result<(), AssemblyError> {
+    let slip = [&[friction.slip, friction.drift], friction.gradient.as_slice()].concat();
+    let response = [friction.response.as_slice(), &[friction.readout]].concat();
+    let limits = [friction.stiction, friction.kinetic];
+    table.slip = Some(builder.add(graph, functions, &format!("{name}_slip"), &slip)?);
+    let bound = guards::bound(graph, functions, builder, (&format!("{name}_slip"), friction.slip))?;
+    table.slip_bound = Some(bound);
+    table.limits = Some(builder.add(graph, functions, &format!("{name}_limits"), &limits)?);
+    table.response = Some(builder.add(graph, functions, &format!("{name}_response"), &response)?);
+    Ok(())
+}

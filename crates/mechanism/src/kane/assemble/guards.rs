@@ -1,0 +1,173 @@
+//! What ends a mode, and where that leads.
+
+use instruments::equations::table::{GuardTable, RestingTable, WayTable};
+use pode::{GuardId, GuardSpec, Reads};
+
+use super::builder::ModeBuilder;
+use super::functions::FunctionList;
+use super::kinds::is_of_input;
+use super::{AssemblyError, names};
+use crate::kane::bound::Bounds;
+use crate::kane::graph::{Graph, Node};
+use crate::kane::system::{GuardEquations, Way};
+
+/// The guards of a mode, as tables and as they are watched.
+pub(super) fn guards(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+) -> Result<(Vec<GuardTable>, Vec<GuardSpec>), AssemblyError> {
+    let (mut tables, mut specs) = (Vec::new(), Vec::new());
+    for guard in &builder.equations.guards {
+        let table = self::guard(graph, functions, builder, guard)?;
+        specs.push(GuardSpec {
+            id: GuardId(table.id),
+            name: table.name,
+            priority: table.priority,
+            scale: table.scale,
+            fires: table.fires,
+            reads: table.reads,
+        });
+        tables.push(table);
+    }
+    Ok((tables, specs))
+}
+
+fn guard(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    guard: &GuardEquations,
+) -> Result<GuardTable, AssemblyError> {
+    let name = &guard.name;
+    let values = [guard.value, guard.rate];
+    let mut ways = Vec::new();
+    for (number, way) in guard.ways.iter().enumerate() {
+        let label = format!("{name}_{number}");
+        ways.push(self::way(graph, functions, builder, (&label, guard.value, way))?);
+    }
+    let sounds =
+        guard.sounds.map(|node| builder.add(graph, functions, &format!("{name}_sounds"), &[node]));
+    Ok(GuardTable {
+        id: builder.context.numbers.number(guard),
+        name: names::name(name),
+        unit: names::name(&guard.unit),
+        priority: guard.priority,
+        scale: guard.scale,
+        fires: guard.fires,
+        reads: reads(graph, builder, &values),
+        value: builder.add(graph, functions, &format!("{name}_guard"), &values)?,
+        bound: Some(bound(graph, functions, builder, (name, guard.value))?),
+        ways,
+        sounds: sounds.transpose()?,
+    })
+}
+
+/// What a guard is a function of.
+fn reads(graph: &Graph, builder: &ModeBuilder<'_>, values: &[Node]) -> Reads {
+    if builder.follows_input || values.iter().any(|value| is_of_input(graph, *value)) {
+        Reads::StateAndInput
+    } else {
+        Reads::State
+    }
+}
+
+/// The function that bounds what `value` does over a step.
+pub(super) fn bound(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, value): (&str, Node),
+) -> Result<instruments::equations::table::FunctionId, AssemblyError> {
+    let value = builder.state.replaced(graph, &[value])[0];
+    let bounds = Bounds::new(graph, builder.context.places).of(graph, value);
+    builder.add(graph, functions, &format!("{name}_bound"), &bounds)
+}
+
+/// One way out of a mode.
+fn way(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, value, way): (&str, Node, &Way),
+) -> Result<WayTable, AssemblyError> {
+    let when =
+        way.branch.when.map(|when| builder.add(graph, functions, &format!("{name}_when"), &[when]));
+    let places = builder.context.places;
+    let keeps = way.state.iter().zip(places).all(|(node, place)| *node == graph.symbol(*place));
+    let reset = if keeps && graph.is_zero(way.impulse) {
+        None
+    } else {
+        let outputs = [way.state.as_slice(), &[way.impulse]].concat();
+        Some(builder.add(graph, functions, &format!("{name}_reset"), &outputs)?)
+    };
+    Ok(WayTable {
+        when: when.transpose()?,
+        to: u8::try_from(way.branch.to).unwrap_or(u8::MAX),
+        reset,
+        resting: resting(graph, functions, builder, (name, value, way))?,
+    })
+}
+
+/// How an impact comes to rest: in the mode that has, beside the constraints of the mode after a
+/// rebound, the one whose rate is the separation.
+///
+/// An impulse is proportional to 1 + e, and so is what it does to the speeds: without a rebound
+/// they change by the part 1/(1 + e) of it.
+fn resting(
+    graph: &mut Graph,
+    functions: &mut FunctionList,
+    builder: &ModeBuilder<'_>,
+    (name, value, way): (&str, Node, &Way),
+) -> Result<Option<RestingTable>, AssemblyError> {
+    let Some(impact) = way.branch.impact else { return Ok(None) };
+    let Some(to) = resting_mode(graph, builder, way.branch.to, [value, impact.separation]) else {
+        return Ok(None);
+    };
+    let one = graph.constant(1.0);
+    let part = graph.add(one, impact.restitution);
+    let mut outputs = Vec::new();
+    for (index, (after, place)) in way.state.iter().zip(builder.context.places).enumerate() {
+        let before = graph.symbol(*place);
+        let change = graph.subtract(*after, before);
+        let change = graph.divide(change, part);
+        let is_place = index < builder.context.coordinates;
+        outputs.push(if is_place { *after } else { graph.add(before, change) });
+    }
+    outputs.push(graph.divide(way.impulse, part));
+    let closing = graph.negate(impact.separation);
+    let meeting = [closing, impact.restitution];
+    Ok(Some(RestingTable {
+        to: u8::try_from(to).unwrap_or(u8::MAX),
+        state: builder.add(graph, functions, &format!("{name}_rest"), &outputs)?,
+        meeting: builder.add(graph, functions, &format!("{name}_meeting"), &meeting)?,
+    }))
+}
+
+/// The mode in which what meets stays together: of constraints with the separation's rate, the one
+/// that is zero where the guard is, if there is any.
+fn resting_mode(
+    graph: &mut Graph,
+    builder: &ModeBuilder<'_>,
+    to: usize,
+    [value, separation]: [Node; 2],
+) -> Option<usize> {
+    let mechanism = builder.context.mechanism;
+    let places = [value, graph.negate(value)];
+    let opposite = graph.negate(separation);
+    let all = mechanism.constraints.iter();
+    let constraint = all
+        .clone()
+        .position(|it| places.contains(&it.zero))
+        .or_else(|| all.clone().position(|it| it.rate == separation))
+        .or_else(|| all.clone().position(|it| it.rate == opposite))?;
+    let mut wanted = mechanism.modes.get(to)?.constraints.clone();
+    wanted.push(constraint);
+    wanted.sort_unstable();
+    wanted.dedup();
+    mechanism.modes.iter().enumerate().position(|(number, mode)| {
+        let mut own = mode.constraints.clone();
+        own.sort_unstable();
+        number != to && own == wanted
+    })
+}

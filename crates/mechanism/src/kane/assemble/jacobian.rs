@@ -1,0 +1,76 @@
+//! Derivatives by the state and by the input, along what a mode slaves.
+
+use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
+use crate::kane::system::ModeEquations;
+
+/// The places of a state, and what a mode makes of them.
+#[derive(Debug)]
+pub(super) struct StateOfMode<'a> {
+    pub(super) state: &'a [Place],
+    pub(super) is_free: &'a [bool],
+    /// What slaved entries are in terms of free ones and the input; free ones themselves.
+    pub(super) slaved: Vec<Node>,
+}
+
+impl<'a> StateOfMode<'a> {
+    pub(super) fn new(graph: &mut Graph, state: &'a [Place], mode: &'a ModeEquations) -> Self {
+        let mut slaved = mode.slaved.clone();
+        // One entry may follow from another one that follows, as many times as there are entries.
+        for _ in 0..state.len() {
+            let by: Vec<_> = slaved_places(state, &mode.is_free, &slaved);
+            let mut substitution = Substitution::new(by.iter().copied());
+            let next: Vec<_> = slaved.iter().map(|it| substitution.of(graph, *it)).collect();
+            if next == slaved {
+                break;
+            }
+            slaved = next;
+        }
+        Self { state, is_free: &mode.is_free, slaved }
+    }
+
+    /// Whether entry `index` moves by equations.
+    pub(super) fn is_free(&self, index: usize) -> bool {
+        self.is_free.get(index).copied().unwrap_or(true)
+    }
+
+    /// The indices of what moves by equations.
+    pub(super) fn free(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.state.len()).filter(|index| self.is_free(*index))
+    }
+
+    /// `nodes` with what is slaved replaced by what it follows from.
+    pub(super) fn replaced(&self, graph: &mut Graph, nodes: &[Node]) -> Vec<Node> {
+        let by = slaved_places(self.state, self.is_free, &self.slaved);
+        let mut substitution = Substitution::new(by);
+        nodes.iter().map(|node| substitution.of(graph, *node)).collect()
+    }
+
+    /// The direction in which `place` moves by one, and all that is slaved to it along.
+    pub(super) fn direction(&self, graph: &mut Graph, place: Place) -> Tangent {
+        let one = graph.constant(1.0);
+        let mut seeds = vec![(place, one)];
+        for (slaved, by) in slaved_places(self.state, self.is_free, &self.slaved) {
+            seeds.push((slaved, graph.partial(by, place)));
+        }
+        Tangent::new(seeds)
+    }
+
+    /// The derivative of `rates` by the state: rows and columns of what is slaved are 0.
+    pub(super) fn jacobian(&self, graph: &mut Graph, rates: &[Node]) -> Vec<Vec<Node>> {
+        let zero = graph.constant(0.0);
+        let mut rows = vec![vec![zero; self.state.len()]; self.state.len()];
+        for column in self.free() {
+            let mut direction = self.direction(graph, self.state[column]);
+            for row in self.free() {
+                rows[row][column] = direction.of(graph, rates[row]);
+            }
+        }
+        rows
+    }
+}
+
+/// The slaved entries with what they follow from.
+fn slaved_places(state: &[Place], is_free: &[bool], slaved: &[Node]) -> Vec<(Place, Node)> {
+    let all = state.iter().zip(slaved).zip(is_free);
+    all.filter(|(_, is_free)| !**is_free).map(|((place, by), _)| (*place, *by)).collect()
+}

@@ -1,0 +1,71 @@
+//! From a system to what runs: a model's table, and one tape per function.
+//!
+//! Expressions of the parameters alone are found once, when the model is made; everything else is
+//! a function of constants, state and input.
+
+mod builder;
+mod contacts;
+mod drawing;
+mod error;
+mod functions;
+mod guard_numbers;
+mod guards;
+mod hoist;
+mod jacobian;
+mod kinds;
+mod modes;
+mod moving;
+mod names;
+mod parts;
+mod series;
+mod table;
+
+pub use error::AssemblyError;
+pub use functions::TapeFunctions;
+
+use instruments::equations::table::{Arguments, Equations, FunctionId, Functions, ModelTable};
+
+use crate::kane::system::EquationSystem;
+use crate::kane::tape::Tape;
+
+/// What runs: all of a model but its arithmetic, and that arithmetic function by function.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// All but the arithmetic.
+    pub table: ModelTable,
+    /// The functions by their numbers in the table.
+    pub functions: TapeFunctions,
+    /// What each function is for: `B1_derivative`.
+    pub names: Vec<String>,
+    /// Work that reading, deriving and assembling took: of at most [`crate::kane::graph::MAX_WORK`].
+    pub work: u64,
+}
+
+impl Program {
+    /// Returns the tapes by the functions' numbers.
+    pub fn tapes(&self) -> &[Tape] {
+        self.functions.tapes()
+    }
+}
+
+impl Functions for Program {
+    fn call(&self, function: FunctionId, arguments: &Arguments<'_>, out: &mut [f64]) {
+        self.functions.call(function, arguments, out);
+    }
+}
+
+impl Equations for Program {
+    fn table(&self) -> &ModelTable {
+        &self.table
+    }
+}
+
+impl EquationSystem {
+    /// Makes the program of the system.
+    ///
+    /// # Errors
+    /// A system that is larger than a model can be, or that is not complete.
+    pub fn assemble(self) -> Result<Program, AssemblyError> {
+        table::assemble(self)
+    }
+}

@@ -1,0 +1,281 @@
+//! The modes that rigid contacts make of those that are written.
+
+use documents::toml::{SourcePlace, TomlEntry, TomlKind, TomlNode};
+
+use super::toml_making::{each, entry, key_of, list_of, names_in, of_name, table, text};
+
+/// What joins a mode's name and those of the contacts that are closed.
+pub(super) const JOINT: char = '+';
+
+/// A rigid contact as it was written.
+#[derive(Clone, Debug)]
+pub(super) struct RigidContact {
+    pub(super) name: String,
+    pub(super) place: SourcePlace,
+    pub(super) gap: TomlNode,
+    pub(super) restitution: Option<TomlEntry>,
+    /// What its guard says beside: a scale, what sounds.
+    pub(super) extras: Vec<TomlEntry>,
+}
+
+/// A mode that is written, and the rigid contacts that can close in it, by their numbers.
+#[derive(Clone, Debug)]
+struct WrittenMode {
+    entry: TomlEntry,
+    contacts: Vec<usize>,
+    /// How many of them can be closed at a time: as many as it has degrees of freedom.
+    most: usize,
+    /// Constraints that hold in it whatever is closed.
+    constraints: Vec<TomlNode>,
+}
+
+/// All modes with each set of contacts that can be closed.
+#[derive(Clone, Debug)]
+pub(super) struct Configurations<'a> {
+    contacts: &'a [RigidContact],
+    modes: Vec<WrittenMode>,
+}
+
+impl<'a> Configurations<'a> {
+    /// The configurations of the `modes` of a description.
+    pub(super) fn of(tree: &TomlNode, contacts: &'a [RigidContact], modes: &[TomlEntry]) -> Self {
+        let names = |table: &str| tree.get(table).and_then(|it| it.node.entries()).unwrap_or(&[]);
+        let rated = names("rates").len();
+        let speeds = (names("coordinates").len() + names("speeds").len()).saturating_sub(rated);
+        let constraints: Vec<_> =
+            names("constraints").iter().map(|it| of_name(&it.name, it.place)).collect();
+        let one = |entry: &TomlEntry| {
+            let left_out = entry.node.get("without").map_or(Vec::new(), |it| names_in(&it.node));
+            let can_close =
+                |number: &usize| !left_out.iter().any(|name| *name == contacts[*number].name);
+            let own = entry.node.get("constraints").map(|it| list_of(&it.node));
+            let constraints = own.unwrap_or_else(|| constraints.clone());
+            WrittenMode {
+                entry: entry.clone(),
+                contacts: (0..contacts.len()).filter(can_close).collect(),
+                most: speeds.saturating_sub(constraints.len()),
+                constraints,
+            }
+        };
+        Self { contacts, modes: modes.iter().map(one).collect() }
+    }
+
+    /// Closes no contact in any mode.
+    pub(super) fn keep_open(&mut self) {
+        self.modes.iter_mut().for_each(|mode| mode.most = 0);
+    }
+
+    /// How many modes there would be.
+    pub(super) fn count(&self) -> usize {
+        self.modes.iter().fold(0, |all: usize, mode| all.saturating_add(mode.count()))
+    }
+
+    /// All modes: the written ones first, then those with what is closed.
+    pub(super) fn modes(&self) -> Vec<TomlEntry> {
+        let mut sets: Vec<(&WrittenMode, Vec<usize>)> = Vec::new();
+        sets.extend(self.modes.iter().map(|mode| (mode, Vec::new())));
+        for mode in &self.modes {
+            sets.extend(mode.sets().into_iter().map(|closed| (mode, closed)));
+        }
+        sets.iter().map(|(mode, closed)| self.mode(mode, closed)).collect()
+    }
+
+    /// One mode with the contacts `closed`.
+    fn mode(&self, mode: &WrittenMode, closed: &[usize]) -> TomlEntry {
+        let place = mode.entry.place;
+        let mut keys: Vec<TomlEntry> = mode.entry.node.entries().unwrap_or(&[]).to_vec();
+        let replaced = |key: &TomlEntry| {
+            !matches!(key.name.as_str(), "constraints" | "without" | "guards")
+                && (closed.is_empty() || key.name != "independent")
+        };
+        let mut guards =
+            keys.iter().find(|key| key.name == "guards").map_or(Vec::new(), |it| list_of(&it.node));
+        if let Some(without) = keys.iter().find(|key| key.name == "without") {
+            let is_rigid =
+                |node: &TomlNode| self.contacts.iter().any(|it| node.text() == Some(&it.name));
+            let mut rest = list_of(&without.node);
+            rest.retain(|node| !is_rigid(node));
+            let without = entry("without", place, TomlKind::List(rest));
+            keys.retain(replaced);
+            keys.push(without);
+        } else {
+            keys.retain(replaced);
+        }
+        for guard in &mut guards {
+            self.lead(guard, closed);
+        }
+        guards.extend(closed.iter().map(|contact| self.opening(mode, closed, *contact)));
+        let open = mode.contacts.iter().filter(|contact| !closed.contains(contact));
+        guards.extend(open.map(|contact| self.closing(mode, closed, *contact)));
+        let held = closed.iter().map(|it| of_name(&self.contacts[*it].name, place));
+        let constraints = mode.constraints.iter().cloned().chain(held).collect();
+        keys.push(entry("constraints", place, TomlKind::List(constraints)));
+        keys.push(entry("guards", place, TomlKind::List(guards)));
+        let name = self.name(&mode.entry.name, closed);
+        let node = TomlNode { place, kind: TomlKind::Table(keys) };
+        TomlEntry { name, place, node }
+    }
+
+    /// `free+stop`, the contacts in the order of the file.
+    fn name(&self, mode: &str, closed: &[usize]) -> String {
+        closed
+            .iter()
+            .fold(mode.to_owned(), |name, it| format!("{name}{JOINT}{}", self.contacts[*it].name))
+    }
+
+    /// The guard that opens a contact: its reaction would pull.
+    fn opening(&self, mode: &WrittenMode, closed: &[usize], contact: usize) -> TomlNode {
+        let RigidContact { name, place, .. } = &self.contacts[contact];
+        let left: Vec<_> = closed.iter().copied().filter(|it| *it != contact).collect();
+        let to = self.name(&mode.entry.name, &left);
+        table(
+            *place,
+            vec![
+                text("name", *place, &format!("{name}_opens")),
+                text("positive", *place, &format!("reaction({name})")),
+                text("to", *place, &to),
+            ],
+        )
+    }
+
+    /// The guard that closes a contact: a rebound, or none.
+    fn closing(&self, mode: &WrittenMode, closed: &[usize], contact: usize) -> TomlNode {
+        let RigidContact { name, place, gap, restitution, extras } = &self.contacts[contact];
+        let mut together: Vec<_> = closed.iter().copied().chain([contact]).collect();
+        together.sort_unstable();
+        let own = self.name(&mode.entry.name, closed);
+        let mut impact =
+            vec![TomlEntry { name: "along".to_owned(), place: *place, node: gap.clone() }];
+        impact.extend(restitution.clone());
+        if mode.sets().contains(&together) {
+            impact.push(text("settles", *place, &self.name(&mode.entry.name, &together)));
+        }
+        let mut keys = vec![
+            text("name", *place, name),
+            TomlEntry { name: "positive".to_owned(), place: *place, node: gap.clone() },
+            text("to", *place, &own),
+            entry("impact", *place, TomlKind::Table(impact)),
+        ];
+        keys.extend(extras.iter().cloned());
+        table(*place, keys)
+    }
+
+    /// Makes a guard lead to the modes in which the same contacts are closed, where there are such.
+    fn lead(&self, guard: &mut TomlNode, closed: &[usize]) {
+        let TomlKind::Table(keys) = &mut guard.kind else { return };
+        for key in keys {
+            match (key.name.as_str(), &mut key.node.kind) {
+                ("to" | "mode" | "within" | "settles", TomlKind::Text(name, _)) => {
+                    *name = self.next(name, closed);
+                }
+                ("to", TomlKind::List(ways)) => self.lead_each(ways, closed),
+                ("to" | "impact", TomlKind::Table(_)) => self.lead(&mut key.node, closed),
+                _ => {}
+            }
+        }
+    }
+
+    fn lead_each(&self, ways: &mut [TomlNode], closed: &[usize]) {
+        for way in ways {
+            self.lead(way, closed);
+        }
+    }
+
+    /// The mode `name` with the contacts `closed`, or itself where they cannot be.
+    fn next(&self, name: &str, closed: &[usize]) -> String {
+        let mode = self.modes.iter().find(|it| it.entry.name == name);
+        let is_one = mode.is_some_and(|mode| mode.sets().iter().any(|set| set == closed));
+        if is_one { self.name(name, closed) } else { name.to_owned() }
+    }
+
+    /// Where modes are named outside of them, the configurations of each are named too.
+    pub(super) fn name_where(&self, entry: &mut TomlEntry) {
+        match entry.name.as_str() {
+            "outputs" => each(&mut entry.node, &mut |output| {
+                key_of(output, "in", &mut |modes| self.name_entries(modes));
+            }),
+            "drawing" => each(&mut entry.node, &mut |table| {
+                each(table, &mut |item| {
+                    key_of(item, "in", &mut |modes| self.name_entries(modes));
+                    self.name_shown(item);
+                });
+            }),
+            _ => {}
+        }
+    }
+
+    /// The modes of an outline or spring, or of those in a list.
+    fn name_shown(&self, item: &mut TomlNode) {
+        key_of(item, "modes", &mut |modes| self.name_items(modes));
+        if let TomlKind::List(items) = &mut item.kind {
+            for item in items {
+                self.name_shown(item);
+            }
+        }
+    }
+
+    fn configurations_of(&self, name: &str) -> Vec<String> {
+        let mode = self.modes.iter().find(|it| it.entry.name == name);
+        let sets = mode.map_or(Vec::new(), WrittenMode::sets);
+        sets.iter().map(|closed| self.name(name, closed)).collect()
+    }
+
+    fn name_entries(&self, table: &mut TomlNode) {
+        let TomlKind::Table(entries) = &mut table.kind else { return };
+        for entry in entries.clone() {
+            let known = |name: &String| entries.iter().any(|it| it.name == *name);
+            let mut names = self.configurations_of(&entry.name);
+            names.retain(|name| !known(name));
+            entries.extend(names.into_iter().map(|name| TomlEntry { name, ..entry.clone() }));
+        }
+    }
+
+    fn name_items(&self, list: &mut TomlNode) {
+        let all = list_of(list);
+        let more = all.iter().flat_map(|item| {
+            let names = self.configurations_of(item.text().unwrap_or(""));
+            names.into_iter().map(|name| of_name(&name, item.place)).collect::<Vec<_>>()
+        });
+        list.kind = TomlKind::List(all.iter().cloned().chain(more).collect());
+    }
+}
+
+impl WrittenMode {
+    /// How many modes it becomes, itself included.
+    fn count(&self) -> usize {
+        let n = self.contacts.len();
+        let mut ways: usize = 1;
+        let mut all: usize = 1;
+        for k in 1..=self.most.min(n) {
+            ways = ways.saturating_mul(n - k + 1) / k;
+            all = all.saturating_add(ways);
+        }
+        all
+    }
+
+    /// The sets of contacts that can be closed, the small ones first, without the empty one.
+    fn sets(&self) -> Vec<Vec<usize>> {
+        let mut all: Vec<Vec<usize>> = vec![Vec::new()];
+        let mut first = 0;
+        for _ in 0..self.most.min(self.contacts.len()) {
+            let last = all.len();
+            for index in first..last {
+                let set = all[index].clone();
+                let above = set.last().copied();
+                let more = self.contacts.iter().filter(|it| above.is_none_or(|at| **it > at));
+                all.extend(more.map(|it| set.iter().copied().chain([*it]).collect::<Vec<_>>()));
+            }
+            first = last;
+        }
+        all.remove(0);
+        all
+    }
+}
+
+impl RigidContact {
+    /// The constraint that it is while it is closed.
+    pub(super) fn constraint(&self) -> TomlEntry {
+        let zero = TomlEntry { name: "zero".to_owned(), place: self.place, node: self.gap.clone() };
+        entry(&self.name, self.place, TomlKind::Table(vec![zero]))
+    }
+}

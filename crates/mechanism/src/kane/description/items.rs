@@ -1,0 +1,100 @@
+//! What a description holds before it is understood: names, places and expressions.
+
+use documents::toml::SourcePlace;
+
+use crate::kane::mechanism::ConstraintKind;
+use crate::kane::text::{Dimension, ParsedExpression};
+
+/// An expression of a file.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct FileExpression {
+    pub(super) place: SourcePlace,
+    pub(super) origin: TextOrigin,
+    pub(super) expression: ParsedExpression,
+}
+
+/// Where a text begins.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct TextOrigin {
+    pub(super) place: SourcePlace,
+    /// Whether its bytes are those of the file from there on.
+    pub(super) is_exact: bool,
+}
+
+impl TextOrigin {
+    pub(super) fn at(&self, offset: usize) -> SourcePlace {
+        if self.is_exact { self.place.after(offset) } else { self.place }
+    }
+}
+
+/// Something with a name and expressions, which others can use.
+#[derive(Clone, Debug)]
+pub(super) struct DescribedItem {
+    pub(super) kind: ItemKind,
+    pub(super) name: String,
+    pub(super) place: SourcePlace,
+    pub(super) fields: Vec<(&'static str, FileExpression)>,
+    pub(super) links: Vec<ItemLink>,
+}
+
+/// What an item is, with its number among its kind.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum ItemKind {
+    Input,
+    Rate(usize),
+    Definition(usize),
+    /// A frame, and the axis that it turns about.
+    Frame(usize, usize),
+    Point(usize),
+    Law(usize, LawKind),
+    Constraint(usize, ConstraintKind),
+}
+
+/// What a law is, with its number among forces or among contacts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum LawKind {
+    Spring(usize),
+    Felt(usize),
+    Force(usize),
+    Contact(usize),
+    Bearing(usize),
+}
+
+/// The name of another item.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct ItemLink {
+    pub(super) kind: LinkKind,
+    pub(super) name: String,
+    pub(super) place: SourcePlace,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum LinkKind {
+    Frame,
+    Point,
+}
+
+impl DescribedItem {
+    pub(super) fn field(&self, name: &str) -> Option<&FileExpression> {
+        self.fields.iter().find(|(known, _)| *known == name).map(|(_, field)| field)
+    }
+}
+
+/// The friction of a contact or bearing as it was written.
+#[derive(Clone, Debug)]
+pub(super) struct FrictionText {
+    pub(super) contact: usize,
+    pub(super) name: String,
+    pub(super) slip: Option<FileExpression>,
+    pub(super) stiction: Option<FileExpression>,
+    pub(super) kinetic: Option<FileExpression>,
+    pub(super) scales: (f64, f64),
+}
+
+/// A parameter as it was written.
+#[derive(Clone, Debug)]
+pub(super) struct ParameterText {
+    pub(super) value: Option<FileExpression>,
+    pub(super) place: SourcePlace,
+    pub(super) dimension: Dimension,
+}

@@ -1,0 +1,279 @@
+//! Springs, felts, forces, contacts and frictions.
+
+use documents::quoted;
+
+use super::items::{DescribedItem, FileExpression, FrictionText, LawKind};
+use super::linear::is_linear_in_speeds;
+use super::names::{LawPlace, distance, number};
+use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
+use crate::kane::graph::{BinaryFunction, Graph, Node, Place, Substitution};
+use crate::kane::mechanism::{DryFriction, Force, MechanismContact};
+use crate::kane::text::{Dimension, Measured};
+
+/// What a law of felt is made of.
+#[derive(Clone, Copy, Debug)]
+struct FeltParts {
+    /// Compression, and its rate.
+    depth: Measured,
+    rate: Measured,
+    stiffness: Node,
+    exponent: Node,
+    damping: Option<Node>,
+}
+
+impl MechanismReader {
+    pub(super) fn build_law(&mut self, item: &DescribedItem, index: usize, kind: LawKind) {
+        let built = match kind {
+            LawKind::Spring(at) => self.spring(item).map(|it| (LawPlace::Force(at), it)),
+            LawKind::Felt(at) => self.felt(item, "compression").map(|it| (LawPlace::Force(at), it)),
+            LawKind::Force(at) => self.force(item).map(|it| (LawPlace::Force(at), it)),
+            LawKind::Contact(at) => self.contact(item, at).map(|it| (LawPlace::Contact(at), it)),
+            LawKind::Bearing(at) => return self.bearing(item, index, at),
+        };
+        self.weigh(item.place);
+        let Some((place, (force, dimension))) = built else { return };
+        self.names.laws.set(index, (place, dimension));
+        if let LawPlace::Force(at) = place {
+            self.built_forces.push((at, force));
+        }
+    }
+
+    /// The stretch of an item, and its rate.
+    fn stretch(&mut self, item: &DescribedItem, name: &str) -> Option<(Measured, Measured)> {
+        if let Some(file) = item.field(name) {
+            let stretch = self.value(file, POSE)?;
+            self.watch(file, stretch, None);
+            let rate = self.rate_of(file, stretch)?;
+            return Some((stretch, rate));
+        }
+        let [from, to] = item.links.as_slice() else { return None };
+        let [from, to] = [from, to].map(|link| self.names.points.index(&link.name));
+        let (from, to) = (self.names.points.value(from?)?, self.names.points.value(to?)?);
+        let length = match item.field("length") {
+            Some(file) => self.node("length", file, CONSTANT, Dimension::LENGTH)?,
+            None => self.graph.constant(0.0),
+        };
+        let apart = distance(&mut self.graph, from.at, to.at);
+        let node = self.graph.subtract(apart, length);
+        let stretch = Measured { node, dimension: Dimension::LENGTH, reach: POSE };
+        let rate = self.names.total_rate(&mut self.graph, stretch).ok()?;
+        Some((stretch, rate))
+    }
+
+    fn spring(&mut self, item: &DescribedItem) -> Option<(Force, Dimension)> {
+        if item.field("stretch").is_none() == item.links.is_empty() {
+            let message = format!("{} needs one of stretch and between", quoted(&item.name));
+            self.report.miss(
+                item.place,
+                message,
+                "write stretch = \"x - x0\" or between = [\"P\", \"Q\"]",
+            );
+            return None;
+        }
+        if item.field("stiffness").is_none() && item.field("damping").is_none() {
+            let message = format!("{} has neither stiffness nor damping", quoted(&item.name));
+            self.report.miss(item.place, message, "write stiffness = \"…\"");
+            return None;
+        }
+        let (stretch, rate) = self.stretch(item, "stretch")?;
+        let tension = Dimension::ENERGY.over(stretch.dimension);
+        let zero = self.graph.constant(0.0);
+        let mut factor = |name: &str, dimension: Dimension| match item.field(name) {
+            Some(file) => self.node(name, file, CONSTANT, dimension),
+            None => Some(zero),
+        };
+        let stiffness = factor("stiffness", tension.over(stretch.dimension));
+        let damping = factor("damping", tension.over(rate.dimension));
+        let (stiffness, damping) = (stiffness?, damping?);
+        let graph = &mut self.graph;
+        let elastic = graph.multiply(stiffness, stretch.node);
+        let viscous = graph.multiply(damping, rate.node);
+        let square = graph.product(&[(stiffness, 1), (stretch.node, 2)]);
+        let force = Force {
+            name: item.name.clone(),
+            stretch: stretch.node,
+            stretch_rate: rate.node,
+            tension: graph.add(elastic, viscous),
+            energy: graph.scale(square, 0.5),
+        };
+        Some((force, tension))
+    }
+
+    /// F = k dⁿ (1 + c d'), never below 0; also the law of a contact.
+    fn felt(&mut self, item: &DescribedItem, name: &'static str) -> Option<(Force, Dimension)> {
+        let (mut depth, mut rate) = self.stretch(item, name)?;
+        if name == "gap" {
+            depth.node = self.graph.negate(depth.node);
+            rate.node = self.graph.negate(rate.node);
+        }
+        let tension = Dimension::ENERGY.over(depth.dimension);
+        let exponent = match item.field("exponent") {
+            Some(file) => self.node("exponent", file, CONSTANT, Dimension::NONE)?,
+            None => self.graph.constant(1.0),
+        };
+        // With an exponent that is no number, the stiffness is the force at a depth of 1.
+        let stiffness_unit = match self.graph.number(exponent) {
+            Some(power) => tension.over(depth.dimension.to(power)),
+            None => tension,
+        };
+        let stiffness = self.node("stiffness", item.field("stiffness")?, CONSTANT, stiffness_unit);
+        let per_rate = Dimension::NONE.over(rate.dimension);
+        let damping = match item.field("damping") {
+            Some(file) => Some(self.node("damping", file, CONSTANT, per_rate)?),
+            None => None,
+        };
+        let parts = FeltParts { depth, rate, stiffness: stiffness?, exponent, damping };
+        Some((felt_force(&mut self.graph, &item.name, &parts), tension))
+    }
+
+    fn force(&mut self, item: &DescribedItem) -> Option<(Force, Dimension)> {
+        let (stretch, rate) = self.stretch(item, "stretch")?;
+        let tension = Dimension::ENERGY.over(stretch.dimension);
+        let law = item.field("force")?;
+        let force = self.value(law, STATE)?;
+        self.watch(law, force, None);
+        self.fits("force", law, force, tension).then_some(())?;
+        let energy = self.node("energy", item.field("energy")?, POSE, Dimension::ENERGY)?;
+        let force = Force {
+            name: item.name.clone(),
+            stretch: stretch.node,
+            stretch_rate: rate.node,
+            tension: force.node,
+            energy,
+        };
+        Some((force, tension))
+    }
+
+    fn contact(&mut self, item: &DescribedItem, at: usize) -> Option<(Force, Dimension)> {
+        let gap = self.value(item.field("gap")?, POSE)?;
+        self.fits("gap", item.field("gap")?, gap, Dimension::LENGTH).then_some(())?;
+        let (force, dimension) = self.felt(item, "gap")?;
+        let sounds = match item.field("sounds") {
+            Some(file) => Some(self.node("sounds", file, STATE, Dimension::SPEED)?),
+            None => None,
+        };
+        let scale = self.contact_scales.iter().find(|(contact, _)| *contact == at);
+        let contact = MechanismContact {
+            name: item.name.clone(),
+            gap: Some(gap.node),
+            scale: scale.map_or(1e-3, |(_, scale)| *scale),
+            force: Some(force.clone()),
+            friction: None,
+            sounds,
+        };
+        self.built_contacts.push((at, contact));
+        Some((force, dimension))
+    }
+
+    /// A bearing: its friction alone, whose limits are built once every force is.
+    fn bearing(&mut self, item: &DescribedItem, index: usize, at: usize) {
+        let text = self.frictions.iter().find(|it| it.contact == at).cloned();
+        let Some(slip) = text.and_then(|it| it.slip) else { return };
+        let Some(slip) = self.value(&slip, STATE) else { return };
+        let dimension = Dimension::POWER.over(slip.dimension);
+        self.names.laws.set(index, (LawPlace::Contact(at), dimension));
+        let name = item.name.clone();
+        let contact = MechanismContact {
+            name,
+            gap: None,
+            scale: 1.0,
+            force: None,
+            friction: None,
+            sounds: None,
+        };
+        self.built_contacts.push((at, contact));
+    }
+
+    /// Builds slips and limits, which may have the forces of all springs and contacts in them.
+    pub(super) fn build_frictions(&mut self) {
+        for text in std::mem::take(&mut self.frictions) {
+            let Some(friction) = self.friction(&text) else { continue };
+            let found = self.built_contacts.iter_mut().find(|(at, _)| *at == text.contact);
+            if let Some((_, contact)) = found {
+                contact.friction = Some(friction);
+            }
+        }
+    }
+
+    fn friction(&mut self, text: &FrictionText) -> Option<DryFriction> {
+        let slip_file = text.slip.as_ref()?;
+        let slip = self.value(slip_file, STATE)?;
+        if !is_linear_in_speeds(&self.graph, slip.node) {
+            let message = format!("the slip of {} is not linear in the speeds", quoted(&text.name));
+            self.report.say(
+                slip_file.place,
+                message,
+                "write the speed of one surface on the other",
+            );
+            return None;
+        }
+        let limit = Dimension::POWER.over(slip.dimension);
+        let stiction_file = text.stiction.as_ref()?;
+        let stiction = self.limit("stiction", stiction_file, limit)?;
+        let kinetic = match &text.kinetic {
+            Some(file) => self.limit("kinetic", file, limit)?,
+            None => stiction,
+        };
+        let (name, scales) = (text.name.clone(), text.scales);
+        Some(DryFriction { name, slip: slip.node, stiction, kinetic, scales })
+    }
+
+    fn limit(&mut self, name: &str, file: &FileExpression, limit: Dimension) -> Option<Node> {
+        let node = self.node(name, file, MOTION, limit)?;
+        let mut all = self.forces_acting(|_| true);
+        Some(all.of(&mut self.graph, node))
+    }
+
+    /// The tensions of forces in place of their names: 0 for one that does not act.
+    pub(super) fn forces_acting(&mut self, acts: impl Fn(usize) -> bool) -> Substitution {
+        let zero = self.graph.constant(0.0);
+        let tension = |(at, force): &(usize, Force)| {
+            (Place::Extra(number(*at)), if acts(*at) { force.tension } else { zero })
+        };
+        Substitution::new(self.built_forces.iter().map(tension).collect::<Vec<_>>())
+    }
+}
+
+fn felt_force(graph: &mut Graph, name: &str, parts: &FeltParts) -> Force {
+    let FeltParts { depth, rate, stiffness, exponent, damping } = *parts;
+    let (zero, one) = (graph.constant(0.0), graph.constant(1.0));
+    let pressed = graph.binary(BinaryFunction::Max, depth.node, zero);
+    let power = graph.binary(BinaryFunction::Power, pressed, exponent);
+    let elastic = graph.multiply(stiffness, power);
+    let tension = match damping {
+        None => elastic,
+        Some(damping) => {
+            let loss = graph.multiply(damping, rate.node);
+            let factor = graph.add(one, loss);
+            let factor = graph.binary(BinaryFunction::Max, factor, zero);
+            graph.multiply(elastic, factor)
+        }
+    };
+    let above = graph.add(exponent, one);
+    let higher = graph.binary(BinaryFunction::Power, pressed, above);
+    let energy = graph.product(&[(stiffness, 1), (higher, 1), (above, -1)]);
+    let (stretch, stretch_rate) = (depth.node, rate.node);
+    Force { name: name.to_owned(), stretch, stretch_rate, tension, energy }
+}
+
+/// The expressions of a law.
+pub(super) const fn law_keys(kind: LawKind) -> &'static [&'static str] {
+    match kind {
+        LawKind::Spring(_) => &["stretch", "length", "stiffness", "damping"],
+        LawKind::Felt(_) => &["compression", "stiffness", "exponent", "damping"],
+        LawKind::Force(_) => &["stretch", "force", "energy"],
+        LawKind::Contact(_) => &["gap", "stiffness", "exponent", "damping", "sounds"],
+        LawKind::Bearing(_) => &[],
+    }
+}
+
+/// Those that it cannot do without.
+pub(super) const fn needed_keys(kind: LawKind) -> &'static [&'static str] {
+    match kind {
+        LawKind::Spring(_) => &[],
+        LawKind::Felt(_) => &["compression", "stiffness"],
+        LawKind::Force(_) => &["stretch", "force", "energy"],
+        LawKind::Contact(_) => &["gap", "stiffness"],
+        LawKind::Bearing(_) => &["slip", "stiction"],
+    }
+}

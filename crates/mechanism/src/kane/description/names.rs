@@ -1,0 +1,273 @@
+//! What every name of a description stands for.
+
+use documents::toml::SourcePlace;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use documents::{choice, quoted};
+
+use super::world_frame::WorldPoint;
+use crate::kane::graph::{Graph, Node, Place, Tangent};
+use crate::kane::text::{Dependence, Dimension, Measured, NameError};
+
+/// What a name in an expression is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum SymbolKind {
+    Parameter(usize),
+    Coordinate(usize),
+    Speed(usize),
+    Definition(usize),
+    Input,
+}
+
+/// What a force, contact or friction is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum LawPlace {
+    Force(usize),
+    Contact(usize),
+}
+
+/// Named things of one kind.
+#[derive(Clone, Debug)]
+pub(super) struct NameCatalogue<T> {
+    pub(super) names: BTreeMap<String, (usize, SourcePlace)>,
+    /// What each is; none until it is built, or if it is wrong.
+    pub(super) values: Vec<Option<T>>,
+}
+
+impl<T> Default for NameCatalogue<T> {
+    fn default() -> Self {
+        Self { names: BTreeMap::new(), values: Vec::new() }
+    }
+}
+
+impl<T: Clone> NameCatalogue<T> {
+    pub(super) fn index(&self, name: &str) -> Option<usize> {
+        self.names.get(name).map(|(index, _)| *index)
+    }
+
+    pub(super) fn value(&self, index: usize) -> Option<T> {
+        self.values.get(index).cloned().flatten()
+    }
+
+    pub(super) fn set(&mut self, index: usize, value: T) {
+        if let Some(slot) = self.values.get_mut(index) {
+            *slot = Some(value);
+        }
+    }
+
+    /// Enters a name; the place of the first if there are two.
+    pub(super) fn declare(&mut self, name: &str, place: SourcePlace) -> Result<usize, SourcePlace> {
+        if let Some((_, first)) = self.names.get(name) {
+            return Err(*first);
+        }
+        let index = self.values.len();
+        self.names.insert(name.to_owned(), (index, place));
+        self.values.push(None);
+        Ok(index)
+    }
+
+    /// Returns what to do about `wrong`.
+    pub(super) fn choice(&self, wrong: &str) -> String {
+        choice(wrong, self.names.keys())
+    }
+}
+
+/// All names of a description, and what was built of them so far.
+#[derive(Debug, Default)]
+pub(super) struct NameTable {
+    pub(super) symbols: BTreeMap<String, (SymbolKind, SourcePlace)>,
+    /// Part of a file is not readable: a name that is missing may stand there.
+    pub(super) is_broken: bool,
+    /// Names whose unit is not known, because it was written wrong.
+    pub(super) vague: BTreeSet<String>,
+    pub(super) parameters: Vec<Dimension>,
+    pub(super) coordinates: Vec<Dimension>,
+    /// The rate of each coordinate.
+    pub(super) rates: Vec<Option<Measured>>,
+    /// Speeds by the number in the mechanism.
+    pub(super) speeds: Vec<Dimension>,
+    pub(super) input: Dimension,
+    pub(super) definitions: Vec<Option<Measured>>,
+    pub(super) points: NameCatalogue<WorldPoint>,
+    pub(super) frames: NameCatalogue<super::world_frame::WorldFrame>,
+    pub(super) laws: NameCatalogue<(LawPlace, Dimension)>,
+    pub(super) constraints: NameCatalogue<Dimension>,
+    motion: Option<Tangent>,
+}
+
+impl NameTable {
+    /// Returns the rate of `value` along the motion.
+    pub(super) fn total_rate(
+        &mut self,
+        graph: &mut Graph,
+        value: Measured,
+    ) -> Result<Measured, NameError> {
+        let unknown = Dependence::ACCELERATIONS.and(Dependence::REACTIONS).and(Dependence::FORCES);
+        if unknown.meets(value.reach) {
+            return Err(NameError {
+                message: format!("the rate of {} is not known", unknown.words()),
+                help: "take rates of coordinates and speeds only".to_owned(),
+            });
+        }
+        let rates = Dependence::COORDINATES.and(Dependence::SPEEDS).and(Dependence::PARAMETERS);
+        let mut reach = value.reach;
+        if value.reach.meets(Dependence::COORDINATES) {
+            reach = reach.and(rates);
+        }
+        if value.reach.meets(Dependence::SPEEDS) {
+            reach = reach.and(Dependence::ACCELERATIONS);
+        }
+        if value.reach.meets(Dependence::INPUT.and(Dependence::INPUT_RATES)) {
+            reach = reach.and(Dependence::INPUT_RATES);
+        }
+        let mut motion = self.motion.take().unwrap_or_else(|| self.seeds(graph));
+        let node = motion.of(graph, value.node);
+        self.motion = Some(motion);
+        Ok(Measured { node, dimension: value.dimension.over(Dimension::TIME), reach })
+    }
+
+    fn seeds(&self, graph: &mut Graph) -> Tangent {
+        let mut seeds = Vec::new();
+        for (index, rate) in (0u16..).zip(&self.rates) {
+            if let Some(rate) = rate {
+                seeds.push((Place::Coordinate(index), rate.node));
+            }
+        }
+        for (index, _) in (0u16..).zip(&self.speeds) {
+            let rate = graph.symbol(Place::Acceleration(index));
+            seeds.push((Place::Speed(index), rate));
+        }
+        for order in 0..3 {
+            let rate = graph.symbol(Place::Input(order + 1));
+            seeds.push((Place::Input(order), rate));
+        }
+        Tangent::new(seeds)
+    }
+
+    /// Returns the unprimed value and how many primes are left to take.
+    pub(super) fn first(
+        &self,
+        graph: &mut Graph,
+        kind: SymbolKind,
+        primes: u8,
+    ) -> Result<(Measured, u8), Option<NameError>> {
+        let of =
+            |graph: &mut Graph, place: Place, dimension: Option<&Dimension>, reach: Dependence| {
+                let dimension = dimension.copied().unwrap_or_default();
+                Measured { node: graph.symbol(place), dimension, reach }
+            };
+        match kind {
+            SymbolKind::Parameter(index) => {
+                let place = Place::Parameter(number(index));
+                let value = of(graph, place, self.parameters.get(index), Dependence::PARAMETERS);
+                Ok((value, primes))
+            }
+            SymbolKind::Coordinate(index) if primes == 0 => {
+                let place = Place::Coordinate(number(index));
+                Ok((of(graph, place, self.coordinates.get(index), Dependence::COORDINATES), 0))
+            }
+            SymbolKind::Coordinate(index) => {
+                let rate = self.rates.get(index).copied().flatten().ok_or(None)?;
+                Ok((rate, primes - 1))
+            }
+            SymbolKind::Speed(index) => {
+                let place = Place::Speed(number(index));
+                Ok((of(graph, place, self.speeds.get(index), Dependence::SPEEDS), primes))
+            }
+            SymbolKind::Definition(index) => {
+                let value = self.definitions.get(index).copied().flatten().ok_or(None)?;
+                Ok((value, primes))
+            }
+            SymbolKind::Input => {
+                let reach = if primes == 0 { Dependence::INPUT } else { Dependence::INPUT_RATES };
+                let dimension = self.input.over(Dimension::TIME.to(primes.into()));
+                Ok((of(graph, Place::Input(primes), Some(&dimension), reach), 0))
+            }
+        }
+    }
+
+    pub(super) fn named(
+        &self,
+        graph: &mut Graph,
+        function: &str,
+        names: &[&str],
+    ) -> Result<Measured, (usize, Option<NameError>)> {
+        match (function, names) {
+            ("distance", [from, to]) => {
+                let (from, to) = (self.point(from, 0)?, self.point(to, 1)?);
+                Ok(length(distance(graph, from.at, to.at), from.reach.and(to.reach)))
+            }
+            ("x" | "y" | "z", [point]) => {
+                let WorldPoint { at: [x, y, z], reach } = self.point(point, 0)?;
+                let at = match function {
+                    "x" => x,
+                    "y" => y,
+                    _ => z,
+                };
+                Ok(length(at, reach))
+            }
+            ("force", [name]) => self.force(graph, name),
+            ("reaction", [name]) => {
+                let Some(index) = self.constraints.index(name) else {
+                    let help = self.constraints.choice(name);
+                    return Err((0, Some(missing("constraint", name, help))));
+                };
+                let dimension = self.constraints.value(index).ok_or((0, None))?;
+                let node = graph.symbol(Place::Reaction(number(index)));
+                Ok(Measured { node, dimension, reach: Dependence::REACTIONS })
+            }
+            _ => Err((0, None)),
+        }
+    }
+
+    fn force(&self, graph: &mut Graph, name: &str) -> Result<Measured, (usize, Option<NameError>)> {
+        let Some(index) = self.laws.index(name) else {
+            let help = self.laws.choice(name);
+            return Err((0, Some(missing("spring, felt, force or contact", name, help))));
+        };
+        let (place, dimension) = self.laws.value(index).ok_or((0, None))?;
+        let (place, reach) = match place {
+            LawPlace::Force(index) => (Place::Extra(number(index)), Dependence::FORCES),
+            LawPlace::Contact(index) => (Place::Contact(number(index)), Dependence::REACTIONS),
+        };
+        Ok(Measured { node: graph.symbol(place), dimension, reach })
+    }
+
+    fn point(&self, name: &str, at: usize) -> Result<WorldPoint, (usize, Option<NameError>)> {
+        let Some(index) = self.points.index(name) else {
+            return Err((at, Some(missing("point", name, self.points.choice(name)))));
+        };
+        self.points.value(index).ok_or((at, None))
+    }
+}
+
+const fn length(node: Node, reach: Dependence) -> Measured {
+    Measured { node, dimension: Dimension::LENGTH, reach }
+}
+
+/// Returns the distance of two points.
+pub(super) fn distance(graph: &mut Graph, from: [Node; 3], to: [Node; 3]) -> Node {
+    let mut squares = Vec::new();
+    for (a, b) in from.into_iter().zip(to) {
+        let difference = graph.subtract(b, a);
+        squares.push((graph.power(difference, 2), 1.0));
+    }
+    let square = graph.sum(&squares);
+    graph.sqrt(square)
+}
+
+fn missing(kind: &str, name: &str, help: String) -> NameError {
+    NameError { message: format!("there is no {kind} {}", quoted(name)), help }
+}
+
+/// Returns the number of a thing; there are never so many that it does not fit.
+pub(super) fn number(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(u16::MAX)
+}
+
+/// π, which every expression knows.
+pub(super) fn pi(graph: &mut Graph) -> Measured {
+    let node = graph.constant(std::f64::consts::PI);
+    Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING }
+}

@@ -1,0 +1,135 @@
+//! Rigid contacts, written out as constraints, modes and guards before anything is read.
+//!
+//! A mode in which rigid contacts can close becomes one mode for each set of them that is closed:
+//! `free`, `free+stop`. A closed contact is a constraint, whose reaction opens it when it would
+//! pull; one that closes does so by an impact with its restitution, and stays closed where that
+//! leaves no rebound. What is written out has the places of what was written.
+
+use documents::quoted;
+use documents::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
+
+use super::configurations::{Configurations, JOINT, RigidContact};
+use crate::kane::mechanism::most_modes;
+
+/// What of a rigid contact is understood.
+const KEYS: [&str; 5] = ["rigid", "gap", "restitution", "scale", "sounds"];
+
+/// Writes out the rigid contacts of a description; without any it stays as it is.
+pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<TomlNode> {
+    let RigidContacts { contacts, unreadable } = rigid(report, tree)?;
+    let first = contacts.first().map_or(tree.place, |it| it.place);
+    let modes = modes(tree);
+    for mode in modes.iter().filter(|mode| mode.name.contains(JOINT)) {
+        let message =
+            format!("{} joins a mode with the rigid contacts that are closed", quoted("+"));
+        report.say(mode.place, message, "give the mode a name without it");
+    }
+    let mut configurations = Configurations::of(tree, &contacts, &modes);
+    let count = configurations.count();
+    if count > most_modes() {
+        let message = format!("the rigid contacts would make {count} modes");
+        let help = format!(
+            "there are {} at most: leave contacts out of modes with without = [\"…\"], or make \
+             some compliant",
+            most_modes()
+        );
+        report.say(first, message, help);
+        // The rest is read with all names in it, and without conclusions from its modes.
+        configurations.keep_open();
+        report.is_broken = true;
+    }
+    let mut out = tree.clone();
+    let written_out: Vec<_> = contacts.iter().map(|it| &it.name).chain(&unreadable).collect();
+    without_rigid(&mut out, &written_out);
+    let TomlKind::Table(entries) = &mut out.kind else { return None };
+    let constraints = contacts.iter().map(RigidContact::constraint).collect();
+    extend(entries, "constraints", first, constraints);
+    let place = tree.get("modes").map_or(tree.place, |it| it.place);
+    entries.retain(|entry| entry.name != "modes");
+    extend(entries, "modes", place, configurations.modes());
+    for entry in entries.iter_mut() {
+        configurations.name_where(entry);
+    }
+    Some(out)
+}
+
+/// The rigid contacts of a description.
+#[derive(Default)]
+struct RigidContacts {
+    contacts: Vec<RigidContact>,
+    /// Names of those that have no gap.
+    unreadable: Vec<String>,
+}
+
+/// The rigid contacts; none where there are none.
+fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<RigidContacts> {
+    let all = tree.get("contacts")?.node.entries()?;
+    let mut found = RigidContacts::default();
+    for entry in all {
+        let Some(rigid) = entry.node.get("rigid") else { continue };
+        if rigid.node.kind == TomlKind::Truth(false) {
+            continue;
+        }
+        if rigid.node.kind != TomlKind::Truth(true) {
+            report.say(rigid.place, "rigid is true or false", "write rigid = true");
+        }
+        let Some(mut keys) = KeyReader::new(report, entry) else { continue };
+        for key in KEYS {
+            keys.take(key);
+        }
+        keys.finish(report);
+        let Some(gap) = entry.node.get("gap") else {
+            let message = format!("\"{}\" has no gap", entry.name);
+            report.miss(entry.place, message, "write gap = \"…\", positive apart");
+            report.is_broken = true;
+            found.unreadable.push(entry.name.clone());
+            continue;
+        };
+        let value = |name: &str| entry.node.get(name).cloned();
+        found.contacts.push(RigidContact {
+            name: entry.name.clone(),
+            place: entry.place,
+            gap: gap.node.clone(),
+            extras: ["scale", "sounds"].into_iter().filter_map(value).collect(),
+            restitution: value("restitution"),
+        });
+    }
+    (!found.contacts.is_empty() || !found.unreadable.is_empty()).then_some(found)
+}
+
+/// The modes that are written, or the one that there is without any.
+fn modes(tree: &TomlNode) -> Vec<TomlEntry> {
+    let modes = tree.get("modes").and_then(|it| it.node.entries());
+    modes.map_or_else(
+        || {
+            let node = TomlNode { place: tree.place, kind: TomlKind::Table(Vec::new()) };
+            vec![TomlEntry { name: "motion".to_owned(), place: tree.place, node }]
+        },
+        <[TomlEntry]>::to_vec,
+    )
+}
+
+/// Removes the contacts called `rigid` from the others, of which `rigid = false` says nothing.
+fn without_rigid(tree: &mut TomlNode, rigid: &[&String]) {
+    let TomlKind::Table(entries) = &mut tree.kind else { return };
+    let Some(table) = entries.iter_mut().find(|entry| entry.name == "contacts") else { return };
+    let TomlKind::Table(all) = &mut table.node.kind else { return };
+    all.retain(|entry| !rigid.contains(&&entry.name));
+    for entry in all {
+        if let TomlKind::Table(keys) = &mut entry.node.kind {
+            keys.retain(|key| key.name != "rigid");
+        }
+    }
+}
+
+/// Puts `more` into the table called `name`, which is made if it is not there.
+fn extend(entries: &mut Vec<TomlEntry>, name: &str, place: SourcePlace, more: Vec<TomlEntry>) {
+    if let Some(entry) = entries.iter_mut().find(|entry| entry.name == name) {
+        if let TomlKind::Table(all) = &mut entry.node.kind {
+            all.extend(more);
+        }
+        return;
+    }
+    let node = TomlNode { place, kind: TomlKind::Table(more) };
+    entries.push(TomlEntry { name: name.to_owned(), place, node });
+}

@@ -1,0 +1,52 @@
+//! Energy, what the input supplies, and what is lost.
+
+use super::inertia::{InertiaTerms, rates};
+use super::kinematics::along_places;
+use crate::kane::graph::{Graph, Node, Tangent};
+use crate::kane::mechanism::{Force, Mechanism, Mode};
+
+/// Energy (J) and dissipated power (W) of a mode, over all coordinates and speeds.
+pub(super) struct BalanceTerms {
+    pub(super) energy: Node,
+    pub(super) dissipated: Node,
+}
+
+impl BalanceTerms {
+    pub(super) fn of(
+        graph: &mut Graph,
+        mechanism: &Mechanism,
+        inertia: &InertiaTerms,
+        mode: &Mode,
+    ) -> Self {
+        let mut tangent = along_places(graph, mechanism);
+        let mut energy = vec![(inertia.energy, 1.0)];
+        let mut dissipated = Vec::new();
+        for force in mode.forces.iter().map(|f| &mechanism.forces[*f]) {
+            energy.push((force.energy, 1.0));
+            dissipated.push((lost(graph, &mut tangent, mechanism, force), 1.0));
+        }
+        energy.extend(mode.energy.map(|it| (it, 1.0)));
+        dissipated.extend(mode.dissipated.map(|it| (it, 1.0)));
+        Self { energy: graph.sum(&energy), dissipated: graph.sum(&dissipated) }
+    }
+}
+
+/// Returns the power that a force takes from the motion and does not store (W).
+pub(super) fn lost(
+    graph: &mut Graph,
+    tangent: &mut Tangent,
+    mechanism: &Mechanism,
+    force: &Force,
+) -> Node {
+    let stored = tangent.of(graph, force.energy);
+    // What of the tension is the energy's slope, if the stretch's rate is a factor of the power
+    // that is stored: then what is left has no difference of large terms.
+    let slope = graph.divide(stored, force.stretch_rate);
+    let places = rates(mechanism);
+    if graph.depends(slope, |place| places.contains(&place)) {
+        let taken = graph.multiply(force.tension, force.stretch_rate);
+        return graph.subtract(taken, stored);
+    }
+    let left = graph.subtract(force.tension, slope);
+    graph.multiply(left, force.stretch_rate)
+}

@@ -1,0 +1,115 @@
+//! What contacts and frictions do to a mode's motion.
+
+use super::balance::lost;
+use super::explicit::ExplicitForms;
+use super::inertia::{InertiaTerms, gradient};
+use super::kinematics::{along_places, number};
+use super::motion::ModeMotion;
+use crate::kane::graph::{Graph, Node, Place, Tangent};
+use crate::kane::mechanism::{DryFriction, Mechanism, MechanismContact, Mode};
+use crate::kane::system::{ContactEquations, FrictionEquations};
+
+/// What a contact's equations are made from.
+pub(super) struct ContactScope<'a> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) inertia: &'a InertiaTerms,
+    pub(super) motion: &'a ModeMotion,
+    pub(super) state: &'a [Place],
+}
+
+impl ContactScope<'_> {
+    /// Returns the equations of every contact that the mode has.
+    pub(super) fn all(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        mode: &Mode,
+    ) -> Vec<ContactEquations> {
+        mode.contacts.iter().map(|contact| self.one(graph, forms, *contact)).collect()
+    }
+
+    fn one(&self, graph: &mut Graph, forms: &mut ExplicitForms, number: usize) -> ContactEquations {
+        let contact = &self.mechanism.contacts[number];
+        let gap = contact.gap.map(|gap| {
+            let rate = along_places(graph, self.mechanism).of(graph, gap);
+            (gap, rate)
+        });
+        let (normal_response, normal_readout) = match gap {
+            Some((_, rate)) => {
+                let (response, readout) = self.response(graph, forms, rate);
+                (response, Some(readout))
+            }
+            None => (Vec::new(), None),
+        };
+        ContactEquations {
+            contact: number,
+            gap: gap.map(|(gap, rate)| [gap, rate].map(|it| forms.value(graph, it))),
+            normal: self.normal(graph, forms, contact),
+            normal_response,
+            normal_readout,
+            sounds: contact.sounds.map(|it| forms.value(graph, it)),
+            friction: contact.friction.as_ref().map(|it| self.friction(graph, forms, it)),
+        }
+    }
+
+    /// Force, energy, and power that is lost.
+    fn normal(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        contact: &MechanismContact,
+    ) -> Option<[Node; 3]> {
+        let force = contact.force.as_ref()?;
+        let mut tangent = along_places(graph, self.mechanism);
+        let lost = lost(graph, &mut tangent, self.mechanism, force);
+        Some([force.tension, force.energy, lost].map(|it| forms.value(graph, it)))
+    }
+
+    /// What 1 N along `rate` adds to the derivative, and to the readout.
+    fn response(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        rate: Node,
+    ) -> (Vec<Node>, Node) {
+        let slopes = gradient(graph, self.mechanism, rate);
+        let response = self.motion.response(graph, self.inertia, &slopes);
+        let zero = graph.constant(0.0);
+        let entries = self.state.iter().map(|place| {
+            let Place::Speed(j) = place else { return zero };
+            forms.value(graph, response.accelerations[usize::from(*j)])
+        });
+        let entries = entries.collect();
+        let readout = response.driving.map_or(zero, |it| forms.value(graph, it));
+        (entries, readout)
+    }
+
+    fn friction(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        friction: &DryFriction,
+    ) -> FrictionEquations {
+        let slip = forms.value(graph, friction.slip);
+        let gradient = self.state.iter().map(|place| graph.partial(slip, *place)).collect();
+        let by_time = (0..2).map(|k| (Place::Input(k), graph.symbol(Place::Input(k + 1))));
+        let drift = Tangent::new(by_time.collect::<Vec<_>>()).of(graph, slip);
+        let (response, readout) = self.response(graph, forms, friction.slip);
+        FrictionEquations {
+            slip,
+            gradient,
+            drift,
+            response,
+            readout,
+            stiction: forms.value(graph, friction.stiction),
+            kinetic: forms.value(graph, friction.kinetic),
+        }
+    }
+}
+
+/// Returns the entries of the state: coordinates, then speeds.
+pub(super) fn places(mechanism: &Mechanism, is_kept: impl Fn(Place) -> bool) -> Vec<Place> {
+    let coordinates = (0..mechanism.coordinates.len()).map(|i| Place::Coordinate(number(i)));
+    let speeds = (0..mechanism.speeds.len()).map(|j| Place::Speed(number(j)));
+    coordinates.chain(speeds).filter(|place| is_kept(*place)).collect()
+}

@@ -1,0 +1,216 @@
+//! Coordinates that follow from others: as the description solves them, and where constraints
+//! give them linearly.
+
+use std::collections::BTreeMap;
+
+use super::kinematics::number;
+use super::linear;
+use super::numeric::{self, NumericPose};
+use crate::kane::graph::{Graph, Node, NodeOperation, Place, Substitution};
+use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
+
+/// A coefficient of the equations below this part of the largest is no ground to stand on.
+const NEGLIGIBLE: f64 = 1e-3;
+
+/// Which slopes of the constraints are good enough to solve them.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum SlopeKind {
+    /// Of the parameters alone.
+    Constant,
+    /// Without the coordinates that are solved.
+    Linear,
+}
+
+/// The coordinates that are solved in a mode, by their numbers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SolvedCoordinates {
+    /// As the description states them, over coordinates that it does not.
+    pub(super) stated: BTreeMap<usize, Node>,
+    /// Those that constraints give linearly, over the others.
+    pub(super) linear: BTreeMap<usize, Node>,
+}
+
+/// Returns the number of the speed that the rate of a coordinate is.
+pub(super) fn plain_speed(
+    graph: &Graph,
+    mechanism: &Mechanism,
+    coordinate: usize,
+) -> Option<usize> {
+    let rate = graph.operation(mechanism.coordinates[coordinate].rate);
+    if let NodeOperation::Symbol(Place::Speed(j)) = rate { Some(usize::from(*j)) } else { None }
+}
+
+/// Returns the replacement of solved coordinates.
+pub(super) fn replacement(solved: &BTreeMap<usize, Node>) -> Substitution {
+    Substitution::new(solved.iter().map(|(i, node)| (Place::Coordinate(number(*i)), *node)))
+}
+
+impl SolvedCoordinates {
+    /// Returns what is solved in `mode`.
+    ///
+    /// # Errors
+    /// Returns the stated coordinates that are made of one another.
+    pub(super) fn of(
+        graph: &mut Graph,
+        pose: &NumericPose,
+        mechanism: &Mechanism,
+        mode: &Mode,
+    ) -> Result<Self, Vec<usize>> {
+        let mut solved = Self { stated: stated(graph, mode)?, linear: BTreeMap::new() };
+        let mut pose = pose.clone();
+        solved.place(graph, &mut pose);
+        Search { graph, pose: &pose, mechanism, mode }.fill(&mut solved);
+        Ok(solved)
+    }
+
+    /// Whether the coordinate is solved.
+    pub(super) fn contains(&self, coordinate: usize) -> bool {
+        self.stated.contains_key(&coordinate) || self.linear.contains_key(&coordinate)
+    }
+
+    /// Returns all of them over coordinates that are not solved.
+    pub(super) fn resolved(&self, graph: &mut Graph) -> BTreeMap<usize, Node> {
+        let mut all = self.linear.clone();
+        let mut by_linear = replacement(&self.linear);
+        for (i, node) in &self.stated {
+            all.insert(*i, by_linear.of(graph, *node));
+        }
+        all
+    }
+
+    /// Puts their values into `pose`.
+    pub(super) fn place(&self, graph: &mut Graph, pose: &mut NumericPose) {
+        for (i, node) in self.resolved(graph) {
+            let value = pose.value(graph, node);
+            pose.set(Place::Coordinate(number(i)), value);
+        }
+    }
+}
+
+/// The stated expressions without one another.
+fn stated(graph: &mut Graph, mode: &Mode) -> Result<BTreeMap<usize, Node>, Vec<usize>> {
+    let mut all: BTreeMap<usize, Node> = mode.solved.iter().copied().collect();
+    // A chain of n expressions is resolved after n rounds.
+    for _ in 0..=all.len() {
+        let mut by = replacement(&all);
+        let next: BTreeMap<_, _> = all.iter().map(|(i, node)| (*i, by.of(graph, *node))).collect();
+        if next == all {
+            return Ok(all);
+        }
+        all = next;
+    }
+    Err(all.into_keys().collect())
+}
+
+/// The search for coordinates that constraints give linearly.
+struct Search<'a> {
+    graph: &'a mut Graph,
+    pose: &'a NumericPose,
+    mechanism: &'a Mechanism,
+    mode: &'a Mode,
+}
+
+impl Search<'_> {
+    fn fill(&mut self, solved: &mut SolvedCoordinates) {
+        let zeros = self.zeros(solved);
+        let mut chosen: Vec<usize> = Vec::new();
+        let candidates: Vec<usize> = (0..self.mechanism.coordinates.len())
+            .rev()
+            .filter(|coordinate| self.is_free(solved, *coordinate))
+            .collect();
+        let constant = candidates.iter().map(|it| (*it, SlopeKind::Constant));
+        let linear = candidates.iter().map(|it| (*it, SlopeKind::Linear));
+        for (coordinate, kind) in constant.chain(linear) {
+            if !chosen.contains(&coordinate) && self.fits(&zeros, &chosen, coordinate, kind) {
+                chosen.push(coordinate);
+            }
+        }
+        if let Some(values) = self.solve(&zeros, &chosen) {
+            solved.linear = chosen.into_iter().zip(values).collect();
+        }
+    }
+
+    /// The holonomic constraints with the stated coordinates put in.
+    fn zeros(&mut self, solved: &SolvedCoordinates) -> Vec<Node> {
+        let mut by = replacement(&solved.stated);
+        let active = self.mode.constraints.iter().map(|c| &self.mechanism.constraints[*c]);
+        let holonomic = active.filter(|it| it.kind == ConstraintKind::Holonomic);
+        holonomic.map(|it| by.of(self.graph, it.zero)).collect()
+    }
+
+    /// Whether the mode leaves it to the derivation what becomes of the coordinate.
+    fn is_free(&self, solved: &SolvedCoordinates, coordinate: usize) -> bool {
+        let Some(speed) = plain_speed(self.graph, self.mechanism, coordinate) else { return false };
+        let is_stated = self.mode.independent.as_ref().is_some_and(|all| all.contains(&speed));
+        let has_equation = self.mode.equations.iter().any(|(j, _)| *j == speed);
+        !solved.contains(coordinate) && !is_stated && !has_equation
+    }
+
+    /// The slopes of the constraints by the chosen coordinates.
+    fn slopes(&mut self, zeros: &[Node], chosen: &[usize]) -> Vec<Vec<Node>> {
+        let slope = |graph: &mut Graph, zero: Node, i: usize| {
+            graph.partial(zero, Place::Coordinate(number(i)))
+        };
+        zeros
+            .iter()
+            .map(|zero| chosen.iter().map(|i| slope(self.graph, *zero, *i)).collect())
+            .collect()
+    }
+
+    /// The constraints that are linear in the chosen coordinates, with their slopes; with
+    /// constant ones, if it is asked for.
+    fn usable(
+        &mut self,
+        zeros: &[Node],
+        chosen: &[usize],
+        kind: SlopeKind,
+    ) -> (Vec<Node>, Vec<Vec<Node>>) {
+        let moves = |place: Place| match kind {
+            SlopeKind::Constant => matches!(place, Place::Coordinate(_) | Place::Input(_)),
+            SlopeKind::Linear => chosen.iter().any(|i| place == Place::Coordinate(number(*i))),
+        };
+        let slopes = self.slopes(zeros, chosen);
+        let both = zeros.iter().copied().zip(slopes);
+        both.filter(|(_, row)| !row.iter().any(|slope| self.graph.depends(*slope, moves))).unzip()
+    }
+
+    /// Whether constraints that are linear in the chosen coordinates and in this one give all of
+    /// them.
+    fn fits(
+        &mut self,
+        zeros: &[Node],
+        chosen: &[usize],
+        coordinate: usize,
+        kind: SlopeKind,
+    ) -> bool {
+        let mut all = chosen.to_vec();
+        all.push(coordinate);
+        let slopes = self.usable(zeros, &all, kind).1;
+        let values = self.pose.matrix(self.graph, &slopes);
+        let last = all.len() - 1;
+        let largest = values.iter().fold(0.0_f64, |most, row| most.max(row[last].abs()));
+        let columns = vec![(0..all.len()).collect()];
+        largest > NEGLIGIBLE && numeric::pivots(values, &columns).len() == all.len()
+    }
+
+    fn solve(&mut self, zeros: &[Node], chosen: &[usize]) -> Option<Vec<Node>> {
+        let (zeros, slopes) = self.usable(zeros, chosen, SlopeKind::Linear);
+        let values = self.pose.matrix(self.graph, &slopes);
+        let mut rows: Vec<usize> =
+            numeric::pivots(values, &[(0..chosen.len()).collect()]).iter().map(|it| it.0).collect();
+        rows.sort_unstable();
+        let zero = self.graph.constant(0.0);
+        let without = chosen.iter().map(|i| (Place::Coordinate(number(*i)), zero));
+        let mut without = Substitution::new(without);
+        let a = rows.iter().map(|r| slopes[*r].clone()).collect();
+        let b = rows
+            .iter()
+            .map(|r| {
+                let rest = without.of(self.graph, zeros[*r]);
+                vec![self.graph.negate(rest)]
+            })
+            .collect();
+        let solution = linear::solve(self.graph, self.pose, a, b)?;
+        Some(solution.into_iter().map(|row| row[0]).collect())
+    }
+}

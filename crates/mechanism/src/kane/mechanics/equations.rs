@@ -1,0 +1,189 @@
+//! The equations of one mode, as a running model needs them.
+
+use super::balance::BalanceTerms;
+use super::contact::ContactScope;
+use super::error::DerivationObstacle;
+use super::explicit::ExplicitForms;
+use super::inertia::InertiaTerms;
+use super::motion::ModeMotion;
+use super::projection::Projection;
+use super::reset::ResetScope;
+use crate::kane::graph::{Graph, Node, Place};
+use crate::kane::mechanism::{Guard, Mechanism, Mode, Target};
+use crate::kane::system::{GuardEquations, ModeEquations};
+
+/// A mode among the others.
+pub(super) struct ModeScope<'a> {
+    pub(super) mechanism: &'a Mechanism,
+    pub(super) inertia: &'a InertiaTerms,
+    /// The motion in each mode.
+    pub(super) motions: &'a [ModeMotion],
+    pub(super) number: usize,
+    pub(super) state: &'a [Place],
+}
+
+/// Returns what forces and plain equations of a mode must not depend on, but do.
+pub(super) fn implicit(
+    graph: &Graph,
+    mechanism: &Mechanism,
+    mode: &Mode,
+) -> Vec<DerivationObstacle> {
+    let is_implicit = |node: Node| {
+        graph.depends(node, |place| {
+            matches!(place, Place::Acceleration(_) | Place::Reaction(_) | Place::Contact(_))
+        })
+    };
+    let forces = mode.forces.iter().map(|f| &mechanism.forces[*f]);
+    let forces = forces.map(|it| (it.name.clone(), vec![it.stretch_rate, it.tension, it.energy]));
+    let rates = mode.equations.iter();
+    let rates = rates.map(|(j, node)| (format!("{}'", mechanism.speeds[*j].name), vec![*node]));
+    let found =
+        forces.chain(rates).filter(|(_, nodes)| nodes.iter().any(|node| is_implicit(*node)));
+    found.map(|(what, _)| DerivationObstacle::ImplicitForce { what }).collect()
+}
+
+impl ModeScope<'_> {
+    const fn motion(&self) -> &ModeMotion {
+        &self.motions[self.number]
+    }
+
+    fn mode(&self) -> &Mode {
+        &self.mechanism.modes[self.number]
+    }
+
+    /// Returns the equations of all modes.
+    pub(super) fn equations(
+        &self,
+        graph: &mut Graph,
+    ) -> Result<ModeEquations, Vec<DerivationObstacle>> {
+        let (mechanism, mode, motion) = (self.mechanism, self.mode(), self.motion());
+        let mut forms = ExplicitForms::of(graph, mechanism, self.inertia, mode, motion);
+        self.check(graph, &forms)?;
+        let mut equations = ModeEquations::default();
+        self.move_state(graph, &mut forms, &mut equations);
+        self.project(graph, &mut equations);
+        let scope = ContactScope { mechanism, inertia: self.inertia, motion, state: self.state };
+        equations.contacts = scope.all(graph, &mut forms, mode);
+        let stated = mode.readout.or(mechanism.readout);
+        let readout = stated.or(motion.driving).map(|it| forms.value(graph, it));
+        let rate = graph.symbol(Place::Input(1));
+        equations.readout = readout;
+        equations.supplied = readout.map(|it| graph.multiply(it, rate));
+        let balance = BalanceTerms::of(graph, mechanism, self.inertia, mode);
+        equations.energy = Some(forms.value(graph, balance.energy));
+        equations.dissipated = Some(forms.value(graph, balance.dissipated));
+        let outputs = mechanism.outputs.iter().filter_map(|it| it.values.get(self.number));
+        equations.outputs = outputs.map(|it| forms.value(graph, *it)).collect();
+        equations.guards =
+            mode.guards.iter().map(|guard| self.guard(graph, &mut forms, guard)).collect();
+        Ok(equations)
+    }
+
+    /// What cannot be made explicit.
+    fn check(&self, graph: &Graph, forms: &ExplicitForms) -> Result<(), Vec<DerivationObstacle>> {
+        let (mechanism, mode) = (self.mechanism, self.mode());
+        let mut obstacles = Vec::new();
+        let guards = mode.guards.iter().map(|guard| guard.value);
+        let outputs = mechanism.outputs.iter().filter_map(|it| it.values.get(self.number).copied());
+        let readout = mode.readout.or(mechanism.readout);
+        for node in guards.chain(outputs).chain(readout) {
+            obstacles.extend(forms.obstacle(graph, mechanism, node));
+        }
+        if readout.is_none() && self.motion().driving.is_none() {
+            let names = mode.constraints.iter().map(|c| mechanism.constraints[*c].name.clone());
+            let constraint = names.collect::<Vec<_>>().join(", ");
+            obstacles.push(DerivationObstacle::UndeterminedReaction { constraint });
+        }
+        for guard in &mode.guards {
+            self.check_guard(graph, guard, &mut obstacles);
+        }
+        obstacles.dedup();
+        if obstacles.is_empty() { Ok(()) } else { Err(obstacles) }
+    }
+
+    fn check_guard(&self, graph: &Graph, guard: &Guard, obstacles: &mut Vec<DerivationObstacle>) {
+        if graph.depends(guard.value, |place| place == Place::Input(3)) {
+            obstacles.push(DerivationObstacle::TooManyInputRates { what: guard.name.clone() });
+        }
+        for (target, _) in guard.branches.iter().flat_map(|branch| &branch.set) {
+            let (place, name) = match target {
+                Target::Coordinate(i) => {
+                    let name = &self.mechanism.coordinates[*i].name;
+                    (Place::Coordinate(super::kinematics::number(*i)), name)
+                }
+                Target::Speed(j) => {
+                    (Place::Speed(super::kinematics::number(*j)), &self.mechanism.speeds[*j].name)
+                }
+            };
+            if !self.state.contains(&place) {
+                obstacles.push(DerivationObstacle::NotInState {
+                    guard: guard.name.clone(),
+                    name: name.clone(),
+                });
+            }
+        }
+    }
+
+    /// The derivative, and what is slaved.
+    fn move_state(
+        &self,
+        graph: &mut Graph,
+        forms: &mut ExplicitForms,
+        equations: &mut ModeEquations,
+    ) {
+        let motion = self.motion();
+        for place in self.state {
+            let symbol = graph.symbol(*place);
+            let (rate, is_solved) = if let Place::Coordinate(i) = place {
+                let i = usize::from(*i);
+                (self.mechanism.coordinates[i].rate, motion.solved.contains_key(&i))
+            } else if let Place::Speed(j) = place {
+                let j = usize::from(*j);
+                (motion.accelerations[j], motion.speeds.dependent.contains(&j))
+            } else {
+                (symbol, true)
+            };
+            equations.derivative.push(forms.finished(graph, rate));
+            equations.slaved.push(motion.finishing().of(graph, symbol));
+            equations.is_free.push(!is_solved);
+        }
+    }
+
+    fn project(&self, graph: &mut Graph, equations: &mut ModeEquations) {
+        let projection = Projection::of(graph, self.mechanism, self.mode(), self.motion());
+        if projection.drift.is_empty() {
+            return;
+        }
+        equations.projection = self
+            .state
+            .iter()
+            .zip(&equations.slaved)
+            .map(|(place, slaved)| {
+                let Place::Coordinate(i) = place else { return *slaved };
+                projection.coordinates.get(&usize::from(*i)).copied().unwrap_or(*slaved)
+            })
+            .collect();
+        equations.drift = projection.drift;
+    }
+
+    fn guard(&self, graph: &mut Graph, forms: &mut ExplicitForms, guard: &Guard) -> GuardEquations {
+        let scope = ResetScope {
+            mechanism: self.mechanism,
+            inertia: self.inertia,
+            motions: self.motions,
+            from: self.number,
+            state: self.state,
+        };
+        GuardEquations {
+            name: guard.name.clone(),
+            unit: guard.unit.clone(),
+            value: forms.value(graph, guard.value),
+            rate: forms.rate(graph, guard.value),
+            scale: guard.scale,
+            priority: guard.priority,
+            fires: guard.fires,
+            ways: guard.branches.iter().map(|branch| scope.way(graph, forms, branch)).collect(),
+            sounds: guard.sounds.map(|it| forms.value(graph, it)),
+        }
+    }
+}

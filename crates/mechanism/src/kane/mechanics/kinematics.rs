@@ -1,0 +1,123 @@
+//! Where bodies are, how fast they move, and what of their acceleration is there at constant
+//! speeds.
+
+use super::vector::{Components, FrameVector, Orientations, cross};
+use crate::kane::graph::{Graph, Node, Place, Tangent};
+use crate::kane::mechanism::Mechanism;
+
+/// The motion of a body's mass centre and of its axes.
+#[derive(Debug)]
+pub(super) struct BodyMotion {
+    pub(super) position: FrameVector,
+    pub(super) velocity: FrameVector,
+    /// Angular velocity (rad/s).
+    pub(super) rotation: FrameVector,
+    /// Accelerations while every speed and the input's rate stay as they are.
+    pub(super) acceleration: FrameVector,
+    pub(super) angular_acceleration: FrameVector,
+}
+
+/// The motion of a frame.
+#[derive(Clone, Debug, Default)]
+struct FrameMotion {
+    position: FrameVector,
+    velocity: FrameVector,
+    rotation: FrameVector,
+}
+
+/// Returns the direction along the motion of what depends on coordinates and the input; speeds
+/// and the input's rate stand still.
+pub(super) fn along_places(graph: &mut Graph, mechanism: &Mechanism) -> Tangent {
+    let coordinates = mechanism.coordinates.iter().enumerate();
+    let mut seeds: Vec<_> =
+        coordinates.map(|(i, it)| (Place::Coordinate(number(i)), it.rate)).collect();
+    seeds.push((Place::Input(0), graph.symbol(Place::Input(1))));
+    Tangent::new(seeds)
+}
+
+/// Returns an index as a symbol's number.
+pub(super) fn number(index: usize) -> u16 {
+    u16::try_from(index).unwrap_or(u16::MAX)
+}
+
+/// Returns the motion of every body.
+pub(super) fn bodies(
+    graph: &mut Graph,
+    axes: &mut Orientations<'_>,
+    mechanism: &Mechanism,
+) -> Vec<BodyMotion> {
+    let mut moving = Moving { rates: along_places(graph, mechanism), axes, frames: Vec::new() };
+    for frame in 0..mechanism.frames.len() {
+        let motion = moving.frame(graph, mechanism, frame);
+        moving.frames.push(motion);
+    }
+    mechanism
+        .bodies
+        .iter()
+        .map(|body| {
+            let (position, velocity) = moving.point(graph, body.frame, body.centre);
+            let rotation = moving.frames[body.frame].rotation.clone();
+            let acceleration = moving.derivative(graph, &velocity);
+            let angular_acceleration = moving.derivative(graph, &rotation);
+            BodyMotion { position, velocity, rotation, acceleration, angular_acceleration }
+        })
+        .collect()
+}
+
+struct Moving<'a, 'b> {
+    rates: Tangent,
+    axes: &'a mut Orientations<'b>,
+    frames: Vec<FrameMotion>,
+}
+
+impl Moving<'_, '_> {
+    /// The motion of a frame whose parent's is known.
+    fn frame(&mut self, graph: &mut Graph, mechanism: &Mechanism, frame: usize) -> FrameMotion {
+        if frame == 0 {
+            return FrameMotion::default();
+        }
+        let described = &mechanism.frames[frame];
+        let (position, velocity) = self.point(graph, described.parent, described.origin);
+        let mut rotation = self.frames[described.parent].rotation.clone();
+        if let Some((axis, angle)) = described.turn {
+            let mut components = [graph.constant(0.0); 3];
+            components[axis] = self.rates.of(graph, angle);
+            rotation = rotation.plus(graph, &FrameVector::of(described.parent, components));
+        }
+        FrameMotion { position, velocity, rotation }
+    }
+
+    /// Position and velocity of a point that may move along the axes of `frame`.
+    fn point(
+        &mut self,
+        graph: &mut Graph,
+        frame: usize,
+        at: [Option<Node>; 3],
+    ) -> (FrameVector, FrameVector) {
+        let zero = graph.constant(0.0);
+        let at = at.map(|it| it.unwrap_or(zero));
+        let offset = FrameVector::of(frame, at);
+        let rate = self.derivative(graph, &offset);
+        let of = self.frames[frame].clone();
+        (of.position.plus(graph, &offset), of.velocity.plus(graph, &rate))
+    }
+
+    /// The rate of a vector as seen from the ground.
+    fn derivative(&mut self, graph: &mut Graph, vector: &FrameVector) -> FrameVector {
+        let mut rate = FrameVector::default();
+        for (frame, components) in &vector.parts {
+            let own = components.map(|component| self.rates.of(graph, component));
+            let turned = self.turned(graph, *frame, *components);
+            let sum = [0, 1, 2].map(|i| graph.add(own[i], turned[i]));
+            rate = rate.plus(graph, &FrameVector::of(*frame, sum));
+        }
+        rate
+    }
+
+    /// ω × components, along the frame's axes.
+    fn turned(&mut self, graph: &mut Graph, frame: usize, components: Components) -> Components {
+        let rotation = self.frames[frame].rotation.clone();
+        let rotation = self.axes.express(graph, &rotation, frame);
+        cross(graph, rotation, components)
+    }
+}

@@ -1,0 +1,24 @@
+//! Mechanisms described in files, as equations of motion by Kane's method.
+//!
+//! In the order in which a description passes: [`text`] reads expressions with units,
+//! [`description`] a whole file with all its mistakes; [`graph`] holds all expressions once, with
+//! exact derivatives; [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from
+//! it, mode by mode; [`tape`] is the straight-line program of some expressions; [`assemble`] makes
+//! the table and the functions of a model that `equations` runs; [`readable`] writes a system for
+//! people; [`taylor`] has the coefficients of a motion from its tape.
+//!
+//! Not here: time stepping, keys, what an instrument sounds like.
+
+pub mod assemble;
+mod bound;
+pub mod description;
+pub mod mechanics;
+pub mod mechanism;
+mod program;
+pub mod readable;
+mod rest_check;
+pub mod system;
+
+pub use crate::expressions::{graph, tape, taylor};
+pub use crate::formulas as text;
+pub use program::{DerivedModel, derive_model, derive_unless_cancelled};

@@ -1,0 +1,86 @@
+//! From a description's text to a program, with every obstacle as a mistake in the file.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use documents::{Diagnostic, Diagnostics};
+
+use crate::kane::assemble::Program;
+use crate::kane::description::{Bases, Description, read};
+use crate::kane::mechanics::{DerivationError, derive};
+use crate::kane::rest_check;
+use crate::kane::system::EquationSystem;
+
+/// A description, the equations that were derived from it, and their program.
+#[derive(Clone, Debug)]
+pub struct DerivedModel {
+    pub description: Description,
+    pub system: EquationSystem,
+    pub program: Program,
+}
+
+/// Reads the description `text`, derives its equations and assembles their program; `name` stands
+/// in mistakes and is given to `bases`.
+///
+/// # Errors
+/// All mistakes of the file; of the derivation, those of all modes; a `[rest]` that is none; more
+/// work than [`crate::kane::graph::MAX_WORK`].
+pub fn derive_model(
+    name: &str,
+    text: &str,
+    bases: &dyn Bases,
+) -> Result<DerivedModel, Diagnostics> {
+    derive_unless_cancelled(name, text, bases, &Arc::default())
+}
+
+/// Like [`derive_model`], but ends early, with a mistake, once `is_cancelled` is set.
+///
+/// # Errors
+/// As of [`derive_model`].
+#[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+pub fn derive_unless_cancelled(
+    name: &str,
+    text: &str,
+    bases: &dyn Bases,
+    is_cancelled: &Arc<AtomicBool>,
+) -> Result<DerivedModel, Diagnostics> {
+    let mut description = read(name, text, bases)?;
+    description.mechanism.graph.cancel_by(Arc::clone(is_cancelled));
+    let mut system = derive(description.mechanism.clone()).map_err(|errors| {
+        Diagnostics::new(errors.iter().map(|it| obstacle(name, text, it)).collect())
+    })?;
+    let program = system.clone().assemble().map_err(|error| {
+        let help = "describe a smaller model, or leave out what it does not need";
+        Diagnostics::new(vec![at(name, None, error.to_string(), help)])
+    })?;
+    if let Some(mistake) =
+        rest_check::check(&description.mechanism, &program, &system.state, is_cancelled)
+    {
+        return Err(Diagnostics::new(vec![mistake]));
+    }
+    // What is printed of it later is another matter.
+    description.mechanism.graph.lift_limits();
+    system.mechanism.graph.lift_limits();
+    Ok(DerivedModel { description, system, program })
+}
+
+/// A derivation that did not succeed, at the mode in which it did not.
+fn obstacle(name: &str, text: &str, error: &DerivationError) -> Diagnostic {
+    let heading = format!("[modes.{}]", error.mode_name);
+    let line = text.lines().position(|line| line.trim_start().starts_with(&heading));
+    let message = error.to_string();
+    match message.split_once("; ") {
+        Some((message, help)) => at(name, line, message.to_owned(), help),
+        None => at(name, line, message, "change the mode's constraints or bodies"),
+    }
+}
+
+fn at(name: &str, line: Option<usize>, message: String, help: &str) -> Diagnostic {
+    Diagnostic {
+        file: name.to_owned(),
+        line: line.map(|line| line + 1),
+        column: line.map(|_line| 1),
+        message,
+        help: help.to_owned(),
+    }
+}

@@ -1,0 +1,186 @@
+//! How operations are written.
+
+use super::words;
+use crate::kane::graph::{BinaryFunction, UnaryFunction};
+
+/// How equations are written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Notation {
+    /// As a description writes expressions: `k1*(s - theta_k)`.
+    Text,
+    Latex,
+}
+
+/// How tightly a written expression holds together.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Tightness {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+/// An expression that was written, and whether it needs brackets.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct WrittenPart {
+    pub(super) text: String,
+    pub(super) tightness: Tightness,
+}
+
+impl WrittenPart {
+    pub(super) const fn atom(text: String) -> Self {
+        Self { text, tightness: Tightness::Atom }
+    }
+}
+
+impl Notation {
+    pub(super) fn name(self, name: &str) -> WrittenPart {
+        WrittenPart::atom(match self {
+            Self::Text => name.to_owned(),
+            Self::Latex => words::latex(name),
+        })
+    }
+
+    /// A number that is not negative.
+    pub(super) fn number(self, value: f64) -> WrittenPart {
+        let scientific = format!("{value:e}");
+        let plain = format!("{value}");
+        let short = if scientific.len() + 3 < plain.len() { scientific } else { plain };
+        match (self, short.split_once('e')) {
+            (Self::Latex, Some((mantissa, exponent))) => WrittenPart {
+                text: format!("{mantissa} \\cdot 10^{{{exponent}}}"),
+                tightness: Tightness::Product,
+            },
+            _ => WrittenPart::atom(short),
+        }
+    }
+
+    /// The text, in brackets where it holds together less than `tightness`.
+    pub(super) fn within(self, written: &WrittenPart, tightness: Tightness) -> String {
+        if written.tightness >= tightness {
+            written.text.clone()
+        } else {
+            self.bracketed(&written.text)
+        }
+    }
+
+    fn bracketed(self, text: &str) -> String {
+        match self {
+            Self::Text => format!("({text})"),
+            Self::Latex => format!("\\left({text}\\right)"),
+        }
+    }
+
+    /// Factors side by side; none are 1.
+    pub(super) fn product(self, factors: &[WrittenPart]) -> WrittenPart {
+        match factors {
+            [] => WrittenPart::atom("1".to_owned()),
+            [only] => only.clone(),
+            _ => {
+                let factors: Vec<String> =
+                    factors.iter().map(|it| self.within(it, Tightness::Product)).collect();
+                let sign = match self {
+                    Self::Text => "*",
+                    Self::Latex => " \\, ",
+                };
+                WrittenPart { text: factors.join(sign), tightness: Tightness::Product }
+            }
+        }
+    }
+
+    pub(super) fn fraction(self, above: &WrittenPart, below: &WrittenPart) -> WrittenPart {
+        match self {
+            Self::Text => {
+                let above = self.within(above, Tightness::Product);
+                let below = self.within(below, Tightness::Power);
+                WrittenPart { text: format!("{above}/{below}"), tightness: Tightness::Product }
+            }
+            Self::Latex => WrittenPart {
+                text: format!("\\frac{{{}}}{{{}}}", above.text, below.text),
+                tightness: Tightness::Product,
+            },
+        }
+    }
+
+    pub(super) fn power(self, base: &WrittenPart, exponent: &WrittenPart) -> WrittenPart {
+        let base = self.within(base, Tightness::Atom);
+        let text = match self {
+            Self::Text => format!("{base}^{}", self.within(exponent, Tightness::Atom)),
+            Self::Latex => format!("{{{base}}}^{{{}}}", exponent.text),
+        };
+        WrittenPart { text, tightness: Tightness::Power }
+    }
+
+    pub(super) fn unary(self, function: UnaryFunction, x: &WrittenPart) -> WrittenPart {
+        let name = unary_name(function);
+        WrittenPart::atom(match (self, function) {
+            (Self::Text, _) => format!("{name}({})", x.text),
+            (Self::Latex, UnaryFunction::Sqrt) => format!("\\sqrt{{{}}}", x.text),
+            (Self::Latex, UnaryFunction::Abs) => format!("\\left|{}\\right|", x.text),
+            (
+                Self::Latex,
+                UnaryFunction::Sin
+                | UnaryFunction::Cos
+                | UnaryFunction::Tanh
+                | UnaryFunction::Exp
+                | UnaryFunction::Ln,
+            ) => format!("\\{name}{}", self.bracketed(&x.text)),
+            (Self::Latex, _) => {
+                format!("\\operatorname{{{}}}{}", words::escaped(name), self.bracketed(&x.text))
+            }
+        })
+    }
+
+    pub(super) fn binary(
+        self,
+        function: BinaryFunction,
+        x: &WrittenPart,
+        y: &WrittenPart,
+    ) -> WrittenPart {
+        let name = match function {
+            BinaryFunction::Power => return self.power(x, y),
+            BinaryFunction::Atan2 => "atan2",
+            BinaryFunction::Hypot => "hypot",
+            BinaryFunction::Min => "min",
+            BinaryFunction::Max => "max",
+        };
+        let list = format!("{}, {}", x.text, y.text);
+        WrittenPart::atom(match (self, function) {
+            (Self::Text, _) => format!("{name}({list})"),
+            (Self::Latex, BinaryFunction::Min | BinaryFunction::Max) => {
+                format!("\\{name}{}", self.bracketed(&list))
+            }
+            (Self::Latex, _) => format!("\\operatorname{{{name}}}{}", self.bracketed(&list)),
+        })
+    }
+
+    pub(super) fn select(self, [condition, positive, other]: [&WrittenPart; 3]) -> WrittenPart {
+        let (condition, positive, other) = (&condition.text, &positive.text, &other.text);
+        WrittenPart::atom(match self {
+            Self::Text => format!("if({condition} > 0, {positive}, {other})"),
+            Self::Latex => format!(
+                "\\begin{{cases}} {positive} & {condition} > 0 \\\\ {other} & \\text{{otherwise}} \
+                 \\end{{cases}}"
+            ),
+        })
+    }
+}
+
+const fn unary_name(function: UnaryFunction) -> &'static str {
+    match function {
+        UnaryFunction::Sin => "sin",
+        UnaryFunction::Cos => "cos",
+        UnaryFunction::Tanh => "tanh",
+        UnaryFunction::Exp => "exp",
+        UnaryFunction::Ln => "ln",
+        UnaryFunction::Sqrt => "sqrt",
+        UnaryFunction::Abs => "abs",
+        UnaryFunction::Sign => "sign",
+        UnaryFunction::Softplus => "softplus",
+        UnaryFunction::Logistic => "logistic",
+        UnaryFunction::SoftplusArea => "softplus_area",
+        UnaryFunction::SoftplusSquareArea => "softplus_square_area",
+        UnaryFunction::Asin => "asin",
+        UnaryFunction::Acos => "acos",
+    }
+}

@@ -1,0 +1,213 @@
+//! All equations of a system, mode by mode.
+
+use instruments::equations::table::is_pose;
+
+use super::writer::{Equation, equations};
+use super::{Notation, SymbolNames};
+use crate::kane::graph::{Node, NodeOperation, Place};
+use crate::kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
+
+/// Returns all equations of `system`: for each mode what is slaved, the derivative, readout and
+/// outputs, guards with where they lead, and reset maps.
+pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
+    let mut text = String::new();
+    for mode in 0..system.modes.len() {
+        text.push_str(&mode_equations(system, mode, notation));
+        text.push('\n');
+    }
+    for name in &system.mechanism.left_out {
+        text.push_str("no mode ");
+        text.push_str(name);
+        text.push_str(": its constraints depend on one another\n");
+    }
+    text
+}
+
+/// Returns the equations of one mode of `system`; nothing for a mode that it has not.
+pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) -> String {
+    let Some(found) = system.modes.get(mode) else { return String::new() };
+    let names = SymbolNames::of(&system.mechanism);
+    let mut page =
+        Page { system, names, wanted: Vec::new(), sections: Vec::new(), statements: Vec::new() };
+    page.motion(found);
+    page.results(found);
+    for guard in &found.guards {
+        page.guard(guard);
+    }
+    let title = system.mechanism.modes.get(mode).map_or("", |it| it.name.as_str());
+    page.print(title, notation)
+}
+
+/// Equations that are collected, and the headings before some of them.
+struct Page<'a> {
+    system: &'a EquationSystem,
+    names: SymbolNames,
+    wanted: Vec<(String, Node)>,
+    sections: Vec<(usize, String)>,
+    /// What needs no equation, after so many sections.
+    statements: Vec<(usize, String)>,
+}
+
+impl Page<'_> {
+    fn section(&mut self, heading: String) {
+        self.sections.push((self.wanted.len(), heading));
+    }
+
+    fn want(&mut self, name: impl Into<String>, node: impl Into<Option<Node>>) {
+        self.wanted.extend(node.into().map(|node| (name.into(), node)));
+    }
+
+    /// A rate, unless it is a speed of that name: `y' = y'` says nothing.
+    fn want_rate(&mut self, name: &str, node: Option<Node>) {
+        let Some(node) = node else { return };
+        let operation = self.system.mechanism.graph.operation(node);
+        let is_said =
+            matches!(operation, NodeOperation::Symbol(it) if self.names.name(*it) == name);
+        if !is_said {
+            self.want(name, node);
+        }
+    }
+
+    fn is_itself(&self, node: Node, place: Place) -> bool {
+        matches!(self.system.mechanism.graph.operation(node), NodeOperation::Symbol(it) if *it == place)
+    }
+
+    fn motion(&mut self, mode: &ModeEquations) {
+        self.section("motion".to_owned());
+        for (at, place) in self.system.state.iter().enumerate() {
+            let name = self.names.name(*place);
+            if mode.is_free.get(at) == Some(&false) {
+                self.want(name, mode.slaved.get(at).copied());
+            } else {
+                self.want_rate(&format!("{name}'"), mode.derivative.get(at).copied());
+            }
+        }
+        for (at, drift) in mode.drift.iter().enumerate() {
+            self.want(format!("drift_{at}"), *drift);
+        }
+        for contact in &mode.contacts {
+            let name = self.system.mechanism.contacts.get(contact.contact);
+            let name = name.map_or("", |it| it.name.as_str()).to_owned();
+            self.section(format!("contact {name}"));
+            self.want(format!("gap({name})"), contact.gap.map(|it| it[0]));
+            self.want(format!("force({name})"), contact.normal.map(|it| it[0]));
+            if let Some(friction) = &contact.friction {
+                self.want(format!("slip({name})"), friction.slip);
+                self.want(format!("stiction({name})"), friction.stiction);
+                self.want(format!("kinetic({name})"), friction.kinetic);
+            }
+        }
+    }
+
+    fn say(&mut self, statement: String) {
+        self.statements.push((self.sections.len(), statement));
+    }
+
+    /// The mode in which the rebounds of an impact end, if it is another one.
+    fn settled(&self, way: &Way) -> Option<String> {
+        let mode = way.branch.impact?.settles.filter(|to| *to != way.branch.to)?;
+        Some(self.system.mechanism.modes.get(mode)?.name.clone())
+    }
+
+    fn results(&mut self, mode: &ModeEquations) {
+        self.section("readout, energy (J) and power (W)".to_owned());
+        self.want("readout", mode.readout);
+        self.want("energy", mode.energy);
+        self.want("supplied", mode.supplied);
+        self.want("dissipated", mode.dissipated);
+        self.section("outputs".to_owned());
+        let outputs = self.system.mechanism.outputs.iter().zip(&mode.outputs);
+        for (output, node) in outputs.filter(|(output, _)| !is_pose(&output.name)) {
+            self.want(output.name.clone(), *node);
+        }
+    }
+
+    fn guard(&mut self, guard: &GuardEquations) {
+        self.section(format!("guard {}, positive while the mode is valid", guard.name));
+        self.want(guard.name.clone(), guard.value);
+        self.want(format!("{}'", guard.name), guard.rate);
+        for way in &guard.ways {
+            let to = self.system.mechanism.modes.get(way.branch.to);
+            let to = to.map_or("", |it| it.name.as_str());
+            let where_to = way.branch.when.map_or("", |_| " where `when` is positive");
+            let heading = format!("{} leads to {to}{where_to}; after it", guard.name);
+            self.section(heading.clone());
+            let before = self.wanted.len();
+            self.want("when", way.branch.when);
+            for (place, node) in self.system.state.iter().zip(&way.state) {
+                let changed = (!self.is_itself(*node, *place)).then_some(*node);
+                self.want(self.names.name(*place), changed);
+            }
+            if self.wanted.len() == before {
+                self.say(format!("{heading} all is as before"));
+            }
+            if let Some(settled) = self.settled(way) {
+                self.say(format!("{} leads to {settled} where its rebounds end", guard.name));
+            }
+        }
+        self.want("sounds", guard.sounds);
+    }
+
+    fn print(&self, title: &str, notation: Notation) -> String {
+        let graph = &self.system.mechanism.graph;
+        let (definitions, lines) = equations(graph, &self.wanted, &self.names, notation);
+        let mut printed = Printed { notation, text: String::new() };
+        printed.title(&format!("mode {title}"));
+        printed.block("where", &definitions);
+        for (at, (from, heading)) in self.sections.iter().enumerate() {
+            let to = self.sections.get(at + 1).map_or(lines.len(), |it| it.0);
+            printed.block(heading, lines.get(*from..to).unwrap_or_default());
+            for (_, statement) in self.statements.iter().filter(|it| it.0 == at + 1) {
+                printed.statement(statement);
+            }
+        }
+        printed.text
+    }
+}
+
+/// Text of a page.
+struct Printed {
+    notation: Notation,
+    text: String,
+}
+
+impl Printed {
+    fn title(&mut self, title: &str) {
+        let title = match self.notation {
+            Notation::Text => format!("{title}\n{}\n", "=".repeat(title.chars().count())),
+            Notation::Latex => format!("\\section*{{{}}}\n", super::words::escaped(title)),
+        };
+        self.text.push_str(&title);
+    }
+
+    /// A line of its own.
+    fn statement(&mut self, text: &str) {
+        let text = match self.notation {
+            Notation::Text => format!("\n{text}\n"),
+            Notation::Latex => format!("\\paragraph{{{}}}\n", super::words::escaped(text)),
+        };
+        self.text.push_str(&text);
+    }
+
+    fn block(&mut self, heading: &str, lines: &[Equation]) {
+        if lines.is_empty() {
+            return;
+        }
+        let (open, close) = match self.notation {
+            Notation::Text => (format!("\n{heading}:\n"), ""),
+            Notation::Latex => {
+                let heading = super::words::escaped(heading);
+                (format!("\\paragraph{{{heading}}}\n\\begin{{align*}}\n"), "\\end{align*}\n")
+            }
+        };
+        self.text.push_str(&open);
+        for line in lines {
+            let line = match self.notation {
+                Notation::Text => format!("    {} = {}\n", line.left, line.right),
+                Notation::Latex => format!("{} &= {} \\\\\n", line.left, line.right),
+            };
+            self.text.push_str(&line);
+        }
+        self.text.push_str(close);
+    }
+}

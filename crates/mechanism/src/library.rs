@@ -1,0 +1,262 @@
+//! From a name or a path to a model that runs, each version once.
+
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, Weak};
+
+use crate::kane::{DerivedModel, derive_unless_cancelled};
+use crate::native::NativeError;
+use documents::{Diagnostic, Diagnostics, choice, quoted};
+use instruments::{FileContents, LoadedModel, ModelSource, SharedFunctions};
+
+use crate::files::{DescriptionFiles, KeptFiles, Unread, absolute, read_from_disk};
+use crate::shipped::{SHIPPED, description};
+use crate::too_large;
+
+/// Why there is no model.
+#[derive(Debug)]
+pub enum MissingModel {
+    /// There is no such thing: what is wrong, and what to do.
+    Unknown {
+        /// What is wrong with it.
+        message: String,
+        /// What to do about it.
+        help: String,
+    },
+    /// The description is there, and all this is wrong with it.
+    Wrong(Diagnostics),
+}
+
+impl MissingModel {
+    /// Returns what is wrong and what to do, each mistake of a description with its line and a
+    /// caret.
+    pub fn rendered(&self) -> String {
+        match self {
+            Self::Unknown { message, help } => format!("{message}; {help}"),
+            Self::Wrong(mistakes) => rendered(mistakes),
+        }
+    }
+}
+
+/// Returns the mistakes, each with the line that it is about and a caret under the place.
+pub fn rendered(mistakes: &Diagnostics) -> String {
+    let text_of = |file: &str| {
+        let of_program = description(file).map(str::to_owned);
+        of_program.or_else(|| String::from_utf8(read_from_disk(Path::new(file)).ok()?).ok())
+    };
+    documents::rendered(mistakes, &text_of).trim_end().to_owned()
+}
+
+/// Returns whether `wanted` is meant as the path of a description rather than as a name.
+pub fn is_path(wanted: &str) -> bool {
+    wanted.contains(['/', '\\']) || Path::new(wanted).extension().is_some()
+}
+
+/// Names of all models of the program.
+pub fn model_names() -> impl Iterator<Item = &'static str> + Clone {
+    SHIPPED.iter().map(|(name, _text)| *name)
+}
+
+/// Returns that there is no model called `wanted`, and which there are.
+pub fn unknown_model(wanted: &str) -> MissingModel {
+    MissingModel::Unknown {
+        message: format!("there is no model {}", quoted(wanted)),
+        help: format!("{}, or a path to a description of yours", choice(wanted, model_names())),
+    }
+}
+
+/// Reads descriptions into models, and knows those that are in use.
+///
+/// Clones share their versions. A version of a description lives as long as its model is in use; the
+/// models of the program stay.
+#[derive(Clone, Debug, Default)]
+pub struct Library(Arc<LibraryState>);
+
+#[derive(Debug, Default)]
+struct LibraryState {
+    kept: KeptFiles,
+    known: Mutex<Vec<KnownVersion>>,
+    /// How many versions were read.
+    versions: AtomicU32,
+}
+
+/// A version, and the file that it was read from by whichever path.
+#[derive(Debug)]
+struct KnownVersion {
+    place: PathBuf,
+    model: Weak<LoadedModel>,
+}
+
+impl Library {
+    /// Returns the model of the program that is called `wanted`, or the one that the file at that
+    /// path below `folder` describes.
+    ///
+    /// # Errors
+    /// There is none, or all that is wrong with its description.
+    pub fn find(&self, wanted: &str, folder: &Path) -> Result<Arc<LoadedModel>, MissingModel> {
+        if is_path(wanted) {
+            return self.load(&folder.join(wanted)).map_err(MissingModel::Wrong);
+        }
+        shipped(wanted).unwrap_or_else(|| Err(unknown_model(wanted)))
+    }
+
+    /// Returns the model that the file at `path` describes.
+    ///
+    /// A file with the contents of a version that is still in use is that version.
+    ///
+    /// # Errors
+    /// All that is wrong with the description.
+    pub fn load(&self, path: &Path) -> Result<Arc<LoadedModel>, Diagnostics> {
+        self.try_load(path, &Arc::default()).1
+    }
+
+    /// Like [`load`](Self::load), but returns the files that were read, too, right or wrong, and
+    /// ends early, with a mistake, once `is_cancelled` is set.
+    pub fn try_load(
+        &self,
+        path: &Path,
+        is_cancelled: &Arc<AtomicBool>,
+    ) -> (FileContents, Result<Arc<LoadedModel>, Diagnostics>) {
+        let place = path.canonicalize().unwrap_or_else(|_unknown| absolute(path));
+        if let Some((contents, model)) = self.current(&place) {
+            return (contents, Ok(model));
+        }
+        // The lock is not held meanwhile, so that a request does not wait for another derivation.
+        let files = DescriptionFiles::new(&self.0.kept);
+        let model = self.read(path, &files, is_cancelled);
+        if let Ok(model) = &model {
+            self.known().push(KnownVersion { place, model: Arc::downgrade(model) });
+        }
+        (files.contents(), model)
+    }
+
+    /// Returns the version in use whose files at `place` have the same contents now.
+    fn current(&self, place: &Path) -> Option<(FileContents, Arc<LoadedModel>)> {
+        let mut known = self.known();
+        known.retain(|version| version.model.strong_count() > 0);
+        let read = |path: &Path| self.0.kept.read(path).ok();
+        known.iter().filter(|version| version.place == place).find_map(|version| {
+            let model = version.model.upgrade()?;
+            let contents = model.source.as_ref()?.contents.clone();
+            (contents.read_again(&read) == contents).then_some((contents, model))
+        })
+    }
+
+    /// Makes `text` what is read at `path` from now on, whatever stands on the disk: a recording is
+    /// run again with the descriptions in it.
+    pub fn keep_file(&self, path: &Path, text: &str) {
+        self.0.kept.keep(path, text);
+    }
+
+    fn known(&self) -> MutexGuard<'_, Vec<KnownVersion>> {
+        self.0.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn read(
+        &self,
+        path: &Path,
+        files: &DescriptionFiles<'_>,
+        is_cancelled: &Arc<AtomicBool>,
+    ) -> Result<Arc<LoadedModel>, Diagnostics> {
+        let text = text_of(path, files)?;
+        let name = path.to_string_lossy().into_owned();
+        let derived = derive_unless_cancelled(&name, &text, files, is_cancelled)?;
+        let source = ModelSource {
+            file: absolute(path).to_string_lossy().into_owned(),
+            version: self.0.versions.fetch_add(1, Ordering::Relaxed) + 1,
+            contents: files.contents(),
+        };
+        compiled(path, derived, Some(source), is_cancelled)
+    }
+}
+
+/// Returns what follows from the description called `wanted`, or from the file at that path.
+///
+/// # Errors
+/// There is none, or all that is wrong with it.
+pub fn derive(wanted: &str) -> Result<DerivedModel, MissingModel> {
+    let kept = KeptFiles::default();
+    let files = DescriptionFiles::new(&kept);
+    let text = match description(wanted) {
+        Some(text) => text.to_owned(),
+        None if is_path(wanted) => {
+            text_of(Path::new(wanted), &files).map_err(MissingModel::Wrong)?
+        }
+        None => return Err(unknown_model(wanted)),
+    };
+    crate::kane::derive_model(wanted, &text, &files).map_err(MissingModel::Wrong)
+}
+
+/// Returns the model of the program called `name`, derived when it is asked for the first time.
+fn shipped(name: &str) -> Option<Result<Arc<LoadedModel>, MissingModel>> {
+    // A pure function of its index, computed once: two that ask for a model get the same one.
+    static MODELS: [OnceLock<Arc<LoadedModel>>; SHIPPED.len()] =
+        [const { OnceLock::new() }; SHIPPED.len()];
+    static DERIVING: Mutex<()> = Mutex::new(());
+    let index = SHIPPED.iter().position(|(known, _text)| *known == name)?;
+    let model = &MODELS[index];
+    let _deriving = DERIVING.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(model) = model.get() {
+        return Some(Ok(Arc::clone(model)));
+    }
+    let read = derive(name).and_then(|derived| {
+        compiled(Path::new(name), derived, None, &AtomicBool::new(false))
+            .map_err(MissingModel::Wrong)
+    });
+    Some(read.map(|read| Arc::clone(model.get_or_init(|| read))))
+}
+
+/// Returns the text of the description at `path`.
+fn text_of(path: &Path, files: &DescriptionFiles<'_>) -> Result<String, Diagnostics> {
+    let refuse = |(message, help): Unread| refusal(path, message, help);
+    let bytes = files.read(path).map_err(refuse)?;
+    String::from_utf8(bytes).map_err(|error| {
+        let message = format!("byte {} is not UTF-8", error.utf8_error().valid_up_to());
+        refuse((message, "save the file as UTF-8 text"))
+    })
+}
+
+/// Why models are interpreted.
+static INTERPRETED: OnceLock<String> = OnceLock::new();
+
+/// Returns the reason for which models of this process are interpreted, if any is.
+pub fn interpreted() -> Option<&'static str> {
+    INTERPRETED.get().map(String::as_str)
+}
+
+/// Compiles a derived model; interprets it where no machine code can be made.
+#[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
+fn compiled(
+    path: &Path,
+    derived: DerivedModel,
+    source: Option<ModelSource>,
+    is_cancelled: &AtomicBool,
+) -> Result<Arc<LoadedModel>, Diagnostics> {
+    let program = derived.program;
+    let functions: SharedFunctions =
+        match crate::native::compile_unless_cancelled(program.tapes(), is_cancelled) {
+            Ok(functions) => Arc::new(functions),
+            Err(error @ (NativeError::TooMany { .. } | NativeError::Cancelled)) => {
+                let message = format!("the model cannot be compiled, {error}");
+                return Err(refusal(path, message, "describe a smaller model"));
+            }
+            Err(unable) => {
+                INTERPRETED.get_or_init(|| unable.to_string());
+                Arc::new(program.functions)
+            }
+        };
+    let model = LoadedModel::new(program.table, functions, source)
+        .map_err(|large| refusal(path, too_large::message(large), "describe a smaller model"))?;
+    Ok(Arc::new(model))
+}
+
+/// One diagnostic about a file as a whole.
+fn refusal(path: &Path, message: String, help: &str) -> Diagnostics {
+    Diagnostics::new(vec![Diagnostic {
+        file: path.to_string_lossy().into_owned(),
+        line: None,
+        column: None,
+        message,
+        help: help.to_owned(),
+    }])
+}

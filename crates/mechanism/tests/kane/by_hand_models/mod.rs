@@ -1,0 +1,73 @@
+//! The paper's models A and B, and model C, by hand: equations to judge their descriptions by.
+//!
+//! No line of `kane` is used here, and nothing is stated that the equations do not need. Modes,
+//! guards, parameters and outputs have the names of the descriptions, whose READMEs in
+//! `crates/instruments/src` define coordinates and symbols.
+
+mod grand;
+mod key_hammer;
+
+use std::collections::BTreeMap;
+
+use pode::{EnergyBalance, GuardValue, Motion};
+
+pub(crate) use grand::Grand;
+pub(crate) use key_hammer::{Rigid, Springs};
+
+/// The values of the parameters by name.
+#[derive(Debug)]
+pub(crate) struct Values(pub(crate) BTreeMap<&'static str, f64>);
+
+impl Values {
+    /// Returns the values of the parameters called `names`.
+    pub(crate) fn of<const K: usize>(&self, names: [&str; K]) -> [f64; K] {
+        names.map(|name| *self.0.get(name).unwrap_or_else(|| panic!("no parameter {name}")))
+    }
+}
+
+/// The state after an event.
+#[derive(Debug)]
+pub(crate) struct After<const N: usize> {
+    pub(crate) mode: &'static str,
+    pub(crate) state: [f64; N],
+    /// Impulse on the input, in its unit of force times seconds.
+    pub(crate) impulse: f64,
+    /// Speed at which the string sounds (m/s), if it does.
+    pub(crate) sounds: Option<f64>,
+}
+
+impl<const N: usize> After<N> {
+    /// Goes on in `mode` with the state `state`.
+    const fn to(mode: &'static str, state: [f64; N]) -> Self {
+        Self { mode, state, impulse: 0.0, sounds: None }
+    }
+}
+
+/// A guard's name with its value and rate.
+pub(crate) type NamedGuard = (&'static str, GuardValue);
+
+/// The equations of a model whose state has N entries.
+pub(crate) trait ByHand<const N: usize> {
+    fn new(values: Values) -> Self;
+
+    /// Puts entries that follow from the others, or from the input, in their place.
+    fn constrain(&self, mode: &str, x: &[f64; N], s: &Motion) -> [f64; N];
+
+    fn derivative(&self, mode: &str, x: &[f64; N], s: &Motion) -> [f64; N];
+
+    fn readout(&self, mode: &str, x: &[f64; N], s: &Motion) -> f64;
+
+    /// Returns the guards in the order in which those that fire at once are taken.
+    fn guards(&self, mode: &str, x: &[f64; N], s: &Motion) -> Vec<NamedGuard>;
+
+    fn reset(&self, mode: &str, guard: &str, x: &[f64; N], s: &Motion) -> After<N>;
+
+    fn balance(&self, mode: &str, x: &[f64; N], s: &Motion) -> EnergyBalance;
+
+    fn outputs(&self, mode: &str, x: &[f64; N], s: &Motion) -> Vec<(&'static str, f64)>;
+}
+
+/// Returns a guard the other way round.
+const fn turned(guard: GuardValue) -> GuardValue {
+    GuardValue::new(-guard.value, -guard.rate)
+}

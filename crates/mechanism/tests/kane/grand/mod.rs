@@ -1,0 +1,51 @@
+//! The described model C, a reduced grand, against its geometry as the source writes it, virtual
+//! work, and what a finger feels.
+
+mod equations;
+mod modes;
+mod playing;
+mod pressed;
+
+use crate::kane::runnable::{Runnable, value};
+
+/// The let-off button (m).
+const BUTTON: f64 = 0.0082;
+/// Where the jack trips (m).
+const TRIP: f64 = 0.009_109_090_909_090_909;
+/// The string (m).
+const STRING: f64 = 0.045;
+
+/// ln(1 + eˣ).
+fn softplus(x: f64) -> f64 {
+    if x > 30.0 { x } else { x.exp().ln_1p() }
+}
+
+/// The end of the repetition lever (m).
+fn lever(model: &Runnable<4>, y: f64) -> f64 {
+    let [offset, ratio, drop, width] = ["o_r", "R", "yd", "wd"].map(|name| value(model, name));
+    offset + ratio * (y - width * softplus((y - drop) / width))
+}
+
+/// The head that the key carries (m): on the jack along a line, through the let-off along the
+/// parabola that leaves the button in the line's direction and ends flat by `rho` at `zt`.
+fn carried(model: &Runnable<4>, mode: &str, y: f64) -> Option<f64> {
+    let of = |name| value(model, name);
+    match mode {
+        "ACC" => Some(of("R") * y),
+        "CHK" => Some(of("zc") + of("Rc") * (y - of("ybed"))),
+        "LO" => {
+            let (from, slopes) = (of("R") * BUTTON, [of("R"), of("R") * of("rho")]);
+            let along = (y - BUTTON) / (TRIP - BUTTON);
+            let mean = slopes[0] + 0.5 * along * (slopes[1] - slopes[0]);
+            Some(from + mean * (y - BUTTON))
+        }
+        _ => None,
+    }
+}
+
+/// Compares, absolutely below 1 and relatively above.
+#[track_caller]
+fn agree(what: &str, got: f64, expected: f64, tolerance: f64) {
+    let error = (got - expected).abs();
+    assert!(error <= tolerance * (1.0 + expected.abs()), "{what}: {got} is not {expected}");
+}

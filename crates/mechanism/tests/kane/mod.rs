@@ -1,0 +1,39 @@
+//! Tests of what a mechanism's equations are, and of the programs that are assembled from them,
+//! against closed forms, models written by hand, and other programs.
+#![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
+
+mod assembled;
+mod beside_by_hand;
+mod bounds;
+mod builder;
+mod by_hand;
+mod by_hand_models;
+mod certain_steps;
+mod closed_forms;
+mod conserved;
+mod contacts;
+mod description;
+mod energy;
+mod errors;
+mod evaluation;
+mod grand;
+mod guard_bounds;
+mod impacts;
+mod lagrange;
+mod oracle;
+mod passivity;
+mod plain_equations;
+mod playable;
+mod rates;
+mod readable;
+mod reference;
+mod resting;
+mod rigid;
+mod runnable;
+mod series;
+mod shipped;
+mod sounding;
+mod stated;
+mod stroke;
+mod touching;
+mod work;

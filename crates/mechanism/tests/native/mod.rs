@@ -1,0 +1,3 @@
+//! Machine code against the tapes that it was made of.
+
+mod bits;

@@ -1,9 +1,0 @@
-//! The models of the program against what every model promises.
-
-mod conformance;
-mod drawing;
-mod drawing_to_scale;
-mod every_model;
-mod random;
-mod sketch;
-mod stroke;

@@ -1,0 +1,147 @@
+//! A whole piece, rehearsed on a key with mass, a springy finger and a let-off.
+//!
+//! The key is no model of ours: a few lines of mechanics that answer late, swing and rebound.
+
+#![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
+
+use std::fs;
+use std::path::PathBuf;
+
+use haptics::plant::Gesture;
+use pianist::{
+    Assessment, LATEST, Pianist, PlayOutcome, Rehearsal, Score, ScoreNote, Strike, Struck, assess,
+    read,
+};
+
+/// Step of the simulation (s).
+const STEP: f64 = 1e-4;
+
+/// Mass that the finger feels (kg).
+const MASS: f64 = 0.25;
+
+/// What lifts the key (N): it comes up in 50 ms, a little slower than a grand's.
+const RETURN: f64 = 2.0;
+
+/// Dip of the key (m).
+const DIP: f64 = 0.010;
+
+/// Where the hammer is thrown (m), and where the jack has reset (m).
+const LET_OFF: (f64, f64) = (0.009, 0.006);
+
+/// Where the damper falls (m).
+const DAMPER: f64 = 0.004;
+
+/// A key, pushed by a finger on a spring and a damper.
+#[derive(Clone, Debug, Default)]
+struct Key {
+    n_steps: u64,
+    /// Depth (m) and speed (m/s), down positive.
+    depth: f64,
+    speed: f64,
+    is_let_off: bool,
+}
+
+impl Key {
+    fn now(&self) -> f64 {
+        self.n_steps as f64 * STEP
+    }
+
+    fn force(&self, gestures: &[Gesture]) -> f64 {
+        let now = self.now();
+        let finger = gestures.iter().rev().find(|gesture| gesture.is_active(now));
+        let push = finger.map_or(0.0, |finger| {
+            400.0 * (finger.position(now) - self.depth) + 4.0 * (finger.velocity(now) - self.speed)
+        });
+        let bottom = (self.depth - DIP).max(0.0) * 3e4 * (1.0 + 2.0 * self.speed).max(0.0);
+        let rail = (-self.depth).max(0.0) * 1e4 * (1.0 - 2.0 * self.speed).max(0.0);
+        push.max(0.0) - RETURN - bottom + rail - 0.3 * self.speed
+    }
+
+    fn step(&mut self, gestures: &[Gesture], outcome: &mut PlayOutcome) {
+        let before = self.depth;
+        self.speed += self.force(gestures) / MASS * STEP;
+        self.depth += self.speed * STEP;
+        let (now, after) = (self.now(), self.depth);
+        let passes = |height| (before - height) * (after - height) <= 0.0;
+        let at = |height: f64| now + STEP * (height - before) / (after - before);
+        if passes(LET_OFF.0) && self.speed > 0.04 && !self.is_let_off {
+            self.is_let_off = true;
+            outcome.strikes.push(Strike { at: at(LET_OFF.0), speed: 5.0 * self.speed });
+        }
+        if passes(LET_OFF.1) && self.speed < 0.0 {
+            self.is_let_off = false;
+        }
+        if passes(DAMPER) && self.speed < 0.0 {
+            outcome.damper_fall = Some(at(DAMPER));
+        }
+        self.n_steps += 1;
+    }
+}
+
+impl Rehearsal for Key {
+    fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome {
+        let mut outcome = PlayOutcome::default();
+        while self.now() < until {
+            self.step(gestures, &mut outcome);
+        }
+        outcome
+    }
+
+    fn depth(&self) -> f64 {
+        self.depth
+    }
+}
+
+/// Asserts that a piece is played as the design promises.
+#[track_caller]
+fn check(piece: &str) {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../configs/performances");
+    let score = read(&fs::read(folder.join(piece)).expect("the piece")).expect("a score");
+    let heard = heard(&score);
+    assert_eq!((heard.missed, heard.extra), (0, 0), "{heard}");
+    assert!(heard.onset_error_ms.p99 < 1.0, "{heard}");
+    assert!(heard.velocity_error.p99 <= 1.0, "{heard}");
+}
+
+/// How a score is played.
+fn heard(score: &Score) -> Assessment {
+    let pianist = Pianist::default();
+    let performance = pianist.prepare(score, |_| Key::default(), |_| ());
+    let mut struck = Vec::new();
+    for (key, gestures) in (0..).zip(&performance.gestures) {
+        let outcome = Key::default().play(gestures, performance.end());
+        struck.extend(outcome.strikes.iter().map(|strike| Struck {
+            key,
+            at: strike.at,
+            velocity: pianist.curve.velocity(strike.speed).get(),
+        }));
+    }
+    assess(&performance.expected, &struck)
+}
+
+#[test]
+fn the_prelude_is_played_to_the_design_s_figures() {
+    check("bach-bwv-846.mid");
+}
+
+#[test]
+fn the_ode_is_played_to_the_design_s_figures() {
+    check("beethoven-ode-to-joy.mid");
+}
+
+#[test]
+fn a_key_is_repeated_seven_times_a_second_from_where_it_is() {
+    // Its jack resets at 6 mm, and the whole way up and down takes longer than that.
+    let soft_to_loud = [50, 60, 70, 80, 90];
+    let notes = (0_u32..).zip(soft_to_loud).flat_map(|(row, velocity)| {
+        (0..10_u32).map(move |n| {
+            let onset = f64::from(3 * row) + f64::from(n) / 7.0;
+            ScoreNote { key: 39, onset, end: onset + 0.05, velocity, release: None }
+        })
+    });
+    let heard = heard(&Score { notes: notes.collect(), ..Score::default() });
+    assert_eq!((heard.missed, heard.extra), (0, 0), "{heard}");
+    // The loudest are a few milliseconds late, or softer: none by more than is let pass.
+    assert!(heard.onset_error_ms.max < 1e3 * LATEST, "{heard}");
+    assert!(heard.velocity_error.p50 <= 1.0 && heard.velocity_error.max < 10.0, "{heard}");
+}

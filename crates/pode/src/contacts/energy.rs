@@ -1,0 +1,51 @@
+//! Where the energy of a mechanism with contacts came from and went.
+
+use crate::contacts::{ContactIndices, ContactMode, ContactSystem, FrictionForces, WithContacts};
+use crate::{Energetic, EnergyBalance};
+
+/// A mechanism that can account for its energy; what friction takes is known without it.
+pub trait EnergeticContacts: ContactSystem {
+    /// Returns the energy stored in `x` and in the `closed` contacts, which does not depend on the
+    /// friction `forces`, the power that the drive of the input puts in, by friction too, as a belt
+    /// does, and the power that dampers and the `closed` contacts take, without friction.
+    fn balance(
+        &self,
+        structure: Self::Structure,
+        closed: ContactIndices,
+        forces: &FrictionForces,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> EnergyBalance;
+}
+
+impl<M: EnergeticContacts> Energetic for WithContacts<M> {
+    fn energy(&self, mode: ContactMode<M::Structure>, x: &M::State, input: &M::Input) -> f64 {
+        let (closed, forces) = (mode.contacts.closed(), FrictionForces::NONE);
+        self.system().balance(mode.structure, closed, &forces, x, input).energy
+    }
+
+    fn supplied(&self, mode: ContactMode<M::Structure>, x: &M::State, input: &M::Input) -> f64 {
+        self.balance_of_input(mode, x, input).supplied
+    }
+
+    fn dissipated(&self, mode: ContactMode<M::Structure>, x: &M::State, input: &M::Input) -> f64 {
+        self.balance_of_input(mode, x, input).dissipated
+    }
+
+    /// The friction forces, which may cost a derivative, are worked out once.
+    fn balance_of_input(
+        &self,
+        mode: ContactMode<M::Structure>,
+        x: &M::State,
+        input: &M::Input,
+    ) -> EnergyBalance {
+        let (structure, system) = (mode.structure, self.system());
+        let forces = self.friction_forces(mode, x, input);
+        let of_system = system.balance(structure, mode.contacts.closed(), &forces, x, input);
+        let friction: f64 = forces
+            .iter()
+            .map(|(contact, force)| -force * system.slip(structure, contact, x, input).value)
+            .sum();
+        EnergyBalance { dissipated: friction + of_system.dissipated, ..of_system }
+    }
+}

@@ -1,0 +1,157 @@
+//! The guards of all contacts, frictions and structural modes in one list.
+
+use crate::Guarded;
+use crate::contacts::grip::Friction;
+use crate::contacts::spec::{ContactGuard, FRICTIONS, STRUCTURE};
+use crate::contacts::{
+    ContactMode, ContactState, ContactSystem, MAX_CONTACTS, MAX_FRICTIONS, WithContacts,
+};
+use crate::{Enclosure, GuardBound};
+use crate::{GuardId, GuardSpec, GuardValue, MAX_GUARDS};
+
+/// A model with more parts than can be followed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum TooManyGuards {
+    /// More contacts than [`MAX_CONTACTS`], with their number.
+    Contacts(usize),
+    /// More frictions than [`MAX_FRICTIONS`].
+    Frictions,
+    /// More guards than [`MAX_GUARDS`](crate::MAX_GUARDS): one for each contact, one for each
+    /// friction, and those of the structure.
+    Guards,
+    /// A guard of the structure with an id that is not below 128.
+    Id(GuardId),
+}
+
+/// The guards of a model, whatever its mode.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct GuardList {
+    specs: [GuardSpec; MAX_GUARDS],
+    len: usize,
+}
+
+impl GuardList {
+    /// Contacts go after the structure, and frictions after them.
+    const CONTACT_PRIORITY: u8 = 64;
+    const FRICTION_PRIORITY: u8 = 128;
+
+    pub(super) fn of<M: ContactSystem>(system: &M) -> Result<Self, TooManyGuards> {
+        let mut list = Self { specs: [GuardSpec::new(0, ""); MAX_GUARDS], len: 0 };
+        let contacts = system.contacts();
+        if contacts.len() > MAX_CONTACTS {
+            return Err(TooManyGuards::Contacts(contacts.len()));
+        }
+        if contacts.iter().filter(|contact| contact.friction.is_some()).count() > MAX_FRICTIONS {
+            return Err(TooManyGuards::Frictions);
+        }
+        for (number, contact) in (0..).zip(contacts) {
+            if let Some(scale) = contact.gap {
+                let spec = GuardSpec::new(number, contact.name).scaled(scale);
+                list.add(spec.with_priority(Self::CONTACT_PRIORITY))?;
+            }
+            if let Some(friction) = contact.friction {
+                let spec = GuardSpec::new(FRICTIONS + number, friction.name);
+                list.add(spec.with_priority(Self::FRICTION_PRIORITY))?;
+            }
+        }
+        for spec in system.structure_guards() {
+            let id = spec.id.0.checked_add(STRUCTURE).ok_or(TooManyGuards::Id(spec.id))?;
+            list.add(GuardSpec { id: GuardId(id), ..*spec })?;
+        }
+        Ok(list)
+    }
+
+    fn add(&mut self, spec: GuardSpec) -> Result<(), TooManyGuards> {
+        *self.specs.get_mut(self.len).ok_or(TooManyGuards::Guards)? = spec;
+        self.len += 1;
+        Ok(())
+    }
+
+    fn specs(&self) -> &[GuardSpec] {
+        &self.specs[..self.len]
+    }
+}
+
+impl<M: ContactSystem> Guarded for WithContacts<M> {
+    fn guards(&self, _: ContactMode<M::Structure>) -> &[GuardSpec] {
+        self.guards.specs()
+    }
+
+    fn is_watched(&self, mode: ContactMode<M::Structure>, guard: GuardId) -> bool {
+        match ContactGuard::of(guard) {
+            ContactGuard::Gap(_) => true,
+            ContactGuard::Friction(contact) => {
+                !matches!(mode.contacts.state(contact), ContactState::Open | ContactState::Closed)
+            }
+            ContactGuard::Structure(guard) => self.system.is_watched(mode.structure, guard),
+        }
+    }
+
+    fn guard_bound(
+        &self,
+        mode: ContactMode<M::Structure>,
+        guard: GuardId,
+        over: &Enclosure<M::State, M::Input>,
+    ) -> GuardBound {
+        match ContactGuard::of(guard) {
+            ContactGuard::Friction(contact) => self.friction_bound(mode, contact, over),
+            guard @ (ContactGuard::Gap(_) | ContactGuard::Structure(_)) => {
+                self.system.guard_bound(mode.structure, guard, over)
+            }
+        }
+    }
+
+    fn guard(
+        &self,
+        mode: ContactMode<M::Structure>,
+        guard: GuardId,
+        x: &M::State,
+        input: &M::Input,
+    ) -> GuardValue {
+        match ContactGuard::of(guard) {
+            ContactGuard::Gap(contact) => {
+                let gap = self.system.gap(mode.structure, contact, x, input);
+                if mode.contacts.is_closed(contact) { -gap } else { gap }
+            }
+            ContactGuard::Friction(contact) => {
+                let friction = self.friction(mode, contact, x, input);
+                friction.map_or(GuardValue::new(1.0, 0.0), |it| it.guard())
+            }
+            ContactGuard::Structure(guard) => {
+                self.system.structure_guard(mode.structure, guard, x, input)
+            }
+        }
+    }
+}
+
+impl<M: ContactSystem> WithContacts<M> {
+    /// The bound of a friction's guard: of a slide the slip speed, in parts of its size. What holds
+    /// a stick depends on all that act with it, and nothing bounds it.
+    fn friction_bound(
+        &self,
+        mode: ContactMode<M::Structure>,
+        contact: usize,
+        over: &Enclosure<M::State, M::Input>,
+    ) -> GuardBound {
+        let spec = self.system.contacts().get(contact).and_then(|it| it.friction);
+        match (mode.contacts.state(contact), spec) {
+            (ContactState::SlideUp | ContactState::SlideDown, Some(spec)) => {
+                let guard = ContactGuard::Friction(contact);
+                self.system.guard_bound(mode.structure, guard, over).times(1.0 / spec.slip)
+            }
+            _ => GuardBound::UNKNOWN,
+        }
+    }
+
+    /// The friction of `contact` in `mode`, if it has any.
+    pub(super) fn friction<'a>(
+        &'a self,
+        mode: ContactMode<M::Structure>,
+        contact: usize,
+        x: &'a M::State,
+        input: &'a M::Input,
+    ) -> Option<Friction<'a, M>> {
+        let spec = self.system.contacts().get(contact)?.friction?;
+        Some(Friction { point: self.point(mode, x, input), contact, spec })
+    }
+}

@@ -1,0 +1,66 @@
+//! The equations of motion with the friction forces of the mode.
+
+use crate::Model;
+use crate::Nature;
+use crate::contacts::{ContactMode, ContactState, ContactSystem, WithContacts};
+
+impl<M: ContactSystem> Model for WithContacts<M> {
+    type Mode = ContactMode<M::Structure>;
+    type State = M::State;
+    type Input = M::Input;
+    const COORDS: usize = M::COORDS;
+
+    #[inline]
+    fn coordinates(&self) -> usize {
+        self.system.coordinates()
+    }
+
+    fn derivative(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> M::State {
+        self.point(mode, x, input).motion().flow
+    }
+
+    fn readout(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> f64 {
+        let forces = self.friction_forces(mode, x, input);
+        self.system.readout(mode.structure, mode.contacts.closed(), &forces, x, input)
+    }
+
+    fn nature(&self, mode: Self::Mode) -> Nature {
+        self.system.nature(mode.structure, mode.contacts)
+    }
+
+    fn longest_step(&self, mode: Self::Mode) -> f64 {
+        self.system.longest_step(mode.structure, mode.contacts)
+    }
+
+    fn longest_step_at(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> f64 {
+        self.system.longest_step_at(mode.structure, mode.contacts, x, input)
+    }
+
+    fn longest_projection(&self, mode: Self::Mode) -> f64 {
+        self.system.longest_projection(mode.structure)
+    }
+
+    fn constrain(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> M::State {
+        let x = self.system.constrain(mode.structure, x, input);
+        if mode.contacts.sticking().is_empty() { x } else { self.stopped(mode, &x, input) }
+    }
+}
+
+impl<M: ContactSystem> WithContacts<M> {
+    /// The state with the slip speeds of what sticks at zero.
+    fn stopped(&self, mode: ContactMode<M::Structure>, x: &M::State, input: &M::Input) -> M::State {
+        let point = self.point(mode, x, input);
+        let (mut held, mut moves) = (mode.contacts, false);
+        for contact in mode.contacts.sticking() {
+            let Some(friction) = self.friction(mode, contact, x, input) else { continue };
+            let slip = point.slip(contact).value.abs();
+            // What the input has torn off is left to the guard.
+            if slip > friction.spec.slack {
+                held = held.with(contact, ContactState::Closed);
+            }
+            moves |= slip > friction.spec.rounding();
+        }
+        let held = held.sticking();
+        if moves && !held.is_empty() { point.without_slip(held) } else { *x }
+    }
+}

@@ -1,0 +1,145 @@
+//! A state in one mode of the contacts: the friction forces, and the motion that they give.
+
+use crate::State as _;
+use crate::contacts::solve::{Mobility, PerFriction, least_norm};
+use crate::contacts::{
+    ContactIndices, ContactMode, ContactSystem, FrictionForces, FrictionLimits, MAX_FRICTIONS,
+};
+use crate::filippov::{Continued as _, Surface};
+
+/// A state and an input of a system, and the contacts that are to hold there.
+pub(super) struct ContactPoint<'a, M: ContactSystem> {
+    pub(super) system: &'a M,
+    pub(super) mode: ContactMode<M::Structure>,
+    pub(super) x: &'a M::State,
+    pub(super) input: &'a M::Input,
+}
+
+/// The derivative, and the friction forces in it.
+pub(super) struct ContactMotion<S> {
+    pub(super) flow: S,
+    pub(super) forces: FrictionForces,
+}
+
+/// The contacts that are held at a point, with what each force of them moves.
+struct Held<S> {
+    contacts: ContactIndices,
+    slips: [Surface<S>; MAX_FRICTIONS],
+    responses: [S; MAX_FRICTIONS],
+    mobility: Mobility,
+}
+
+impl<'a, M: ContactSystem> ContactPoint<'a, M> {
+    /// The same mode with another state and input.
+    const fn moved<'b>(&self, x: &'b M::State, input: &'b M::Input) -> ContactPoint<'b, M>
+    where
+        'a: 'b,
+    {
+        ContactPoint { system: self.system, mode: self.mode, x, input }
+    }
+
+    pub(super) fn slip(&self, contact: usize) -> Surface<M::State> {
+        self.system.slip(self.mode.structure, contact, self.x, self.input)
+    }
+
+    pub(super) fn response(&self, contact: usize) -> M::State {
+        self.system.response(self.mode.structure, contact, self.x, self.input)
+    }
+
+    pub(super) fn limits(&self, contact: usize) -> FrictionLimits {
+        self.system.friction(self.mode.structure, contact, self.x, self.input)
+    }
+
+    /// The derivative with all friction forces.
+    ///
+    /// Costs one derivative of the system, and a response for each closed contact with friction.
+    pub(super) fn motion(&self) -> ContactMotion<M::State> {
+        let (structure, contacts) = (self.mode.structure, self.mode.contacts);
+        let mut flow = self.system.derivative(structure, contacts.closed(), self.x, self.input);
+        let mut forces = self.sliding();
+        for (contact, force) in forces.iter() {
+            flow = flow.plus(force, &self.response(contact));
+        }
+        if !contacts.sticking().is_empty() {
+            self.hold(&mut flow, &mut forces);
+        }
+        ContactMotion { flow, forces }
+    }
+
+    /// All friction forces; only those that hold cost what [`ContactPoint::motion`] does.
+    pub(super) fn forces(&self) -> FrictionForces {
+        if self.mode.contacts.sticking().is_empty() { self.sliding() } else { self.motion().forces }
+    }
+
+    /// The friction forces of contacts that slip.
+    fn sliding(&self) -> FrictionForces {
+        let mut forces = FrictionForces::NONE;
+        for contact in self.mode.contacts.sliding() {
+            let sign = self.mode.contacts.state(contact).slip_sign();
+            forces.add(contact, -sign * self.limits(contact).kinetic);
+        }
+        forces
+    }
+
+    /// Adds the forces that keep all sticking contacts from slipping to `flow`.
+    fn hold(&self, flow: &mut M::State, forces: &mut FrictionForces) {
+        let held = self.held(self.mode.contacts.sticking());
+        let wanted = held.column(|slip| -slip.rate(flow));
+        let solution = least_norm(&held.mobility, &wanted, held.contacts.len());
+        for (index, contact) in held.contacts.iter().enumerate().take(MAX_FRICTIONS) {
+            *flow = flow.plus(solution[index], &held.responses[index]);
+            forces.add(contact, solution[index]);
+        }
+    }
+
+    /// What the forces at `contacts` move, taken together.
+    fn held(&self, contacts: ContactIndices) -> Held<M::State> {
+        let none = Surface { value: 0.0, gradient: M::State::ZERO, drift: 0.0 };
+        let mut slips = [none; MAX_FRICTIONS];
+        let mut responses = [M::State::ZERO; MAX_FRICTIONS];
+        let mut mobility = [[0.0; MAX_FRICTIONS]; MAX_FRICTIONS];
+        for (index, contact) in contacts.iter().enumerate().take(MAX_FRICTIONS) {
+            (slips[index], responses[index]) = (self.slip(contact), self.response(contact));
+            for other in 0..=index {
+                let entry = slips[index].slope(&responses[other]);
+                (mobility[index][other], mobility[other][index]) = (entry, entry);
+            }
+        }
+        Held { contacts, slips, responses, mobility }
+    }
+
+    /// The state with the slip speed of all `contacts` at zero.
+    ///
+    /// It moves along what their forces move, so that nothing that a friction cannot change
+    /// changes.
+    pub(super) fn without_slip(&self, contacts: ContactIndices) -> M::State {
+        let held = self.held(contacts);
+        let wanted = held.column(|slip| -slip.value);
+        let impulses = least_norm(&held.mobility, &wanted, contacts.len());
+        let moved = impulses.iter().zip(&held.responses).take(contacts.len());
+        moved.fold(*self.x, |x, (impulse, response)| x.plus(*impulse, response))
+    }
+
+    /// The same point `dt` (s) later along `flow`, or earlier if negative.
+    pub(super) fn after<T>(
+        &self,
+        dt: f64,
+        flow: &M::State,
+        ask: impl FnOnce(&ContactPoint<'_, M>) -> T,
+    ) -> T {
+        let (x, input) = (self.x.plus(dt, flow), self.input.after(dt));
+        ask(&self.moved(&x, &input))
+    }
+}
+
+impl<S: crate::State> Held<S> {
+    /// One number for each contact.
+    fn column(&self, number: impl Fn(&Surface<S>) -> f64) -> PerFriction {
+        let mut column = [0.0; MAX_FRICTIONS];
+        let slips = self.slips.iter().take(self.contacts.len());
+        for (entry, slip) in column.iter_mut().zip(slips) {
+            *entry = number(slip);
+        }
+        column
+    }
+}

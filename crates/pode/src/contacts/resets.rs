@@ -1,0 +1,164 @@
+//! In which mode a state starts, and what follows where a contact opens or closes, a friction
+//! sticks or slips, or the structure changes.
+
+use crate::GuardId;
+use crate::contacts::{
+    ContactGuard, ContactIndices, ContactMode, ContactSet, ContactState, ContactSystem,
+    WithContacts,
+};
+use crate::{Model as _, Reset, Resets};
+
+impl<M: ContactSystem> Resets for WithContacts<M> {
+    fn reset(
+        &self,
+        mode: ContactMode<M::Structure>,
+        guard: GuardId,
+        x: &M::State,
+        input: &M::Input,
+    ) -> Reset<Self> {
+        match ContactGuard::of(guard) {
+            ContactGuard::Gap(contact) if mode.contacts.is_closed(contact) => {
+                Reset::to(mode.with(contact, ContactState::Open), *x)
+            }
+            ContactGuard::Gap(contact) => {
+                self.touch(mode.with(contact, ContactState::Closed), contact, x, input)
+            }
+            ContactGuard::Friction(contact) => self.touch(mode, contact, x, input),
+            ContactGuard::Structure(guard) => {
+                let reset = self.system.reset(mode.structure, mode.contacts, guard, x, input);
+                Reset { mode: self.released(reset.mode, &reset.state, input), ..reset }
+            }
+        }
+    }
+}
+
+impl<S> ContactMode<S> {
+    /// The same with `contact` in another state.
+    #[must_use]
+    pub fn with(self, contact: usize, state: ContactState) -> Self {
+        Self { contacts: self.contacts.with(contact, state), ..self }
+    }
+}
+
+impl<M: ContactSystem> WithContacts<M> {
+    /// The mode in which `x` starts in `structure`, and `x` with what sticks put to rest.
+    ///
+    /// A contact starts closed where its gap is negative; its friction slides where the slip
+    /// speed is not zero, and sticks where the forces that hold are within their limits.
+    pub fn start(
+        &self,
+        structure: M::Structure,
+        x: &M::State,
+        input: &M::Input,
+    ) -> (ContactMode<M::Structure>, M::State) {
+        let mut mode = ContactMode { structure, contacts: ContactSet::OPEN };
+        for contact in 0..self.system.contacts().len() {
+            mode = mode.with(contact, self.first_state(structure, contact, x, input));
+        }
+        let x = self.constrain(mode, x, input);
+        (self.decided(mode, mode.contacts.sticking(), &x, input), x)
+    }
+
+    /// What a contact does as far as its gap and its slip speed tell.
+    fn first_state(
+        &self,
+        structure: M::Structure,
+        contact: usize,
+        x: &M::State,
+        input: &M::Input,
+    ) -> ContactState {
+        let Some(spec) = self.system.contacts().get(contact) else { return ContactState::Open };
+        let is_open =
+            spec.gap.is_some() && self.system.gap(structure, contact, x, input).value >= 0.0;
+        let Some(friction) = spec.friction.filter(|_| !is_open) else {
+            return if is_open { ContactState::Open } else { ContactState::Closed };
+        };
+        let slip = self.system.slip(structure, contact, x, input).value;
+        if slip.abs() > friction.same() { ContactState::slide(slip) } else { ContactState::Stick }
+    }
+
+    /// Where a closed contact goes on whose friction has to be found anew.
+    fn touch(
+        &self,
+        mode: ContactMode<M::Structure>,
+        contact: usize,
+        x: &M::State,
+        input: &M::Input,
+    ) -> Reset<Self> {
+        let Some(friction) = self.friction(mode, contact, x, input) else {
+            return Reset::to(mode, *x);
+        };
+        if !friction.is_stopped() {
+            let slip = friction.point.slip(contact).value;
+            return Reset::to(mode.with(contact, ContactState::slide(slip)), *x);
+        }
+        // A stick that has come to its limit lets go first; everything else may stick.
+        let held = mode.contacts.state(contact) == ContactState::Stick;
+        let first = if held { friction.slip_direction() } else { ContactState::Stick };
+        let stopped = self.stopped_with(mode, contact, x, input);
+        let resting = stopped.contacts.sticking();
+        // What goes back begins at zero, too.
+        let x = self.point(stopped, x, input).without_slip(resting);
+        Reset::to(self.decided(stopped.with(contact, first), resting, &x, input), x)
+    }
+
+    /// The mode with `contact` sticking, and all that have come to rest by the same motion.
+    fn stopped_with(
+        &self,
+        mode: ContactMode<M::Structure>,
+        contact: usize,
+        x: &M::State,
+        input: &M::Input,
+    ) -> ContactMode<M::Structure> {
+        let mut stopped = mode.with(contact, ContactState::Stick);
+        for other in mode.contacts.sliding() {
+            let Some(friction) = self.friction(mode, other, x, input) else { continue };
+            if friction.point.slip(other).value.abs() <= friction.spec.same() {
+                stopped = stopped.with(other, ContactState::Stick);
+            }
+        }
+        stopped
+    }
+
+    /// The mode in which each of `resting`, whose slip speeds are zero, either holds or slides
+    /// the way that its own force lets it: the contact with the lowest number that does not is
+    /// revised, until none is left.
+    pub(super) fn decided(
+        &self,
+        mut mode: ContactMode<M::Structure>,
+        resting: ContactIndices,
+        x: &M::State,
+        input: &M::Input,
+    ) -> ContactMode<M::Structure> {
+        /// Revisions per contact; each has three states to try.
+        const MOST: usize = 4;
+        for _ in 0..MOST * resting.len() {
+            let revised = resting.iter().find_map(|contact| {
+                let state = self.friction(mode, contact, x, input)?.revised()?;
+                Some(mode.with(contact, state))
+            });
+            let Some(next) = revised else { break };
+            mode = next;
+        }
+        mode
+    }
+
+    /// The mode with what the structure's impulse has made slip let go.
+    fn released(
+        &self,
+        mode: ContactMode<M::Structure>,
+        x: &M::State,
+        input: &M::Input,
+    ) -> ContactMode<M::Structure> {
+        let point = self.point(mode, x, input);
+        let mut after = mode;
+        for contact in mode.contacts.sticking() {
+            let Some(friction) = self.friction(mode, contact, x, input) else { continue };
+            let slip = point.slip(contact).value;
+            if slip.abs() > friction.spec.same() {
+                after = after.with(contact, ContactState::slide(slip));
+            }
+        }
+        after
+    }
+}

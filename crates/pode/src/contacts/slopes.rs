@@ -1,0 +1,17 @@
+//! How the readout of a mechanism with contacts goes on for a moment.
+
+use crate::contacts::{ContactMode, ContactSystem, WithContacts};
+use crate::{Model, Motion, ReadoutSlopes, Sloped, differenced_slopes};
+
+/// With the contacts as they are: as the system knows them, else by central differences.
+impl<M: ContactSystem<Input = Motion>> Sloped for WithContacts<M> {
+    fn slopes(
+        &self,
+        mode: ContactMode<M::Structure>,
+        x: &<Self as Model>::State,
+        input: &Motion,
+    ) -> ReadoutSlopes {
+        let known = self.system().slopes(mode.structure, mode.contacts, x, input);
+        known.unwrap_or_else(|| differenced_slopes(self, mode, x, input))
+    }
+}

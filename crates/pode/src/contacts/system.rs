@@ -1,0 +1,230 @@
+//! What a modeller implements: a structure, its contacts, and what friction does to it.
+
+use core::fmt::Debug;
+
+use crate::Nature;
+use crate::Reset;
+use crate::State;
+use crate::contacts::{
+    ContactGuard, ContactIndices, ContactSet, ContactSpec, FrictionForces, WithContacts,
+};
+use crate::filippov::{Continued, Surface};
+use crate::{Enclosure, GuardBound};
+use crate::{GuardId, GuardSpec, GuardValue, ReadoutSlopes};
+
+/// The largest friction forces of a closed contact (N, or N m).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FrictionLimits {
+    /// What can hold at slip speed zero: μ_s N.
+    pub stiction: f64,
+    /// What brakes a slide, not more than that: μ_k N.
+    pub kinetic: f64,
+}
+
+impl FrictionLimits {
+    /// Coulomb's law with one coefficient: `force` at any slip speed (N).
+    pub const fn coulomb(force: f64) -> Self {
+        Self { stiction: force, kinetic: force }
+    }
+}
+
+/// A mechanism with compliant contacts and dry frictions.
+///
+/// Contacts have numbers, from 0, by their place in [`Self::contacts`]. What is asked about a
+/// contact is asked a little beyond its end too, within a step: a force goes on there as if
+/// the contact were not over, or is zero.
+pub trait ContactSystem: Sized {
+    /// What changes besides the contacts: the structural mode.
+    type Structure: Copy + Eq + Debug + Send;
+    /// The vector of coordinates, then speeds.
+    type State: State;
+    /// What drives the system.
+    type Input: Continued;
+
+    /// How many leading entries of the state are coordinates.
+    const COORDS: usize;
+
+    /// Returns how many leading entries of the state are coordinates, where that is a matter of the
+    /// values of the system.
+    #[inline]
+    fn coordinates(&self) -> usize {
+        Self::COORDS
+    }
+
+    /// Returns the contacts and bearings; their number may come from a file.
+    fn contacts(&self) -> &[ContactSpec];
+
+    /// Returns the gap between the surfaces of an open or closed contact (m), and its rate:
+    /// negative while they press.
+    fn gap(
+        &self,
+        structure: Self::Structure,
+        contact: usize,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> GuardValue;
+
+    /// Returns the derivative of `x` with the normal forces of the `closed` contacts, and
+    /// without any friction force of the contacts.
+    fn derivative(
+        &self,
+        structure: Self::Structure,
+        closed: ContactIndices,
+        x: &Self::State,
+        input: &Self::Input,
+    ) -> Self::State;
+
+    /// Returns the slip speed of a closed contact with friction (m/s), with its derivatives.
+    fn slip(
+        &self,
+        _structure: Self::Structure,
+        _contact: usize,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> Surface<Self::State> {
+        Surface { value: 0.0, gradient: Self::State::ZERO, drift: 0.0 }
+    }
+
+    /// Returns what a friction force of 1 N in the direction of positive slip adds to the
+    /// derivative: a matter of `x` alone, since friction enters linearly.
+    ///
+    /// Force and slip belong together: their product is a power. Then the slip accelerations
+    /// depend on the forces by a symmetric matrix.
+    fn response(
+        &self,
+        _structure: Self::Structure,
+        _contact: usize,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> Self::State {
+        Self::State::ZERO
+    }
+
+    /// Returns the largest friction forces of a closed contact (N), not negative while it is
+    /// closed; the kinetic one may depend on the slip speed.
+    fn friction(
+        &self,
+        _structure: Self::Structure,
+        _contact: usize,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> FrictionLimits {
+        FrictionLimits::coulomb(0.0)
+    }
+
+    /// Returns the readout, with the friction forces as they are (N).
+    fn readout(
+        &self,
+        _structure: Self::Structure,
+        _closed: ContactIndices,
+        _forces: &FrictionForces,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> f64 {
+        0.0
+    }
+
+    /// Returns the slopes of the readout with these contacts as they are; none where differences
+    /// are to be taken.
+    fn slopes(
+        &self,
+        _structure: Self::Structure,
+        _contacts: ContactSet,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> Option<ReadoutSlopes> {
+        None
+    }
+
+    /// Returns the guards of all structural modes, with ids below 128 and priorities below 64:
+    /// walls, latches, what ends a structure.
+    fn structure_guards(&self) -> &[GuardSpec] {
+        &[]
+    }
+
+    /// Whether a guard of the structure is watched in `structure`.
+    fn is_watched(&self, _structure: Self::Structure, _guard: GuardId) -> bool {
+        true
+    }
+
+    /// Returns a guard of the structure and its rate along the motion.
+    fn structure_guard(
+        &self,
+        _structure: Self::Structure,
+        _guard: GuardId,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> GuardValue {
+        GuardValue::new(1.0, 0.0)
+    }
+
+    /// Applies the reset map of a guard of the structure; the contacts follow by themselves.
+    ///
+    /// A friction of finite force takes no part in an impulse: where it leaves a slip speed,
+    /// a contact that held slides from there.
+    fn reset(
+        &self,
+        structure: Self::Structure,
+        contacts: ContactSet,
+        _guard: GuardId,
+        x: &Self::State,
+        _input: &Self::Input,
+    ) -> Reset<WithContacts<Self>> {
+        Reset::to(super::ContactMode { structure, contacts }, *x)
+    }
+
+    /// What the equations are like while these contacts touch.
+    fn nature(&self, _structure: Self::Structure, _contacts: ContactSet) -> Nature {
+        Nature::default()
+    }
+
+    /// Longest step (s) that resolves the motion while these contacts touch.
+    fn longest_step(&self, _structure: Self::Structure, _contacts: ContactSet) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Longest step (s) from `x` on, where that depends on the state: a felt that is pressed
+    /// hard is stiff. At most [`Self::longest_step`].
+    fn longest_step_at(
+        &self,
+        structure: Self::Structure,
+        contacts: ContactSet,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> f64 {
+        self.longest_step(structure, contacts)
+    }
+
+    /// Bounds what a gap, a slip speed or a guard of the structure does along a computed orbit, as
+    /// [`Guarded::guard_bound`](crate::Guarded::guard_bound) does.
+    fn guard_bound(
+        &self,
+        _structure: Self::Structure,
+        _guard: ContactGuard,
+        _over: &Enclosure<Self::State, Self::Input>,
+    ) -> GuardBound {
+        GuardBound::UNKNOWN
+    }
+
+    /// Returns `x` with the coordinates that `structure` slaves to the input put in place.
+    fn constrain(
+        &self,
+        _structure: Self::Structure,
+        x: &Self::State,
+        _input: &Self::Input,
+    ) -> Self::State {
+        *x
+    }
+
+    /// How far an event that leads to `structure` may move a coordinate onto a constraint, in the
+    /// unit of that coordinate; farther is a fault.
+    fn longest_projection(&self, _structure: Self::Structure) -> f64 {
+        f64::INFINITY
+    }
+
+    /// A time (s) in which the motion changes little, and over which the rate of a holding
+    /// force is taken by differences.
+    fn moment(&self) -> f64 {
+        1e-6
+    }
+}
