@@ -1,7 +1,7 @@
 //! The machine pauses: ticks are lost, and what is played meanwhile sounds late.
 
+use figures::rehearsal::RehearsedKey;
 use haptics::{Gesture, Touch};
-use host::rehearsal::RehearsedKey;
 use pianist::{Pianist, Score, ScoreNote, Technique};
 use scheduler::motion::KeyEvent;
 use scheduler::port::{FinishedTick, TickObserver};

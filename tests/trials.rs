@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
 use boards::sim::keybed::SimulatedKeybed;
+use figures::stability::examine;
 use haptics::plant::KeyRig;
 use host::session::{RunOptions, RunSession};
-use host::stability::examine;
 use scene::{FingerName, Scene, instruments};
 use scheduler::port::{FinishedTick, TickObserver};
 

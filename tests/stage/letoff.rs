@@ -42,7 +42,7 @@ fn build() -> PathBuf {
     }
     let built = build
         .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["build", "--quiet", "--package", "cli", "--bin", "letoff"])
+        .args(["build", "--quiet", "--package", "cli", "--package", "lab", "--bins"])
         .args(["--profile", profile, "--target-dir"])
         .arg(target)
         .status();

@@ -3,12 +3,12 @@
 use firmware_protocol::key::KeyIndex;
 
 /// The help of `--link`.
-pub(super) const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
+pub const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
                                can:INTERFACE, classic-can:INTERFACE, or 'rig:PROGRAM ARGUMENTS' \
                                for a program that lives boards in virtual time; once for each";
 
 /// Reads a length of time (s), above 0.
-pub(super) fn seconds(text: &str) -> Result<f64, String> {
+pub fn seconds(text: &str) -> Result<f64, String> {
     match number(text)? {
         seconds if seconds > 0.0 => Ok(seconds),
         _ => Err(format!("`{text}` s is no length: give a number above 0")),
@@ -16,7 +16,7 @@ pub(super) fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// Reads a ratio, above 0.
-pub(super) fn ratio(text: &str) -> Result<f64, String> {
+pub fn ratio(text: &str) -> Result<f64, String> {
     match number(text)? {
         ratio if ratio > 0.0 => Ok(ratio),
         _ => Err(format!("`{text}` is no ratio: give a number above 0, as 0.5")),
@@ -24,7 +24,7 @@ pub(super) fn ratio(text: &str) -> Result<f64, String> {
 }
 
 /// Reads a share, 0 to 1.
-pub(super) fn share(text: &str) -> Result<f64, String> {
+pub fn share(text: &str) -> Result<f64, String> {
     match number(text)? {
         share if (0.0..=1.0).contains(&share) => Ok(share),
         _ => Err(format!("`{text}` is no share: give a number from 0 to 1")),
@@ -32,7 +32,7 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
 }
 
 /// Reads a size (B), as `500MB` or `1.5GiB`.
-pub(super) fn bytes(text: &str) -> Result<u64, String> {
+pub fn bytes(text: &str) -> Result<u64, String> {
     const UNITS: [(&str, u64); 7] = [
         ("KiB", 1 << 10),
         ("MiB", 1 << 20),
@@ -60,20 +60,20 @@ pub(super) fn bytes(text: &str) -> Result<u64, String> {
 }
 
 /// Reads a finite number.
-pub(super) fn number(text: &str) -> Result<f64, String> {
+pub fn number(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| number.is_finite());
     number.ok_or_else(|| format!("`{text}` is not a number: write digits, as 1.5"))
 }
 
 /// Reads a name and its value.
-pub(super) fn assignment(text: &str) -> Result<(String, String), String> {
+pub fn assignment(text: &str) -> Result<(String, String), String> {
     let (name, value) =
         text.split_once('=').ok_or_else(|| format!("`{text}` has no `=`: write name=value"))?;
     Ok((name.trim().to_owned(), value.trim().to_owned()))
 }
 
 /// Reads a key, as C4 or as its MIDI number.
-pub(super) fn note(text: &str) -> Result<KeyIndex, String> {
+pub fn note(text: &str) -> Result<KeyIndex, String> {
     text.parse().map_err(|_error| {
         format!("`{text}` is no key: give a note from A0 to C8, or a MIDI number from 21 to 108")
     })

@@ -1,12 +1,38 @@
 //! Programs that this one starts and ends.
 
 use std::io;
+use std::os::unix::process::CommandExt as _;
+use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus};
 use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process};
 
+use super::Failure;
 use super::signals::Signals;
+
+/// Returns the program of ours called `name`, which `package` makes: beside this one, or where
+/// programs are looked for.
+pub(super) fn program_beside(name: &str, package: &str) -> Result<PathBuf, Failure> {
+    let name = format!("{name}{}", std::env::consts::EXE_SUFFIX);
+    let beside = std::env::current_exe().ok().map(|own| own.with_file_name(&name));
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let others = std::env::split_paths(&path).map(|folder| folder.join(&name));
+    let found = beside.into_iter().chain(others).find(|file| file.is_file());
+    found.ok_or_else(|| {
+        Failure::Running(format!(
+            "{name} is a program of its own and is not installed: `cargo build --release --package \
+             {package}` makes it"
+        ))
+    })
+}
+
+/// Replaces this program by another one; returns only if that cannot be started.
+pub(super) fn become_program(command: &mut Command) -> Result<(), Failure> {
+    let error = command.exec();
+    let program = command.get_program().to_string_lossy();
+    Err(Failure::Running(format!("{program} cannot be started: {error}")))
+}
 
 /// Time between two looks whether a program has ended.
 const LOOK: Duration = Duration::from_millis(50);

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use super::child_program::{ChildProgram, EndMode};
+use super::child_program::{ChildProgram, EndMode, program_beside};
 use super::signals::{Signals, runtime};
 use super::{Failure, system, tell};
 use host::control::{ControlError, Reply, Request, STARTING, send, socket_path};
@@ -61,7 +61,7 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.print {
         return print(out);
     }
-    let program = program()?;
+    let program = program_beside(PROGRAM, "dashboard")?;
     let place = wanted(args, out)?;
     runtime()?.block_on(async {
         // Before anything is started: nothing of it is left behind.
@@ -206,20 +206,6 @@ fn look(deadline: Instant) -> Result<Option<DashTarget>, Failure> {
             Err(Failure::Running(why))
         }
     }
-}
-
-/// Returns the window's program: beside this one, or where programs are looked for.
-fn program() -> Result<PathBuf, Failure> {
-    let beside = std::env::current_exe().ok().map(|own| own.with_file_name(PROGRAM));
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let others = std::env::split_paths(&path).map(|folder| folder.join(PROGRAM));
-    let found = beside.into_iter().chain(others).find(|file| file.is_file());
-    found.ok_or_else(|| {
-        Failure::Running(format!(
-            "the window is a program of its own, {PROGRAM}, and is not installed: `cargo build \
-             --release --package dashboard` makes it"
-        ))
-    })
 }
 
 /// Shows the window until it is closed, or a signal closes it.

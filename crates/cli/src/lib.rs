@@ -4,8 +4,8 @@
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
 //! file, 3 no host runs (of `status`), 101 a panic, which is a bug.
 
-mod about;
-mod arguments;
+pub mod about;
+pub mod arguments;
 mod ask;
 mod attend;
 mod board;
@@ -15,19 +15,16 @@ mod child_program;
 mod dash;
 mod devices;
 mod endpoints;
-mod figure6;
-mod fit;
-mod impedance;
 mod instruments;
+mod lab;
 mod live;
 mod log;
-mod manual;
+pub mod manual;
 mod midi_guardian;
 mod model;
-mod piano;
 mod plan;
 mod press;
-mod progress;
+pub mod progress;
 mod record;
 mod recording;
 mod recover;
@@ -37,23 +34,21 @@ mod run;
 mod service;
 mod set;
 mod signals;
-mod stability;
+pub mod simulate;
 mod stable;
 mod status;
 mod stop;
 mod streaming;
-mod studies;
 mod target;
 mod tokens;
 
 use std::io::{self, Write};
-use std::path::Path;
 use std::process::ExitCode;
+use std::thread;
 
 use clap::{Parser, Subcommand};
-use documents::shown;
 
-use lab::simulate::SimulateArgs;
+use simulate::SimulateArgs;
 use telemetry::log::Level;
 
 use about::{print_json, print_report};
@@ -104,7 +99,8 @@ pub enum Command {
     /// Takes all forces away at once, and ends the running host.
     Stop,
     /// Offline studies with reports.
-    Lab(studies::LabArgs),
+    #[command(disable_help_flag = true)]
+    Lab(lab::LabArgs),
     /// Writes man pages of all commands, and completions for bash, zsh and fish.
     #[command(hide = true)]
     Manual(manual::ManualArgs),
@@ -168,13 +164,32 @@ fn system(error: io::Error) -> Failure {
 
 /// Runs the command and returns its exit code.
 pub fn run(letoff: &Letoff) -> ExitCode {
+    finish(|out| {
+        let done = dispatch(&letoff.command, out);
+        if !matches!(letoff.command, Command::Run(_)) {
+            report_interpretation();
+        }
+        done
+    })
+}
+
+/// Runs a program on stdout, reports how it failed, and returns its exit code.
+pub fn finish(program: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> ExitCode {
     about::start();
     let mut out = io::stdout().lock();
-    let done = dispatch(&letoff.command, &mut out).and_then(|()| Ok(out.flush()?));
-    if !matches!(letoff.command, Command::Run(_)) {
-        report_interpretation();
-    }
+    let done = program(&mut out).and_then(|()| Ok(out.flush()?));
     done.map_or_else(Failure::tell, |()| ExitCode::SUCCESS)
+}
+
+/// Runs `program` on a thread called `name`, with a stack that does not depend on the shell.
+pub fn main_thread(name: &str, program: impl FnOnce() -> ExitCode + Send + 'static) -> ExitCode {
+    /// Stack of the thread (B).
+    const STACK: usize = 8 << 20;
+    match thread::Builder::new().name(name.to_owned()).stack_size(STACK).spawn(program) {
+        // A panic was reported where it happened.
+        Ok(running) => running.join().unwrap_or(ExitCode::from(101)),
+        Err(error) => Failure::system(&error).tell(),
+    }
 }
 
 /// Reports that models are interpreted, if they are: ticks have less room then.
@@ -184,11 +199,6 @@ fn report_interpretation() {
             format!("models are interpreted, about ten times slower than compiled: {reason}");
         log::tell_as(Level::Warning, &text);
     }
-}
-
-/// Reports that the system gives the command no thread to run on, and returns its exit code.
-pub fn no_thread(error: &io::Error) -> ExitCode {
-    Failure::system(error).tell()
 }
 
 /// Writes a message to stderr.
@@ -215,17 +225,17 @@ fn dispatch(command: &Command, out: &mut dyn Write) -> Result<(), Failure> {
         Command::Press(args) => press::run(args, out),
         Command::Status(args) => status::run(args, out),
         Command::Stop => stop::run(out),
-        Command::Lab(args) => studies::run(args, out),
+        Command::Lab(args) => lab::run(args),
         Command::Manual(args) => manual::run(args),
         Command::MidiGuardian(args) => midi_guardian::run(args),
     }
 }
 
 fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
-    use lab::simulate::SimulateError;
+    use simulate::SimulateError;
     let header = about::ReportHeader::new().fields();
     let args = &SimulateArgs { header, ..args.clone() };
-    lab::simulate::run(args, out, &mut tell).map_err(|error| {
+    simulate::run(args, out, &mut tell).map_err(|error| {
         let text = error.to_string();
         if let SimulateError::Summary(cause) = error {
             cause.into()
@@ -235,16 +245,4 @@ fn simulate(args: &SimulateArgs, out: &mut dyn Write) -> Result<(), Failure> {
             Failure::Running(text)
         }
     })
-}
-
-/// Creates the folder of a report, if one is asked for, before anything is measured for it.
-fn prepare_report(folder: Option<&Path>) -> Result<(), Failure> {
-    let prepared = folder.map_or(Ok(()), lab::report::prepare);
-    prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))
-}
-
-/// Prints where the page of a report is, in the folder that was asked for.
-fn print_page(folder: Option<&Path>, page: &str, out: &mut dyn Write) -> Result<(), Failure> {
-    let page = folder.map(|folder| folder.join(page)).unwrap_or_default();
-    Ok(writeln!(out, "{}", shown(&page))?)
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use clap::{Args, CommandFactory as _};
+use clap::{Args, CommandFactory};
 use clap_complete::aot::{Shell, generate_to};
 use documents::shown;
 
@@ -24,20 +24,25 @@ pub struct ManualArgs {
 
 /// Writes all of it.
 pub(super) fn run(args: &ManualArgs) -> Result<(), Failure> {
-    let folder = &args.folder;
-    write(folder).map_err(|error| {
+    write::<Letoff>("letoff", &args.folder)
+}
+
+/// Writes the man pages of the program called `name` and what completes its arguments.
+///
+/// # Errors
+/// If `folder` cannot be written to.
+pub fn write<P: CommandFactory>(name: &str, folder: &Path) -> Result<(), Failure> {
+    let try_write = || {
+        std::fs::create_dir_all(folder)?;
+        clap_mangen::generate_to(P::command(), folder)?;
+        SHELLS.into_iter().try_for_each(|shell| {
+            generate_to(shell, &mut P::command(), name, folder).map(|_page| ())
+        })
+    };
+    try_write().map_err(|error: io::Error| {
         let place = shown(folder);
         Failure::Usage(format!("{place} cannot be written to: {error}; choose another folder"))
     })
-}
-
-fn write(folder: &Path) -> io::Result<()> {
-    std::fs::create_dir_all(folder)?;
-    clap_mangen::generate_to(Letoff::command(), folder)?;
-    for shell in SHELLS {
-        generate_to(shell, &mut Letoff::command(), "letoff", folder)?;
-    }
-    Ok(())
 }
 
 #[cfg(test)]

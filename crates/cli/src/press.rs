@@ -11,8 +11,8 @@ use tokio::io::AsyncReadExt as _;
 use super::arguments::{number, seconds};
 use super::signals::{Signals, runtime};
 use super::{Failure, system};
+use figures::weight::weight_for;
 use host::control::{Reply, Request, hold, send_to_host};
-use host::finger_weight::weight_for;
 use midi::Velocity;
 use scene::{Library, Scene};
 

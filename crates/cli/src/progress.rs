@@ -3,7 +3,7 @@
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Returns a bar for so many runs, on stderr where a person sees it.
-pub(super) fn bar(runs: usize) -> ProgressBar {
+pub fn bar(runs: usize) -> ProgressBar {
     const TEMPLATE: &str = "{msg:14} {wide_bar} {pos}/{len} runs {eta}";
     // A template of ours cannot be wrong; if it were, the plain bar will do.
     let style = ProgressStyle::with_template(TEMPLATE);
@@ -12,7 +12,7 @@ pub(super) fn bar(runs: usize) -> ProgressBar {
 }
 
 /// Returns a count of runs of which nobody knows how many there will be.
-pub(super) fn counter() -> ProgressBar {
+pub fn counter() -> ProgressBar {
     const TEMPLATE: &str = "{msg:14} {spinner} {pos} runs {elapsed}";
     let style = ProgressStyle::with_template(TEMPLATE);
     let style = style.unwrap_or_else(|_broken| ProgressStyle::default_spinner());

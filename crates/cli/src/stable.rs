@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use documents::{Diagnostic, Diagnostics};
-use host::stability::{RangeStability, examine, instabilities};
+use figures::stability::{RangeStability, examine, instabilities};
 use scene::{Library, Scene};
 
 use super::Failure;
@@ -25,7 +25,7 @@ pub(super) fn check_stability(file: &Path) -> Result<Vec<RangeStability>, Diagno
         message,
         help,
     };
-    let refused = |error: host::rehearsal::RehearsalError| {
+    let refused = |error: figures::rehearsal::RehearsalError| {
         Diagnostics::new(vec![wrong(error.to_string(), "change the scene".to_owned())])
     };
     let ranges = examine(&scene).map_err(refused)?;

@@ -9,8 +9,6 @@
 //! | [`midi_thread`] | the thread that sends MIDI |
 //! | [`guardian`] | the process that holds the MIDI port and the notes, and outlives the host |
 //! | [`replay`] | a recording run again and compared |
-//! | [`rehearsal`] | one key with its voice in virtual time, for the virtual pianist |
-//! | [`finger_weight`] | the weight under which a key sounds at a velocity |
 //! | [`report`] | what a run did, for people and as JSON |
 //! | [`simulated`] | simulated boards on wires of their own |
 //!
@@ -19,13 +17,10 @@
 pub mod adapters;
 pub mod connected_boards;
 pub mod control;
-pub mod finger_weight;
 pub mod guardian;
 pub mod midi_thread;
 pub mod observe;
-pub mod rehearsal;
 pub mod replay;
 pub mod report;
 pub mod session;
 pub mod simulated;
-pub mod stability;

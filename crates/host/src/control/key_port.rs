@@ -45,7 +45,7 @@ impl std::fmt::Display for IdentifyTarget {
 }
 
 /// Largest force of a finger: its weight and a blow with it (N).
-const HARDEST: f64 = crate::finger_weight::HEAVIEST;
+const HARDEST: f64 = figures::weight::HEAVIEST;
 
 /// How far up and down a hand that grips a key pulls it, as parts of its dip.
 const HIGHEST: f64 = -1.0;

@@ -7,7 +7,7 @@ use scene::{KeyVoice, LinksConfig, MidiInput, Render, Scene};
 use super::RequestHandler;
 use super::current_voices::{CurrentVoices, is_absent};
 use super::new_voice::{NewVoice, VoiceHandover};
-use crate::stability::instabilities;
+use figures::stability::instabilities;
 
 impl RequestHandler {
     /// Lets `scene` play, which was read from the file of the scene that plays: its instruments,

@@ -12,7 +12,7 @@ use telemetry::request::RenderSetting;
 use super::RequestHandler;
 use super::current_voices::{CurrentVoices, single};
 use super::new_voice::{NewVoice, VoiceHandover};
-use crate::stability::{examine_keys, instabilities};
+use figures::stability::{examine_keys, instabilities};
 
 impl RequestHandler {
     /// Computes all voices by `settings` from now on.

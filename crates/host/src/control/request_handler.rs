@@ -19,7 +19,7 @@ use super::description_states::DescriptionStates;
 use super::new_voice::{NewVoice, VoiceHandover};
 use super::{Answer, Answers, FingerOwner, Folders, RunHandle};
 use crate::observe::{self, Origin, TelemetryMessage};
-use crate::stability::instabilities;
+use figures::stability::instabilities;
 use keyboard::KeyRange;
 
 /// All keys of a keyboard, as a range is typed.

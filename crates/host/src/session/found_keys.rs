@@ -9,7 +9,7 @@ use super::key_source::{self, KeySource};
 use super::trial::SimulatedKeys;
 use super::{RunOptions, SessionError, patiently};
 use crate::control::is_absent;
-use crate::stability::instabilities;
+use figures::stability::instabilities;
 
 /// Keys before a run, and the scene that plays on them.
 pub struct FoundKeys {

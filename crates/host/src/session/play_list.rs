@@ -12,10 +12,10 @@ use pianist::{Performance, Pianist, Score, Technique, read};
 
 use super::SessionError;
 use crate::control::RunHandle;
-use crate::rehearsal::{MAX_REHEARSED_TICKS, RehearsalError, RehearsalWork, RehearsedKey};
 use crate::report::UnplayedNotes;
 use engine::realtime::clock;
 use engine::voice::VoiceBuilder;
+use figures::rehearsal::{MAX_REHEARSED_TICKS, RehearsalError, RehearsalWork, RehearsedKey};
 use scene::{PerformanceSource, PlayList, Scene};
 
 pub use pianist::Progress as PianistProgress;

@@ -7,7 +7,7 @@ use pode::{Limits, Stepper as _};
 
 use super::stepped::Stepping;
 use crate::scenario::Plan;
-use crate::studied_method::StudiedMethod;
+use cli::simulate::StudiedMethod;
 
 /// A method by its name.
 #[derive(Clone, Copy, PartialEq, Debug)]

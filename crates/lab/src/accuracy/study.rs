@@ -8,7 +8,7 @@ use super::observe::observe;
 use super::row::{EvaluationCounts, StudyRow};
 use super::time::time;
 use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
-use crate::studied_method::MethodVisitor;
+use cli::simulate::MethodVisitor;
 use pode::Stepper;
 
 /// A scenario that can be run with every method.

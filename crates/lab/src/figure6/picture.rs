@@ -2,9 +2,9 @@
 
 use super::model_run::{ModelRun, RunEvent, RunRow};
 use super::outcome::STRING;
-use crate::plot::color::{CURVES, INK, MODES, Stroke};
-use crate::plot::level::level;
-use crate::plot::picture::{
+use figures::plot::color::{CURVES, INK, MODES, Stroke};
+use figures::plot::level::level;
+use figures::plot::picture::{
     CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel, PictureRule,
 };
 

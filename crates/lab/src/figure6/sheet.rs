@@ -8,12 +8,12 @@ use super::judge::StepErrors;
 use super::model_run::RunRow;
 use super::outcome::{EventTimes, Figure6, event_times};
 use super::picture::picture;
-use crate::digits::trimmed;
-use crate::plot::color::{CURVES, Stroke};
-use crate::plot::marker::MarkerShape::Circle;
-use crate::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 use crate::report::text::duration;
 use crate::report::{DiskError, Report, Table, TableCell};
+use figures::digits::trimmed;
+use figures::plot::color::{CURVES, Stroke};
+use figures::plot::marker::MarkerShape::Circle;
+use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
 /// What a reader must know before looking at the figure.
 const HOW: &str = "A hand that grips the handle of a simulated rig throws and catches the hammer of \

@@ -4,9 +4,9 @@ use instruments::LoadedModel;
 
 use super::data::MeasuredStroke;
 use super::smooth::{EXACT, noise, smoothed};
-use crate::piano::Opener;
 use crate::random::SeededRandom;
-use crate::simulate::{InputTable, Reconstruct};
+use cli::simulate::{InputTable, Reconstruct};
+use figures::action::Opener;
 
 /// Longest tick (s).
 const TICK: f64 = 1e-3;

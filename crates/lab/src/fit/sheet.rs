@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use super::outcome::{FitOutcome, FittedStroke};
-use crate::plot::color::{CURVES, Color, Stroke};
-use crate::plot::marker::MarkerShape::Circle;
-use crate::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 use crate::report::{DiskError, Report, Table, TableCell};
+use figures::plot::color::{CURVES, Color, Stroke};
+use figures::plot::marker::MarkerShape::Circle;
+use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
 /// Colour of what was measured.
 const DATA: Color = Color(150, 150, 150);

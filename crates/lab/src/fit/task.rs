@@ -6,8 +6,8 @@ use nalgebra_of_lm::DVector;
 
 use super::data::MeasuredStroke;
 use super::driven::DrivenStroke;
-use crate::parallel::in_parallel;
 use crate::random::SeededRandom;
+use figures::parallel::in_parallel;
 
 /// An instrument's key, and the strokes to which it is fitted.
 #[derive(Clone, Copy, Debug)]

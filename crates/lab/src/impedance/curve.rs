@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::digits::rounded;
+use figures::digits::rounded;
 use nalgebra_of_lm::Complex;
 use serde::Serialize;
 

@@ -4,7 +4,7 @@
 //! place make it y = (d(p) + c (p − A)⁻¹ b(p)) s with b(p) = Σ bₖ pᵏ, and Z = y/(p s), p = jω. What the
 //! mode slaves to the input moves with it and is no state of its own.
 
-use crate::digits::rounded;
+use figures::digits::rounded;
 use instruments::{LoadedModel, Playable, Visitor};
 use nalgebra_of_lm::{Complex, DMatrix, DVector};
 use pode::stepper::Any;

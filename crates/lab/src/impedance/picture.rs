@@ -1,7 +1,7 @@
 //! The curves over frequency: |Z|, its phase and Re Z, each band that is not passive shaded.
 
-use crate::plot::color::{CURVES, Color, Stroke};
-use crate::plot::picture::{
+use figures::plot::color::{CURVES, Color, Stroke};
+use figures::plot::picture::{
     CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel,
 };
 

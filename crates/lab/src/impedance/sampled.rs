@@ -7,8 +7,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::parallel::in_parallel;
 use crate::stability::{LoopQuantity, LoopValues, TrialAnswer, TrialVoice, VoiceMaker, VoiceOrder};
+use figures::parallel::in_parallel;
 use nalgebra_of_lm::{Complex, Matrix3, Vector3};
 
 use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};

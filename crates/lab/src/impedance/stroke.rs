@@ -8,7 +8,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::digits::rounded;
+use figures::digits::rounded;
 use nalgebra_of_lm::Complex;
 
 use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};

@@ -2,17 +2,14 @@
 
 use std::path::Path;
 
-use super::drive::StrokeTouch;
-use super::figure::Figure;
-use super::gather::Examination;
-use super::grands::{StrokeTime, speeds};
-use super::slope::ForceCurve;
-use super::stroke::Stroke as PlayedStroke;
-use crate::plot::axis::AxisScale;
-use crate::plot::color::{CURVES, Color, Stroke};
-use crate::plot::marker::MarkerShape::Circle;
-use crate::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 use crate::report::{DiskError, Report, Table, TableCell};
+use figures::action::{
+    Examination, Figure, ForceCurve, PlayedStroke, StrokeTime, StrokeTouch, durations, speeds,
+};
+use figures::plot::axis::AxisScale;
+use figures::plot::color::{CURVES, Color, Stroke};
+use figures::plot::marker::MarkerShape::Circle;
+use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
 /// Names of the three grands, as they are drawn.
 const GRANDS: [&str; 3] =
@@ -124,7 +121,7 @@ fn times(what: StrokeTime, examined: &[Examination]) -> Picture {
     let mut curves = Vec::new();
     for touch in StrokeTouch::ALL {
         let (low, high) = speeds(touch);
-        let places = || super::stroke::durations((low, high), 40);
+        let places = || durations((low, high), 40);
         for (grand, name) in GRANDS.into_iter().enumerate() {
             let measured = |speed: f64| (speed, 1e3 * what.measured(touch, speed)[grand]);
             let stroke = Stroke::new(MEASURED, 1.0 + 0.5 * grand as f64).faint(0.6);

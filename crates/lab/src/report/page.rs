@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use super::{DiskError, PAGE, write_file};
-use crate::digits::rounded;
-use crate::plot::picture::Picture;
+use figures::digits::rounded;
+use figures::plot::picture::Picture;
 
 /// The style sheet of all pages.
 const STYLE: &str = include_str!("style.css");

@@ -10,9 +10,9 @@
 
 use super::peers::{Author, Peer};
 use crate::accuracy::{MeasuredScenario, MethodKind, StudyRow};
-use crate::plot::color::{CURVES, Color, Stroke};
-use crate::plot::marker::MarkerShape;
-use crate::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
+use figures::plot::color::{CURVES, Color, Stroke};
+use figures::plot::marker::MarkerShape;
+use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
 /// Returns the picture of all methods on a scenario.
 pub(super) fn methods(measured: &MeasuredScenario) -> Picture {

@@ -1,7 +1,7 @@
 //! Numbers and times in sentences and tables.
 
 use crate::accuracy::{MethodKind, StudyRow};
-use crate::digits::trimmed;
+use figures::digits::trimmed;
 
 /// A positive number with two digits, as short as can be; the unit comes from the column.
 pub(super) fn short(value: f64) -> String {

@@ -11,7 +11,7 @@ use super::judge::LoopVerdict;
 use super::theory::{StabilityTheory, theories};
 use super::trial::{KeyTravel, LoopKnock, run};
 use super::voice::{TrialVoice, VoiceOrder, wall};
-use crate::parallel::in_parallel;
+use figures::parallel::in_parallel;
 
 /// Halvings of the way between a place that is stable and its neighbour that is not.
 const HALVINGS: u32 = 10;

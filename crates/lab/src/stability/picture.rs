@@ -3,10 +3,10 @@
 use super::axis::MapAxis;
 use super::judge::LoopVerdict;
 use super::map::{StabilityMap, StabilityStudy};
-use crate::plot::axis::AxisScale;
-use crate::plot::color::{Color, INK, Stroke};
-use crate::plot::marker::MarkerShape::Circle;
-use crate::plot::picture::{
+use figures::plot::axis::AxisScale;
+use figures::plot::color::{Color, INK, Stroke};
+use figures::plot::marker::MarkerShape::Circle;
+use figures::plot::picture::{
     CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel,
 };
 

@@ -10,8 +10,8 @@ use super::axis::{AxisTarget, MapAxis};
 use super::map::{StabilityMap, StabilityStudy, VerdictCounts};
 use super::picture::picture;
 use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
-use crate::digits::rounded;
 use crate::report::{DiskError, Report, Table, TableCell};
+use figures::digits::rounded;
 
 /// Most columns of a map of which the page has the boundary.
 const ROWS: usize = 16;

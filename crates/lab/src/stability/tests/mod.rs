@@ -3,7 +3,7 @@
 use haptics::{EstimatorName, RigParameters, SampledWall};
 
 use super::*;
-use crate::parallel::in_parallel;
+use figures::parallel::in_parallel;
 
 /// A study of a wall on an ideal key, of which one loop at a time is run.
 fn study(values: LoopValues) -> StabilityStudy<'static> {

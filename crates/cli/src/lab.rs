@@ -1,0 +1,23 @@
+//! `letoff lab`: the studies, which are a program of their own beside this one.
+
+use std::ffi::OsString;
+use std::process::Command;
+
+use clap::Args;
+
+use super::Failure;
+use super::child_program::{become_program, program_beside};
+
+/// What `letoff lab` takes: what `letoff-lab` takes.
+#[derive(Clone, Debug, Args)]
+pub struct LabArgs {
+    /// A study and its arguments; --help lists them.
+    #[arg(value_name = "STUDY", trailing_var_arg = true, allow_hyphen_values = true)]
+    pub arguments: Vec<OsString>,
+}
+
+/// Becomes `letoff-lab`.
+pub(super) fn run(args: &LabArgs) -> Result<(), Failure> {
+    let mut lab = Command::new(program_beside("letoff-lab", "lab")?);
+    become_program(lab.args(&args.arguments))
+}

@@ -1,0 +1,277 @@
+//! From arguments to what is run: everything that can be wrong is found before a tick.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use instruments::{Described, ModelEntry, Parameter, Playable};
+use pode::stepper::{Any, ByNeed};
+use pode::{Limits, State as _};
+
+use super::args::SimulateArgs;
+use super::error::SimulateMistake;
+use super::input::InputSignal;
+use crate::simulate::studied_method::StudiedMethod;
+
+/// More ticks than this are a slip of the exponent: a day's work at least.
+const MOST_TICKS: f64 = 1e11;
+/// A rest shorter than this part of a tick is rounding, not a tick.
+const CRUMB: f64 = 1e-9;
+/// Finest and coarsest location of events, as a fraction of a tick.
+const TOLERANCES: (f64, f64) = (1e-16, 0.5);
+/// The highest key, C8.
+const LAST_KEY: u8 = 87;
+
+/// The tick (s) for which `by-need` chooses, whatever the step: a shorter step that checks a result
+/// is taken by the same method.
+const USUAL_TICK: f64 = 1e-3;
+
+/// The method called for, with its tolerance; RK4 where there is a mistake.
+fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> StudiedMethod {
+    let Some(method) = StudiedMethod::named(&args.method) else {
+        let known: Vec<_> = StudiedMethod::names().collect();
+        mistakes.push(SimulateMistake::unknown("method", &args.method, &known));
+        return StudiedMethod::default();
+    };
+    // `by-need` has a budget even where nobody said how precise it should be.
+    let is_by_need = matches!(method, StudiedMethod::OneOfMany(Any::ByNeed(_)));
+    let by_default = is_by_need.then_some(ByNeed::BUDGET);
+    let Some(tolerance) = args.tolerance.or(by_default) else { return method };
+    method.with_tolerance(tolerance, USUAL_TICK).unwrap_or_else(|| {
+        mistakes.push(SimulateMistake::NoTolerance {
+            method: args.method.clone(),
+            known: StudiedMethod::tolerant().collect(),
+        });
+        method
+    })
+}
+
+/// Ticks from 0 to `until`.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) struct TickClock {
+    /// Length of a tick (s).
+    pub(super) step: f64,
+    /// End of the last tick (s).
+    pub(super) until: f64,
+    /// Number of ticks, of which the last may be shorter.
+    pub(super) ticks: u64,
+    /// The method, as precise as was asked for.
+    pub(super) method: StudiedMethod,
+    /// What a tick may cost, and how finely events are located.
+    pub(super) limits: Limits,
+}
+
+impl TickClock {
+    pub(super) fn check(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> Self {
+        let SimulateArgs { until, step, .. } = *args;
+        let default = Limits::default();
+        let event_tolerance = args.event_tolerance.unwrap_or(default.event_tolerance);
+        let before = mistakes.len();
+        for (option, value) in [("--until", until), ("--step", step)] {
+            if !(value > 0.0 && value.is_finite()) {
+                mistakes.push(SimulateMistake::NotADuration { option, value });
+            }
+        }
+        let ticks = (until / step - CRUMB).ceil().max(1.0);
+        if mistakes.len() == before && ticks > MOST_TICKS {
+            mistakes.push(SimulateMistake::TooManyTicks { ticks, most: MOST_TICKS });
+        }
+        check_range("--event-tolerance", event_tolerance, TOLERANCES, "of a tick", mistakes);
+        if let Some(tolerance) = args.tolerance {
+            check_range("--tolerance", tolerance, (1e-15, 1.0), "of the state", mistakes);
+        }
+        let limits = Limits { longest_step: step, event_tolerance, ..default };
+        #[expect(clippy::cast_possible_truncation, reason = "at most MOST_TICKS, or a mistake")]
+        #[expect(clippy::cast_sign_loss, reason = "at least 1")]
+        Self { step, until, ticks: ticks as u64, method: method(args, mistakes), limits }
+    }
+
+    /// Length of tick `tick` (s).
+    pub(super) fn length(&self, tick: u64) -> f64 {
+        if tick + 1 < self.ticks { self.step } else { self.until - tick as f64 * self.step }
+    }
+
+    /// The instant `theta` of tick `tick` (s); one tick's end is the next one's start to
+    /// the last bit.
+    pub(super) fn time(&self, tick: u64, theta: f64) -> f64 {
+        if tick + 1 < self.ticks {
+            return (tick as f64 + theta) * self.step;
+        }
+        let start = tick as f64 * self.step;
+        if theta < 1.0 { start + theta * (self.until - start) } else { self.until }
+    }
+}
+
+/// Checks what does not depend on the model: the key, and that no file is used twice.
+pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) {
+    if args.key > LAST_KEY {
+        check_range("--key", args.key.into(), (0.0, LAST_KEY.into()), "(A0 to C8)", mistakes);
+    }
+    let input = args.input.as_ref().map(PathBuf::from);
+    let files = [
+        ("--input", &input),
+        ("--out", &args.out),
+        ("--events", &args.events),
+        ("--plot", &args.plot),
+    ];
+    for (index, (first, a)) in files.iter().enumerate() {
+        for (second, b) in &files[index + 1..] {
+            if let (Some(a), Some(b)) = (a, b)
+                && is_same_file(a, b)
+            {
+                mistakes.push(SimulateMistake::SameFile { first, second, path: b.clone() });
+            }
+        }
+    }
+}
+
+/// Whether both paths lead to one regular file, there already or not; devices may be
+/// named twice.
+fn is_same_file(a: &Path, b: &Path) -> bool {
+    let place = |path: &Path| {
+        fs::canonicalize(path).ok().or_else(|| {
+            let parent = path.parent().filter(|parent| *parent != "");
+            let parent = fs::canonicalize(parent.unwrap_or_else(|| ".".as_ref())).ok()?;
+            Some(parent.join(path.file_name()?))
+        })
+    };
+    match (place(a), place(b)) {
+        (Some(a), Some(b)) => a == b && (a.is_file() || !a.exists()),
+        _ => false,
+    }
+}
+
+fn check_range(
+    what: &str,
+    value: f64,
+    (low, high): (f64, f64),
+    unit: &'static str,
+    mistakes: &mut Vec<SimulateMistake>,
+) {
+    if !(low..=high).contains(&value) {
+        mistakes.push(SimulateMistake::OutOfRange {
+            what: what.to_owned(),
+            value,
+            low,
+            high,
+            unit,
+        });
+    }
+}
+
+/// A model, and how it starts.
+#[derive(Debug)]
+pub(super) struct Start<M: Described> {
+    pub(super) model: M,
+    pub(super) mode: M::Mode,
+    pub(super) state: M::State,
+}
+
+impl<M: Playable> Start<M> {
+    /// The model with its parameters, at rest except for what is given otherwise.
+    pub(super) fn check(
+        model: &M,
+        args: &SimulateArgs,
+        input: &InputSignal,
+        mistakes: &mut Vec<SimulateMistake>,
+    ) -> Option<Self> {
+        let entry = model.entry();
+        let model = model.with_values(&parameters(entry, args, mistakes)?);
+        let name = entry.name;
+        model.unmet(&mut |condition| {
+            mistakes.push(SimulateMistake::Unmet { model: name, condition: condition.to_owned() });
+        });
+        let s = input.at(0.0);
+        let (rest_mode, rest) = model.at_rest(&s);
+        let given = named_values("--initial", "state", &args.initial, &entry.states, mistakes);
+        let mode = args.mode.as_deref().map_or(Some(rest_mode), |name| {
+            let found = model.modes().find(|(_, known)| *known == name);
+            if found.is_none() {
+                let known: Vec<_> = model.modes().map(|(_, known)| known).collect();
+                mistakes.push(SimulateMistake::unknown("mode", name, &known));
+            }
+            found.map(|(mode, _)| mode)
+        })?;
+        let state = model.constrain(mode, &with_entries::<M>(rest, &given), &s);
+        if !state.entries().iter().all(|entry| entry.is_finite()) {
+            mistakes.push(SimulateMistake::NoStart);
+        }
+        Some(Self { model, mode, state })
+    }
+}
+
+/// One value per parameter: the preset's, then those of `--set`; `None` without a preset.
+fn parameters(
+    entry: &ModelEntry,
+    args: &SimulateArgs,
+    mistakes: &mut Vec<SimulateMistake>,
+) -> Option<Vec<f64>> {
+    let ModelEntry { presets, parameters, .. } = entry;
+    let preset = match args.preset.as_deref() {
+        None => presets.first(),
+        Some(name) => {
+            let found = presets.iter().find(|preset| preset.name == name);
+            if found.is_none() {
+                let known: Vec<_> = presets.iter().map(|preset| preset.name).collect();
+                mistakes.push(SimulateMistake::unknown("preset", name, &known));
+            }
+            // What else is wrong is found with the default.
+            found.or_else(|| presets.first())
+        }
+    }?;
+    let key = args.key.min(LAST_KEY);
+    let mut values = preset.values(key);
+    let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
+    let before = mistakes.len();
+    for (index, value) in named_values("--set", "parameter", &args.set, &names, mistakes) {
+        let Parameter { name, unit, range, .. } = &parameters[index];
+        check_range(&format!("parameter `{name}`"), value, *range, unit, mistakes);
+        values[index] = value;
+    }
+    // A model is only built of values in their ranges.
+    if mistakes.len() > before {
+        values = preset.values(key);
+    }
+    Some(values)
+}
+
+/// `name=value` pairs as (index of the name, value); what is wrong goes to `mistakes`.
+fn named_values(
+    option: &'static str,
+    what: &'static str,
+    pairs: &[String],
+    names: &[&'static str],
+    mistakes: &mut Vec<SimulateMistake>,
+) -> Vec<(usize, f64)> {
+    let mut values: Vec<(usize, f64)> = Vec::new();
+    for text in pairs {
+        let Some((name, number)) = text.split_once('=') else {
+            mistakes.push(SimulateMistake::NotNameValue { option, text: text.clone() });
+            continue;
+        };
+        let index = names.iter().position(|known| *known == name);
+        let value = number.parse::<f64>().ok().filter(|value| value.is_finite());
+        if index.is_none() {
+            mistakes.push(SimulateMistake::unknown(what, name, names));
+        }
+        if value.is_none() {
+            let (name, text) = (name.to_owned(), number.to_owned());
+            mistakes.push(SimulateMistake::NotANumber { option, name, text });
+        }
+        let (Some(index), Some(value)) = (index, value) else { continue };
+        if values.iter().any(|(known, _)| *known == index) {
+            mistakes.push(SimulateMistake::Twice { option, name: name.to_owned() });
+        } else {
+            values.push((index, value));
+        }
+    }
+    values
+}
+
+/// `state` with the entries of `given` in place of its own.
+fn with_entries<M: Described>(mut state: M::State, given: &[(usize, f64)]) -> M::State {
+    let entries = state.as_mut();
+    for (index, value) in given {
+        entries[*index] = *value;
+    }
+    state
+}

@@ -1,0 +1,236 @@
+//! Tick after tick, followed by the energy audit and the files.
+
+use instruments::{Described, Playable};
+use pode::stepper::{Any, ByNeed, Choice};
+use pode::{Advance, Cap, EnergyAudit, Event, EventCause, Motion, Piece, Signal, Simulator};
+use pode::{State as _, Stepper, Tick, Watch};
+
+use super::check::{Start, TickClock};
+use super::error::SimulateError;
+use super::input::{InputSignal, is_finite};
+use super::mode::mode_name;
+use super::output::OutputFiles;
+use super::summary::{Capped, RunCounts, RunFailure, SimulationReport};
+use crate::simulate::studied_method::{MethodVisitor, StudiedMethod};
+
+/// Runs a model with the method of the clock, and says what `by-need` takes.
+pub(super) fn run<M: Playable>(
+    start: &Start<M>,
+    plan: (&TickClock, &InputSignal),
+    files: &mut OutputFiles,
+) -> Result<SimulationReport, SimulateError> {
+    let TickClock { method, step, .. } = *plan.0;
+    let report = method.visit(Driving { start, plan, files })?;
+    Ok(if let StudiedMethod::OneOfMany(Any::ByNeed(by_need)) = method {
+        SimulationReport { choices: choices(&by_need, &start.model, step), ..report }
+    } else {
+        SimulationReport { handed_on: handed_on(&method, &start.model), ..report }
+    })
+}
+
+/// Modes with equations that `method` hands on to another, by its name.
+fn handed_on<M: Playable>(method: &StudiedMethod, model: &M) -> Vec<(&'static str, &'static str)> {
+    let moves = model.modes().filter(|(mode, _)| !model.parts(*mode).is_empty());
+    let taken = moves.map(|(mode, name)| (name, method.name_in(&model.nature(mode))));
+    taken.filter(|(_, taken)| *taken != method.name()).collect()
+}
+
+/// What is taken in each mode, by its name.
+fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static str, Choice)> {
+    let choice =
+        |mode: M::Mode| by_need.choice(&model.nature(mode), model.longest_step(mode).min(step));
+    model.modes().map(|(mode, name)| (name, choice(mode))).collect()
+}
+
+/// A simulation whose method is known by its name only.
+struct Driving<'a, M: Playable> {
+    start: &'a Start<M>,
+    plan: (&'a TickClock, &'a InputSignal),
+    files: &'a mut OutputFiles,
+}
+
+impl<M: Playable> MethodVisitor for Driving<'_, M> {
+    type Output = Result<SimulationReport, SimulateError>;
+
+    fn visit<T: Stepper>(self, stepper: T) -> Self::Output {
+        drive(self.start, stepper, self.plan, self.files)
+    }
+}
+
+/// Advances a model from 0 to the clock's end, or to its first fault.
+fn drive<M: Playable, T: Stepper>(
+    start: &Start<M>,
+    stepper: T,
+    (clock, input): (&TickClock, &InputSignal),
+    files: &mut OutputFiles,
+) -> Result<SimulationReport, SimulateError> {
+    let Start { model, mode, state } = start;
+    let (model, mode, state) = (model.clone(), *mode, *state);
+    let audit = EnergyAudit::default();
+    let last = (0.0, mode, state);
+    let mut follower =
+        Follower { model: model.clone(), clock, audit, last, closed_form: (0.0, 0), files };
+    let mut tally = RunTally::default();
+    let mut simulator = Simulator::new(model, stepper, clock.limits, mode, state);
+    follower.files.row(simulator.model(), 0.0, (mode, &state), &input.at(0.0), &audit)?;
+    for tick in 0..clock.ticks {
+        let signal = TickSignal { clock, input, tick };
+        let done = simulator.advance(clock.length(tick), &signal, &mut follower);
+        tally.add(&done);
+        follower.files.check()?;
+        if let Advance::Faulty(fault) = done.advance {
+            let why = if is_driven(clock, input, tick) {
+                RunFailure::Model(fault)
+            } else {
+                RunFailure::Input
+            };
+            tally.failure = Some(why);
+            break;
+        }
+        let t = clock.time(tick, 1.0);
+        let (mode, state) = (simulator.mode(), simulator.state());
+        follower.last = (t, mode, *state);
+        let audit = follower.audit;
+        follower.files.row(simulator.model(), t, (mode, state), &signal.at(1.0), &audit)?;
+        if !audit.residual().is_finite() {
+            tally.failure = Some(RunFailure::Energy);
+            break;
+        }
+    }
+    let report = tally.report(clock, &follower);
+    Ok(SimulationReport { held: input.held(clock.until), ..report })
+}
+
+/// The input over one tick, with its bounds.
+struct TickSignal<'a> {
+    clock: &'a TickClock,
+    input: &'a InputSignal,
+    tick: u64,
+}
+
+impl Signal<Motion> for TickSignal<'_> {
+    fn at(&self, theta: f64) -> Motion {
+        self.input.at(self.clock.time(self.tick, theta))
+    }
+
+    fn bound(&self, from: f64, to: f64) -> Option<Motion> {
+        let [from, to] = [from, to].map(|theta| self.clock.time(self.tick, theta));
+        self.input.bound(from, to)
+    }
+
+    fn series(&self, theta: f64, span: f64, out: &mut [Motion]) -> bool {
+        let [from, to] = [theta, theta + span].map(|theta| self.clock.time(self.tick, theta));
+        self.input.series(from, to - from, out)
+    }
+}
+
+/// Whether the input was finite where a tick failed.
+fn is_driven(clock: &TickClock, input: &InputSignal, tick: u64) -> bool {
+    /// Near every place where some method looks in a tick without events.
+    const PLACES: u32 = 64;
+    let mut places = (0..=PLACES).map(|n| f64::from(n) / f64::from(PLACES));
+    places.all(|theta| is_finite(&input.at(clock.time(tick, theta))))
+}
+
+/// Follows a tick while it runs: audits its energy, and hands on its pieces and events.
+struct Follower<'a, M: Described> {
+    model: M,
+    clock: &'a TickClock,
+    audit: EnergyAudit,
+    /// The last instant known to be good: t (s), mode, state.
+    last: (f64, M::Mode, M::State),
+    /// Impacts taken in one move short of their sequence's end, and sequences taken to it.
+    closed_form: (f64, u64),
+    files: &'a mut OutputFiles,
+}
+
+impl<M: Described> Watch<M> for Follower<'_, M> {
+    fn piece<S: Signal<Motion>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
+        self.audit.piece(model, piece);
+        let t = self.clock.time(piece.tick, piece.theta_end());
+        self.last = (t, piece.mode, piece.end);
+        let start = self.clock.time(piece.tick, piece.theta.0);
+        self.files.piece(model, (start, t), piece);
+    }
+
+    fn event(&mut self, model: &M, event: &Event<'_, M>) {
+        self.audit.event(model, event);
+        let t = self.clock.time(event.tick, event.theta);
+        self.last = (t, event.after.0, event.after.1);
+        match event.cause {
+            EventCause::Impacts(n) => self.closed_form.0 += n,
+            EventCause::Settled => self.closed_form.1 += 1,
+            EventCause::Guard(_) => {}
+        }
+        self.files.event(model, t, event);
+    }
+}
+
+/// Counts over all ticks.
+#[derive(Clone, Copy, Default)]
+struct RunTally {
+    counts: RunCounts,
+    capped: Capped,
+    projection: f64,
+    failure: Option<RunFailure>,
+}
+
+impl RunTally {
+    fn add(&mut self, tick: &Tick) {
+        self.projection = self.projection.max(tick.projection);
+        let RunCounts { ticks, steps, evaluations, events, ineffective_events, verdicts, .. } =
+            &mut self.counts;
+        *ineffective_events += u64::from(tick.work.ineffective);
+        evaluations.rates += u64::from(tick.work.rates);
+        *ticks += 1;
+        *steps += u64::from(tick.work.pieces);
+        evaluations.derivatives += u64::from(tick.work.derivatives);
+        evaluations.jacobians += u64::from(tick.work.jacobians);
+        evaluations.guards += u64::from(tick.work.guards);
+        evaluations.readouts += u64::from(tick.work.readouts);
+        *events += u64::from(tick.work.events);
+        verdicts.certain += u64::from(tick.work.certain);
+        verdicts.unknown += u64::from(tick.work.unknown);
+        let Capped { events, cascade, guards, pieces } = &mut self.capped;
+        match tick.advance {
+            Advance::Capped(Cap::Events) => *events += 1,
+            Advance::Capped(Cap::Cascade) => *cascade += 1,
+            Advance::Capped(Cap::Guards) => *guards += 1,
+            Advance::Capped(Cap::Pieces) => *pieces += 1,
+            // A simulation has all the time that it needs.
+            Advance::Capped(Cap::Work(_)) | Advance::Completed | Advance::Faulty(_) => {}
+        }
+    }
+
+    fn report<M: Described>(
+        self,
+        clock: &TickClock,
+        follower: &Follower<'_, M>,
+    ) -> SimulationReport {
+        let (t, mode, state) = &follower.last;
+        let model = &follower.model;
+        let entry = model.entry();
+        let state = entry.states.iter().copied().zip(state.entries().iter().copied()).collect();
+        SimulationReport {
+            model: entry.name,
+            method: clock.method.name(),
+            step: clock.step,
+            until: clock.until,
+            counts: RunCounts {
+                impacts_in_closed_form: follower.closed_form.0,
+                settled: follower.closed_form.1,
+                ..self.counts
+            },
+            capped: self.capped,
+            t: *t,
+            mode: mode_name(model, *mode),
+            choices: Vec::new(),
+            handed_on: Vec::new(),
+            projection: self.projection,
+            state,
+            audit: follower.audit,
+            held: Vec::new(),
+            failure: self.failure,
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! `letoff simulate`: one key, offline, from a model's name to two tables and a summary.
+//!
+//! In the order of a run: `args` what can be asked for, `check` from arguments to a
+//! plan with every mistake at once, `input` s(t) with its derivatives, `drive` tick
+//! after tick, `output` the tables, `plot` the picture, `summary` what is printed, `error` what can go
+//! wrong. Not here: anything of real time; this clock is an argument.
+
+mod args;
+mod check;
+mod drive;
+mod error;
+mod input;
+mod mode;
+mod output;
+mod plot;
+mod studied_method;
+mod summary;
+#[cfg(test)]
+mod tests;
+
+use std::io::Write;
+use std::path::Path;
+
+use instruments::{Playable, Visitor};
+use mechanism::Library;
+
+pub use self::args::{Reconstruct, SimulateArgs};
+use self::check::{Start, TickClock};
+pub use self::error::{SimulateError, SimulateMistake};
+pub use self::input::InputMistake;
+pub use self::input::InputTable;
+use self::input::{HeldInput, InputSignal};
+use self::output::OutputFiles;
+pub use self::studied_method::{MethodVisitor, StudiedMethod};
+
+/// Simulates what `args` ask for; the summary goes to `out`, and what must be known of the input
+/// beforehand to `note`.
+///
+/// # Errors
+/// [`SimulateError::Usage`] with every mistake before anything is run or written; the
+/// others while running, with everything produced until then in the files.
+pub fn run(
+    args: &SimulateArgs,
+    out: &mut dyn Write,
+    note: &mut dyn FnMut(&str),
+) -> Result<(), SimulateError> {
+    let mut mistakes = Vec::new();
+    let clock = TickClock::check(args, &mut mistakes);
+    let mut input_mistakes = Vec::new();
+    let input = InputSignal::read(args, &mut input_mistakes);
+    mistakes.extend(input_mistakes.into_iter().map(SimulateMistake::Input));
+    check::rest(args, &mut mistakes);
+    let model = match Library::default().find(&args.model, Path::new("")) {
+        Ok(model) => model,
+        Err(missing) => {
+            mistakes.insert(0, SimulateMistake::Model(missing));
+            return Err(SimulateError::Usage(mistakes));
+        }
+    };
+    let job = SimulationJob { args, clock, input, mistakes, out, note };
+    model.visit(job)
+}
+
+/// What remains to be done once the model's type is known.
+struct SimulationJob<'a> {
+    args: &'a SimulateArgs,
+    clock: TickClock,
+    input: InputSignal,
+    mistakes: Vec<SimulateMistake>,
+    out: &'a mut dyn Write,
+    note: &'a mut dyn FnMut(&str),
+}
+
+impl Visitor for SimulationJob<'_> {
+    type Output = Result<(), SimulateError>;
+
+    fn visit<M: Playable>(self, model: M) -> Self::Output {
+        let Self { args, clock, input, mut mistakes, out, note } = self;
+        let start = Start::check(&model, args, &input, &mut mistakes);
+        let (Some(start), true) = (start, mistakes.is_empty()) else {
+            return Err(SimulateError::Usage(mistakes));
+        };
+        let mut files = OutputFiles::create(args, &start).map_err(SimulateError::Usage)?;
+        if let Some(held) = held_note(&input.held(clock.until)) {
+            note(&held);
+        }
+        let report = drive::run(&start, (&clock, &input), &mut files)?;
+        files.finish()?;
+        summary::write(&report, args, out).map_err(SimulateError::Summary)?;
+        report.into_result(args)
+    }
+}
+
+/// What is said of an input whose rows do not last for the whole run.
+fn held_note(held: &[HeldInput]) -> Option<String> {
+    let told = |it: &HeldInput| format!("s = {:?} from {:?} s to {:?} s", it.s, it.from, it.to);
+    let told: Vec<_> = held.iter().map(told).collect();
+    let held = told.join(" and ");
+    (!told.is_empty()).then(|| format!("the input has no rows there and is held at {held}"))
+}

@@ -1,0 +1,137 @@
+//! With which weight of a finger a key sounds at a velocity, found by trying on a simulated key.
+
+use engine::voice::VoiceBuilder;
+use haptics::HandCommand;
+use keyboard::KeyIndex;
+use midi::Velocity;
+use scene::{KeyVoice, Scene};
+use scheduler::motion::KeyEvent;
+
+use crate::rehearsal::{RehearsalError, RehearsedKey};
+
+/// Largest weight of a finger (N).
+pub const HEAVIEST: f64 = 50.0;
+
+/// Halvings of the weights between none and the largest: to a twentieth of a millinewton.
+const HALVINGS: u32 = 20;
+
+/// Time in which the key lies still before it is pressed, and in which it is to sound (s).
+const STILL: f64 = 0.02;
+const SOUNDS: f64 = 1.0;
+
+/// Why no weight gives a velocity.
+#[derive(Debug, thiserror::Error)]
+pub enum WeightError {
+    #[error("{0} has no voice in this scene")]
+    NoVoice(KeyIndex),
+    #[error(
+        "{key} does not sound at velocity {wanted} under the weight of a finger: {HEAVIEST} N give \
+         {most}; give a smaller velocity, or --force"
+    )]
+    TooFast {
+        key: KeyIndex,
+        wanted: u8,
+        /// The velocity at the largest weight; 0 if the key does not sound at all.
+        most: u8,
+    },
+    #[error(transparent)]
+    Rehearsal(#[from] RehearsalError),
+}
+
+/// Returns the smallest weight (N) that, laid on `key` of `scene` at rest, makes it sound at
+/// `velocity` or more.
+///
+/// # Errors
+/// If the key has no voice, or no finger is heavy enough.
+pub fn weight_for(scene: &Scene, key: KeyIndex, velocity: Velocity) -> Result<f64, WeightError> {
+    let builder = VoiceBuilder::new(scene).map_err(RehearsalError::from)?;
+    let voice = scene.keys.get(key.index()).and_then(Option::as_ref);
+    let voice = voice.ok_or(WeightError::NoVoice(key))?;
+    let still = still(&builder, key, voice)?;
+    let heard = |newtons| {
+        let speed = hammer_speed(still.clone(), newtons);
+        speed.map_or(0, |speed| scene.midi.curve.velocity(speed).get())
+    };
+    let (wanted, most) = (velocity.get(), heard(HEAVIEST));
+    if most < wanted {
+        return Err(WeightError::TooFast { key, wanted, most });
+    }
+    let (mut too_light, mut enough) = (0.0, HEAVIEST);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (too_light + enough);
+        *if heard(middle) < wanted { &mut too_light } else { &mut enough } = middle;
+    }
+    Ok(enough)
+}
+
+/// Returns a key that has come to rest.
+fn still(
+    builder: &VoiceBuilder<'_>,
+    key: KeyIndex,
+    voice: &KeyVoice,
+) -> Result<RehearsedKey, RehearsalError> {
+    let mut rehearsed = RehearsedKey::of_scene(builder, key.index(), voice)?;
+    while rehearsed.now() < STILL {
+        rehearsed.step();
+    }
+    Ok(rehearsed)
+}
+
+/// Returns how fast the hammer of `key` strikes under a weight (m/s), if it does.
+fn hammer_speed(mut key: RehearsedKey, newtons: f64) -> Option<f64> {
+    key.press(HandCommand::Weight(newtons));
+    let end = key.now() + SOUNDS;
+    while key.now() < end {
+        let turn = key.step();
+        let strike = turn.events.as_slice().iter().find_map(|(_at, event)| match event {
+            KeyEvent::Strike { loudness, .. } => Some(loudness.hammer_speed),
+            KeyEvent::DamperLift | KeyEvent::DamperFall { .. } | KeyEvent::Pressure { .. } => None,
+        });
+        if strike.is_some() {
+            return strike;
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_weight_gives_the_velocity_that_was_wanted_and_less_does_not() {
+        let scene =
+            Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene of ours");
+        let builder = VoiceBuilder::new(&scene).expect("a scene of ours");
+        let key = KeyIndex::new(39).expect("C4");
+        let voice = scene.keys[39].as_ref().expect("a voice");
+        let heard = |newtons| {
+            let still = still(&builder, key, voice).expect("a key");
+            hammer_speed(still, newtons).map_or(0, |it| scene.midi.curve.velocity(it).get())
+        };
+        let mut last = 0.0;
+        for wanted in [60, 70] {
+            let velocity = Velocity::new(wanted).expect("a velocity");
+            let newtons = weight_for(&scene, key, velocity).expect("a weight");
+            assert!(last < newtons && newtons < HEAVIEST, "{wanted}: {newtons} N");
+            let velocity = heard(newtons);
+            assert!((wanted..=wanted + 2).contains(&velocity), "{wanted}: {velocity}");
+            assert!(heard(0.7 * newtons) < wanted, "{wanted}");
+            last = newtons;
+        }
+    }
+
+    #[test]
+    fn a_key_without_a_voice_and_a_velocity_beyond_a_finger_are_refused() {
+        let mut scene =
+            Scene::load(&scene::Library::default(), "springs", &[]).expect("a scene of ours");
+        let key = KeyIndex::new(39).expect("C4");
+        let most = Velocity::new(127).expect("a velocity");
+        if let Err(refused) = weight_for(&scene, key, most) {
+            assert!(refused.to_string().contains("C4 does not sound at velocity 127"), "{refused}");
+        }
+        scene.keys[39] = None;
+        let refused = weight_for(&scene, key, most).expect_err("it is silent").to_string();
+        assert_eq!(refused, "C4 has no voice in this scene");
+    }
+}
