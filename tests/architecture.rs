@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use toml_edit::{Document, Item};
 
 /// Our crates, each below those that follow it: a crate knows only what stands before it.
-const FLOORS: [&str; 20] = [
+const FLOORS: [&str; 21] = [
     "keyboard",
     "documents",
     "pode",
@@ -25,9 +25,10 @@ const FLOORS: [&str; 20] = [
     "pianist",
     "scene",
     "engine",
+    "figures",
     "host",
-    "lab",
     "cli",
+    "lab",
     // The package without source, which owns tests/ and benches/.
     "letoff",
 ];
@@ -65,6 +66,18 @@ fn no_crate_knows_a_higher_one() {
     }
 }
 
+/// Most bytes of the documents that a newcomer reads whole.
+const SHORT: [(&str, u64); 3] =
+    [("README.md", 8_000), ("ARCHITECTURE.md", 20_000), ("CONTRIBUTING.md", 10_000)];
+
+#[test]
+fn documents_are_short() {
+    for (name, most) in SHORT {
+        let length = fs::metadata(root().join(name)).expect("a document").len();
+        assert!(length <= most, "{name} has {length} bytes of {most}");
+    }
+}
+
 #[test]
 fn walls_between_crates_stand() {
     for manifest in manifests() {
@@ -89,6 +102,9 @@ fn few_crates_each_with_its_readme_and_its_line_in_architecture_md() {
     for manifest in manifests {
         let (name, _) = read(&manifest);
         assert!(text.contains(&format!("`{name}`")), "ARCHITECTURE.md does not name {name}");
+        let readme = fs::read_to_string(manifest.with_file_name("README.md")).unwrap_or_default();
+        let lines = readme.lines().count();
+        assert!((10..=60).contains(&lines), "the README of {name} has {lines} lines of 10 to 60");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Every README of the project: its commands can be typed and print what it shows, its links
+//! Every README and manual of the project: its commands can be typed and print what it shows, its links
 //! and paths lead to files, and its lines have one sentence each.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
@@ -7,7 +7,20 @@ use std::path::{Path, PathBuf};
 
 use crate::letoff::{folder, run};
 
-/// A README and the file in which it is.
+/// Names of the files that people read to use the program or a crate.
+const DOCUMENTS: [&str; 9] = [
+    "README.md",
+    "BOARDS.md",
+    "CONTACTS.md",
+    "FIGURE6.md",
+    "GUIDE.md",
+    "IMPEDANCE.md",
+    "LANGUAGE.md",
+    "MANUAL.md",
+    "STABILITY.md",
+];
+
+/// One of them and the file in which it is.
 struct Document {
     path: PathBuf,
     text: String,
@@ -45,7 +58,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every README of the project.
+/// All of them.
 fn documents() -> Vec<Document> {
     let mut paths = Vec::new();
     let mut folders = vec![root().to_path_buf()];
@@ -55,7 +68,7 @@ fn documents() -> Vec<Document> {
             let is_folder = entry.file_type().expect("a kind of file").is_dir();
             if is_folder && name != "target" && !name.starts_with('.') {
                 folders.push(entry.path());
-            } else if name == "README.md" {
+            } else if DOCUMENTS.contains(&name.as_str()) {
                 paths.push(entry.path());
             }
         }
@@ -121,8 +134,8 @@ fn every_command_can_be_typed() {
     }
 }
 
-/// The parts of scenes, between fences that say so; those in `kane` are descriptions of models,
-/// which that crate tests.
+/// The parts of scenes, between fences that say so; those in LANGUAGE.md are descriptions of
+/// models, which `mechanism` tests.
 fn parts_of_scenes() -> Vec<String> {
     let of_scenes = |document: &Document| !document.path.ends_with("crates/mechanism/LANGUAGE.md");
     let documents = documents().into_iter().filter(of_scenes);

@@ -3,7 +3,7 @@
 //!
 //! A row is judged by what the key felt: the motor's work on it, its largest force and how long a
 //! force lasted, as the rig measured them; then by the log and the exit code. The bounds are those of
-//! the classes of faults in `firmware-protocol/README.md`.
+//! the classes of faults in `firmware-protocol/BOARDS.md`.
 
 use std::path::Path;
 

@@ -25,15 +25,15 @@ pub(super) fn check_stability(file: &Path) -> Result<Vec<RangeStability>, Diagno
         message,
         help,
     };
-    let refused = |error: figures::rehearsal::RehearsalError| {
-        Diagnostics::new(vec![wrong(error.to_string(), "change the scene".to_owned())])
-    };
-    let ranges = examine(&scene).map_err(refused)?;
+    let refused =
+        |error: String| Diagnostics::new(vec![wrong(error, "change the scene".to_owned())]);
+    let ranges = examine(&scene).map_err(|error| refused(error.to_string()))?;
     let unstable: Vec<_> = ranges.iter().filter_map(|it| it.unstable.as_ref()).collect();
     if !unstable.is_empty() {
         let all = unstable.iter().map(|it| wrong(it.what(), it.help())).collect();
         return Err(Diagnostics::new(all));
     }
-    let with_margin = |it: RangeStability| it.with_margin(&scene).map_err(refused);
-    ranges.into_iter().map(with_margin).collect()
+    let with_figures = |it: RangeStability| it.with_figures(&scene);
+    let ranges: Result<_, _> = ranges.into_iter().map(with_figures).collect();
+    ranges.map_err(|error| refused(error.to_string()))
 }

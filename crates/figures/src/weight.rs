@@ -1,4 +1,7 @@
-//! With which weight of a finger a key sounds at a velocity, found by trying on a simulated key.
+//! Weights of a finger, found by laying them on a simulated key in its loop: those that move the
+//! key, and the one with which it sounds at a velocity.
+
+use std::fmt;
 
 use engine::voice::VoiceBuilder;
 use haptics::HandCommand;
@@ -14,6 +17,15 @@ pub const HEAVIEST: f64 = 50.0;
 
 /// Halvings of the weights between none and the largest: to a twentieth of a millinewton.
 const HALVINGS: u32 = 20;
+
+/// Travels between which touch weights are taken, as parts of the dip: 2 and 4.5 of 10.16 mm.
+const WEIGHED: [f64; 2] = [0.197, 0.443];
+
+/// Largest weight with which a key is weighed (N).
+const MOST_WEIGHED: f64 = 10.0;
+
+/// Change of that weight (N/s): a key that falls through takes 0.1 s, 1 gf.
+const WEIGHING_RATE: f64 = 0.1;
 
 /// Time in which the key lies still before it is pressed, and in which it is to sound (s).
 const STILL: f64 = 0.02;
@@ -62,6 +74,65 @@ pub fn weight_for(scene: &Scene, key: KeyIndex, velocity: Velocity) -> Result<f6
         *if heard(middle) < wanted { &mut too_light } else { &mut enough } = middle;
     }
     Ok(enough)
+}
+
+/// The weights that a technician would find at the front of a key in its loop.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct TouchWeights {
+    /// The least weight under which the key goes down (N).
+    pub down: f64,
+    /// The largest weight that the key lifts again (N).
+    pub up: f64,
+}
+
+impl fmt::Display for TouchWeights {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        /// Force of a gram's weight (N).
+        const GF: f64 = 9.806_65e-3;
+        let [down, up] = [self.down, self.up].map(|newtons| newtons / GF);
+        write!(f, "{down:.0} gf down, {up:.0} gf up")
+    }
+}
+
+/// Returns the weights that move `key` of `scene`; `None` if 10 N do not move it, or if it is not
+/// lifted again.
+///
+/// A weight on the key grows by 0.1 N/s until the key passes 4.5 mm of a grand's 10.16 mm, and
+/// shrinks from there until it comes back to 2 mm: before the damper and the let-off, where
+/// technicians measure.
+///
+/// # Errors
+/// If the key has no voice, or cannot be simulated.
+pub fn touch_weights(scene: &Scene, key: KeyIndex) -> Result<Option<TouchWeights>, WeightError> {
+    let builder = VoiceBuilder::new(scene).map_err(RehearsalError::from)?;
+    let voice = scene.keys.get(key.index()).and_then(Option::as_ref);
+    let mut still = still(&builder, key, voice.ok_or(WeightError::NoVoice(key))?)?;
+    let [high, low] = WEIGHED.map(|part| part * builder.rig().key.bottom_stop.position);
+    let down = weighed(&mut still, (0.0, MOST_WEIGHED), |at| low < at);
+    let up = down.and_then(|down| weighed(&mut still, (down, 0.0), |at| at < high));
+    Ok(down.zip(up).map(|(down, up)| TouchWeights { down, up }))
+}
+
+/// Changes the weight on a key slowly between two weights (N); returns the weight at which the key
+/// `is_there`.
+fn weighed(
+    key: &mut RehearsedKey,
+    (from, to): (f64, f64),
+    is_there: impl Fn(f64) -> bool,
+) -> Option<f64> {
+    let start = key.now();
+    loop {
+        let change = WEIGHING_RATE * (key.now() - start);
+        if (to - from).abs() < change {
+            return None;
+        }
+        let newtons = from + change.copysign(to - from);
+        key.press(HandCommand::Weight(newtons));
+        key.step();
+        if is_there(key.position()) {
+            return Some(newtons);
+        }
+    }
 }
 
 /// Returns a key that has come to rest.
@@ -118,6 +189,26 @@ mod tests {
             assert!((wanted..=wanted + 2).contains(&velocity), "{wanted}: {velocity}");
             assert!(heard(0.7 * newtons) < wanted, "{wanted}");
             last = newtons;
+        }
+    }
+
+    #[test]
+    fn a_stiffer_spring_weighs_more_by_hookes_law_and_lifts_what_presses_it() {
+        let library = scene::Library::default();
+        let mut scene = Scene::load(&library, "springs", &[]).expect("a scene of ours");
+        let key = KeyIndex::new(39).expect("C4");
+        let model = library.find("spring", std::path::Path::new("")).expect("a model of ours");
+        let mut weighed = |stiffness: f64| {
+            let values = vec![stiffness];
+            scene.keys[39] = Some(KeyVoice { model: std::sync::Arc::clone(&model), values });
+            let weights = touch_weights(&scene, key).expect("a key").expect("it moves");
+            (weights, VoiceBuilder::new(&scene).expect("a scene").rig().key.bottom_stop.position)
+        };
+        let [(soft, dip), (stiff, _)] = [100.0, 200.0].map(&mut weighed);
+        let more = [stiff.down - soft.down, stiff.up - soft.up];
+        // 1 gf: the key's way while the weight changes.
+        for (more, part) in more.into_iter().zip([0.443, 0.197]) {
+            assert!((more - 100.0 * part * dip).abs() < 0.01, "{more} N at {part} of the dip");
         }
     }
 

@@ -41,7 +41,8 @@ pub enum Request {
         /// Where the hand leads it, as a part of its dip; none lets go.
         depth: Option<f64>,
     },
-    /// Tries how many times its force a key may have and is still stable, as it plays now.
+    /// Tries how many times its force a key may have and is still stable, as it plays now, and which
+    /// weights move it.
     Margin {
         /// Number of the key, 0 (A0) to 87 (C8).
         key: u8,

@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::fuzz::FuzzOptions;
 use crate::guest_boards::CheckScope;
 use crate::peers::PeerOptions;
+use crate::test::TestScope;
 
 /// What `cargo xtask help` prints.
 pub(crate) const USAGE: &str = "\
@@ -16,7 +17,9 @@ Chores of this workspace.
   cargo xtask demo [-- ARGUMENTS]   installs what is missing, builds, and runs
                                     `letoff run --duration 30 ARGUMENTS`: the simulated
                                     keybed and a virtual pianist, on any machine
-  cargo xtask test                  installs what is missing and runs every test
+  cargo xtask test [--machines]     installs what is missing and runs every test that needs no
+                                    emulated machine; with --machines those that do: boards on
+                                    microcontrollers, and the drivers of a Debian kernel
   cargo xtask dist [--profile NAME] makes a Debian package of the command, the window and the
                                     service, target/dist/letoff_VERSION_ARCH.deb, on Debian and
                                     Ubuntu; most of its time is an optimised build, which is
@@ -78,7 +81,7 @@ pub(crate) enum Task {
         /// Arguments of `letoff run`.
         forwarded: Vec<OsString>,
     },
-    Test,
+    Test(TestScope),
     /// Make a Debian package of all that is installed.
     Dist {
         /// With which cargo builds the programs.
@@ -125,7 +128,10 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
             let modes = [BaselineUse::Compare, BaselineUse::Write];
             return with_flag(arguments, "--write-baseline", modes.map(Task::Bench));
         }
-        Some("test") => Task::Test,
+        Some("test") => {
+            let scopes = [TestScope::ThisMachine, TestScope::EmulatedMachines];
+            return with_flag(arguments, "--machines", scopes.map(Task::Test));
+        }
         Some("size") => Task::Size,
         Some("oracle") => Task::Oracle,
         Some("guest-midi") => Task::GuestMidi,
@@ -244,7 +250,8 @@ mod tests {
     #[test]
     fn each_chore_has_its_name() {
         check("demo", &demo(&[]));
-        check("test", &Task::Test);
+        check("test", &Task::Test(TestScope::ThisMachine));
+        check("test --machines", &Task::Test(TestScope::EmulatedMachines));
         check("dist", &Task::Dist { profile: "dist".into() });
         check("dist --profile dev", &Task::Dist { profile: "dev".into() });
         check("guest-service", &Task::GuestService { profile: "release".into() });

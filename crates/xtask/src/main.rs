@@ -49,10 +49,10 @@ fn main() -> ExitCode {
 fn perform(task: Task) -> Result<(), Error> {
     match task {
         Task::Demo { forwarded } => demo::play(forwarded),
-        Task::Test => test::run(),
+        Task::Test(scope) => test::run(scope),
         Task::Dist { profile } => dist::run(&profile),
         Task::GuestService { profile } => guest_service::guest(&profile).run().map(drop),
-        Task::GuestMidi => guest_midi::guest().run().map(drop),
+        Task::GuestMidi => guest_midi::guest(guest::TriedProgram::Release).run().map(drop),
         Task::GuestBoards(form) => {
             guest_boards::guest(form, guest::TriedProgram::Release).run().map(drop)
         }

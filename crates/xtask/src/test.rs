@@ -1,4 +1,4 @@
-//! Every test, in stages; the quick proofs first.
+//! Every test, in stages, the quick proofs first; emulated machines on their own.
 
 use std::path::Path;
 use std::process::Command;
@@ -8,6 +8,7 @@ use crate::command::{cargo, target};
 use crate::error::Error;
 use crate::guest::TriedProgram;
 use crate::guest_boards::{self, CheckScope};
+use crate::guest_midi;
 use crate::optional;
 use crate::oracle;
 use crate::stage::{self, Stage, StageWork};
@@ -31,28 +32,59 @@ const BARE_TARGET: &str = "thumbv7em-none-eabihf";
 /// Why the bare target's stage was skipped.
 const NOT_INSTALLED: &str = "the target is not installed (rustup target add thumbv7em-none-eabihf)";
 
-/// Installs what is missing and runs every test.
+/// Tells tests whether machines are emulated: `none` skips those that would.
+const MACHINES: &str = "LETOFF_MACHINES";
+
+/// The tests of firmware on an emulated microcontroller.
+const FIRMWARE: [&str; 3] = ["--workspace", "--test=firmware", "--test=mcu"];
+
+/// The tests of the host with such firmware, by their files and names.
+const WITH_FIRMWARE: [&str; 5] =
+    ["--workspace", "--test=boards", "--", "cortex::", "conformance::the_reference_firmware"];
+
+/// The tests that are run.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum TestScope {
+    /// All that need no emulated machine.
+    ThisMachine,
+    /// Those that need one.
+    EmulatedMachines,
+}
+
+/// Installs what is missing and runs the tests of `scope`.
 ///
 /// # Errors
 /// Says what is missing, or which command failed.
-pub(crate) fn run() -> Result<(), Error> {
+pub(crate) fn run(scope: TestScope) -> Result<(), Error> {
     apt::install_missing()?;
     optional::install();
     let program = target()?.join("debug").join(format!("letoff{}", std::env::consts::EXE_SUFFIX));
-    stage::run_all(stages(&program, (!has_bare_target()).then_some(NOT_INSTALLED)))
+    stage::run_all(match scope {
+        TestScope::ThisMachine => stages(&program, (!has_bare_target()).then_some(NOT_INSTALLED)),
+        TestScope::EmulatedMachines => machines(&program),
+    })
 }
 
-/// All stages, for tests of `program`; `no_bare_target` says why the one for the bare target is
-/// skipped, if it is.
+/// A stage that runs cargo, for tests of `program`.
+fn cargo_stage(name: &'static str, arguments: &[&str], program: &Path) -> Stage {
+    let mut command = cargo(arguments);
+    command.env(SEED_NAME, std::env::var_os(SEED_NAME).unwrap_or_else(|| SEED.into()));
+    command.env(PROGRAM, program);
+    Stage { name, work: StageWork::Command(command), skipped: None }
+}
+
+/// The stages without emulated machines, for tests of `program`; `no_bare_target` says why the one
+/// for the bare target is skipped, if it is.
 ///
 /// What is built for one stage is there for the next: they all select the whole workspace, since
 /// Cargo compiles dependencies once for each set of features that is asked of them.
 fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
     let stage = |name, arguments: &[&str]| {
-        let mut command = cargo(arguments);
-        command.env(SEED_NAME, std::env::var_os(SEED_NAME).unwrap_or_else(|| SEED.into()));
-        command.env(PROGRAM, program);
-        Stage { name, work: StageWork::Command(command), skipped: None }
+        let mut stage = cargo_stage(name, arguments, program);
+        if let StageWork::Command(command) = &mut stage.work {
+            command.env(MACHINES, "none");
+        }
+        stage
     };
     vec![
         stage("the tick's crates without std", &no_std(&[])),
@@ -69,13 +101,22 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
             work: StageWork::Chore(oracle::short),
             skipped: None,
         },
-        Stage {
-            name: "boards in a Debian kernel (QEMU)",
-            work: StageWork::Chore(|| {
-                guest_boards::guest(CheckScope::Short, TriedProgram::OfTheTests).run()
-            }),
-            skipped: None,
-        },
+    ]
+}
+
+/// The stages with emulated machines, for tests of `program`.
+fn machines(program: &Path) -> Vec<Stage> {
+    let chore = |name, chore| Stage { name, work: StageWork::Chore(chore), skipped: None };
+    vec![
+        cargo_stage("the programs", &["build", "--workspace", "--bins"], program),
+        cargo_stage("firmware on a Cortex-M3 (QEMU)", &test(&FIRMWARE), program),
+        cargo_stage("the host with eight of them", &test(&WITH_FIRMWARE), program),
+        chore("boards in a Debian kernel (QEMU)", || {
+            guest_boards::guest(CheckScope::Short, TriedProgram::OfTheTests).run()
+        }),
+        chore("MIDI in a Debian kernel (QEMU)", || {
+            guest_midi::guest(TriedProgram::OfTheTests).run()
+        }),
     ]
 }
 
@@ -105,7 +146,9 @@ mod tests {
 
     #[test]
     fn every_crate_is_tested_not_only_the_default_one() {
-        for stage in stages(Path::new("letoff"), None) {
+        let all =
+            stages(Path::new("letoff"), None).into_iter().chain(machines(Path::new("letoff")));
+        for stage in all {
             let StageWork::Command(command) = stage.work else { continue };
             let line = words(&command);
             let selects = ["--workspace", "--package"].iter().any(|flag| line.contains(flag));
@@ -127,6 +170,6 @@ mod tests {
     fn without_the_bare_target_only_that_stage_is_skipped() {
         let stages = stages(Path::new("letoff"), Some("x"));
         let skipped: Vec<_> = stages.iter().map(|stage| stage.skipped).collect();
-        assert_eq!(skipped, [None, Some("x"), None, None, None, None]);
+        assert_eq!(skipped, [None, Some("x"), None, None, None]);
     }
 }

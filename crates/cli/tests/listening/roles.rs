@@ -12,7 +12,7 @@ use crate::stranger::Stranger;
 use crate::typed::{Folder, eventually};
 
 /// The README with the table.
-const README: &str = include_str!("../../../host/README.md");
+const README: &str = include_str!("../../../host/MANUAL.md");
 
 /// The columns of the table, and the token of each that has one.
 const COLUMNS: [(&str, Option<&str>); 5] = [

@@ -8,6 +8,7 @@ use scene::{KeyVoice, Scene};
 use super::remedy::{Remedy, nearest};
 use super::trial::{UnstableTrial, first_unstable};
 use crate::rehearsal::RehearsalError;
+use crate::weight::{TouchWeights, WeightError, touch_weights};
 
 /// Keys of a range that are tried: instruments are graded evenly over the compass.
 const TRIED: u8 = 5;
@@ -26,6 +27,8 @@ pub struct RangeStability {
     /// How many times its force a key may have and is still stable, as far as it was tried; none
     /// where nobody asked, or where it is not stable.
     pub gain_margin: Option<f64>,
+    /// The weights of the key in the middle of the range; none where nobody asked.
+    pub weights: Option<TouchWeights>,
 }
 
 /// A key that is not stable, and what would make it so.
@@ -80,8 +83,11 @@ impl fmt::Display for RangeStability {
         }
         let (first, last) = (self.keys.first(), self.keys.last());
         write!(f, "{first}..{last} with {} stable", self.model)?;
-        match self.gain_margin {
-            Some(margin) => write!(f, ", up to {margin} times its force"),
+        if let Some(margin) = self.gain_margin {
+            write!(f, ", up to {margin} times its force")?;
+        }
+        match self.weights {
+            Some(weights) => write!(f, "; the finger feels {weights}"),
             None => Ok(()),
         }
     }
@@ -123,15 +129,15 @@ pub fn examine_keys(scene: &Scene, keys: KeyRange) -> Result<RangeStability, Reh
             remedy: nearest(scene, &voices, key)?,
         }),
     };
-    Ok(RangeStability { keys, model, unstable, gain_margin: None })
+    Ok(RangeStability { keys, model, unstable, gain_margin: None, weights: None })
 }
 
 impl RangeStability {
-    /// Returns the same with its gain margin, of the key in the middle of the range.
+    /// Adds the gain margin and the weights of the key in the middle of the range.
     ///
     /// # Errors
     /// If voices or the keybed are refused.
-    pub fn with_margin(mut self, scene: &Scene) -> Result<Self, RehearsalError> {
+    pub fn with_figures(mut self, scene: &Scene) -> Result<Self, WeightError> {
         let Some(key) = KeyIndex::new(self.keys.first().number() + len(self.keys) / 2) else {
             return Ok(self);
         };
@@ -148,6 +154,7 @@ impl RangeStability {
             margin = gain;
         }
         self.gain_margin = Some(margin);
+        self.weights = touch_weights(scene, key)?;
         Ok(self)
     }
 }

@@ -13,6 +13,7 @@ use super::RequestHandler;
 use super::current_voices::{CurrentVoices, single};
 use super::new_voice::{NewVoice, VoiceHandover};
 use figures::stability::{examine_keys, instabilities};
+use figures::weight::WeightError;
 
 impl RequestHandler {
     /// Computes all voices by `settings` from now on.
@@ -48,7 +49,7 @@ impl RequestHandler {
         Ok(text)
     }
 
-    /// Tries `key` as it plays now; returns how many times its force it may have.
+    /// Tries `key` as it plays now; returns how many times its force it may have, and its weights.
     ///
     /// # Errors
     /// If there is no such key, or none that plays, in a sentence.
@@ -59,7 +60,8 @@ impl RequestHandler {
             playing.voice(key)?;
             self.scene_of(&playing)
         };
-        let found = examine_keys(&scene, keys).and_then(|found| found.with_margin(&scene));
+        let found = examine_keys(&scene, keys).map_err(WeightError::from);
+        let found = found.and_then(|found| found.with_figures(&scene));
         found.map(|it| it.to_string()).map_err(|it| it.to_string())
     }
 

@@ -68,8 +68,7 @@ impl PackageFacts {
 /// The changelog in Debian's form, of a package made at `date`, as RFC 5322 writes it.
 pub(super) fn changelog(date: &str) -> String {
     format!(
-        "letoff ({VERSION}) stable; urgency=medium\n\n  * See CHANGELOG.md.gz beside this \
-         file.\n\n -- {MAINTAINER}  {date}\n"
+        "letoff ({VERSION}) stable; urgency=medium\n\n  * The first packages.\n\n -- {MAINTAINER}  {date}\n"
     )
 }
 

@@ -30,7 +30,7 @@ const MAKERS: [Tool; 6] = [
 ];
 
 /// The programs of the package.
-const PROGRAMS: [&str; 2] = ["letoff", "letoff-dashboard"];
+const PROGRAMS: [&str; 3] = ["letoff", "letoff-dashboard", "letoff-lab"];
 
 /// Builds the programs with `profile`, makes a package of them, and says where it is.
 ///
@@ -55,7 +55,8 @@ pub(crate) fn run(profile: &str) -> Result<(), Error> {
 pub(crate) fn make(profile: &str) -> Result<PathBuf, Error> {
     apt::install_missing()?;
     tools::ensure(&[&MAKERS])?;
-    let build = ["build", "--profile", profile, "--package", "cli", "--package", "dashboard"];
+    let build =
+        ["build", "--profile", profile, "--package=cli", "--package=dashboard", "--package=lab"];
     command::run(&mut cargo(build.into_iter().chain(["--bins"])))?;
     let target = target()?;
     let built = target.join(folder_of(profile));

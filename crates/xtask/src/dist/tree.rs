@@ -10,25 +10,36 @@ use crate::files;
 
 /// Files that are copied as they are, and where they go; documents keep their places beside each
 /// other, so that their links lead on.
-const COPIES: [(&str, &str); 18] = [
+const COPIES: [(&str, &str); 5] = [
     ("configs/service/letoff.service", "usr/lib/systemd/system/letoff.service"),
     ("configs/service/letoff.sysusers", "usr/lib/sysusers.d/letoff.conf"),
     ("configs/service/letoff.rules", "usr/lib/udev/rules.d/70-letoff.rules"),
     ("configs/service/letoff.limits", "etc/security/limits.d/letoff.conf"),
     ("configs/service/can.network", "usr/share/doc/letoff/examples/80-can.network"),
-    ("README.md", "usr/share/doc/letoff/README.md"),
-    ("ARCHITECTURE.md", "usr/share/doc/letoff/ARCHITECTURE.md"),
-    ("CHANGELOG.md", "usr/share/doc/letoff/CHANGELOG.md"),
-    ("REFERENCES.md", "usr/share/doc/letoff/REFERENCES.md"),
-    ("configs/README.md", "usr/share/doc/letoff/configs/README.md"),
-    ("crates/dashboard/README.md", "usr/share/doc/letoff/crates/dashboard/README.md"),
-    ("crates/host/README.md", "usr/share/doc/letoff/crates/host/README.md"),
-    ("crates/mechanism/LANGUAGE.md", "usr/share/doc/letoff/crates/mechanism/LANGUAGE.md"),
-    ("crates/lab/README.md", "usr/share/doc/letoff/crates/lab/README.md"),
-    ("crates/instruments/README.md", "usr/share/doc/letoff/crates/instruments/README.md"),
-    ("crates/pode/README.md", "usr/share/doc/letoff/crates/pode/README.md"),
-    ("firmware-protocol/README.md", "usr/share/doc/letoff/firmware-protocol/README.md"),
-    ("firmware-protocol/PROTOCOL.md", "usr/share/doc/letoff/firmware-protocol/PROTOCOL.md"),
+];
+
+/// Documents, which keep their places beside each other.
+const DOCUMENTS: [&str; 20] = [
+    "README.md",
+    "ARCHITECTURE.md",
+    "CONTRIBUTING.md",
+    "REFERENCES.md",
+    "configs/README.md",
+    "crates/cli/README.md",
+    "crates/dashboard/MANUAL.md",
+    "crates/dashboard/README.md",
+    "crates/host/MANUAL.md",
+    "crates/instruments/README.md",
+    "crates/lab/FIGURE6.md",
+    "crates/lab/IMPEDANCE.md",
+    "crates/lab/README.md",
+    "crates/lab/STABILITY.md",
+    "crates/mechanism/LANGUAGE.md",
+    "crates/pode/GUIDE.md",
+    "crates/pode/README.md",
+    "firmware-protocol/BOARDS.md",
+    "firmware-protocol/PROTOCOL.md",
+    "firmware-protocol/README.md",
 ];
 
 /// Folders of examples to start from.
@@ -49,7 +60,7 @@ const CONTROL: [(&str, &str); 4] = [
 /// Packs what policy wants packed, lets everybody read, and notes the sums.
 const FINISH: &str = "\
 find usr/share/man usr/share/doc/letoff -type f \\( -name '*.1' -o -name changelog \\
-    -o -name CHANGELOG.md -o -name THIRD-PARTY \\) -exec gzip -9n {} +
+    -o -name THIRD-PARTY \\) -exec gzip -9n {} +
 chmod -R u=rwX,go=rX .
 chmod 755 DEBIAN/postinst DEBIAN/prerm DEBIAN/postrm usr/bin/*
 find usr -type f -exec md5sum {} + | LC_ALL=C sort -k 2 >DEBIAN/md5sums
@@ -67,6 +78,9 @@ pub(super) fn make(root: &Path, built: &Path) -> Result<(), Error> {
         copy(&command::root().join(from), &root.join(to))?;
     }
     let documents = root.join("usr/share/doc/letoff");
+    for document in DOCUMENTS {
+        copy(&command::root().join(document), &documents.join(document))?;
+    }
     for name in EXAMPLES {
         let from = command::root().join("configs").join(name);
         copy_files(&from, &documents.join("examples").join(name), Path::is_file)?;
@@ -107,9 +121,11 @@ fn add_programs(root: &Path, built: &Path) -> Result<(), Error> {
     }
     let manual = root.with_extension("manual");
     files::empty(&manual)?;
-    let [letoff, dashboard] = PROGRAMS.map(|name| root.join("usr/bin").join(name));
+    let [letoff, others @ ..] = PROGRAMS.map(|name| root.join("usr/bin").join(name));
     command::run(Command::new(letoff).arg("manual").arg(&manual))?;
-    command::run(Command::new(dashboard).arg("--manual").arg(&manual))?;
+    for program in others {
+        command::run(Command::new(program).arg("--manual").arg(&manual))?;
+    }
     for page in files::list(&manual)? {
         if let Some(place) = place_of(&page) {
             copy(&page, &root.join(place))?;

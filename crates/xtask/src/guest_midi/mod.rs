@@ -9,7 +9,7 @@ use crate::tools::Tool;
 const PROGRAMS: [Tool; 2] = [("aseqdump", "alsa-utils"), ("aconnect", "alsa-utils")];
 
 /// The guest with the sequencer, four virtual cables, and Midi Through.
-pub(crate) fn guest() -> GuestCheck {
+pub(crate) fn guest(program: TriedProgram) -> GuestCheck {
     GuestCheck {
         name: "midi",
         plays_on: "real ALSA ports",
@@ -27,6 +27,6 @@ pub(crate) fn guest() -> GuestCheck {
         parts: &["midi"],
         // It takes three minutes of one processor.
         time_limit: Duration::from_mins(20),
-        program: TriedProgram::Release,
+        program,
     }
 }
