@@ -206,9 +206,9 @@ mod tests {
         };
         let [(soft, dip), (stiff, _)] = [100.0, 200.0].map(&mut weighed);
         let more = [stiff.down - soft.down, stiff.up - soft.up];
-        // 1 gf: the key's way while the weight changes.
+        // The rig's bearing sticks and slips by a tenth of a millimetre: 0.02 N of the stiff spring.
         for (more, part) in more.into_iter().zip([0.443, 0.197]) {
-            assert!((more - 100.0 * part * dip).abs() < 0.01, "{more} N at {part} of the dip");
+            assert!((more - 100.0 * part * dip).abs() < 0.02, "{more} N at {part} of the dip");
         }
     }
 
