@@ -195,7 +195,7 @@ fn the_controller_leaves_the_forces_of_ordinary_strokes_nearly_as_they_are() {
 
 /// As many ways as `WAYS` says, a million if it says nothing.
 #[test]
-#[ignore = "takes an hour; WAYS=100000 cargo test -p letoff --test all -- --ignored closed_ways"]
+#[ignore = "takes an hour; WAYS=100000 cargo test -p letoff --test whole -- --ignored closed_ways"]
 fn no_closed_ways_hand_out_energy_however_many() {
     let ways = env::var("WAYS").ok().and_then(|it| it.parse().ok()).unwrap_or(1_000_000);
     let [without, with] = PassivityMode::ALL.map(|mode| outcomes(mode, ways));

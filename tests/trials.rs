@@ -263,7 +263,7 @@ fn unstable(scene: &Scene) -> Option<String> {
 
 /// All instruments at six rates with three delays; takes half an hour.
 #[test]
-#[ignore = "takes half an hour; cargo test -p letoff --test all -- --ignored every_loop"]
+#[ignore = "takes half an hour; cargo test -p letoff --test whole -- --ignored every_loop"]
 fn every_loop_does_what_is_said_of_it() {
     let piece = piece();
     let mut outcomes = Vec::new();

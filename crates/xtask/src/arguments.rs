@@ -20,6 +20,8 @@ Chores of this workspace.
   cargo xtask test [--machines]     installs what is missing and runs every test that needs no
                                     emulated machine; with --machines those that do: boards on
                                     microcontrollers, and the drivers of a Debian kernel
+  cargo xtask test CRATE [NAMES]    runs the tests of a crate, those whose names contain one of
+                                    NAMES; builds nothing twice from one crate to the next
   cargo xtask dist [--profile NAME] makes a Debian package of the command, the window and the
                                     service, target/dist/letoff_VERSION_ARCH.deb, on Debian and
                                     Ubuntu; most of its time is an optimised build, which is
@@ -128,10 +130,7 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
             let modes = [BaselineUse::Compare, BaselineUse::Write];
             return with_flag(arguments, "--write-baseline", modes.map(Task::Bench));
         }
-        Some("test") => {
-            let scopes = [TestScope::ThisMachine, TestScope::EmulatedMachines];
-            return with_flag(arguments, "--machines", scopes.map(Task::Test));
-        }
+        Some("test") => return test(arguments),
         Some("size") => Task::Size,
         Some("oracle") => Task::Oracle,
         Some("guest-midi") => Task::GuestMidi,
@@ -200,6 +199,20 @@ fn with_flag(
     Ok(task)
 }
 
+/// Reads what follows `test`.
+fn test(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
+    let scope = match arguments.next() {
+        None => TestScope::ThisMachine,
+        Some(argument) if is_help(&argument) => return Ok(Task::Help),
+        Some(argument) if argument == "--machines" => TestScope::EmulatedMachines,
+        Some(argument) => {
+            let name = argument.into_string().map_err(|argument| refused(&argument))?;
+            TestScope::Crate { name, filters: arguments.by_ref().collect() }
+        }
+    };
+    arguments.next().map_or(Ok(Task::Test(scope)), |argument| Err(refused(&argument)))
+}
+
 /// Reads what follows `peers`.
 fn peers(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
     let mut options = PeerOptions::default();
@@ -252,6 +265,8 @@ mod tests {
         check("demo", &demo(&[]));
         check("test", &Task::Test(TestScope::ThisMachine));
         check("test --machines", &Task::Test(TestScope::EmulatedMachines));
+        let scope = TestScope::Crate { name: "pode".into(), filters: vec!["zeno".into()] };
+        check("test pode zeno", &Task::Test(scope));
         check("dist", &Task::Dist { profile: "dist".into() });
         check("dist --profile dev", &Task::Dist { profile: "dev".into() });
         check("guest-service", &Task::GuestService { profile: "release".into() });

@@ -1,10 +1,11 @@
 //! Every test, in stages, the quick proofs first; emulated machines on their own.
 
+use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
 
 use crate::apt;
-use crate::command::{cargo, target};
+use crate::command::{cargo, root, target};
 use crate::error::Error;
 use crate::guest::TriedProgram;
 use crate::guest_boards::{self, CheckScope};
@@ -43,12 +44,14 @@ const WITH_FIRMWARE: [&str; 5] =
     ["--workspace", "--test=boards", "--", "cortex::", "conformance::the_reference_firmware"];
 
 /// The tests that are run.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum TestScope {
     /// All that need no emulated machine.
     ThisMachine,
     /// Those that need one.
     EmulatedMachines,
+    /// Those of one crate whose names contain one of `filters`, or all.
+    Crate { name: String, filters: Vec<OsString> },
 }
 
 /// Installs what is missing and runs the tests of `scope`.
@@ -62,7 +65,29 @@ pub(crate) fn run(scope: TestScope) -> Result<(), Error> {
     stage::run_all(match scope {
         TestScope::ThisMachine => stages(&program, (!has_bare_target()).then_some(NOT_INSTALLED)),
         TestScope::EmulatedMachines => machines(&program),
+        TestScope::Crate { name, filters } => vec![of_crate(&name, filters)?],
     })
+}
+
+/// The stage with the tests of one crate.
+///
+/// Cargo compiles dependencies once for each set of features. With the package `letoff`, which
+/// depends on all crates in its tests, the set is the same for each crate.
+fn of_crate(name: &str, filters: Vec<OsString>) -> Result<Stage, Error> {
+    let folder = match name {
+        "firmware-protocol" => root().join(name),
+        _ => root().join("crates").join(name),
+    };
+    if !folder.is_dir() {
+        return Err(Error::unobtainable(format!("the crate {name}"), "no folder has its name"));
+    }
+    let sources = if folder.join("src/lib.rs").exists() { "--lib" } else { "--bins" };
+    let mut command = cargo(["test", "--package", name, "--package", "letoff", sources]);
+    if folder.join("tests/main.rs").exists() {
+        command.args(["--test", "all"]);
+    }
+    command.arg("--").args(filters);
+    Ok(Stage { name: "the tests of one crate", work: StageWork::Command(command), skipped: None })
 }
 
 /// A stage that runs cargo, for tests of `program`.
