@@ -1,108 +1,95 @@
-//! Was the tick in time, and if not, what made it late?
+//! Deadlines: the outcome of each tick, and the cause of a miss.
 //!
-//! A tick is in time if its forces are out by its deadline. One that is not has exactly one
-//! cause. With `slack = deadline - due`, the time between due and finished is split into
-//! waking up (`woken - due`), work (the CPU time it took) and what was stolen in between
-//! (`finished - woken - work`):
+//! A tick is in time if its forces are out by its deadline; a late one has exactly one cause. With
+//! `slack = deadline - due`, the time between due and finished is split into waking up
+//! (`woken - due`), work (its CPU time) and stolen time (`finished - woken - work`):
 //!
 //! | condition | cause |
 //! |---|---|
-//! | work alone is longer than the slack | own work: no machine state would have saved it |
+//! | work alone is longer than the slack | own work: no state of the machine would have saved it |
 //! | otherwise, waking up took at least as long as was stolen | woken late |
 //! | otherwise | preempted |
 //!
-//! Simulated keys live on the tick's own thread, and make up for ticks that were skipped; what they
-//! take is no work of the host's, and counts as stolen.
-//! Work is otherwise never less than the clock says, whatever other ticks took: what the kernel
-//! knows that a hypervisor stole is not in a thread's CPU time where the kernel accounts for it, and
-//! counts as own work where it does not, rather than that own work is ever called another's.
+//! Simulated keys run on the tick's own thread, and make up for skipped ticks; their time is not
+//! work of the host and counts as stolen. Otherwise work is never less than the clock measures:
+//! time stolen by a hypervisor is excluded where the kernel accounts for it, and counts as own work
+//! where it does not, so own work is never blamed on others.
 //!
 //! A tick that begins late because the one before it was still running did not oversleep: its
-//! lateness has that tick's cause. A tick that was skipped missed its deadline like any other,
-//! with the cause that made the next one begin late.
+//! lateness has that tick's cause. A skipped tick missed its deadline, with the cause that made
+//! the next one begin late.
 
 use crate::time::Nanos;
 
-/// What the host measured around one tick.
+/// Times measured by the host around one tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct TickTimes {
-    /// When it should have started.
     pub due: Nanos,
-    /// When its forces had to be out.
     pub deadline: Nanos,
-    /// When it did start.
     pub woken: Nanos,
-    /// When its forces were out.
     pub finished: Nanos,
-    /// CPU time that it took by its threads' clocks: the tick's own thread without waiting, and
-    /// its slowest lane. Exchange with boards, observation and page faults are part of it.
+    /// CPU time by the threads' clocks: the tick's own thread without waiting, and its slowest
+    /// lane. Includes exchange with boards, observation and page faults.
     pub work: Nanos,
-    /// Of this, what simulated keys took.
+    /// Part of the work that simulated keys took.
     pub simulated: Nanos,
 }
 
 impl TickTimes {
-    /// Returns how late it started.
     pub const fn lateness(&self) -> Nanos {
         self.woken.since(self.due)
     }
 
-    /// Returns the time from start to forces out.
     pub const fn turnaround(&self) -> Nanos {
         self.finished.since(self.woken)
     }
 
-    /// Returns the CPU time that is the host's own.
     pub const fn own_work(&self) -> Nanos {
         self.work.since(self.simulated)
     }
 
-    /// Returns the time between start and end in which the host did not run.
     pub const fn stolen(&self) -> Nanos {
         self.turnaround().since(self.own_work())
     }
 
-    /// Returns whether the tick would have had time without simulated keys, and had none with them.
+    /// Returns `true` if only simulated keys made the tick late.
     pub const fn is_late_by_simulated_keys(&self) -> bool {
         let slack = self.deadline.since(self.due).as_u64();
         slack < self.work.as_u64() && self.own_work().as_u64() <= slack
     }
 }
 
-/// What made a tick miss its deadline.
+/// Cause of a missed deadline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MissCause {
-    /// The voices themselves took longer than a tick.
+    /// The voices took longer than a tick.
     OwnWork,
     /// The system woke the tick's thread too late.
     WokenLate,
-    /// The system took the processor away in between.
+    /// The system took the processor away during the tick.
     Preempted,
 }
 
-/// Whether a tick met its deadline.
+/// Outcome of a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use]
 pub enum Outcome {
-    /// Its forces were out in time.
     Met,
     Missed(MissCause),
 }
 
-/// Counts ticks, misses by cause, and skips.
+/// Counts of ticks, misses by cause, and skips.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Counters {
     pub ticks: u64,
-    /// Ticks that missed their deadline, all causes together.
     pub missed: u64,
     pub missed_own_work: u64,
     pub missed_woken_late: u64,
     pub missed_preempted: u64,
-    /// Ticks that were never run; they count as missed, too.
+    /// Ticks that were never run; they count as missed.
     pub skipped: u64,
 }
 
-/// Counts ticks and misses; remembers one tick.
 #[derive(Clone, Debug, Default)]
 pub struct Ledger {
     counters: Counters,
@@ -111,7 +98,7 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Enters a tick that came after `skipped` others were not run.
+    /// Records a tick that came after `skipped` ticks that were not run.
     pub fn enter(&mut self, times: &TickTimes, skipped: u64) -> Outcome {
         let late_because = self.why_it_began_late(times);
         let outcome = judge(times, late_because);
@@ -129,7 +116,6 @@ impl Ledger {
         outcome
     }
 
-    /// Returns what was counted so far.
     pub const fn counters(&self) -> Counters {
         self.counters
     }
@@ -151,7 +137,7 @@ impl Ledger {
     }
 }
 
-/// The table above, for a tick whose late begin has the cause `late_because`.
+/// Applies the table above to a tick that began late because of `late_because`.
 fn judge(times: &TickTimes, late_because: MissCause) -> Outcome {
     let slack = times.deadline.since(times.due);
     if times.finished <= times.deadline {
@@ -171,7 +157,7 @@ mod tests {
 
     const SLACK: u64 = 10;
 
-    /// A tick due at `due` that was woken `late` after, worked and lost time.
+    /// Returns a tick due at `due`, woken `late` after that, with work and stolen time.
     fn tick(due: u64, late: u64, work: u64, stolen: u64) -> TickTimes {
         TickTimes {
             due: Nanos::new(due),

@@ -1,28 +1,24 @@
-//! One worker's voices and their share of the tick.
-
 use crate::port::{TickInput, TickOutput};
 use crate::slot::Slot;
 use crate::voice::{Voice, VoiceOutput, VoiceWork};
 use crate::work::{LaneBudget, LaneClock};
 
-/// What voices did in one tick, in numbers.
+/// Counts of the voices of one tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LaneReport {
     pub idle: u32,
     /// Voices without a trusted force.
     pub faults: u32,
-    /// Voices whose lane was not done in time.
+    /// Voices with a late lane.
     pub late: u32,
-    /// Voices that had to wait, since their lane had no time left.
+    /// Voices that waited because their lane had no time left.
     pub waited: u32,
-    /// Work of all voices together.
     pub work: VoiceWork,
-    /// Most work of a single voice, each count by itself.
+    /// Largest work of a single voice, each count separately.
     pub most: VoiceWork,
 }
 
 impl LaneReport {
-    /// Adds one voice's turn.
     #[inline]
     fn count(&mut self, turn: &VoiceOutput) {
         self.idle += u32::from(turn.idle);
@@ -33,7 +29,6 @@ impl LaneReport {
         self.most = self.most.largest(turn.work);
     }
 
-    /// Returns what `turns` add up to.
     pub fn of(turns: &[VoiceOutput]) -> Self {
         turns.iter().fold(Self::default(), |mut report, turn| {
             report.count(turn);
@@ -42,11 +37,10 @@ impl LaneReport {
     }
 }
 
-/// Runs each slot's voice, in the order of the slots, and writes its turn and what is seen of it.
+/// Runs each slot's voice in the order of the slots, and writes its turn and observation.
 ///
-/// Where `budget` has no time left, the other voices wait; they become the first ones of the next
-/// tick. One voice is always run. Of other keys nothing is written, and no voice but the slot's
-/// own is called.
+/// When `budget` has no time left, the other voices wait and are the first of the next tick. One
+/// voice is always run. Nothing is written for other keys, and no other voice is called.
 pub fn run_slots<V: Voice, C: LaneClock>(
     slots: &mut [Slot<V>],
     mut budget: LaneBudget<'_, C>,
@@ -87,7 +81,6 @@ mod tests {
 
     const RULES: TickRules = TickRules { simplified: Simplifications::NONE, hz: 1000 };
 
-    /// Rests at even positions, works at odd ones, fails at negative ones.
     struct Parity;
 
     impl Voice for Parity {
@@ -138,7 +131,6 @@ mod tests {
         assert_eq!((0..KEYS).filter(seen).count(), 2, "slots whose key is followed are looked at");
     }
 
-    /// A clock by which each turn of ten units takes `turn` (ns) of `time` (ns).
     struct TurnClock<'a> {
         time: f64,
         turn: f64,
@@ -153,7 +145,6 @@ mod tests {
         }
     }
 
-    /// Counts its turns, of ten units each.
     struct Counted<'a>(&'a core::cell::Cell<u32>);
 
     impl Voice for Counted<'_> {
@@ -165,8 +156,8 @@ mod tests {
         fn reset(&mut self, _sample: &KeySample) {}
     }
 
-    /// Runs seven keys in ticks of 100 ns, by costs of `unit` (ns), while a turn really takes
-    /// `turn` (ns); returns the keys run in each tick, a bit each, and the looks at the clock.
+    /// Runs seven keys in ticks of 100 ns, with costs of `unit` (ns) and turns of `turn` (ns);
+    /// returns the keys run in each tick, a bit each, and the reads of the clock.
     #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
     fn keys_run(unit: f64, turn: f64) -> ([u8; 4], u32) {
         let (turns_run, looks) = (core::cell::Cell::new(0), core::cell::Cell::new(0));
@@ -189,7 +180,7 @@ mod tests {
                 keys | u8::from(!turn.waited) << key
             })
         };
-        // What a turn takes is known after the first.
+        // The duration of a turn is known after the first.
         run(0, f64::INFINITY);
         let keys = [1, 2, 3, 4].map(|tick| run(tick, 100.0));
         (keys, looks.get())
@@ -218,7 +209,6 @@ mod tests {
 
     #[test]
     fn a_cost_that_is_too_low_is_noticed_at_half_of_the_time() {
-        // By the costs ten turns fit.
         let (keys, looks) = keys_run(1.0, 25.0);
         assert_eq!(keys.map(u8::count_ones), [5; 4]);
         assert_eq!(looks, 4, "one in each tick");

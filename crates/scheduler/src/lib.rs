@@ -1,22 +1,22 @@
-//! 88 voices, one tick: who runs when, and what happens when a deadline is missed.
+//! 88 voices, one tick: order of execution, and handling of missed deadlines.
 //!
-//! This crate has never heard of an equation, a wire, a thread or a clock.
-//! Time arrives as an argument; everything outside plugs into the ports.
+//! This crate contains no equations, wire formats, threads or clocks.
+//! Time is an argument; everything outside plugs into the ports.
 //!
 //! One tick is [`tick::Scheduler::poll`]: receive, run the lanes, make safe, send, observe.
 //!
-//! | module | what stands there |
+//! | module | content |
 //! |---|---|
 //! | [`time`] | host time, the period, when each tick is due |
-//! | [`motion`], [`voice`] | what goes into a voice and what comes out |
-//! | [`values`] | other values for the model of a voice that plays |
-//! | [`observation`] | what is seen of a voice whose key is followed |
-//! | [`port`] | what the outside must supply |
-//! | [`slot`], [`lane`] | which lane runs which voice; one lane's share of the tick |
-//! | [`safety`] | what is sent when a voice cannot be trusted |
+//! | [`motion`], [`voice`] | input and output of a voice |
+//! | [`values`] | new values for the model of a playing voice |
+//! | [`observation`] | state of a voice whose key is followed |
+//! | [`port`] | interfaces that the host implements |
+//! | [`slot`], [`lane`] | assignment of voices to lanes; one lane's share of the tick |
+//! | [`safety`] | the force when a voice cannot be trusted |
 //! | [`tick`] | the tick, top to bottom |
-//! | [`work`] | what work costs, and the time of a lane |
-//! | [`deadline`] | was it in time, and if not, why |
+//! | [`work`] | costs of work, and the time of a lane |
+//! | [`deadline`] | outcome of a tick, and the cause of a miss |
 #![no_std]
 #![forbid(unsafe_code)]
 

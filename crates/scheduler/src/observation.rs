@@ -1,85 +1,77 @@
-//! What is seen of a voice beside its turn: the model's state, changes of mode, and when it was
-//! run. Nothing in the tick depends on it, and it is taken of followed keys only.
+//! Observation of a voice beside its turn: the model's state, changes of mode, and the ticks in
+//! which it was run. Nothing in the tick depends on it, and only followed keys have it.
 
 use crate::motion::KEYS;
 
-/// Most entries that a state may have, or it could not be shown.
+/// Most entries of a state.
 ///
-/// Guards and outputs are worked out from what is shown, so a state is never cut: whoever builds
-/// a voice refuses a model that has more.
+/// Guards and outputs are computed from the shown state, so it is never cut: the builder of a
+/// voice rejects a model that has more.
 pub const MAX_STATES: usize = 32;
 
 /// Changes of mode of one tick that can be shown; more are counted, not kept.
 pub const MAX_SWITCHES: usize = 6;
 
-/// The keys whose voices are observed in a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FollowedKeys {
-    /// Bit n is key n.
     all: u128,
-    /// Those of them that were not seen yet.
+    /// Bits of the keys that were not observed yet.
     new: u128,
 }
 
 impl FollowedKeys {
     pub const NONE: Self = Self::new(0, 0);
 
-    /// Every key, each as if it had been seen before.
+    /// Every key, each as if it had been observed before.
     pub const ALL: Self = Self::new((1 << KEYS) - 1, 0);
 
-    /// Follows the keys whose bit is set in `all`; those that have it in `new`, too, were not
-    /// seen yet.
+    /// Follows the keys with a bit in `all`; a bit in `new` marks those not observed yet.
     pub const fn new(all: u128, new: u128) -> Self {
         Self { all, new: new & all }
     }
 
-    /// Returns whether `key` is followed.
     #[inline]
     pub const fn contains(self, key: usize) -> bool {
         self.all >> key & 1 == 1
     }
 
-    /// Returns whether `key` is followed, and its voice was not seen yet.
+    /// Returns `true` if `key` is followed and its voice was not observed yet.
     #[inline]
     pub const fn is_new(self, key: usize) -> bool {
         self.new >> key & 1 == 1
     }
 }
 
-/// What is seen of a voice.
-///
-/// It belongs to a key and stays as it is while the voice rests or its lane is late.
+/// Observation of a key's voice; unchanged while the voice rests or its lane is late.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct VoiceObservation {
-    /// In which of the last ticks the voice was run: this one is bit 0. If its turn was late, those
-    /// before this one, with bit 0 where all of them are known; else nothing is.
+    /// Last ticks in which the voice was run, with this one as bit 0. If its turn was late: those
+    /// before this one, with bit 0 set if all of them are known; nothing otherwise.
     pub ran: u32,
-    /// The model when it was run last.
+    /// Model after its last run.
     pub snapshot: ModelSnapshot,
-    /// Changes of mode in this tick.
     pub switches: Switches,
 }
 
 impl VoiceObservation {
-    /// Notes a tick after which the voice was not looked at: its model is as it was, and nothing
-    /// happened to it.
+    /// Notes a tick after which the voice was not observed: the model is unchanged and no mode
+    /// changed.
     pub const fn pass(&mut self, ran: u32) {
         self.ran = ran;
         self.switches.clear();
     }
 }
 
-/// A model at the end of a tick.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct ModelSnapshot {
-    /// The voice's number among all voices of a run; 0 of a key that has none.
+    /// Number of the voice among all voices of a run; 0 for a key without a voice.
     pub revision: u32,
-    /// The mode: the structural one, an index into the model's list, in the low 8 bits, and above
-    /// them what its contacts do.
+    /// Mode: the index of the structural one in the model's list in the low 8 bits, the state of
+    /// the contacts above them.
     pub mode: u64,
-    /// The state, in the model's order; 0 behind its end.
+    /// State, in the model's order; 0 behind its end.
     pub state: [f64; MAX_STATES],
-    /// The input and its first three derivatives, in the model's unit.
+    /// Input and its first three derivatives, in the model's unit.
     pub input: [f64; 4],
 }
 
@@ -89,7 +81,7 @@ impl ModelSnapshot {
         self.mode.to_le_bytes()[0]
     }
 
-    /// Shows `state`, of at most [`MAX_STATES`] entries.
+    /// Copies `state`, of at most [`MAX_STATES`] entries.
     pub fn show(&mut self, state: &[f64]) {
         debug_assert!(state.len() <= MAX_STATES, "a state of {} entries is cut", state.len());
         for (index, shown) in self.state.iter_mut().enumerate() {
@@ -98,19 +90,18 @@ impl ModelSnapshot {
     }
 }
 
-/// A change of mode.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Switch {
-    /// Where in the tick, in `0 ..= 1`.
+    /// Fraction of the tick, in `0 ..= 1`.
     pub theta: f64,
     /// Modes before and after, indices into the model's list.
     pub from: u8,
     pub to: u8,
-    /// The guard that fired, by its number in the model; 255 if none did.
+    /// Number in the model of the guard that fired; 255 if none did.
     pub guard: u8,
 }
 
-/// A short list of changes of mode with a fixed capacity.
+/// List of the changes of mode in a tick, with a fixed capacity.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Switches {
     list: [Switch; MAX_SWITCHES],
@@ -125,12 +116,11 @@ impl PartialEq for Switches {
 }
 
 impl Switches {
-    /// Removes every change of mode.
     pub const fn clear(&mut self) {
         (self.n, self.dropped) = (0, 0);
     }
 
-    /// Appends one; counts it as dropped when the list is full.
+    /// Appends a change; counts it as dropped when the list is full.
     pub fn push(&mut self, switch: Switch) {
         if let Some(place) = self.list.get_mut(usize::from(self.n)) {
             *place = switch;
@@ -140,17 +130,16 @@ impl Switches {
         }
     }
 
-    /// Returns whether nothing changed.
     pub const fn is_empty(&self) -> bool {
         self.n == 0 && self.dropped == 0
     }
 
-    /// Returns the changes in the order in which they happened.
+    /// Returns the changes in order of time.
     pub fn as_slice(&self) -> &[Switch] {
         &self.list[..usize::from(self.n)]
     }
 
-    /// Returns how many did not fit.
+    /// Returns the number of changes that did not fit.
     pub const fn dropped(&self) -> u8 {
         self.dropped
     }

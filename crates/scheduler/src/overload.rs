@@ -1,42 +1,38 @@
-//! Overload: what is simplified while a tick has more work than time, in which order.
+//! Overload: the order of simplifications while a tick has more work than time.
 //!
 //! | simplification | what it leaves out |
 //! |---|---|
-//! | telemetry | rows of single keys on the stream; the overview and recordings go on |
+//! | telemetry | rows of single keys on the stream; the overview and recordings continue |
 //! | slopes | the force's slopes between two ticks; boards hold |
 //! | rest | equations of a voice that has just come to rest: it sleeps sooner |
 //! | steps | every other step of methods with fixed steps |
 //! | fidelity | parts of the action of keys at rest: the instrument's next lower fidelity |
 //!
-//! Load is the part of a tick that its work takes: by the processor's time where a clock is read,
-//! and by counted evaluations where the scene gives a number of them.
-//! One simplification is added while the load is above a limit, and the last one is taken back
-//! after it was below another one for a while; that while doubles whenever what was taken back is
-//! needed again: one that saves more than the two limits are apart by swings ever more rarely.
+//! Load is the fraction of a tick that its work takes: by the processor's time where a clock is
+//! read, and by counted evaluations where the scene limits their number.
+//! One simplification is added while the load is above a limit, and the last one is removed after
+//! the load was below another limit for some time. That time doubles whenever the removed one is
+//! needed again: one that saves more than the two limits are apart swings ever more rarely.
 
 use crate::time::Period;
 
-/// Something that is left out while there is too much to do.
+/// Part of the work that may be left out under overload.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Simplification {
-    /// Rows of single keys on the stream.
     Telemetry,
-    /// How forces go on between two ticks.
+    /// Course of the forces between two ticks.
     Slopes,
-    /// Equations of voices that have just come to rest.
     Rest,
     /// Accuracy of methods with fixed steps, which become twice as long.
     Steps,
-    /// Parts of the action of keys at rest.
     Fidelity,
 }
 
 impl Simplification {
-    /// All there are, in their usual order.
+    /// All simplifications in their usual order.
     pub const ALL: [Self; 5] =
         [Self::Telemetry, Self::Slopes, Self::Rest, Self::Steps, Self::Fidelity];
 
-    /// Returns its name in scenes and reports.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Telemetry => "telemetry",
@@ -52,57 +48,52 @@ impl Simplification {
     }
 }
 
-/// What is left out in a tick.
+/// Set of simplifications in force in a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Simplifications(u8);
 
 impl Simplifications {
-    /// Nothing is left out.
     pub const NONE: Self = Self(0);
 
-    /// Returns the same with one more.
     #[must_use]
     pub const fn with(self, one: Simplification) -> Self {
         Self(self.0 | one.bit())
     }
 
-    /// Returns whether `one` is among them.
     pub const fn contains(self, one: Simplification) -> bool {
         self.0 & one.bit() != 0
     }
 
-    /// Returns them as bits, in the order of [`Simplification::ALL`].
+    /// Returns the set as bits, in the order of [`Simplification::ALL`].
     pub const fn bits(self) -> u8 {
         self.0
     }
 
-    /// Returns those of `bits` that are known.
+    /// Returns the known simplifications of `bits`.
     pub const fn of_bits(bits: u8) -> Self {
         Self(bits & ((1 << Simplification::ALL.len()) - 1))
     }
 
-    /// Returns all that are among them.
     pub fn iter(self) -> impl Iterator<Item = Simplification> {
         Simplification::ALL.into_iter().filter(move |it| self.contains(*it))
     }
 }
 
-/// When what is left out.
+/// Order and limits of simplifications.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct OverloadRules {
-    /// What is left out, the first first; `None` behind the last one.
+    /// Simplifications, the first to apply first; `None` behind the last one.
     pub order: [Option<Simplification>; Simplification::ALL.len()],
-    /// The load above which one more is left out.
+    /// Load above which one more is applied.
     pub above: f64,
-    /// The load below which the last one is taken back.
+    /// Load below which the last one is removed.
     pub below: f64,
-    /// Evaluations of derivatives and guards that all voices together may take in a tick; without
-    /// a number the processor's time alone is looked at.
+    /// Evaluations of derivatives and guards that all voices together may take in a tick; without a
+    /// number only the processor's time counts.
     pub evaluations: Option<u32>,
 }
 
 impl OverloadRules {
-    /// Nothing is left out.
     pub const OFF: Self = Self {
         order: [None; Simplification::ALL.len()],
         above: f64::INFINITY,
@@ -112,7 +103,7 @@ impl OverloadRules {
 }
 
 impl Default for OverloadRules {
-    /// All of them in their usual order, above 80 % of a tick, and back below 40 %.
+    /// Returns all of them in their usual order, above 80 % of a tick, and back below 40 %.
     fn default() -> Self {
         Self { order: Simplification::ALL.map(Some), above: 0.8, below: 0.4, evaluations: None }
     }
@@ -121,38 +112,37 @@ impl Default for OverloadRules {
 /// Time over which load is averaged (s).
 const SPAN: f64 = 10e-3;
 
-/// Time after a change in which its effect is waited for (s).
+/// Time after a change for its effect to show (s).
 const SETTLED: f64 = 30e-3;
 
-/// Time of low load before a simplification is taken back (s), the first time and at the most.
+/// Time of low load before a simplification is removed (s): first and largest value.
 const CALM: (f64, f64) = (1.0, 64.0);
 
-/// A tick's load counts for no more than this: one that a hypervisor stops says nothing of the next.
+/// Largest load of a tick that counts: one stopped by a hypervisor does not predict the next.
 const MOST: f64 = 2.0;
 
-/// Decides in each tick what is left out.
+/// Decides in each tick which simplifications apply.
 #[derive(Clone, Debug)]
 pub struct OverloadController {
     rules: OverloadRules,
-    /// Tick (s).
+    /// Duration of a tick (s).
     h: f64,
-    /// How many of the order are left out.
+    /// Number of simplifications of the order that apply.
     level: usize,
     now: Simplifications,
-    /// The load of the last tick, and its average.
+    /// Load of the last tick, and its average.
     last: f64,
     load: f64,
-    /// Time since the last change, and for which the load was low since then (s).
+    /// Time since the last change, and of low load since then (s).
     since: f64,
     calm: f64,
-    /// Time of low load before one is taken back (s).
+    /// Time of low load before one is removed (s).
     patience: f64,
-    /// The last change took one back.
+    /// `true` if the last change removed one.
     has_fallen: bool,
 }
 
 impl OverloadController {
-    /// Returns a controller of ticks of `period` that has left out nothing yet.
     pub fn new(rules: OverloadRules, period: Period) -> Self {
         let h = period.as_secs_f64();
         Self {
@@ -169,24 +159,24 @@ impl OverloadController {
         }
     }
 
-    /// Leaves out `simplified` from the next tick on, whatever the load.
+    /// Applies `simplified` from the next tick on, whatever the load.
     pub const fn set(&mut self, simplified: Simplifications) {
         self.now = simplified;
     }
 
-    /// Notes that the last tick took `load` of its time.
+    /// Notes that the last tick took the fraction `load` of its time.
     pub const fn note_load(&mut self, load: f64) {
         self.last = self.last.max(load);
     }
 
-    /// Notes that the voices took so many `evaluations` in the last tick.
+    /// Notes the `evaluations` of all voices in the last tick.
     pub fn note_evaluations(&mut self, evaluations: u32) {
         if let Some(most) = self.rules.evaluations {
             self.note_load(f64::from(evaluations) / f64::from(most.max(1)));
         }
     }
 
-    /// Decides what is left out in the next tick, by what was noted of the last one.
+    /// Decides the simplifications of the next tick, from what was noted of the last one.
     pub fn decide(&mut self) -> Simplifications {
         let part = (self.h / SPAN).min(1.0);
         self.load += part * (self.last.min(MOST) - self.load);
@@ -203,7 +193,6 @@ impl OverloadController {
         self.now
     }
 
-    /// Leaves out one more, if there is one.
     fn rise(&mut self) {
         let Some(Some(next)) = self.rules.order.get(self.level) else { return };
         if self.has_fallen {
@@ -215,7 +204,6 @@ impl OverloadController {
         (self.since, self.calm, self.has_fallen) = (0.0, 0.0, false);
     }
 
-    /// Takes back the last one.
     fn fall(&mut self) {
         self.level -= 1;
         let left = self.rules.order.iter().take(self.level).flatten();
@@ -232,7 +220,7 @@ mod tests {
 
     const KHZ: u32 = 1000;
 
-    /// Returns in which of `ticks` at 1 kHz what changes, where tick n has the load `load(n, level)`.
+    /// Returns the changes in `ticks` at 1 kHz, where tick n has the load `load(n, level)`.
     fn changes(ticks: u64, load: impl Fn(u64, usize) -> f64) -> Vec<(u64, u8)> {
         let period = Period::from_hz(KHZ).expect("a rate");
         let mut controller = OverloadController::new(OverloadRules::default(), period);
@@ -248,7 +236,6 @@ mod tests {
 
     #[test]
     fn one_thing_more_is_left_out_in_the_stated_order_until_the_load_fits_and_all_comes_back() {
-        // Too much for a second, however much is left out; then nothing to do.
         let found = changes(20_000, |tick, _| if tick < 1000 { 1.5 } else { 0.1 });
         let bits: Vec<_> = found.iter().map(|(_, bits)| *bits).collect();
         assert_eq!(bits, [1, 3, 7, 15, 31, 15, 7, 3, 1, 0]);
@@ -260,7 +247,7 @@ mod tests {
 
     #[test]
     fn what_is_taken_back_too_soon_is_taken_back_ever_more_rarely() {
-        // Each thing that is left out saves more than the two limits are apart by: the worst case.
+        // Each simplification saves more than the two limits are apart by: the worst case.
         let swings = changes(120_000, |_, level| if level == 0 { 1.0 } else { 0.3 });
         assert!(swings.len() <= 14, "{} changes in two minutes", swings.len());
     }

@@ -1,4 +1,4 @@
-//! What the outside must supply: a bus to the keys, lanes to run on, an observer.
+//! Ports that the host implements: a bus to the keys, lanes to run on, an observer.
 
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::observation::{FollowedKeys, VoiceObservation};
@@ -13,26 +13,26 @@ pub trait KeyBus {
     /// A key that has no new sample keeps its old one with its age counted up.
     fn receive(&mut self, tick: u64, samples: &mut [KeySample; KEYS]);
 
-    /// Hands over the forces of `tick` (N, up positive), and how each goes on until the next.
+    /// Sends the forces of `tick` (N, up positive), and their slopes until the next.
     ///
-    /// A bus whose motors hold what they are sent has no use for the slopes.
+    /// A bus with motors that hold their force ignores the slopes.
     fn send(&mut self, tick: u64, forces: &[f64; KEYS], slopes: &[KeySlope; KEYS]);
 
-    /// Returns the processor's time that simulated keys took in the last tick; real ones take none.
+    /// Returns the processor time of simulated keys in the last tick; zero for real ones.
     fn simulated_work(&self) -> Nanos {
         Nanos::ZERO
     }
 }
 
-/// Where the voices run.
+/// Workers that run the voices.
 pub trait Lanes {
-    /// Runs every voice and writes its turn, and what is seen of it if its key is followed.
+    /// Runs every voice and writes its turn, and its observation if its key is followed.
     ///
-    /// A voice whose lane did not finish in time has its previous force held, marked late.
+    /// A voice of a late lane has its previous force held, marked late.
     fn run(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>);
 }
 
-/// What all lanes read in a tick.
+/// Input of all lanes in a tick.
 #[derive(Clone, Copy, Debug)]
 pub struct TickInput<'a> {
     pub tick: u64,
@@ -44,45 +44,41 @@ pub struct TickInput<'a> {
 /// Rules of a tick for every voice.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickRules {
-    /// What is left out.
     pub simplified: Simplifications,
-    /// Rate of the tick (Hz).
     pub hz: u32,
 }
 
-/// What all lanes write in a tick, each for its own keys.
+/// Output of all lanes in a tick, each for its own keys.
 #[derive(Debug)]
 pub struct TickOutput<'a> {
     pub turns: &'a mut [VoiceOutput; KEYS],
     pub observed: &'a mut [VoiceObservation; KEYS],
 }
 
-/// Watches ticks without being waited for.
+/// Watches ticks without delaying them.
 pub trait TickObserver {
-    /// Returns the keys whose voices are to be observed in the next tick.
     fn followed(&mut self) -> FollowedKeys {
         FollowedKeys::NONE
     }
 
-    /// Sees a finished tick.
+    /// Receives a finished tick.
     fn observe(&mut self, seen: &FinishedTick<'_>);
 }
 
-/// A tick whose forces are out.
+/// Tick with its forces sent.
 #[derive(Clone, Copy, Debug)]
 pub struct FinishedTick<'a> {
     pub tick: u64,
-    /// Ticks before it that were never run.
+    /// Ticks before this one that were never run.
     pub skipped: u64,
-    /// Whether voices may be felt.
+    /// `true` if voices may be felt.
     pub armed: bool,
-    /// What was left out in it.
     pub simplified: Simplifications,
     pub samples: &'a [KeySample; KEYS],
     pub turns: &'a [VoiceOutput; KEYS],
-    /// The forces sent (N).
+    /// Forces sent (N).
     pub forces: &'a [f64; KEYS],
     pub followed: FollowedKeys,
-    /// What is seen of the voices of followed keys; of others it is out of date.
+    /// Observations of followed keys; those of other keys are out of date.
     pub observed: &'a [VoiceObservation; KEYS],
 }

@@ -1,5 +1,4 @@
-//! A voice's place in a lane: which key it plays, whether it must be reset first, and whether
-//! it is still called.
+//! Slots: the place of one key's voice in a lane.
 
 use crate::motion::{KEYS, KeyEvent, KeySample, Moment};
 use crate::observation::{FollowedKeys, VoiceObservation};
@@ -9,13 +8,12 @@ use crate::values::ModelValues;
 use crate::voice::{Voice, VoiceFault, VoiceOutput};
 use crate::work::{TurnLimit, VoiceKind};
 
-/// Keys of an octave.
 const OCTAVE: usize = 12;
 
 /// Returns the lane that runs `key` when there are `n_lanes`.
 ///
-/// Neighbours go to different lanes, and so do octaves: hands play chords, and a chord
-/// should not fall on one lane. Lanes differ by a few keys at most.
+/// Neighbours and octaves are on different lanes, since hands play chords and a chord should not
+/// load one lane. Lanes differ by a few keys at most.
 ///
 /// # Panics
 /// If there are no lanes.
@@ -24,24 +22,24 @@ pub const fn lane_of(key: usize, n_lanes: usize) -> usize {
 }
 
 /// Failed turns of the last second that a voice may have; one more mutes it. A voice that fails
-/// every 16 ms is muted after 48 ms, and one that fails once a second never.
+/// every 16 ms is muted after 48 ms; one that fails once a second is never muted.
 const MAX_FAULTS: u32 = 3;
 
 /// Failed turns of a voice.
 ///
 /// Each failed turn counts, whatever lies between: a voice that fails in every turn costs its
-/// neighbours most, and one that flips between fault and recovery is felt as a buzz.
+/// neighbours most, and one that alternates between fault and recovery is felt as a buzz.
 #[derive(Clone, Copy, Debug, Default)]
 struct Lockout {
-    /// Ticks after which all failed turns are forgotten, each after a second.
+    /// Ticks until all failed turns are forgotten; each counts for a second.
     level: u32,
     muted: bool,
 }
 
 impl Lockout {
-    /// Counts a turn that came `passed` ticks of 1/`hz` (s) after the last one.
+    /// Counts a turn that came `passed` ticks of 1/`hz` (s) after the previous one.
     ///
-    /// A failing sensor is not the voice's fault: its voice returns with it.
+    /// A failing sensor does not count as a fault of the voice, which returns with the sensor.
     fn note(&mut self, fault: Option<VoiceFault>, passed: u32, hz: u32) {
         self.level = self.level.saturating_sub(passed);
         match fault {
@@ -54,14 +52,13 @@ impl Lockout {
         }
     }
 
-    /// Returns whether the voice failed within the last second.
     const fn is_suspicious(self) -> bool {
         0 < self.level
     }
 }
 
-/// Returns the limit to tell a voice that may take `wanted`, if the one that was `told` is too high,
-/// or lower than need be by a quarter: a limit that drifts is not worth a call in every tick.
+/// Returns the limit to send to a voice that may take `wanted`, if `told` is too high, or too low
+/// by a quarter: a limit that drifts is not worth a call in every tick.
 fn new_limit(wanted: TurnLimit, told: Option<TurnLimit>) -> Option<TurnLimit> {
     let is_near = |told: u32, wanted: u32| (wanted - wanted / 4..=wanted).contains(&told);
     let is_known = told
@@ -75,43 +72,39 @@ fn new_limit(wanted: TurnLimit, told: Option<TurnLimit>) -> Option<TurnLimit> {
 pub struct Slot<V> {
     key: usize,
     voice: V,
-    /// The voice must be put at rest before its next tick.
+    /// `true` if the voice must be reset before its next tick.
     fresh: bool,
-    /// The voice was retuned since its last tick.
+    /// `true` if the voice was retuned since its last tick.
     retuned: bool,
     lockout: Lockout,
-    /// The damper is off the string, as far as was reported.
+    /// `true` if the damper is off the string, as far as was reported.
     lifted: bool,
     /// Ticks in which the voice was run, one bit each: `last` is bit 0, the tick before it bit 1.
     ran: u32,
     last: u64,
-    /// Value of `ran` that observers see after the last turn, also if that turn waited.
+    /// Value of `ran` for observers after the last turn, even if that turn waited.
     told_ran: u32,
     rules: TickRules,
-    /// Limit of the work of the next turn.
     limit: SlotLimit,
-    /// What the voice was told to leave out, and the limit that it was told, if it was.
+    /// Simplifications and limit that were sent to the voice last.
     told: (Simplifications, Option<TurnLimit>),
-    /// Kind of the voice, if it was asked.
     kind: Option<VoiceKind>,
     last_turn: LastTurn,
 }
 
-/// Last turn of a voice that was run.
+/// Last turn that a voice ran.
 #[derive(Clone, Copy, Debug, Default)]
 struct LastTurn {
-    /// Its force (N), which is held while the voice waits.
+    /// Force (N), held while the voice waits.
     force: f64,
-    /// `true` if the voice was at rest.
     idle: bool,
-    /// Units of its work.
     units: u32,
 }
 
-/// Where the limit of a turn's work comes from.
+/// Source of the limit of a turn's work.
 #[derive(Clone, Copy, Debug)]
 enum SlotLimit {
-    /// Units for which there is a fraction of the lane's time.
+    /// Units that fit into the turn's fraction of the lane's time.
     Budget(u32),
     /// Limit at which a recorded run cut the turn off, if it did.
     Recorded(TurnLimit),
@@ -121,7 +114,7 @@ enum SlotLimit {
 const NO_RULES: TickRules = TickRules { simplified: Simplifications::NONE, hz: 1000 };
 
 impl<V> Slot<V> {
-    /// Gives `voice` the key `key`, in `0 ..= 87`.
+    /// Assigns `voice` to `key`, in `0 ..= 87`.
     ///
     /// # Panics
     /// If there is no such key.
@@ -146,19 +139,18 @@ impl<V> Slot<V> {
         }
     }
 
-    /// Returns the key that the voice plays.
     pub const fn key(&self) -> usize {
         self.key
     }
 
-    /// Returns in which of the ticks before `tick` its voice was run, as [`VoiceObservation::ran`]
-    /// says it of a late turn of which nothing is under way.
+    /// Returns the ticks before `tick` in which the voice was run, as [`VoiceObservation::ran`] has
+    /// them for a late turn with no run under way.
     pub fn ran_before(&self, tick: u64) -> u32 {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         self.ran.checked_shl(passed).unwrap_or(0) | 1
     }
 
-    /// Puts `voice` in and hands the old one out.
+    /// Replaces the voice and returns the old one.
     pub const fn replace(&mut self, voice: V) -> V {
         self.fresh = true;
         self.lockout = Lockout { level: 0, muted: false };
@@ -168,10 +160,11 @@ impl<V> Slot<V> {
 }
 
 impl<V: Voice> Slot<V> {
-    /// Puts `voice` in, which goes on where the old one is, and hands the old one out.
+    /// Replaces the voice by one that continues from the state of the old one, and returns the old
+    /// one.
     ///
-    /// Its force is fresh. It begins at rest if it cannot take over, and if the old one failed or
-    /// has not begun.
+    /// The force of the new voice is fresh. The new voice begins at rest if it cannot take over, or
+    /// if the old one failed or has not begun.
     ///
     /// # Real-time
     /// As [`Voice::take_over`].
@@ -183,11 +176,9 @@ impl<V: Voice> Slot<V> {
         old
     }
 
-    /// Gives the voice other `values`; says whether it took them, which a voice of another model
-    /// and one that panicked do not.
+    /// Changes the voice's values; returns `false` if the voice is of another model or panicked.
     ///
-    /// A voice that was retuned goes on in its state, and says that its force is fresh; one that
-    /// was muted begins anew at rest.
+    /// A retuned voice continues from its state with a fresh force; a muted one restarts at rest.
     ///
     /// # Real-time
     /// As [`Voice::retune`].
@@ -201,31 +192,31 @@ impl<V: Voice> Slot<V> {
         is_retuned
     }
 
-    /// Returns the kind of the voice.
     #[inline]
     pub fn kind(&mut self) -> VoiceKind {
         *self.kind.get_or_insert_with(|| self.voice.kind())
     }
 
-    /// Returns the units of work that its next turn is expected to take: those of the last one.
+    /// Returns the expected work of the next turn: the units of the last one.
     #[inline]
     pub(crate) const fn expected_units(&self) -> u32 {
         self.last_turn.units
     }
 
-    /// Sets the rules of the next turns, and the `units` of work of each for which its lane has time.
+    /// Sets the rules of the next turns, and the `units` of work for which the lane has time in
+    /// each.
     pub fn allow(&mut self, rules: TickRules, units: u32) {
         (self.rules, self.limit) = (rules, SlotLimit::Budget(units));
     }
 
-    /// Like [`Self::allow`], but with the limit of a recorded turn, if it was cut off there; of other
+    /// Like [`Self::allow`], but with the limit of a recorded turn if it was cut off; in other
     /// turns the limit decided nothing.
     pub fn allow_recorded(&mut self, rules: TickRules, limit: Option<u32>) {
         let limit = limit.map_or(TurnLimit::NONE, TurnLimit::of);
         (self.rules, self.limit) = (rules, SlotLimit::Recorded(limit));
     }
 
-    /// Tells the voice what changed of its rules.
+    /// Sends the voice those of its rules that changed.
     fn tell(&mut self) {
         let (simplified, told) = self.told;
         if simplified != self.rules.simplified {
@@ -247,18 +238,17 @@ impl<V: Voice> Slot<V> {
         }
     }
 
-    /// Runs the voice for `tick`; a force that is not finite becomes a fault here.
+    /// Runs the voice for `tick`; a force that is not finite becomes a fault.
     ///
-    /// A voice that failed is reset at the next sample, and says that its force is fresh; one
-    /// that made energy or fails again and again is muted.
-    /// A key of which nothing was heard for long has no turns, and is taken up again as after a
-    /// fault. The damper of a key that failed or is not heard falls, so that its note ends.
+    /// A voice that failed is reset at the next sample with a fresh force; one that generated
+    /// energy or fails repeatedly is muted. A key without samples for half a second has no turns
+    /// and resumes as after a fault. The damper of a key that failed or has no samples falls, so
+    /// its note ends.
     pub fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         let passed = u32::try_from(tick.saturating_sub(self.last)).unwrap_or(u32::MAX);
         self.told_ran = self.ran_before(tick);
         self.tell();
         turn.begin();
-        // Half a second after its last sample nothing is known of a key.
         let is_lost = self.rules.hz / 2 < sample.age;
         if is_lost {
             turn.idle = true;
@@ -287,18 +277,17 @@ impl<V: Voice> Slot<V> {
         let units = turn.work.units;
         self.last_turn = LastTurn { force: turn.force, idle: turn.idle, units };
         self.lockout.note(turn.fault, passed, self.rules.hz);
-        // Bit 0, set there since all before is known, says now that this tick was run.
+        // All earlier ticks are known, so bit 0 states that this one was run.
         (self.ran, self.last) = (self.told_ran, tick);
     }
 
-    /// Holds the voice's force in `tick`, as if its lane were late.
+    /// Holds the voice's force in `tick`, like that of a late lane.
     pub fn wait(&mut self, tick: u64, turn: &mut VoiceOutput) {
         self.told_ran = self.ran_before(tick);
         turn.wait(self.last_turn.force);
         turn.idle = self.last_turn.idle;
     }
 
-    /// Follows the damper as `turn` reports it.
     fn follow_damper(&mut self, turn: &VoiceOutput) {
         for (_at, event) in turn.events.as_slice() {
             match event {
@@ -309,8 +298,8 @@ impl<V: Voice> Slot<V> {
         }
     }
 
-    /// Follows the damper of a voice that begins anew or does not play: it falls, unless `turn` says
-    /// that it is off the string.
+    /// Updates the damper of a voice that restarts or does not play: it falls unless `turn` reports
+    /// it off the string.
     fn begin_damper(&mut self, tick: u64, turn: &mut VoiceOutput) {
         let was_lifted = core::mem::take(&mut self.lifted);
         self.follow_damper(turn);
@@ -319,20 +308,20 @@ impl<V: Voice> Slot<V> {
         }
     }
 
-    /// Writes what is seen of the voice that was put in or changed, before it is run.
+    /// Writes the observation of a voice that was put in or changed, before it is run.
     pub fn show(&self, seen: &mut VoiceObservation) {
         self.voice.observe(seen);
         seen.switches.clear();
     }
 
-    /// Writes what is seen of the voice after `turn`, its last one, if its key is followed.
+    /// Writes the observation of the voice after `turn`, its last one, if its key is followed.
     #[inline]
     pub fn observe(&self, followed: FollowedKeys, turn: &VoiceOutput, seen: &mut VoiceObservation) {
         seen.pass(self.told_ran);
         if turn.is_seen(self.key, followed) {
             self.voice.observe(seen);
             if !turn.was_run() {
-                // What the voice remembers of changes is of an earlier tick.
+                // The voice still holds the changes of an earlier tick.
                 seen.switches.clear();
             }
         }
@@ -367,7 +356,7 @@ mod tests {
         }
     }
 
-    /// Its force is what it was last reset to, or NaN once told to fail.
+    /// Has the force that it was last reset to, or NaN once it must fail.
     #[derive(Default)]
     struct Spy {
         rest: f64,
@@ -429,7 +418,6 @@ mod tests {
         assert_eq!(new.switches.as_slice(), []);
     }
 
-    /// Fails where it is told to, and counts how often it is called.
     struct Failing {
         fails: fn(u64) -> bool,
         calls: u64,
@@ -444,12 +432,11 @@ mod tests {
         fn reset(&mut self, _sample: &KeySample) {}
     }
 
-    /// How often a voice that fails in the ticks for which `fails` is true is called in `ticks`.
+    /// Returns how often a voice that fails in the ticks of `fails` is called in `ticks`.
     fn calls(ticks: u64, fails: fn(u64) -> bool) -> u64 {
         calls_at(1000, ticks, fails)
     }
 
-    /// Like [`calls`], at `hz` ticks a second.
     fn calls_at(hz: u32, ticks: u64, fails: fn(u64) -> bool) -> u64 {
         let mut slot = Slot::new(3, Failing { fails, calls: 0 });
         let mut turn = VoiceOutput::default();
@@ -463,7 +450,7 @@ mod tests {
         slot.voice.calls
     }
 
-    /// Its damper is off the string where its key is down; its force is its key's position.
+    /// Has its damper off the string where its key is down; its force is its key's position.
     #[derive(Default)]
     struct Damped {
         lifted: bool,
@@ -486,8 +473,8 @@ mod tests {
         }
     }
 
-    /// Asserts how the damper goes while a key has `samples`: u for up, d for down, a point where
-    /// nothing is said; returns how often its voice was reset.
+    /// Asserts the damper's moves while a key has `samples`: u for up, d for down, a point for no
+    /// report; returns how often its voice was reset.
     fn resets_of(samples: impl IntoIterator<Item = (KeySample, char)>) -> u32 {
         let (mut slot, mut turn) = (Slot::new(3, Damped::default()), VoiceOutput::default());
         for (tick, (sample, expected)) in (0..).zip(samples) {
@@ -507,7 +494,7 @@ mod tests {
     fn the_damper_of_a_voice_that_fails_falls_and_is_up_again_if_the_key_is_still_down() {
         let held = [0.0, 0.004, 0.004, f64::NAN, f64::NAN, 0.004, 0.0].map(at);
         assert_eq!(resets_of(held.into_iter().zip(".u.d.ud".chars())), 2);
-        // Let go while nobody could know.
+        // Released while no samples arrived.
         let released = [0.004, f64::NAN, 0.0, 0.0].map(at);
         assert_eq!(resets_of(released.into_iter().zip("ud..".chars())), 2);
     }
@@ -522,7 +509,6 @@ mod tests {
         slot.replace(Damped::default());
         slot.tick(2, &at(0.004), &mut turn);
         assert!(matches!(turn.events.as_slice(), [(_at, KeyEvent::DamperLift)]), "{turn:?}");
-        // The key comes up just as its voice is replaced.
         slot.replace(Damped::default());
         slot.tick(3, &at(0.0), &mut turn);
         assert!(matches!(turn.events.as_slice(), [(_at, KeyEvent::DamperFall { .. })]), "{turn:?}");
@@ -540,7 +526,6 @@ mod tests {
 
     #[test]
     fn a_voice_that_flips_between_fault_and_recovery_is_muted() {
-        // A fault, 20 ms of fading, 20 ms of return, and so on: 250 of them in 10 s.
         let called = calls(10_000, |tick| tick % 40 == 0);
         assert!((120..=400).contains(&called), "called {called} times");
     }
@@ -574,7 +559,6 @@ mod tests {
         );
     }
 
-    /// Remembers the limit that it was told last, and how often it was told one.
     #[derive(Default)]
     struct Limited {
         told: Option<TurnLimit>,
@@ -647,7 +631,6 @@ mod tests {
         assert_eq!(turn_of(&mut slot, 2001, 0.0).fault, None);
     }
 
-    /// Its force is its value; it counts its ticks.
     struct Tunable {
         value: f64,
         ticks: u32,

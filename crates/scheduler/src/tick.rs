@@ -9,13 +9,13 @@ use crate::safety::{SAFE_FORCE, Safety, SafetyReport};
 use crate::time::{Nanos, Timetable};
 use crate::voice::VoiceOutput;
 
-/// What happened in one tick, in numbers.
+/// Outcome of one tick, in numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct TickReport {
     pub tick: u64,
     pub due: Nanos,
     pub deadline: Nanos,
-    /// Ticks before it that were never run.
+    /// Ticks before this one that were never run.
     pub skipped: u64,
     pub voices: LaneReport,
     pub safety: SafetyReport,
@@ -23,11 +23,10 @@ pub struct TickReport {
 
 /// Runs all keys, one tick at a time.
 ///
-/// All memory of a tick is in the object: [`SCHEDULER_KB`] where pointers have 64 bits.
+/// A scheduler owns all memory of a tick: [`SCHEDULER_KB`] where pointers have 64 bits.
 #[derive(Debug)]
 pub struct Scheduler {
     timetable: Timetable,
-    /// The next tick to run.
     next: u64,
     samples: [KeySample; KEYS],
     turns: [VoiceOutput; KEYS],
@@ -39,7 +38,7 @@ pub struct Scheduler {
 }
 
 /// Memory of a [`Scheduler`] (kB, rounded up): for each key its sample (24 bytes), turn (424),
-/// observation (216), force, slope and what safety knows of it (40).
+/// observation (216), force, slope and safety state (40).
 pub const SCHEDULER_KB: usize = 86;
 
 #[cfg(target_pointer_width = "64")]
@@ -60,7 +59,7 @@ impl Scheduler {
             timetable,
             next: 0,
             samples: [KeySample::default(); KEYS],
-            // Keys without a voice rest for good.
+            // Keys without a voice rest permanently.
             turns: [VoiceOutput { idle: true, ..VoiceOutput::default() }; KEYS],
             observed: [VoiceObservation::default(); KEYS],
             forces: [SAFE_FORCE; KEYS],
@@ -70,7 +69,7 @@ impl Scheduler {
         }
     }
 
-    /// Sets what is left out while there is too much to do; nothing without.
+    /// Sets what is left out under overload.
     pub fn set_overload(&mut self, rules: OverloadRules) {
         self.overload = OverloadController::new(rules, self.timetable.period());
     }
@@ -80,17 +79,16 @@ impl Scheduler {
         self.overload.set(simplified);
     }
 
-    /// Notes that the last tick took `work` of the processor's time.
     pub fn note_work(&mut self, work: Nanos) {
         self.overload.note_load(work.as_secs_f64() / self.timetable.period().as_secs_f64());
     }
 
     /// Runs the newest tick that is due at `now`, if it has not been run yet.
     ///
-    /// Reads no clock, sleeps, allocates and locks nothing; bounded by what the ports promise.
-    /// A tick whose successor is due as well is skipped, never run to catch up: its number is
-    /// never seen by a voice, due times stay where they are, and every key takes the gap as an
-    /// outage (see [`crate::safety`]).
+    /// Reads no clock, sleeps, allocates and locks nothing; bounded by what the ports promise. A
+    /// tick whose successor is due as well is skipped, never run to catch up: no voice sees its
+    /// number, due times do not move, and every key treats the gap as an outage (see
+    /// [`crate::safety`]).
     pub fn poll(
         &mut self,
         now: Nanos,
@@ -128,7 +126,6 @@ impl Scheduler {
         let voices = LaneReport::of(&self.turns);
         self.overload.note_evaluations(voices.work.evaluations());
         if 0 < voices.late {
-            // The lanes that were late had too much to do.
             self.overload.note_load(1.0);
         }
         Some(TickReport {
@@ -141,33 +138,31 @@ impl Scheduler {
         })
     }
 
-    /// Moves the timetable so that the next tick is due at `due`, as if no time had passed.
+    /// Moves the timetable so that the next tick is due at `due`, without a gap.
     pub const fn resume_at(&mut self, due: Nanos) {
         self.timetable = self.timetable.moved(self.next, due);
     }
 
-    /// Returns when the next tick is due.
     pub const fn next_due(&self) -> Nanos {
         self.timetable.due(self.next)
     }
 
-    /// Returns when the forces must be out of the tick that [`Scheduler::poll`] would run at `now`.
+    /// Returns the deadline of the tick that [`Scheduler::poll`] would run at `now`.
     pub fn deadline(&self, now: Nanos) -> Nanos {
         let newest = self.timetable.newest(now).unwrap_or(0);
         self.timetable.deadline(newest.max(self.next))
     }
 
-    /// Returns when each tick is due.
     pub const fn timetable(&self) -> Timetable {
         self.timetable
     }
 
-    /// Lets voices be felt again.
+    /// Lets the keys follow their voices again.
     pub const fn arm(&mut self) {
         self.safety.arm();
     }
 
-    /// From the next tick on, all keys hold one tick and then fade to the safe force.
+    /// Lets all keys hold for one tick and then fade to the safe force, from the next tick on.
     pub const fn disarm(&mut self) {
         self.safety.disarm();
     }

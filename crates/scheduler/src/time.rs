@@ -1,12 +1,11 @@
-//! Host time: integer nanoseconds, and when each tick is due.
+//! Host time in integer nanoseconds, and the due time of each tick.
 //!
-//! The only clock arithmetic in the workspace. A tick's due time is computed from its number,
+//! The only clock arithmetic in the workspace. A due time is computed from the tick's number,
 //! never accumulated, so a rate that does not divide a second keeps exact time for days.
 
-/// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// Fastest tick rate that is accepted (1/s); far above what a host can keep.
+/// Fastest accepted tick rate (1/s); far above what a host can keep.
 const MAX_TICK_HZ: u32 = 100_000;
 
 /// Monotonic host time, or a span of it, in nanoseconds.
@@ -15,73 +14,66 @@ const MAX_TICK_HZ: u32 = 100_000;
 pub struct Nanos(u64);
 
 impl Nanos {
-    /// The clock's origin; an empty span.
+    /// Origin of the clock; empty span.
     pub const ZERO: Self = Self(0);
 
-    /// Converts a count of nanoseconds.
     pub const fn new(nanoseconds: u64) -> Self {
         Self(nanoseconds)
     }
 
-    /// Converts a count of microseconds.
     pub const fn from_micros(microseconds: u64) -> Self {
         Self(microseconds.saturating_mul(1_000))
     }
 
-    /// Converts a count of milliseconds.
     pub const fn from_millis(milliseconds: u64) -> Self {
         Self(milliseconds.saturating_mul(1_000_000))
     }
 
-    /// Returns the count of nanoseconds.
     pub const fn as_u64(self) -> u64 {
         self.0
     }
 
-    /// Returns the span as model time (s).
+    /// Returns the span in seconds (s).
     pub const fn as_secs_f64(self) -> f64 {
         self.0 as f64 * 1e-9
     }
 
-    /// Returns the time from `earlier` to `self`; zero if `earlier` is later.
+    /// Returns the time since `earlier`; zero if `earlier` is later.
     pub const fn since(self, earlier: Self) -> Self {
         Self(self.0.saturating_sub(earlier.0))
     }
 
-    /// Returns the time `span` before `self`; the origin if there is none.
+    /// Returns the time `span` before `self`, or the origin.
     pub const fn before(self, span: Self) -> Self {
         Self(self.0.saturating_sub(span.0))
     }
 
-    /// Returns the time `span` after `self`.
     pub const fn after(self, span: Self) -> Self {
         Self(self.0.saturating_add(span.0))
     }
 }
 
-/// The time between ticks, kept as a rate so that no rounding adds up.
+/// Time between ticks, kept as a rate so that no rounding adds up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Period {
     hz: u32,
 }
 
 impl Period {
-    /// Returns the period of `tick_hz` ticks a second, in `1 ..= 100_000`.
+    /// Returns the period of `tick_hz` ticks a second; `None` outside `1 ..= 100_000`.
     pub const fn from_hz(tick_hz: u32) -> Option<Self> {
         if 0 < tick_hz && tick_hz <= MAX_TICK_HZ { Some(Self { hz: tick_hz }) } else { None }
     }
 
-    /// Returns the ticks a second (1/s).
     pub const fn hz(self) -> u32 {
         self.hz
     }
 
-    /// Returns the period as model time (s).
     pub fn as_secs_f64(self) -> f64 {
         1.0 / f64::from(self.hz)
     }
 
-    /// Returns the host time that `ticks` ticks take, rounded down to a nanosecond.
+    /// Returns the time of `ticks` ticks, rounded down to a nanosecond.
     pub const fn span(self, ticks: u64) -> Nanos {
         let hz = self.hz as u64;
         // Whole seconds first: `ticks * SECOND` would overflow after days.
@@ -92,48 +84,46 @@ impl Period {
     pub const fn ticks_in(self, span: Nanos) -> u64 {
         let hz = self.hz as u64;
         let fraction = span.0 % SECOND;
-        // The span is rounded down, so a tick already counts in the nanosecond it begins in.
+        // Spans are rounded down, so a tick counts from the nanosecond in which it begins.
         (span.0 / SECOND).saturating_mul(hz).saturating_add(((fraction + 1) * hz - 1) / SECOND)
     }
 }
 
-/// When each tick is due.
+/// Due times of all ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Timetable {
-    /// The tick that is due at `start`.
+    /// Tick that is due at `start`.
     first: u64,
     start: Nanos,
     period: Period,
 }
 
 impl Timetable {
-    /// Returns a timetable by which tick 0 is due at `start`, and one more every `period`.
+    /// Returns a timetable with tick 0 due at `start`, and one more every `period`.
     pub const fn new(start: Nanos, period: Period) -> Self {
         Self { first: 0, start, period }
     }
 
-    /// Returns the same rate with `tick` due at `due`; earlier ticks are forgotten.
+    /// Returns a timetable of equal rate with `tick` due at `due`; earlier ticks are forgotten.
     #[must_use]
     pub const fn moved(self, tick: u64, due: Nanos) -> Self {
         Self { first: tick, start: due, period: self.period }
     }
 
-    /// Returns the time between ticks.
     pub const fn period(self) -> Period {
         self.period
     }
 
-    /// Returns when `tick` should start.
     pub const fn due(self, tick: u64) -> Nanos {
         self.start.after(self.period.span(tick.saturating_sub(self.first)))
     }
 
-    /// Returns when the forces of `tick` must be out: as the next one is due.
+    /// Returns the time by which the forces of `tick` must be out: when the next one is due.
     pub const fn deadline(self, tick: u64) -> Nanos {
         self.due(tick.saturating_add(1))
     }
 
-    /// Returns the newest tick that is due at `now`; none before the start.
+    /// Returns the newest tick that is due at `now`; `None` before the start.
     pub fn newest(self, now: Nanos) -> Option<u64> {
         let elapsed = || now.since(self.start);
         (self.start <= now).then(|| self.first.saturating_add(self.period.ticks_in(elapsed())))

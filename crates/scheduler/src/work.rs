@@ -1,18 +1,18 @@
 //! Work and its price: units that voices count, the time that a unit takes, the time of a lane.
 //!
-//! A deadline is time, and a voice can bound itself only in units of work. The two meet here: the
-//! owner of the lanes states what a unit of each kind of voice costs, and a lane spends its time
-//! by these costs. A cost that is wrong makes no voice wait: where the time is spent by the costs,
-//! the lane looks at its clock and continues while there is time.
+//! A deadline is a time, but a voice can bound itself only in units of work. The owner of the lanes
+//! states the cost of a unit of each kind of voice, and a lane spends its time by these costs.
+//! A wrong cost makes no voice wait: once the time is spent by the costs, the lane reads its clock
+//! and continues while there is time.
 
 /// Kinds of voices whose costs are known at once.
 pub const MAX_KINDS: usize = 16;
 
-/// Lowest cost of a unit that is assumed before anything is measured, and the cost in virtual time
-/// (ns): an evaluation of the cheapest action.
+/// Lowest cost of a unit (ns), assumed before any is measured and in virtual time: an evaluation
+/// of the cheapest action.
 pub const NOMINAL_UNIT_NS: f64 = 10.0;
 
-/// Fraction of a lane's time that a turn may take, as far as [`TurnLimit`] is strict.
+/// Fraction of a lane's time that a turn may take, where [`TurnLimit`] is strict.
 pub const TURN_FRACTION: f64 = 0.1;
 
 /// Limit of the units of work of a turn.
@@ -25,20 +25,18 @@ pub struct TurnLimit {
 }
 
 impl TurnLimit {
-    /// No limit.
     pub const NONE: Self = Self::of(u32::MAX);
 
-    /// Returns one limit for the whole tick.
     pub const fn of(units: u32) -> Self {
         Self { early: units, most: units }
     }
 
-    /// Returns the limit of a voice that has not failed of late and may take `units` by its lane's
+    /// Returns the limit of a voice without recent failures that may take `units` by its lane's
     /// time, in a tick of 1/`hz` (s).
     ///
     /// The hardest strokes of the default action take up to 200 units at 1 kHz, a fifth of them in
-    /// the first quarter of the tick. On a slow processor that is more than a tenth of a lane's time,
-    /// and no stroke may be cut off: there the limit is strict for the first quarter only.
+    /// the first quarter of the tick. On a slow processor that is more than a tenth of a lane's
+    /// time, and no stroke may be cut off: there the limit is strict for the first quarter only.
     pub(crate) const fn of_trusted(units: u32, hz: u32) -> Self {
         let (early, most) = (64, 128 + 384_000 / hz);
         Self {
@@ -48,7 +46,7 @@ impl TurnLimit {
     }
 }
 
-/// Voices of one kind take the same time for a unit of work: the same model and method.
+/// Kind of voice: voices of the same model and method take the same time for a unit of work.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct VoiceKind(pub u32);
 
@@ -65,30 +63,28 @@ pub struct WorkCosts {
 }
 
 impl WorkCosts {
-    /// Returns costs before any is measured.
     pub const fn unknown() -> Self {
         Self { turn: 0.0, units: [(VoiceKind(0), 0.0); MAX_KINDS], n_kinds: 0, other: None }
     }
 
-    /// Returns the same cost for every unit (ns), and none for a turn.
+    /// Returns costs of `unit` (ns) for every unit and none for a turn.
     pub const fn constant(unit: f64) -> Self {
         Self { other: Some(unit), ..Self::unknown() }
     }
 
-    /// Returns the highest known cost of a unit (ns): what is assumed of a kind that is not known.
+    /// Returns the highest known cost of a unit (ns), assumed for an unknown kind.
     fn highest(&self) -> f64 {
         let known = self.units[..self.n_kinds].iter().map(|(_, cost)| *cost);
         known.fold(NOMINAL_UNIT_NS, f64::max)
     }
 
-    /// Returns the cost of a unit (ns), if it is known.
     #[inline]
     pub fn unit(&self, kind: VoiceKind) -> Option<f64> {
         let known = self.units[..self.n_kinds].iter().find(|(it, _)| *it == kind);
         known.map(|(_, cost)| *cost).or(self.other)
     }
 
-    /// Sets the cost of a unit (ns); `index` is the place of its kind, below [`MAX_KINDS`].
+    /// Sets the cost of a unit (ns) of `kind` at `index`, below [`MAX_KINDS`].
     pub fn set(&mut self, index: usize, kind: VoiceKind, cost: f64) {
         if let Some(entry) = self.units.get_mut(index) {
             *entry = (kind, cost);
@@ -99,11 +95,11 @@ impl WorkCosts {
 
 /// Clock of a lane.
 pub trait LaneClock {
-    /// Returns the time that the lane has left in this tick (ns).
+    /// Returns the time left for the lane in this tick (ns).
     fn left(&mut self) -> f64;
 }
 
-/// No clock: a lane may take as long as it needs, as in virtual time.
+/// Absent clock: a lane may take as long as it needs, as in virtual time.
 #[derive(Clone, Copy, Debug)]
 pub struct NoClock;
 
@@ -115,21 +111,21 @@ impl LaneClock for NoClock {
 
 /// Time of a lane in one tick, spent by the costs of what its voices do.
 ///
-/// The clock is read where half of the time is spent by the costs, and then whenever half of the
-/// time that was left is. A lane with little to do reads none.
+/// The lane reads the clock where half of the time is spent by the costs, and then whenever half
+/// of the time left then is spent. A lane with little to do never reads the clock.
 #[derive(Debug)]
 pub struct LaneBudget<'a, C> {
     costs: &'a WorkCosts,
     clock: C,
-    /// What the lane has by its clock in a tick (ns).
+    /// Time of the lane by its clock in a tick (ns).
     time: f64,
-    /// What may be spent before the next look at the clock (ns).
+    /// Time that may be spent before the next look at the clock (ns).
     granted: f64,
-    /// What was spent by the costs (ns).
+    /// Time spent by the costs (ns).
     spent: f64,
-    /// Longest turn (ns).
+    /// Longest time of a turn (ns).
     turn: f64,
-    /// The kind that was priced last.
+    /// Kind that was priced last.
     priced: Option<(VoiceKind, TurnPrice)>,
 }
 
@@ -143,7 +139,7 @@ pub(crate) struct TurnPrice {
 }
 
 impl LaneBudget<'static, NoClock> {
-    /// Returns a budget without an end, in which a turn may take `turn` (ns) at the nominal cost.
+    /// Returns a budget without a limit, in which a turn may take `turn` (ns) at the nominal cost.
     pub const fn unlimited(turn: f64) -> Self {
         const NOMINAL: &WorkCosts = &WorkCosts::constant(NOMINAL_UNIT_NS);
         Self {
@@ -159,14 +155,12 @@ impl LaneBudget<'static, NoClock> {
 }
 
 impl<'a, C: LaneClock> LaneBudget<'a, C> {
-    /// Returns the budget of a lane that has `time` (ns) by `clock`.
-    ///
-    /// A turn may take `turn` (ns).
+    /// Returns the budget of a lane with `time` (ns) by `clock`; a turn may take `turn` (ns).
     pub const fn new(costs: &'a WorkCosts, clock: C, time: f64, turn: f64) -> Self {
         Self { costs, clock, time, granted: 0.5 * time, spent: 0.0, turn, priced: None }
     }
 
-    /// Returns the price of a turn; neighbours are of one kind most of the time.
+    /// Returns the price of a turn, cached since neighbours are mostly of one kind.
     #[inline]
     pub(crate) fn price(&mut self, kind: VoiceKind) -> TurnPrice {
         if let Some((_, price)) = self.priced.filter(|(priced, _)| *priced == kind) {
@@ -180,7 +174,8 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
         price
     }
 
-    /// Returns whether the lane has time for a turn of `units`, as the voice took the last time.
+    /// Returns `true` if the lane has time for a turn of `units`, the work of the voice's last
+    /// turn.
     ///
     /// # Real-time
     /// Reads the clock where the time that was granted is spent by the costs.
@@ -189,10 +184,10 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
         0.0 < self.granted || self.look(price, units)
     }
 
-    /// Looks at the clock: grants half of the time that is left, if a turn of `units` fits into it.
+    /// Reads the clock and grants half of the time left, if a turn of `units` fits into it.
     ///
-    /// The clock is right: where this tick took less than its costs, so will the turn. No turn takes
-    /// more than it may.
+    /// The clock is decisive: a tick that took less than its costs will do so in this turn. No turn
+    /// takes more than its limit.
     #[cold]
     fn look(&mut self, price: TurnPrice, units: u32) -> bool {
         let left = self.clock.left();
@@ -203,7 +198,7 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
         expected.min(self.turn) < left
     }
 
-    /// Spends a turn of `units`; one of unknown cost is followed by a look at the clock.
+    /// Spends a turn of `units`; one of unknown cost is followed by a read of the clock.
     #[inline]
     pub(crate) fn spend(&mut self, price: TurnPrice, units: u32) {
         let Some(cost) = self.cost(price, units) else {

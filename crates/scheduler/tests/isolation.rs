@@ -1,4 +1,4 @@
-//! One voice fails; the others never notice, to the last bit.
+//! A failing voice leaves the others unchanged, to the last bit.
 #![expect(clippy::large_stack_frames, reason = "a scheduler on the stack of a test")]
 
 use scheduler::motion::KEYS;

@@ -1,4 +1,4 @@
-//! What is sent: the voice's force while it can be trusted, and a way to zero when it cannot.
+//! Safety: sends the voice's force while it can be trusted, and fades to zero when it cannot.
 //!
 //! Each key is a small state machine, stepped once a tick. `n` is the ticks in [`FADE`]:
 //!
@@ -10,62 +10,58 @@
 //! | **Returning** | blend towards the voice; at its end → Following | start again over `n` | → Outage, hold | → Condemned, hold |
 //!
 //! The first tick of an outage or fault holds the last force; zero is sent [`FADE`] after it.
-//! A force that is held or fades is passive: where the key moves with it, it falls as that of a
-//! spring of [`RELAXATION`] does that relaxes, and it never rises again. So it hands the finger at
-//! most what such a spring stores, F²/(2 k), 31 mJ of 25 N and 50 µJ of 1 N, however fast the key
-//! comes up; beyond that only what the force changes within a tick is given.
-//! A fault must reach zero before the voice is heard again; an outage may end on the way.
-//! A tick that was skipped is an outage of every key. A key begins as after a long outage,
-//! so that power-up has no force step either.
+//! A held or fading force is passive: where the key moves with it, it falls like that of a relaxing
+//! spring of [`RELAXATION`], and it never rises again. It gives the finger at most the energy of
+//! that spring, F²/(2 k), 31 mJ of 25 N and 50 µJ of 1 N, however fast the key comes up, and beyond
+//! that only what the force changes within a tick.
+//! A fault must reach zero before the voice is felt again; an outage may end on the way.
+//! A skipped tick is an outage of every key. A key begins as after a long outage, so that power-up
+//! has no force step either.
 //!
-//! Towards a voice a force never changes faster than the slew limit, whatever it did before:
-//! a voice's own gate does not know what was sent instead of its force. The way to zero has
-//! its own time, [`FADE`].
+//! Towards a voice a force never changes faster than the slew limit: the voice's own gate does not
+//! know the force sent in its stead. The fade to zero has its own time, [`FADE`].
 //!
 //! # A voice that takes the place of another
 //!
 //! Values, voices and versions of models change while a key is held. The transfer is bumpless
 //! `[PVH96]`: with F₀ the force sent last and F the new voice's, tick k of `n` sends
-//! F₀ + (F − F₀) k/n, so that what the two differ by, F₀ − F, decays to zero in a straight line
-//! over [`FADE`]. In a tick it changes what is sent by at most |F₀ − F|/n, and by k/n of what the
-//! voice itself changes.
+//! F₀ + (F − F₀) k/n, so that the difference F₀ − F decays to zero in a straight line over
+//! [`FADE`]. A tick changes the force by at most |F₀ − F|/n, plus k/n of the voice's own change.
 //!
-//! What is sent differs from a force of the new voice by at most |F₀ − F|, for a [`FADE`] only, so
-//! the blend can give the finger at most |F₀ − F| times the travel in that time: 3 mJ for 1 N and
-//! 3 mm. That is once for each change, and no rate; the voice's own watch over passivity `[HR02]`
-//! begins anew with the change, as the energy that is stored under other values is another one.
+//! The force differs from one of the new voice by at most |F₀ − F|, for a [`FADE`] only, so the
+//! blend gives the finger at most |F₀ − F| times the travel in that time: 3 mJ for 1 N and 3 mm.
+//! That is once for each change, not a rate. The voice's passivity observer `[HR02]` restarts with
+//! the change, as the energy stored under other values is another one.
 //!
-//! How large a force may be is not decided here: the voice has passed its own force gate.
-//! NaN never passes.
+//! The size of a force is limited by the voice's own force gate, not here. NaN never passes.
 
 use crate::motion::{KEYS, KeySample, KeySlope};
 use crate::time::{Nanos, Period};
 use crate::voice::VoiceOutput;
 
-/// The force of a key whose voice cannot be trusted (N).
+/// Force of a key with an untrusted voice (N).
 pub const SAFE_FORCE: f64 = 0.0;
 
-/// From the first untrusted tick to the safe force.
+/// Time from the first untrusted tick to the safe force.
 pub const FADE: Nanos = Nanos::from_millis(20);
 
-/// How a force without its voice falls where its key moves with it (N/m).
+/// Stiffness by which a force without its voice falls where its key moves with it (N/m).
 pub const RELAXATION: f64 = 1e4;
 
 /// Ticks without a new sample that a voice bridges by extrapolation.
 pub const MAX_EXTRAPOLATED: u32 = 1;
 
-/// How far a voice's force can be trusted in this tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Trust {
     Trusted,
-    /// Trusted, but unrelated to what this key felt before.
+    /// Trusted, but unrelated to the force felt before.
     Fresh,
     NotThere,
     Fault,
 }
 
 impl Trust {
-    /// The worst that is known about this turn.
+    /// Returns the worst that is known about a turn.
     fn of(turn: &VoiceOutput, sample: &KeySample) -> Self {
         if turn.fault.is_some() || !turn.force.is_finite() {
             Self::Fault
@@ -82,19 +78,19 @@ impl Trust {
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum SafetyState {
     Following,
-    /// `held` (N) was sent last; `ticks` have passed since, this one included. The way back
-    /// takes `left` ticks at least, because the outage cut another one short.
+    /// `held` (N) was sent last, `ticks` ago with this one. The return takes at least `left` ticks,
+    /// because the outage cut another one short.
     Outage {
         held: f64,
         ticks: u32,
         left: u32,
     },
-    /// As an outage, after a fault.
+    /// Like an outage, after a fault.
     Condemned {
         held: f64,
         ticks: u32,
     },
-    /// `done` of `of` ticks on the way from `from` (N) to the voice's force.
+    /// `done` of `of` ticks from `from` (N) to the voice's force.
     Returning {
         from: f64,
         done: u32,
@@ -102,26 +98,25 @@ enum SafetyState {
     },
 }
 
-/// One key's state, and what it feels.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct KeySafety {
     state: SafetyState,
-    /// The force sent last (N).
+    /// Force sent last (N).
     sent: f64,
-    /// Where the key was then (m).
+    /// Position at which it was sent (m).
     position: f64,
 }
 
 impl KeySafety {
-    /// Nothing has been sent for a long time.
+    /// State of a key to which nothing was sent for a long time.
     const SILENT: Self = Self {
         state: SafetyState::Outage { held: SAFE_FORCE, ticks: u32::MAX, left: 0 },
         sent: SAFE_FORCE,
         position: 0.0,
     };
 
-    /// One row of the table for a key at `position` (m); returns the force to send (N), `ticks`
-    /// after the last one.
+    /// Applies one row of the table for a key at `position` (m), `ticks` after the last one;
+    /// returns the force to send (N).
     fn step(
         &mut self,
         trust: Trust,
@@ -147,12 +142,12 @@ impl KeySafety {
                 towards(self.sent, blend, reach * ticks)
             }
         };
-        // The last gate: a blend of huge forces can overflow, and `f64::clamp` lets NaN through.
+        // A blend of huge forces can overflow, and `f64::clamp` passes NaN through.
         self.sent = if force.is_finite() { force } else { SAFE_FORCE };
         self.sent
     }
 
-    /// Lets a force without its voice fall as a spring's that relaxes as the key goes to `position`
+    /// Reduces a force without its voice like a relaxing spring's as the key goes to `position`
     /// (m).
     fn relax(&mut self, position: f64) {
         let rise = self.position - position;
@@ -160,7 +155,7 @@ impl KeySafety {
         if let SafetyState::Outage { held, .. } | SafetyState::Condemned { held, .. } =
             &mut self.state
         {
-            // What is no number is no way.
+            // A displacement that is not finite counts as none.
             let lost = (RELAXATION * rise * held.signum()).max(0.0);
             *held -= lost.min(held.abs()).copysign(*held);
         }
@@ -195,7 +190,7 @@ impl KeySafety {
         }
     }
 
-    /// The state after `missing` more ticks without the voice.
+    /// Returns the state after `missing` more ticks without the voice.
     const fn not_there(&self, missing: u32) -> SafetyState {
         match self.state {
             SafetyState::Following => {
@@ -213,7 +208,7 @@ impl KeySafety {
         }
     }
 
-    /// How the force just sent goes on: as its voice says, if that is what was sent.
+    /// Returns the slope of the force just sent: the voice's, if the voice's force was sent.
     fn slope(&self, turn: &VoiceOutput) -> KeySlope {
         let is_sent = self.sent.to_bits() == turn.force.to_bits();
         let is_followed = self.state == SafetyState::Following && is_sent && turn.slope.is_finite();
@@ -232,7 +227,7 @@ impl KeySafety {
     }
 }
 
-/// One tick further on the way back; there is no way left after `of` ticks.
+/// Returns the state one tick further on the return, which ends after `of` ticks.
 const fn returning(from: f64, done: u32, of: u32) -> SafetyState {
     if done + 1 < of {
         SafetyState::Returning { from, done: done + 1, of }
@@ -241,7 +236,7 @@ const fn returning(from: f64, done: u32, of: u32) -> SafetyState {
     }
 }
 
-/// `held` (N) in the `ticks`-th tick after it was sent: whole in the first, then falling.
+/// Returns the force `ticks` after `held` (N) was sent: whole in the first tick, then falling.
 fn faded(held: f64, ticks: u32, fade_ticks: u32) -> f64 {
     if fade_ticks < ticks {
         return SAFE_FORCE;
@@ -250,13 +245,13 @@ fn faded(held: f64, ticks: u32, fade_ticks: u32) -> f64 {
     held * (f64::from(fade_ticks + 1 - ticks) / f64::from(fade_ticks))
 }
 
-/// The force nearest to `wanted` (N) that is at most `reach` (N) from `sent` (N).
+/// Returns the force nearest to `wanted` (N) within `reach` (N) of `sent` (N).
 fn towards(sent: f64, wanted: f64, reach: f64) -> f64 {
     let change = wanted - sent;
     if change.abs() <= reach { wanted } else { sent + reach.copysign(change) }
 }
 
-/// How fast a force may change.
+/// Limits of a force's rate of change.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Ramps {
     /// Ticks that fit into [`FADE`], at least 1.
@@ -272,7 +267,7 @@ impl Ramps {
     }
 }
 
-/// The last gate before the bus, for one key: what a rehearsal of that key goes through.
+/// Last gate before the bus for one key, also used by a rehearsal of that key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyGate {
     safety: KeySafety,
@@ -280,29 +275,28 @@ pub struct KeyGate {
 }
 
 impl KeyGate {
-    /// Returns the gate of a silent, armed key, for ticks of `period`, whose force changes by at most `slew` (N/s).
+    /// Returns the gate of a silent, armed key, with a force that changes by at most `slew` (N/s).
     pub fn new(period: Period, slew: f64) -> Self {
         Self { safety: KeySafety::SILENT, ramps: Ramps::new(period, slew) }
     }
 
-    /// Returns what is sent to the key (N), after a tick without a gap.
+    /// Returns the force to send (N), after a tick without a gap.
     pub fn apply(&mut self, turn: &VoiceOutput, sample: &KeySample) -> f64 {
         let wanted = (turn.force, sample.position);
         self.safety.step(Trust::of(turn, sample), wanted, self.ramps, 1.0)
     }
 
-    /// Returns how the force sent last goes on.
     pub fn slope(&self, turn: &VoiceOutput) -> KeySlope {
         self.safety.slope(turn)
     }
 }
 
-/// The numbers of keys that do not feel their voice as it is.
+/// Numbers of keys that do not feel their voice's own force.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct SafetyReport {
     /// Keys that hold, fade or are silent.
     pub withheld: u32,
-    /// Keys on their way back to their voice.
+    /// Keys on the return to their voice.
     pub returning: u32,
 }
 
@@ -316,7 +310,7 @@ impl SafetyReport {
     }
 }
 
-/// The last gate before the bus, for all keys.
+/// Last gate before the bus, for all keys.
 #[derive(Clone, Debug)]
 pub struct Safety {
     keys: [KeySafety; KEYS],
@@ -325,28 +319,27 @@ pub struct Safety {
 }
 
 impl Safety {
-    /// Returns the gate of all keys, silent and armed, for ticks of `period`, whose forces change by at most `slew`
+    /// Returns the gate of all keys, silent and armed, with forces that change by at most `slew`
     /// (N/s) on their way to a voice.
     pub fn new(period: Period, slew: f64) -> Self {
         Self { keys: [KeySafety::SILENT; KEYS], ramps: Ramps::new(period, slew), armed: true }
     }
 
-    /// Lets voices be felt (the state at the beginning).
+    /// Lets the keys follow their voices (the initial state).
     pub const fn arm(&mut self) {
         self.armed = true;
     }
 
-    /// From the next tick on, no voice is felt: all keys hold one tick, then fade.
+    /// Withholds all voices from the next tick on: all keys hold one tick, then fade.
     pub const fn disarm(&mut self) {
         self.armed = false;
     }
 
-    /// Returns whether voices may be felt.
     pub const fn is_armed(&self) -> bool {
         self.armed
     }
 
-    /// Writes what is sent to each key (N), after `skipped` ticks that were never run.
+    /// Writes the force for each key (N), after `skipped` ticks that were never run.
     pub fn apply(
         &mut self,
         skipped: u64,
@@ -373,7 +366,7 @@ impl Safety {
         report
     }
 
-    /// Writes how the forces just sent go on: as their voices say, where voices are followed.
+    /// Writes the slopes of the forces just sent: the voices' own, where voices are followed.
     pub fn slopes(&self, turns: &[VoiceOutput; KEYS], slopes: &mut [KeySlope; KEYS]) {
         for ((slope, turn), key) in slopes.iter_mut().zip(turns).zip(&self.keys) {
             *slope = key.slope(turn);

@@ -1,4 +1,4 @@
-//! A keybed in memory, voices that do as they are told, and virtual time.
+//! Memory keybed, scripted voices and virtual time.
 #![expect(unreachable_pub, reason = "shared by test programs")]
 #![allow(dead_code, reason = "no test program uses all of it")]
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test may stop here")]
@@ -12,7 +12,7 @@ use scheduler::time::{Nanos, Period, Timetable};
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput, VoiceWork};
 use scheduler::work::LaneBudget;
 
-/// The plainest lanes: one, run where it is called.
+/// Single lane, run where it is called.
 #[derive(Debug)]
 pub struct Inline<'a, V> {
     pub slots: &'a mut [Slot<V>],
@@ -29,9 +29,9 @@ impl<V: Voice> Lanes for Inline<'_, V> {
 pub struct Spring {
     /// Spring rate (N/m).
     pub rate: f64,
-    /// Slowly follows the key (m).
+    /// Position that slowly follows the key (m).
     pub anchor: f64,
-    /// Ticks at which it fails, and how.
+    /// First and last tick of a failure, and its kind.
     pub fails: Option<(u64, u64, Failure)>,
 }
 
@@ -39,7 +39,7 @@ pub struct Spring {
 #[derive(Clone, Copy, Debug)]
 pub enum Failure {
     Reported,
-    /// It hands out NaN as if nothing were wrong.
+    /// NaN without a reported fault.
     Unnoticed,
 }
 
@@ -62,29 +62,25 @@ impl Voice for Spring {
     }
 }
 
-/// Springs for all keys, each its own.
+/// Returns springs for all keys, each with its own rate.
 pub fn springs() -> [Slot<Spring>; KEYS] {
     core::array::from_fn(|key| Slot::new(key, spring(key)))
 }
 
-/// The healthy spring of `key`.
 pub fn spring(key: usize) -> Spring {
     Spring { rate: 500.0 + 3.0 * key as f64, anchor: 0.0, fails: None }
 }
 
-/// Keys that move by a known law, and what was sent to them last.
+/// Keys that move by a known law, and the forces sent to them last.
 #[derive(Debug)]
 pub struct MemoryBus {
-    /// The tick received last.
     pub received: Option<u64>,
     /// Tick and forces (N) sent last.
     pub sent: Option<(u64, [f64; KEYS])>,
-    /// Ticks in which key 40 has no new sample.
     pub key_40_silent: core::ops::Range<u64>,
 }
 
 impl MemoryBus {
-    /// All keys speak.
     pub const fn new() -> Self {
         Self { received: None, sent: None, key_40_silent: 0..0 }
     }
@@ -108,7 +104,6 @@ impl KeyBus for MemoryBus {
     }
 }
 
-/// Counts ticks.
 #[derive(Debug, Default)]
 pub struct CountingObserver {
     pub ticks: u64,
@@ -120,10 +115,8 @@ impl TickObserver for CountingObserver {
     }
 }
 
-/// Tick rate of the tests.
 pub const HZ: u32 = 1000;
 
-/// Everything that a tick needs.
 #[derive(Debug)]
 pub struct Rig {
     pub scheduler: Scheduler,
@@ -133,7 +126,6 @@ pub struct Rig {
 }
 
 impl Rig {
-    /// A thousand ticks a second from time zero.
     #[expect(clippy::large_stack_frames, reason = "all turns; a test has the stack")]
     pub fn new() -> Self {
         let period = Period::from_hz(HZ).unwrap();
@@ -145,14 +137,13 @@ impl Rig {
         }
     }
 
-    /// Polls at `microseconds` after the start.
     pub fn poll_at(&mut self, microseconds: u64) -> Option<TickReport> {
         let mut lanes = Inline { slots: &mut self.slots };
         let now = Nanos::from_micros(microseconds);
         self.scheduler.poll(now, &mut self.bus, &mut lanes, &mut self.observer)
     }
 
-    /// Runs `tick` exactly when it is due and returns the forces sent (N).
+    /// Runs `tick` at its due time and returns the forces sent (N).
     #[track_caller]
     pub fn forces_of(&mut self, tick: u64) -> [f64; KEYS] {
         let report = self.poll_at(1000 * tick).expect("due");

@@ -1,4 +1,4 @@
-//! The table row by row, then what must hold for any sequence of ticks.
+//! Row by row through the table, then properties of any sequence of ticks.
 
 #![expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
 
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 /// Ticks of the fade in these tests: 20 ms at 200 Hz.
 const N: u32 = 4;
 
-/// A fade of [`N`] ticks, and no limit to how fast a voice may be followed.
+/// Fade of [`N`] ticks, without a slew limit towards the voice.
 const RAMPS: Ramps = Ramps { fade_ticks: N, reach: f64::INFINITY };
 
 /// Steps a key through `ticks` of (trust, voice's force) and returns what was sent.
@@ -17,7 +17,6 @@ fn sent<const T: usize>(mut key: KeySafety, ticks: [(Trust, f64); T]) -> [f64; T
     ticks.map(|(trust, force)| key.step(trust, (force, 0.0), RAMPS, 1.0))
 }
 
-/// A key that follows its voice and was last sent `force` (N).
 fn following(force: f64) -> KeySafety {
     KeySafety { state: SafetyState::Following, sent: force, position: 0.0 }
 }
@@ -48,7 +47,7 @@ fn a_held_force_hands_out_no_more_than_a_spring_stores_however_fast_the_key_come
         let (mut given, mut last, mut position) = (0.0, force, 0.01);
         for _ in 0..30 {
             position -= speed * 1e-3;
-            // What was sent is felt until the next tick.
+            // The force sent is felt until the next tick.
             given += last * speed * 1e-3;
             let sent = key.step(NotThere, (9.0, position), ramps, 1.0);
             assert!(sent * force >= 0.0 && sent.abs() <= last.abs());
@@ -222,13 +221,13 @@ proptest! {
             let trust = if force.is_finite() { trust } else { Fault };
             let sent = key.step(trust, (force, 0.0), RAMPS, 1.0);
             assert!(sent.is_finite());
-            // Two roundings of a blend may leave the range by as many units in the last place.
+            // Two roundings of a blend may leave the range by two units in the last place.
             assert!(sent.abs() <= LIMIT * (1.0 + 2.0 * f64::EPSILON));
         }
     }
 
-    /// Whatever the voice does, and however often it fails and comes back: towards it the force
-    /// moves by the slew limit at most, and away from it by a share of the fade.
+    /// Towards the voice the force moves by the slew limit at most, and away from it by a share of
+    /// the fade, however often the voice fails and returns.
     #[test]
     fn no_trouble_makes_the_force_faster_than_the_slew_limit_or_the_fade(
         ticks in prop::collection::vec((any_trust(), -LIMIT..LIMIT), 1..200),
