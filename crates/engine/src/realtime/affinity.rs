@@ -1,13 +1,10 @@
-//! On which processors threads run: what they are kept to, and what the machine keeps free.
+//! Processors on which threads run: affinity, and processors that the kernel keeps free.
 
 use std::fs;
 
 use rustix::thread::{CpuSet, sched_getaffinity, sched_setaffinity};
 
-/// Keeps the calling thread to processor `cpu`.
-///
-/// # Errors
-/// Says what to do about one that cannot be had.
+/// Keeps the calling thread to processor `cpu`; an error states the remedy.
 pub(crate) fn keep_to(cpu: usize) -> Result<(), String> {
     let mut set = CpuSet::new();
     if cpu < CpuSet::MAX_CPU {
@@ -22,14 +19,13 @@ pub(crate) fn keep_to(cpu: usize) -> Result<(), String> {
     })
 }
 
-/// Returns the processors on which the calling thread may run.
 pub fn allowed() -> Vec<usize> {
     let set = sched_getaffinity(None).unwrap_or_else(|_| CpuSet::new());
     (0..CpuSet::MAX_CPU).filter(|cpu| set.is_set(*cpu)).collect()
 }
 
-/// Returns the processors that the kernel leaves alone (`isolcpus=`): they are there for such as
-/// us; none on most machines.
+/// Returns the processors that the kernel leaves to programs like this one (`isolcpus=`); none on
+/// most machines.
 ///
 /// Not for the tick: reads a file.
 pub fn isolated() -> Vec<usize> {
@@ -37,13 +33,12 @@ pub fn isolated() -> Vec<usize> {
     listed(&list)
 }
 
-/// Returns the processors that the machine has.
 #[cfg(test)]
 pub(crate) fn online() -> Vec<usize> {
     listed(&fs::read_to_string("/sys/devices/system/cpu/online").unwrap_or_default())
 }
 
-/// Returns the numbers of a list as the kernel writes it, `1,4-6`.
+/// Returns the numbers of a list in the kernel's format, `1,4-6`.
 fn listed(list: &str) -> Vec<usize> {
     let ends = |part: &str| {
         let (first, last) = part.split_once('-').unwrap_or((part, part));

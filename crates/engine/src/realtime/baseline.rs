@@ -1,7 +1,7 @@
-//! What the machine does to a thread that does nothing: a timer to compare the tick with.
+//! Bare timer thread, to compare the tick with.
 //!
 //! It runs beside the tick, with the same period and priority, between the tick's due times.
-//! Lateness that both show is the machine's; lateness that only the tick shows is ours.
+//! Lateness in both is due to the machine; lateness only in the tick is due to this program.
 
 use std::io;
 use std::sync::Arc;
@@ -21,25 +21,24 @@ use super::{clock, memory};
 pub struct Baseline {
     stop: Arc<AtomicBool>,
     thread: JoinHandle<BaselineTiming>,
-    /// Time stolen from all processors before it began (s).
+    /// Time stolen from all processors before the thread began (s).
     stolen: Option<f64>,
 }
 
-/// What the bare timer saw.
+/// Measurements of the bare timer.
 #[derive(Debug)]
 pub struct BaselineTiming {
-    /// Woken − due, in nanoseconds.
+    /// Woken − due (ns).
     pub lateness: Histogram<u64>,
-    /// How the thread was scheduled.
     pub standing: SchedulingPolicy,
-    /// Time that a hypervisor took from all processors meanwhile, if the kernel counts it (s).
+    /// Time that a hypervisor took from all processors in the run (s), if the kernel counts it.
     pub stolen: Option<f64>,
     period: Nanos,
 }
 
 impl BaselineTiming {
-    /// Returns how often it was later than what is left of a period after the usual `work` (ns): so
-    /// often the machine stood still for so long that a tick under way then could not be in time.
+    /// Returns how often the timer was later than the rest of a period after the usual `work` (ns):
+    /// the machine then stopped for so long that a tick under way could not be in time.
     pub fn stops(&self, work: &Histogram<u64>) -> u64 {
         let spare = self.period.as_u64().saturating_sub(work.value_at_quantile(0.5));
         self.lateness.count_between(spare + 1, u64::MAX)
@@ -50,7 +49,7 @@ impl Baseline {
     /// Starts a thread that sleeps until half a period after each due time of `timetable`.
     ///
     /// # Errors
-    /// If the system gives no thread.
+    /// If the system provides no thread.
     pub fn start(timetable: Timetable, plan: ThreadPlan) -> io::Result<Self> {
         let lateness = run::histogram().map_err(io::Error::other)?;
         let stop = Arc::new(AtomicBool::new(false));
@@ -66,9 +65,7 @@ impl Baseline {
         Ok(Self { stop, thread, stolen: stolen() })
     }
 
-    /// Stops the thread, within a period, and returns what it saw.
-    ///
-    /// `None` if it panicked.
+    /// Stops the thread, within a period, and returns its measurements; `None` if it panicked.
     pub fn stop(self) -> Option<BaselineTiming> {
         self.stop.store(true, Ordering::Release);
         let measured = self.thread.join().ok()?;
@@ -77,7 +74,7 @@ impl Baseline {
     }
 }
 
-/// Records wake-ups until told to stop, one at least.
+/// Records at least one wake-up, until `stop` is set.
 fn measure(
     timetable: Timetable,
     mut lateness: Histogram<u64>,
@@ -93,7 +90,7 @@ fn measure(
         if stop.load(Ordering::Acquire) {
             return lateness;
         }
-        // As the tick does: a beat that was slept through is skipped.
+        // Like the tick: a beat that was slept through is skipped.
         tick = timetable.newest(woken.before(half)).unwrap_or(tick).max(tick) + 1;
     }
 }

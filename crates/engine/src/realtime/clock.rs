@@ -1,33 +1,30 @@
-//! The only place that reads clocks, and the only one that sleeps.
+//! The only module that reads clocks and sleeps.
 
 use rustix::io::Errno;
 use rustix::thread::clock_nanosleep_absolute;
 use rustix::time::{ClockId, Timespec, clock_gettime};
 use scheduler::time::Nanos;
 
-/// Nanoseconds in a second.
 const SECOND: u64 = 1_000_000_000;
 
-/// Returns host time: monotonic, and never set.
 pub fn monotonic() -> Nanos {
     nanos(clock_gettime(ClockId::Monotonic))
 }
 
-/// Returns the CPU time that the calling thread has used.
 pub fn thread_cpu() -> Nanos {
     nanos(clock_gettime(ClockId::ThreadCPUTime))
 }
 
-/// Sleeps until host time is `due`; returns at once if it is already.
-///
-/// Sleeps *until*, never *for*: what happens between two calls adds no drift.
+/// Sleeps until host time `due`; returns at once if it has passed. The time is absolute, so work
+/// between two calls adds no drift.
 pub fn sleep_until(due: Nanos) {
     let request = timespec(due);
-    // A signal wakes the thread early; the time is absolute, so sleeping on is the same call.
+    // A signal wakes the thread early; the time is absolute, so the call is repeated unchanged.
     while clock_nanosleep_absolute(ClockId::Monotonic, &request) == Err(Errno::INTR) {}
 }
 
-/// These clocks count from boot or thread start, so neither part is negative.
+/// Converts a clock reading; both parts are non-negative, as these clocks count from boot or
+/// thread start.
 fn nanos(time: Timespec) -> Nanos {
     let seconds = u64::try_from(time.tv_sec).unwrap_or(0);
     let rest = u64::try_from(time.tv_nsec).unwrap_or(0);
@@ -40,7 +37,7 @@ fn timespec(time: Nanos) -> Timespec {
     Timespec { tv_sec: seconds, tv_nsec: (time.as_u64() % SECOND).try_into().unwrap_or(0) }
 }
 
-/// Returns a span of `seconds` (s), not negative, to the nearest nanosecond.
+/// Returns `seconds` (s), not negative, to the nearest nanosecond.
 pub fn from_seconds(seconds: f64) -> Nanos {
     Nanos::new(nearest_integer(seconds * 1e9))
 }

@@ -1,27 +1,27 @@
-//! Memory that is there when the tick needs it: no page is fetched while forces are on.
+//! Locked memory: no page is fetched while forces are on.
 
 use rustix::mm::{MlockAllFlags, mlockall};
 use rustix::process::{Resource, getrlimit};
 use rustix::thread::{CapabilitySet, capabilities};
 
-/// Stack that a tick may use; touched once so that it never faults.
+/// Stack that a tick may use, touched once so that it never faults.
 const STACK_BYTES: usize = 256 * 1024;
 
-/// What the system granted.
+/// Memory locks granted by the system.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Locked {
-    /// Pages present now stay in memory.
+    /// `true` if pages present now stay in memory.
     pub current: bool,
-    /// Pages mapped from now on stay in memory.
+    /// `true` if pages mapped from now on stay in memory.
     pub future: bool,
-    /// What to do if that is less than everything.
+    /// Remedy if not everything is locked.
     pub note: Option<String>,
 }
 
 /// Locks all memory of the process and touches the calling thread's stack.
 ///
-/// Future memory is locked only where no limit can be hit: with one, a later allocation of
-/// any thread would fail, which is worse than a page fault.
+/// Future memory is locked only where no limit applies: with one, a later allocation of any thread
+/// would fail, which is worse than a page fault.
 pub fn lock() -> Locked {
     let locked = if may_lock_without_limit() { lock_everything() } else { lock_current() };
     prefault_stack();
@@ -66,9 +66,8 @@ fn may_lock_without_limit() -> bool {
     unlimited || capable
 }
 
-/// Touches 256 KiB of stack below the caller, so that the kernel maps them now.
-///
-/// Each thread that ticks calls it once; locked pages then stay.
+/// Touches 256 KiB of stack below the caller, so that the kernel maps them now. Each thread that
+/// ticks calls it once; locked pages then stay.
 #[inline(never)]
 #[expect(
     clippy::large_stack_frames,
@@ -77,7 +76,7 @@ fn may_lock_without_limit() -> bool {
 )]
 pub fn prefault_stack() {
     let mut stack = [0_u8; STACK_BYTES];
-    // Without it the optimiser would see that the array is not read.
+    // The optimiser would otherwise remove the array, which is not read.
     std::hint::black_box(&mut stack);
 }
 
@@ -92,7 +91,7 @@ mod tests {
         let now = lock_current();
         let note = now.note.unwrap_or_default();
         assert_eq!(note.starts_with("Memory is locked, but"), now.current, "{note}");
-        // Other tests of this program must not pay for it.
+        // Other tests of this process must not run with locked memory.
         rustix::mm::munlockall().unwrap();
     }
 }

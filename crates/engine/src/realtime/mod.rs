@@ -1,16 +1,16 @@
-//! The tick on a real machine: clocks, priority, memory, lanes, the loop.
+//! The tick on a real machine.
 //!
-//! | module | what stands there |
+//! | module | content |
 //! |---|---|
-//! | [`clock`] | the only place that reads clocks and sleeps |
-//! | [`thread`], [`affinity`], [`memory`], [`wake_latency`] | what the system grants us, and what to do if it does not |
+//! | [`clock`] | the only module that reads clocks and sleeps |
+//! | [`thread`], [`affinity`], [`memory`], [`wake_latency`] | requests to the system, with advice |
 //! | [`pool`] | voices on one or several threads |
-//! | [`run`] | the loop in real time; [`virtual_time`] the same as fast as it will go |
-//! | [`baseline`] | what the machine does to a thread that does nothing |
-//! | [`stolen`] | what a hypervisor takes from the machine |
+//! | [`run`], [`virtual_time`] | the loop in real time, and without waiting |
+//! | [`baseline`] | a bare timer thread for comparison |
+//! | [`stolen`] | time that a hypervisor takes from the machine |
 //!
-//! Once a loop runs, its system calls are `clock_gettime`, `clock_nanosleep`, and with several
-//! lanes `futex` and `sched_yield`; nothing here allocates, locks or logs in a tick.
+//! A running loop makes the system calls `clock_gettime`, `clock_nanosleep`, and with several lanes
+//! `futex` and `sched_yield`; nothing here allocates, locks or logs in a tick.
 
 pub mod affinity;
 pub mod baseline;

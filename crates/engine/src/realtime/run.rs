@@ -1,4 +1,4 @@
-//! The loop in real time: sleep until due, poll, measure.
+//! The loop in real time: sleeps until due, polls, measures.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -14,13 +14,13 @@ use super::pool::{self, ThreadedLanes, WaitLimit};
 
 pub use hdrhistogram::CreationError;
 
-/// Longest time that a histogram tells apart (ns); longer ones count as this.
+/// Longest time that a histogram resolves (ns); longer ones count as this.
 const LONGEST: u64 = 1_000_000_000;
 
-/// Significant digits that a histogram keeps: 0.1 %.
+/// Significant digits of a histogram: 0.1 %.
 const DIGITS: u8 = 3;
 
-/// All that a tick touches.
+/// Objects that a tick uses.
 #[derive(Debug)]
 pub struct Assembly<'a, B, O> {
     pub scheduler: &'a mut Scheduler,
@@ -29,77 +29,74 @@ pub struct Assembly<'a, B, O> {
     pub observer: &'a mut O,
 }
 
-/// When a run ends: whichever comes first.
+/// End of a run: the first condition that holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Until<'a> {
-    /// Looked at before each tick.
+    /// Checked before each tick.
     pub stop: &'a AtomicBool,
-    /// Ticks until it is over, run or skipped; `None` for no limit.
+    /// Number of ticks, run or skipped; `None` for no limit.
     pub ticks: Option<u64>,
 }
 
 impl Until<'_> {
-    /// Returns whether a run of `ticks` ticks is over.
     pub(super) fn reached(&self, ticks: u64) -> bool {
         self.ticks.is_some_and(|limit| limit <= ticks) || self.stop.load(Ordering::Acquire)
     }
 }
 
-/// One tick as the loop saw it.
+/// One tick as measured by the loop.
 #[derive(Clone, Copy, Debug)]
 pub struct TickTiming {
     pub report: TickReport,
     pub times: TickTimes,
     pub outcome: Outcome,
-    /// `true` if voices had to wait although less than half of the tick's time was used: an error
-    /// of ours, which no load explains.
+    /// `true` if voices waited although less than half of the tick's time was used: an error of the
+    /// program, which no load explains.
     pub is_starved: bool,
 }
 
-/// Returns whether voices waited in a tick of `report` although it had time.
 fn is_starved(report: &TickReport, times: &TickTimes) -> bool {
     let slack = times.deadline.since(times.due).as_u64();
     0 < report.voices.waited && 2 * times.work.as_u64() < slack
 }
 
-/// Pauses that are remembered, each with its place in the run.
+/// Most pauses that are recorded.
 const MAX_PAUSES: usize = 1000;
 
-/// Ticks that were lost in a row.
+/// Sequence of lost ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Pause {
-    /// First tick after them.
+    /// First tick after the lost ones.
     pub tick: u64,
     pub lost: u64,
 }
 
-/// What a run measured, in memory that was there before it began.
+/// Measurements of a run, in memory allocated before it.
 #[derive(Debug)]
 pub struct Timings {
-    /// Woken − due of the tick that was slept for, run or skipped, in nanoseconds.
+    /// Woken − due of the tick that was slept for, run or skipped (ns).
     pub lateness: Histogram<u64>,
-    /// Samples in → forces out and observed, in nanoseconds of host time.
+    /// Time from samples received to forces sent and observed (ns of host time).
     pub turnaround: Histogram<u64>,
-    /// CPU time of the tick by its threads' clocks, in nanoseconds.
+    /// CPU time of the tick by its threads' clocks (ns).
     pub work: Histogram<u64>,
-    /// Voices' turns that were not ready in time and were held.
+    /// Turns that were not ready in time and were held.
     pub late_turns: u64,
-    /// Misses of ticks that had no time since simulated keys made up for ticks that were skipped.
+    /// Misses of ticks without time because simulated keys made up for skipped ticks.
     pub by_simulated_keys: u64,
-    /// The first 1000 pauses.
     pub pauses: Vec<Pause>,
-    /// Evaluations of the ticks that missed their deadlines by own work.
+    /// Evaluations of ticks that missed their deadlines by own work.
     evaluations: Histogram<u64>,
-    /// The most evaluations of a tick that was in time.
+    /// Most evaluations of a tick that was in time.
     most_in_time: u64,
     ledger: Ledger,
 }
 
 impl Timings {
-    /// Returns timings of no tick.
+    /// Returns empty timings.
     ///
     /// # Errors
-    /// If the histograms cannot be made, which their constants rule out.
+    /// If the histograms cannot be built, which their constants rule out.
     pub fn new() -> Result<Self, CreationError> {
         Ok(Self {
             lateness: histogram()?,
@@ -114,18 +111,17 @@ impl Timings {
         })
     }
 
-    /// Returns the ticks, misses by cause and skips so far.
     pub const fn counters(&self) -> Counters {
         self.ledger.counters()
     }
 
-    /// Returns the misses by own work of ticks in which voices took no more evaluations than in one
-    /// that was in time, before or after: no model took that time, by counts that no machine changes.
+    /// Returns the misses by own work of ticks with no more evaluations than one that was in time,
+    /// before or after: by counts that no machine changes, the model did not take that time.
     pub fn unexplained(&self) -> u64 {
         self.evaluations.count_between(0, self.most_in_time)
     }
 
-    /// Enters one tick that was woken `lateness` after the one that was slept for was due.
+    /// Records a tick that was woken `lateness` after the due time of the one slept for.
     fn enter(&mut self, lateness: Nanos, report: &TickReport, times: &TickTimes) -> Outcome {
         self.lateness.saturating_record(lateness.as_u64());
         self.turnaround.saturating_record(times.turnaround().as_u64());
@@ -155,14 +151,14 @@ pub fn histogram() -> Result<Histogram<u64>, CreationError> {
     Histogram::new_with_bounds(1, LONGEST, DIGITS)
 }
 
-/// Returns a scheduler on the heap, since it is large, whose forces change by at most `slew` (N/s) on
-/// their way to a voice; before the tick.
+/// Returns a scheduler on the heap, since it is large, with forces that change by at most `slew`
+/// (N/s) towards a voice; not for the tick.
 #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
 pub fn scheduler(timetable: Timetable, slew: f64) -> Box<Scheduler> {
     Box::new(Scheduler::new(timetable, slew))
 }
 
-/// Runs ticks as they become due, the next one at `start`, and hands each to `watch`.
+/// Runs ticks as they become due, the next one at `start`, and passes each to `watch`.
 ///
 /// # Real-time
 /// Allocates, locks and logs nothing; `watch` must not either.
@@ -188,9 +184,7 @@ pub fn run<B: KeyBus, O: TickObserver>(
     }
 }
 
-/// Disarms all keys and runs on until they feel the safe force.
-///
-/// Not measured: the performance is over.
+/// Disarms all keys and runs ticks, unmeasured, until they feel the safe force.
 pub fn ramp_down<B: KeyBus, O: TickObserver>(assembly: &mut Assembly<'_, B, O>) {
     assembly.scheduler.disarm();
     let fade_ticks = assembly.scheduler.timetable().period().ticks_in(FADE);
@@ -201,7 +195,6 @@ pub fn ramp_down<B: KeyBus, O: TickObserver>(assembly: &mut Assembly<'_, B, O>) 
     }
 }
 
-/// Polls once and measures around it.
 fn tick<B: KeyBus, O: TickObserver>(
     assembly: &mut Assembly<'_, B, O>,
 ) -> Option<(TickReport, TickTimes)> {
@@ -217,7 +210,7 @@ fn tick<B: KeyBus, O: TickObserver>(
     Some((report, TickTimes { due, deadline, woken, finished, work, simulated }))
 }
 
-/// Lanes must be done early enough for their forces to be out by `deadline`.
+/// Returns the limit for lanes, whose forces must be out by `deadline`.
 const fn patience(timetable: Timetable, deadline: Nanos) -> WaitLimit {
     let period = timetable.period().span(1);
     let reserve = Nanos::new(period.as_u64() / pool::RESERVE);

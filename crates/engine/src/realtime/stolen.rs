@@ -4,8 +4,8 @@ use std::fs;
 
 use rustix::param::clock_ticks_per_second;
 
-/// Returns the time that all processors together have lost since the machine was started \[s\];
-/// `None` where the kernel does not say.
+/// Returns the time that all processors together have lost since the machine started (s); `None`
+/// where the kernel does not count it.
 ///
 /// Not for the tick: reads a file.
 pub fn stolen() -> Option<f64> {
@@ -13,7 +13,7 @@ pub fn stolen() -> Option<f64> {
         .map(|ticks| ticks as f64 / clock_ticks_per_second() as f64)
 }
 
-/// The eighth number of the first line, which adds up all processors.
+/// Returns the eighth number of the first line, which adds up all processors.
 fn stolen_ticks(stat: &str) -> Option<u64> {
     let all = stat.lines().next()?.strip_prefix("cpu ")?;
     all.split_whitespace().nth(7)?.parse().ok()

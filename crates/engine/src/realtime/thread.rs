@@ -1,4 +1,4 @@
-//! How the calling thread is scheduled and where it runs, and whether the system granted it.
+//! Scheduling policy and processor of the calling thread, and the system's answer.
 
 use std::num::NonZeroU64;
 use std::time::Duration;
@@ -13,61 +13,57 @@ use thread_priority::{
 
 use super::affinity;
 
-/// Priority of the tick when a scene does not say: above the sound server, below the kernel's
-/// own threads that must run for us (`ksoftirqd`, timers).
+/// Default priority of the tick: above the sound server, below kernel threads on which the tick
+/// depends (`ksoftirqd`, timers).
 pub const DEFAULT_PRIORITY: u8 = 80;
 
-/// Shortest timer slack (ns): sleeps of a thread without real-time rights end up to 50 us late
-/// with the usual one.
+/// Shortest timer slack (ns). With the usual slack, sleeps of a thread without real-time rights end
+/// up to 50 us late.
 const SLACK: NonZeroU64 = NonZeroU64::MIN;
 
-/// What is asked of the system for threads with a deadline.
+/// Request to the system for threads with a deadline.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ThreadPlan {
     pub policy: WantedPolicy,
-    /// Processors, by their numbers: lane n runs on the n-th in turn; none for any.
+    /// Processors by number: lane n runs on the n-th in turn; empty for any.
     pub cpus: Vec<usize>,
 }
 
-/// The scheduling that is asked for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum WantedPolicy {
-    /// Nothing is asked: whatever the thread has.
+    /// No request: the thread keeps its policy.
     #[default]
     Ordinary,
     /// `SCHED_FIFO` at this priority, in `1 ..= 99`.
     Fifo(u8),
-    /// `SCHED_DEADLINE`: `runtime` of every `period`; `SCHED_FIFO` where it is refused. Such a
-    /// thread may start no other.
+    /// `SCHED_DEADLINE`: `runtime` of every `period`; `SCHED_FIFO` where it is refused. A thread
+    /// with this policy cannot start others.
     Deadline { runtime: Nanos, period: Nanos },
 }
 
 impl WantedPolicy {
-    /// `SCHED_FIFO` at the tick's priority.
     pub const FIFO: Self = Self::Fifo(DEFAULT_PRIORITY);
 
-    /// `SCHED_DEADLINE` for a tick of this period, of which it may use three quarters: the rest is
+    /// Returns `SCHED_DEADLINE` for a tick of this period and three quarters of it: the rest is
     /// left to others on a machine with one processor.
     pub const fn deadline(period: Nanos) -> Self {
         Self::Deadline { runtime: Nanos::new(period.as_u64() / 4 * 3), period }
     }
 }
 
-/// How the system schedules a thread.
+/// Scheduling of a thread as granted by the system.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SchedulingPolicy {
     /// Policy and priority, as `SCHED_FIFO 80` or `SCHED_OTHER`.
     pub policy: String,
-    /// What to do if this is not what was asked for, a sentence each.
+    /// Remedies where the policy is not the requested one, a sentence each.
     pub advice: Vec<String>,
 }
 
 impl ThreadPlan {
-    /// Asks for what is planned for lane `lane`, which the calling thread is; the tick's own is 0.
-    ///
-    /// The answer is what the system says afterwards, not what was asked for.
+    /// Requests the plan of `lane` for the calling thread; the tick's own lane is 0. Returns the
+    /// policy that the system reports afterwards, not the requested one.
     pub fn ask(&self, lane: usize) -> SchedulingPolicy {
-        // A thread may always set its own.
         let _set = set_current_timer_slack(Some(SLACK));
         let mut advice = Vec::new();
         if !self.cpus.is_empty() {
@@ -86,7 +82,7 @@ impl ThreadPlan {
         SchedulingPolicy { policy: current_policy(), advice }
     }
 
-    /// Returns the plan for a thread that does next to nothing beside the tick: a timer.
+    /// Returns the plan of a timer thread, which does next to nothing beside the tick.
     #[must_use]
     pub fn for_timer(&self) -> Self {
         let policy = match self.policy {
@@ -98,8 +94,7 @@ impl ThreadPlan {
         Self { policy, cpus: self.cpus.clone() }
     }
 
-    /// Returns the plan for a thread that must not hold up the tick, at the FIFO priority
-    /// `priority`, on any processor.
+    /// Returns the plan of a thread that must not delay the tick: FIFO `priority`, any processor.
     #[must_use]
     pub const fn below(&self, priority: u8) -> Self {
         let policy = match self.policy {
@@ -127,8 +122,8 @@ fn try_deadline(runtime: Nanos, period: Nanos) -> Result<(), String> {
         flags: DeadlineFlags::empty(),
     };
     let deadline = ThreadSchedulePolicy::Realtime(RealtimeThreadSchedulePolicy::Deadline);
-    // The library hands what it gets here to the kernel, for which 0 is the calling thread; its
-    // own number of a thread, as above, is one of the C library.
+    // The library hands this number to the kernel, for which 0 is the calling thread; its own
+    // number of a thread is one of the C library.
     set_thread_priority_and_policy(0, wanted, deadline).map_err(|_minus_one| {
         "SCHED_DEADLINE was refused, so SCHED_FIFO is asked for; no limit of a user allows it, so \
          give the program the capability (`sudo setcap cap_sys_nice,cap_ipc_lock+ep <letoff>`), \
@@ -168,7 +163,7 @@ mod tests {
 
     use super::*;
 
-    /// What a thread of its own is granted: it may really become a real-time thread.
+    /// Returns the policy granted to a new thread, which may really become a real-time thread.
     fn granted(policy: WantedPolicy, cpus: &[usize], lane: usize) -> SchedulingPolicy {
         let plan = ThreadPlan { policy, cpus: cpus.to_vec() };
         std::thread::spawn(move || plan.ask(lane)).join().unwrap()
@@ -196,7 +191,7 @@ mod tests {
             assert!(standing.advice[0].contains("setcap"), "{standing:?}");
             assert!(standing.policy == "SCHED_FIFO 80" || standing.advice.len() == 2);
         }
-        // More than there is, for whoever asks.
+        // More than one processor has, so any system refuses it.
         let (runtime, period) = (Nanos::from_millis(20), Nanos::from_millis(10));
         let refused = granted(WantedPolicy::Deadline { runtime, period }, &[], 0);
         assert!(refused.policy != "SCHED_DEADLINE", "{refused:?}");

@@ -1,7 +1,7 @@
-//! The same ticks as fast as they will go: time is whatever the next tick is due at.
+//! Ticks without waiting: each runs at its due time in virtual time.
 //!
-//! Lanes are waited for without limit, so the outcome depends on no clock, and is the same
-//! to the last bit with any number of lanes.
+//! Lanes are waited for without limit, so the outcome depends on no clock, and has the same bits
+//! with any number of lanes.
 
 use scheduler::port::{KeyBus, TickObserver};
 use scheduler::safety::FADE;
@@ -10,7 +10,7 @@ use scheduler::tick::TickReport;
 use super::pool::WaitLimit;
 use super::run::{Assembly, Until};
 
-/// Runs ticks, each exactly when it is due, and hands each report to `watch`.
+/// Runs ticks, each at its due time, and passes each report to `watch`.
 pub fn run<B: KeyBus, O: TickObserver>(
     assembly: &mut Assembly<'_, B, O>,
     until: Until<'_>,
@@ -26,7 +26,7 @@ pub fn run<B: KeyBus, O: TickObserver>(
     }
 }
 
-/// Disarms all keys and runs ticks on until they feel the safe force.
+/// Disarms all keys and runs ticks until they feel the safe force.
 pub fn ramp_down<B: KeyBus, O: TickObserver>(assembly: &mut Assembly<'_, B, O>) {
     assembly.scheduler.disarm();
     let fade_ticks = assembly.scheduler.timetable().period().ticks_in(FADE);
@@ -36,7 +36,6 @@ pub fn ramp_down<B: KeyBus, O: TickObserver>(assembly: &mut Assembly<'_, B, O>) 
     }
 }
 
-/// Runs the next tick when it is due.
 fn tick<B: KeyBus, O: TickObserver>(assembly: &mut Assembly<'_, B, O>) -> Option<TickReport> {
     let Assembly { scheduler, bus, lanes, observer } = assembly;
     let due = scheduler.next_due();

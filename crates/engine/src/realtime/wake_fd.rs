@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use rustix::event::{EventfdFlags, PollFd, PollFlags, Timespec, eventfd, poll};
 
-/// An eventfd that one thread makes ready and another waits for.
+/// An eventfd that one thread signals and another waits for.
 #[derive(Debug)]
 pub struct WakeFd(OwnedFd);
 
 impl WakeFd {
-    /// Returns a descriptor that is not ready yet.
+    /// Returns a descriptor that is not signalled.
     ///
     /// # Errors
     /// If the system has no descriptor left.
@@ -19,19 +19,19 @@ impl WakeFd {
         Ok(Self(eventfd(0, EventfdFlags::NONBLOCK | EventfdFlags::CLOEXEC)?))
     }
 
-    /// Makes the descriptor ready; never waits.
+    /// Signals the descriptor; never waits.
     ///
     /// # Real-time
-    /// One non-blocking write. A descriptor that is ready already may refuse it, which is as good.
+    /// One non-blocking write. It may fail if the descriptor is signalled already.
     pub fn ring(&self) {
         let _already_ringing = rustix::io::write(&self.0, &1_u64.to_ne_bytes());
     }
 
-    /// Waits until the descriptor is ready, or `patience` is over; not for the tick.
+    /// Waits until the descriptor is signalled, or `patience` is over; not for the tick.
     pub fn wait(&self, patience: Duration) {
         let timeout = Timespec::try_from(patience).ok();
         let mut fds = [PollFd::new(&self.0, PollFlags::IN)];
-        // Whether it rang, timed out or was interrupted: the caller looks into its ring.
+        // The caller checks its ring in any case: signalled, timed out or interrupted.
         let _why = poll(&mut fds, timeout.as_ref());
         let _silenced = rustix::io::read(&self.0, &mut [0_u8; 8]);
     }

@@ -1,29 +1,26 @@
-//! Processors that do not fall so deeply asleep between ticks that waking takes long.
+//! Limit on the sleep states of processors between ticks, so that waking up stays short.
 
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Write as _};
 use std::path::Path;
 
-/// Where the kernel is told how long waking may take, for as long as the file is open.
+/// Device that limits the time to wake up, for as long as the file is open.
 const PLACE: &str = "/dev/cpu_dma_latency";
 
-/// Waking is kept short while this lives, if it was asked for.
+/// Keeps the time to wake up short while it lives, if it was requested.
 #[derive(Debug, Default)]
 pub struct HeldLatency {
     file: Option<File>,
-    /// What to do if it is not.
+    /// Remedy if the latency is not held.
     pub advice: Option<String>,
 }
 
 impl HeldLatency {
-    /// Asks that waking take no time, if the kernel can be asked.
-    ///
-    /// Not for the tick: opens a file.
+    /// Requests a wake-up time of zero, if the kernel supports it. Not for the tick: opens a file.
     pub fn hold() -> Self {
         Self::hold_at(Path::new(PLACE))
     }
 
-    /// Returns whether the kernel was told.
     pub const fn is_held(&self) -> bool {
         self.file.is_some()
     }
@@ -35,7 +32,7 @@ impl HeldLatency {
         });
         match told {
             Ok(file) => Self { file: Some(file), advice: None },
-            // A kernel without this has no such states, or no way to avoid them.
+            // A kernel without this device has no such states, or no way to avoid them.
             Err(error) if error.kind() == ErrorKind::NotFound => Self { file: None, advice: None },
             Err(error) => {
                 let advice = format!(

@@ -1,7 +1,6 @@
-//! The real pool, scheduler and loop go through disturbances: no voice waits while there is time.
+//! The real pool, scheduler and loop under disturbances: no voice waits while there is time.
 //!
-//! Voices burn processor time by their thread's clock, so other programs change nothing that is
-//! asserted here.
+//! Voices use processor time by their thread's clock, so other programs do not affect the results.
 #![expect(clippy::unwrap_used, reason = "a test may stop here")]
 
 use std::num::NonZeroUsize;
@@ -21,13 +20,12 @@ use scheduler::work::{TurnLimit, VoiceKind};
 
 const HZ: u32 = 1000;
 
-/// Ticks after a disturbance from which on no voice may wait.
+/// Ticks after a disturbance until no voice may wait.
 const RECOVERY: u64 = 100;
 
-/// A key that is disturbed.
 const DISTURBED: usize = 40;
 
-/// Burns this much of the calling thread's processor time (ns).
+/// Uses `time` of the calling thread's processor time (ns).
 fn burn(time: f64) {
     let start = clock::thread_cpu();
     while (clock::thread_cpu().since(start).as_u64() as f64) < time {
@@ -35,10 +33,9 @@ fn burn(time: f64) {
     }
 }
 
-/// What a voice burns in a tick: units of work, and the time of all of them (ns).
+/// Work of a voice in a tick: units, and the time of all of them (ns).
 type Burden = Arc<dyn Fn(u64) -> (u32, f64) + Send + Sync>;
 
-/// A voice that works as its burden says, within its limit.
 struct Burner {
     kind: u32,
     burden: Burden,
@@ -58,7 +55,6 @@ impl Voice for Burner {
     }
 
     fn limit_work(&mut self, limit: TurnLimit) {
-        // All of its steps are alike.
         self.limit = limit.early;
     }
 
@@ -83,16 +79,13 @@ impl KeyBus for StillKeys {
     fn send(&mut self, _tick: u64, _forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {}
 }
 
-/// What happened to voices in a run.
+/// Events of voices in a run.
 #[derive(Default)]
 struct TurnLog {
-    /// Ticks that were run.
     ticks: usize,
-    /// Ticks with the number of voices that waited in them.
+    /// Ticks and the number of voices that waited in each.
     waits: Vec<(u64, usize)>,
-    /// Units of work of the disturbed key in each tick in which it failed.
     failed: Vec<(u64, u32)>,
-    /// Ticks in which the disturbed key was muted.
     muted: Vec<u64>,
 }
 
@@ -113,7 +106,7 @@ impl TickObserver for TurnLog {
 }
 
 impl TurnLog {
-    /// Asserts that no voice waited but within the recovery after a disturbance.
+    /// Asserts that voices waited only within the recovery after a disturbance.
     #[track_caller]
     fn check(&self, disturbances: &[Range<u64>], situation: &str) {
         let is_expected = |tick: &u64| {
@@ -125,8 +118,7 @@ impl TurnLog {
     }
 }
 
-/// Runs `voices` in real time for `ticks`, or until `between`, which may change them after each tick,
-/// has enough.
+/// Runs `voices` in real time for `ticks`, or until `between`, called after each tick, breaks.
 fn log(
     voices: Vec<(usize, BoxedVoice)>,
     n_lanes: usize,
@@ -156,7 +148,7 @@ fn log(
     log
 }
 
-/// Voices of 2 units of 500 ns on all keys; the disturbed one burns more.
+/// Returns voices of 2 units of 500 ns on all keys; the disturbed one has `burden`.
 fn light_but(
     burden: impl Fn(u64) -> (u32, f64) + Send + Sync + 'static,
 ) -> Vec<(usize, BoxedVoice)> {
@@ -166,7 +158,6 @@ fn light_but(
     voices
 }
 
-/// Nothing is changed during a run.
 const fn left_alone(_tick: u64, _swaps: &mut VoiceSwaps) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
@@ -175,7 +166,6 @@ const fn left_alone(_tick: u64, _swaps: &mut VoiceSwaps) -> ControlFlow<()> {
 fn one_slow_tick_in_a_quiet_moment_starves_no_voice() {
     for n_lanes in 1..=2 {
         for (index, slow) in [0.5e6, 0.6e6, 1e6, 2e6, 5e6, 20e6].into_iter().enumerate() {
-            // Also the very first tick that anything is learned from.
             let at = [0, 250][index % 2];
             let voices = light_but(move |tick| (2, if tick == at { slow } else { 1000.0 }));
             let log = log(voices, n_lanes, 500, left_alone);
@@ -208,13 +198,12 @@ fn a_machine_that_is_slow_for_a_while_starves_no_voice_when_it_is_quick_again() 
 #[test]
 fn a_voice_that_fails_in_each_turn_gets_a_tenth_of_its_lane_and_makes_none_wait() {
     for n_lanes in 1..=2 {
-        // 20 ms of work in a turn.
         let voices = light_but(|tick| if 200 <= tick { (40_000, 20e6) } else { (2, 1000.0) });
         let log = log(voices, n_lanes, 500, left_alone);
         log.check(&[], &format!("{n_lanes} lanes"));
         let (failed, muted) = (log.failed.first().unwrap().0, log.muted.first().unwrap());
         assert!(log.failed.len() <= 4 && muted - failed <= 50, "{:?}", log.failed);
-        // A unit takes 500 ns and what the voice takes to begin, so no more than 180 of them fit.
+        // A unit takes 500 ns and a turn some time to begin, so no more than 180 units fit.
         for (tick, units) in &log.failed {
             assert!(*units <= 180, "{units} units in tick {tick}");
         }

@@ -1,4 +1,4 @@
-//! Which lane runs which key: each is to compute as much as the others.
+//! Balance of the lanes: each is to compute as much as the others.
 
 use scheduler::motion::KEYS;
 use scheduler::slot::Slot;
@@ -7,29 +7,29 @@ use scheduler::voice::VoiceOutput;
 
 use super::worker::boxed_array;
 
-/// What a turn costs beside its units of work, in units.
+/// Cost of a turn beside its units of work, in units.
 const TURN: u64 = 4;
 
 /// Turns over which work is averaged.
 const SPAN: u64 = 16;
 
-/// A difference between lanes that is not worth a move is this part of the larger load.
+/// Inverse of the fraction of the larger load by which lanes must differ for a move.
 const WORTH: u64 = 8;
 
-/// Lane 0 may wait for the others for this part of its own time before they are taken for slower.
+/// Inverse of the fraction of lane 0's time that it may wait before the others count as slower.
 const WAIT: u64 = 16;
 
-/// The lag of other lanes changes by this part of all work in a tick.
+/// Inverse of the fraction of all work by which the lag of other lanes changes in a tick.
 const LAG_STEP: u64 = 256;
 
-/// Units of work of voices of late, and how much later the other lanes begin.
+/// Recent work of voices in units, and the lag of the other lanes.
 #[derive(Debug)]
 pub(super) struct MeasuredWork {
-    /// The moving average, times [`SPAN`].
+    /// Moving average, times [`SPAN`].
     work: Box<[u64; KEYS]>,
     /// Keys whose voices rested in their last turn, a bit each.
     asleep: u128,
-    /// What lane 0 does while the others wake up, in the unit of `work`.
+    /// Work of lane 0 while the others wake up, in the unit of `work`.
     lag: u64,
 }
 
@@ -38,7 +38,7 @@ impl MeasuredWork {
         Self { work: boxed_array(), asleep: 0, lag: 0 }
     }
 
-    /// Takes note of a tick; what was held says nothing.
+    /// Learns from a tick; held turns do not count.
     pub(super) fn learn(&mut self, turns: &[VoiceOutput; KEYS]) {
         for (key, (average, turn)) in self.work.iter_mut().zip(turns).enumerate() {
             if turn.late {
@@ -50,7 +50,7 @@ impl MeasuredWork {
         }
     }
 
-    /// Takes note of how long lane 0 took for its voices, and then waited for those of the others.
+    /// Learns from the time of lane 0's voices, and its wait for those of the others.
     pub(super) fn learn_lag(&mut self, inline: Nanos, waiting: Nanos) {
         let all: u64 = self.work.iter().sum();
         let step = all / LAG_STEP;
@@ -61,23 +61,22 @@ impl MeasuredWork {
         };
     }
 
-    /// What another lane has to do beside its voices.
+    /// Returns the work of another lane beside its voices.
     pub(super) const fn lag(&self) -> u64 {
         self.lag
     }
 
-    /// Whether the voice of `key` rested in its last turn.
+    /// Returns `true` if the voice of `key` rested in its last turn.
     pub(super) const fn is_asleep(&self, key: usize) -> bool {
         self.asleep >> key & 1 == 1
     }
 
-    /// What all of `slots` take together.
     pub(super) fn of<V>(&self, slots: &[Slot<V>]) -> u64 {
         slots.iter().map(|slot| self.work[slot.key()]).sum()
     }
 
-    /// Which of `slots`, of a lane with load `most`, goes to one with load `least`: the one that
-    /// leaves them most equal, if that is worth it.
+    /// Returns the one of `slots` to move from a lane with load `most` to one with load `least`:
+    /// that which leaves them most equal, if it is worth a move.
     pub(super) fn to_move<V>(&self, slots: &[Slot<V>], most: u64, least: u64) -> Option<usize> {
         let gap = most.checked_sub(least).filter(|gap| most < WORTH * gap)?;
         let work = |index: &usize| self.work[slots[*index].key()];
@@ -92,7 +91,7 @@ mod tests {
 
     use super::*;
 
-    /// What is known after many ticks in which each key did `work` units.
+    /// Returns the measured work after many ticks in which each key did `work` units.
     fn after(work: impl Fn(usize) -> u32) -> MeasuredWork {
         let mut measured = MeasuredWork::new();
         let mut turns = boxed_array::<VoiceOutput>();

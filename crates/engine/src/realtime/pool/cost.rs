@@ -1,9 +1,9 @@
-//! Cost of work, as lanes were seen to do it.
+//! Cost of work, learned from the lanes.
 //!
-//! Each tick of each lane teaches: what its turns should have cost by the costs that are known is
-//! compared with the processor's time that they took. A tick moves a cost by a bounded step, so
-//! that an outlier, in whichever direction, counts no more than a usual tick does. Steps are
-//! fractions of the time since a cost was last learned, so that an old cost is given up as soon as
+//! Each tick of each lane compares the expected cost of its turns with the processor time that they
+//! took. A tick moves a cost by a bounded step, so that an outlier in either direction counts no
+//! more than a usual tick. Steps are fractions of the time since a cost was last learned, so that
+//! an old cost is given up as soon as its kind of voice works again.
 //! its kind of voice works again.
 
 use scheduler::slot::Slot;
@@ -16,7 +16,7 @@ use scheduler::work::{
 use super::WaitLimit;
 use crate::realtime::clock;
 
-/// Time in which a cost that is wrong by a factor of e is given up (s).
+/// Time in which a cost that is off by a factor of e is given up (s).
 const MEMORY: f64 = 20e-3;
 
 /// Largest change of a cost in one tick, however long ago it was learned.
@@ -25,18 +25,16 @@ const MAX_STEP: f64 = 0.5;
 /// Smallest cost of a unit or a turn (ns).
 const MIN_COST: f64 = 0.1;
 
-/// Voices at rest that wake up have this fraction of a lane's time, beside those that move.
+/// Fraction of a lane's time for voices at rest that wake up, beside those that move.
 const AT_REST: f64 = 0.125;
 
 /// Fraction of its time that lane 0 keeps, whatever a tick takes beside its lanes.
 const MIN_INLINE: f64 = 0.25;
 
-/// What a lane did in one tick.
+/// Work of a lane in one tick.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LaneWork {
-    /// Turns that were run.
     turns: u32,
-    /// Units of work of each kind of voice.
     units: [(VoiceKind, u32); MAX_KINDS],
     n_kinds: usize,
 }
@@ -45,7 +43,6 @@ impl LaneWork {
     pub(super) const NONE: Self =
         Self { turns: 0, units: [(VoiceKind(0), 0); MAX_KINDS], n_kinds: 0 };
 
-    /// Adds the `turns` of `slots` that did not wait.
     pub(super) fn add<V: Voice>(&mut self, slots: &mut [Slot<V>], turns: &[VoiceOutput]) {
         for slot in slots {
             let turn = &turns[slot.key()];
@@ -56,7 +53,7 @@ impl LaneWork {
         }
     }
 
-    /// Adds `units` of a kind; those of a kind for which there is no room are left out.
+    /// Adds `units` of a kind, unless there is no room for another kind.
     fn add_units(&mut self, kind: VoiceKind, units: u32) {
         let known = self.units[..self.n_kinds].iter_mut().find(|(it, _)| *it == kind);
         if let Some((_, sum)) = known {
@@ -72,13 +69,12 @@ impl LaneWork {
     }
 }
 
-/// A time that is learned (ns).
+/// Learned time (ns).
 #[derive(Clone, Copy, Debug)]
 struct LearnedTime {
     ns: f64,
-    /// The tick in which it was learned last.
+    /// Tick in which it was learned last.
     tick: u64,
-    /// How often it was learned.
     samples: u32,
 }
 
@@ -87,8 +83,8 @@ impl LearnedTime {
         Self { ns, tick, samples: 1 }
     }
 
-    /// Moves towards a measurement in `tick` of `period` (s): the whole took `ratio` times the expected
-    /// time, and this part is the fraction `weight` of it.
+    /// Moves towards a measurement in `tick` of `period` (s): the whole took `ratio` times the
+    /// expected time, and this time is the fraction `weight` of it.
     fn follow(&mut self, ratio: f64, weight: f64, (tick, period): (u64, f64)) {
         let passed = tick.saturating_sub(self.tick).max(1) as f64 * period;
         let early = 1.0 / f64::from(self.samples.saturating_add(1));
@@ -103,18 +99,17 @@ impl LearnedTime {
 #[derive(Debug)]
 pub(super) struct CostModel {
     learned: WorkCosts,
-    /// Costs where no clock decides.
+    /// Costs for virtual time, where no clock decides.
     constant: WorkCosts,
-    /// A turn without work, once one was seen.
+    /// Turn without work, once one was measured.
     turn: Option<LearnedTime>,
-    /// A unit of work of each kind, in the order of `learned`.
+    /// Unit of work of each kind, in the order of `learned`.
     units: [Option<(VoiceKind, LearnedTime)>; MAX_KINDS],
-    /// What a tick takes beside its lanes.
+    /// Time of a tick beside its lanes.
     beside: LearnedTime,
 }
 
 impl CostModel {
-    /// Returns costs before anything is learned.
     pub(super) const fn new() -> Self {
         Self {
             learned: WorkCosts::unknown(),
@@ -125,17 +120,16 @@ impl CostModel {
         }
     }
 
-    /// Begins with a cost of a unit of a kind (ns), before the first tick.
+    /// Sets the initial cost of a unit of a kind (ns), before the first tick.
     pub(super) fn expect(&mut self, kind: VoiceKind, unit: f64) {
         self.begin(kind, LearnedTime::new(unit.max(MIN_COST), 0));
     }
 
-    /// Sets the cost of a unit where no clock decides (ns).
+    /// Sets the cost of a unit for virtual time (ns).
     pub(super) const fn set_constant(&mut self, unit: f64) {
         self.constant = WorkCosts::constant(unit);
     }
 
-    /// Returns the costs by which a tick is run.
     pub(super) const fn costs(&self, patience: WaitLimit) -> &WorkCosts {
         match patience {
             WaitLimit::Endless => &self.constant,
@@ -158,7 +152,6 @@ impl CostModel {
         }
     }
 
-    /// Learns from a lane whose turns took no work.
     fn learn_turns(&mut self, work: &LaneWork, cpu: f64, at: (u64, f64)) {
         let each = cpu / f64::from(work.turns);
         let turn = self.turn.get_or_insert(LearnedTime::new(each, at.0));
@@ -166,7 +159,6 @@ impl CostModel {
         self.learned.turn = turn.ns;
     }
 
-    /// Learns of units of known kinds.
     fn learn_units(&mut self, work: &LaneWork, cpu: f64, at: (u64, f64)) {
         let expected = self.expected(work);
         for (index, entry) in self.units.iter_mut().enumerate() {
@@ -177,7 +169,7 @@ impl CostModel {
         }
     }
 
-    /// Begins with what the units of unknown kinds seem to have cost, all alike.
+    /// Divides the cost of units of unknown kinds evenly, as their first value.
     fn begin_kinds(&mut self, work: &LaneWork, cpu: f64, at: (u64, f64)) {
         let expected = self.expected(work);
         let is_unknown = |(kind, _): &&(VoiceKind, u32)| self.learned.unit(*kind).is_none();
@@ -192,7 +184,7 @@ impl CostModel {
         }
     }
 
-    /// Returns what a lane's work should have cost, as far as that is known (ns).
+    /// Returns the expected cost of a lane's work (ns), as far as it is known.
     fn expected(&self, work: &LaneWork) -> f64 {
         let units = work.kinds().iter().filter_map(|(kind, units)| {
             self.learned.unit(*kind).map(|unit| f64::from(*units) * unit)
@@ -200,13 +192,13 @@ impl CostModel {
         f64::from(work.turns) * self.learned.turn.max(MIN_COST) + units.sum::<f64>()
     }
 
-    /// Learns that the last tick took `cpu` beside its lanes.
+    /// Learns from a tick that took `cpu` beside its lanes.
     pub(super) fn learn_beside(&mut self, cpu: Nanos, at: (u64, f64)) {
         let ratio = cpu.as_u64() as f64 / self.beside.ns;
         self.beside.follow(ratio, 1.0, at);
     }
 
-    /// Remembers a kind, in the place of the one that was learned least of late if there is none left.
+    /// Adds a kind; without room it replaces the kind that was learned longest ago.
     fn begin(&mut self, kind: VoiceKind, unit: LearnedTime) {
         let free = self.units.iter().position(Option::is_none);
         let index = free.or_else(|| {
@@ -218,8 +210,8 @@ impl CostModel {
         self.learned.set(index, kind, unit.ns);
     }
 
-    /// Returns the time of lane 0 (ns): that of a lane less what ticks take beside their lanes, where
-    /// a clock decides.
+    /// Returns the time of lane 0 (ns): that of a lane, less the time of ticks beside their lanes
+    /// where a clock decides.
     pub(super) fn inline_time(&self, patience: WaitLimit, hz: u32) -> f64 {
         let time = patience.lane_time(hz);
         match patience {
@@ -232,9 +224,9 @@ impl CostModel {
 /// A lane's time in a tick by its thread's clock.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CpuClock {
-    /// Reading of the clock when the lane began.
+    /// Reading of the thread's clock when the lane began.
     began: Nanos,
-    /// What the lane has (ns); infinite where no clock decides.
+    /// Time of the lane (ns); infinite where no clock decides.
     time: f64,
 }
 
@@ -248,8 +240,8 @@ impl LaneClock for CpuClock {
     }
 }
 
-/// Returns the budget of those voices of a lane that move, or of those at rest, where the lane has
-/// `time` (ns) and began when its thread's clock read `began`.
+/// Returns the budget of a lane's moving or resting voices, where the lane has `time` (ns) and
+/// began when its thread's clock read `began`.
 pub(super) fn budget(
     costs: &WorkCosts,
     (patience, is_moving): (WaitLimit, bool),

@@ -1,5 +1,3 @@
-//! A voice whose panic is caught: only its own key is lost.
-
 use std::any::Any;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,30 +9,29 @@ use scheduler::values::ModelValues;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 use scheduler::work::{TurnLimit, VoiceKind};
 
-/// A voice of any kind, on whichever lane.
+/// Voice of any kind, on any lane.
 pub type BoxedVoice = Box<dyn Voice + Send>;
 
-/// A voice that is never called again once it has panicked.
+/// Voice that is never called again once it has panicked, so only its own key is lost.
 ///
-/// A panic is a bug, so unlike a model that diverged it is not tried again: its key stays at
-/// the safe force until another voice is put in.
+/// A panic is a bug, so unlike a diverged model the voice is not tried again: its key stays at the
+/// safe force until another voice replaces it.
 pub struct PanicGuard {
     voice: BoxedVoice,
     panicked: bool,
 }
 
 impl PanicGuard {
-    /// Guards the lane against `voice`.
     pub fn new(voice: BoxedVoice) -> Self {
         Self { voice, panicked: false }
     }
 
-    /// Does `work` on the voice; nothing, now and later, once it has panicked.
+    /// Does `work` on the voice; nothing once it has panicked.
     fn guarded<T>(&mut self, work: impl FnOnce(&mut BoxedVoice) -> T) -> Option<T> {
         if self.panicked {
             return None;
         }
-        // The voice's state may be broken after unwinding, and is never used again.
+        // The state may be broken after unwinding, and is never used again.
         let done = catch_unwind(AssertUnwindSafe(|| work(&mut self.voice))).ok();
         self.panicked = done.is_none();
         done

@@ -1,4 +1,4 @@
-//! Turns that came too late: what of them is kept, and counted.
+//! Late turns: their notes are kept, and they are counted.
 
 use scheduler::motion::KEYS;
 use scheduler::port::TickOutput;
@@ -8,18 +8,18 @@ use scheduler::voice::{Events, VoiceOutput};
 use super::WaitLimit;
 use super::worker::{Batch, boxed_array};
 
-/// What became of lanes, counted since the start.
+/// Counts of late shares since the start.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct LaneCounters {
-    /// Ticks of a lane that were not ready in time, or not all of them.
+    /// Ticks of a lane with a share that was not ready in time.
     pub late: u64,
-    /// Shares that came late and took more CPU time than a punctual tick has.
+    /// Late shares that took more CPU time than a punctual tick has.
     pub late_own_work: u64,
-    /// Shares that were not run at all, because their tick had passed.
+    /// Shares that were not run because their tick had passed.
     pub passed: u64,
 }
 
-/// What must not be lost of a key's turns that came too late to be felt.
+/// Note events of a key's late turns.
 #[derive(Clone, Debug, Default)]
 pub struct LateResult {
     events: Events,
@@ -27,18 +27,18 @@ pub struct LateResult {
 }
 
 impl LateResult {
-    /// Keeps what `turn`, which came too late, says.
+    /// Keeps the events of `turn`, which came too late.
     pub fn keep(&mut self, turn: &VoiceOutput) {
         self.events.extend(&turn.events);
         self.fresh |= turn.fresh || turn.fault.is_some();
     }
 
-    /// Puts what was kept before the events of `turn`.
+    /// Inserts the kept events before those of `turn`.
     pub fn hand_over(&mut self, turn: &mut VoiceOutput) {
         let mut events = std::mem::take(&mut self.events);
         events.extend(&turn.events);
         turn.events = events;
-        // A force that is held is the old one; the next that is not will be fresh.
+        // A held force is the old one; the next force that is not held will be fresh.
         turn.fresh |= self.fresh && !turn.late;
         self.fresh &= turn.late;
     }
@@ -48,11 +48,11 @@ impl LateResult {
     }
 }
 
-/// What is kept of all keys.
+/// Late results of all keys.
 #[derive(Debug)]
 pub(super) struct LateResults {
     kept: Box<[LateResult; KEYS]>,
-    /// In which of the ticks before this one they were run, of those that came back since the last.
+    /// For keys that came back since the last tick: the earlier ticks in which they were run.
     ran: Box<[Option<u32>; KEYS]>,
     any: bool,
     pub(super) counters: LaneCounters,
@@ -68,7 +68,7 @@ impl LateResults {
         }
     }
 
-    /// Keeps what `batch`, which came back too late for `tick` or before, says of its keys.
+    /// Keeps the results of `batch`, which came back too late for `tick` or earlier.
     pub(super) fn keep(&mut self, tick: u64, batch: &Batch) {
         self.any = true;
         for slot in &batch.slots {
@@ -87,7 +87,7 @@ impl LateResults {
         }
     }
 
-    /// Puts what was kept before the events of this tick, and says of late turns what is known.
+    /// Inserts the kept events before those of this tick, and completes the late turns.
     pub(super) fn hand_over(&mut self, output: &mut TickOutput<'_>) {
         if !self.any {
             return;

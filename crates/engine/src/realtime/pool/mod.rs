@@ -1,7 +1,7 @@
 //! Voices on one or several threads.
 //!
-//! Lane 0 runs on the tick's own thread; every other lane on a thread of its own, started at
-//! set-up. With one lane no thread, clock or atomic is involved.
+//! Lane 0 runs on the tick's own thread, every other lane on its own, started at set-up. With one
+//! lane no thread, clock or atomic is involved.
 //!
 //! ```text
 //! tick's thread                                lane n's thread
@@ -11,15 +11,15 @@
 //!   collect     ◀─────────── ring ───────────── batches with turns
 //! ```
 //!
-//! Voices travel with the batches and are with the tick between ticks. They are shared out by
-//! their counted evaluations of late, one move in a tick, so that lanes end together: those on
-//! other threads, which must wake up first, have less to do the longer lane 0 waits for them.
-//! What a voice computes does not depend on where it is.
+//! Voices travel with the batches and belong to the tick's thread between ticks. They are shared
+//! out by their recent counted evaluations, one move in a tick, so that lanes end together: lanes
+//! on other threads, which must wake up first, have less to do the longer lane 0 waits for them. A
+//! voice's results do not depend on its lane.
 //!
-//! Collecting spins until all lanes are done or the time for it is over. What is not done keeps
-//! its previous forces, marked late: voices at rest before all, since they are run last. When its
-//! turns arrive later, their forces are dropped, by tick number, but what happened to the notes
-//! is passed on with the next tick: a lost damper would leave a note hanging.
+//! Collecting spins until all lanes are done or its time is over. Voices that are not done keep
+//! their previous forces, marked late: those at rest first, since they are run last. When their
+//! turns arrive later, the forces are dropped, by tick number, but the note events are passed on
+//! with the next tick: a lost damper would leave a note hanging.
 
 mod balance;
 mod cost;
@@ -59,28 +59,27 @@ use share::RemoteLane;
 use swap::InnerEnd;
 use worker::{AWAKE, Batch, LaneRules, PoolState, Remote};
 
-/// Looks at the rings between two offers of the processor to others.
+/// Checks of the rings between two offers of the processor to other threads.
 const LOOKS_PER_YIELD: u64 = 64;
 
-/// Part of a period that is kept free after the lanes, for safety, sending and observing: a tenth.
+/// Part of a period kept free after the lanes, for safety, sending and observing: a tenth.
 pub(super) const RESERVE: u64 = 10;
 
-/// How long the tick waits for lanes.
+/// Time that the tick waits for lanes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum WaitLimit {
-    /// As long as it takes. No clock decides anything then, which virtual time needs.
+    /// No limit. No clock decides anything then, as virtual time requires.
     Endless,
-    /// Until host time is `time`; a tick that begins when it is due has `share` of it.
+    /// Until host time `time`.
     Until {
-        /// When forces must be on their way.
         time: Nanos,
-        /// What lanes have in a punctual tick.
+        /// Lanes' time in a punctual tick.
         share: Nanos,
     },
 }
 
 impl WaitLimit {
-    /// What lanes have in a punctual tick, if the tick waits for them until some time.
+    /// Returns the lanes' time in a punctual tick, if it is limited.
     fn share(self) -> Option<Nanos> {
         match self {
             Self::Until { share, .. } => Some(share).filter(|share| *share != Nanos::ZERO),
@@ -88,7 +87,6 @@ impl WaitLimit {
         }
     }
 
-    /// Returns the time of a lane in a tick of a rate `hz` (ns).
     const fn lane_time(self, hz: u32) -> f64 {
         match self {
             Self::Until { share, .. } if share.as_u64() != 0 => share.as_u64() as f64,
@@ -104,7 +102,6 @@ impl WaitLimit {
     }
 }
 
-/// Runs voices on threads.
 ///
 /// # Real-time
 /// A tick allocates, locks and frees nothing, unless a voice panics, and ends by its patience.
@@ -119,11 +116,11 @@ pub struct ThreadedLanes {
     patience: WaitLimit,
     latecomers: LateResults,
     times: LaneTimes,
-    /// The tick that is run, and its period (s).
+    /// Tick that is run, and its period (s).
     at: (u64, f64),
 }
 
-/// CPU times of the last tick that concern more than its own thread.
+/// CPU times of the last tick on all threads.
 #[derive(Clone, Copy, Debug, Default)]
 struct LaneTimes {
     inline: Nanos,
@@ -133,14 +130,13 @@ struct LaneTimes {
 
 impl ThreadedLanes {
     /// Shares `voices`, each with its key, among `n_lanes` and starts their threads by `plan`.
-    ///
-    /// The second value is the way to put in other voices later.
+    /// Returns the lanes and the means to change voices later.
     ///
     /// # Errors
-    /// If the system gives no thread.
+    /// If the system provides no thread.
     ///
     /// # Panics
-    /// If there is no such key.
+    /// If a key does not exist.
     pub fn start(
         voices: Vec<(usize, BoxedVoice)>,
         n_lanes: NonZeroUsize,
@@ -181,20 +177,19 @@ impl ThreadedLanes {
         self.cost.set_constant(unit);
     }
 
-    /// Begins with a measured cost of a unit of work of a `kind` of voice (ns).
+    /// Sets the initial, measured cost of a unit of work of a `kind` of voice (ns).
     pub fn expect_cost(&mut self, kind: VoiceKind, unit: f64) {
         self.cost.expect(kind, unit);
     }
 
-    /// Sets how long ticks wait for lanes from now on.
     pub const fn set_patience(&mut self, patience: WaitLimit) {
         self.patience = patience;
     }
 
-    /// CPU time that the last tick needed, if its own thread used `cpu`; what that took beside the
-    /// lanes is remembered for their budgets.
+    /// Returns the CPU time of the last tick, with `cpu` that of its own thread; the part beside
+    /// the lanes is kept for their budgets.
     ///
-    /// Time spent waiting for lanes does not count; a lane that took longer than lane 0 does.
+    /// Waiting for lanes does not count; the excess of a lane that took longer than lane 0 does.
     pub fn work_of_tick(&mut self, cpu: Nanos) -> Nanos {
         let LaneTimes { inline, waiting, slowest } = self.times;
         let own = cpu.since(waiting);
@@ -202,17 +197,14 @@ impl ThreadedLanes {
         own.after(slowest.since(inline))
     }
 
-    /// What became of lanes so far.
     pub const fn counters(&self) -> LaneCounters {
         self.latecomers.counters
     }
 
-    /// How the system schedules the other lanes' threads.
     pub fn standings(&self) -> impl Iterator<Item = &SchedulingPolicy> {
         self.remotes.iter().map(|lane| &lane.remote.standing)
     }
 
-    /// Runs lane 0's voices on this thread.
     fn run_inline(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         let costs = self.cost.costs(self.patience);
         let time = self.cost.inline_time(self.patience, input.rules.hz);
@@ -225,7 +217,6 @@ impl ThreadedLanes {
         }
     }
 
-    /// Learns what the work of this tick cost, where a clock decides.
     fn learn_costs(&mut self, turns: &[VoiceOutput; KEYS]) {
         if self.patience.share().is_none() {
             return;
@@ -239,7 +230,7 @@ impl ThreadedLanes {
         }
     }
 
-    /// Makes lanes equal: one voice goes from the lane with the most to do to that with the
+    /// Balances the lanes: moves one voice from the lane with the most to do to that with the
     /// least, of those that are not late.
     fn share_out(&mut self) {
         self.remotes.iter_mut().for_each(|lane| lane.sort(&self.measured));
@@ -253,7 +244,6 @@ impl ThreadedLanes {
             .and_then(|slots| Some(slots.swap_remove(measured.to_move(slots, most, least)?)));
         let Some(slot) = choice else { return };
         if let Some(slots) = slots_of(&mut self.inline, &mut self.remotes, to) {
-            // Never grows: there is room for all keys.
             slots.push(slot);
         }
     }
@@ -266,7 +256,6 @@ impl ThreadedLanes {
         }
     }
 
-    /// Returns the rules of the other lanes in a tick.
     const fn lane_rules(&self, input: &TickInput<'_>) -> LaneRules {
         LaneRules {
             patience: self.patience,
@@ -275,7 +264,6 @@ impl ThreadedLanes {
         }
     }
 
-    /// Spins until all lanes are done or the time for it is over.
     fn collect(&mut self, input: &TickInput<'_>, output: &mut TickOutput<'_>) {
         let rules = self.lane_rules(input);
         for look in 1_u64.. {
@@ -284,7 +272,7 @@ impl ThreadedLanes {
                 return;
             }
             if look.is_multiple_of(LOOKS_PER_YIELD) {
-                // A lane of the same priority may be waiting for this very processor.
+                // A lane of equal priority may be waiting for this processor.
                 thread::yield_now();
             } else {
                 std::hint::spin_loop();
@@ -292,7 +280,7 @@ impl ThreadedLanes {
         }
     }
 
-    /// Takes what is there; says whether a lane is still worth waiting for.
+    /// Takes back finished shares; returns `true` if a lane is still worth waiting for.
     fn look(
         &mut self,
         input: &TickInput<'_>,
@@ -302,14 +290,13 @@ impl ThreadedLanes {
         let mut waiting = false;
         for lane in &mut self.remotes {
             lane.take_back(input.tick, output, &mut self.latecomers);
-            // What just came back from an earlier tick may still be in time for this one.
+            // A share that just came back from an earlier tick may still be in time for this one.
             lane.give(input, rules);
             waiting |= lane.is_awaited(self.patience);
         }
         waiting
     }
 
-    /// Holds the forces of what is not done.
     fn hold_late(&mut self, output: &mut TickOutput<'_>) {
         for lane in &self.remotes {
             self.times.slowest = self.times.slowest.max(lane.cpu());
@@ -318,7 +305,7 @@ impl ThreadedLanes {
     }
 }
 
-/// The slots of lane `number` that are run first, if they are at home.
+/// Returns the first-run slots of lane `number`, if they are at home.
 fn slots_of<'a>(
     inline: &'a mut Vec<Slot<PanicGuard>>,
     remotes: &'a mut [RemoteLane],
@@ -366,7 +353,7 @@ impl Drop for ThreadedLanes {
     fn drop(&mut self) {
         self.shared.stop.store(true, Ordering::Release);
         for lane in self.remotes.drain(..) {
-            // One that panicked has been reported as faulty voices all along.
+            // A lane that panicked has been reported as faulty voices already.
             let _ended_well = lane.remote.join();
         }
     }

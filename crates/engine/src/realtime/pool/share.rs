@@ -1,5 +1,3 @@
-//! A lane on another thread as the tick sees it: two shares, and where each is.
-
 use scheduler::motion::KEYS;
 use scheduler::port::{TickInput, TickOutput};
 use scheduler::slot::Slot;
@@ -13,50 +11,47 @@ use super::fence::PanicGuard;
 use super::latecomers::LateResults;
 use super::worker::{AWAKE, Batch, LaneRules, Remote, SHARES};
 
-/// A lane on another thread.
+/// Lane on another thread as the tick sees it, in two shares.
 #[derive(Debug)]
 pub(super) struct RemoteLane {
     pub(super) remote: Remote,
     shares: [Share; SHARES],
 }
 
-/// Some of a lane's keys.
 #[derive(Debug)]
 struct Share {
-    /// At home between ticks, and away with the lane while it is run.
+    /// Present between ticks; away with the lane while it is run.
     batch: Option<Box<Batch>>,
-    /// The keys of the batch when it was given last.
+    /// Keys of the batch when it was sent last.
     keys: Vec<usize>,
     stands: ShareState,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ShareState {
-    /// Has nothing to run, or is not given this tick yet.
+    /// Nothing to run, or not sent in this tick yet.
     Home,
-    /// The lane has this tick.
+    /// The lane runs this tick.
     Running,
     Done {
         cpu: Nanos,
     },
-    /// The lane still has an earlier tick, and has had it for so many.
+    /// The lane still has a batch of an earlier tick, and has had it for so many.
     Behind {
         ticks: u32,
     },
     Lost,
 }
 
-/// The slot of a key.
 pub(super) enum SlotPlace<'a> {
     Here(&'a mut Slot<PanicGuard>),
-    /// Being run, or lost with its lane.
+    /// With the lane, or lost with it.
     Away {
         lost: bool,
     },
 }
 
 impl RemoteLane {
-    /// Returns the lane with all of its keys at home.
     pub(super) fn new(remote: Remote, batches: [Box<Batch>; SHARES]) -> Self {
         let shares = batches.map(|batch| {
             let keys = Vec::with_capacity(batch.slots.capacity());
@@ -65,7 +60,7 @@ impl RemoteLane {
         Self { remote, shares }
     }
 
-    /// Takes back what is late, and takes every share for not given in `tick`.
+    /// Takes back late batches, and marks every share as not sent in `tick`.
     pub(super) fn begin(
         &mut self,
         tick: u64,
@@ -85,7 +80,7 @@ impl RemoteLane {
         }
     }
 
-    /// Puts voices that rest into the share that is run last, and those that woke into the first.
+    /// Moves voices that rest into the share that is run last, and those that woke into the first.
     pub(super) fn sort(&mut self, measured: &MeasuredWork) {
         let [Some(awake), Some(asleep)] = self.shares.each_mut().map(|it| it.batch.as_mut()) else {
             return;
@@ -94,7 +89,7 @@ impl RemoteLane {
         sift(&mut asleep.slots, &mut awake.slots, |key| !measured.is_asleep(key));
     }
 
-    /// What the lane has to do, if all of it is at home and will be run.
+    /// Returns the lane's work, if all of it is at home and will be run.
     pub(super) fn load(&self, measured: &MeasuredWork) -> Option<u64> {
         let load = |share: &Share| {
             let batch = share.batch.as_ref().filter(|_| share.stands != ShareState::Lost)?;
@@ -104,12 +99,12 @@ impl RemoteLane {
         Some(voices? + measured.lag())
     }
 
-    /// The slots that are run first, if they are at home.
+    /// Returns the slots that are run first, if they are at home.
     pub(super) fn awake(&mut self) -> Option<&mut Vec<Slot<PanicGuard>>> {
         self.shares[AWAKE].batch.as_mut().map(|batch| &mut batch.slots)
     }
 
-    /// Where the slot of `key` is, if it is one of the lane's.
+    /// Returns the place of the slot of `key`, if it belongs to the lane.
     pub(super) fn place(&mut self, key: usize) -> Option<SlotPlace<'_>> {
         self.shares.iter_mut().find_map(|share| match &mut share.batch {
             Some(batch) => batch.slots.iter_mut().find(|it| it.key() == key).map(SlotPlace::Here),
@@ -120,28 +115,24 @@ impl RemoteLane {
         })
     }
 
-    /// Gives the lane its shares of this tick that are at home and not given yet, with what each
-    /// may take.
+    /// Sends the lane its shares of this tick that are at home and unsent, with their budgets.
     pub(super) fn give(&mut self, input: &TickInput<'_>, rules: &LaneRules) {
         let Self { remote, shares } = self;
         for share in shares.iter_mut().filter(|it| it.stands == ShareState::Home) {
             let Some(batch) = share.batch.take_if(|it| !it.slots.is_empty()) else { continue };
             share.keys.clear();
-            // Never grows: there is room for all keys.
             share.keys.extend(batch.slots.iter().map(Slot::key));
             remote.send(batch, input, rules);
             share.stands = ShareState::Running;
         }
     }
 
-    /// Takes back what the lane has finished.
     pub(super) fn take_back(
         &mut self,
         tick: u64,
         output: &mut TickOutput<'_>,
         latecomers: &mut LateResults,
     ) {
-        // Bounded by the lane's batches.
         while let Some(batch) = self.remote.take() {
             let share = &mut self.shares[batch.share];
             share.stands = match batch.ran {
@@ -161,8 +152,8 @@ impl RemoteLane {
         }
     }
 
-    /// Whether the lane is worth waiting for: one that is behind by more than a tick is only if
-    /// there is no limit.
+    /// Returns `true` if the lane is worth waiting for: one that is behind by more than a tick only
+    /// if there is no limit.
     pub(super) fn is_awaited(&self, patience: WaitLimit) -> bool {
         self.shares.iter().any(|share| match share.stands {
             ShareState::Running => true,
@@ -171,7 +162,7 @@ impl RemoteLane {
         })
     }
 
-    /// CPU time of the lane's shares that are done.
+    /// Returns the CPU time of the lane's finished shares.
     pub(super) fn cpu(&self) -> Nanos {
         self.shares.iter().fold(Nanos::ZERO, |sum, share| match share.stands {
             ShareState::Done { cpu } => sum.after(cpu),
@@ -182,7 +173,6 @@ impl RemoteLane {
         })
     }
 
-    /// Work of the lane's shares that are done.
     pub(super) fn work(&mut self, turns: &[VoiceOutput; KEYS]) -> LaneWork {
         let mut work = LaneWork::NONE;
         let is_done = |share: &&mut Share| matches!(share.stands, ShareState::Done { .. });
@@ -192,7 +182,7 @@ impl RemoteLane {
         work
     }
 
-    /// Holds the forces of what is not done; says whether that is anything.
+    /// Holds the forces of unfinished shares; returns `true` if there are any.
     pub(super) fn hold_late(&self, output: &mut TickOutput<'_>) -> bool {
         let mut any = false;
         for share in &self.shares {
@@ -213,7 +203,7 @@ impl RemoteLane {
     }
 }
 
-/// Moves the slots whose keys belong there.
+/// Moves the slots with keys for which `belongs` holds.
 fn sift(
     from: &mut Vec<Slot<PanicGuard>>,
     to: &mut Vec<Slot<PanicGuard>>,
@@ -222,7 +212,6 @@ fn sift(
     let mut index = 0;
     while let Some(slot) = from.get(index) {
         if belongs(slot.key()) {
-            // Neither grows: there is room for all keys in each.
             to.push(from.swap_remove(index));
         } else {
             index += 1;

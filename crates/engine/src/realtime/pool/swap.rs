@@ -1,4 +1,4 @@
-//! Voices and values in between ticks, without the tick waiting or freeing memory.
+//! Changes of voices and values between ticks, without the tick waiting or freeing memory.
 
 use std::fmt;
 use std::thread;
@@ -13,17 +13,17 @@ use scheduler::values::ModelValues;
 use super::fence::{BoxedVoice, PanicGuard};
 use super::share::{RemoteLane, SlotPlace};
 
-/// Changes that are made in one tick; a whole instrument takes several ticks.
+/// Changes made in one tick; a whole instrument takes several ticks.
 const MAX_CHANGES_PER_TICK: usize = 4;
 
-/// How long changes wait for those that were sent before them.
+/// Time that changes wait for those sent before them.
 const ROOM_WITHIN: Duration = Duration::from_millis(250);
 
-/// Why a change was not taken; it is given back.
+/// Rejected change, which is returned.
 pub enum Refused {
-    /// No voice was set up for that key.
+    /// The key has no voice.
     NoSuchVoice(Box<VoiceChange>),
-    /// As many changes are waiting as there are keys; try again after some ticks.
+    /// As many changes are waiting as there are keys; room is free after some ticks.
     Full(Box<VoiceChange>),
 }
 
@@ -47,10 +47,9 @@ impl fmt::Display for Refused {
 
 impl std::error::Error for Refused {}
 
-/// What is said when the ring is full.
 const TOO_MANY: &str = "too many voices are waiting to be put in; try again";
 
-/// The end that sends changes to the voices; it also frees voices that come out.
+/// Sending end for changes to voices; it also frees replaced voices.
 #[derive(Debug)]
 pub struct VoiceSwaps {
     into: Producer<QueuedChange>,
@@ -58,21 +57,20 @@ pub struct VoiceSwaps {
     has_voice: [bool; KEYS],
 }
 
-/// A change on its way to a key.
 #[derive(Debug)]
 struct QueuedChange {
     key: usize,
     change: VoiceChange,
 }
 
-/// What becomes of a key's voice.
+/// Change to a key's voice.
 #[expect(clippy::large_enum_variant, reason = "the tick must free nothing, a box of values either")]
 pub enum VoiceChange {
-    /// Another voice takes its place, at rest where the key is.
+    /// Replaces the voice by another, at rest where the key is.
     Replace(BoxedVoice),
-    /// Another voice takes its place and goes on where it is, as far as both have the same state.
+    /// Replaces the voice by another that continues from its state, as far as both share it.
     Succeed(BoxedVoice),
-    /// It keeps its state and gets other values for its model.
+    /// Changes the values of the voice's model and keeps its state.
     Retune(ModelValues),
 }
 
@@ -87,10 +85,9 @@ impl fmt::Debug for VoiceChange {
 }
 
 impl VoiceSwaps {
-    /// Sends `change` to the voice of `key`, which it reaches at one of the next ticks, after
-    /// those sent before.
+    /// Sends `change` to the voice of `key`, for one of the next ticks, after earlier changes.
     ///
-    /// Whatever it is, safety blends the new force in. Not for the tick.
+    /// Safety blends the new force in. Not for the tick.
     ///
     /// # Errors
     /// If the key has no voice to change, or too many changes are waiting.
@@ -103,11 +100,11 @@ impl VoiceSwaps {
         pushed.map_err(|PushError::Full(it)| Refused::Full(Box::new(it.change)))
     }
 
-    /// Waits until changes for all of `keys` would be taken, a quarter of a second at most: a whole
-    /// instrument that was just sent takes several ticks. Not for the tick.
+    /// Waits for room for changes of all `keys`, a quarter of a second at most: a whole instrument
+    /// that was just sent takes several ticks. Not for the tick.
     ///
     /// # Errors
-    /// Why they would not, in a sentence.
+    /// The reason why there is no room.
     pub fn wait_for_room(&mut self, keys: &[usize]) -> Result<(), String> {
         if let Some(key) = keys.iter().find(|key| !self.has_voice.get(**key).is_some_and(|it| *it))
         {
@@ -126,20 +123,18 @@ impl VoiceSwaps {
         }
     }
 
-    /// Frees the voices that were replaced and returns how many. Not for the tick.
     pub fn drain(&mut self) -> usize {
         std::iter::from_fn(|| self.out.pop().ok()).count()
     }
 }
 
-/// The end that the tick holds.
+/// Receiving end, held by the tick.
 #[derive(Debug)]
 pub(super) struct InnerEnd {
     into: Consumer<QueuedChange>,
     out: Producer<PanicGuard>,
 }
 
-/// Rings with room for a change of every key.
 pub(super) fn rings(has_voice: [bool; KEYS]) -> (VoiceSwaps, InnerEnd) {
     let (into, from_outside) = RingBuffer::new(KEYS);
     let (to_outside, out) = RingBuffer::new(KEYS);
@@ -147,9 +142,9 @@ pub(super) fn rings(has_voice: [bool; KEYS]) -> (VoiceSwaps, InnerEnd) {
 }
 
 impl InnerEnd {
-    /// Makes the changes that are waiting, while there is room for what comes out and the next
-    /// one's key is at home; writes what is seen of their voices into `observed`, so that a
-    /// recording tells before which tick they were made, also if that is late.
+    /// Makes the waiting changes, while there is room for replaced voices and the next key is at
+    /// home. Observes changed voices into `observed`, so that a recording has the tick of each
+    /// change, even of a late voice.
     ///
     /// # Real-time
     /// At most [`MAX_CHANGES_PER_TICK`] moves of a pointer or models built; frees nothing.
@@ -168,7 +163,7 @@ impl InnerEnd {
             let place = here.or_else(|| remotes.iter_mut().find_map(|it| it.place(key)));
             let mut slot = match place {
                 Some(SlotPlace::Here(slot)) => Some(slot),
-                // Its lane is late: the changes behind wait as well, so that they stay in order.
+                // Its lane is late: later changes wait as well, so that they stay in order.
                 Some(SlotPlace::Away { lost: false }) => return,
                 Some(SlotPlace::Away { lost: true }) | None => None,
             };
@@ -186,7 +181,7 @@ impl InnerEnd {
 }
 
 impl QueuedChange {
-    /// Makes the change, and returns the voice that is left over, which must be freed elsewhere.
+    /// Makes the change, and returns the replaced voice, which must be freed elsewhere.
     fn apply(self, slot: Option<&mut Slot<PanicGuard>>) -> Option<PanicGuard> {
         match self.change {
             VoiceChange::Replace(voice) => {
@@ -198,7 +193,7 @@ impl QueuedChange {
                 Some(if let Some(slot) = slot { slot.succeed(voice) } else { voice })
             }
             VoiceChange::Retune(values) => {
-                // A voice that does not take them has panicked, and stays at the safe force.
+                // A voice that rejects them has panicked, and stays at the safe force.
                 let _taken = slot.is_some_and(|slot| slot.retune(&values));
                 None
             }

@@ -1,10 +1,9 @@
-//! A lane on a thread of its own: batches of a tick travel there and back, with their voices.
+//! Lane on its own thread: batches of a tick travel there and back, with their voices.
 //!
-//! Each lane has two batches, made at set-up: the voices that move, and those that rest. The tick
-//! fills and sends them; the lane runs them in this order and sends each back when it is done, so
-//! that a lane that is not done in time may have done what is felt. A batch whose tick has passed
-//! before the lane came to it is sent back as it is, so that a lane that was held up joins the
-//! present instead of running after it.
+//! Each lane has two batches, allocated at set-up: the moving voices, and those at rest. The tick
+//! fills and sends them; the lane runs them in this order and sends each back when it is done, so a
+//! lane that misses its time has computed moving voices first. A batch with a past tick is sent
+//! back unrun, so that a delayed lane joins the present instead of running after it.
 
 use std::io;
 use std::sync::Arc;
@@ -29,47 +28,44 @@ use super::fence::PanicGuard;
 use crate::realtime::thread::{SchedulingPolicy, ThreadPlan};
 use crate::realtime::{clock, memory};
 
-/// Shares of a lane: [`AWAKE`], and what rests.
+/// Shares of a lane: [`AWAKE`], and the voices at rest.
 pub(super) const SHARES: usize = 2;
 
-/// The share that is run first.
+/// Share that is run first.
 pub(super) const AWAKE: usize = 0;
 
 /// Stack of a lane's thread; all of it is locked into memory.
 const STACK_BYTES: usize = 1024 * 1024;
 
-/// One tick of some voices on its way to a lane and back.
+/// Voices of one tick on their way to a lane and back.
 #[derive(Debug)]
 pub(super) struct Batch {
-    /// Which of the lane's shares it is.
     pub(super) share: usize,
-    /// The voices, with room for all keys.
+    /// Voices, with room for all keys.
     pub(super) slots: Vec<Slot<PanicGuard>>,
     pub(super) tick: u64,
     samples: [KeySample; KEYS],
     followed: FollowedKeys,
     rules: TickRules,
-    /// Valid for the lane's keys if the batch was run.
+    /// Turns, valid for the lane's keys if the batch was run.
     pub(super) turns: Box<[VoiceOutput; KEYS]>,
-    /// Valid for those keys that were looked at in this tick.
+    /// Observations, valid for keys observed in this tick.
     observed: Box<[VoiceObservation; KEYS]>,
-    /// CPU time that the lane took; none if the batch came too late to be run.
+    /// CPU time of the lane; `None` if the batch came too late to be run.
     pub(super) ran: Option<Nanos>,
     pub(super) lane_rules: LaneRules,
 }
 
-/// Rules of a lane in a tick.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LaneRules {
-    /// How long the tick waits for it.
+    /// Time that the tick waits for the lane.
     pub(super) patience: WaitLimit,
     pub(super) costs: WorkCosts,
-    /// What it has (ns).
+    /// Time of the lane (ns).
     pub(super) time: f64,
 }
 
 impl Batch {
-    /// Returns a batch of `slots`, not run yet.
     pub(super) fn new(share: usize, mut slots: Vec<Slot<PanicGuard>>) -> Box<Self> {
         slots.reserve_exact(KEYS - slots.len());
         Box::new(Self {
@@ -90,7 +86,7 @@ impl Batch {
         })
     }
 
-    /// Runs each voice for the batch's tick, which begins when the thread's clock reads `began`.
+    /// Runs each voice for the batch's tick, which began when the thread's clock read `began`.
     fn run(&mut self, began: Nanos) {
         let Self { tick, samples, followed, rules, slots, turns, observed, lane_rules, .. } = self;
         let input = TickInput { tick: *tick, samples, followed: *followed, rules: *rules };
@@ -99,7 +95,7 @@ impl Batch {
         run_slots(slots, budget, &input, &mut TickOutput { turns, observed });
     }
 
-    /// Copies what the voices did, and what is new of what is seen of them.
+    /// Copies the turns and new observations.
     pub(super) fn write(&self, output: &mut TickOutput<'_>) {
         for key in self.slots.iter().map(Slot::key) {
             let (turn, seen) = (&self.turns[key], &self.observed[key]);
@@ -113,16 +109,15 @@ impl Batch {
     }
 }
 
-/// What the tick's thread and all lanes see of each other besides the rings.
+/// State shared by the tick's thread and all lanes, besides the rings.
 #[derive(Debug, Default)]
 pub(super) struct PoolState {
-    /// The tick that is being run.
+    /// Tick that is being run.
     pub(super) current: AtomicU64,
-    /// Lanes end at the next look.
+    /// `true` if lanes shall end at their next check.
     pub(super) stop: AtomicBool,
 }
 
-/// The tick's end of a lane on another thread.
 #[derive(Debug)]
 pub(super) struct Remote {
     pub(super) standing: SchedulingPolicy,
@@ -132,10 +127,7 @@ pub(super) struct Remote {
 }
 
 impl Remote {
-    /// Starts a thread for lane `number`.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
+    /// Starts a thread for lane `number`; an error if the system provides none.
     pub(super) fn start(
         number: usize,
         shared: Arc<PoolState>,
@@ -148,7 +140,7 @@ impl Remote {
         let thread = builder.stack_size(STACK_BYTES).spawn(move || {
             let standing = plan.ask(number);
             memory::prefault_stack();
-            // If the other end is gone, `shared` says stop as well.
+            // Without a receiver, `shared` is set to stop as well.
             say.send(standing).unwrap_or_default();
             work(received, finished, &shared);
         })?;
@@ -156,7 +148,6 @@ impl Remote {
         Ok(Self { standing, todo, done, thread })
     }
 
-    /// Sends the lane a batch of this tick.
     pub(super) fn send(
         &mut self,
         mut batch: Box<Batch>,
@@ -170,28 +161,28 @@ impl Remote {
         self.thread.thread().unpark();
     }
 
-    /// The next batch that came back.
+    /// Returns the next batch that came back.
     pub(super) fn take(&mut self) -> Option<Box<Batch>> {
         self.done.pop().ok()
     }
 
-    /// The lane's thread has ended, which only a bug of ours can do, and nothing is left of it.
+    /// Returns `true` if the lane's thread ended, which only a bug can cause, and no batch is left.
     pub(super) fn is_lost(&self) -> bool {
         self.done.is_abandoned() && self.done.is_empty()
     }
 
-    /// Waits for the thread, which has been told to stop; `false` if it had panicked.
+    /// Waits for the thread, which has been stopped; returns `false` if it panicked.
     pub(super) fn join(self) -> bool {
         self.thread.thread().unpark();
         self.thread.join().is_ok()
     }
 }
 
-/// The lane's thread: runs what comes, sleeps when nothing does.
+/// Runs the batches that arrive on the lane's thread, which sleeps without one.
 fn work(mut todo: Consumer<Box<Batch>>, mut done: Producer<Box<Batch>>, shared: &PoolState) {
     while !shared.stop.load(Ordering::Acquire) {
         let Ok(mut batch) = todo.pop() else {
-            // An unpark between the look and here makes this return at once.
+            // An unpark between the check and this call makes it return at once.
             thread::park();
             continue;
         };
@@ -205,7 +196,7 @@ fn work(mut todo: Consumer<Box<Batch>>, mut done: Producer<Box<Batch>>, shared: 
     }
 }
 
-/// Returns an array of defaults that never was on the stack.
+/// Returns an array of defaults that was never on the stack.
 pub(super) fn boxed_array<T: Clone + Default>() -> Box<[T; KEYS]> {
     vec![T::default(); KEYS]
         .into_boxed_slice()

@@ -1,4 +1,4 @@
-//! The loop from end to end with toy voices; what is asserted does not depend on timing.
+//! The loop from end to end with toy voices; no assertion depends on timing.
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::AtomicBool;
@@ -15,7 +15,6 @@ use super::run::{Assembly, Timings, Until, ramp_down, run};
 use super::thread::ThreadPlan;
 use super::{clock, virtual_time};
 
-/// Tick rate of these tests: a run of some ticks takes a few milliseconds.
 const HZ: u32 = 10_000;
 
 struct Spring;
@@ -28,7 +27,7 @@ impl Voice for Spring {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-/// Keys that are held down 5 mm; remembers what was sent.
+/// Keys that are held down 5 mm; records the sent forces.
 struct HeldKeys {
     sent: Vec<(u64, u64)>,
 }
@@ -53,7 +52,7 @@ fn timetable(start: Nanos) -> Timetable {
     Timetable::new(start, Period::from_hz(HZ).unwrap())
 }
 
-/// Calls `test` with a whole assembly on `n_lanes`, and returns what was sent to key 60.
+/// Calls `test` with an assembly on `n_lanes`, and returns the forces sent to key 60.
 fn with_assembly(
     n_lanes: usize,
     test: impl FnOnce(&mut Assembly<'_, HeldKeys, Nobody>),
@@ -131,7 +130,6 @@ fn every_tick_of_a_run_in_real_time_is_measured_and_accounted_for() {
 fn a_ramp_ends_at_the_safe_force() {
     let sent = with_assembly(1, |assembly| {
         virtual_time::run(assembly, ticks(300), |_| {});
-        // From here on in real time.
         assembly.scheduler.resume_at(clock::monotonic());
         ramp_down(assembly);
     });

@@ -1,4 +1,4 @@
-//! Nothing here depends on timing: a lane that must be late waits for the test.
+//! No test depends on timing: a lane that must be late waits for the test.
 
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
@@ -12,7 +12,7 @@ use scheduler::overload::Simplifications;
 use scheduler::port::TickRules;
 use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
 
-/// A force that depends on every sample since the start, and work that comes and goes.
+/// Voice with a force that depends on every sample since the start, and varying work.
 struct Echo {
     key: usize,
     sum: f64,
@@ -22,7 +22,7 @@ impl Voice for Echo {
     fn tick(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
         self.sum = 0.99 * self.sum + sample.position * (1.0 + self.key as f64).sqrt();
         turn.force = self.sum.sin() + tick as f64;
-        // Now some keys have most to do, now others, and now and then each rests.
+        // The work moves between the keys, and each rests at times.
         let part = tick / 50 + self.key as u64;
         turn.work.units = 10 * u32::try_from(part % 7).unwrap().pow(3);
         turn.idle = part.is_multiple_of(3);
@@ -37,17 +37,16 @@ impl Voice for Echo {
     }
 }
 
-/// Waits for the other side of a test, which answers at once or, if the test has failed, never.
+/// Waits for the other side of a test, which never answers if the test has failed.
 fn wait_for(other: &Receiver<()>) -> Result<(), RecvTimeoutError> {
     other.recv_timeout(Duration::from_secs(20))
 }
 
-/// Says that it has begun `at` a tick, then waits to be told to go on, and strikes.
+/// Voice that reports its start `at` a tick, then waits for the test, and strikes.
 struct Blocking {
     at: u64,
     begun: Sender<()>,
     go_on: Receiver<()>,
-    /// The tick that was run last.
     last: u64,
 }
 
@@ -70,7 +69,6 @@ impl Voice for Blocking {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-/// Panics at tick 3, as only a bug can.
 struct Panicking;
 
 impl Voice for Panicking {
@@ -82,7 +80,7 @@ impl Voice for Panicking {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-/// Frees itself loudly.
+/// Voice that reports when it is freed.
 struct Dropping(Sender<()>);
 
 impl Voice for Dropping {
@@ -95,7 +93,7 @@ impl Voice for Dropping {
 
 impl Drop for Dropping {
     fn drop(&mut self) {
-        // The test may not be listening any more.
+        // The test may have ended.
         self.0.send(()).unwrap_or_default();
     }
 }
@@ -104,7 +102,6 @@ fn echoes() -> Vec<(usize, BoxedVoice)> {
     (0..KEYS).map(|key| (key, Box::new(Echo { key, sum: 0.0 }) as BoxedVoice)).collect()
 }
 
-/// All keys echo, but `key` is played by `voice`.
 fn echoes_but(key: usize, voice: impl Voice + Send + 'static) -> Vec<(usize, BoxedVoice)> {
     let mut voices = echoes();
     voices[key].1 = Box::new(voice);
@@ -116,7 +113,6 @@ fn start(voices: Vec<(usize, BoxedVoice)>, n_lanes: usize) -> (ThreadedLanes, Vo
         .unwrap()
 }
 
-/// Lanes with their turns, run tick by tick.
 struct Run {
     lanes: ThreadedLanes,
     turns: Box<[VoiceOutput; KEYS]>,
@@ -140,7 +136,7 @@ impl Run {
         &self.turns
     }
 
-    /// What is seen of `key`: in which of the last ticks it was run, and its first state.
+    /// Returns the observation of `key`: its last ticks and its first state.
     fn seen(&self, key: usize) -> (u32, f64) {
         (self.observed[key].ran, self.observed[key].snapshot.state[0])
     }
@@ -154,7 +150,6 @@ impl Run {
 fn any_number_of_lanes_gives_the_same_bits() {
     let [mut one, mut two, mut three] =
         [1, 2, 3].map(|n_lanes| Run::new(start(echoes(), n_lanes).0));
-    // A gap, as if the host had skipped ticks.
     for tick in (0..300).chain(310..400) {
         let expected = one.force_bits(tick);
         assert_eq!(two.force_bits(tick), expected, "tick {tick}");
@@ -165,10 +160,10 @@ fn any_number_of_lanes_gives_the_same_bits() {
     assert_eq!(three.lanes.counters(), LaneCounters::default());
 }
 
-/// No patience at all: what is not there at the first look is late.
+/// No patience: a share that is not back at the first check is late.
 const NONE: WaitLimit = WaitLimit::Until { time: Nanos::ZERO, share: Nanos::ZERO };
 
-/// A key of lane 1 of 2, and one of lane 0.
+/// Keys of lane 1 of 2, and of lane 0.
 const ELSEWHERE: usize = 40;
 const INLINE: usize = 39;
 
@@ -204,7 +199,6 @@ fn a_late_lane_holds_its_forces_and_its_notes_arrive_with_the_next_tick() {
     assert!(late == 1 && 0 < late_own_work && late_own_work + passed <= 2);
 }
 
-/// The same force always; rests or works.
 struct Steady {
     work: u32,
     is_at_rest: bool,
@@ -219,7 +213,7 @@ impl Voice for Steady {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-/// Rests, and at tick 2 says so and waits to be told to go on.
+/// Voice at rest that reports tick 2 and waits for the test.
 struct Sleeping(Sender<()>, Receiver<()>);
 
 impl Voice for Sleeping {
@@ -234,7 +228,7 @@ impl Voice for Sleeping {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-/// Holds lane 0 at tick 2 until it hears of another.
+/// Voice that holds lane 0 at tick 2 until another one reports.
 struct Listening(Receiver<()>);
 
 impl Voice for Listening {
@@ -271,7 +265,6 @@ fn a_late_lane_costs_keys_at_rest_before_those_that_move() {
 #[test]
 fn lanes_become_equal_wherever_the_work_is() {
     for n_lanes in 2..=4 {
-        // All the work is on one lane at first.
         let work =
             |key| if lane_of(key, n_lanes) == 1 { 50 + u32::try_from(key).unwrap() } else { 0 };
         let voice = |key| Box::new(Steady { work: work(key), is_at_rest: false }) as BoxedVoice;
@@ -304,7 +297,7 @@ fn a_lane_that_was_held_up_joins_the_present_and_tells_which_ticks_it_ran() {
         assert!(run.tick(tick)[ELSEWHERE].late, "tick {tick}");
         assert_eq!(run.seen(ELSEWHERE), (0, 0.0), "tick {tick}: as it was");
     }
-    // Tick 1 is still running, and 2 to 9 were not even given.
+    // Tick 1 is still running, and 2 to 9 were not sent.
     go.send(()).unwrap();
     run.lanes.set_patience(WaitLimit::Endless);
     let turn = run.tick(10)[ELSEWHERE];
@@ -314,13 +307,13 @@ fn a_lane_that_was_held_up_joins_the_present_and_tells_which_ticks_it_ran() {
     assert_eq!(run.lanes.counters().late, 9);
 }
 
-/// Strikes in each tick but the first, after it was told to go on.
+/// Strikes in each tick but the first, once the test lets it.
 struct Gated(Receiver<()>);
 
 impl Voice for Gated {
     fn tick(&mut self, tick: u64, _sample: &KeySample, turn: &mut VoiceOutput) {
         if 0 < tick {
-            // At its end the test tells nothing more.
+            // At its end the test sends nothing more.
             wait_for(&self.0).unwrap_or_default();
             let strike = KeyEvent::Strike { speed: 2.0, loudness: Loudness::of_hammer(2.0) };
             turn.events.push(Moment { tick, theta: 0.5 }, strike);
@@ -333,15 +326,15 @@ impl Voice for Gated {
 #[test]
 fn a_lane_that_is_late_again_tells_which_ticks_its_events_are_of() {
     let (go, go_on) = channel();
-    // Alone, or it would be moved to a lane with less work.
+    // The only voice, or it would be moved to a lane with less work.
     let (lanes, _swaps) = start(vec![(ELSEWHERE, Box::new(Gated(go_on)) as BoxedVoice)], 2);
     let mut run = Run::new(lanes);
     run.tick(0);
     run.lanes.set_patience(NONE);
-    // Gone before the lanes are, which wait for their voices.
+    // Dropped before the lanes, which wait for their voices.
     let go = go;
     assert!(run.tick(1)[ELSEWHERE].late);
-    // The last tick that was run, as far as is known.
+    // Last tick that is known to have been run.
     let (mut tick, mut last) = (1, 0);
     for _ in 0..3 {
         go.send(()).unwrap();
@@ -351,7 +344,7 @@ fn a_lane_that_is_late_again_tells_which_ticks_its_events_are_of() {
             let ran = run.seen(ELSEWHERE).0;
             let of = turn.events.as_slice().first().map(|(at, _strike)| at.tick);
             last = of.unwrap_or(last);
-            // All is known where it came back, run or passed, or was in time; else nothing is.
+            // All is known if it came back, run or passed, or was in time; otherwise nothing.
             let newest = 1_u32.checked_shl(u32::try_from(tick - last).unwrap()).unwrap_or(0);
             let newer = newest.wrapping_sub(1);
             assert!(ran == 0 && of.is_none() || ran & (newest | newer) == newest | 1, "{ran:b}");
@@ -423,7 +416,6 @@ fn a_whole_instrument_is_replaced_in_some_ticks_and_the_next_waits_for_it_not_fo
     let refused = swaps.wait_for_room(&[3]).unwrap_err();
     assert!(refused.contains("too many voices are waiting"), "no tick runs: {refused}");
     let waiting = thread::spawn(move || swaps.wait_for_room(&every_key));
-    // Ticks after 3, at which this voice would panic; four keys at a time.
     for tick in 4..26 {
         run.tick(tick);
     }
