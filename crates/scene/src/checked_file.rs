@@ -1,5 +1,3 @@
-//! The check of a file of any kind.
-
 use std::path::Path;
 
 use documents::Diagnostics;
@@ -10,12 +8,11 @@ use super::kind::{FileKind, describes_model, kind_of};
 use super::scene::Scene;
 use super::source::SourceText;
 
-/// Checks the scene, the instrument or the description of a model at `path`, whichever it is by
-/// what stands in it.
+/// Checks the scene, instrument or description of a model at `path`, with the kind found by its
+/// contents.
 ///
 /// # Errors
-///
-/// All that is wrong with it, or that it is neither.
+/// All mistakes in it, or that it is none of these.
 pub fn check_file(library: &Library, path: &Path) -> Result<FileKind, Diagnostics> {
     let source = SourceText::read(path)?;
     if describes_model(&source) {
@@ -24,13 +21,13 @@ pub fn check_file(library: &Library, path: &Path) -> Result<FileKind, Diagnostic
     check(library, &source)
 }
 
-/// Checks a text as [`check_file`] does.
+/// Like [`check_file`], but with the text of the file.
 pub(super) fn check(library: &Library, source: &SourceText) -> Result<FileKind, Diagnostics> {
     let kind = kind_of(source)?;
     match kind {
         FileKind::Scene => Scene::check(library, source, &[]).map(|_scene| kind),
         FileKind::Instrument => Instrument::check(library, source).map(|_instrument| kind),
-        // What only a text is has no place from which it could be loaded.
+        // A text without a file has no path from which it could be loaded.
         FileKind::Model => Ok(kind),
     }
 }

@@ -1,20 +1,18 @@
-//! The scenes, instruments and performances that are part of the program.
+//! Embedded scenes, instruments and performances.
 
 /// Embedded TOML files of one kind.
 #[derive(Debug)]
 pub(super) struct EmbeddedFiles {
-    /// Their kind, in the singular.
+    /// Kind, in the singular.
     pub(super) what: &'static str,
     files: &'static [(&'static str, &'static str)],
 }
 
 impl EmbeddedFiles {
-    /// Returns the text of the file called `name`.
     pub(super) fn find(&self, name: &str) -> Option<&'static str> {
         self.files.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
     }
 
-    /// Returns the names of all files.
     pub(super) fn names(&self) -> impl Iterator<Item = &'static str> {
         self.files.iter().map(|(name, _)| *name)
     }
@@ -28,13 +26,11 @@ macro_rules! configs {
     };
 }
 
-/// The scenes that are part of the program.
 pub(super) const SCENES: EmbeddedFiles = EmbeddedFiles {
     what: "scene",
     files: configs!(include_str, "scenes", ".toml": "default", "springs", "bach", "paper", "paper-rig", "mixed", "fast", "rigid"),
 };
 
-/// The instruments that are part of the program.
 pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
     what: "instrument",
     files: configs!(
@@ -65,7 +61,6 @@ pub(super) const INSTRUMENTS: EmbeddedFiles = EmbeddedFiles {
     ),
 };
 
-/// The performances, as MIDI files.
 pub(super) const PERFORMANCES: &[(&str, &[u8])] = configs!(
     include_bytes, "performances", ".mid": "bach-bwv-846", "beethoven-ode-to-joy"
 );
@@ -75,7 +70,6 @@ pub fn scenes() -> impl Iterator<Item = &'static str> {
     SCENES.names()
 }
 
-/// Returns the names of the embedded performances.
 pub fn performances() -> impl Iterator<Item = &'static str> {
     PERFORMANCES.iter().map(|(name, _)| *name)
 }

@@ -1,4 +1,4 @@
-//! `fidelity`: how much of an instrument's action is computed, said by a scene or chosen at start.
+//! `fidelity`: computed fraction of an instrument's action, set by a scene or chosen at start.
 //!
 //! An instrument's file names the instruments that render the same action with less work; each is
 //! an instrument of its own.
@@ -16,23 +16,20 @@ use documents::toml::{FindingList, SourcePlace};
 const BUDGET: Quantity = Quantity { unit: "1", range: (1e-3, 1.0) };
 const DEFAULT_BUDGET: f64 = 0.5;
 
-/// How much of an action is computed, the most first.
+/// Computed fraction of an action, the largest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Fidelity {
-    /// Every part of the action.
     Full,
-    /// Key and hammer, with let-off, check and repetition.
     Reduced,
     /// Key and hammer on two springs: the paper's model B.
     Springs,
-    /// A force for each depth of the key.
+    /// Force for each depth of the key.
     Map,
 }
 
 impl Fidelity {
     const ALL: [Self; 4] = [Self::Full, Self::Reduced, Self::Springs, Self::Map];
 
-    /// Returns its name in scenes and instruments.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Full => "full",
@@ -43,37 +40,36 @@ impl Fidelity {
     }
 }
 
-/// An instrument at one fidelity.
 #[derive(Clone, Debug)]
 pub struct FidelityLevel {
     pub fidelity: Fidelity,
-    /// The instrument that renders it.
+    /// Instrument that renders it.
     pub instrument: String,
     pub voicing: Voicing,
 }
 
-/// Keys whose fidelity is chosen when a run begins; until then they have the first level.
+/// Keys with a fidelity that is chosen when a run begins; until then they have the first level.
 #[derive(Clone, Debug)]
 pub struct AutoFidelity {
     pub keys: KeyRange,
-    /// All that there are, the most faithful first; never empty.
+    /// All levels, the most faithful first; never empty.
     pub levels: Vec<FidelityLevel>,
 }
 
-/// What a scene says of a range's fidelity.
+/// Fidelity of a range in a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum WantedFidelity {
     Level(Fidelity),
-    /// As much as the budget allows.
+    /// Highest fidelity that the budget allows.
     Auto,
 }
 
-/// Reads the share of each lane's time that all keys may take when they move at once.
+/// Reads the share of each lane's time that all keys together may use in simultaneous motion.
 pub(super) fn read_budget(report: &mut FindingList, scene: &mut TableReader<'_>) -> f64 {
     scene.number(report, "budget", BUDGET).unwrap_or(DEFAULT_BUDGET)
 }
 
-/// Reads the instruments that render the one of this file with less work.
+/// Reads the instruments that render this one with less work.
 pub(super) fn read_levels(
     report: &mut FindingList,
     instrument: &mut TableReader<'_>,
@@ -88,8 +84,7 @@ pub(super) fn read_levels(
     levels
 }
 
-/// Returns the name of an instrument that is part of the program, or the path of the file that is
-/// there.
+/// Returns the name of an embedded instrument, or the path of an existing file.
 pub(super) fn known_instrument(
     report: &mut FindingList,
     place: SourcePlace,
@@ -109,7 +104,7 @@ pub(super) fn known_instrument(
     Some(std::path::absolute(&path).unwrap_or(path).to_string_lossy().into_owned())
 }
 
-/// Reads what a scene says of a range's fidelity; all of it without a word.
+/// Reads the fidelity of a range; the full one by default.
 pub(super) fn read_wanted(report: &mut FindingList, range: &mut TableReader<'_>) -> WantedFidelity {
     let named = Fidelity::ALL.map(|it| (it.name(), WantedFidelity::Level(it)));
     let all: Vec<_> = named.into_iter().chain([("auto", WantedFidelity::Auto)]).collect();

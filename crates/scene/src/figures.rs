@@ -1,17 +1,15 @@
-//! `[figures]`: what should be measured of an instrument, by name.
+//! `[figures]`: target ranges of an instrument's measured figures, by name.
 
 use super::quantity::Quantity;
 use super::read::{self, TableReader, wrong_kind};
 use documents::quoted;
 use documents::toml::{FindingList, TomlKind, TomlNode};
 
-/// Any number that is finite.
 const LIMIT: Quantity = Quantity { unit: "", range: (f64::MIN, f64::MAX) };
 
 const HELP: &str = "give [lowest, highest], { at_least = … } or { at_most = … }";
 
-/// Reads the lowest and the highest value that each figure should have; infinite where there is
-/// none.
+/// Reads the lowest and highest value of each figure; a missing limit is infinite.
 pub(super) fn read(
     report: &mut FindingList,
     instrument: &mut TableReader<'_>,
@@ -45,7 +43,6 @@ fn limits(report: &mut FindingList, name: &str, node: &TomlNode) -> Option<(f64,
     Some((low, high))
 }
 
-/// A limit on one side.
 fn limit(report: &mut FindingList, name: &str, node: &TomlNode) -> Option<(f64, f64)> {
     if node.entries().is_none() {
         wrong_kind(report, name, node, "a list or a table", HELP);

@@ -1,5 +1,3 @@
-//! The file of an instrument with values that were fitted to a measured action.
-
 use std::path::Path;
 
 use documents::Diagnostics;
@@ -11,30 +9,29 @@ use super::embedded::INSTRUMENTS;
 use super::instrument::Instrument;
 use super::source::{SourceError, SourceText, refuse};
 
-/// Digits of a value that are written.
+/// Digits of a written value.
 const DIGITS: usize = 8;
 
-/// Values of one key that go into an instrument's file.
+/// Values of one key for an instrument's file.
 #[derive(Clone, Copy, Debug)]
 pub struct FittedValues<'a> {
-    /// What the new instrument is called for people, and from what it comes.
+    /// Title and description with the origin of the new instrument.
     pub title: &'a str,
     pub doc: &'a str,
-    /// The key that was measured.
+    /// Measured key.
     pub key: KeyIndex,
     /// Parameters by name with their value on that key (SI units).
     pub values: &'a [(&'a str, f64)],
 }
 
-/// Returns the text of the file of the instrument `name_or_path` with the values `fitted`, for a
-/// file anywhere.
+/// Returns the text of the file of the instrument `name_or_path` with the values `fitted` of a
+/// measured action, for a file in any folder.
 ///
-/// Everything else stays as it is. A parameter that is graded over the compass stays so: on a
-/// straight line through the new value, with the ends in the proportion that they have.
+/// Everything else stays. A parameter that is graded over the compass remains graded: on a straight
+/// line through the new value, with the ends in their old proportion.
 ///
 /// # Errors
-///
-/// All that is wrong with the instrument, or with the new one.
+/// All mistakes in the instrument or in the new one.
 pub fn fitted_text(
     library: &Library,
     name_or_path: &str,
@@ -65,7 +62,7 @@ pub fn fitted_text(
     Ok(text)
 }
 
-/// The value of the parameter called `name`, `new` on a key, as it stands in a file.
+/// Returns the parameter called `name`, `new` on a key, as a file has it.
 fn graded(instrument: &Instrument, name: &str, (key, new): (KeyIndex, f64)) -> Value {
     let parameters = &instrument.model().parameters;
     let place = parameters.iter().position(|it| it.name == name);
@@ -87,7 +84,7 @@ fn graded(instrument: &Instrument, name: &str, (key, new): (KeyIndex, f64)) -> V
     ends.into_iter().map(|(end, value)| (end, Value::from(value))).collect::<InlineTable>().into()
 }
 
-/// `value` with as many digits as are written.
+/// Rounds `value` to the written digits.
 fn short(value: f64) -> f64 {
     format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value)
 }

@@ -1,5 +1,3 @@
-//! An instrument: a model and a preset over the compass, with a title.
-
 use mechanism::Library;
 use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -21,28 +19,26 @@ use super::voicing::Voicing;
 use documents::Diagnostics;
 use documents::toml::FindingList;
 
-/// A number of General MIDI, as its tables count.
+/// Number of a General MIDI program, counted from one as in its tables.
 const PROGRAM: Quantity = Quantity { unit: "", range: (1.0, 128.0) };
 
-/// An instrument whose values were checked.
+/// Instrument with checked values: a model and a preset over the compass.
 #[derive(Clone, Debug)]
 pub struct Instrument {
-    /// The name in scenes and on the command line.
     pub name: String,
-    /// A description in a few words.
+    /// Description in a few words.
     pub title: String,
-    /// A description of a sentence or two; may be empty.
+    /// Description of a sentence or two; may be empty.
     pub doc: String,
-    /// The settings with which it is stable.
+    /// Settings with which it is stable.
     pub needs: Needs,
-    /// What `letoff lab piano` should measure: figures by name, lowest and highest value.
+    /// Targets of `letoff lab piano`: figures by name, lowest and highest value.
     pub figures: Vec<(String, (f64, f64))>,
-    /// Its number among the programs of General MIDI, 1 ..= 128, if it has one.
+    /// Number among the programs of General MIDI, 1 ..= 128.
     pub program: Option<u32>,
-    /// The instruments that render the same action with less work, names or paths; the most
-    /// faithful first.
+    /// Instruments, by name or path, that render the action with less work; the most faithful
+    /// first.
     pub levels: Vec<(Fidelity, String)>,
-    /// The model, the preset, and what differs from it.
     pub voicing: Voicing,
 }
 
@@ -50,8 +46,7 @@ impl Instrument {
     /// Loads the embedded instrument of that name, or the file at that path.
     ///
     /// # Errors
-    ///
-    /// All that is wrong with it.
+    /// All mistakes in it.
     pub fn load(library: &Library, name_or_path: &str) -> Result<Self, Diagnostics> {
         let source = SourceText::find(&INSTRUMENTS, name_or_path, Path::new(""));
         let source = source.map_err(|missing| match missing {
@@ -63,9 +58,7 @@ impl Instrument {
         Self::check(library, &source)
     }
 
-    /// Returns every embedded instrument, in the order in which they are listed to people.
-    ///
-    /// They are read once in a process.
+    /// Returns every embedded instrument, in the order of lists; they are read once in a process.
     pub fn embedded() -> &'static [Self] {
         static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
         // Tests load each of them.
@@ -73,8 +66,8 @@ impl Instrument {
         ALL.get_or_init(|| INSTRUMENTS.names().filter_map(load).collect())
     }
 
-    /// Returns the embedded instruments of `model`, in the same order; those of other models are
-    /// not read, which takes time where they are descriptions.
+    /// Returns the embedded instruments of `model`, in the order of lists. Others are not read, as
+    /// reading descriptions takes time.
     pub fn of_model(model: &ModelEntry) -> Vec<Arc<Self>> {
         static READ: Mutex<Vec<Arc<Instrument>>> = Mutex::new(Vec::new());
         let line = format!("model = \"{}\"", model.name);
@@ -92,8 +85,8 @@ impl Instrument {
         all.filter(|it| it.voicing.model.is(model)).collect()
     }
 
-    /// Returns the name of the embedded instrument that is a program of General MIDI, 1 ..= 128, if
-    /// one is; nothing is read but the list.
+    /// Returns the name of the embedded instrument with a General MIDI program, 1 ..= 128; only the
+    /// list is read.
     pub fn of_program(program: u8) -> Option<&'static str> {
         let line = format!("program = {program}");
         let says = |name: &&str| {
@@ -102,7 +95,6 @@ impl Instrument {
         INSTRUMENTS.names().find(says)
     }
 
-    /// Returns the model that every key has.
     pub const fn model(&self) -> &Arc<LoadedModel> {
         &self.voicing.model
     }
@@ -122,7 +114,6 @@ impl Instrument {
         }
     }
 
-    /// Reads an instrument from `source`.
     pub(super) fn check(library: &Library, source: &SourceText) -> Result<Self, Diagnostics> {
         if describes_model(source) {
             let message = "this is the description of a model, not an instrument".to_owned();
@@ -164,10 +155,10 @@ impl Instrument {
     }
 }
 
-/// Returns the embedded instrument that has `model` with `preset`; the first with that model, if
-/// none has both or no preset is named, since the parameters may be any then.
+/// Returns the embedded instrument with `model` and `preset`; without a match, or if no preset is
+/// named and the parameters are arbitrary, the first one with that model.
 ///
-/// What is known of an instrument's stability is known of its model, too.
+/// Knowledge of an instrument's stability applies to its model, too.
 pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Arc<Instrument>> {
     let all = Instrument::of_model(model);
     let same = |it: &&Arc<Instrument>| {
@@ -176,16 +167,15 @@ pub(super) fn known_as(model: &ModelEntry, preset: Option<&Preset>) -> Option<Ar
     all.iter().find(same).or_else(|| all.first()).map(Arc::clone)
 }
 
-/// What stands at the head of an embedded instrument's file, whose model was not read.
+/// Head of an embedded instrument's file, read without its model.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct InstrumentHead {
     pub name: String,
     pub doc: String,
-    /// Name of its model.
     pub model: String,
 }
 
-/// Returns the heads of all embedded instruments, in the order in which they are listed.
+/// Returns the heads of all embedded instruments, in the order of lists.
 pub fn instrument_heads() -> Vec<InstrumentHead> {
     let head = |name: &'static str| {
         let file: DocumentMut = INSTRUMENTS.find(name)?.parse().ok()?;
@@ -195,22 +185,19 @@ pub fn instrument_heads() -> Vec<InstrumentHead> {
     INSTRUMENTS.names().filter_map(head).collect()
 }
 
-/// An embedded instrument as it is listed.
+/// Embedded instrument in lists.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct InstrumentInfo {
-    /// Its name in scenes.
     pub name: String,
-    /// A description in a few words.
+    /// Description in a few words.
     pub title: String,
-    /// Name of its model.
     pub model: &'static str,
-    /// Name of its preset.
     pub preset: &'static str,
-    /// The settings with which it is stable.
+    /// Settings with which it is stable.
     pub needs: Option<String>,
 }
 
-/// Returns what is listed of every embedded instrument.
+/// Returns the list entry of every embedded instrument.
 pub fn instruments() -> Vec<InstrumentInfo> {
     Instrument::embedded().iter().map(Instrument::info).collect()
 }

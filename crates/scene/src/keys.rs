@@ -1,5 +1,3 @@
-//! `[[keys]]`: the voices of key ranges.
-
 use std::sync::Arc;
 
 use instruments::{LoadedModel, ModelEntry};
@@ -17,44 +15,40 @@ use documents::quoted;
 use documents::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
 use mechanism::Library;
 
-/// A model with its values for one key.
+/// Model with its values for one key.
 #[derive(Clone, Debug)]
 pub struct KeyVoice {
     pub model: Arc<LoadedModel>,
-    /// One value per parameter of the model, in the unit of each.
+    /// One value per parameter of the model, in its unit.
     pub values: Vec<f64>,
 }
 
 impl KeyVoice {
-    /// Returns the voice of `key` that `voicing` says.
     pub fn new(voicing: &Voicing, key: u8) -> Self {
         Self { model: Arc::clone(&voicing.model), values: voicing.values(key) }
     }
 }
 
-/// What `[[keys]]` says.
+/// Contents of `[[keys]]`.
 pub(super) struct ReadKeys {
-    /// The voicing of each key; none where it is silent.
+    /// Voicing of each key; `None` for a silent one.
     pub(super) voicings: Vec<Option<Voicing>>,
-    /// The ranges, in the order of the file.
+    /// Ranges, in the order of the file.
     pub(super) ranges: Vec<KeyRange>,
-    /// Those whose fidelity is to be chosen.
+    /// Ranges with a fidelity that is chosen at start.
     pub(super) auto: Vec<AutoFidelity>,
 }
 
-/// How keys are read.
+/// Context of reading keys.
 #[derive(Clone, Copy)]
 pub(super) struct KeyReading<'a> {
-    /// Reads the descriptions that are named.
     pub(super) library: &'a Library,
-    /// The loop in which instruments must be stable, if they must.
+    /// Loop in which instruments must be stable, if they must.
     pub(super) in_loop: Option<LoopSettings<'a>>,
 }
 
-/// Reads the key ranges.
-///
-/// Refuses instruments that are not stable `in_loop`, if there is one, and values that do not go
-/// together.
+/// Reads the key ranges. Rejects instruments that are not stable `in_loop`, if there is one, and
+/// values that contradict each other.
 pub(super) fn read(
     report: &mut FindingList,
     reader: &mut TableReader<'_>,
@@ -93,7 +87,7 @@ pub(super) fn read(
     read
 }
 
-/// Refuses a model at `place` that is called like another one of the scene.
+/// Reports a model at `place` with the name of another one of the scene.
 fn refuse_namesake(
     report: &mut FindingList,
     place: SourcePlace,
@@ -106,10 +100,10 @@ fn refuse_namesake(
     }
 }
 
-/// The voicing that a range begins with.
+/// Initial voicing of a range.
 struct RangeVoicing {
     voicing: Voicing,
-    /// What it is chosen from, where the scene leaves that to the host.
+    /// Levels from which the host chooses, if the scene leaves that to it.
     levels: Option<Vec<FidelityLevel>>,
 }
 
@@ -119,10 +113,9 @@ impl From<Voicing> for RangeVoicing {
     }
 }
 
-/// A range that was read, and where.
 type ReadRange = (KeyRange, SourcePlace);
 
-/// Reads one `[[keys]]` table; all of it, even if part of it is wrong.
+/// Reads one `[[keys]]` table to its end, even if an entry is invalid.
 fn read_range(
     report: &mut FindingList,
     node: &TomlNode,
@@ -198,7 +191,7 @@ fn refuse_overlap(report: &mut FindingList, (range, place): ReadRange, taken: &[
     }
 }
 
-/// Refuses parameters of a model that is not chosen yet.
+/// Reports parameters without a model.
 fn refuse_parameters(report: &mut FindingList, reader: &mut TableReader<'_>) {
     if let Some(entry) = reader.take("parameters") {
         let message = "parameters stand beside fidelity \"auto\", which chooses their model";
@@ -206,7 +199,6 @@ fn refuse_parameters(report: &mut FindingList, reader: &mut TableReader<'_>) {
     }
 }
 
-/// Reads `instrument` and `fidelity`, or `model` and `preset`.
 fn read_voicing(
     report: &mut FindingList,
     reader: &mut TableReader<'_>,
@@ -295,7 +287,7 @@ fn read_level(
     Instrument::load(library, name).map_err(|diagnostics| report.absorb(diagnostics)).ok()
 }
 
-/// Returns all levels of `instrument` that are stable `in_loop`, to be chosen from.
+/// Returns all levels of `instrument` that are stable `in_loop`, for a choice at start.
 fn auto(
     report: &mut FindingList,
     place: SourcePlace,
@@ -322,7 +314,7 @@ fn auto(
     Some(RangeVoicing { voicing: first.voicing.clone(), levels: Some(levels) })
 }
 
-/// Reports an instrument at `place` that makes energy in the scene's loop.
+/// Reports an instrument at `place` that generates energy in the scene's loop.
 fn refuse_unstable(
     report: &mut FindingList,
     place: SourcePlace,
@@ -334,7 +326,7 @@ fn refuse_unstable(
     }
 }
 
-/// Returns what the loop lacks for an instrument, if it lacks anything.
+/// Returns the unmet need of an instrument in the loop, if any.
 fn unmet(instrument: &Instrument, reading: KeyReading<'_>) -> Option<Unmet> {
     let LoopSettings { tick_hz, render } = reading.in_loop?;
     instrument.needs.unmet(&instrument.name, tick_hz, render)

@@ -1,4 +1,4 @@
-//! Tells scenes, instruments and descriptions of models by the names in the file.
+//! Distinguishes scenes, instruments and descriptions of models by the names in the file.
 
 use std::path::Path;
 
@@ -8,15 +8,12 @@ use super::source::SourceText;
 use documents::Diagnostics;
 use documents::toml::{SourcePlace, TomlNode};
 
-/// Names that only a scene has.
 const SCENE: [&str; 10] =
     ["tick_hz", "lanes", "realtime", "budget", "render", "rig", "keys", "links", "midi", "pianist"];
 
-/// Names that only an instrument has.
 const INSTRUMENT: [&str; 9] =
     ["doc", "model", "preset", "offline", "stable", "parameters", "figures", "fidelity", "program"];
 
-/// Names that only the description of a model has.
 const DESCRIPTION: [&str; 23] = [
     "base",
     "bodies",
@@ -43,18 +40,15 @@ const DESCRIPTION: [&str; 23] = [
     "springs",
 ];
 
-/// The kind of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FileKind {
     Scene,
     Instrument,
-    /// The description of a model.
     Model,
 }
 
 impl FileKind {
-    /// Returns its name in messages.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Scene => "scene",
@@ -64,17 +58,16 @@ impl FileKind {
     }
 }
 
-/// Returns whether the file at `path` is the description of a model, by what stands in it.
+/// Returns `true` if the file at `path` is the description of a model, by its contents.
 pub fn is_description(path: &Path) -> bool {
     SourceText::read(path).is_ok_and(|source| describes_model(&source))
 }
 
-/// Returns whether `source` is the description of a model.
 pub(super) fn describes_model(source: &SourceText) -> bool {
     kind_of(source) == Ok(FileKind::Model)
 }
 
-/// Returns the kind of which `source` has more names.
+/// Returns the kind with the most names in `source`.
 pub(super) fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
     let (mut report, root) = source.parsed(&[]);
     let entries = root.as_ref().and_then(TomlNode::entries).unwrap_or_default();
@@ -92,7 +85,7 @@ pub(super) fn kind_of(source: &SourceText) -> Result<FileKind, Diagnostics> {
         (scene, instrument, _) if instrument <= scene => Some(FileKind::Scene),
         _ => Some(FileKind::Instrument),
     };
-    // The check of the file reports again what is no TOML.
+    // The check of the file reports TOML errors again.
     match kind {
         Some(kind) => Ok(kind),
         None => report.verdict(None),

@@ -9,19 +9,19 @@
 //! | module | contents |
 //! |---|---|
 //! | `scene`, `render`, `realtime`, `rig`, `keys`, `links` | the scene, a file per table |
-//! | `instrument`, `voicing` | a model, a preset and what differs from it, over the compass |
-//! | `fidelity` | how much of an instrument's action is computed |
+//! | `instrument`, `voicing` | a model, a preset and differences from it, over the compass |
+//! | `fidelity` | computed fraction of an instrument's action |
 //! | `live` | settings that change while a host plays |
-//! | `kind` | whether a file is a scene or an instrument |
+//! | `kind` | distinguishes scenes, instruments and descriptions |
 //! | `embedded`, `source` | files that are part of the program, and files on the disk |
-//! | `document`, `read`, `quantity`, `setting`, `overrides` | the language of both kinds of file |
+//! | `document`, `read`, `quantity`, `setting`, `overrides` | the language of all kinds of file |
 //! | `report` | mistakes with their places and remedies |
 //!
-//! A value that comes out is within its range; a name that comes out exists. Not here: whether
-//! the machine has the ports and boards that a scene asks for.
+//! Every value is within its range and every name exists. Not checked here: whether the machine
+//! has the ports and boards that a scene requires.
 //!
-//! Relative paths of models, instruments and performances are relative to the file that names them, or
-//! to the working directory where an override or an embedded scene does.
+//! Paths of models, instruments and performances are relative to the file that names them, or to
+//! the working directory where an override or an embedded scene does.
 
 mod checked_file;
 mod embedded;

@@ -8,12 +8,12 @@ use super::read::TableReader;
 use super::render::{self, Render};
 use super::source::{Override, SourceText, typed_place};
 
-/// Limits that the safety and the boards keep from the start on.
+/// Limits that safety and boards keep for the whole run.
 const FIXED: [&str; 2] = ["force_limit", "slew_limit"];
 
 impl Render {
-    /// Returns these settings, of ticks at `tick_hz`, with `changes`: names and values as
-    /// [`Scene::load`](super::Scene::load) takes them, `render.passivity` and `control`.
+    /// Returns these settings, of ticks at `tick_hz`, with `changes`: names and values as in
+    /// [`Scene::load`](super::Scene::load), `render.passivity` and `control`.
     ///
     /// # Errors
     /// All that is wrong with them.
@@ -46,12 +46,12 @@ impl Render {
     }
 }
 
-/// The name of a setting of `[render]`; none of what is elsewhere.
+/// Returns the name of a setting of `[render]`; `None` for others.
 fn setting(change: &Override) -> Option<&str> {
     change.name.strip_prefix("render.")
 }
 
-/// Reports names that are none of `[render]`, and those that are fixed.
+/// Reports names outside `[render]`, and fixed ones.
 fn refuse_fixed(report: &mut FindingList, changes: &[Override]) {
     if changes.is_empty() {
         let help = "give one or more, as render.passivity=control";

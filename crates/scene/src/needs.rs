@@ -1,4 +1,4 @@
-//! `[[stable]]`: with which rate and estimator an instrument is stable in a loop with its key.
+//! `[[stable]]`: rates and estimators with which an instrument is stable in a loop with its key.
 
 use std::fmt;
 
@@ -13,16 +13,16 @@ use super::render::{
 use super::setting::TableSetting as _;
 use documents::toml::{FindingList, TomlNode};
 
-/// The settings with which an instrument is quiet when its keys are left alone.
+/// Settings with which an instrument is quiet when its keys are left alone.
 ///
-/// It is measured, not derived: `tests/quiet.rs` plays every instrument and leaves it alone. A
-/// key whose loop makes energy is muted while it runs, see [`haptics::PassivityObserver`]; a
-/// scene that is known to end so is refused beforehand.
+/// They are measured: `tests/quiet.rs` plays every instrument and leaves it alone. A key with a
+/// loop that generates energy is muted while it runs, see [`haptics::PassivityObserver`]; a scene
+/// that is known to end so is rejected beforehand.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Needs {
-    /// The reason why it is for `letoff simulate` only, if it is.
+    /// Reason for use in `letoff simulate` only, if any.
     offline: Option<String>,
-    /// Rates and estimators with which it is stable, if not with all.
+    /// Stable combinations, if not all are.
     stable: Vec<Stable>,
 }
 
@@ -33,20 +33,20 @@ struct Stable {
     min_tick_hz: Option<u32>,
     estimator: Option<EstimatorName>,
     reconstruction: Option<InputReconstruction>,
-    /// Slowest Kalman filter (m²/s⁵).
+    /// Lower bound of the Kalman filter's jerk density (m²/s⁵): the slowest filter.
     min_jerk_density: Option<f64>,
-    /// Quickest Kalman filter (m²/s⁵).
+    /// Upper bound of the Kalman filter's jerk density (m²/s⁵): the quickest filter.
     max_jerk_density: Option<f64>,
-    /// Stiffest coupling between the player's key and the model's, without which it is none (N/m).
+    /// Largest stiffness of the coupling between the player's key and the model's (N/m).
     max_coupling_stiffness: Option<f64>,
     /// Least damping of that coupling (N s/m).
     min_coupling_damping: Option<f64>,
 }
 
-/// The settings that a scene lacks, and the remedy.
+/// Need that a scene does not meet, and the remedy.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unmet {
-    /// The need, and the value of the scene.
+    /// Need, and the value in the scene.
     pub lacks: String,
     pub help: String,
 }
@@ -58,7 +58,7 @@ impl fmt::Display for Unmet {
 }
 
 impl Needs {
-    /// Reads `offline` and the tables `stable` of an instrument, of which one must be met.
+    /// Reads `offline` and the tables `stable` of an instrument; one table must be met.
     pub(super) fn read(report: &mut FindingList, instrument: &mut TableReader<'_>) -> Self {
         let offline = instrument.text(report, "offline").map(|(why, _place)| why);
         let Some(entry) = instrument.take("stable") else {
@@ -69,8 +69,8 @@ impl Needs {
         Self { offline, stable }
     }
 
-    /// Returns what ticks at `tick_hz` with `render` lack for the instrument `name`; nothing if it
-    /// is stable so.
+    /// Returns the unmet need of the instrument `name` in ticks at `tick_hz` with `render`; `None`
+    /// if it is stable.
     pub fn unmet(&self, name: &str, tick_hz: u32, render: &Render) -> Option<Unmet> {
         if let Some(why) = &self.offline {
             return Some(Unmet {
@@ -78,7 +78,7 @@ impl Needs {
                 help: "choose another instrument".to_owned(),
             });
         }
-        // The tables were measured without a controller; trials say what one can do.
+        // The tables were measured without a controller; its effect is found by trials.
         if render.passivity == PassivityMode::Control {
             return None;
         }
@@ -98,7 +98,7 @@ impl Needs {
         })
     }
 
-    /// Returns the same in a few words for lists; nothing if nothing is needed.
+    /// Returns the needs in a few words for lists; `None` if there are none.
     pub fn summary(&self) -> Option<String> {
         if let Some(why) = &self.offline {
             return Some(format!("letoff simulate only: {why}"));
@@ -205,13 +205,12 @@ impl Stable {
     }
 }
 
-/// One thing that a scene lacks.
 struct Lack {
     needed: String,
     setting: String,
 }
 
-/// Tick rates and estimators of a scene that its instruments are compared with.
+/// Tick rate and estimator of a scene, compared with the needs of its instruments.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LoopSettings<'a> {
     pub(super) tick_hz: u32,

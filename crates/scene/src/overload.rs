@@ -7,13 +7,11 @@ use super::quantity::Quantity;
 use super::read::{self, TableReader};
 use documents::toml::{FindingList, SourcePlace, TomlKind};
 
-/// A part of a tick.
+/// Fraction of a tick.
 const LOAD: Quantity = Quantity { unit: "1", range: (0.01, 2.0) };
 
-/// Evaluations in a tick.
 const EVALUATIONS: Quantity = Quantity { unit: "1", range: (1.0, 1e9) };
 
-/// Reads the table, if it is there.
 pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>) -> OverloadRules {
     let mut rules = OverloadRules::default();
     let Some(mut reader) = scene.table(report, "overload") else { return rules };
@@ -30,7 +28,7 @@ pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>) -> Ove
     rules
 }
 
-/// Reads names, each once.
+/// Reads names that must not repeat.
 fn read_order(
     report: &mut FindingList,
     reader: &mut TableReader<'_>,
@@ -51,7 +49,7 @@ fn read_order(
     Some([(); Simplification::ALL.len()].map(|()| order.next()))
 }
 
-/// Returns what is called `name`, unless it is in `order`.
+/// Returns the simplification called `name`, unless it is in `order`.
 fn known(
     report: &mut FindingList,
     place: SourcePlace,
@@ -70,7 +68,6 @@ fn known(
     Some(found)
 }
 
-/// Returns the rules as a table.
 pub(super) fn written(rules: &OverloadRules) -> Table {
     let mut table = Table::new();
     let order = rules.order.iter().flatten().map(|it| it.name());

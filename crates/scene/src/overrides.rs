@@ -1,18 +1,18 @@
-//! `--set name=value`: values of a scene by dotted path, put into the document before it is checked.
+//! `--set name=value`: replaces values of a scene by dotted path before the document is checked.
 //!
-//! A number in a path is a place in a list: `links.bus.0.bit_rate` is that of the first bus.
+//! A number in a path is an index of a list: `links.bus.0.bit_rate` is that of the first bus.
 
 use super::source::{Override, typed_place};
 use documents::quoted;
 use documents::toml::{FindingList, SourcePlace, TomlEntry, TomlKind, TomlNode};
 
-/// Names in the longest path that means anything are four: `keys.0.parameters.restitution`.
+/// Limit on names in a path; the longest valid one has four: `keys.0.parameters.restitution`.
 const DEEPEST: usize = 8;
 
 /// Names of a key range's voice; a new one replaces all three of the file.
 const VOICE: [&str; 3] = ["instrument", "model", "preset"];
 
-/// Puts the override with this `index` into the scene `root`; of a name, the last one put in wins.
+/// Applies the override with this `index` to the scene `root`; of equal names the last one wins.
 ///
 /// `keys.0.…` means the first key range, and `keys.…` all of them.
 pub(super) fn apply(
@@ -35,7 +35,6 @@ pub(super) fn apply(
     }
 }
 
-/// Sets the value at `steps` of some or all key ranges.
 fn set_keys(report: &mut FindingList, root: &mut TomlNode, steps: &[&str], value: &TomlNode) {
     let (chosen, steps) = match steps {
         [first, rest @ ..] => match first.parse::<usize>() {
@@ -76,7 +75,7 @@ fn ranges_of(root: &mut TomlNode) -> &mut [TomlNode] {
     }
 }
 
-/// Removes the voice that the file gives, if `steps` set another.
+/// Removes the file's voice if `steps` set another.
 fn replace_voice(range: &mut TomlNode, steps: &[&str]) {
     if !matches!(steps, ["instrument" | "model"]) {
         return;
@@ -89,8 +88,8 @@ fn replace_voice(range: &mut TomlNode, steps: &[&str]) {
     }
 }
 
-/// Sets the value at `steps` of a table, of which the first `depth` have led to `node`; whether
-/// it belongs there is checked later.
+/// Sets the value at `steps` of a table; the first `depth` of them have led to `node`. Unknown
+/// names are found later.
 fn set(
     report: &mut FindingList,
     node: &mut TomlNode,
@@ -121,7 +120,7 @@ fn set(
     set(report, &mut entry.node, steps, depth + 1, value);
 }
 
-/// Returns the entry called `name`; made if it is not there.
+/// Returns the entry called `name`, created if missing.
 fn entry<'a>(entries: &'a mut Vec<TomlEntry>, name: &str, place: SourcePlace) -> &'a mut TomlEntry {
     let found = entries.iter().position(|entry| entry.name == name);
     let index = found.unwrap_or_else(|| {
@@ -131,7 +130,7 @@ fn entry<'a>(entries: &'a mut Vec<TomlEntry>, name: &str, place: SourcePlace) ->
     &mut entries[index]
 }
 
-/// Reports that `node`, to which `path` leads, has no such item.
+/// Reports that `node` at `path` has no such item.
 fn refuse_item(report: &mut FindingList, node: &TomlNode, path: &[&str], place: SourcePlace) {
     let path = path.join(".");
     let n = node.items().map_or(0, <[TomlNode]>::len);

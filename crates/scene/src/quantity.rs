@@ -1,26 +1,22 @@
 //! Numbers with a unit: plain SI, or text such as `"0.5 ms"`.
 
-/// The unit and the range of a number.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Quantity {
     /// SI unit; `"1"` for a ratio.
     pub(super) unit: &'static str,
-    /// Smallest and largest allowed value.
     pub(super) range: (f64, f64),
 }
 
 impl Quantity {
-    /// Returns whether `value` is allowed; NaN never is.
+    /// Returns `true` if `value` is allowed; NaN never is.
     pub(super) fn allows(&self, value: f64) -> bool {
         value.is_finite() && self.range.0 <= value && value <= self.range.1
     }
 
-    /// `value` with the unit.
     pub(super) fn show(&self, value: f64) -> String {
         format!("{}{}", number(value), self.suffix())
     }
 
-    /// Returns the range with the unit.
     pub(super) fn show_range(&self) -> String {
         format!("{} to {}{}", number(self.range.0), number(self.range.1), self.suffix())
     }
@@ -30,18 +26,15 @@ impl Quantity {
     }
 }
 
-/// The reason why text is not the quantity that is wanted.
+/// Reason why text is not the required quantity.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum QuantityError {
-    /// It does not begin with a number.
     NoNumber,
-    /// There is a number and no unit.
     NoUnit(f64),
-    /// There is a number and another unit.
     WrongUnit(f64, String),
 }
 
-/// Returns a number as people write it.
+/// Returns a number in everyday notation.
 pub(super) fn number(value: f64) -> String {
     let size = value.abs();
     if value.is_nan() {
@@ -54,10 +47,6 @@ pub(super) fn number(value: f64) -> String {
 }
 
 /// Reads `text` as a number of `unit`, or of another unit of its kind.
-///
-/// # Errors
-///
-/// If it is no number, or one of something else.
 pub(super) fn parse(text: &str, unit: &str) -> Result<f64, QuantityError> {
     let (value, given) =
         mechanism::formulas::number_and_unit(text).ok_or(QuantityError::NoNumber)?;

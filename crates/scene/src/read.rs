@@ -1,20 +1,18 @@
-//! Entries of scenes: numbers with units, texts, names of a list; wrong ones are reported.
+//! Typed entries of scenes: numbers with units, texts, names of a list; invalid ones are reported.
 
 use super::quantity::{self, Quantity, QuantityError};
 pub(super) use documents::toml::wrong_kind;
 use documents::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
 use documents::{choice, quoted};
 
-/// Reads the entries of one table.
 #[derive(Debug)]
 pub(super) struct TableReader<'a> {
     keys: KeyReader<'a>,
-    /// The place of the table.
     pub(super) place: SourcePlace,
 }
 
 impl<'a> TableReader<'a> {
-    /// Returns a reader of `node`, called `name`; reports what is not a table.
+    /// Returns a reader of `node`, called `name`; reports a node that is no table.
     pub(super) fn new(report: &mut FindingList, name: &str, node: &'a TomlNode) -> Option<Self> {
         let help = match report.typed_at(node.place) {
             None => format!("write it as [{name}]"),
@@ -24,18 +22,16 @@ impl<'a> TableReader<'a> {
         Some(Self { keys, place: node.place })
     }
 
-    /// Returns the entry called `name`, if it is there.
     pub(super) fn take(&mut self, name: &'static str) -> Option<&'a TomlEntry> {
         self.keys.take(name)
     }
 
-    /// Returns the table called `name`, if it is there.
     pub(super) fn table(&mut self, report: &mut FindingList, name: &'static str) -> Option<Self> {
         let entry = self.take(name)?;
         Self::new(report, name, &entry.node)
     }
 
-    /// Returns the number called `name`, if it is there and right.
+    /// Returns the number called `name`, if it exists and is valid.
     pub(super) fn number(
         &mut self,
         report: &mut FindingList,
@@ -46,7 +42,6 @@ impl<'a> TableReader<'a> {
         number(report, name, &entry.node, quantity)
     }
 
-    /// Returns the whole number called `name`, if it is there and right.
     pub(super) fn whole(
         &mut self,
         report: &mut FindingList,
@@ -57,7 +52,7 @@ impl<'a> TableReader<'a> {
         whole(report, name, &entry.node, quantity)
     }
 
-    /// Returns the text called `name`, if it is there and not empty, with its place.
+    /// Returns the text called `name` and its place, if it exists and is not empty.
     pub(super) fn text(
         &mut self,
         report: &mut FindingList,
@@ -67,9 +62,9 @@ impl<'a> TableReader<'a> {
         text(report, name, &entry.node).map(|text| (text, entry.node.place))
     }
 
-    /// Returns the one of `all` whose name is the text called `name`, if it is there and right.
+    /// Returns the one of `all` with the name in the text called `name`, if it exists and is valid.
     ///
-    /// `refusal` is said before a wrong name, as "there is no stepper".
+    /// `refusal` precedes an unknown name in the message, as "there is no stepper".
     pub(super) fn choice<T: Copy>(
         &mut self,
         report: &mut FindingList,
@@ -90,15 +85,15 @@ impl<'a> TableReader<'a> {
         found
     }
 
-    /// Reports every entry that was never asked for.
+    /// Reports every entry that was not read.
     pub(super) fn finish(self, report: &mut FindingList) {
         self.keys.finish(report);
     }
 }
 
-/// Reports that nothing is called `wanted`, and which names there are.
+/// Reports the unknown name `wanted` and all known names.
 ///
-/// `refusal` is said before the name, as "there is no stepper".
+/// `refusal` precedes the name, as "there is no stepper".
 pub(super) fn unknown(
     report: &mut FindingList,
     place: SourcePlace,
@@ -109,11 +104,10 @@ pub(super) fn unknown(
     report.say(place, format!("{refusal} {}", quoted(wanted)), choice(wanted, known));
 }
 
-/// Returns the text of `node`, if it is any.
 fn plain_text(report: &FindingList, node: &TomlNode) -> Option<String> {
     match &node.kind {
         TomlKind::Text(text, _) => Some(text.clone()),
-        // On the command line quotes are the shell's, so `title=1984` is meant as text.
+        // The shell removes quotes on the command line, so `title=1984` means text.
         TomlKind::Integer(_) | TomlKind::Float(_) | TomlKind::Truth(_) | TomlKind::Date => {
             report.typed_at(node.place).map(str::to_owned)
         }
@@ -121,7 +115,7 @@ fn plain_text(report: &FindingList, node: &TomlNode) -> Option<String> {
     }
 }
 
-/// Returns the text of `node`, called `name`; not empty.
+/// Returns the text of `node`, called `name`; it must not be empty.
 pub(super) fn text(report: &mut FindingList, name: &str, node: &TomlNode) -> Option<String> {
     let Some(text) = plain_text(report, node) else {
         wrong_kind(report, name, node, "text", "write it in quotes");
@@ -135,7 +129,7 @@ pub(super) fn text(report: &mut FindingList, name: &str, node: &TomlNode) -> Opt
     Some(text)
 }
 
-/// Returns the number of `node`, called `name`, in SI; within its range.
+/// Returns the number of `node`, called `name`, in SI, within its range.
 pub(super) fn number(
     report: &mut FindingList,
     name: &str,
@@ -166,7 +160,7 @@ pub(super) fn number(
     Some(value)
 }
 
-/// Returns the whole number of `node`, called `name`; within its range of small positive numbers.
+/// Returns the whole number of `node`, called `name`, within its range of small positive numbers.
 pub(super) fn whole(
     report: &mut FindingList,
     name: &str,
@@ -188,7 +182,6 @@ pub(super) fn whole(
     Some(whole)
 }
 
-/// Returns the nodes of a list of tables.
 pub(super) fn tables<'a>(
     report: &mut FindingList,
     name: &str,
@@ -200,7 +193,6 @@ pub(super) fn tables<'a>(
     })
 }
 
-/// Reports that `text` is not the quantity called `name`.
 fn refuse(
     report: &mut FindingList,
     name: &str,
@@ -220,7 +212,7 @@ fn refuse(
             format!("give {}", quantity.show_range()),
         ),
         QuantityError::NoUnit(value) => (format!("{name} is text without a unit"), example(*value)),
-        // Its number is not the one that is meant: 4 kHz is not 4 Hz.
+        // The number in another unit is not meant: 4 kHz is not 4 Hz.
         QuantityError::WrongUnit(value, unit) => (
             format!("{name} has the wrong unit {}", quoted(unit)),
             match quantity.unit {

@@ -1,40 +1,37 @@
-//! `[realtime]`: how the threads of the tick are scheduled, and where they run.
+//! `[realtime]`: scheduling and processors of the tick's threads.
 
 use super::quantity::Quantity;
 use super::read::{self, TableReader};
 use documents::toml::{FindingList, TomlKind};
 
-/// Numbers that processors have.
+/// Processor numbers that are accepted.
 const PROCESSOR: Quantity = Quantity { unit: "1", range: (0.0, 1023.0) };
 
-/// How the threads of the tick are scheduled.
+/// Scheduling of the threads of the tick.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ThreadRules {
     pub policy: ThreadPolicy,
-    /// The processors of the lanes, by their numbers: one for each in turn; none for any.
+    /// Processors of the lanes by number, one for each in turn; empty for any.
     pub cpus: Vec<usize>,
 }
 
-/// Threads of the tick.
+/// Number of threads of the tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LaneCount {
     /// One for each processor, at most 16.
     Auto,
-    /// A fixed number, 1 ..= 16.
     Count(usize),
 }
 
-/// What is asked of the system for the threads of the tick.
+/// Scheduling requested for the threads of the tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum ThreadPolicy {
-    /// `SCHED_FIFO`, on isolated processors if the machine has some.
     #[default]
     Auto,
-    /// `SCHED_FIFO`, on any processor or those that are named.
+    /// `SCHED_FIFO`, on any processor or the named ones.
     Fifo,
-    /// `SCHED_DEADLINE`, on any processor.
     Deadline,
-    /// Nothing is asked of the system.
+    /// No request to the system.
     Ordinary,
 }
 
@@ -47,7 +44,6 @@ impl ThreadPolicy {
     ];
 }
 
-/// Reads the table, if it is there; `lanes` share the tick.
 pub(super) fn read(
     report: &mut FindingList,
     scene: &mut TableReader<'_>,
@@ -78,7 +74,7 @@ fn read_cpus(report: &mut FindingList, reader: &mut TableReader<'_>) -> Vec<usiz
     nodes.iter().filter_map(number).collect()
 }
 
-/// Says what the kernel does not allow for `SCHED_DEADLINE`, and what would stop such a thread.
+/// Reports what the kernel forbids with `SCHED_DEADLINE`, and what would stop such a thread.
 fn refuse_for_deadline(
     report: &mut FindingList,
     reader: &TableReader<'_>,
@@ -96,7 +92,6 @@ fn refuse_for_deadline(
 }
 
 impl ThreadRules {
-    /// Returns the rules as a table.
     pub(super) fn written(&self) -> toml_edit::Table {
         let mut table = toml_edit::Table::new();
         let name = ThreadPolicy::ALL.iter().find(|(_, policy)| *policy == self.policy);

@@ -10,21 +10,20 @@ use super::read::TableReader;
 use super::setting::{NamedValues, settings};
 use documents::toml::{FindingList, SourcePlace};
 
-/// Rates of the tick.
 pub(super) const TICK_HZ: Quantity = Quantity { unit: "Hz", range: (100.0, 10_000.0) };
 
 const LONGEST_STEP: Quantity = Quantity { unit: "s", range: (1e-6, 0.1) };
 
-/// Below 1e-9 no key's motion is known, above 0.1 none is rendered.
+/// Below 1e-9 no motion is known, above 0.1 none is rendered.
 const ERROR_BUDGET: Quantity = Quantity { unit: "1", range: (1e-9, 0.1) };
 
 /// A bracket of half a tick locates nothing; below 1e-15 the fraction has no digits left.
 const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 
-/// The range from a key that hardly moves to one that is hammered.
+/// From a key that hardly moves to one that is hammered.
 pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
-/// Slower than a finger's slowest stroke nothing is felt.
+/// Below a finger's slowest stroke the finger feels nothing.
 const CUTOFF: Quantity = Quantity { unit: "Hz", range: (1.0, 1e4) };
 
 const JERK_LIMIT: Quantity = Quantity { unit: "m/s³", range: (1.0, 1e9) };
@@ -39,7 +38,7 @@ const GAIN: Quantity = Quantity { unit: "1", range: (1e-3, 1e3) };
 /// More than a joule is a hammer's blow.
 const ENERGY_TANK: Quantity = Quantity { unit: "J", range: (0.0, 1.0) };
 
-/// A way takes some milliseconds at most, and no estimate reaches farther.
+/// The transport takes some milliseconds at most, and no estimate reaches farther.
 const LEAD: Quantity = Quantity { unit: "s", range: (0.0, 8e-3) };
 
 const COMPENSATION: Quantity = Quantity { unit: "1", range: (0.0, 1.0) };
@@ -49,12 +48,12 @@ const PASSIVITY_MODES: NamedValues<PassivityMode> = NamedValues {
     all: || PassivityMode::ALL.map(|all| (all.name(), all)).into(),
 };
 
-/// A finger holds about 100 N for a moment, and no keyboard needs it to.
+/// A finger holds about 100 N briefly, and no keyboard needs that.
 const FORCE_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 100.0) };
 
 const SLEW_LIMIT: Quantity = Quantity { unit: "N/s", range: (1.0, 1e7) };
 
-/// Methods that make sense in a tick, the explicit ones first, by order.
+/// Methods that are useful in a tick, the explicit ones first, by order.
 const STEPPERS: NamedValues<Any> = NamedValues {
     refusal: "there is no stepper",
     all: || STEPPER_NAMES.iter().filter_map(|name| Some((*name, Any::named(name)?))).collect(),
@@ -90,42 +89,42 @@ settings! {
     /// The settings by which a voice is computed, and the limits of its force.
     pub struct Render;
     stepper: Any = Any::default(), STEPPERS;
-    /// Relative error per radian of a mode's fastest motion that `by-need` may make.
+    /// Relative error per radian of a mode's fastest motion allowed for `by-need`.
     error_budget: f64 = stepper::ByNeed::BUDGET, ERROR_BUDGET;
-    /// Longest step (s); the model's own limit holds too.
+    /// Longest step (s); the model's own limit applies as well.
     longest_step: f64 = 1e-3, LONGEST_STEP;
     /// Width to which an event is located, as a fraction of the tick.
     event_tolerance: f64 = Limits::default().event_tolerance, EVENT_TOLERANCE;
-    /// The estimator of motion from encoder counts.
+    /// Estimator of motion from encoder counts.
     estimator: EstimatorName = EstimatorName::Kalman, ESTIMATORS;
-    /// Power density of the jerk that the Kalman filter reckons with (m²/s⁵): the smaller,
-    /// the smoother and slower. Rigid models need it small, see key_hammer_rigid's README.
+    /// Power density of the jerk assumed by the Kalman filter (m²/s⁵): smaller is smoother and
+    /// slower. Rigid models need it small, see key_hammer_rigid's README.
     jerk_density: f64 = Kalman::KEY_JERK_DENSITY, JERK_DENSITY;
     /// Cutoff of the low pass of `filtered-difference` (Hz).
     cutoff: f64 = EstimatorSettings::KEY_CUTOFF, CUTOFF;
-    /// Largest jerk of a key that `levant` reckons with (m/s³).
+    /// Largest jerk of a key assumed by `levant` (m/s³).
     jerk_limit: f64 = EstimatorSettings::KEY_JERK_LIMIT, JERK_LIMIT;
-    /// The continuation of that motion over the tick.
+    /// Continuation of that motion over the tick.
     reconstruction: InputReconstruction = InputReconstruction::Estimate, RECONSTRUCTIONS;
     /// Stiffness between the player's key and the model's (N/m); 0 for none, the same key.
     coupling_stiffness: f64 = 0.0, COUPLING_STIFFNESS;
-    /// Damping between them (N s/m).
+    /// Damping between the player's key and the model's (N s/m).
     coupling_damping: f64 = 0.0, COUPLING_DAMPING;
-    /// Times what the model's key moves as the player's does: 1 on a key as long as the model's.
+    /// Motion of the model's key per motion of the player's: 1 on a key as long as the model's.
     motion_gain: f64 = 1.0, GAIN;
-    /// Times the model's force that the motor gives.
+    /// Motor force per force of the model.
     force_gain: f64 = 1.0, GAIN;
-    /// How long after the tick its force acts, beyond its own hold (s): estimated motion is
-    /// continued as far.
+    /// Time after the tick, beyond the force's own hold, at which the force acts (s); estimated
+    /// motion is extrapolated to it.
     lead: f64 = 0.0, LEAD;
-    /// Part of the key's own mass that is taken off what its finger feels.
+    /// Fraction of the key's own mass that is removed from the felt force.
     inertia_compensation: f64 = 0.0, COMPENSATION;
-    /// Part of the key's own friction, damping and weight that is.
+    /// Fraction of the key's own friction, damping and weight that is removed.
     friction_compensation: f64 = 0.0, COMPENSATION;
-    /// What is done about energy that a key makes.
+    /// Response to energy that a key generates.
     passivity: PassivityMode = PassivityMode::Observe, PASSIVITY_MODES;
-    /// Energy that a controlled key may give back before it got any (J): the smaller, the softer
-    /// slow keys begin.
+    /// Energy that a controlled key may give back in advance (J): smaller values make slow keys
+    /// begin softer.
     energy_tank: f64 = 1e-3, ENERGY_TANK;
     /// Largest force (N).
     force_limit: f64 = 25.0, FORCE_LIMIT;
@@ -134,7 +133,7 @@ settings! {
 }
 
 impl Render {
-    /// Returns the estimator of a key whose counts of `quantum` (m) come each `period` (s).
+    /// Returns the estimator of a key with counts of `quantum` (m) each `period` (s).
     pub fn estimator(&self, period: f64, quantum: f64) -> AnyEstimator {
         let Self { jerk_density, cutoff, jerk_limit, .. } = *self;
         let settings = EstimatorSettings { period, quantum, jerk_density, cutoff, jerk_limit };
@@ -142,20 +141,19 @@ impl Render {
     }
 }
 
-/// What is done about a key that gives back more energy than it got.
+/// Response to a key that gives back more energy than it received.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PassivityMode {
-    /// It is muted when it gave back more than any action stores.
+    /// The key is muted once it gave back more than any action stores.
     Observe,
-    /// No force is sent that could.
+    /// No force is sent that could give back too much.
     Control,
 }
 
 impl PassivityMode {
-    /// Both, the usual one first.
+    /// Both modes, the usual one first.
     pub const ALL: [Self; 2] = [Self::Observe, Self::Control];
 
-    /// Returns its name in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Observe => "observe",
@@ -164,17 +162,16 @@ impl PassivityMode {
     }
 }
 
-/// The continuation of the key's motion between two samples.
+/// Continuation of the key's motion between two samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum InputReconstruction {
-    /// The estimate goes on ballistically.
+    /// Ballistic continuation of the estimate.
     Estimate,
-    /// The samples alone are interpolated.
+    /// Interpolation of the samples alone.
     Samples(Samples),
 }
 
 impl InputReconstruction {
-    /// Every reconstruction, the default first.
     pub const ALL: [Self; 5] = [
         Self::Estimate,
         Self::Samples(Samples::Hold),
@@ -183,7 +180,6 @@ impl InputReconstruction {
         Self::Samples(Samples::LateHermite),
     ];
 
-    /// Returns its name in scenes.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Estimate => "estimate",
@@ -195,7 +191,7 @@ impl InputReconstruction {
     }
 }
 
-/// Reads the table `render` for ticks at `tick_hz`; the default for what is not there.
+/// Reads the table `render` for ticks at `tick_hz`, with defaults for missing entries.
 pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>, tick_hz: u32) -> Render {
     let mut render = Render::default();
     let Some(mut reader) = scene.table(report, "render") else { return render };
@@ -208,14 +204,13 @@ pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>, tick_h
     render
 }
 
-/// Reports a step of which more are needed than a tick may take.
+/// Reports a longest step that needs more steps than a tick allows.
 fn refuse_too_short(report: &mut FindingList, place: SourcePlace, longest_step: f64, tick_hz: u32) {
     let limits = Limits::default();
-    // An event may cut a step in two.
     let most = f64::from(limits.pieces.saturating_sub(limits.events).max(1));
     let shortest = 1.0 / (f64::from(tick_hz) * most);
     if longest_step < shortest {
-        // Rounded up, or what is told would be refused again.
+        // Rounded up, or the reported value would be rejected again.
         let microseconds = (shortest * 1e7).ceil() / 10.0;
         let message = format!(
             "\"longest_step\" is {}, but a tick at {tick_hz} Hz may take {most} steps at most",

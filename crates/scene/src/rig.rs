@@ -1,4 +1,4 @@
-//! `[rig]`: what the keys are made of, and who plays them.
+//! `[rig]`: the physical parameters of the keys, and the finger that plays them.
 
 use haptics::RigParameters;
 use haptics::plant::{
@@ -16,7 +16,7 @@ const DAMPING: Quantity = Quantity { unit: "N·s/m", range: (0.0, 1e3) };
 const FRICTION: Quantity = Quantity { unit: "N", range: (0.0, 20.0) };
 const RETURN: Quantity = Quantity { unit: "N", range: (-20.0, 20.0) };
 const FELT: Quantity = Quantity { unit: "N/m", range: (100.0, 1e6) };
-/// A finer step than a nanometre is noise, and one of a centimetre is a key's whole way.
+/// Below a nanometre a step is noise; a centimetre is a key's whole travel.
 const ENCODER_STEP: Quantity = Quantity { unit: "m", range: (1e-9, 1e-2) };
 const MOTOR_LIMIT: Quantity = Quantity { unit: "N", range: (0.1, 1e3) };
 const BANDWIDTH: Quantity = Quantity { unit: "Hz", range: (1.0, 1e5) };
@@ -32,22 +32,20 @@ const KINDS: NamedValues<RigKind> = NamedValues {
     all: || vec![("keybed", RigKind::Keybed), ("paper", RigKind::Paper)],
 };
 
-/// Rigs whose values are known.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum RigKind {
-    /// The playable simulated keybed.
     Keybed,
-    /// The apparatus of the paper's section 6.
+    /// Apparatus of the paper's section 6.
     Paper,
 }
 
-/// A corner of what fingers do.
+/// Extreme of the fingers' parameters.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FingerName {
     Ordinary,
     Stiff,
     Limp,
-    /// A hand that holds the key on both sides.
+    /// Hand that holds the key on both sides.
     Grip,
 }
 
@@ -74,12 +72,12 @@ impl FingerName {
 }
 
 settings! {
-    /// What a key, its encoder, its motor and the finger on it are made of.
+    /// Parameters of a key, its encoder, its motor and the finger on it.
     ///
-    /// Simulated keys are made so. Of keys on boards it is what is said of them, for the estimator
-    /// and for what is predicted of their loop.
+    /// Simulated keys have them. For keys on boards they are the assumptions of the estimator and
+    /// of predictions about the loop.
     pub struct Rig;
-    /// Way of the key's front from rest to bottom (m).
+    /// Travel of the key front from rest to bottom (m).
     dip: f64 = usual().key.bottom_stop.position, WAY;
     /// Moving mass at the front (kg).
     mass: f64 = usual().key.mass, MASS;
@@ -95,7 +93,7 @@ settings! {
     felt_stiffness: f64 = usual().key.bottom_stop.stiffness, FELT;
     /// Damping of the felts (N s/m).
     felt_damping: f64 = usual().key.bottom_stop.damping, DAMPING;
-    /// Way of one count (m).
+    /// Travel of one count (m).
     encoder_step: f64 = usual().quantum, ENCODER_STEP;
     /// Largest force of the motor (N).
     motor_limit: f64 = usual().motor.limit, MOTOR_LIMIT;
@@ -106,13 +104,11 @@ settings! {
     finger: FingerName = FingerName::Ordinary, FINGERS;
 }
 
-/// The simulated keybed's usual key.
 fn usual() -> RigParameters {
     RigParameters::default()
 }
 
 impl Rig {
-    /// Returns the apparatus of the paper.
     pub const fn paper() -> Self {
         let RigParameters { key, motor, quantum, .. } = RigParameters::PAPER;
         Self {
@@ -132,7 +128,6 @@ impl Rig {
         }
     }
 
-    /// Returns what keys of this rig are made of.
     pub fn parameters(&self) -> RigParameters {
         let felt = |position| Felt {
             position,
@@ -148,7 +143,7 @@ impl Rig {
                 coulomb: self.friction,
                 stiction: self.stiction,
                 weight: self.return_force,
-                // Where what brings it up leaves the key at 0.
+                // The rest position at which the return force leaves the key at 0.
                 rest_stop: felt(self.return_force.max(0.0) / self.felt_stiffness),
                 bottom_stop: felt(self.dip),
             },
@@ -163,7 +158,7 @@ impl Rig {
     }
 }
 
-/// Reads the table `rig`; the usual keybed for what is not there.
+/// Reads the table `rig`, with the usual keybed for missing entries.
 pub(super) fn read(report: &mut FindingList, scene: &mut TableReader<'_>) -> Rig {
     let Some(mut reader) = scene.table(report, "rig") else { return Rig::default() };
     let mut rig = match KINDS.read(report, &mut reader, "kind") {

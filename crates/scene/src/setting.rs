@@ -1,4 +1,4 @@
-//! Reading and writing of a value of a table: a number of some unit, or one of several names.
+//! Values of a table that are read and written: a number of some unit, or one of several names.
 
 use toml_edit::Value;
 
@@ -6,9 +6,8 @@ use super::quantity::Quantity;
 use super::read::TableReader;
 use documents::toml::FindingList;
 
-/// Reads and writes a value of a table.
 pub(super) trait TableSetting<T> {
-    /// Reads the value called `name`, if it is there and right.
+    /// Reads the value called `name`, if it exists and is valid.
     fn read(
         &self,
         report: &mut FindingList,
@@ -16,7 +15,6 @@ pub(super) trait TableSetting<T> {
         name: &'static str,
     ) -> Option<T>;
 
-    /// Returns `value` as TOML.
     fn written(&self, value: &T) -> Value;
 }
 
@@ -35,10 +33,10 @@ impl TableSetting<f64> for Quantity {
     }
 }
 
-/// One of several values that have names.
+/// One of several named values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NamedValues<T: 'static> {
-    /// The message before an unknown name, as "there is no stepper".
+    /// Message before an unknown name, as "there is no stepper".
     pub(super) refusal: &'static str,
     /// Returns every value with its name.
     pub(super) all: fn() -> Vec<(&'static str, T)>,
@@ -81,7 +79,7 @@ macro_rules! settings {
         }
 
         impl $settings {
-            /// Takes over what `reader` has.
+            /// Replaces settings by those that `reader` has.
             fn read_all(
                 &mut self,
                 report: &mut documents::toml::FindingList,
@@ -93,7 +91,6 @@ macro_rules! settings {
                 })+
             }
 
-            /// Returns the settings as a table.
             pub(super) fn written(&self) -> toml_edit::Table {
                 use $crate::setting::TableSetting as _;
                 let mut table = toml_edit::Table::new();

@@ -1,32 +1,29 @@
-//! The text of a scene or an instrument: embedded, or a file.
-
 use std::path::{Path, PathBuf};
 
 use super::embedded::EmbeddedFiles;
 use documents::toml::{self, FindingList, SourcePlace, TextPlace, TomlNode, TomlSource};
 use documents::{Diagnostic, Diagnostics, escaped, shown};
 
-/// Longest file that is read (bytes); the largest scene of ours has two thousand.
+/// Longest accepted file (bytes); the largest shipped scene has two thousand.
 const LONGEST: u64 = 1 << 18;
 
-/// A text, and where it came from.
+/// Text of a scene or instrument, embedded or from a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct SourceText {
-    /// Its name in diagnostics.
+    /// Name in diagnostics.
     pub(super) file: String,
-    /// Its name in lists: the file's, without the ending.
+    /// Name in lists: the file's, without its extension.
     pub(super) name: String,
-    /// The folder to which relative paths in it are relative.
+    /// Folder of relative paths in the text.
     pub(super) folder: PathBuf,
     pub(super) text: String,
 }
 
-/// A value of a scene that the command line replaces.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Override {
     pub name: String,
     pub value: String,
-    /// Its form on the command line, as `--link can:can0`.
+    /// Form on the command line, as `--link can:can0`.
     pub typed: String,
 }
 
@@ -43,7 +40,7 @@ pub(super) const fn typed_place(index: usize) -> SourcePlace {
 }
 
 impl SourceText {
-    /// Returns the tree of the text, as far as it is TOML, and the mistakes in it and in `overrides`.
+    /// Returns the tree of the text, as far as it is TOML, with mistakes in it and in `overrides`.
     pub(super) fn parsed(&self, overrides: &[Override]) -> (FindingList, Option<TomlNode>) {
         let mut report = FindingList::in_folder(self.folder.clone());
         let source = TomlSource { name: self.file.clone(), text: self.text.clone() };
@@ -55,7 +52,6 @@ impl SourceText {
         (report, root)
     }
 
-    /// Returns an embedded file of `shelf` called `name`.
     pub(super) fn embedded(shelf: &EmbeddedFiles, name: &str) -> Option<Self> {
         let text = shelf.find(name)?;
         Some(Self {
@@ -66,22 +62,14 @@ impl SourceText {
         })
     }
 
-    /// Returns the file at `path`.
-    ///
-    /// # Errors
-    ///
-    /// If it cannot be read, is no text, or is much too long.
+    /// Reads the file at `path`; rejects one that is unreadable, not text or too long.
     pub(super) fn read(path: &Path) -> Result<Self, Diagnostics> {
         let bytes =
             read_bytes(path).map_err(|(message, help)| refuse(path, None, message, help))?;
         Self::from_bytes(path, bytes)
     }
 
-    /// Returns the file at `path`, whose contents are `bytes`.
-    ///
-    /// # Errors
-    ///
-    /// If they are no text.
+    /// Returns the file at `path` with the contents `bytes`; rejects bytes that are not text.
     pub(super) fn from_bytes(path: &Path, bytes: Vec<u8>) -> Result<Self, Diagnostics> {
         let text = String::from_utf8(bytes).map_err(|error| not_text(path, &error))?;
         let name = escaped(&path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy());
@@ -90,10 +78,6 @@ impl SourceText {
     }
 
     /// Returns the embedded file of that name, or the file at that path below `folder`.
-    ///
-    /// # Errors
-    ///
-    /// What is wrong and what to do, where there is no such thing; or that the file cannot be read.
     pub(super) fn find(
         shelf: &EmbeddedFiles,
         wanted: &str,
@@ -120,21 +104,20 @@ impl SourceText {
     }
 }
 
-/// The reason why there is no [`SourceText`].
 #[derive(Debug)]
 pub(super) enum SourceError {
-    /// There is no such thing: what is wrong, and what to do.
+    /// Unknown name or path: message and remedy.
     Unknown((String, String)),
-    /// It is there and cannot be read.
+    /// Existing but unreadable file.
     Unreadable(Diagnostics),
 }
 
-/// Returns whether `text` is meant as a path rather than as a name.
+/// Returns `true` if `text` is meant as a path, not as a name.
 fn is_path(text: &str) -> bool {
     mechanism::is_path(text)
 }
 
-/// Returns the message and the help for a file that is not there.
+/// Returns the message and the help for a missing file.
 pub(super) fn no_file(path: &Path) -> (String, String) {
     let base = match std::env::current_dir() {
         Ok(folder) if path.is_relative() => format!(" in {}", shown(&folder)),
@@ -169,7 +152,6 @@ fn not_text(path: &Path, error: &std::string::FromUtf8Error) -> Diagnostics {
     refuse(path, Some((line, column)), message, "save the file as UTF-8 text".to_owned())
 }
 
-/// Returns the diagnostics of a file of which nothing else is known.
 pub(super) fn refuse(
     path: &Path,
     position: Option<(usize, usize)>,

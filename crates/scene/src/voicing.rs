@@ -1,4 +1,4 @@
-//! The voices of a range of keys: a model, a preset, and the parameters that differ from it.
+//! Voices of a range of keys: a model, a preset, and the parameters that differ from it.
 
 use std::sync::Arc;
 
@@ -11,15 +11,14 @@ use super::read::{self, TableReader, unknown};
 use documents::quoted;
 use documents::toml::{FindingList, SourcePlace, TomlKind, TomlNode};
 
-/// Index of the compass's last key.
 const LAST: u8 = KeyIndex::HIGHEST.number();
 
-/// A value that goes from the bass to the treble in a straight line.
+/// Value that is linear in the key, from the bass to the treble.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Graded {
-    /// At key 0, A0.
+    /// Value at key 0, A0.
     bass: f64,
-    /// At key 87, C8.
+    /// Value at key 87, C8.
     treble: f64,
 }
 
@@ -32,31 +31,29 @@ impl Graded {
     }
 }
 
-/// A model with a value for each of its parameters on each key: those of a preset, and what
-/// differs from it.
+/// Model with a value for each of its parameters on each key: those of a preset, and differences.
 #[derive(Clone, Debug)]
 pub struct Voicing {
     pub model: Arc<LoadedModel>,
-    /// Index of the preset; the model has it.
+    /// Index of a preset of the model.
     preset: usize,
-    /// The values that differ from the preset, by parameter.
+    /// Values that differ from the preset, by parameter.
     changed: Vec<Option<Graded>>,
 }
 
 impl Voicing {
-    /// Returns `model` with its first preset; none if it has no presets.
+    /// Returns `model` with its first preset; `None` without presets.
     pub fn of_model(model: &Arc<LoadedModel>) -> Option<Self> {
         let voicing = Self { model: Arc::clone(model), preset: 0, changed: Vec::new() };
         (!model.presets.is_empty()).then_some(voicing)
     }
 
-    /// Returns the preset from which values differ, if at all.
     pub fn preset(&self) -> &Preset {
         &self.model.presets[self.preset]
     }
 
-    /// Returns the same for another version of the model: the preset of that name, or else the
-    /// first, and what differs from it, by the names of parameters that allow these values.
+    /// Returns the voicing for another version of the model: the preset of equal name, or else the
+    /// first, and the differences in parameters of equal name that allow these values.
     pub fn following(&self, model: &Arc<LoadedModel>) -> Option<Self> {
         let called = |it: &Preset| it.name == self.preset().name;
         let preset = model.presets.iter().position(called).unwrap_or(0);
@@ -64,7 +61,7 @@ impl Voicing {
         Some(Self { preset, changed, ..Self::of_model(model)? })
     }
 
-    /// Returns what differs from the preset in the parameter that is called as `wanted` is.
+    /// Returns the difference from the preset in the parameter with the name of `wanted`.
     fn changed_in(&self, wanted: &Parameter) -> Option<Graded> {
         let same = |it: &Parameter| it.name == wanted.name && it.unit == wanted.unit;
         let index = self.model.parameters.iter().position(same)?;
@@ -73,8 +70,7 @@ impl Voicing {
         [graded.bass, graded.treble].into_iter().all(|it| quantity.allows(it)).then_some(graded)
     }
 
-    /// Reports the first condition on its parameters that the model states and the values do not
-    /// meet on one of `keys`.
+    /// Reports the first of the model's conditions on its parameters that fails on one of `keys`.
     pub(super) fn refuse_unmet(
         &self,
         report: &mut FindingList,
@@ -101,7 +97,7 @@ impl Voicing {
         values
     }
 
-    /// Reads the keys `model` and `preset`; the model's first preset if none is named.
+    /// Reads the entries `model` and `preset`; without a name the model's first preset is used.
     pub(super) fn read(
         report: &mut FindingList,
         reader: &mut TableReader<'_>,
@@ -137,7 +133,6 @@ impl Voicing {
         Some(Self { preset, ..Self::of_model(&model)? })
     }
 
-    /// Reads the table `parameters`, if there is one.
     pub(super) fn read_parameters(
         &mut self,
         report: &mut FindingList,
@@ -170,7 +165,6 @@ impl Voicing {
     }
 }
 
-/// Returns a number, or `{ bass = …, treble = … }`.
 fn read_graded(report: &mut FindingList, parameter: &Parameter, node: &TomlNode) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
     if !matches!(node.kind, TomlKind::Table(_)) {
@@ -205,7 +199,6 @@ mod tests {
         let graded = Graded { bass: 0.1, treble: 0.05 };
         assert_eq!(graded.at(0).to_bits(), 0.1_f64.to_bits());
         assert_eq!(graded.at(87).to_bits(), 0.05_f64.to_bits());
-        // One rounding of a value below 1 in each of three operations.
         assert!((graded.at(29) - (0.1 - 0.05 / 3.0)).abs() < 4.0 * f64::EPSILON);
     }
 

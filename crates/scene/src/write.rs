@@ -1,5 +1,3 @@
-//! Writes a scene as a complete file, with the present values of its keys.
-
 use boards::links::address::Address;
 use boards::links::can::CanMode;
 use instruments::ModelEntry;
@@ -13,7 +11,7 @@ use super::overload;
 use super::realtime::LaneCount;
 use super::scene::{Midi, MidiInput, MidiOutput, PerformanceSource, PlayList, RAW, Scene};
 
-/// Returns the text of `scene`; read again it is the same scene to the last bit.
+/// Returns `scene` as a complete file with the present values; it is read back to the last bit.
 pub fn written(scene: &Scene) -> String {
     let mut document = DocumentMut::new();
     document["title"] = value(scene.title.as_str());
@@ -46,7 +44,7 @@ fn pianist(list: &PlayList) -> Table {
     table
 }
 
-/// Returns a path that means the same wherever the file will lie.
+/// Returns a path that does not depend on the folder of the file.
 fn absolute(path: &std::path::Path) -> String {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned()).to_string_lossy().into_owned()
 }
@@ -120,12 +118,11 @@ fn board(number: u8, keys: KeyRange) -> Value {
     table.into()
 }
 
-/// Returns the name of a key's note, 0 (A0) ..= 87 (C8).
 fn key(number: u8) -> String {
     KeyIndex::new(number).map_or_else(String::new, |key| key.to_string())
 }
 
-/// Returns the key ranges; neighbours that are alike share one.
+/// Returns the key ranges; equal neighbours share one.
 fn keys(keys: &[Option<KeyVoice>]) -> ArrayOfTables {
     let mut tables = ArrayOfTables::new();
     let mut first = 0;
@@ -174,14 +171,12 @@ mod tests {
     use super::*;
     use mechanism::Library;
 
-    /// `scene` as it is read again.
     fn again(scene: &Scene) -> Scene {
         let text = written(scene).into_bytes();
         let source = SourceText::from_bytes(Path::new("again.toml"), text).expect("a text");
         Scene::check(&Library::default(), &source, &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
     }
 
-    /// Returns what two scenes must have in common.
     fn facts(it: &Scene) -> String {
         let keys = it.keys.iter().map(|voice| voice.as_ref().map(|it| (it.model.name, &it.values)));
         let keys: Vec<_> = keys.collect();

@@ -1,4 +1,4 @@
-//! Whatever is read: no panic, and consistent values or mistakes with a place.
+//! Any input: no panic, and consistent values or mistakes with a place.
 
 use mechanism::Library;
 use std::path::Path;
@@ -10,7 +10,6 @@ use super::super::embedded::{EmbeddedFiles, INSTRUMENTS, SCENES};
 use super::super::{checked_file, quantity};
 use super::*;
 
-/// Reads `bytes` as a scene and as an instrument.
 fn read(bytes: &[u8], overrides: &[Override]) {
     let Ok(source) = SourceText::from_bytes(Path::new("any.toml"), bytes.to_vec()) else { return };
     match Scene::check(&Library::default(), &source, overrides) {
@@ -36,14 +35,13 @@ fn check_places(all: &Diagnostics, n_lines: usize) {
     }
 }
 
-/// Returns a scene or instrument of ours.
 fn shipped() -> impl Strategy<Value = &'static str> {
     let texts = |shelf: &EmbeddedFiles| shelf.names().filter_map(|name| shelf.find(name)).collect();
     let all: [Vec<&str>; 2] = [texts(&SCENES), texts(&INSTRUMENTS)];
     select(all.concat())
 }
 
-/// Something that could stand in a scene.
+/// Returns a fragment that could occur in a scene.
 fn fragment() -> impl Strategy<Value = String> {
     const KNOWN: [&str; 36] = [
         "[",

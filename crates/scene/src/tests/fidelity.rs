@@ -8,7 +8,6 @@ fn with(line: &str) -> String {
     format!("[[keys]]\nrange = \"A0..C8\"\n{line}")
 }
 
-/// Asserts that a scene with these `lines` is refused with `expected`.
 #[track_caller]
 fn check_refused(lines: &str, expected: &str) {
     let said = Scene::check(&Library::default(), &source(&with(lines)), &[]).map(drop);

@@ -7,7 +7,7 @@ use boards::links::address::Address;
 
 use super::*;
 
-/// Asserts that exactly `expected` is said of `text`, where FOLDER is the working directory.
+/// Asserts that exactly `expected` is reported of `text`; FOLDER is the working directory.
 #[track_caller]
 fn check(text: &str, overrides: &[(&str, &str)], expected: &str) {
     let said = match Scene::check(&Library::default(), &source(text), &owned(overrides)) {

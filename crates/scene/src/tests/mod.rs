@@ -1,4 +1,4 @@
-//! The whole way, from a text to a scene or to what is said of it.
+//! From a text to a scene or to its mistakes.
 
 mod any_input;
 mod fidelity;
@@ -15,10 +15,10 @@ use documents::Diagnostics;
 use super::source::SourceText;
 use super::*;
 
-/// A scene that says no more than it must.
+/// Scene with the required entries only.
 const MINIMAL: &str = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n";
 
-/// A model with the paper's parameters below middle C, a grand from there on.
+/// Model with the paper's parameters below middle C, a grand from there on.
 const TWO_RANGES: &str = "[[keys]]
 range = \"A0..B3\"
 model = \"key-hammer-springs\"
@@ -45,7 +45,6 @@ fn load(text: &str, overrides: &[(&str, &str)]) -> Scene {
         .unwrap_or_else(|all| panic!("{all}"))
 }
 
-/// A folder of a test's own, removed at its end.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -55,7 +54,6 @@ impl Folder {
         Self(path)
     }
 
-    /// Writes a file and returns its path.
     fn write(&self, name: &str, bytes: &[u8]) -> String {
         let path = self.0.join(name);
         fs::write(&path, bytes).unwrap();

@@ -1,5 +1,3 @@
-//! Values of scenes as they are read.
-
 use mechanism::Library;
 use std::path::Path;
 
@@ -7,7 +5,7 @@ use pode::stepper::{self, Any};
 
 use super::*;
 
-/// The value of a parameter on a key, as bits: nothing is computed with it on the way.
+/// Compares a parameter's value on a key by its bits: no arithmetic happens on the way.
 #[track_caller]
 fn check_value(scene: &Scene, key: usize, parameter: &str, expected: f64) {
     let voice = scene.keys[key].as_ref().unwrap();
@@ -39,7 +37,7 @@ fn keys_outside_every_range_are_silent() {
     let scene = load("[[keys]]\nrange = 60\nmodel = \"key-hammer-springs\"\n", &[]);
     let sounding: Vec<usize> = (0..88).filter(|key| scene.keys[*key].is_some()).collect();
     assert_eq!(sounding, [39]);
-    // No preset is named: the first, with the paper's ideal string.
+    // Without a named preset the first is used, with the paper's ideal string.
     check_value(&scene, 39, "restitution", 1.0);
 }
 
@@ -105,7 +103,7 @@ fn an_instrument_of_one_s_own_lies_beside_the_scene() {
     assert_eq!(check_file(&Library::default(), Path::new(&soft)), Ok(FileKind::Instrument));
     assert_eq!(check_file(&Library::default(), Path::new(&scene)), Ok(FileKind::Scene));
 
-    // A mistake in the instrument is said once, in the instrument's file.
+    // A mistake in the instrument is reported once, in the instrument's file.
     folder.write("soft.toml", b"model = \"spring-wall\"\nparameters.K = \"0.2 N/s\"\n");
     let expected =
         format!("{soft}:2:16: \"K\" has the wrong unit \"N/s\"; give it in N/m, 0 to 1e9 N/m");
@@ -119,7 +117,7 @@ fn the_last_override_of_a_name_wins_over_the_file() {
     assert_eq!(load(&text, &[("tick_hz", "4000")]).tick_hz, 4000);
     assert_eq!(load(&text, &[("tick_hz", "4000"), ("tick_hz", "5 kHz")]).tick_hz, 5000);
     assert_eq!(load(&text, &[("tick_hz", "4 khz")]).tick_hz, 4000);
-    // What the file says wrongly does not matter then.
+    // An invalid value in the file does not matter then.
     assert_eq!(load(&text.replace("2000", "2"), &[("tick_hz", "600")]).tick_hz, 600);
 }
 
