@@ -1,4 +1,4 @@
-//! The files of descriptions: on the disk, or kept in a recording.
+//! Files of descriptions, on the disk or kept in a recording.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -10,18 +10,17 @@ use instruments::FileContents;
 
 use crate::shipped::description;
 
-/// Longest file that is read (bytes).
 const MAX_FILE: u64 = 1 << 18;
 
-/// Why a file cannot be read, and what to do about it.
+/// Problem of an unreadable file, and its remedy.
 pub(crate) type Unread = (String, &'static str);
 
-/// Returns `path` from the root on, as it is written otherwise.
+/// Returns `path` as an absolute path, otherwise unchanged.
 pub(crate) fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_unknown| path.to_owned())
 }
 
-/// The contents of files that are known without the disk, by their absolute paths.
+/// Contents of files that are known without the disk, by absolute path.
 #[derive(Debug, Default)]
 pub(crate) struct KeptFiles(Mutex<BTreeMap<PathBuf, Arc<[u8]>>>);
 
@@ -63,7 +62,7 @@ pub fn contents_now(before: &FileContents) -> FileContents {
     before.read_again(&|path| read_from_disk(path).ok())
 }
 
-/// Reads the files of one description, and remembers what stood in them.
+/// Reader of the files of one description that records their contents.
 #[derive(Debug)]
 pub(crate) struct DescriptionFiles<'a> {
     kept: &'a KeptFiles,
@@ -86,8 +85,7 @@ impl<'a> DescriptionFiles<'a> {
     }
 }
 
-/// What descriptions start from: models of the program by their names, and files beside the
-/// description that names them.
+/// Bases of descriptions: shipped models by name, and files beside the naming description.
 impl Bases for DescriptionFiles<'_> {
     fn load(&self, base: &str, from: &str) -> Result<(String, Vec<u8>), String> {
         if let Some(text) = description(base) {

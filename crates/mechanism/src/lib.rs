@@ -4,13 +4,10 @@
 //! path ─ Library ─▶ kane: equations ─▶ native: machine code ─▶ Arc<LoadedModel>
 //! ```
 //!
-//! A [`Library`] is passed to whatever names a model, a scene or a command. It reads a file again
-//! only if its contents, or those of its bases, changed; versions live as long as they are used.
-//! Where no machine code can be made, the same instructions are interpreted, to the same bits, some
-//! twenty times slower ([`interpreted`] names the reason).
-//!
-//! # What is not here
-//! The language of descriptions, mechanics, and code: crates `kane` and `native`.
+//! Callers pass a [`Library`] wherever a model is named. It reads a file again only if its
+//! contents, or those of its bases, changed; versions live as long as they are used.
+//! Where no machine code can be made, the instructions are interpreted, to equal bits, some twenty
+//! times slower ([`interpreted`] names the reason).
 
 pub mod expressions;
 mod files;

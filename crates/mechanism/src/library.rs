@@ -1,4 +1,4 @@
-//! From a name or a path to a model that runs, each version once.
+//! Loads models by name or path, each version once.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -13,22 +13,21 @@ use crate::files::{DescriptionFiles, KeptFiles, Unread, absolute, read_from_disk
 use crate::shipped::{SHIPPED, description};
 use crate::too_large;
 
-/// Why there is no model.
+/// Reason for a missing model.
 #[derive(Debug)]
 pub enum MissingModel {
-    /// There is no such thing: what is wrong, and what to do.
+    /// Unknown name or path.
     Unknown {
-        /// What is wrong with it.
+        /// Problem with the name or path.
         message: String,
-        /// What to do about it.
         help: String,
     },
-    /// The description is there, and all this is wrong with it.
+    /// Description with these mistakes.
     Wrong(Diagnostics),
 }
 
 impl MissingModel {
-    /// Returns what is wrong and what to do, each mistake of a description with its line and a
+    /// Returns the message and the remedy, for a description each mistake with its line and a
     /// caret.
     pub fn rendered(&self) -> String {
         match self {
@@ -38,7 +37,7 @@ impl MissingModel {
     }
 }
 
-/// Returns the mistakes, each with the line that it is about and a caret under the place.
+/// Returns the mistakes, each with its line and a caret under the place.
 pub fn rendered(mistakes: &Diagnostics) -> String {
     let text_of = |file: &str| {
         let of_program = description(file).map(str::to_owned);
@@ -47,17 +46,16 @@ pub fn rendered(mistakes: &Diagnostics) -> String {
     documents::rendered(mistakes, &text_of).trim_end().to_owned()
 }
 
-/// Returns whether `wanted` is meant as the path of a description rather than as a name.
+/// Returns `true` if `wanted` is meant as the path of a description, not as a name.
 pub fn is_path(wanted: &str) -> bool {
     wanted.contains(['/', '\\']) || Path::new(wanted).extension().is_some()
 }
 
-/// Names of all models of the program.
 pub fn model_names() -> impl Iterator<Item = &'static str> + Clone {
     SHIPPED.iter().map(|(name, _text)| *name)
 }
 
-/// Returns that there is no model called `wanted`, and which there are.
+/// Returns an error for the unknown name `wanted` that lists all models.
 pub fn unknown_model(wanted: &str) -> MissingModel {
     MissingModel::Unknown {
         message: format!("there is no model {}", quoted(wanted)),
@@ -65,10 +63,10 @@ pub fn unknown_model(wanted: &str) -> MissingModel {
     }
 }
 
-/// Reads descriptions into models, and knows those that are in use.
+/// Loader of descriptions that keeps the models in use.
 ///
-/// Clones share their versions. A version of a description lives as long as its model is in use; the
-/// models of the program stay.
+/// Clones share their versions. A version of a description lives as long as its model is in use;
+/// the shipped models are kept.
 #[derive(Clone, Debug, Default)]
 pub struct Library(Arc<LibraryState>);
 
@@ -76,11 +74,10 @@ pub struct Library(Arc<LibraryState>);
 struct LibraryState {
     kept: KeptFiles,
     known: Mutex<Vec<KnownVersion>>,
-    /// How many versions were read.
     versions: AtomicU32,
 }
 
-/// A version, and the file that it was read from by whichever path.
+/// Version of a description, and the file from which it was read.
 #[derive(Debug)]
 struct KnownVersion {
     place: PathBuf,
@@ -88,11 +85,11 @@ struct KnownVersion {
 }
 
 impl Library {
-    /// Returns the model of the program that is called `wanted`, or the one that the file at that
-    /// path below `folder` describes.
+    /// Returns the shipped model called `wanted`, or that of the description at the path `wanted`
+    /// below `folder`.
     ///
     /// # Errors
-    /// There is none, or all that is wrong with its description.
+    /// The model is unknown or its description has mistakes.
     pub fn find(&self, wanted: &str, folder: &Path) -> Result<Arc<LoadedModel>, MissingModel> {
         if is_path(wanted) {
             return self.load(&folder.join(wanted)).map_err(MissingModel::Wrong);
@@ -100,18 +97,18 @@ impl Library {
         shipped(wanted).unwrap_or_else(|| Err(unknown_model(wanted)))
     }
 
-    /// Returns the model that the file at `path` describes.
+    /// Returns the model of the description at `path`.
     ///
-    /// A file with the contents of a version that is still in use is that version.
+    /// A file with the contents of a version in use returns that version.
     ///
     /// # Errors
-    /// All that is wrong with the description.
+    /// All mistakes in the description.
     pub fn load(&self, path: &Path) -> Result<Arc<LoadedModel>, Diagnostics> {
         self.try_load(path, &Arc::default()).1
     }
 
-    /// Like [`load`](Self::load), but returns the files that were read, too, right or wrong, and
-    /// ends early, with a mistake, once `is_cancelled` is set.
+    /// Like [`load`](Self::load), but also returns the files that were read, valid or not, and ends
+    /// early, with a mistake, once `is_cancelled` is set.
     pub fn try_load(
         &self,
         path: &Path,
@@ -121,7 +118,7 @@ impl Library {
         if let Some((contents, model)) = self.current(&place) {
             return (contents, Ok(model));
         }
-        // The lock is not held meanwhile, so that a request does not wait for another derivation.
+        // The lock is not held here, so that a request does not wait for another derivation.
         let files = DescriptionFiles::new(&self.0.kept);
         let model = self.read(path, &files, is_cancelled);
         if let Ok(model) = &model {
@@ -130,7 +127,7 @@ impl Library {
         (files.contents(), model)
     }
 
-    /// Returns the version in use whose files at `place` have the same contents now.
+    /// Returns the version in use with unchanged contents of the files at `place`.
     fn current(&self, place: &Path) -> Option<(FileContents, Arc<LoadedModel>)> {
         let mut known = self.known();
         known.retain(|version| version.model.strong_count() > 0);
@@ -142,8 +139,8 @@ impl Library {
         })
     }
 
-    /// Makes `text` what is read at `path` from now on, whatever stands on the disk: a recording is
-    /// run again with the descriptions in it.
+    /// Replaces the contents of `path` by `text` from now on, whatever is on the disk: a recording
+    /// is replayed with the descriptions in it.
     pub fn keep_file(&self, path: &Path, text: &str) {
         self.0.kept.keep(path, text);
     }
@@ -170,10 +167,10 @@ impl Library {
     }
 }
 
-/// Returns what follows from the description called `wanted`, or from the file at that path.
+/// Derives the model of the description called `wanted`, or of the file at that path.
 ///
 /// # Errors
-/// There is none, or all that is wrong with it.
+/// The model is unknown or its description has mistakes.
 pub fn derive(wanted: &str) -> Result<DerivedModel, MissingModel> {
     let kept = KeptFiles::default();
     let files = DescriptionFiles::new(&kept);
@@ -187,9 +184,9 @@ pub fn derive(wanted: &str) -> Result<DerivedModel, MissingModel> {
     crate::kane::derive_model(wanted, &text, &files).map_err(MissingModel::Wrong)
 }
 
-/// Returns the model of the program called `name`, derived when it is asked for the first time.
+/// Returns the shipped model called `name`, derived on first use.
 fn shipped(name: &str) -> Option<Result<Arc<LoadedModel>, MissingModel>> {
-    // A pure function of its index, computed once: two that ask for a model get the same one.
+    // A pure function of its index, computed once: concurrent requests get one model.
     static MODELS: [OnceLock<Arc<LoadedModel>>; SHIPPED.len()] =
         [const { OnceLock::new() }; SHIPPED.len()];
     static DERIVING: Mutex<()> = Mutex::new(());
@@ -206,7 +203,6 @@ fn shipped(name: &str) -> Option<Result<Arc<LoadedModel>, MissingModel>> {
     Some(read.map(|read| Arc::clone(model.get_or_init(|| read))))
 }
 
-/// Returns the text of the description at `path`.
 fn text_of(path: &Path, files: &DescriptionFiles<'_>) -> Result<String, Diagnostics> {
     let refuse = |(message, help): Unread| refusal(path, message, help);
     let bytes = files.read(path).map_err(refuse)?;
@@ -216,15 +212,14 @@ fn text_of(path: &Path, files: &DescriptionFiles<'_>) -> Result<String, Diagnost
     })
 }
 
-/// Why models are interpreted.
 static INTERPRETED: OnceLock<String> = OnceLock::new();
 
-/// Returns the reason for which models of this process are interpreted, if any is.
+/// Returns the reason for which models of this process are interpreted, if any.
 pub fn interpreted() -> Option<&'static str> {
     INTERPRETED.get().map(String::as_str)
 }
 
-/// Compiles a derived model; interprets it where no machine code can be made.
+/// Compiles a derived model, or interprets it where no machine code can be made.
 #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
 fn compiled(
     path: &Path,
@@ -250,7 +245,7 @@ fn compiled(
     Ok(Arc::new(model))
 }
 
-/// One diagnostic about a file as a whole.
+/// Returns one diagnostic about a file as a whole.
 fn refusal(path: &Path, message: String, help: &str) -> Diagnostics {
     Diagnostics::new(vec![Diagnostic {
         file: path.to_string_lossy().into_owned(),

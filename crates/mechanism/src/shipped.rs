@@ -1,5 +1,3 @@
-//! The descriptions that come with the program.
-
 macro_rules! shipped {
     ($($folder:literal / $file:literal = $name:literal),+ $(,)?) => {
         [$(($name, include_str!(concat!(
@@ -8,7 +6,7 @@ macro_rules! shipped {
     };
 }
 
-/// Name and text of each description that is derived and compiled when it is asked for.
+/// Name and text of each shipped description, which is derived and compiled on request.
 pub(crate) const SHIPPED: [(&str, &str); 24] = shipped![
     "crates/instruments/src" / "key_hammer_springs/model" = "key-hammer-springs",
     "crates/instruments/src" / "key_hammer_rigid/model" = "key-hammer-rigid",
@@ -36,7 +34,7 @@ pub(crate) const SHIPPED: [(&str, &str); 24] = shipped![
     "configs/models" / "rolling-disk" = "rolling-disk",
 ];
 
-/// Returns the description of the model called `name`, if the program has one.
+/// Returns the description of the shipped model called `name`.
 pub fn description(name: &str) -> Option<&'static str> {
     SHIPPED.iter().find(|(known, _text)| *known == name).map(|(_name, text)| *text)
 }

@@ -1,4 +1,4 @@
-//! Why a model is too large to be loaded.
+//! Message for a model that is too large to be loaded.
 
 use instruments::{DoesNotLoad, LARGEST, MAX_CODED_CONTACTS};
 

@@ -1,8 +1,6 @@
-//! Whether values of a model's parameters go together.
-
 use instruments::{LoadedModel, Playable, Visitor};
 
-/// Asks a model with these values for the conditions that they do not meet.
+/// Query for the conditions that these values do not meet.
 struct UnmetOf<'a>(&'a [f64]);
 
 impl Visitor for UnmetOf<'_> {
@@ -15,8 +13,8 @@ impl Visitor for UnmetOf<'_> {
     }
 }
 
-/// Returns the conditions on the parameters of `model` that `values` do not meet, as
-/// its description writes them: `string > trip`.
+/// Returns the conditions on the parameters of `model` that `values` do not meet, as written in its
+/// description: `string > trip`.
 pub fn unmet(model: &LoadedModel, values: &[f64]) -> Vec<String> {
     model.visit(UnmetOf(values))
 }

@@ -1,9 +1,7 @@
-//! Expressions that are held once, their exact derivatives, and the programs that compute them.
+//! Expressions that are stored once, their exact derivatives, and the programs that compute them.
 //!
-//! [`graph`] holds expressions that share their parts; [`tape`] is the straight-line program of
-//! some of them; [`taylor`] has the power series of what a tape computes.
-//!
-//! Not here: what the expressions are about, how they are written in a file.
+//! [`graph`] holds expressions with shared parts; [`tape`] is the straight-line program of some of
+//! them; [`taylor`] has the power series of a tape's values.
 
 pub mod graph;
 pub mod tape;

@@ -1,5 +1,3 @@
-//! An expression to a node of the graph, with its unit.
-
 use std::ops::Range;
 
 use documents::quoted;
@@ -9,11 +7,10 @@ use super::functions::{Function, UnitRule, function};
 use super::{Dependence, Dimension, Measured, NameError, NameScope, TextError};
 use crate::expressions::graph::{BinaryFunction, Graph, UnaryFunction};
 
-/// Returns the value of `expression` in `scope`.
+/// Returns the value of `expression` in `scope`, with its unit.
 ///
 /// # Errors
-///
-/// Every unknown name and every unit that does not fit; empty if all was said before.
+/// Every unknown name and every mismatch of units; empty if they were reported before.
 pub fn build(
     expression: &ParsedExpression,
     graph: &mut Graph,
@@ -36,7 +33,7 @@ struct ValueBuilder<'a> {
     graph: &'a mut Graph,
     scope: &'a mut dyn NameScope,
     found: Vec<TextError>,
-    /// The parts' values; none where something is wrong.
+    /// Values of the parts; `None` for invalid ones.
     values: Vec<Option<Measured>>,
 }
 
@@ -112,7 +109,7 @@ impl ValueBuilder<'_> {
         }
     }
 
-    /// Whether the two have one unit; a plain 0 has every unit.
+    /// Returns the common unit of the two; a plain 0 has every unit.
     fn agree(&mut self, first: usize, second: usize, what: &str) -> Option<Dimension> {
         let (a, b) = (self.value(first)?, self.value(second)?);
         if a.dimension.fits(b.dimension) || self.is_plain_zero(b) {
@@ -142,7 +139,7 @@ impl ValueBuilder<'_> {
         value.dimension.is_none() && self.graph.is_zero(value.node)
     }
 
-    /// Every term is compared with the first that is no plain 0.
+    /// Compares every term with the first that is not a plain 0.
     fn sum(&mut self, terms: &[(usize, bool)]) -> Option<Measured> {
         let values: Option<Vec<_>> = terms.iter().map(|(part, _)| self.value(*part)).collect();
         let values = values?;
@@ -279,7 +276,6 @@ impl ValueBuilder<'_> {
         }
     }
 
-    /// Reports `x`, the part `at`, if it has a unit.
     fn ratio(&mut self, x: Measured, at: usize) -> Option<()> {
         if x.dimension.is_none() {
             return Some(());

@@ -1,5 +1,3 @@
-//! Functions that are built from those of the graph.
-
 use std::f64::consts::{LOG2_E, LOG10_E};
 
 use crate::expressions::graph::{BinaryFunction, Graph, Node, UnaryFunction};
@@ -14,7 +12,7 @@ pub(super) fn atan(graph: &mut Graph, x: Node) -> Node {
     graph.binary(BinaryFunction::Atan2, x, one)
 }
 
-/// cosh x · tanh x, which cancels nowhere.
+/// Builds cosh x · tanh x, which has no cancellation.
 pub(super) fn sinh(graph: &mut Graph, x: Node) -> Node {
     let (cosh, tanh) = (cosh(graph, x), graph.unary(UnaryFunction::Tanh, x));
     graph.multiply(cosh, tanh)
@@ -26,9 +24,9 @@ pub(super) fn cosh(graph: &mut Graph, x: Node) -> Node {
     graph.sum(&[(grows, 0.5), (falls, 0.5)])
 }
 
-/// 4 artanh(x/(q + √2q)) with q = 1 + √(1 + x²): a quarter of the angle.
+/// Builds 4 artanh(x/(q + √2q)) with q = 1 + √(1 + x²): a quarter of the angle.
 ///
-/// ln(x + √(1 + x²)) cancels where x is negative, and an artanh of half the angle where x is large.
+/// ln(x + √(1 + x²)) cancels for negative x, and an artanh of half the angle for large x.
 pub(super) fn asinh(graph: &mut Graph, x: Node) -> Node {
     let (one, square) = (graph.constant(1.0), graph.power(x, 2));
     let square = graph.add(one, square);
@@ -42,7 +40,7 @@ pub(super) fn asinh(graph: &mut Graph, x: Node) -> Node {
     graph.scale(quarter, 4.0)
 }
 
-/// ln(x + √((x − 1)(x + 1))).
+/// Builds ln(x + √((x − 1)(x + 1))).
 pub(super) fn acosh(graph: &mut Graph, x: Node) -> Node {
     let one = graph.constant(1.0);
     let (less, more) = (graph.subtract(x, one), graph.add(x, one));
@@ -52,7 +50,7 @@ pub(super) fn acosh(graph: &mut Graph, x: Node) -> Node {
     graph.unary(UnaryFunction::Ln, sum)
 }
 
-/// ln((1 + x)/(1 − x))/2.
+/// Builds ln((1 + x)/(1 − x))/2.
 pub(super) fn atanh(graph: &mut Graph, x: Node) -> Node {
     let one = graph.constant(1.0);
     let (more, less) = (graph.add(one, x), graph.subtract(one, x));

@@ -1,15 +1,12 @@
-//! What kind of quantity a number is: powers of the SI base units.
-
 use std::fmt;
 
-/// Powers of m, kg, s, A, K, mol and cd; an angle has none of them.
+/// Dimension of a quantity as powers of m, kg, s, A, K, mol and cd; that of an angle is 1.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Dimension([f64; 7]);
 
-/// Symbols of the base units.
 const BASE: [&str; 7] = ["m", "kg", "s", "A", "K", "mol", "cd"];
 
-/// Units that people know, by the powers of m, kg and s.
+/// Common units, by the powers of m, kg and s.
 const KNOWN: [([i8; 3], &str); 22] = [
     ([0, 0, 0], "1"),
     ([0, 0, -1], "1/s"),
@@ -35,11 +32,11 @@ const KNOWN: [([i8; 3], &str); 22] = [
     ([1, 1, -3], "N/s"),
 ];
 
-/// How far two exponents may be apart (rounding).
+/// Difference at which two exponents count as equal (rounding).
 const SAME: f64 = 1e-9;
 
 impl Dimension {
-    /// Of a ratio or an angle.
+    /// Dimension of a ratio or an angle.
     pub const NONE: Self = Self([0.0; 7]);
     pub const LENGTH: Self = Self::mechanical(1.0, 0.0, 0.0);
     pub const MASS: Self = Self::mechanical(0.0, 1.0, 0.0);
@@ -52,12 +49,11 @@ impl Dimension {
     pub const POWER: Self = Self::mechanical(2.0, 1.0, -3.0);
     pub const INERTIA: Self = Self::mechanical(2.0, 1.0, 0.0);
 
-    /// Returns powers of m, kg and s.
     pub const fn mechanical(metre: f64, kilogram: f64, second: f64) -> Self {
         Self([metre, kilogram, second, 0.0, 0.0, 0.0, 0.0])
     }
 
-    /// Returns the power 1 of the base unit with this number.
+    /// Returns the dimension of the base unit with this number.
     pub(super) fn base(index: usize) -> Self {
         let mut all = [0.0; 7];
         if let Some(exponent) = all.get_mut(index) {
@@ -66,30 +62,27 @@ impl Dimension {
         Self(all)
     }
 
-    /// Returns the dimension of a product.
     #[must_use]
     pub fn times(self, other: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] + other.0[i]))
     }
 
-    /// Returns the dimension of a quotient.
     #[must_use]
     pub fn over(self, other: Self) -> Self {
         Self(std::array::from_fn(|i| self.0[i] - other.0[i]))
     }
 
-    /// Returns the dimension of a power.
     #[must_use]
     pub fn to(self, exponent: f64) -> Self {
         Self(self.0.map(|it| it * exponent))
     }
 
-    /// Whether both are of one kind.
+    /// Returns `true` if both are of one kind.
     pub fn fits(self, other: Self) -> bool {
         self.0.iter().zip(other.0).all(|(a, b)| (a - b).abs() < SAME)
     }
 
-    /// Whether it is that of a ratio or an angle.
+    /// Returns `true` for a ratio or an angle.
     pub fn is_none(self) -> bool {
         self.fits(Self::NONE)
     }
@@ -127,7 +120,7 @@ pub(super) fn raised(unit: &str, power: f64) -> String {
     } else if (power - 3.0).abs() < SAME {
         format!("{unit}³")
     } else {
-        // 12 digits are more than any exponent that was written.
+        // Written exponents never have as many as 12 digits.
         let rounded = (power * 1e12).round() / 1e12;
         format!("{unit}^{rounded}")
     }

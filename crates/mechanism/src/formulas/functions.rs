@@ -1,40 +1,34 @@
-//! The functions that an expression can name.
-
 use crate::expressions::graph::{BinaryFunction, Graph, Node, UnaryFunction};
 
 use super::composed;
 
-/// What a function asks of its arguments' units, and what comes out.
+/// Units of a function's arguments and of its value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum UnitRule {
-    /// A ratio or an angle in, a ratio out.
+    /// Ratio or angle in, ratio out.
     Ratio,
-    /// What goes in comes out.
+    /// Value with the unit of the arguments.
     Same,
-    /// Anything in, a ratio out.
     ToRatio,
-    /// The root of what goes in.
     Root,
 }
 
-/// A function of an expression.
+/// Function that an expression can name.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Function {
     Unary(UnaryFunction, UnitRule),
     Binary(BinaryFunction, UnitRule),
-    /// Built from other functions; a ratio or an angle in, a ratio out.
+    /// Composed of other functions; a ratio or an angle in, a ratio out.
     Composed(fn(&mut Graph, Node) -> Node),
-    /// Of ratios that are numbers, and depend on nothing.
+    /// Function of ratios that are constant numbers.
     OfNumber(fn(f64) -> f64),
-    /// A choice between two values.
     If,
-    /// The total rate along the motion.
+    /// Total rate along the motion.
     Rate,
-    /// Of things that have names: how many.
+    /// Function of names, with their number.
     Named(usize),
 }
 
-/// Every function with its name.
 const ALL: [(&str, Function); 43] = [
     ("sin", Function::Unary(UnaryFunction::Sin, UnitRule::Ratio)),
     ("cos", Function::Unary(UnaryFunction::Cos, UnitRule::Ratio)),
@@ -81,7 +75,6 @@ const ALL: [(&str, Function); 43] = [
     ("reaction", Function::Named(1)),
 ];
 
-/// The names of all functions.
 pub const FUNCTIONS: [&str; ALL.len()] = {
     let mut names = [""; ALL.len()];
     let mut index = 0;
@@ -92,13 +85,11 @@ pub const FUNCTIONS: [&str; ALL.len()] = {
     names
 };
 
-/// Returns the function called `name`.
 pub(super) fn function(name: &str) -> Option<Function> {
     ALL.iter().find(|(known, _)| *known == name).map(|(_, function)| *function)
 }
 
 impl Function {
-    /// Returns how many arguments it takes.
     pub(super) const fn arguments(self) -> usize {
         match self {
             Self::Unary(..) | Self::Composed(_) | Self::OfNumber(_) | Self::Rate => 1,

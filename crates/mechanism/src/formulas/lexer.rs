@@ -1,4 +1,4 @@
-//! Text cut into numbers, names and signs.
+//! Splits text into numbers, names and signs.
 
 use std::ops::Range;
 
@@ -6,7 +6,6 @@ use documents::quoted;
 
 use super::TextError;
 
-/// A piece of text.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Lexeme {
     pub(super) kind: LexemeKind,
@@ -14,11 +13,10 @@ pub(super) struct Lexeme {
     pub(super) is_after_space: bool,
 }
 
-/// What a piece is.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum LexemeKind {
     Number(f64),
-    /// A name without its primes, and how many there are.
+    /// Name without its primes, and their number.
     Name(String, u8),
     Plus,
     Minus,
@@ -33,10 +31,9 @@ pub(super) enum LexemeKind {
     End,
 }
 
-/// Most primes of a name: the input has three rates.
 const MOST_PRIMES: usize = 3;
 
-/// Cuts `text`; the last piece is its end.
+/// Splits `text`; the last lexeme marks its end.
 pub(super) fn lex(text: &str) -> Result<Vec<Lexeme>, TextError> {
     let mut lexer = Lexer { text, at: 0, lexemes: Vec::new(), is_after_space: false };
     while lexer.one()? {}
@@ -47,7 +44,7 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     lexemes: Vec<Lexeme>,
-    /// Whether a space stands before the next piece.
+    /// `true` if a space precedes the next lexeme.
     is_after_space: bool,
 }
 
@@ -56,7 +53,7 @@ impl Lexer<'_> {
         self.text.get(self.at..).unwrap_or("")
     }
 
-    /// Cuts one piece; false at the end.
+    /// Reads one lexeme; returns `false` at the end.
     fn one(&mut self) -> Result<bool, TextError> {
         let rest = self.rest();
         let trimmed = rest.trim_start();
@@ -116,7 +113,7 @@ impl Lexer<'_> {
         if matches!(bytes.get(end), Some(b'e' | b'E')) {
             let signed = end + 1 + usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
             let after = digits(signed);
-            // Without digits it is the unit or name that follows.
+            // Without digits, `e` begins a unit or name.
             if after > signed {
                 end = after;
             }

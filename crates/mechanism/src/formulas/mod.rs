@@ -1,8 +1,7 @@
 //! The language of expressions: text with units, read into the graph.
 //!
-//! [`parse`] makes a [`ParsedExpression`] of a text, [`build`] a node of an expression: names are looked
-//! up in a [`NameScope`], and units are checked on the way. Every mistake has its place in the
-//! text.
+//! [`parse`] turns a text into a [`ParsedExpression`], [`build`] turns that into a node: names are
+//! resolved in a [`NameScope`], and units are checked. Every mistake has its place in the text.
 
 mod build;
 mod composed;
@@ -24,12 +23,11 @@ pub use units::{PhysicalUnit, converted, number_and_unit, unit};
 
 use std::ops::Range;
 
-/// A mistake in a text.
+/// Mistake in a text.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TextError {
-    /// Bytes of the text that it is about.
     pub span: Range<usize>,
-    /// Another place that has to do with it.
+    /// Another related place.
     pub other: Option<Range<usize>>,
     pub message: String,
     pub help: String,

@@ -1,7 +1,7 @@
-//! Lexemes to an expression, by binding powers.
+//! Parses lexemes to an expression, by binding powers.
 //!
-//! Sums and products of any length are one part each; what nests is counted, so that no text can
-//! make the parser or anything after it deep.
+//! Sums and products of any length are one part each; nesting is counted, so that no text makes the
+//! parser or later passes recurse deeply.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "a language has many pieces, and each place takes few of them"
@@ -17,17 +17,15 @@ use super::lexer::{Lexeme, LexemeKind, lex};
 use super::units::{UnitPlace, UnitReader, named, unit_help};
 use super::{Dimension, TextError};
 
-/// How deep parentheses, functions, signs and powers may nest.
+/// Deepest nesting of parentheses, functions, signs and powers.
 pub const DEEPEST: usize = 200;
 
-/// Most parts of one expression.
 pub const MOST_PARTS: usize = 2_000;
 
 /// Reads `text` as a value or a condition.
 ///
 /// # Errors
-///
-/// The first thing that is not an expression.
+/// The first syntax error.
 pub fn parse(text: &str, form: Form) -> Result<ParsedExpression, TextError> {
     let lexemes = lex(text)?;
     let mut parser = Parser { text, lexemes, at: 0, depth: 0, parts: Vec::new() };
@@ -39,7 +37,7 @@ pub fn parse(text: &str, form: Form) -> Result<ParsedExpression, TextError> {
     Ok(ParsedExpression { text: text.to_owned(), parts: parser.parts })
 }
 
-/// What binds: the later the tighter.
+/// Binding powers, the weakest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum BindingPower {
     Sum,
@@ -91,7 +89,7 @@ impl Parser<'_> {
         part
     }
 
-    /// a > b or a < b.
+    /// Parses a > b or a < b.
     fn condition(&mut self) -> Parsed {
         let left = self.binding(BindingPower::Sum)?;
         let sign = self.kind().clone();
@@ -111,7 +109,7 @@ impl Parser<'_> {
         self.push(PartShape::Greater(large, small), span)
     }
 
-    /// What binds at least as tightly as `power`.
+    /// Parses operators that bind at least as tightly as `power`.
     fn binding(&mut self, power: BindingPower) -> Parsed {
         match power {
             BindingPower::Sum => self.chain(
@@ -128,7 +126,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Operands of `tighter` with one of two signs between them.
+    /// Parses operands of `tighter` with one of two signs between them.
     fn chain(
         &mut self,
         tighter: BindingPower,
@@ -167,7 +165,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Binds to the right, and tighter than a sign before it: −x^−y is −(x^(−y)).
+    /// Parses a power, which binds to the right and tighter than a sign before it: −x^−y is
+    /// −(x^(−y)).
     fn power(&mut self) -> Parsed {
         let base = self.atom()?;
         if *self.kind() != LexemeKind::Caret {
@@ -214,7 +213,7 @@ impl Parser<'_> {
         quoted(self.text.get(span.clone()).unwrap_or(""))
     }
 
-    /// A number, and its unit if one follows.
+    /// Parses a number, and its unit if one follows.
     fn number(&mut self, number: f64, span: Range<usize>) -> Parsed {
         let LexemeKind::Name(name, primes) = self.kind() else {
             let plain = PartShape::Number { value: number, dimension: Dimension::NONE, unit: None };
@@ -278,7 +277,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Names of points, forces or constraints.
+    /// Parses names of points, forces or constraints.
     fn names(&mut self, function: &str) -> Result<Vec<(String, Range<usize>)>, TextError> {
         let mut names = Vec::new();
         loop {
@@ -307,7 +306,6 @@ impl Parser<'_> {
         self.expect_end()
     }
 
-    /// Refuses whatever is left.
     fn expect_end(&self) -> Result<(), TextError> {
         let span = self.span();
         let help = match self.kind() {

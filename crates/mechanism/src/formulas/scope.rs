@@ -1,9 +1,7 @@
-//! What the names in an expression stand for.
-
 use super::Dimension;
 use crate::expressions::graph::{Graph, Node};
 
-/// A value with its unit, and what it depends on.
+/// Value with its unit and its dependence.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Measured {
     pub node: Node,
@@ -11,7 +9,7 @@ pub struct Measured {
     pub reach: Dependence,
 }
 
-/// The kinds of symbols that a value depends on.
+/// Kinds of symbols on which a value depends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Dependence(u16);
 
@@ -22,10 +20,8 @@ impl Dependence {
     pub const COORDINATES: Self = Self(4);
     pub const SPEEDS: Self = Self(8);
     pub const INPUT: Self = Self(16);
-    /// Rates of the input.
     pub const INPUT_RATES: Self = Self(32);
     pub const ACCELERATIONS: Self = Self(64);
-    /// Reactions of constraints and forces of contacts.
     pub const REACTIONS: Self = Self(128);
     /// Forces that act in some modes only.
     pub const FORCES: Self = Self(256);
@@ -42,50 +38,45 @@ impl Dependence {
         (Self::FORCES, "forces by name"),
     ];
 
-    /// Returns all that is in either.
     #[must_use]
     pub const fn and(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// Whether nothing of `other` is outside.
+    /// Returns `true` if `other` is a subset of it.
     pub const fn covers(self, other: Self) -> bool {
         other.0 & !self.0 == 0
     }
 
-    /// Whether the two have something in common.
     pub const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// Returns its kinds in words.
     pub fn words(self) -> String {
         let words: Vec<_> =
             Self::WORDS.iter().filter(|(kind, _)| self.meets(*kind)).map(|(_, it)| *it).collect();
         if words.is_empty() { "numbers".to_owned() } else { words.join(", ") }
     }
 
-    /// Returns what of it `allowed` does not cover.
     #[must_use]
     pub const fn without(self, allowed: Self) -> Self {
         Self(self.0 & !allowed.0)
     }
 }
 
-/// Why a name cannot stand where it does.
+/// Mistake in the use of a name.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NameError {
     pub message: String,
     pub help: String,
 }
 
-/// What names stand for.
+/// Meanings of names.
 pub trait NameScope {
-    /// Returns what `name` with so many primes is.
+    /// Returns the value of `name` with `primes` primes.
     ///
     /// # Errors
-    ///
-    /// What is wrong with the name here; none if it was said before.
+    /// The mistake in the use of the name; `None` if it was reported before.
     fn value(
         &mut self,
         graph: &mut Graph,
@@ -93,11 +84,10 @@ pub trait NameScope {
         primes: u8,
     ) -> Result<Measured, Option<NameError>>;
 
-    /// Returns `function` of what is called `names`, as x(P).
+    /// Returns `function` of the objects `names`, as x(P).
     ///
     /// # Errors
-    ///
-    /// The number of the wrong name, and what is wrong; none if it was said before.
+    /// The index of the invalid name, and its mistake; `None` if it was reported before.
     fn named(
         &mut self,
         graph: &mut Graph,
@@ -108,10 +98,9 @@ pub trait NameScope {
     /// Returns the total rate of `value` along the motion.
     ///
     /// # Errors
-    ///
-    /// If it has none that can be known.
+    /// The rate is unknown.
     fn rate(&mut self, graph: &mut Graph, value: Measured) -> Result<Measured, NameError>;
 
-    /// Returns what may be depended on.
+    /// Returns the dependence that is allowed here.
     fn allowed(&self) -> Dependence;
 }

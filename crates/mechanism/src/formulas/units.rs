@@ -1,4 +1,4 @@
-//! Names of units with SI prefixes, and units made of them.
+//! Names of units with SI prefixes, and compound units.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "a language has many pieces, and each place takes few of them"
@@ -10,32 +10,30 @@ use super::dimension::raised;
 use super::lexer::{Lexeme, LexemeKind, lex};
 use super::{Dimension, TextError};
 
-/// A unit: what a number of it is in SI.
+/// Unit with its conversion to SI.
 #[derive(Clone, PartialEq, Debug)]
 pub struct PhysicalUnit {
     factor: f64,
-    /// Power of ten on top of the factor, apart from it so that 5 mm is 5/1000 exactly.
+    /// Power of ten on top of the factor, kept apart so that 5 mm is 5/1000 exactly.
     tens: i32,
     pub dimension: Dimension,
-    /// The same in SI units without prefixes: `N·m/rad`.
+    /// SI unit without prefixes: `N·m/rad`.
     pub si: String,
 }
 
 impl PhysicalUnit {
-    /// Returns `number` of this unit in SI.
     pub fn to_si(&self, number: f64) -> f64 {
         let scaled = number * self.factor;
         if self.tens < 0 { scaled / 10f64.powi(-self.tens) } else { scaled * 10f64.powi(self.tens) }
     }
 
-    /// Whether a number of it is the same number in SI.
+    /// Returns `true` if a number of this unit is unchanged in SI.
     pub fn is_si(&self) -> bool {
         (self.to_si(1.0) - 1.0).abs() < f64::EPSILON
     }
 }
 
-/// A name of a unit: factor, power of ten, powers of m, kg, s, name in SI, and whether prefixes
-/// go with it.
+/// Unit name: factor, power of ten, powers of m, kg, s, name in SI, and allowed prefixes.
 type NamedUnit = (&'static str, f64, i32, [i8; 3], &'static str, Prefixes);
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -85,7 +83,6 @@ const PREFIXES: [(&str, i32); 11] = [
     ("p", -12),
 ];
 
-/// Returns the unit called `name`.
 pub(super) fn named(name: &str) -> Option<PhysicalUnit> {
     exact(name).map(|(unit, _)| unit).or_else(|| {
         let (prefix, tens) = PREFIXES.iter().find(|(prefix, _)| name.starts_with(prefix))?;
@@ -109,19 +106,17 @@ fn exact(name: &str) -> Option<(PhysicalUnit, Prefixes)> {
     Some((PhysicalUnit { factor, tens, dimension, si: si.to_owned() }, prefixes))
 }
 
-/// Returns what to do about `name`, which is no unit.
+/// Returns the help for the unknown unit `name`.
 pub(super) fn unit_help(name: &str) -> String {
     choice(name, UNITS.iter().map(|(known, ..)| *known))
 }
 
-/// The sign between two factors.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Joint {
     Times,
     Over,
 }
 
-/// Reads units from lexemes.
 pub(super) struct UnitReader<'a> {
     pub(super) lexemes: &'a [Lexeme],
     pub(super) at: usize,
@@ -129,7 +124,6 @@ pub(super) struct UnitReader<'a> {
     pub(super) within: UnitPlace,
 }
 
-/// Where a unit stands.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum UnitPlace {
     Expression,
@@ -141,7 +135,7 @@ impl UnitReader<'_> {
         self.lexemes.get(self.at + ahead).map(|it| &it.kind)
     }
 
-    /// Returns the unit that begins here: `N*m/rad`, `m/s^2`.
+    /// Reads the unit that begins here: `N*m/rad`, `m/s^2`.
     pub(super) fn read(&mut self) -> Result<PhysicalUnit, TextError> {
         let mut unit = self.factor()?;
         while let Some(joint) = self.goes_on() {
@@ -151,7 +145,7 @@ impl UnitReader<'_> {
         Ok(unit)
     }
 
-    /// Passes over `*` or `/` if it and another factor follow; alone, `N m` is a product too.
+    /// Consumes `*` or `/` if another factor follows; in a unit alone, `N m` is a product too.
     fn goes_on(&mut self) -> Option<Joint> {
         let is_alone = self.within == UnitPlace::Alone;
         let Some(joint) = self.joint() else {
@@ -184,7 +178,7 @@ impl UnitReader<'_> {
         }
     }
 
-    /// Whether `(…)` after the next sign is made of units alone, as in `N/(kg*m)`.
+    /// Returns `true` if `(…)` after the next sign contains only units, as in `N/(kg*m)`.
     fn is_group(&self) -> bool {
         let rest = self.lexemes.get(self.at + 2..).unwrap_or(&[]);
         for lexeme in rest {
@@ -228,7 +222,7 @@ impl UnitReader<'_> {
         Ok(self.exponent().map_or(unit.clone(), |exponent| powered(&unit, exponent)))
     }
 
-    /// The unit of `name` if that is a unit with its power, as `m2`; in an expression it is a name.
+    /// Returns the unit `name` with its power, as `m2`; in an expression that is a name.
     fn raised(&self, name: &str) -> Option<PhysicalUnit> {
         let base = name.trim_end_matches(|it: char| it.is_ascii_digit());
         let power: u8 = name.get(base.len()..)?.parse().ok()?;
@@ -236,7 +230,7 @@ impl UnitReader<'_> {
         Some(powered(&unit, power.into()))
     }
 
-    /// Factors in parentheses, one level deep.
+    /// Reads factors in parentheses, one level deep.
     fn group(&mut self) -> Result<PhysicalUnit, TextError> {
         let mut unit = self.flat()?;
         while let Some(joint) = self.joint() {
@@ -255,7 +249,7 @@ impl UnitReader<'_> {
         Ok(unit)
     }
 
-    /// A factor that is no group.
+    /// Reads a factor that is no group.
     fn flat(&mut self) -> Result<PhysicalUnit, TextError> {
         if let (Some(LexemeKind::Open), Some(lexeme)) = (self.kind(0), self.lexemes.get(self.at)) {
             let help = "write the unit with fewer parentheses";
@@ -268,7 +262,7 @@ impl UnitReader<'_> {
         self.factor()
     }
 
-    /// `^2`, `^-1` or `^2.5`.
+    /// Reads `^2`, `^-1` or `^2.5`.
     fn exponent(&mut self) -> Option<f64> {
         if self.kind(0) != Some(&LexemeKind::Caret) {
             return None;
@@ -309,11 +303,10 @@ fn combined(left: &PhysicalUnit, right: &PhysicalUnit, joint: Joint) -> Physical
     PhysicalUnit { factor, tens, dimension, si }
 }
 
-/// Returns the unit that `text` is, as `kg*m^2` or `1`.
+/// Returns the unit of `text`, as `kg*m^2` or `1`.
 ///
 /// # Errors
-///
-/// If it is none.
+/// The first unknown name or syntax error.
 pub fn unit(text: &str) -> Result<PhysicalUnit, TextError> {
     let lexemes = lex(text)?;
     let mut reader = UnitReader { lexemes: &lexemes, at: 0, within: UnitPlace::Alone };
@@ -328,9 +321,9 @@ pub fn unit(text: &str) -> Result<PhysicalUnit, TextError> {
     }
 }
 
-/// Returns the number that `text` begins with, and what follows it.
+/// Returns the number at the start of `text`, and the rest.
 pub fn number_and_unit(text: &str) -> Option<(f64, &str)> {
-    /// Longest number that is read (bytes).
+    /// Longest number (bytes).
     const MAX_NUMBER: usize = 40;
     let text = text.trim();
     let is_part = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
@@ -342,8 +335,8 @@ pub fn number_and_unit(text: &str) -> Option<(f64, &str)> {
     })
 }
 
-/// Returns `number` of the unit `given` in the unit `wanted`, which is one of SI; `None` if they
-/// measure different kinds of quantities.
+/// Converts `number` of the unit `given` to the SI unit `wanted`; `None` if they are of different
+/// kinds.
 ///
 /// An angle is not a ratio here: revolutions per second are not hertz.
 pub fn converted(number: f64, given: &str, wanted: &str) -> Option<f64> {

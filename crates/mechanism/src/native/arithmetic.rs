@@ -1,11 +1,10 @@
-//! What needs no call: comparisons, magnitudes, roots.
+//! Operations without a call: comparisons, magnitudes, roots.
 
 use crate::expressions::graph::{BinaryFunction, UnaryFunction};
 use cranelift_codegen::ir::condcodes::FloatCC;
 use cranelift_codegen::ir::{InstBuilder as _, Value};
 use cranelift_frontend::FunctionBuilder;
 
-/// `positive` where `condition` > 0, else `other`.
 pub(crate) fn select(
     builder: &mut FunctionBuilder<'_>,
     condition: Value,
@@ -17,7 +16,6 @@ pub(crate) fn select(
     builder.ins().select(is_positive, positive, other)
 }
 
-/// A function of one number that is no call.
 pub(crate) fn unary(builder: &mut FunctionBuilder<'_>, function: UnaryFunction, x: Value) -> Value {
     match function {
         UnaryFunction::Abs => builder.ins().fabs(x),
@@ -30,7 +28,6 @@ pub(crate) fn unary(builder: &mut FunctionBuilder<'_>, function: UnaryFunction, 
             let is_above = builder.ins().fcmp(FloatCC::GreaterThan, x, zero);
             builder.ins().select(is_above, one, below)
         }
-        // All others are calls.
         UnaryFunction::Sin
         | UnaryFunction::Cos
         | UnaryFunction::Tanh
@@ -45,7 +42,7 @@ pub(crate) fn unary(builder: &mut FunctionBuilder<'_>, function: UnaryFunction, 
     }
 }
 
-/// A function of two numbers that is no call: `instruments::equations::functions::{smaller, larger}`.
+/// Writes `smaller` or `larger` of `instruments::equations::functions` without a call.
 pub(crate) fn binary(
     builder: &mut FunctionBuilder<'_>,
     function: BinaryFunction,

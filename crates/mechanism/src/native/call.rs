@@ -1,8 +1,8 @@
 //! Calls of machine code: the only unsafe code of described models.
 //!
-//! The contract of an [`Entry`]: its code was made by [`compile`](crate::native::compile) from a tape, so
+//! The contract of an [`Entry`]: [`compile`](crate::native::compile) made its code from a tape, so
 //! that it reads at most `counts` numbers behind each address, writes `outputs` numbers behind the
-//! last, and does nothing else. Who calls it compares these lengths with its slices first.
+//! last, and does nothing else. The caller compares these lengths with its slices first.
 #![expect(unsafe_code, reason = "machine code made at run time cannot be called without it")]
 
 use std::fmt;
@@ -12,10 +12,10 @@ use crate::expressions::tape::{ArgumentCounts, Tape};
 use cranelift_jit::JITModule;
 use instruments::equations::table::{Arguments, FunctionId, Functions};
 
-/// Addresses of constants, state, input, extra and out.
+/// Function of the addresses of constants, state, input, extra and out.
 type Code = unsafe extern "C" fn(*const f64, *const f64, *const f64, *const f64, *mut f64);
 
-/// One function in machine code, and the lengths that it needs.
+/// One function in machine code, and the lengths that it requires.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry {
     code: Code,
@@ -24,14 +24,13 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// Returns the function whose code, made of `tape`, starts at `code`.
+    /// Returns the function with its `code`, compiled from `tape`.
     pub(crate) fn new(code: *const u8, tape: &Tape) -> Self {
         // SAFETY: `compile` made the code with this signature, and gives no null address.
         let code = unsafe { core::mem::transmute::<*const u8, Code>(code) };
         Self { code, counts: tape.argument_counts(), outputs: tape.outputs.len() }
     }
 
-    /// Whether every slice is as long as the code reads or writes.
     const fn fits(&self, arguments: &Arguments<'_>, out: &[f64]) -> bool {
         arguments.constants.len() >= self.counts.constants
             && arguments.state.len() >= self.counts.state
@@ -59,14 +58,14 @@ impl Entry {
     }
 }
 
-/// The functions of a model in machine code.
+/// Functions of a model in machine code.
 ///
-/// Copies share the code, and any of them keeps it alive: it is freed when the last is dropped,
-/// which should not happen in the tick. A model at run time holds one for as long as it can be
-/// stepped; no address leaves this type.
+/// Copies share the code, and each keeps it alive: it is freed with the last one, which should not
+/// happen in the tick. A model at run time holds one for as long as it can be stepped; no address
+/// leaves this type.
 #[derive(Clone)]
 pub struct NativeFunctions {
-    // Before the memory, so that nothing could be called that is gone.
+    // Before the memory, so that no freed code can be called.
     entries: Arc<[Entry]>,
     _memory: Arc<CodeMemory>,
 }
@@ -76,12 +75,10 @@ impl NativeFunctions {
         Self { entries, _memory: Arc::new(CodeMemory { module: Mutex::new(Some(module)) }) }
     }
 
-    /// Returns how many functions there are.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Whether there is no function.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
@@ -102,7 +99,7 @@ impl fmt::Debug for NativeFunctions {
     }
 }
 
-/// The memory of the code; the lock is for the compiler's eyes, since nothing takes it but drop.
+/// Memory of the code; the lock only satisfies the compiler, since only drop takes it.
 struct CodeMemory {
     module: Mutex<Option<JITModule>>,
 }

@@ -1,5 +1,3 @@
-//! The Rust functions that machine code calls, and their addresses.
-
 use crate::expressions::graph::{BinaryFunction, UnaryFunction};
 use cranelift_codegen::ir::{AbiParam, Signature, types::F64};
 use cranelift_jit::{JITBuilder, JITModule};
@@ -46,13 +44,12 @@ binary! {
     powf = math::powf;
 }
 
-/// Sine and cosine of one angle.
 extern "C" fn sin_cos(x: f64, out: &mut [f64; 2]) {
     let (sine, cosine) = math::sin_cos(x);
     *out = [sine, cosine];
 }
 
-/// Sines of two angles, then their cosines.
+/// Writes the sines of two angles, then their cosines.
 extern "C" fn sin_cos_of_two(x: f64, y: f64, out: &mut [f64; 4]) {
     let ([a, b], [c, d]) = math::sin_cos_of_two([x, y]);
     *out = [a, b, c, d];
@@ -79,7 +76,7 @@ const BINARY: [(BinaryFunction, &str, BinaryCallee); 3] = [
 const SIN_COS: &str = "sin_cos";
 const SIN_COS_OF_TWO: &str = "sin_cos_of_two";
 
-/// Tells the code generator where the functions are.
+/// Registers the functions' addresses with the code generator.
 pub(crate) fn register(builder: &mut JITBuilder) {
     for (_, name, function) in UNARY {
         builder.symbol(name, function as *const u8);
@@ -91,7 +88,7 @@ pub(crate) fn register(builder: &mut JITBuilder) {
     builder.symbol(SIN_COS_OF_TWO, sin_cos_of_two as *const u8);
 }
 
-/// The functions as a module knows them.
+/// Ids of the functions in a module.
 #[derive(Debug)]
 pub(crate) struct Callees {
     unary: Vec<(UnaryFunction, FuncId)>,
@@ -129,7 +126,7 @@ impl Callees {
     }
 }
 
-/// A function of numbers that returns one.
+/// Returns the signature of a function of numbers that returns one.
 fn returning(module: &JITModule, arguments: usize) -> Signature {
     let mut signature = module.make_signature();
     signature.params.extend(core::iter::repeat_n(AbiParam::new(F64), arguments));
@@ -137,7 +134,7 @@ fn returning(module: &JITModule, arguments: usize) -> Signature {
     signature
 }
 
-/// A function of numbers that writes to where its last argument points.
+/// Returns the signature of a function of numbers that writes through its last argument.
 fn writing(module: &JITModule, arguments: usize) -> Signature {
     let mut signature = module.make_signature();
     signature.params.extend(core::iter::repeat_n(AbiParam::new(F64), arguments));

@@ -1,10 +1,8 @@
-//! Machine code of straight-line programs, made while the program runs.
+//! Machine code of straight-line programs, compiled at run time.
 //!
-//! [`compile`] turns each [`Tape`] into a function of this machine by Cranelift. The same bits come
-//! out as of [`Tape::evaluate`]: no operation is reordered, and elementary functions are the same
-//! Rust functions.
-//!
-//! Compiling allocates and takes milliseconds: it is not for the tick. Calling is.
+//! [`compile`] turns each [`Tape`] into a function of this machine by Cranelift, with the bits of
+//! [`Tape::evaluate`]: no operation is reordered, and elementary functions are the same Rust
+//! functions. Compiling allocates and takes milliseconds, so it is not for the tick; calling is.
 
 mod arithmetic;
 mod call;
@@ -25,12 +23,11 @@ use cranelift_module::{FuncId, Linkage, Module as _, ModuleError};
 use self::call::Entry;
 use self::functions::Callees;
 
-/// Largest number of instructions of all functions together.
-///
-/// A model with so many takes about a second; the largest of the program has a tenth.
+/// Largest number of instructions of all functions together; compiling so many takes about a
+/// second. The largest shipped model has a tenth.
 pub const MAX_INSTRUCTIONS: usize = 150_000;
 
-/// Why there is no machine code.
+/// Reason for missing machine code.
 #[derive(Debug, thiserror::Error)]
 pub enum NativeError {
     #[error("no machine code can be made for this processor: {0}")]
@@ -56,8 +53,8 @@ impl From<ModuleError> for NativeError {
 /// Returns machine code of `functions`, each under its index.
 ///
 /// # Errors
-/// A processor that the code generator does not know, a tape whose operands do not stand before
-/// their use, more than [`MAX_INSTRUCTIONS`], or no memory for code.
+/// A processor that the code generator does not support, a tape with operands after their use, more
+/// than [`MAX_INSTRUCTIONS`], or no memory for code.
 pub fn compile(functions: &[Tape]) -> Result<NativeFunctions, NativeError> {
     compile_unless_cancelled(functions, &AtomicBool::new(false))
 }
@@ -65,7 +62,7 @@ pub fn compile(functions: &[Tape]) -> Result<NativeFunctions, NativeError> {
 /// Like [`compile`], but ends early once `is_cancelled` is set.
 ///
 /// # Errors
-/// As of [`compile`]; that it was cancelled.
+/// Those of [`compile`]; cancellation.
 pub fn compile_unless_cancelled(
     functions: &[Tape],
     is_cancelled: &AtomicBool,
@@ -97,7 +94,6 @@ pub fn compile_unless_cancelled(
     Ok(NativeFunctions::new(module, entries))
 }
 
-/// An empty module for this machine.
 fn module() -> Result<JITModule, NativeError> {
     let mut flags = settings::builder();
     flags.set("opt_level", "speed")?;
@@ -113,7 +109,7 @@ fn module() -> Result<JITModule, NativeError> {
     Ok(JITModule::new(builder))
 }
 
-/// Translates one tape and gives it to the module.
+/// Translates one tape and defines it in the module.
 fn define(
     module: &mut JITModule,
     callees: &Callees,
@@ -129,7 +125,7 @@ fn define(
     Ok(id)
 }
 
-/// Addresses of constants, state, input, extra and out; see [`call`].
+/// Returns the signature: addresses of constants, state, input, extra and out; see [`call`].
 fn signature(module: &JITModule) -> ir::Signature {
     let pointer = module.target_config().pointer_type();
     let mut signature = module.make_signature();
@@ -137,7 +133,7 @@ fn signature(module: &JITModule) -> ir::Signature {
     signature
 }
 
-/// Declares a function of ours that machine code calls.
+/// Declares a Rust function that machine code calls.
 fn import(
     module: &mut JITModule,
     name: &str,

@@ -1,5 +1,3 @@
-//! From a tape to the code generator's own language.
-
 use std::collections::{BTreeMap, HashMap};
 
 use crate::expressions::graph::UnaryFunction;
@@ -14,7 +12,7 @@ use cranelift_module::{FuncId, Module as _};
 use crate::native::arithmetic;
 use crate::native::functions::Callees;
 
-/// Writes the body of `function`, which does what `tape` does.
+/// Writes the body of `function`, which computes `tape`.
 pub(crate) fn translate(
     tape: &Tape,
     module: &mut JITModule,
@@ -42,7 +40,7 @@ struct Translation<'a, 'f> {
     module: &'a mut JITModule,
     callees: &'a Callees,
     builder: FunctionBuilder<'f>,
-    /// Constants, state, input, extra, out.
+    /// Addresses of constants, state, input, extra, out.
     pointers: Vec<Value>,
     values: HashMap<TapeSlot, Value>,
 }
@@ -112,7 +110,7 @@ impl Translation<'_, '_> {
         }
     }
 
-    /// A sine or cosine that stands twice in a tape.
+    /// Returns a sine or cosine that occurs twice in a tape.
     fn repeated(&mut self, angle: TapeSlot, instruction: Instruction) -> Value {
         let all = (0..).map(TapeSlot).zip(&self.tape.instructions);
         let mut same = all.filter(|(_, it)| **it == instruction);
@@ -156,7 +154,7 @@ impl Translation<'_, '_> {
         }
     }
 
-    /// Calls what writes `N` numbers to where its last argument points.
+    /// Calls a function that writes `N` numbers through its last argument.
     fn call_writing<const N: usize>(&mut self, callee: FuncId, angles: &[Value]) -> [Value; N] {
         let size = u32::try_from(8 * N).unwrap_or(u32::MAX);
         let place = StackSlotData::new(StackSlotKind::ExplicitSlot, size, 3);

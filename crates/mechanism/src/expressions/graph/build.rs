@@ -1,35 +1,29 @@
-//! Makes nodes; what can be said at once is said at once.
+//! Builds nodes, simplified at once where possible.
 
 use super::{BinaryFunction, Graph, Node, NodeOperation, Place, UnaryFunction, order};
 
 impl Graph {
-    /// Returns the number `value`.
     pub fn constant(&mut self, value: f64) -> Node {
-        // One zero: −0 would be another node.
+        // A single zero: −0 would be another node.
         self.intern(NodeOperation::Number((value + 0.0).to_bits()))
     }
 
-    /// Returns the symbol at `place`.
     pub fn symbol(&mut self, place: Place) -> Node {
         self.intern(NodeOperation::Symbol(place))
     }
 
-    /// Returns x + y.
     pub fn add(&mut self, x: Node, y: Node) -> Node {
         self.sum(&[(x, 1.0), (y, 1.0)])
     }
 
-    /// Returns x − y.
     pub fn subtract(&mut self, x: Node, y: Node) -> Node {
         self.sum(&[(x, 1.0), (y, -1.0)])
     }
 
-    /// Returns `x` with the other sign.
     pub fn negate(&mut self, x: Node) -> Node {
         self.sum(&[(x, -1.0)])
     }
 
-    /// Returns `x` times the number `factor`.
     pub fn scale(&mut self, x: Node, factor: f64) -> Node {
         self.sum(&[(x, factor)])
     }
@@ -47,7 +41,7 @@ impl Graph {
         self.collect_squares(number, &mut terms)
     }
 
-    /// Returns the node of a sum in order.
+    /// Returns the node of a sum with sorted terms.
     pub(super) fn sum_in_order(&mut self, number: f64, terms: &[(Node, f64)]) -> Node {
         match terms {
             [] => self.constant(number),
@@ -59,22 +53,18 @@ impl Graph {
         }
     }
 
-    /// Returns the product of `x` and `y`.
     pub fn multiply(&mut self, x: Node, y: Node) -> Node {
         self.product(&[(x, 1), (y, 1)])
     }
 
-    /// Returns x / y.
     pub fn divide(&mut self, x: Node, y: Node) -> Node {
         self.product(&[(x, 1), (y, -1)])
     }
 
-    /// Returns `x` to a whole power.
     pub fn power(&mut self, x: Node, exponent: i32) -> Node {
         self.product(&[(x, exponent)])
     }
 
-    /// Returns the product of `factors`, each to its exponent.
     pub fn product(&mut self, factors: &[(Node, i32)]) -> Node {
         if self.given_up().is_some() {
             return self.constant(0.0);
@@ -95,7 +85,6 @@ impl Graph {
         if number.to_bits() == 1.0_f64.to_bits() { product } else { self.sum(&[(product, number)]) }
     }
 
-    /// Returns `function` of `x`.
     pub fn unary(&mut self, function: UnaryFunction, x: Node) -> Node {
         if let Some(number) = self.number(x) {
             return self.constant(function.of(number));
@@ -111,7 +100,7 @@ impl Graph {
         self.intern(NodeOperation::Unary(function, x))
     }
 
-    /// An odd or even function of −x by that of x, so that both are one node.
+    /// Expresses an odd or even function of −x by that of x, so that both are one node.
     fn without_sign(&mut self, function: UnaryFunction, x: Node) -> Option<Node> {
         let is_odd = match function {
             UnaryFunction::Cos | UnaryFunction::Abs => false,
@@ -133,7 +122,7 @@ impl Graph {
         if !is_negative {
             return None;
         }
-        // Term by term: a long sum would else become one negative term of another.
+        // Term by term: a long sum would otherwise become one negative term of another.
         let opposite = terms.iter().map(|(node, factor)| (*node, -f64::from_bits(*factor)));
         let (number, opposite) = (-f64::from_bits(*number), opposite.collect::<Vec<_>>());
         let positive = self.sum_in_order(number, &opposite);
@@ -141,12 +130,10 @@ impl Graph {
         Some(if is_odd { self.negate(value) } else { value })
     }
 
-    /// Returns the square root of `x`.
     pub fn sqrt(&mut self, x: Node) -> Node {
         self.unary(UnaryFunction::Sqrt, x)
     }
 
-    /// Returns `function` of `x` and `y`, in the order in which it is written.
     pub fn binary(&mut self, function: BinaryFunction, x: Node, y: Node) -> Node {
         match (self.number(x), self.number(y)) {
             (Some(x), Some(y)) => self.constant(function.of(x, y)),
@@ -157,9 +144,9 @@ impl Graph {
         }
     }
 
-    /// Returns `x` to a power that is a number: whole ones are products.
+    /// Returns `x` to a power that is a number; whole powers are products.
     fn constant_power(&mut self, x: Node, exponent: f64) -> Node {
-        /// Beyond it a product of that many factors would be no better than the function.
+        /// Beyond it a product of that many factors is no better than the function.
         const MOST: f64 = 64.0;
         if exponent.fract() == 0.0 && exponent.abs() <= MOST {
             #[expect(clippy::cast_possible_truncation, reason = "a small whole number")]

@@ -1,29 +1,26 @@
-//! Exact derivatives.
-
 use std::collections::HashMap;
 
 use super::{BinaryFunction, Graph, Node, NodeOperation, NodeTerms, Place, UnaryFunction};
 
-/// Derivatives of nodes along one direction, each found once.
+/// Exact derivatives of nodes along one direction, each computed once.
 #[derive(Debug)]
 pub struct Tangent {
-    /// Rates of symbols; one that is not listed stands still.
+    /// Rates of symbols; a symbol that is not listed has the rate 0.
     seeds: HashMap<Place, Node>,
     known: HashMap<Node, Node>,
 }
 
 impl Tangent {
-    /// Returns the direction in which each listed symbol goes at its rate.
+    /// Returns the direction in which each listed symbol changes at its rate.
     pub fn new(seeds: impl IntoIterator<Item = (Place, Node)>) -> Self {
         Self { seeds: seeds.into_iter().collect(), known: HashMap::new() }
     }
 
-    /// Returns the derivative of `node` along the direction.
     pub fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
         if let Some(known) = self.known.get(&node) {
             return *known;
         }
-        // Operands first, so that nothing here is deeper than a loop.
+        // Operands first, so a loop is deep enough.
         for reached in graph.reached(&[node]) {
             if !self.known.contains_key(&reached) {
                 let derivative = self.one(graph, reached);
@@ -33,7 +30,6 @@ impl Tangent {
         self.known.get(&node).copied().unwrap_or(node)
     }
 
-    /// The derivative of a node whose operands' derivatives are known.
     fn one(&self, graph: &mut Graph, node: Node) -> Node {
         match graph.operation(node).clone() {
             NodeOperation::Number(_) => graph.constant(0.0),
@@ -105,7 +101,7 @@ impl Tangent {
                 graph.divide(sum, node)
             }
             BinaryFunction::Atan2 => {
-                // Written atan2(x, y): its derivative is (y dx − x dy)/(x² + y²).
+                // For atan2(x, y) in the names here: the derivative is (y dx − x dy)/(x² + y²).
                 let (a, b) = (graph.multiply(y, dx), graph.multiply(x, dy));
                 let turn = graph.subtract(a, b);
                 let (xx, yy) = (graph.power(x, 2), graph.power(y, 2));
@@ -116,7 +112,7 @@ impl Tangent {
         }
     }
 
-    /// The derivative of xʸ: y xʸ⁻¹ dx + xʸ ln x dy.
+    /// Returns the derivative of xʸ: y xʸ⁻¹ dx + xʸ ln x dy.
     fn of_power(&self, graph: &mut Graph, [x, y]: [Node; 2], node: Node) -> Node {
         let (dx, dy) = (self.known[&x], self.known[&y]);
         let minus_one = graph.constant(-1.0);
@@ -132,7 +128,7 @@ impl Tangent {
     }
 }
 
-/// The slope of `function` at `x`, where its value is `value`.
+/// Returns the slope of `function` at `x`, where its value is `value`.
 fn slope(graph: &mut Graph, function: UnaryFunction, x: Node, value: Node) -> Node {
     match function {
         UnaryFunction::Sin => graph.unary(UnaryFunction::Cos, x),
@@ -168,14 +164,13 @@ fn slope(graph: &mut Graph, function: UnaryFunction, x: Node, value: Node) -> No
     }
 }
 
-/// 1 − x².
 fn one_less_square(graph: &mut Graph, x: Node) -> Node {
     let (one, square) = (graph.constant(1.0), graph.power(x, 2));
     graph.subtract(one, square)
 }
 
 impl Graph {
-    /// Returns the partial derivative of `node` by the symbol at `place`.
+    /// Returns the partial derivative of `node` with respect to the symbol at `place`.
     pub fn partial(&mut self, node: Node, place: Place) -> Node {
         let one = self.constant(1.0);
         Tangent::new([(place, one)]).of(self, node)

@@ -1,11 +1,9 @@
-//! The functions that an expression can apply, and their values.
-
 use instruments::equations::functions::{
     larger, logistic, sign, smaller, softplus, softplus_area, softplus_square_area,
 };
 use pode::math;
 
-/// A function of one argument.
+/// Function of one argument.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum UnaryFunction {
     Sin,
@@ -15,35 +13,32 @@ pub enum UnaryFunction {
     Ln,
     Sqrt,
     Abs,
-    /// −1, 0 or 1.
+    /// Sign of x: −1, 0 or 1.
     Sign,
-    /// ln(1 + eˣ), without overflow.
+    /// Value of ln(1 + eˣ), without overflow.
     Softplus,
-    /// 1/(1 + e⁻ˣ), the slope of `Softplus`.
+    /// Slope of `Softplus`, 1/(1 + e⁻ˣ).
     Logistic,
-    /// ∫ softplus from −∞ to x.
+    /// Integral ∫ softplus from −∞ to x.
     SoftplusArea,
-    /// ∫ softplus² from −∞ to x.
+    /// Integral ∫ softplus² from −∞ to x.
     SoftplusSquareArea,
     Asin,
     Acos,
 }
 
-/// A function of two arguments.
+/// Function of two arguments.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum BinaryFunction {
-    /// atan2(y, x).
     Atan2,
-    /// √(x² + y²), without overflow.
     Hypot,
-    /// xʸ; a negative x gives no number unless y is whole.
+    /// Value of xʸ; NaN for a negative x unless y is whole.
     Power,
     Min,
     Max,
 }
 
 impl UnaryFunction {
-    /// Returns the function's value at `x`.
     pub fn of(self, x: f64) -> f64 {
         match self {
             Self::Sin => math::sin_cos(x).0,
@@ -65,7 +60,7 @@ impl UnaryFunction {
 }
 
 impl BinaryFunction {
-    /// Returns the function's value at `x` and `y`, in the order in which it is written.
+    /// Returns the function's value at `x` and `y`, in written order.
     pub fn of(self, x: f64, y: f64) -> f64 {
         match self {
             Self::Atan2 => math::atan2(x, y),

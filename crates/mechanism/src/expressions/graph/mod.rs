@@ -1,9 +1,9 @@
-//! Expressions, each held once.
+//! Expressions, each stored once.
 //!
-//! A [`Graph`] is a list of operations; a [`Node`] is a place in it. An expression that is built
+//! A [`Graph`] is a list of operations; a [`Node`] is an index into it. An expression that is built
 //! twice is the same node (hash-consing), so that common subexpressions need no search. Operands
-//! always stand before what is made of them: every pass is one loop over the list, whatever the
-//! depth of an expression.
+//! precede their operation: every pass is one loop over the list, whatever the depth of an
+//! expression.
 //!
 //! Sums and products are kept in one order, with equal terms collected, so that `a − a` is 0 and
 //! `x / x` is 1; nothing is multiplied out.
@@ -25,18 +25,17 @@ pub use work::{MAX_WORK, WorkEnd};
 
 use std::collections::HashMap;
 
-/// A place in a [`Graph`]: one expression.
+/// Index of an expression in a [`Graph`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Node(u32);
 
 impl Node {
-    /// Returns the place as an index into lists with one entry per node.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// Expressions that share their parts.
+/// Set of expressions that share subexpressions.
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     operations: Vec<NodeOperation>,
@@ -45,22 +44,19 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// Returns an empty graph.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Returns what `node` is made of.
+    /// Returns the operation of `node`.
     pub fn operation(&self, node: Node) -> &NodeOperation {
         &self.operations[node.index()]
     }
 
-    /// Returns how many expressions there are.
     pub const fn len(&self) -> usize {
         self.operations.len()
     }
 
-    /// Whether there is no expression yet.
     pub const fn is_empty(&self) -> bool {
         self.operations.is_empty()
     }
@@ -72,7 +68,6 @@ impl Graph {
         (first..end).map(Node)
     }
 
-    /// Returns the node of `operation`, which is entered if it is new.
     fn intern(&mut self, operation: NodeOperation) -> Node {
         if let Some(node) = self.known.get(&operation) {
             return *node;
@@ -88,29 +83,28 @@ impl Graph {
         node
     }
 
-    /// Returns the number that `node` is, if it is one.
+    /// Returns the value of `node` if it is a number.
     pub fn number(&self, node: Node) -> Option<f64> {
         let NodeOperation::Number(bits) = self.operation(node) else { return None };
         Some(f64::from_bits(*bits))
     }
 
-    /// Whether `node` is the number 0.
     pub fn is_zero(&self, node: Node) -> bool {
         self.number(node) == Some(0.0)
     }
 
-    /// Whether any of `places` appears in `node`.
+    /// Returns `true` if any of `on` appears in `node`.
     pub fn depends(&self, node: Node, on: impl Fn(Place) -> bool) -> bool {
         self.reached(&[node])
             .into_iter()
             .any(|it| matches!(self.operation(it), NodeOperation::Symbol(place) if on(*place)))
     }
 
-    /// Returns every node that `outputs` are made of, themselves included, operands first; none
-    /// if work on the graph was given up.
+    /// Returns every node on which `outputs` depend, themselves included, operands first; empty if
+    /// work on the graph was given up.
     pub fn reached(&self, outputs: &[Node]) -> Vec<Node> {
         let Some(last) = outputs.iter().max() else { return Vec::new() };
-        // A node that is passed over is much less than an operand.
+        // Passing over a node costs much less than an operand.
         self.spend(1 + last.index() / 32);
         if self.given_up().is_some() {
             return Vec::new();

@@ -1,25 +1,22 @@
-//! What a node is made of.
-
 use super::{BinaryFunction, Node, UnaryFunction};
 
-/// Where a symbol's value comes from.
+/// Origin of a symbol's value; the numbers are those of the description.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Place {
-    /// A parameter, by its number in the description.
     Parameter(u16),
-    /// A coordinate (`theta`), by its number.
+    /// Coordinate (`theta`).
     Coordinate(u16),
-    /// A generalised speed (`theta'`, unless it is defined otherwise), by its number.
+    /// Generalised speed (`theta'`, unless it is defined otherwise).
     Speed(u16),
-    /// The rate of a generalised speed; known once a mode's equations are solved.
+    /// Rate of a generalised speed; known once a mode's equations are solved.
     Acceleration(u16),
-    /// The input (0) and its rates (1, 2, 3).
+    /// Input (0) and its rates (1, 2, 3).
     Input(u8),
-    /// The force of a constraint, by its number; known once a mode's equations are solved.
+    /// Force of a constraint; known once a mode's equations are solved.
     Reaction(u16),
-    /// The force of a contact or friction, by its number, as the mode has it.
+    /// Force of a contact or friction in the mode.
     Contact(u16),
-    /// An argument beyond state and input, by its number: what a function says that it is.
+    /// Argument beyond state and input, defined by each function.
     Extra(u16),
     /// Number of the key, 0 (A0) to 87 (C8), in gradings.
     Key,
@@ -28,14 +25,14 @@ pub enum Place {
 /// Terms with a number each: in a sum its factor, in a product its exponent.
 pub type NodeTerms = Box<[(Node, u64)]>;
 
-/// One operation; its operands stand before it. Numbers are held by their bits.
+/// One operation; its operands precede it. Numbers are stored as their bits.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub enum NodeOperation {
     Number(u64),
     Symbol(Place),
-    /// A number, and nodes times a number each: in the order of the nodes, none twice.
+    /// Number, and nodes times a number each: sorted by node, without repetition.
     Sum(u64, NodeTerms),
-    /// Nodes to a whole power each: in the order of the nodes, none twice.
+    /// Nodes to a whole power each: sorted by node, without repetition.
     Product(Box<[(Node, i32)]>),
     Unary(UnaryFunction, Node),
     Binary(BinaryFunction, Node, Node),
@@ -44,7 +41,6 @@ pub enum NodeOperation {
 }
 
 impl NodeOperation {
-    /// Shows each operand to `see`.
     pub fn operands(&self, mut see: impl FnMut(Node)) {
         match self {
             Self::Number(_) | Self::Symbol(_) => {}

@@ -1,14 +1,12 @@
-//! Sums and products in one order, with equal terms collected.
-
 use std::collections::BTreeMap;
 
 use super::{Graph, Node, NodeOperation};
 
-/// Sums and products of more parts than this stay one part of a larger one: a sum that is written
-/// term by term would else hold all its beginnings in full.
+/// Most parts of a sum or product that are merged into a larger one: otherwise a sum that is built
+/// term by term would hold all its beginnings in full.
 const MOST_FLATTENED: usize = 48;
 
-/// A sum that is being collected.
+/// Sum that is being collected.
 #[derive(Default)]
 pub(super) struct Sum {
     number: f64,
@@ -20,7 +18,7 @@ impl Sum {
         Self { number, terms: BTreeMap::new() }
     }
 
-    /// Adds `node` times `factor`; a sum's terms one by one.
+    /// Adds `node` times `factor`; the terms of a sum one by one.
     pub(super) fn add(&mut self, graph: &Graph, node: Node, factor: f64) {
         graph.spend(1);
         match graph.operation(node) {
@@ -45,14 +43,13 @@ impl Sum {
         *self.terms.entry(node).or_insert(0.0) += factor;
     }
 
-    /// Returns the number and the terms that are left.
     pub(super) fn finish(self) -> (f64, Vec<(Node, f64)>) {
         let terms = self.terms.into_iter().filter(|(_, factor)| *factor != 0.0).collect();
         (self.number, terms)
     }
 }
 
-/// A product that is being collected.
+/// Product that is being collected.
 pub(super) struct Product {
     number: f64,
     factors: BTreeMap<Node, i32>,
@@ -63,8 +60,8 @@ impl Product {
         Self { number: 1.0, factors: BTreeMap::new() }
     }
 
-    /// Multiplies by `node` to `exponent`; a product's factors one by one, a multiple's number
-    /// apart.
+    /// Multiplies by `node` to `exponent`: the factors of a product one by one, the number of a
+    /// multiple separately.
     pub(super) fn multiply(&mut self, graph: &Graph, node: Node, exponent: i32) {
         graph.spend(1);
         match graph.operation(node) {
@@ -94,7 +91,6 @@ impl Product {
         *entry = entry.saturating_add(exponent);
     }
 
-    /// Returns the number and the factors that are left.
     pub(super) fn finish(self) -> (f64, Vec<(Node, i32)>) {
         let factors = self.factors.into_iter().filter(|(_, exponent)| *exponent != 0).collect();
         (self.number, factors)

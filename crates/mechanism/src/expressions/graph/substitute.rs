@@ -1,10 +1,8 @@
-//! Symbols replaced by expressions.
-
 use std::collections::HashMap;
 
 use super::{Graph, Node, NodeOperation, Place};
 
-/// A replacement of symbols by expressions; each node is rebuilt once.
+/// Replacement of symbols by expressions; each node is rebuilt once.
 #[derive(Debug)]
 pub struct Substitution {
     by: HashMap<Place, Node>,
@@ -12,12 +10,11 @@ pub struct Substitution {
 }
 
 impl Substitution {
-    /// Returns the replacement of each listed symbol.
     pub fn new(by: impl IntoIterator<Item = (Place, Node)>) -> Self {
         Self { by: by.into_iter().collect(), known: HashMap::new() }
     }
 
-    /// Returns `node` with the symbols replaced; what replaces them stays as it is.
+    /// Returns `node` with the symbols replaced; their replacements are not searched again.
     pub fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
         for reached in graph.reached(&[node]) {
             if !self.known.contains_key(&reached) {

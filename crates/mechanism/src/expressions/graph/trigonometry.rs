@@ -1,17 +1,16 @@
-//! cos² + sin² = 1, where both stand in one sum with one factor.
+//! Simplification by cos² + sin² = 1, where both are in one sum with one factor.
 
 use std::collections::HashMap;
 
 use super::{Graph, Node, NodeOperation, UnaryFunction, order};
 
-/// A square in a sum: the other factors of its product, and the angle.
+/// Square in a sum: the other factors of its product, and the angle.
 type SquaredFactor = (Box<[(Node, i32)]>, Node);
 
 impl Graph {
-    /// Returns the sum with each pair a cos²(x) p + a sin²(x) p put together to a p.
+    /// Returns the sum with each pair a cos²(x) p + a sin²(x) p replaced by a p.
     pub(super) fn collect_squares(&mut self, number: f64, terms: &mut Vec<(Node, f64)>) -> Node {
         let mut number = number;
-        // Each round has fewer terms than the one before.
         while let Some((pairs, left)) = self.pairs(terms) {
             let mut collected = order::Sum::starting_with(number);
             for (node, factor) in left {
@@ -26,7 +25,7 @@ impl Graph {
         self.sum_in_order(number, terms)
     }
 
-    /// The pairs' common factors, and the terms that are left; none without a pair.
+    /// Returns the pairs' common factors, and the terms that are left; `None` without a pair.
     #[expect(clippy::type_complexity, reason = "two lists of terms")]
     fn pairs(
         &self,
@@ -59,7 +58,6 @@ impl Graph {
         Some((pairs, left.map(|(term, _)| *term).collect()))
     }
 
-    /// The squares of `function` among a product's factors.
     fn squares(&self, node: Node, function: UnaryFunction) -> impl Iterator<Item = SquaredFactor> {
         let factors: &[(Node, i32)] =
             if let NodeOperation::Product(factors) = self.operation(node) { factors } else { &[] };

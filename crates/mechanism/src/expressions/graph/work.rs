@@ -1,4 +1,4 @@
-//! Work on a graph: counted and limited, so that no description is worked on for ever.
+//! Work on a graph, counted and limited so that every description ends.
 
 use std::cell::Cell;
 use std::fmt;
@@ -9,16 +9,15 @@ use super::Graph;
 
 /// Largest work on one graph, from its first node to the last of its tapes.
 ///
-/// The unit is an operand that is read, collected or compared. The largest model of the program
-/// takes a sixteenth of the limit, and a present processor about two seconds for the whole.
+/// The unit is an operand that is read, collected or compared. The largest shipped model needs a
+/// sixteenth of the limit; the whole limit takes about two seconds on a present processor.
 pub const MAX_WORK: u64 = 30_000_000;
 
-/// Why work on a graph was given up.
+/// Reason for which work on a graph was given up.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum WorkEnd {
-    /// It came to [`MAX_WORK`].
+    /// The work reached [`MAX_WORK`].
     TooMuch,
-    /// Its caller cancelled it.
     Cancelled,
 }
 
@@ -33,7 +32,6 @@ impl fmt::Display for WorkEnd {
     }
 }
 
-/// The work that was done on one graph.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WorkMeter {
     done: Cell<u64>,
@@ -43,12 +41,11 @@ pub(super) struct WorkMeter {
 }
 
 impl Graph {
-    /// Gives work on the graph up when it comes to [`MAX_WORK`]; there is no limit otherwise.
+    /// Limits work on the graph to [`MAX_WORK`]; there is no limit otherwise.
     pub const fn limit_work(&mut self) {
         self.work.is_limited = true;
     }
 
-    /// Removes the limit and the cancellation flag.
     pub fn lift_limits(&mut self) {
         self.work = WorkMeter { done: self.work.done.clone(), ..WorkMeter::default() };
     }
@@ -59,20 +56,19 @@ impl Graph {
         self.spend(0);
     }
 
-    /// Returns the work that was done on the graph: the same on every machine.
+    /// Returns the work done on the graph: equal on every machine.
     pub const fn work(&self) -> u64 {
         self.work.done.get()
     }
 
-    /// Returns why work on the graph was given up, if it was.
+    /// Returns the reason for which work on the graph was given up, if it was.
     ///
-    /// Nothing that was built or found since then means anything: what is asked for is answered at
-    /// once, so that every loop over the graph ends soon.
+    /// Results since then are meaningless: every request is answered at once, so that every loop
+    /// over the graph ends soon.
     pub const fn given_up(&self) -> Option<WorkEnd> {
         self.work.end.get()
     }
 
-    /// Counts `units` of work.
     pub fn spend(&self, units: usize) {
         let WorkMeter { done, end, is_limited, is_cancelled } = &self.work;
         done.set(done.get().saturating_add(units as u64));

@@ -1,9 +1,8 @@
-//! What those who write a tape out need to know of it.
+//! Facts about a tape for its users: argument counts, uses, groups of angles.
 
 use super::{Argument, Instruction, Tape, TapeSlot};
 use crate::expressions::graph::UnaryFunction;
 
-/// How many of each kind of argument a tape reads.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ArgumentCounts {
     pub constants: usize,
@@ -12,7 +11,7 @@ pub struct ArgumentCounts {
     pub extra: usize,
 }
 
-/// Sine and cosine of one angle, as far as a tape has them.
+/// Sine and cosine of one angle, where a tape contains them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct AngleValues {
     pub angle: TapeSlot,
@@ -21,14 +20,13 @@ pub struct AngleValues {
 }
 
 impl AngleValues {
-    /// The first of its two instructions.
+    /// Returns the index of the first of its two instructions.
     fn first(&self) -> usize {
         let index = |slot: Option<TapeSlot>| slot.map_or(usize::MAX, TapeSlot::index);
         index(self.sine).min(index(self.cosine))
     }
 }
 
-/// Sines and cosines that are computed by one call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AngleGroup {
     One(AngleValues),
@@ -36,7 +34,7 @@ pub enum AngleGroup {
 }
 
 impl Tape {
-    /// Returns how often each value is used, by outputs and by instructions that are used.
+    /// Returns the uses of each value by outputs and by used instructions.
     pub fn uses(&self) -> Vec<u32> {
         let mut uses = vec![0_u32; self.instructions.len()];
         for output in &self.outputs {
@@ -50,7 +48,7 @@ impl Tape {
         uses
     }
 
-    /// Whether every operand and output is a value that is computed before.
+    /// Returns `true` if every operand and output is computed before its use.
     pub fn is_ordered(&self) -> bool {
         let mut is_ordered = self.outputs.iter().all(|it| it.index() < self.instructions.len());
         for (at, instruction) in self.instructions.iter().enumerate() {
@@ -59,7 +57,6 @@ impl Tape {
         is_ordered
     }
 
-    /// Returns how many of each kind of argument the tape reads.
     pub fn argument_counts(&self) -> ArgumentCounts {
         let mut counts = ArgumentCounts::default();
         for instruction in &self.instructions {
@@ -93,7 +90,7 @@ impl Tape {
         groups
     }
 
-    /// The angles in the order in which they are first needed.
+    /// Returns the angles in order of first need.
     fn angles(&self) -> Vec<AngleValues> {
         let uses = self.uses();
         let mut angles: Vec<AngleValues> = Vec::new();
@@ -120,7 +117,7 @@ impl Tape {
 }
 
 impl Instruction {
-    /// Returns the same instruction with each operand where `place` says.
+    /// Returns the instruction with each operand mapped by `place`.
     #[must_use]
     pub fn moved(&self, place: impl Fn(TapeSlot) -> TapeSlot) -> Self {
         match *self {
@@ -136,7 +133,6 @@ impl Instruction {
         }
     }
 
-    /// Shows each operand to `see`.
     pub fn operands(&self, mut see: impl FnMut(TapeSlot)) {
         match *self {
             Self::Number(_) | Self::Argument(_) => {}

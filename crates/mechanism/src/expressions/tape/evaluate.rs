@@ -1,19 +1,15 @@
-//! A tape's values, one instruction after another.
-
 use super::{Argument, Instruction, Tape, TapeSlot};
 
-/// The arguments of a tape.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct TapeArguments<'a> {
     pub constants: &'a [f64],
     pub state: &'a [f64],
-    /// The input and its rates.
+    /// Input and its rates.
     pub input: [f64; 4],
     pub extra: &'a [f64],
 }
 
 impl TapeArguments<'_> {
-    /// The value of `argument`; not a number where there is none.
     fn value(&self, argument: Argument) -> f64 {
         let of = |list: &[f64], index: usize| list.get(index).copied().unwrap_or(f64::NAN);
         match argument {
@@ -25,13 +21,11 @@ impl TapeArguments<'_> {
     }
 }
 
-/// The second where the first is positive, else the third.
 fn chosen(condition: f64, positive: TapeSlot, other: TapeSlot) -> TapeSlot {
     if condition > 0.0 { positive } else { other }
 }
 
 impl Tape {
-    /// Returns the outputs' values.
     pub fn evaluate(&self, arguments: &TapeArguments<'_>) -> Vec<f64> {
         let mut values = vec![0.0; self.instructions.len()];
         let mut out = vec![0.0; self.outputs.len()];

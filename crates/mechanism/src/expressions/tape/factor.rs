@@ -1,20 +1,18 @@
-//! Common factors of a sum's terms, taken out: a x + b x is (a + b) x.
+//! Common factors taken out of sums: a x + b x becomes (a + b) x.
 
 use std::collections::BTreeMap;
 
 use super::forms::{FormId, Forms, TapeForm};
 use crate::expressions::graph::Graph;
 
-/// Depth to which pairs within factors are searched.
 const DEEPEST: u8 = 12;
 
-/// Sums of more terms are left as they are.
+/// Most terms of a sum that is searched.
 const MOST_TERMS: usize = 256;
-/// Work on all sums of a tape, in terms squared; where there is more, only short sums are looked at.
+/// Most work on all sums of a tape, in terms squared; beyond it only short sums are searched.
 const MOST_WORK: usize = 2_000_000;
 const SHORT: usize = 8;
 
-/// A side of the fraction line.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Side {
     Below,
@@ -25,11 +23,11 @@ const fn side_of(exponent: i32) -> Side {
     if exponent > 0 { Side::Above } else { Side::Below }
 }
 
-/// A number times forms to whole powers.
+/// Number times forms to whole powers.
 type Monomial = (f64, Vec<(FormId, i32)>);
 
 impl Forms {
-    /// Takes common factors out of all sums; only of products that nobody else uses.
+    /// Takes common factors out of all sums; only of products without other users.
     pub(super) fn factor_sums(&mut self, graph: &Graph) {
         let uses = self.uses();
         let lengths = self
@@ -57,7 +55,7 @@ impl Forms {
         }
     }
 
-    /// The factors of a product that is used once; anything else is its own only factor.
+    /// Returns the factors of a product that is used once; any other form is its own only factor.
     fn factors_of(&self, term: FormId, uses: u32) -> Vec<(FormId, i32)> {
         if let (TapeForm::Product(factors), 1) = (&self.all[term], uses) {
             return factors.clone();
@@ -65,7 +63,6 @@ impl Forms {
         vec![(term, 1)]
     }
 
-    /// The terms of the sum of `monomials`.
     fn factored(&mut self, mut monomials: Vec<Monomial>, depth: u8) -> Vec<(FormId, f64)> {
         let mut terms = Vec::new();
         while depth > 0
@@ -84,7 +81,7 @@ impl Forms {
         collected(terms)
     }
 
-    /// Σ `inner` times `outer`, as a term.
+    /// Returns Σ `inner` times `outer` as a term.
     fn product_of_sum(
         &mut self,
         inner: Vec<Monomial>,
@@ -108,7 +105,7 @@ impl Forms {
     }
 }
 
-/// The base, above or below the fraction line, that is in most monomials; at least in two.
+/// Returns the base, above or below the fraction line, in most monomials; at least in two.
 fn most_common(monomials: &[Monomial]) -> Option<(FormId, Side)> {
     let mut counts: BTreeMap<(FormId, Side), usize> = BTreeMap::new();
     for (_, factors) in monomials {
@@ -123,7 +120,7 @@ fn most_common(monomials: &[Monomial]) -> Option<(FormId, Side)> {
     most.map(|it| it.0)
 }
 
-/// The power of `base` in a monomial, on the wanted side of the fraction line.
+/// Returns the power of `base` in a monomial, on the given side of the fraction line.
 fn power_of(monomial: &Monomial, (base, side): (FormId, Side)) -> i32 {
     let found = monomial.1.iter().find(|it| it.0 == base).map_or(0, |it| it.1);
     if side == Side::Above { found } else { -found }
@@ -139,7 +136,7 @@ fn divided((factor, mut factors): Monomial, base: FormId, exponent: i32) -> Mono
     (factor, factors)
 }
 
-/// Terms in order; equal ones together.
+/// Returns sorted terms with equal ones merged.
 fn collected(terms: Vec<(FormId, f64)>) -> Vec<(FormId, f64)> {
     let mut collected: BTreeMap<FormId, f64> = BTreeMap::new();
     for (id, factor) in terms {

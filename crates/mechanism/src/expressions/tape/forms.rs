@@ -1,23 +1,23 @@
-//! What a tape computes, while it is put into a shape that takes fewer operations.
+//! Values of a tape while they are rearranged to take fewer operations.
 
 use std::collections::{BTreeSet, HashMap};
 
 use super::{Argument, ArgumentLayout};
 use crate::expressions::graph::{BinaryFunction, Graph, Node, NodeOperation, Place, UnaryFunction};
 
-/// The place of a form in [`Forms`].
+/// Index of a form in [`Forms`].
 pub(super) type FormId = usize;
 
-/// One value, made of others.
+/// One value as an operation on others.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum TapeForm {
     Number(f64),
     Argument(Argument),
-    /// A number, and forms times a factor each, in the order of the forms.
+    /// Number, and forms times a factor each, sorted by form.
     Sum(f64, Vec<(FormId, f64)>),
-    /// Forms to a whole power each, in the order of the forms.
+    /// Forms to a whole power each, sorted by form.
     Product(Vec<(FormId, i32)>),
-    /// The inverse of a value, 1/x.
+    /// Inverse of a value, 1/x.
     Inverse(FormId),
     Unary(UnaryFunction, FormId),
     Binary(BinaryFunction, FormId, FormId),
@@ -25,7 +25,6 @@ pub(super) enum TapeForm {
 }
 
 impl TapeForm {
-    /// Shows each operand to `see`.
     pub(super) fn operands(&self, mut see: impl FnMut(FormId)) {
         match self {
             Self::Number(_) | Self::Argument(_) => {}
@@ -38,12 +37,10 @@ impl TapeForm {
     }
 }
 
-/// All values of a tape.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Forms {
     pub(super) all: Vec<TapeForm>,
     pub(super) outputs: Vec<FormId>,
-    /// The forms of nodes.
     pub(super) ids: HashMap<Node, FormId>,
 }
 
@@ -51,7 +48,7 @@ impl Forms {
     /// Returns the forms of `outputs`, one per node that is computed or read.
     ///
     /// # Errors
-    /// A symbol that `layout` gives no argument.
+    /// A symbol without an argument in `layout`.
     pub(super) fn new(
         graph: &Graph,
         layout: &ArgumentLayout,
@@ -75,7 +72,6 @@ impl Forms {
         self.all.len() - 1
     }
 
-    /// Returns how often each form is an operand or an output.
     pub(super) fn uses(&self) -> Vec<u32> {
         let mut uses = vec![0_u32; self.all.len()];
         for form in &self.all {
@@ -88,8 +84,8 @@ impl Forms {
     }
 }
 
-/// The nodes that are computed or read, operands first; what is given ready hides what it is made
-/// of.
+/// Returns the nodes that are computed or read, operands first; a node given ready hides its
+/// operands.
 fn needed(graph: &Graph, layout: &ArgumentLayout, outputs: &[Node]) -> Vec<Node> {
     let mut wanted: BTreeSet<Node> = outputs.iter().copied().collect();
     let mut all = Vec::new();

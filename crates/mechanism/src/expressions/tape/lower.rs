@@ -1,5 +1,3 @@
-//! From the graph to a tape.
-
 use super::forms::{FormId, Forms, TapeForm};
 use super::order;
 use super::{ArgumentLayout, Instruction, Tape, TapeSlot, writer::TapeWriter};
@@ -8,12 +6,12 @@ use crate::expressions::graph::{Graph, Node, Place};
 impl Tape {
     /// Returns the program of `outputs`.
     ///
-    /// Common factors are taken out of sums, what several sums or products share is computed once,
-    /// and so is the inverse of what several things are divided by; long sums and products are
-    /// taken together by what is ready first.
+    /// Common factors are taken out of sums, shared parts of sums or products are computed once,
+    /// and shared divisors are inverted once; long sums and products start with what is ready
+    /// first.
     ///
     /// # Errors
-    /// A symbol that `layout` gives no argument.
+    /// A symbol without an argument in `layout`.
     pub fn lower(graph: &Graph, layout: &ArgumentLayout, outputs: &[Node]) -> Result<Self, Place> {
         let mut forms = Forms::new(graph, layout, outputs)?;
         forms.use_ready(graph, layout);
@@ -33,14 +31,13 @@ impl Tape {
     }
 }
 
-/// Forms that are being written, operands first.
 struct Lowering {
     writer: TapeWriter,
     slots: Vec<Option<TapeSlot>>,
 }
 
 impl Lowering {
-    /// The slot of a form that is written; operands always are.
+    /// Returns the slot of a form that is already written.
     fn slot(&self, id: FormId) -> TapeSlot {
         self.slots[id].unwrap_or_default()
     }

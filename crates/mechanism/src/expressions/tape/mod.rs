@@ -1,7 +1,7 @@
-//! The straight-line program of some expressions.
+//! Straight-line program of some expressions.
 //!
-//! What stands in the graph as sums and products of many terms becomes operations of two
-//! operands, each value computed once. All ways out go over it: values, emitted Rust, native code.
+//! Sums and products of many terms in the graph become operations of two operands, each value
+//! computed once. Values and native code are both computed from the tape.
 
 mod analysis;
 mod evaluate;
@@ -20,31 +20,28 @@ pub(crate) use writer::TapeWriter;
 
 use crate::expressions::graph::{BinaryFunction, Place, UnaryFunction};
 
-/// The place of a value in a tape: the result of the instruction with that number.
+/// Index of a value in a tape: the result of the instruction with that number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct TapeSlot(pub u32);
 
 impl TapeSlot {
-    /// Returns the slot as an index into the tape's instructions.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// Where an argument of a tape comes from.
+/// Source of a tape's argument.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Argument {
-    /// A value that depends on the parameters alone, by its number.
+    /// Value that depends on the parameters alone.
     Constant(u16),
-    /// An entry of the state.
     State(u16),
-    /// The input (0) or a rate of it (1, 2, 3).
+    /// Input (0) or a rate of it (1, 2, 3).
     Input(u8),
-    /// Any other argument, by its number.
     Extra(u16),
 }
 
-/// One operation of at most three operands, all of them before it.
+/// One operation on at most three earlier values.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Instruction {
     Number(f64),
@@ -60,17 +57,16 @@ pub enum Instruction {
     Select(TapeSlot, TapeSlot, TapeSlot),
 }
 
-/// A straight-line program: the instruction `i` gives the value of the slot `i`.
+/// Straight-line program: the instruction `i` gives the value of the slot `i`.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Tape {
     pub instructions: Vec<Instruction>,
-    /// The slots of what it computes, in order.
     pub outputs: Vec<TapeSlot>,
 }
 
-/// Where a tape finds the values of symbols, and which expressions it is given ready.
+/// Arguments that hold the values of symbols, and expressions that are given ready.
 ///
-/// The state's layout is a model's own: some coordinates are no entry of it.
+/// The layout of the state is the model's own: it may lack coordinates.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct ArgumentLayout {
     places: std::collections::HashMap<Place, Argument>,
@@ -78,12 +74,12 @@ pub struct ArgumentLayout {
 }
 
 impl ArgumentLayout {
-    /// Says that the symbol at `place` is the argument `argument`.
+    /// Assigns `argument` to the symbol at `place`.
     pub fn place(&mut self, place: Place, argument: Argument) {
         self.places.insert(place, argument);
     }
 
-    /// Says that the value of `node` is given as `argument`.
+    /// Declares that `argument` holds the value of `node`.
     pub fn ready(&mut self, node: crate::expressions::graph::Node, argument: Argument) {
         self.ready.insert(node, argument);
     }

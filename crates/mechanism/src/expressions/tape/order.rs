@@ -1,15 +1,13 @@
-//! The order in which forms are written.
-
 use super::forms::{FormId, Forms, TapeForm};
 use crate::expressions::graph::UnaryFunction;
 
-/// Returns the forms that the outputs need, operands first.
+/// Returns the forms that the outputs need in writing order, operands first.
 ///
-/// Angles come before all else, so that the sines and cosines of two can be computed together;
-/// the rest output by output, so that few values wait at a time.
+/// Angles precede everything else, so that the sines and cosines of two are computed together; the
+/// rest follows output by output, so that few values wait at a time.
 pub(super) fn of(forms: &Forms) -> Vec<FormId> {
     let mut order = Order { forms, is_written: vec![false; forms.all.len()], all: Vec::new() };
-    // Before all else means after what the outputs reach is known.
+    // Finds the forms that the outputs reach.
     order.write(&forms.outputs);
     let reached = core::mem::take(&mut order.all);
     order.is_written.fill(false);
@@ -18,7 +16,7 @@ pub(super) fn of(forms: &Forms) -> Vec<FormId> {
     order.all
 }
 
-/// The angles, those first that are within the fewest sines.
+/// Returns the angles, those within the fewest sines first.
 fn angles(forms: &Forms, reached: &[FormId]) -> Vec<FormId> {
     let mut levels = vec![0_u32; forms.all.len()];
     let mut angles = Vec::new();
@@ -44,7 +42,7 @@ struct Order<'a> {
 }
 
 impl Order<'_> {
-    /// Writes each of `wanted` after its operands, without going down the stack.
+    /// Writes each of `wanted` after its operands, without recursion.
     fn write(&mut self, wanted: &[FormId]) {
         for first in wanted {
             let mut waiting = vec![(*first, false)];
@@ -54,7 +52,6 @@ impl Order<'_> {
         }
     }
 
-    /// Writes a form whose operands are written, or lets it wait for them.
     fn one(&mut self, (id, are_written): (FormId, bool), waiting: &mut Vec<(FormId, bool)>) {
         if self.is_written[id] {
             return;

@@ -1,4 +1,4 @@
-//! What depends on the parameters alone, and where it stands within larger sums and products.
+//! Values that depend on the parameters alone, and their use within larger sums and products.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,10 +6,11 @@ use super::forms::{FormId, Forms, TapeForm};
 use super::{Argument, ArgumentLayout};
 use crate::expressions::graph::{Graph, Node, NodeOperation, Place};
 
-/// Returns what `outputs` compute from constant symbols alone: values that are worth having ready.
+/// Returns the parts of `outputs` that depend on constant symbols alone and are worth computing
+/// once.
 ///
-/// A product's constant factors and a sum's constant terms count as a part, which is made a node
-/// if it is none yet; [`ArgumentLayout::ready`] then finds it there.
+/// The constant factors of a product and the constant terms of a sum count as one part, which
+/// becomes a node if it is none yet; [`ArgumentLayout::ready`] then finds it there.
 pub fn constant_parts(
     graph: &mut Graph,
     outputs: &[Node],
@@ -41,7 +42,6 @@ pub fn constant_parts(
     parts.into_iter().filter(is_computed).collect()
 }
 
-/// The constant factors or terms of a node that is not constant, as one node.
 fn constant_part(graph: &mut Graph, node: Node, constant: &BTreeSet<Node>) -> Option<Node> {
     match graph.operation(node).clone() {
         NodeOperation::Product(factors) => {
@@ -67,11 +67,10 @@ fn constant_part(graph: &mut Graph, node: Node, constant: &BTreeSet<Node>) -> Op
 }
 
 impl Forms {
-    /// Puts what is given ready in the place of the factors or terms that it is made of.
+    /// Replaces factors or terms that together are given ready.
     pub(super) fn use_ready(&mut self, graph: &Graph, layout: &ArgumentLayout) {
         let mut ready: Vec<(Node, Argument)> =
             layout.ready.iter().map(|it| (*it.0, *it.1)).collect();
-        // The largest first.
         ready.sort_by_key(|(node, _)| {
             let mut parts = 0_usize;
             graph.operation(*node).operands(|_| parts += 1);
@@ -97,7 +96,7 @@ impl Forms {
         }
     }
 
-    /// A ready sum or product in terms of forms; none if some of it is no form.
+    /// Returns a ready sum or product in terms of forms; `None` if one of its operands has no form.
     fn part(&self, operation: &NodeOperation) -> Option<TapeForm> {
         let id = |node: &Node| self.ids.get(node).copied();
         match operation {
@@ -119,7 +118,7 @@ impl Forms {
     }
 }
 
-/// What is left of a form without `part`, and the factor with which the part was in it.
+/// Returns the rest of a form without `part`, and the factor that `part` had in it.
 fn without(form: &TapeForm, part: &TapeForm) -> Option<(TapeForm, f64)> {
     match (form, part) {
         (TapeForm::Product(all), TapeForm::Product(part)) => {
@@ -147,7 +146,6 @@ fn without(form: &TapeForm, part: &TapeForm) -> Option<(TapeForm, f64)> {
     }
 }
 
-/// A form with one more factor or term.
 fn with((form, scale): (TapeForm, f64), ready: FormId) -> TapeForm {
     let mut form = form;
     match &mut form {

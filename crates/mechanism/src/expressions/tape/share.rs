@@ -1,7 +1,7 @@
-//! Parts of sums and products that several of them have, computed once.
+//! Shared parts of sums and products, computed once.
 //!
-//! Pairs of terms or factors are counted over the whole tape; the pair that most have becomes a
-//! form of its own, again and again [Breuer's method].
+//! Pairs of terms or factors are counted over the whole tape; the most frequent pair becomes a
+//! form, repeatedly ([Breuer's method]).
 //!
 //! [Breuer's method]: https://doi.org/10.1145/363034.363035
 
@@ -11,22 +11,20 @@ use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 use super::forms::{FormId, Forms, TapeForm};
 use crate::expressions::graph::Graph;
 
-/// Sums and products of more parts are left alone; fewer where there are very many of them.
+/// Most parts of a sum or product that is searched; the lower limits apply to many of them.
 const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
-/// Pairs that are looked at: a second or so.
+/// Most pairs that are searched: about a second.
 const MOST_PAIRS: usize = 400_000;
 
-/// Work on a pair, in operands of the graph.
 const PAIR: usize = 4;
 
 /// Two parts: bases of products, or terms of sums with the second's factor over the first's.
 type FormPair = (FormId, FormId, u64);
 
-/// The forms that have each pair.
 type Owners = BTreeMap<FormPair, BTreeSet<FormId>>;
 
 impl Forms {
-    /// Divisions by one value that stand in several products become products with its inverse.
+    /// Replaces divisions by one value in several products by products with its inverse.
     pub(super) fn share_inverses(&mut self) {
         let mut divisions: BTreeMap<FormId, u32> = BTreeMap::new();
         for form in &self.all {
@@ -45,12 +43,10 @@ impl Forms {
         }
     }
 
-    /// Shares pairs of factors.
     pub(super) fn share_products(&mut self, graph: &Graph) {
         self.share(graph, &FactorPairs);
     }
 
-    /// Shares pairs of terms.
     pub(super) fn share_sums(&mut self, graph: &Graph) {
         self.share(graph, &TermPairs);
     }
@@ -88,7 +84,7 @@ impl Forms {
         }
     }
 
-    /// How many parts a form may have so that there are not too many pairs.
+    /// Returns the most parts of a form that keep the number of pairs within its limit.
     fn most_parts(&self, kind: &dyn Pairs) -> Option<usize> {
         MOST_PARTS.into_iter().find(|most| {
             let parts = self.all.iter().map(|form| kind.parts(form)).filter(|it| it <= most);
@@ -96,7 +92,7 @@ impl Forms {
         })
     }
 
-    /// Makes `pair` a form of its own; returns the pairs that are new.
+    /// Makes `pair` a form; returns the new pairs.
     fn extract(
         &mut self,
         graph: &Graph,
@@ -122,29 +118,25 @@ impl Forms {
     }
 }
 
-/// A division as a product with the inverse, if there is one.
 fn with_inverse(factor: &mut (FormId, i32), inverses: &BTreeMap<FormId, FormId>) {
     if let Some(inverse) = inverses.get(&factor.0) {
         *factor = (*inverse, -factor.1);
     }
 }
 
-/// What pairs of parts are, in sums or in products.
+/// Pairs of parts, in sums or in products.
 trait Pairs {
-    /// How many parts a form has that can be in pairs.
+    /// Returns the number of parts that can be in pairs.
     fn parts(&self, form: &TapeForm) -> usize;
 
-    /// Returns the pairs of terms that another form may have as well.
     fn pairs(&self, form: &TapeForm) -> Vec<FormPair>;
 
-    /// The form that a pair becomes.
     fn form(&self, pair: FormPair) -> TapeForm;
 
-    /// Puts `part` in the place of the pair.
+    /// Replaces the pair by `part`.
     fn replace(&self, form: &mut TapeForm, pair: FormPair, part: FormId);
 }
 
-/// Pairs of factors above the fraction line.
 struct FactorPairs;
 
 impl Pairs for FactorPairs {
@@ -174,7 +166,7 @@ impl Pairs for FactorPairs {
     }
 }
 
-/// Pairs of terms whose factors have one ratio.
+/// Pairs of terms with one ratio of factors.
 struct TermPairs;
 
 impl Pairs for TermPairs {
@@ -188,7 +180,7 @@ impl Pairs for TermPairs {
         let ids: Vec<FormId> = terms.iter().map(|it| it.0).collect();
         of_list(&ids, |x, y| {
             let ratio = factors[&y] / factors[&x];
-            // Only where it gives the second factor back to the bit.
+            // Only where the ratio gives the second factor back to the bit.
             let is_exact = (ratio * factors[&x]).to_bits() == factors[&y].to_bits();
             is_exact.then_some((x, y, ratio.to_bits()))
         })

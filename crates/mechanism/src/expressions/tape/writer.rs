@@ -1,20 +1,17 @@
-//! Instructions, each written once, and how late each value is ready.
-
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, HashMap};
 
 use super::{Argument, Instruction, TapeSlot};
 
-/// A tape that is being written; equal instructions are written once.
+/// Tape that is being written; equal instructions are written once.
 #[derive(Debug, Default)]
 pub(crate) struct TapeWriter {
     instructions: Vec<Instruction>,
     known: HashMap<[u64; 4], TapeSlot>,
-    /// When each value is ready, in cycles of a present processor, roughly.
+    /// Time at which each value is ready, roughly in cycles of a present processor.
     ready: Vec<u32>,
 }
 
-/// A value with its sign, the earliest first.
 type Signed = Reverse<(u32, TapeSlot, bool)>;
 
 impl TapeWriter {
@@ -40,7 +37,7 @@ impl TapeWriter {
         self.push(Instruction::Number(value))
     }
 
-    /// Terms with one magnitude of factor are added first, then multiplied by it together.
+    /// Adds terms with factors of one magnitude first, then multiplies by it once.
     pub(super) fn sum(&mut self, number: f64, terms: &[(TapeSlot, f64)]) -> TapeSlot {
         let mut groups: BTreeMap<u64, Vec<(TapeSlot, bool)>> = BTreeMap::new();
         for (slot, factor) in terms {
@@ -65,7 +62,7 @@ impl TapeWriter {
         if is_negative { self.push(Instruction::Negate(sum)) } else { sum }
     }
 
-    /// The sum of values with signs, by what is ready first, and its sign.
+    /// Adds values with signs, the earliest ready first; returns the sum and its sign.
     fn signed_sum(&mut self, all: &[(TapeSlot, bool)]) -> (TapeSlot, bool) {
         let signed = |it: &(TapeSlot, bool)| Reverse((self.ready[it.0.index()], it.0, it.1));
         let mut queue: BinaryHeap<Signed> = all.iter().map(signed).collect();
@@ -94,7 +91,7 @@ impl TapeWriter {
         }
     }
 
-    /// One division at most: by the product of what has a negative exponent.
+    /// Multiplies with at most one division: by the product of factors with negative exponents.
     pub(super) fn product(&mut self, factors: &[(TapeSlot, i32)]) -> TapeSlot {
         let (above, below): (Vec<_>, Vec<_>) = factors.iter().partition(|(_, by)| *by > 0);
         let above = self.powers(&above).unwrap_or_else(|| self.number(1.0));
@@ -104,7 +101,7 @@ impl TapeWriter {
         }
     }
 
-    /// The product of powers, by what is ready first; none of no factors.
+    /// Returns the product of powers, the earliest ready first; `None` without factors.
     fn powers(&mut self, factors: &[(TapeSlot, i32)]) -> Option<TapeSlot> {
         let mut queue = BinaryHeap::new();
         for (slot, exponent) in factors {
@@ -119,7 +116,6 @@ impl TapeWriter {
         }
     }
 
-    /// A whole power, by repeated squaring.
     fn power(&mut self, slot: TapeSlot, exponent: u32) -> TapeSlot {
         if exponent <= 1 {
             return slot;
@@ -134,7 +130,7 @@ impl TapeWriter {
     }
 }
 
-/// How long an instruction takes, in cycles.
+/// Returns the time of an instruction in cycles.
 const fn latency(instruction: &Instruction) -> u32 {
     match instruction {
         Instruction::Number(_) | Instruction::Argument(_) => 0,
@@ -147,7 +143,7 @@ const fn latency(instruction: &Instruction) -> u32 {
     }
 }
 
-/// What makes two instructions the same.
+/// Returns a key that is equal for equal instructions.
 fn key(instruction: &Instruction) -> [u64; 4] {
     let two = |kind: u64, x: TapeSlot, y: TapeSlot| [kind, u64::from(x.0), u64::from(y.0), 0];
     match *instruction {

@@ -1,15 +1,12 @@
-//! What the start of a series hands on to its steps.
-
 use crate::expressions::graph::UnaryFunction;
 use crate::expressions::tape::{Argument, Instruction, TapeSlot, TapeWriter};
 
-/// What a step is given of the start.
+/// Value that the start of a series passes to its steps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum CarriedValue {
     Value(TapeSlot),
     Twice(TapeSlot),
     Sign(TapeSlot),
-    /// A number over the value.
     Over(f64, TapeSlot),
 }
 
@@ -21,7 +18,7 @@ impl CarriedValue {
     }
 }
 
-/// Writes what is handed on of a value at `x`.
+/// Writes the carried value of the value at `x`.
 pub(super) fn write(writer: &mut TapeWriter, carried: CarriedValue, x: TapeSlot) -> TapeSlot {
     match carried {
         CarriedValue::Value(_) => x,
@@ -34,7 +31,7 @@ pub(super) fn write(writer: &mut TapeWriter, carried: CarriedValue, x: TapeSlot)
     }
 }
 
-/// The argument at a place of `extra`.
+/// Returns the argument at an index of `extra`.
 pub(super) fn extra(at: usize) -> Instruction {
     Instruction::Argument(Argument::Extra(u16::try_from(at).unwrap_or(u16::MAX)))
 }

@@ -1,15 +1,13 @@
-//! The coefficients of a series, one order after another, by its two tapes.
-
 use super::SeriesTapes;
 use crate::expressions::tape::TapeArguments;
 
-/// The coefficients of one order of a series without an input, and what the next order needs.
+/// Coefficients of one order of a series without an input, and the state for the next order.
 #[derive(Debug)]
 pub struct SeriesCoefficients<'a> {
     tapes: &'a SeriesTapes,
     constants: &'a [f64],
     order: usize,
-    /// Coefficients of the outputs, then of the conditions, then what is kept as `factors`.
+    /// Coefficients of the outputs, then of the conditions, then those kept as `factors`.
     values: Vec<f64>,
     carried: Vec<f64>,
     /// Factors of the sums by lane and order; those of order 0 are in no sum.
@@ -17,7 +15,7 @@ pub struct SeriesCoefficients<'a> {
 }
 
 impl<'a> SeriesCoefficients<'a> {
-    /// Returns those of order 0, of a series that starts at `state`.
+    /// Returns the coefficients of order 0, of a series that starts at `state`.
     pub fn new(tapes: &'a SeriesTapes, constants: &'a [f64], state: &[f64]) -> Self {
         let given = TapeArguments { constants, state, ..TapeArguments::default() };
         let mut values = tapes.start.evaluate(&given);
@@ -32,7 +30,7 @@ impl<'a> SeriesCoefficients<'a> {
         &self.values[..self.values.len() - factors]
     }
 
-    /// Goes on to the next order, in which the state has the coefficients `state`.
+    /// Advances to the next order, in which the state has the coefficients `state`.
     pub fn advance(&mut self, state: &[f64]) {
         self.order += 1;
         let k = self.order;

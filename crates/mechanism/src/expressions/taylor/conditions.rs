@@ -1,18 +1,18 @@
-//! Where a recursion ends before its coefficients say so.
+//! Ends of a series that its coefficients do not show.
 
 use super::writing::Writing;
 use crate::expressions::graph::{BinaryFunction, UnaryFunction};
 use crate::expressions::tape::{Instruction, TapeSlot};
 
-/// Levels of the argument of what is made of eˣ at which a series begins anew.
+/// Levels of the argument of functions of eˣ at which a series restarts.
 ///
-/// Far from zero a softplus is a straight line to the last bit, and coefficients of any order say
-/// nothing of the corner that comes; a step that goes no farther than from one level to the next
-/// sees it coming, whatever its tolerance is.
+/// Far from zero a softplus is a straight line to the last bit, and coefficients of any order do
+/// not show the approaching corner. A step from one level at most to the next detects it, whatever
+/// its tolerance.
 const LEVELS: [f64; 3] = [10.0, 20.0, 40.0];
 
 impl Writing {
-    /// Writes the values at whose zeros what `outputs` are made of changes its form.
+    /// Writes the values with zeros where `outputs` change their form.
     pub(super) fn conditions(&mut self, outputs: &[TapeSlot]) -> Vec<TapeSlot> {
         let (mut signs, mut corners) = (Vec::new(), Vec::new());
         let mut is_seen = vec![false; self.rules.len()];
@@ -36,7 +36,7 @@ impl Writing {
         signs
     }
 
-    /// How far |x|, so many times, is above the next level below it; 0 below all of them.
+    /// Returns the excess of |x|, `times` times, over the next level below; 0 below all levels.
     fn beyond(&mut self, times: u8, x: TapeSlot) -> TapeSlot {
         let once = self.unary(UnaryFunction::Abs, x);
         let size = (1..times).fold(once, |size, _| self.add(size, once));
@@ -50,7 +50,7 @@ impl Writing {
     }
 }
 
-/// The value at whose zero an instruction changes its form.
+/// Returns the value with the zero at which an instruction changes its form.
 fn sign(instruction: &Instruction) -> Option<TapeSlot> {
     if let Instruction::Select(condition, _, _) = *instruction {
         Some(condition)
@@ -61,8 +61,8 @@ fn sign(instruction: &Instruction) -> Option<TapeSlot> {
     }
 }
 
-/// The argument of a function that has a corner for those who look from afar, and how many times
-/// it stands in the exponent.
+/// Returns the argument of a function that has a corner from afar, and its multiplicity in the
+/// exponent.
 fn corner(instruction: &Instruction) -> Option<(u8, TapeSlot)> {
     use UnaryFunction as F;
     let Instruction::Unary(function, x) = *instruction else { return None };

@@ -1,4 +1,4 @@
-//! Functions and their slopes, which are series too.
+//! Functions and their slopes, both of them series.
 
 use super::rules::SeriesRule;
 use super::writing::{Writing, slot_of};
@@ -44,7 +44,7 @@ impl Writing {
         }
     }
 
-    /// Both, each the slope of the other; the cosine's with the opposite sign.
+    /// Writes sine and cosine, each the slope of the other; the cosine's with the opposite sign.
     fn sine_or_cosine(&mut self, function: UnaryFunction, x: TapeSlot) -> TapeSlot {
         let sine = self.driven(UnaryFunction::Sin, x, self.next(1));
         let cosine = self.driven(UnaryFunction::Cos, x, self.next(1));
@@ -52,7 +52,7 @@ impl Writing {
         if function == UnaryFunction::Sin { sine } else { cosine }
     }
 
-    /// tanh with the slope 1 − y², or the logistic function with y − y².
+    /// Writes tanh with the slope 1 − y², or the logistic function with y − y².
     fn sigmoid(&mut self, function: UnaryFunction, x: TapeSlot) -> TapeSlot {
         if function == UnaryFunction::Tanh {
             self.number(1.0);
@@ -66,7 +66,7 @@ impl Writing {
         value
     }
 
-    /// The slope ±1/√(1 − x²).
+    /// Writes an arc function with the slope ±1/√(1 − x²).
     fn arc(&mut self, function: UnaryFunction, x: TapeSlot) -> TapeSlot {
         let below = self.one_less_square(x);
         let root = self.root(below);
@@ -112,11 +112,11 @@ impl Writing {
         self.add(x, y)
     }
 
-    /// atan2(y, x): x/(x² + y²) times the rate of y, less y/(x² + y²) times that of x.
+    /// Writes atan2(y, x): x/(x² + y²) times the rate of y, less y/(x² + y²) times that of x.
     fn angle(&mut self, value: Instruction, y: TapeSlot, x: TapeSlot) -> TapeSlot {
         let square = self.sum_of_squares(x, y);
         let [by_y, by_x] = [x, y].map(|it| self.divide(it, square));
-        // Their own values are nothing: each is a part of the angle that begins at zero.
+        // Their own values are zero: each is a part of the angle that begins at zero.
         let zero = self.number(0.0);
         let mut part = |slope, of| {
             if self.is_constant(of) { zero } else { self.integral(slope, of) }
@@ -125,14 +125,14 @@ impl Writing {
         self.push(value, SeriesRule::Subtract(rising, falling))
     }
 
-    /// ∫ slope dx from the start on: 0 there.
+    /// Writes ∫ slope dx, 0 at the start.
     fn integral(&mut self, slope: TapeSlot, of: TapeSlot) -> TapeSlot {
         self.push(Instruction::Number(0.0), SeriesRule::Driven { slope, of })
     }
 
     pub(super) fn choice(&mut self, [condition, x, y]: [TapeSlot; 3]) -> TapeSlot {
         let value = Instruction::Select(condition, x, y);
-        // What is chosen may change even where both are constant: not along a step.
+        // The choice may change even where both are constant: not along a step.
         self.unless_constant(&[x, y], value, SeriesRule::Choice(condition, x, y))
     }
 }

@@ -1,10 +1,10 @@
-//! Which products of coefficients a recursion sums up.
+//! Products of coefficients that a recursion sums up.
 
 use super::recursion::Recursion;
 use super::rules::SeriesRule;
 use crate::expressions::tape::TapeSlot;
 
-/// One of two factors: a value, or its coefficients each times its order.
+/// One of two factors: a value's coefficients, or these times their order.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum LaneFactor {
     Value(TapeSlot),
@@ -12,7 +12,6 @@ pub(super) enum LaneFactor {
 }
 
 impl LaneFactor {
-    /// The place of the value of which it is a factor.
     pub(super) const fn slot(self) -> TapeSlot {
         match self {
             Self::Value(slot) | Self::Rate(slot) => slot,
@@ -20,7 +19,7 @@ impl LaneFactor {
     }
 }
 
-/// A sum of products that a value takes.
+/// Sum of products in the rule of a value.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeriesLane {
     pub(super) of: TapeSlot,
@@ -28,7 +27,6 @@ pub(super) struct SeriesLane {
     pub(super) second: LaneFactor,
 }
 
-/// Returns the sums that the live values take, in their order.
 pub(super) fn lanes(recursion: &Recursion, is_live: &[bool]) -> Vec<SeriesLane> {
     use LaneFactor::{Rate, Value};
     let mut lanes = Vec::new();

@@ -1,7 +1,7 @@
-//! Power series of what a tape computes, for Taylor's method.
+//! Power series of the values of a tape, for Taylor's method.
 //!
-//! [`Recursion`] says for each value of a tape how its next coefficient follows from those before;
-//! [`SeriesTapes`] makes straight lines of it that compile like any other function. `[JZ05]`
+//! [`Recursion`] derives the next coefficient of each value from lower orders; [`SeriesTapes`]
+//! turns it into straight-line tapes that compile like any other function. `[JZ05]`
 
 mod carried;
 mod coefficients;

@@ -1,26 +1,23 @@
-//! From a tape to the recursion of its coefficients.
-
 use super::rules::SeriesRule;
 use super::writing::Writing;
 use crate::expressions::tape::{Tape, TapeSlot};
 
-/// A tape with a rule for each of its values.
+/// Tape with a recursion rule for the coefficients of each of its values.
 ///
-/// Where a function's slope is not there yet, the tape is made longer: that of tanh is 1 − tanh².
+/// Where a function's slope is missing, the tape is extended: that of tanh is 1 − tanh².
 #[derive(Clone, PartialEq, Debug)]
 pub struct Recursion {
     /// Values at the start; the outputs are the derivative's entries, and the guards.
     pub tape: Tape,
-    /// How each value goes on.
     pub rules: Vec<SeriesRule>,
-    /// How many outputs are entries of the derivative; those after them are guards.
+    /// Number of outputs that are entries of the derivative; the others are guards.
     pub entries: usize,
-    /// The values at whose zeros the series ends: what decides a choice, or is near a corner.
+    /// Values with zeros at which the series ends: those that decide a choice or are near a corner.
     pub conditions: Vec<TapeSlot>,
 }
 
 impl Recursion {
-    /// Returns the recursion of a `tape` whose first `entries` outputs are the derivative.
+    /// Returns the recursion of a `tape` with the derivative as its first `entries` outputs.
     pub fn new(tape: &Tape, entries: usize) -> Self {
         let mut writing = Writing::default();
         for instruction in &tape.instructions {
@@ -34,12 +31,11 @@ impl Recursion {
         Self { tape, rules: writing.rules, entries, conditions }
     }
 
-    /// Returns whether the value at `slot` stays as it is.
     pub fn is_constant(&self, slot: TapeSlot) -> bool {
         self.rules[slot.index()] == SeriesRule::Constant
     }
 
-    /// The slots whose coefficients `outputs` depend on, in order.
+    /// Returns a flag per slot: `true` if the coefficients of `outputs` depend on it.
     pub(super) fn live(&self, outputs: &[TapeSlot]) -> Vec<bool> {
         let mut is_live = vec![false; self.rules.len()];
         let mut waiting = outputs.to_vec();
@@ -52,7 +48,7 @@ impl Recursion {
         is_live
     }
 
-    /// The operand itself, or the slot whose row stands for it where it is only a slope.
+    /// Returns the operand, or the slot of the row that replaces it where it is only a slope.
     fn slope_or(&self, of: TapeSlot, operand: TapeSlot) -> TapeSlot {
         let SeriesRule::Driven { slope, .. } = self.rules[of.index()] else { return operand };
         if slope == operand { self.slope(slope).0 } else { operand }
@@ -63,7 +59,7 @@ impl Recursion {
         self.tape.outputs.split_at(self.entries)
     }
 
-    /// The row of a slope, and whether it counts with the opposite sign.
+    /// Returns the row of a slope, and `true` if it counts with the opposite sign.
     pub(super) fn slope(&self, slope: TapeSlot) -> (TapeSlot, bool) {
         let SeriesRule::Negate(positive) = self.rules[slope.index()] else { return (slope, false) };
         (positive, true)

@@ -1,4 +1,4 @@
-//! The coefficients of one order, from those before it, as instructions.
+//! Coefficients of one order, from those of lower orders, as instructions.
 
 use super::carried::{CarriedValue, extra};
 use super::lanes::{LaneFactor, SeriesLane};
@@ -6,39 +6,37 @@ use super::recursion::Recursion;
 use super::rules::SeriesRule;
 use crate::expressions::tape::{Argument, Instruction, Tape, TapeSlot, TapeWriter};
 
-/// Where what is carried begins in `extra`: k and 1/k stand before.
+/// Index in `extra` of the first carried value, after k and 1/k.
 const CARRIED: usize = 2;
 
-/// A coefficient; none where it is zero.
+/// Coefficient; `None` where it is zero.
 type Term = Option<TapeSlot>;
 
-/// The step of a recursion while it is written.
+/// Step of a recursion while it is written.
 pub(super) struct StepTerms<'a> {
     recursion: &'a Recursion,
     lanes: &'a [SeriesLane],
-    /// How many numbers are carried: the lanes' sums stand behind them.
+    /// Number of carried values; the lanes' sums follow them.
     count: usize,
     writer: TapeWriter,
-    /// The coefficients of all values.
     terms: Vec<Term>,
     carried: Vec<CarriedValue>,
 }
 
 impl<'a> StepTerms<'a> {
-    /// A step of which nothing is written.
     pub(super) fn new(recursion: &'a Recursion, lanes: &'a [SeriesLane], count: usize) -> Self {
         let terms = vec![None; recursion.rules.len()];
         let writer = TapeWriter::default();
         Self { recursion, lanes, count, writer, terms, carried: Vec::new() }
     }
 
-    /// The tape of `outputs` and lanes by the coefficients of what is live, and what it asks for.
+    /// Returns the tape of `outputs` and lanes by the live coefficients, and the values it needs.
     pub(super) fn finish(
         mut self,
         is_live: &[bool],
         outputs: &[TapeSlot],
     ) -> (Tape, Vec<CarriedValue>) {
-        // Operands stand before what is made of them.
+        // Operands precede their operation.
         for at in (0..is_live.len()).filter(|at| is_live[*at]) {
             self.terms[at] = self.term(at);
         }
@@ -68,7 +66,7 @@ impl<'a> StepTerms<'a> {
         }
     }
 
-    /// What the orders before this one add.
+    /// Returns the contribution of the lower orders.
     fn sum(&mut self, a: LaneFactor, b: LaneFactor) -> Term {
         let lane = self.lanes.iter().position(|it| it.is_sum_of(a, b))?;
         Some(self.writer.push(extra(CARRIED + self.count + lane)))
@@ -83,7 +81,7 @@ impl<'a> StepTerms<'a> {
         self.writer.push(extra(CARRIED + at))
     }
 
-    /// A value at the start.
+    /// Returns a value at the start.
     fn value(&mut self, slot: TapeSlot) -> TapeSlot {
         let instruction = self.recursion.tape.instructions[slot.index()];
         let is_at_hand = matches!(
@@ -116,7 +114,7 @@ impl<'a> StepTerms<'a> {
         Some(self.writer.push(Instruction::Multiply(a?, b?)))
     }
 
-    /// The sum, the start of one factor times what the other goes on by, and the reverse.
+    /// Returns the sum, plus each factor's start times the other's coefficient.
     fn product(&mut self, x: TapeSlot, y: TapeSlot) -> Term {
         let sum = self.sum(LaneFactor::Value(x), LaneFactor::Value(y));
         let (first, second) = (self.value(x), self.value(y));
@@ -137,7 +135,7 @@ impl<'a> StepTerms<'a> {
         if is_negative { self.minus(None, term) } else { term }
     }
 
-    /// x to a constant power a, by x y' = a y x'. `[JZ05]` proposition 2.1.
+    /// Returns x to a constant power a, by x y' = a y x'. `[JZ05]` proposition 2.1.
     fn power(&mut self, at: TapeSlot, x: TapeSlot, by: TapeSlot) -> Term {
         let (exponent, one) = (Some(self.value(by)), self.writer.number(1.0));
         let more = self.plus(exponent, Some(one));
@@ -157,8 +155,8 @@ impl<'a> StepTerms<'a> {
         self.unless_zero(x, x, term)
     }
 
-    /// A coefficient of what is singular at zero: nothing where `of` is zero and stays so, as a felt
-    /// that is not touched, and no number where it leaves zero.
+    /// Returns a coefficient that is singular where `of` is zero: none where `of` stays zero, as in
+    /// a felt without contact, and NaN where it leaves zero.
     fn unless_zero(&mut self, start: TapeSlot, of: TapeSlot, term: Term) -> Term {
         let [start, now] = [Some(self.carried(CarriedValue::Value(start))), self.now(of)];
         let [start, now] = [start, now].map(|it| self.times(it, it));

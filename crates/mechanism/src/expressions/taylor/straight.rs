@@ -1,4 +1,4 @@
-//! A recursion as two straight lines: where a series begins, and from order to order.
+//! A recursion as two straight-line tapes: the start of a series, and the step from order to order.
 
 use super::carried::{CarriedValue, write};
 use super::lanes::{LaneFactor, SeriesLane, lanes};
@@ -6,32 +6,31 @@ use super::recursion::Recursion;
 use super::step_terms::StepTerms;
 use crate::expressions::tape::{Tape, TapeSlot, TapeWriter};
 
-/// A recursion as two tapes: what runs them keeps the lanes and sums over them.
+/// Recursion as two tapes; their caller keeps the lanes and their sums.
 ///
 /// A lane is a pair of factors a and b; its sum for the order k is Σ a(j) b(k − j) for j from 1 to
 /// k − 1.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SeriesTapes {
-    /// From constants, state and input to the outputs, the conditions, and what is carried.
+    /// From constants, state and input to the outputs, the conditions, and the carried values.
     pub start: Tape,
-    /// From constants, the coefficients of order k of state and input, and in `extra` k, 1/k, what
-    /// is carried and the lanes' sums: to the coefficients of order k of outputs and conditions,
-    /// then the first factors of all lanes, and the second ones.
+    /// From constants, the coefficients of order k of state and input, and `extra` with k, 1/k, the
+    /// carried values and the lanes' sums, to the coefficients of order k of outputs and
+    /// conditions, then the first factors of all lanes, and the second ones.
     pub step: Tape,
-    /// How many numbers the steps are given of the start.
+    /// Number of values that the steps receive from the start.
     pub carried: usize,
     pub lanes: usize,
-    /// How many values there are at whose zeros the series ends, since a branch does.
+    /// Number of values with zeros that end the series, because a branch ends there.
     pub conditions: usize,
 }
 
 impl Recursion {
-    /// Returns the recursion as two tapes.
     pub fn tapes(&self) -> SeriesTapes {
         let outputs = [self.tape.outputs.as_slice(), &self.conditions].concat();
         let is_live = self.live(&outputs);
         let lanes = self.moving_lanes(&is_live);
-        // How many numbers are carried is known when all is written once.
+        // The number of carried values is known once all is written.
         let (_, carried) = StepTerms::new(self, &lanes, 0).finish(&is_live, &outputs);
         let (step, carried) =
             StepTerms::new(self, &lanes, carried.len()).finish(&is_live, &outputs);
@@ -44,7 +43,7 @@ impl Recursion {
         }
     }
 
-    /// Each sum once, of factors that both move.
+    /// Returns each sum once, of factors that both change.
     fn moving_lanes(&self, is_live: &[bool]) -> Vec<SeriesLane> {
         let mut all: Vec<SeriesLane> = Vec::new();
         for lane in lanes(self, is_live) {
@@ -56,14 +55,14 @@ impl Recursion {
         all
     }
 
-    /// The values at the start of `outputs`, and what is carried.
+    /// Returns the values at the start of `outputs`, and the carried values.
     fn start(&self, outputs: &[TapeSlot], carried: &[CarriedValue]) -> Tape {
         let instructions = &self.tape.instructions;
         let mut is_read = vec![false; instructions.len()];
         for slot in outputs.iter().copied().chain(carried.iter().map(|it| it.slot())) {
             is_read[slot.index()] = true;
         }
-        // Operands stand before what is made of them.
+        // Operands precede their operation.
         for (at, instruction) in instructions.iter().enumerate().rev() {
             if is_read[at] {
                 instruction.operands(|it| is_read[it.index()] = true);
@@ -84,7 +83,6 @@ impl Recursion {
 }
 
 impl SeriesLane {
-    /// Whether its sum is that of these factors.
     pub(super) fn is_sum_of(&self, a: LaneFactor, b: LaneFactor) -> bool {
         (self.first, self.second) == (a, b) || (self.second, self.first) == (a, b)
     }

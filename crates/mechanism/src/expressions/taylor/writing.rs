@@ -1,21 +1,20 @@
-//! Writes a tape once more, each value with its rule.
+//! Writes a tape again, each value with its rule.
 
 use super::rules::SeriesRule;
 use crate::expressions::graph::UnaryFunction;
 use crate::expressions::tape::{Argument, Instruction, TapeSlot};
 
-/// A recursion that is being written.
+/// Recursion that is being written.
 #[derive(Default)]
 pub(super) struct Writing {
     pub(super) instructions: Vec<Instruction>,
     pub(super) rules: Vec<SeriesRule>,
-    /// Where the values of the given tape stand.
+    /// Slots of the values of the given tape.
     pub(super) places: Vec<TapeSlot>,
 }
 
 impl Writing {
     pub(super) fn push(&mut self, instruction: Instruction, rule: SeriesRule) -> TapeSlot {
-        // What has been written is not written twice.
         let known = self.instructions.iter().zip(&self.rules);
         if let Some(at) = known.into_iter().position(|it| it == (&instruction, &rule)) {
             return slot_of(at);
@@ -33,7 +32,6 @@ impl Writing {
         self.push(Instruction::Number(value), SeriesRule::Constant)
     }
 
-    /// Writes an instruction of the given tape.
     pub(super) fn instruction(&mut self, given: Instruction) -> TapeSlot {
         let at = |slot: TapeSlot| self.places[slot.index()];
         match given {
@@ -88,7 +86,6 @@ impl Writing {
         self.unless_constant(&[x, y], Instruction::Divide(x, y), rule)
     }
 
-    /// 1 − x².
     pub(super) fn one_less_square(&mut self, x: TapeSlot) -> TapeSlot {
         let (one, square) = (self.number(1.0), self.multiply(x, x));
         self.subtract(one, square)
@@ -99,12 +96,12 @@ impl Writing {
         self.unless_constant(&[x], value, SeriesRule::Root(x))
     }
 
-    /// The next place but `ahead`, for a slope that is written after what it is the slope of.
+    /// Returns the slot `ahead` of the next, for a slope that is written after its function.
     pub(super) fn next(&self, ahead: usize) -> TapeSlot {
         slot_of(self.rules.len() + ahead)
     }
 
-    /// A function of `x` that changes with `slope` times the rate of x.
+    /// Returns a function of `x` that changes with `slope` times the rate of x.
     pub(super) fn driven(
         &mut self,
         function: UnaryFunction,
