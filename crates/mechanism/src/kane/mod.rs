@@ -1,13 +1,13 @@
 //! Mechanisms described in files, as equations of motion by Kane's method.
 //!
-//! In the order in which a description passes: [`text`] reads expressions with units,
-//! [`description`] a whole file with all its mistakes; [`graph`] holds all expressions once, with
-//! exact derivatives; [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from
-//! it, mode by mode; [`tape`] is the straight-line program of some expressions; [`assemble`] makes
-//! the table and the functions of a model that `equations` runs; [`readable`] writes a system for
-//! people; [`taylor`] has the coefficients of a motion from its tape.
+//! In the order of processing: [`text`] reads expressions with units, [`description`] a whole file
+//! with all its mistakes; [`graph`] stores all expressions once, with exact derivatives;
+//! [`mechanism`] is a checked description; [`mechanics`] derives [`system`] from it, mode by mode;
+//! [`tape`] is the straight-line program of some expressions; [`assemble`] builds the table and the
+//! functions of a model for `instruments::equations`; [`readable`] writes a system as text;
+//! [`taylor`] has the power series of a motion.
 //!
-//! Not here: time stepping, keys, what an instrument sounds like.
+//! Not here: time stepping, keys, sound.
 
 pub mod assemble;
 mod bound;

@@ -1,5 +1,3 @@
-//! From a description's text to a program, with every obstacle as a mistake in the file.
-
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -11,7 +9,6 @@ use crate::kane::mechanics::{DerivationError, derive};
 use crate::kane::rest_check;
 use crate::kane::system::EquationSystem;
 
-/// A description, the equations that were derived from it, and their program.
 #[derive(Clone, Debug)]
 pub struct DerivedModel {
     pub description: Description,
@@ -19,12 +16,12 @@ pub struct DerivedModel {
     pub program: Program,
 }
 
-/// Reads the description `text`, derives its equations and assembles their program; `name` stands
-/// in mistakes and is given to `bases`.
+/// Reads the description `text`, derives its equations and assembles their program; `name` appears
+/// in mistakes and is passed to `bases`.
 ///
 /// # Errors
-/// All mistakes of the file; of the derivation, those of all modes; a `[rest]` that is none; more
-/// work than [`crate::kane::graph::MAX_WORK`].
+/// All mistakes of the file; obstacles of all modes; an invalid `[rest]`; more work than
+/// [`crate::kane::graph::MAX_WORK`].
 pub fn derive_model(
     name: &str,
     text: &str,
@@ -36,7 +33,7 @@ pub fn derive_model(
 /// Like [`derive_model`], but ends early, with a mistake, once `is_cancelled` is set.
 ///
 /// # Errors
-/// As of [`derive_model`].
+/// Those of [`derive_model`].
 #[expect(clippy::large_stack_frames, reason = "once for a description, off the tick")]
 pub fn derive_unless_cancelled(
     name: &str,
@@ -58,13 +55,13 @@ pub fn derive_unless_cancelled(
     {
         return Err(Diagnostics::new(vec![mistake]));
     }
-    // What is printed of it later is another matter.
+    // Printing it later is not limited.
     description.mechanism.graph.lift_limits();
     system.mechanism.graph.lift_limits();
     Ok(DerivedModel { description, system, program })
 }
 
-/// A derivation that did not succeed, at the mode in which it did not.
+/// Returns a failed derivation as a mistake at its mode.
 fn obstacle(name: &str, text: &str, error: &DerivationError) -> Diagnostic {
     let heading = format!("[modes.{}]", error.mode_name);
     let line = text.lines().position(|line| line.trim_start().starts_with(&heading));

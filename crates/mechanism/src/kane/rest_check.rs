@@ -1,4 +1,4 @@
-//! Whether a mechanism rests where its description says so.
+//! Checks that a mechanism rests in the state of its description.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
@@ -10,23 +10,23 @@ use crate::kane::assemble::Program;
 use crate::kane::graph::{MAX_WORK, Place, WorkEnd};
 use crate::kane::mechanism::Mechanism;
 
-/// The keys at the ends of the compass, on which presets are looked at.
+/// Keys at the ends of the compass, on which presets are checked.
 const KEYS: [u8; 2] = [0, 87];
 
-/// Instructions that are evaluated in the time of one operand of a graph.
+/// Instructions evaluated in the time of one operand of a graph.
 const INSTRUCTIONS: u64 = 16;
 
-/// Functions whose evaluation stops at a limit of work or at a cancellation.
+/// Functions with an evaluation that stops at a limit of work or on cancellation.
 struct LimitedFunctions<'a> {
     program: &'a Program,
-    /// Instructions that were evaluated, and that may be.
+    /// Instructions evaluated so far.
     done: AtomicU64,
     most: u64,
     is_cancelled: &'a AtomicBool,
 }
 
 impl LimitedFunctions<'_> {
-    /// Returns why it evaluates no more, if it does not.
+    /// Returns the reason for which evaluation stopped, if it did.
     fn end(&self) -> Option<WorkEnd> {
         if self.done.load(Ordering::Relaxed) > self.most {
             Some(WorkEnd::TooMuch)
@@ -42,7 +42,7 @@ impl Functions for LimitedFunctions<'_> {
         let instructions = tape.map_or(0, |tape| tape.instructions.len() as u64);
         self.done.fetch_add(instructions, Ordering::Relaxed);
         if self.end().is_some() {
-            // A descent without numbers ends within a few steps.
+            // A descent on NaN ends within a few steps.
             out.fill(f64::NAN);
         } else {
             self.program.call(function, arguments, out);
@@ -56,25 +56,23 @@ impl Equations for LimitedFunctions<'_> {
     }
 }
 
-/// What is wrong with a pose at rest.
+/// Fault of a pose at rest.
 struct RestingFault {
     mode: ModeNumber,
-    /// The entry of the state that it is about.
+    /// Entry of the state.
     entry: usize,
     kind: FaultKind,
 }
 
-/// What is wrong with an entry.
 enum FaultKind {
-    /// It changes so fast (its unit / s), where nothing should.
+    /// The entry changes at this rate (its unit / s).
     Moves(f64),
-    /// It rests there, out of its range.
+    /// The entry rests here, out of its range.
     OutOfRange(f64),
 }
 
-/// Returns the first preset and key on which the mechanism does not rest, as a mistake of its
-/// `[rest]`, or that too many are to be looked at; none where nothing is stated, or where it says
-/// that it starts there.
+/// Returns a mistake of `[rest]` for the first preset and key on which the mechanism does not rest,
+/// or for too many to check; `None` without a statement, or if it declares a start in motion.
 pub(crate) fn check(
     mechanism: &Mechanism,
     program: &Program,
@@ -104,13 +102,12 @@ pub(crate) fn check(
     Some(Diagnostic { file, line: Some(line), column: Some(column), message, help })
 }
 
-/// The range of a coordinate.
 fn range(mechanism: &Mechanism, place: Place) -> Option<(f64, f64)> {
     let Place::Coordinate(number) = place else { return None };
     mechanism.coordinates.get(usize::from(number)).map(|it| it.range)
 }
 
-/// What does not rest; none for a model that is larger than what is looked at.
+/// Returns the entry that does not rest; `None` for a model that is too large to check.
 fn fault(
     functions: &LimitedFunctions<'_>,
     ranges: &[(f64, f64)],
@@ -144,7 +141,7 @@ fn fault_of<const N: usize, const C: usize>(
     })
 }
 
-/// Whether the values of a preset are different for the last key.
+/// Returns `true` if the values of a preset differ on the last key.
 fn is_graded(functions: &LimitedFunctions<'_>, preset: usize) -> bool {
     let table = functions.table();
     let values = |key: u8| {
@@ -160,7 +157,7 @@ fn is_graded(functions: &LimitedFunctions<'_>, preset: usize) -> bool {
     first != last
 }
 
-/// What to say of it, and what to do.
+/// Returns the message and the help.
 fn said(table: &ModelTable, fault: &RestingFault, (preset, key): (usize, u8)) -> (String, String) {
     let preset = table.presets.get(preset).map_or("", |preset| preset.name);
     let mode = table.modes.get(usize::from(fault.mode.0)).map_or("", |mode| mode.name);

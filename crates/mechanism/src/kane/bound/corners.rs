@@ -1,4 +1,4 @@
-//! Where an expression jumps or has a corner, which its derivatives do not tell.
+//! Jumps and corners of an expression, which its derivatives do not show.
 
 use super::functions::cut_room;
 use super::interval::room;
@@ -8,7 +8,7 @@ use crate::kane::graph::{BinaryFunction, Graph, Node, NodeOperation, UnaryFuncti
 
 impl Ranges {
     /// Returns 0 where `node` cannot jump over the step, and 0 where it cannot have a corner;
-    /// infinity where it may.
+    /// otherwise infinity.
     pub(super) fn corners(&mut self, graph: &mut Graph, node: Node) -> [Node; 2] {
         let (mut jumps, mut corners) = (Vec::new(), Vec::new());
         for reached in graph.reached(&[node]) {
@@ -43,7 +43,7 @@ impl Ranges {
         })
     }
 
-    /// Infinity where `node` may be no number, which the smaller and the larger of two leave out.
+    /// Returns infinity where `node` may be NaN, which the smaller and larger of two ignore.
     fn without_number(&mut self, graph: &mut Graph, node: Node) -> Node {
         if !is_partial(graph, node) {
             return graph.constant(0.0);
@@ -55,11 +55,10 @@ impl Ranges {
         infinite_without(graph, room)
     }
 
-    /// Infinity where `node` may come to 0.
+    /// Returns infinity where `node` may reach 0.
     fn at_zero(&mut self, graph: &mut Graph, node: Node) -> Node {
         let range = self.of(graph, node);
         if graph.is_zero(range.spread) {
-            // It keeps its side, whichever that is.
             return graph.constant(0.0);
         }
         let room = room(graph, range);
@@ -67,7 +66,7 @@ impl Ranges {
     }
 }
 
-/// Whether some values of what `node` is made of give no number.
+/// Returns `true` if some operands of `node` make it NaN.
 fn is_partial(graph: &Graph, node: Node) -> bool {
     graph.reached(&[node]).into_iter().any(|it| match graph.operation(it) {
         NodeOperation::Unary(function, _) => matches!(
@@ -83,7 +82,7 @@ fn is_partial(graph: &Graph, node: Node) -> bool {
     })
 }
 
-/// 0 where `room` is positive, else infinity.
+/// Returns 0 where `room` is positive, else infinity.
 fn infinite_without(graph: &mut Graph, room: Node) -> Node {
     let (zero, unknown) = (graph.constant(0.0), graph.constant(f64::INFINITY));
     graph.select(room, zero, unknown)

@@ -1,10 +1,7 @@
-//! Ranges of functions of a range.
-
 use super::interval::{Range, around, room};
 use super::{above_zero, larger, least, magnitude, most};
 use crate::kane::graph::{BinaryFunction, Graph, Node, NodeOperation, UnaryFunction};
 
-/// The range of an integer power.
 pub(super) fn power(graph: &mut Graph, x: Range, exponent: i32) -> Range {
     if exponent == 1 {
         return x;
@@ -27,7 +24,7 @@ pub(super) fn power(graph: &mut Graph, x: Range, exponent: i32) -> Range {
     }
 }
 
-/// The range of 1/x: |1/x − 1/c| = |x − c|/(|x| |c|).
+/// Returns the range of 1/x: |1/x − 1/c| = |x − c|/(|x| |c|).
 fn inverse(graph: &mut Graph, x: Range) -> Range {
     if graph.is_zero(x.spread) {
         let centre = graph.power(x.centre, -1);
@@ -42,18 +39,17 @@ fn inverse(graph: &mut Graph, x: Range) -> Range {
     }
 }
 
-/// The smallest magnitude over the step, at least 0.
+/// Returns the smallest magnitude over the step, at least 0.
 fn lowest(graph: &mut Graph, x: Range) -> Node {
     let (zero, room) = (graph.constant(0.0), room(graph, x));
     most(graph, room, zero)
 }
 
-/// The two ends of a range.
 fn ends(graph: &mut Graph, x: Range) -> [Node; 2] {
     [graph.subtract(x.centre, x.spread), graph.add(x.centre, x.spread)]
 }
 
-/// The range of a function of x: |f − f(c)| ≤ the largest slope times |x − c|.
+/// Returns the range of a function of x: |f − f(c)| ≤ the largest slope times |x − c|.
 pub(super) fn unary(graph: &mut Graph, function: UnaryFunction, x: Range, centre: Node) -> Range {
     if graph.is_zero(x.spread) {
         return around(graph, centre, None);
@@ -74,7 +70,7 @@ pub(super) fn unary(graph: &mut Graph, function: UnaryFunction, x: Range, centre
     Range { size, ..range }
 }
 
-/// A bound of |f| over the range, at most `far`.
+/// Returns a bound of |f| over the range, at most `far`.
 fn size(graph: &mut Graph, function: UnaryFunction, x: Range, far: Node) -> Node {
     let [_, high] = ends(graph, x);
     match function {
@@ -83,7 +79,6 @@ fn size(graph: &mut Graph, function: UnaryFunction, x: Range, far: Node) -> Node
             least(graph, far, one)
         }
         UnaryFunction::Abs => x.size,
-        // They grow and are positive.
         UnaryFunction::Exp
         | UnaryFunction::Softplus
         | UnaryFunction::Logistic
@@ -93,14 +88,14 @@ fn size(graph: &mut Graph, function: UnaryFunction, x: Range, far: Node) -> Node
     }
 }
 
-/// A bound of |f(x) − f(c)|/|x − c| over the range.
+/// Returns a bound of |f(x) − f(c)|/|x − c| over the range.
 fn largest_slope(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     let one = graph.constant(1.0);
     let [low, high] = ends(graph, x);
     match function {
         UnaryFunction::Sin => turning(graph, UnaryFunction::Cos, x),
         UnaryFunction::Cos => turning(graph, UnaryFunction::Sin, x),
-        // Slopes that fall on both sides of 0.
+        // The slopes decrease on both sides of 0.
         UnaryFunction::Tanh | UnaryFunction::Logistic => {
             let nearest = lowest(graph, x);
             let value = graph.unary(function, nearest);
@@ -136,8 +131,9 @@ fn largest_slope(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     }
 }
 
-/// A bound of the mean slope between the centre and any place, where the slope is this sine or
-/// cosine: |cos x − cos c| ≤ |sin c| |x − c| + |x − c|²/2.
+/// Returns a bound of the mean slope between the centre and any place where `function` is the
+/// slope:
+/// |cos x − cos c| ≤ |sin c| |x − c| + |x − c|²/2.
 fn turning(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     let value = graph.unary(function, x.centre);
     let (size, one) = (magnitude(graph, value), graph.constant(1.0));
@@ -145,13 +141,13 @@ fn turning(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     least(graph, far, one)
 }
 
-/// What is above 0 of a node.
+/// Returns max(x, 0).
 fn positive(graph: &mut Graph, x: Node) -> Node {
     let zero = graph.constant(0.0);
     most(graph, x, zero)
 }
 
-/// The range of a function of two arguments, in the order in which they are written.
+/// Returns the range of a function of two arguments, in written order.
 pub(super) fn binary(
     graph: &mut Graph,
     function: BinaryFunction,
@@ -176,7 +172,7 @@ pub(super) fn binary(
     }
 }
 
-/// The angle of a point that is nowhere near the origin or the cut.
+/// Returns the angle of a point that is far from the origin and the cut.
 fn angle(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
     let unknown = graph.constant(f64::INFINITY);
     let zero = graph.constant(0.0);
@@ -191,14 +187,15 @@ fn angle(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
     Range { centre, spread, size: half }
 }
 
-/// Positive where the point (y, x) of atan2(x, y) cannot come to the cut, y < 0 and x = 0.
+/// Returns a positive value where the point (y, x) of atan2(x, y) cannot reach the cut, y < 0, x =
+/// 0.
 pub(super) fn cut_room(graph: &mut Graph, [x, y]: [Range; 2]) -> Node {
     let ahead = graph.subtract(y.centre, y.spread);
     let aside = room(graph, x);
     most(graph, ahead, aside)
 }
 
-/// The range of xʸ of a positive x with a constant y: it and its slope are largest at an end.
+/// Returns the range of xʸ for positive x and constant y: it and its slope are largest at an end.
 fn general_power(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
     let unknown = graph.constant(f64::INFINITY);
     if !graph.is_zero(y.spread) {
@@ -224,7 +221,7 @@ fn general_power(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
     Range { centre, spread, size }
 }
 
-/// Whether a node is 0 or more whatever it is made of, as far as its own operation tells.
+/// Returns `true` if a node is never negative, as far as its own operation shows.
 pub(super) fn is_never_negative(graph: &Graph, node: Node) -> bool {
     let is_number = |node: &Node| graph.number(*node).is_some_and(|number| number >= 0.0);
     match graph.operation(node) {
@@ -247,7 +244,6 @@ pub(super) fn is_never_negative(graph: &Graph, node: Node) -> bool {
     }
 }
 
-/// Whether a node is a function that is nowhere negative.
 fn is_positive_function(graph: &Graph, node: Node) -> bool {
     let NodeOperation::Unary(function, _) = graph.operation(node) else {
         return matches!(graph.operation(node), NodeOperation::Binary(BinaryFunction::Hypot, ..));

@@ -1,14 +1,13 @@
 //! Bounds of a guard over one step, as expressions of the step's enclosure.
 //!
-//! A guard g of the entries and of the input moves by no more than the sum, over these, of how far
-//! each moves times the largest slope |∂g/∂z| over the step; and its bend is no more than the sum
-//! of slopes times bends, and of second derivatives times products of speeds. The derivatives are
-//! exact, so that what cancels in them is seen: hammer and key that go together move the gap
-//! between them by little.
+//! A guard g of the entries and of the input moves by at most the sum, over these, of the move of
+//! each times the largest slope |∂g/∂z| over the step. Its bend is at most the sum of slopes times
+//! bends, and of second derivatives times products of speeds. The derivatives are exact, so that
+//! cancelling terms cancel: hammer and key in common motion move the gap between them by little.
 //!
 //! The largest magnitude of a derivative is its value at the centre, where each entry and the input
-//! are at their start and the input's rates are 0, and how far it can be from there: by the chain and product rules,
-//! with every slope replaced by the largest over the step ([`range`]).
+//! are at their start and the input's rates are 0, plus its largest distance from there: by the
+//! chain and product rules, with every slope replaced by the largest over the step ([`range`]).
 
 mod corners;
 mod functions;
@@ -19,14 +18,14 @@ use crate::kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
 use instruments::equations::table::EnclosureLayout;
 use range::Ranges;
 
-/// What bounds are made of, for one state.
+/// Data for the bounds of one state.
 #[derive(Debug)]
 pub(crate) struct Bounds<'a> {
     state: &'a [Place],
     ranges: Ranges,
 }
 
-/// How what a guard depends on goes over a step.
+/// Course of a guard's argument over a step.
 #[derive(Clone, Copy, Debug)]
 struct Path {
     place: Place,
@@ -37,12 +36,12 @@ struct Path {
 }
 
 impl<'a> Bounds<'a> {
-    /// Returns what bounds are made of where these are the entries of the state.
+    /// Returns the data for bounds with these entries of the state.
     pub(crate) fn new(graph: &mut Graph, state: &'a [Place]) -> Self {
         Self { state, ranges: Ranges::new(graph, state) }
     }
 
-    /// Returns bounds of how far `value` moves, and of its bend, over a step.
+    /// Returns bounds of the move and of the bend of `value` over a step.
     pub(crate) fn of(&mut self, graph: &mut Graph, value: Node) -> [Node; 2] {
         let paths = self.paths(graph, value);
         let slopes: Vec<_> = paths.iter().map(|path| graph.partial(value, path.place)).collect();
@@ -60,14 +59,13 @@ impl<'a> Bounds<'a> {
         [graph.sum(&moves), graph.sum(&bend)]
     }
 
-    /// A second derivative times the speeds of both that it is by.
+    /// Multiplies a second derivative by the speeds of both its variables.
     fn second(&mut self, graph: &mut Graph, slope: Node, [path, other]: [&Path; 2]) -> Node {
         let second = graph.partial(slope, other.place);
         let size = self.ranges.size(graph, second);
         graph.product(&[(size, 1), (path.speed, 1), (other.speed, 1)])
     }
 
-    /// How all that `value` depends on goes.
     fn paths(&self, graph: &mut Graph, value: Node) -> Vec<Path> {
         let extra = |graph: &mut Graph, number: usize| extra(graph, number);
         let mut paths = Vec::new();
@@ -90,13 +88,12 @@ impl<'a> Bounds<'a> {
     }
 }
 
-/// The number of an enclosure at `number`.
 fn extra(graph: &mut Graph, number: usize) -> Node {
     graph.symbol(Place::Extra(u16::try_from(number).unwrap_or(u16::MAX)))
 }
 
-/// How the input or a rate of it goes: by the largest of the next rates. Of the third nothing is
-/// known but its size.
+/// Returns the course of the input or a rate of it, by the largest of the next rates. Of the third
+/// only the size is known.
 fn input(graph: &mut Graph, rate: u8) -> Path {
     let unknown = graph.constant(f64::INFINITY);
     let step = extra(graph, EnclosureLayout::step());
@@ -118,22 +115,20 @@ fn input(graph: &mut Graph, rate: u8) -> Path {
     Path { place: Place::Input(rate), moves, speed, bend }
 }
 
-/// |x| of a node.
 fn magnitude(graph: &mut Graph, x: Node) -> Node {
     graph.unary(UnaryFunction::Abs, x)
 }
 
-/// The smaller of two nodes.
 fn least(graph: &mut Graph, x: Node, y: Node) -> Node {
     graph.binary(BinaryFunction::Min, x, y)
 }
 
-/// The larger of two nodes; the other one where one is no number.
+/// Returns the larger of two nodes; the other one where one is NaN.
 fn most(graph: &mut Graph, x: Node, y: Node) -> Node {
     if x == y { x } else { graph.binary(BinaryFunction::Max, x, y) }
 }
 
-/// The larger of two nodes; no number where one is none, so that nothing unknown is lost.
+/// Returns the larger of two nodes; NaN where one is, so that unknown values stay unknown.
 fn larger(graph: &mut Graph, x: Node, y: Node) -> Node {
     if x == y {
         return x;
@@ -143,7 +138,7 @@ fn larger(graph: &mut Graph, x: Node, y: Node) -> Node {
     graph.sum(&[(x, 0.5), (y, 0.5), (apart, 0.5)])
 }
 
-/// What of a node is above 0; no number where it is none.
+/// Returns max(x, 0); NaN where x is NaN.
 fn above_zero(graph: &mut Graph, x: Node) -> Node {
     let size = magnitude(graph, x);
     graph.sum(&[(x, 0.5), (size, 0.5)])

@@ -1,5 +1,3 @@
-//! How far an expression can be from its value at the centre, over one step.
-
 use std::collections::HashMap;
 
 use super::functions::is_never_negative;
@@ -10,12 +8,12 @@ use crate::kane::graph::{
 };
 use instruments::equations::table::EnclosureLayout;
 
-/// The ranges of expressions, each found once.
+/// Ranges of expressions over one step, each computed once.
 #[derive(Debug)]
 pub(super) struct Ranges {
-    /// How far each place can be from its centre.
+    /// Largest distance of each place from its centre.
     spreads: HashMap<Place, Node>,
-    /// The expressions at the centre: with the input at its start, and its rates at 0.
+    /// Expressions at the centre: with the input at its start, and its rates at 0.
     at_centre: Substitution,
     known: HashMap<Node, Range>,
 }
@@ -41,12 +39,10 @@ impl Ranges {
         Self { spreads, at_centre: Substitution::new(centres), known: HashMap::new() }
     }
 
-    /// Returns a bound of |`node`| over the step.
     pub(super) fn size(&mut self, graph: &mut Graph, node: Node) -> Node {
         self.of(graph, node).size
     }
 
-    /// Returns the range of `node`.
     pub(super) fn of(&mut self, graph: &mut Graph, node: Node) -> Range {
         for reached in graph.reached(&[node]) {
             if !self.known.contains_key(&reached) {
@@ -59,7 +55,6 @@ impl Ranges {
         self.known.get(&node).copied().unwrap_or(unknown)
     }
 
-    /// The range of a node whose operands' ranges are known.
     fn one(&mut self, graph: &mut Graph, node: Node) -> Range {
         let centre = self.at_centre.of(graph, node);
         match graph.operation(node).clone() {
@@ -67,7 +62,7 @@ impl Ranges {
             NodeOperation::Symbol(place) => {
                 let spread = self.spreads.get(&place).copied();
                 let range = around(graph, centre, spread);
-                // Of the input the largest magnitude is known.
+                // The largest magnitude of the input is known.
                 let size = if place == Place::Input(0) { node } else { range.size };
                 Range { size, ..range }
             }
@@ -93,7 +88,7 @@ impl Ranges {
         }
     }
 
-    /// The range of a root or a power of `x`, which are no numbers where that may be negative.
+    /// Returns the range of a root or a power of `x`, which is NaN where `x` may be negative.
     fn rooted(&self, graph: &mut Graph, x: Node, range: Range) -> Range {
         let own = self.known[&x];
         if graph.is_zero(own.spread) || is_never_negative(graph, x) {
@@ -105,7 +100,7 @@ impl Ranges {
         Range { spread, size, ..range }
     }
 
-    /// One factor after the other: |a b − a₀ b₀| ≤ |a − a₀| |b| + |a₀| |b − b₀|.
+    /// Multiplies factor by factor: |a b − a₀ b₀| ≤ |a − a₀| |b| + |a₀| |b − b₀|.
     fn product(&self, graph: &mut Graph, factors: &[(Node, i32)], centre: Node) -> Range {
         let one = graph.constant(1.0);
         let mut all = around(graph, one, None);
@@ -123,7 +118,7 @@ impl Ranges {
         Range { centre, ..all }
     }
 
-    /// One branch where the condition keeps its sign, either else.
+    /// Returns the range of one branch where the condition keeps its sign, otherwise of both.
     fn select(&self, graph: &mut Graph, all: [Node; 3], centre: Node) -> Range {
         let [condition, positive, other] = all.map(|it| self.known[&it]);
         let room = room(graph, condition);
@@ -142,8 +137,8 @@ impl Ranges {
     }
 }
 
-/// The range, or one without bounds where the centre is no finite number: what is made of an
-/// infinite number would vanish in a quotient.
+/// Returns the range, or one without bounds where the centre is not finite: a result of an infinite
+/// number would vanish in a quotient.
 fn known_or_nothing(graph: &mut Graph, range: Range) -> Range {
     if graph.number(range.centre).is_none_or(f64::is_finite) {
         return range;

@@ -1,4 +1,4 @@
-//! Descriptions that others start from.
+//! Bases: descriptions from which others start.
 
 use documents::quoted;
 use documents::toml::{
@@ -7,21 +7,19 @@ use documents::toml::{
 
 use super::LONGEST;
 
-/// How many descriptions may start one from the other.
+/// Longest chain of descriptions.
 const MOST_BASES: usize = 8;
 
-/// Where the bases of descriptions come from.
+/// Source of the bases of descriptions.
 pub trait Bases {
-    /// Returns the bytes of the description `base` that the description called `from` names, and
-    /// the name under which mistakes in it are reported.
+    /// Returns the bytes of the description `base` named by the description `from`, and its name in
+    /// reported mistakes.
     ///
     /// # Errors
-    ///
-    /// Why there is none, in words.
+    /// The reason in words.
     fn load(&self, base: &str, from: &str) -> Result<(String, Vec<u8>), String>;
 }
 
-/// No bases at all.
 impl Bases for () {
     fn load(&self, _base: &str, _from: &str) -> Result<(String, Vec<u8>), String> {
         Err("there are no other descriptions here".to_owned())
@@ -60,7 +58,6 @@ fn take_out(tree: &mut TomlNode, name: &str) {
     }
 }
 
-/// Loads what `tree` starts from, if anything.
 fn base_of(
     report: &mut FindingList,
     tree: &TomlNode,
@@ -103,7 +100,7 @@ fn base_of(
     }
 }
 
-/// Removes from `tree` what `over` says.
+/// Removes the entries from `tree` that `over` lists.
 fn remove(report: &mut FindingList, tree: &mut TomlNode, over: &TomlNode) {
     let Some(entry) = over.get("remove") else { return };
     for item in toml::list(report, "remove", &entry.node) {
@@ -115,7 +112,7 @@ fn remove(report: &mut FindingList, tree: &mut TomlNode, over: &TomlNode) {
     }
 }
 
-/// Removes `path`, as `springs.k1`; false if there is no such thing.
+/// Removes `path`, as `springs.k1`; returns `false` if it does not exist.
 fn remove_path(tree: &mut TomlNode, path: &str) -> bool {
     let mut node = tree;
     let mut names = path.split('.').peekable();
@@ -132,9 +129,8 @@ fn remove_path(tree: &mut TomlNode, path: &str) -> bool {
     false
 }
 
-/// Lays `over` onto `tree`: tables key by key, all else whole.
-///
-/// No deeper than the TOML parser allows values to nest.
+/// Merges `over` onto `tree`: tables key by key, other values whole. The TOML parser limits the
+/// depth.
 fn merge(tree: &mut TomlNode, over: TomlNode) {
     let TomlNode { place, kind } = over;
     match (&mut tree.kind, kind) {
@@ -157,7 +153,6 @@ fn enter(entries: &mut Vec<TomlEntry>, new: TomlEntry) {
     }
 }
 
-/// Returns the place of the start of a source.
 pub(super) const fn start(source: usize) -> SourcePlace {
     SourcePlace { source, offset: 0 }
 }

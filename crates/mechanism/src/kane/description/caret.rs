@@ -1,9 +1,7 @@
-//! Mistakes as people read them: each with its line and a caret under the place.
-
 use documents::Diagnostics;
 use documents::toml::TomlSource;
 
-/// Returns all mistakes, each with its line and a caret, as a terminal shows them.
+/// Returns all mistakes as a terminal shows them, each with its line and a caret under the place.
 pub fn rendered(mistakes: &Diagnostics, sources: &[TomlSource]) -> String {
     let text_of = |file: &str| {
         let source = sources.iter().find(|source| source.name == file);

@@ -1,4 +1,4 @@
-//! Checks of numbers, which need no derivation: values over the keys, and the initial pose.
+//! Numeric checks without a derivation: values over the keys, and the initial pose.
 
 use documents::toml::SourcePlace;
 
@@ -12,7 +12,6 @@ use crate::kane::graph::{Node, Place};
 use crate::kane::tape::{Argument, ArgumentLayout, Tape, TapeArguments};
 use crate::kane::text::Dependence;
 
-/// Keys of a piano.
 const KEYS: u8 = 88;
 
 impl MechanismReader {
@@ -34,7 +33,7 @@ impl MechanismReader {
         self.check_modes();
     }
 
-    /// Returns the tape of what is over parameters, state and input.
+    /// Returns the tape of nodes over parameters, state and input.
     fn tape(&self, nodes: &[Node]) -> Option<Tape> {
         let mut layout = ArgumentLayout::default();
         layout.place(Place::Key, Argument::Extra(0));
@@ -59,7 +58,7 @@ impl MechanismReader {
         quoted(self.mechanism.presets.get(preset).map_or("", |it| &it.name))
     }
 
-    /// Ranges and requirements on all keys.
+    /// Checks ranges and requirements on all keys.
     fn check_preset(&mut self, preset: usize) {
         let Some(values) = self.mechanism.presets.get(preset).map(|it| it.values.clone()) else {
             return;
@@ -83,7 +82,7 @@ impl MechanismReader {
             for index in wrong {
                 self.say_range((preset, index), constants[index], key);
             }
-            // Not a number is no margin either.
+            // NaN does not meet a requirement.
             let unmet = |it: &usize| margins[*it].is_nan() || margins[*it] <= 0.0;
             let mut unmet: Vec<_> = (0..margins.len()).filter(unmet).collect();
             unmet.retain(|index| mark(&mut said, constants.len() + index));
@@ -125,7 +124,7 @@ impl MechanismReader {
         self.report.say(place, message, "change the preset, or what is required");
     }
 
-    /// Values where the mechanism rests, with a preset's values for the lowest key.
+    /// Checks values at the rest pose, with a preset's values for the lowest key.
     fn check_pose(&mut self, preset: usize, said: &mut BTreeSet<SourcePlace>) {
         let Some(values) = self.mechanism.presets.get(preset).map(|it| it.values.clone()) else {
             return;
@@ -164,7 +163,7 @@ impl MechanismReader {
         other.map_or(rest.mode, |(_, mode)| *mode)
     }
 
-    /// Coordinates at rest, then speeds, which are 0.
+    /// Returns the coordinates at rest, then the speeds, which are 0.
     fn rest_state(&mut self, preset: usize, constants: &[f64], mode: usize) -> Vec<f64> {
         let count = self.mechanism.coordinates.len();
         let mut state = vec![0.0; count + self.mechanism.speeds.len()];
@@ -202,7 +201,7 @@ impl MechanismReader {
         self.report.say(place, message, help);
     }
 
-    /// What counts in a mode: its own expressions, what counts in all, and forces that act there.
+    /// Returns a mode's own expressions, those of all modes, and the forces that act in it.
     fn at_rest(&self, mode: usize) -> Vec<(Node, SourcePlace, String)> {
         let counts = |reach: Dependence, of: Option<usize>| {
             STATE.and(Dependence::FORCES).covers(reach) && of.is_none_or(|of| of == mode)
@@ -220,7 +219,7 @@ impl MechanismReader {
     }
 }
 
-/// Notes that something is said now; false if it was before.
+/// Marks a report as made; returns `false` if it was made before.
 fn mark(said: &mut [bool], index: usize) -> bool {
     said.get_mut(index).is_some_and(|slot| !std::mem::replace(slot, true))
 }

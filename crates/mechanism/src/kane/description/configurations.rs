@@ -1,31 +1,31 @@
-//! The modes that rigid contacts make of those that are written.
+//! Modes for the sets of closed rigid contacts of each written mode.
 
 use documents::toml::{SourcePlace, TomlEntry, TomlKind, TomlNode};
 
 use super::toml_making::{each, entry, key_of, list_of, names_in, of_name, table, text};
 
-/// What joins a mode's name and those of the contacts that are closed.
+/// Separator between a mode's name and those of its closed contacts.
 pub(super) const JOINT: char = '+';
 
-/// A rigid contact as it was written.
+/// Rigid contact as written.
 #[derive(Clone, Debug)]
 pub(super) struct RigidContact {
     pub(super) name: String,
     pub(super) place: SourcePlace,
     pub(super) gap: TomlNode,
     pub(super) restitution: Option<TomlEntry>,
-    /// What its guard says beside: a scale, what sounds.
+    /// Further entries of its guard: a scale, sounds.
     pub(super) extras: Vec<TomlEntry>,
 }
 
-/// A mode that is written, and the rigid contacts that can close in it, by their numbers.
+/// Written mode, and the numbers of the rigid contacts that can close in it.
 #[derive(Clone, Debug)]
 struct WrittenMode {
     entry: TomlEntry,
     contacts: Vec<usize>,
-    /// How many of them can be closed at a time: as many as it has degrees of freedom.
+    /// Largest number of closed contacts: the mode's degrees of freedom.
     most: usize,
-    /// Constraints that hold in it whatever is closed.
+    /// Constraints that hold in any configuration.
     constraints: Vec<TomlNode>,
 }
 
@@ -37,7 +37,6 @@ pub(super) struct Configurations<'a> {
 }
 
 impl<'a> Configurations<'a> {
-    /// The configurations of the `modes` of a description.
     pub(super) fn of(tree: &TomlNode, contacts: &'a [RigidContact], modes: &[TomlEntry]) -> Self {
         let names = |table: &str| tree.get(table).and_then(|it| it.node.entries()).unwrap_or(&[]);
         let rated = names("rates").len();
@@ -60,17 +59,16 @@ impl<'a> Configurations<'a> {
         Self { contacts, modes: modes.iter().map(one).collect() }
     }
 
-    /// Closes no contact in any mode.
     pub(super) fn keep_open(&mut self) {
         self.modes.iter_mut().for_each(|mode| mode.most = 0);
     }
 
-    /// How many modes there would be.
+    /// Returns the number of modes.
     pub(super) fn count(&self) -> usize {
         self.modes.iter().fold(0, |all: usize, mode| all.saturating_add(mode.count()))
     }
 
-    /// All modes: the written ones first, then those with what is closed.
+    /// Returns all modes: the written ones first, then those with closed contacts.
     pub(super) fn modes(&self) -> Vec<TomlEntry> {
         let mut sets: Vec<(&WrittenMode, Vec<usize>)> = Vec::new();
         sets.extend(self.modes.iter().map(|mode| (mode, Vec::new())));
@@ -80,7 +78,6 @@ impl<'a> Configurations<'a> {
         sets.iter().map(|(mode, closed)| self.mode(mode, closed)).collect()
     }
 
-    /// One mode with the contacts `closed`.
     fn mode(&self, mode: &WrittenMode, closed: &[usize]) -> TomlEntry {
         let place = mode.entry.place;
         let mut keys: Vec<TomlEntry> = mode.entry.node.entries().unwrap_or(&[]).to_vec();
@@ -116,14 +113,14 @@ impl<'a> Configurations<'a> {
         TomlEntry { name, place, node }
     }
 
-    /// `free+stop`, the contacts in the order of the file.
+    /// Returns a name like `free+stop`, with the contacts in the order of the file.
     fn name(&self, mode: &str, closed: &[usize]) -> String {
         closed
             .iter()
             .fold(mode.to_owned(), |name, it| format!("{name}{JOINT}{}", self.contacts[*it].name))
     }
 
-    /// The guard that opens a contact: its reaction would pull.
+    /// Returns the guard that opens a contact: its reaction would pull.
     fn opening(&self, mode: &WrittenMode, closed: &[usize], contact: usize) -> TomlNode {
         let RigidContact { name, place, .. } = &self.contacts[contact];
         let left: Vec<_> = closed.iter().copied().filter(|it| *it != contact).collect();
@@ -138,7 +135,7 @@ impl<'a> Configurations<'a> {
         )
     }
 
-    /// The guard that closes a contact: a rebound, or none.
+    /// Returns the guard that closes a contact: with a rebound, or without.
     fn closing(&self, mode: &WrittenMode, closed: &[usize], contact: usize) -> TomlNode {
         let RigidContact { name, place, gap, restitution, extras } = &self.contacts[contact];
         let mut together: Vec<_> = closed.iter().copied().chain([contact]).collect();
@@ -160,7 +157,7 @@ impl<'a> Configurations<'a> {
         table(*place, keys)
     }
 
-    /// Makes a guard lead to the modes in which the same contacts are closed, where there are such.
+    /// Makes a guard lead to the modes with equal closed contacts, where these exist.
     fn lead(&self, guard: &mut TomlNode, closed: &[usize]) {
         let TomlKind::Table(keys) = &mut guard.kind else { return };
         for key in keys {
@@ -181,14 +178,14 @@ impl<'a> Configurations<'a> {
         }
     }
 
-    /// The mode `name` with the contacts `closed`, or itself where they cannot be.
+    /// Returns the mode `name` with the contacts `closed`, or without them where they cannot close.
     fn next(&self, name: &str, closed: &[usize]) -> String {
         let mode = self.modes.iter().find(|it| it.entry.name == name);
         let is_one = mode.is_some_and(|mode| mode.sets().iter().any(|set| set == closed));
         if is_one { self.name(name, closed) } else { name.to_owned() }
     }
 
-    /// Where modes are named outside of them, the configurations of each are named too.
+    /// Adds the configurations of each mode that is named outside of the modes.
     pub(super) fn name_where(&self, entry: &mut TomlEntry) {
         match entry.name.as_str() {
             "outputs" => each(&mut entry.node, &mut |output| {
@@ -204,7 +201,7 @@ impl<'a> Configurations<'a> {
         }
     }
 
-    /// The modes of an outline or spring, or of those in a list.
+    /// Does so for the modes of an outline or spring, or of those in a list.
     fn name_shown(&self, item: &mut TomlNode) {
         key_of(item, "modes", &mut |modes| self.name_items(modes));
         if let TomlKind::List(items) = &mut item.kind {
@@ -241,7 +238,6 @@ impl<'a> Configurations<'a> {
 }
 
 impl WrittenMode {
-    /// How many modes it becomes, itself included.
     fn count(&self) -> usize {
         let n = self.contacts.len();
         let mut ways: usize = 1;
@@ -253,7 +249,7 @@ impl WrittenMode {
         all
     }
 
-    /// The sets of contacts that can be closed, the small ones first, without the empty one.
+    /// Returns the non-empty sets of contacts that can be closed, the small ones first.
     fn sets(&self) -> Vec<Vec<usize>> {
         let mut all: Vec<Vec<usize>> = vec![Vec::new()];
         let mut first = 0;
@@ -273,7 +269,7 @@ impl WrittenMode {
 }
 
 impl RigidContact {
-    /// The constraint that it is while it is closed.
+    /// Returns the constraint of the closed contact.
     pub(super) fn constraint(&self) -> TomlEntry {
         let zero = TomlEntry { name: "zero".to_owned(), place: self.place, node: self.gap.clone() };
         entry(&self.name, self.place, TomlKind::Table(vec![zero]))

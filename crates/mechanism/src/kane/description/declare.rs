@@ -1,4 +1,4 @@
-//! Collects every name of a description, with the expressions that belong to it.
+//! Collects every name of a description with its expressions.
 
 use documents::quoted;
 use documents::toml::{KeyReader, SourcePlace, TomlEntry, TomlKind, list, text};
@@ -10,9 +10,7 @@ use crate::kane::graph::{Graph, Place};
 use crate::kane::mechanism::{Coordinate, InputSpec, Speed};
 use crate::kane::text::{Dependence, Dimension, Measured};
 
-/// Names of origins, by axis.
 pub(super) const ORIGIN: [&str; 3] = ["origin", "origin y", "origin z"];
-/// Names of a point's coordinates, by axis.
 pub(super) const AT: [&str; 3] = ["at", "at y", "at z"];
 
 impl MechanismReader {
@@ -37,7 +35,7 @@ impl MechanismReader {
         self.presets(root);
     }
 
-    /// Enters a name that expressions can use; false if it is taken.
+    /// Declares a name that expressions can use; returns `false` if it is taken.
     pub(super) fn symbol(&mut self, entry: &TomlEntry, kind: SymbolKind) -> bool {
         if let Some((_, first)) = self.names.symbols.get(&entry.name).copied() {
             self.twice(entry, first);
@@ -145,7 +143,6 @@ impl MechanismReader {
         self.or_vague(name, unit)
     }
 
-    /// Enters a generalised speed; returns it.
     fn enter_speed(
         &mut self,
         name: String,
@@ -176,7 +173,6 @@ impl MechanismReader {
         }
     }
 
-    /// Returns the link that the key `name` states.
     pub(super) fn link(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -187,7 +183,6 @@ impl MechanismReader {
         Some(ItemLink { kind, name: to.to_owned(), place })
     }
 
-    /// Returns up to three expressions, by axis.
     pub(super) fn triple(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -206,7 +201,6 @@ impl MechanismReader {
         all
     }
 
-    /// Returns the texts of a list of names.
     pub(super) fn name_list(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -226,7 +220,7 @@ impl MechanismReader {
     }
 }
 
-/// The unit of a rate: `rad/s` of `rad`.
+/// Returns the unit of a rate: `rad/s` of `rad`.
 fn rate_unit(unit: &str) -> String {
     match unit.split_once('/') {
         None => format!("{unit}/s"),
@@ -235,7 +229,6 @@ fn rate_unit(unit: &str) -> String {
     }
 }
 
-/// Returns the number 0, which has every unit.
 pub(super) fn zero(graph: &mut Graph) -> Measured {
     let node = graph.constant(0.0);
     Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING }

@@ -1,4 +1,4 @@
-//! Frames, points and constraints as they are written.
+//! Reads frames, points and constraints as written.
 
 use documents::quoted;
 use documents::toml::{KeyReader, SourcePlace, TomlEntry};

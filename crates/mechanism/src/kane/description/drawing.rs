@@ -1,4 +1,4 @@
-//! How a mechanism looks from the side: what is drawn on which frame, and springs.
+//! Side view of a mechanism: outlines on frames, and springs.
 
 use documents::quoted;
 use documents::toml::{KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode, list, text};
@@ -51,7 +51,7 @@ impl MechanismReader {
         Some(all)
     }
 
-    /// A frame of the drawing that is another one in some modes.
+    /// Reads a frame of the drawing that differs between modes.
     fn frame_by_mode(&mut self, entry: &TomlEntry) {
         let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return };
         let usual = keys.text(&mut self.report, "frame").map_or(Some(0), |it| self.frame(it));
@@ -75,7 +75,6 @@ impl MechanismReader {
         self.drawn_frames.push(DrawnFrame { name: entry.name.clone(), frames });
     }
 
-    /// The number of a frame of the mechanism.
     fn frame(&mut self, (name, place): (&str, SourcePlace)) -> Option<usize> {
         let found = self.names.frames.index(name);
         if found.is_none() {
@@ -85,7 +84,7 @@ impl MechanismReader {
         found
     }
 
-    /// The frame that `keys` name; without one that of the name of `body`, or the ground.
+    /// Returns the frame that `keys` name; otherwise that with the name of `body`, or the ground.
     pub(super) fn drawn_frame(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -105,7 +104,7 @@ impl MechanismReader {
         Some(DrawnFrame { name: named.0.to_owned(), frames })
     }
 
-    /// The number of the body called `name` on a frame; of any without a name.
+    /// Returns the number of the body called `name` on a frame; of any body without a name.
     pub(super) fn drawn_body(&mut self, frame: DrawnFrame, name: Option<&str>) -> usize {
         let drawing = &mut self.mechanism.drawing;
         let named = name.unwrap_or(&frame.name).to_owned();
@@ -166,7 +165,7 @@ impl MechanismReader {
         Some((self.drawn_body(frame, None), [x, y]))
     }
 
-    /// A place on a frame, where a point would be for the drawing alone.
+    /// Returns a point on a frame that exists only in the drawing.
     fn end_on_frame(&mut self, entry: &TomlEntry) -> Option<(usize, [Node; 2])> {
         let mut keys = KeyReader::new(&mut self.report, entry)?;
         let frame = self.drawn_frame(&mut keys, None);

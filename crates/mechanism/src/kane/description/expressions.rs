@@ -1,4 +1,4 @@
-//! Expressions of a file: read, built, and checked for their units.
+//! Expressions of a file: parsed, built, and checked for their units.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "TOML has many kinds of values, and each place takes few of them"
@@ -15,12 +15,11 @@ use crate::kane::graph::Node;
 use crate::kane::text::{self, Dependence, Dimension, Form, Measured, TextError};
 
 impl MechanismReader {
-    /// Returns the expression of an entry called `name`.
     pub(super) fn written(&mut self, name: &str, node: &TomlNode) -> Option<FileExpression> {
         self.written_as(name, node, Form::Value)
     }
 
-    /// Returns the expression of the key `name`, if it is there.
+    /// Returns the expression of the key `name`, if it exists.
     pub(super) fn field(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -91,7 +90,6 @@ impl MechanismReader {
         }
     }
 
-    /// Reports what is wrong with `file`.
     pub(super) fn say_all(&mut self, file: &FileExpression, errors: &[TextError]) {
         for error in errors {
             self.say(file.origin, error);
@@ -110,7 +108,7 @@ impl MechanismReader {
         self.fits(name, file, value, dimension).then_some(value.node)
     }
 
-    /// Whether `value` of `file`, called `name`, is of `dimension`; reports what is not.
+    /// Returns `true` if `value` of `file`, called `name`, is of `dimension`; reports a mismatch.
     pub(super) fn fits(
         &mut self,
         name: &str,
@@ -132,7 +130,6 @@ impl MechanismReader {
         false
     }
 
-    /// Returns the constant number of `file`, called `name`.
     pub(super) fn number(
         &mut self,
         name: &str,

@@ -1,5 +1,3 @@
-//! Frames, points in the ground's axes, and bodies.
-
 use documents::quoted;
 use documents::toml::{KeyReader, TomlEntry, TomlKind, list};
 
@@ -11,13 +9,12 @@ use crate::kane::graph::{Node, Place};
 use crate::kane::mechanism::{ReferenceFrame, RigidBody};
 use crate::kane::text::Dimension;
 
-/// Returns the ground as a frame.
 pub(super) fn ground() -> ReferenceFrame {
     ReferenceFrame { name: "ground".to_owned(), parent: 0, origin: [None; 3], turn: None }
 }
 
 impl MechanismReader {
-    /// Returns the frame that `link` names; the ground without one.
+    /// Returns the frame that `link` names; the ground without a link.
     fn parent(&mut self, link: Option<&ItemLink>) -> Option<WorldFrame> {
         let Some(link) = link else { return self.names.frames.value(0) };
         let Some(index) = self.names.frames.index(&link.name) else {
@@ -29,7 +26,7 @@ impl MechanismReader {
         self.names.frames.value(index)
     }
 
-    /// Returns up to three lengths; none where there is 0.
+    /// Returns up to three lengths; `None` for one that is 0.
     fn lengths(
         &mut self,
         item: &DescribedItem,
@@ -83,7 +80,6 @@ impl MechanismReader {
         }
     }
 
-    /// Reads bodies and gravity.
     pub(super) fn bodies(&mut self, root: &mut KeyReader<'_>) {
         let gravity = self.triple(root, "gravity");
         self.mechanism.gravity = gravity.map(|file| {
@@ -131,7 +127,7 @@ impl MechanismReader {
         self.mechanism.bodies.push(RigidBody { name, frame, mass, centre, inertia });
     }
 
-    /// A value over the parameters; none where it is 0.
+    /// Returns a value over the parameters; `None` for one that is 0.
     fn optional(
         &mut self,
         name: &str,
@@ -142,7 +138,7 @@ impl MechanismReader {
         (!self.graph.is_zero(node)).then_some(node)
     }
 
-    /// One moment about z, or xx, yy, zz, xy, yz, zx.
+    /// Reads one moment about z, or xx, yy, zz, xy, yz, zx.
     fn inertia_texts(&mut self, keys: &mut KeyReader<'_>) -> [Option<FileExpression>; 6] {
         let mut all = [const { None }; 6];
         let Some(entry) = keys.take("inertia") else { return all };
@@ -163,7 +159,7 @@ impl MechanismReader {
         all
     }
 
-    /// From the frame's origin to the mass centre: I − m (|c|² − c cᵀ).
+    /// Moves the inertia from the frame's origin to the mass centre: I − m (|c|² − c cᵀ).
     fn shifted(
         &mut self,
         mass: Node,
@@ -184,7 +180,7 @@ impl MechanismReader {
                 let product = graph.product(&[(mass, 1), (a, 1), (b, 1)]);
                 graph.negate(product)
             };
-            // What is not given is not made up: a planar mechanism has zz only.
+            // Missing moments stay missing: a planar mechanism has zz only.
             all[index] = old.map(|old| graph.subtract(old, moved));
         }
         all

@@ -1,4 +1,4 @@
-//! Guards of modes, where they lead and what they change.
+//! Guards of modes with their targets and reset maps.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "TOML has many kinds of values, and each place takes few of them"
@@ -14,10 +14,9 @@ use super::reader::{CONSTANT, MOTION, MechanismReader, STATE};
 use crate::kane::mechanism::{Fires, Guard, GuardBranch, Impact, Target};
 use crate::kane::text::{Dependence, Dimension, Form, Measured};
 
-/// Most guards of one mode.
 const MOST_GUARDS: usize = 32;
 
-/// What all ways out of a guard have, unless they say otherwise.
+/// Defaults for all branches of a guard.
 #[derive(Clone, Debug, Default)]
 struct GuardChanges {
     set: Vec<(Target, crate::kane::graph::Node)>,
@@ -135,7 +134,7 @@ impl MechanismReader {
         GuardChanges { set, impact }
     }
 
-    /// What an entry of a reset map sets, and its unit.
+    /// Returns the target of an entry of a reset map, and its unit.
     fn target(&mut self, entry: &TomlEntry) -> Option<(Target, Dimension)> {
         let symbol = self.names.symbols.get(&entry.name).map(|(kind, _)| *kind);
         if let Some(SymbolKind::Coordinate(index)) = symbol {
@@ -167,7 +166,7 @@ impl MechanismReader {
         keys.finish(&mut self.report);
         let along = along?;
         let value = self.value(&along, STATE)?;
-        // A distance has the rate that is meant; a speed is it already.
+        // For a distance the rate is meant; a speed is one already.
         let speeds = Dependence::SPEEDS.and(Dependence::INPUT_RATES);
         let is_rate = value.reach.meets(speeds);
         let separation = if is_rate { value } else { self.rate_of(&along, value)? };
@@ -196,7 +195,7 @@ impl MechanismReader {
             self.report.miss(keys.place, "the guard leads nowhere", help);
             return Vec::new();
         };
-        // One way stands for a list of one.
+        // A single branch means a list of one.
         let one = entry.node.entries().map(|_| std::slice::from_ref(&entry.node));
         let Some(items) = entry.node.items().or(one) else {
             let Some((name, place)) = text(&mut self.report, "to", &entry.node) else {

@@ -1,11 +1,10 @@
-//! What a description holds before it is understood: names, places and expressions.
+//! Unresolved contents of a description: names, places and expressions.
 
 use documents::toml::SourcePlace;
 
 use crate::kane::mechanism::ConstraintKind;
 use crate::kane::text::{Dimension, ParsedExpression};
 
-/// An expression of a file.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct FileExpression {
     pub(super) place: SourcePlace,
@@ -13,11 +12,10 @@ pub(super) struct FileExpression {
     pub(super) expression: ParsedExpression,
 }
 
-/// Where a text begins.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct TextOrigin {
     pub(super) place: SourcePlace,
-    /// Whether its bytes are those of the file from there on.
+    /// `true` if its bytes are those of the file from there on.
     pub(super) is_exact: bool,
 }
 
@@ -27,7 +25,7 @@ impl TextOrigin {
     }
 }
 
-/// Something with a name and expressions, which others can use.
+/// Named item with expressions, which others can use.
 #[derive(Clone, Debug)]
 pub(super) struct DescribedItem {
     pub(super) kind: ItemKind,
@@ -37,20 +35,20 @@ pub(super) struct DescribedItem {
     pub(super) links: Vec<ItemLink>,
 }
 
-/// What an item is, with its number among its kind.
+/// Kind of an item, with its number among its kind.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ItemKind {
     Input,
     Rate(usize),
     Definition(usize),
-    /// A frame, and the axis that it turns about.
+    /// Frame, and the axis of its rotation.
     Frame(usize, usize),
     Point(usize),
     Law(usize, LawKind),
     Constraint(usize, ConstraintKind),
 }
 
-/// What a law is, with its number among forces or among contacts.
+/// Kind of a law, with its number among forces or among contacts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LawKind {
     Spring(usize),
@@ -60,7 +58,6 @@ pub(super) enum LawKind {
     Bearing(usize),
 }
 
-/// The name of another item.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct ItemLink {
     pub(super) kind: LinkKind,
@@ -80,7 +77,7 @@ impl DescribedItem {
     }
 }
 
-/// The friction of a contact or bearing as it was written.
+/// Friction of a contact or bearing as written.
 #[derive(Clone, Debug)]
 pub(super) struct FrictionText {
     pub(super) contact: usize,
@@ -91,7 +88,6 @@ pub(super) struct FrictionText {
     pub(super) scales: (f64, f64),
 }
 
-/// A parameter as it was written.
 #[derive(Clone, Debug)]
 pub(super) struct ParameterText {
     pub(super) value: Option<FileExpression>,

@@ -1,4 +1,4 @@
-//! Springs, felts, forces, contacts and frictions as they are written.
+//! Reads springs, felts, forces, contacts and frictions as written.
 
 use documents::quoted;
 use documents::toml::{KeyReader, TomlEntry, TomlNode, text};
@@ -65,7 +65,7 @@ impl MechanismReader {
         }
     }
 
-    /// The two points between which a spring is.
+    /// Returns the two end points of a spring.
     pub(super) fn ends(&mut self, keys: &mut KeyReader<'_>) -> Vec<ItemLink> {
         let Some(entry) = keys.take("between") else { return Vec::new() };
         let items = entry.node.items().unwrap_or(&[]);
@@ -138,7 +138,7 @@ impl MechanismReader {
         FrictionText { contact, name, slip, stiction, kinetic, scales }
     }
 
-    /// A typical size, in the unit that it is written in.
+    /// Returns a typical size, in the unit in which it is written.
     pub(super) fn friction_scale(&mut self, node: &TomlNode) -> Option<f64> {
         let file = self.written("scales", node)?;
         let value = self.value(&file, Dependence::NOTHING)?;

@@ -1,5 +1,3 @@
-//! Springs, felts, forces, contacts and frictions.
-
 use documents::quoted;
 
 use super::items::{DescribedItem, FileExpression, FrictionText, LawKind};
@@ -10,7 +8,7 @@ use crate::kane::graph::{BinaryFunction, Graph, Node, Place, Substitution};
 use crate::kane::mechanism::{DryFriction, Force, MechanismContact};
 use crate::kane::text::{Dimension, Measured};
 
-/// What a law of felt is made of.
+/// Inputs of a felt law.
 #[derive(Clone, Copy, Debug)]
 struct FeltParts {
     /// Compression, and its rate.
@@ -38,7 +36,6 @@ impl MechanismReader {
         }
     }
 
-    /// The stretch of an item, and its rate.
     fn stretch(&mut self, item: &DescribedItem, name: &str) -> Option<(Measured, Measured)> {
         if let Some(file) = item.field(name) {
             let stretch = self.value(file, POSE)?;
@@ -99,7 +96,7 @@ impl MechanismReader {
         Some((force, tension))
     }
 
-    /// F = k dⁿ (1 + c d'), never below 0; also the law of a contact.
+    /// Builds F = k dⁿ (1 + c d'), never below 0; also the law of a contact.
     fn felt(&mut self, item: &DescribedItem, name: &'static str) -> Option<(Force, Dimension)> {
         let (mut depth, mut rate) = self.stretch(item, name)?;
         if name == "gap" {
@@ -165,7 +162,7 @@ impl MechanismReader {
         Some((force, dimension))
     }
 
-    /// A bearing: its friction alone, whose limits are built once every force is.
+    /// Builds a bearing: its friction alone, with limits that are built after all forces.
     fn bearing(&mut self, item: &DescribedItem, index: usize, at: usize) {
         let text = self.frictions.iter().find(|it| it.contact == at).cloned();
         let Some(slip) = text.and_then(|it| it.slip) else { return };
@@ -184,7 +181,7 @@ impl MechanismReader {
         self.built_contacts.push((at, contact));
     }
 
-    /// Builds slips and limits, which may have the forces of all springs and contacts in them.
+    /// Builds slips and limits, which may contain the forces of all springs and contacts.
     pub(super) fn build_frictions(&mut self) {
         for text in std::mem::take(&mut self.frictions) {
             let Some(friction) = self.friction(&text) else { continue };
@@ -224,7 +221,7 @@ impl MechanismReader {
         Some(all.of(&mut self.graph, node))
     }
 
-    /// The tensions of forces in place of their names: 0 for one that does not act.
+    /// Replaces the names of forces by their tensions: 0 for an inactive force.
     pub(super) fn forces_acting(&mut self, acts: impl Fn(usize) -> bool) -> Substitution {
         let zero = self.graph.constant(0.0);
         let tension = |(at, force): &(usize, Force)| {
@@ -256,7 +253,6 @@ fn felt_force(graph: &mut Graph, name: &str, parts: &FeltParts) -> Force {
     Force { name: name.to_owned(), stretch, stretch_rate, tension, energy }
 }
 
-/// The expressions of a law.
 pub(super) const fn law_keys(kind: LawKind) -> &'static [&'static str] {
     match kind {
         LawKind::Spring(_) => &["stretch", "length", "stiffness", "damping"],
@@ -267,7 +263,6 @@ pub(super) const fn law_keys(kind: LawKind) -> &'static [&'static str] {
     }
 }
 
-/// Those that it cannot do without.
 pub(super) const fn needed_keys(kind: LawKind) -> &'static [&'static str] {
     match kind {
         LawKind::Spring(_) => &[],

@@ -1,10 +1,8 @@
-//! Whether an expression is linear in the speeds.
-
 use std::collections::HashMap;
 
 use crate::kane::graph::{Graph, Node, NodeOperation, Place};
 
-/// How the speeds come in.
+/// Degree of an expression in the speeds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Degree {
     None,
@@ -12,7 +10,7 @@ enum Degree {
     Other,
 }
 
-/// Whether `node` is a sum of speeds, each times what has no speeds in it, and the rest.
+/// Returns `true` if `node` is linear in the speeds, with coefficients that contain no speeds.
 pub(super) fn is_linear_in_speeds(graph: &Graph, node: Node) -> bool {
     let mut degrees: HashMap<Node, Degree> = HashMap::new();
     for reached in graph.reached(&[node]) {
@@ -37,7 +35,7 @@ fn largest(degrees: impl Iterator<Item = Degree>) -> Degree {
     degrees.max().unwrap_or(Degree::None)
 }
 
-/// One factor at most has speeds, to the power 1.
+/// Returns the degree of a product; at most one factor may contain speeds, to the power 1.
 fn product(factors: impl Iterator<Item = (Degree, i32)>) -> Degree {
     let mut with_speeds = factors.filter(|(degree, _)| *degree != Degree::None);
     match (with_speeds.next(), with_speeds.next()) {
@@ -47,7 +45,7 @@ fn product(factors: impl Iterator<Item = (Degree, i32)>) -> Degree {
     }
 }
 
-/// In a function nothing stays linear.
+/// Returns the degree of a function, which is never linear.
 fn inside(degree: Degree) -> Degree {
     if degree == Degree::None { degree } else { Degree::Other }
 }

@@ -1,4 +1,4 @@
-//! What becomes of strikes and of the key's force in MIDI.
+//! MIDI settings of strikes and of the key's force.
 
 use documents::toml::{self, KeyReader};
 use documents::{choice, quoted};
@@ -7,7 +7,6 @@ use instruments::equations::table::{MidiTable, PressureKind, PressureTable};
 use super::reader::MechanismReader;
 use crate::kane::text::Dimension;
 
-/// Names of the kinds of pressure.
 const PRESSURES: [(&str, PressureKind); 2] =
     [("channel", PressureKind::Channel), ("key", PressureKind::Key)];
 
@@ -36,7 +35,7 @@ impl MechanismReader {
         Some(value as u8)
     }
 
-    /// A range that is above 0.
+    /// Reads a range above 0.
     fn rising(
         &mut self,
         keys: &mut KeyReader<'_>,

@@ -1,9 +1,8 @@
 //! A description in TOML, read into a [`Mechanism`] with all its mistakes at once.
 //!
-//! [`read`] is the door. In the order in which a file passes: `documents::toml` and `bases`
-//! make one tree, `rigid` writes out what rigid contacts mean, `declare` collects every name with its
-//! expressions, `order` sorts what is built from what, `geometry`, `laws` and `modes` build nodes,
-//! `checks` looks at the numbers.
+//! [`read`] is the entry. In the order of processing: `documents::toml` and `bases` build one tree,
+//! `rigid` expands rigid contacts, `declare` collects every name with its expressions, `order`
+//! sorts items by their needs, `geometry`, `laws` and `modes` build nodes, `checks` tests numbers.
 
 mod bases;
 mod caret;
@@ -44,33 +43,30 @@ use documents::{Diagnostic, Diagnostics};
 
 use crate::kane::mechanism::Mechanism;
 
-/// Longest description that is read (bytes).
 pub const LONGEST: usize = 1 << 20;
 
-/// Most coordinates, and most speeds of their own: a state has 64 entries at most.
+/// Most coordinates, and most further speeds: a state has 64 entries at most.
 pub const MOST_COORDINATES: usize = 64;
 
-/// Most of every other kind of thing but expressions.
+/// Most items of every kind except expressions.
 pub const MOST_OF_A_KIND: usize = 256;
 
-/// Most expressions in a description.
 pub const MOST_EXPRESSIONS: usize = 4_096;
 
-/// A description that was read, and what it was read from.
+/// Description after reading, and its sources.
 #[derive(Clone, Debug)]
 pub struct Description {
     pub mechanism: Mechanism,
-    /// Paragraphs about it: figure, sources, where it stops being true.
+    /// Paragraphs about it: figure, sources, limits of validity.
     pub doc: String,
-    /// The description's text, then its bases', each after the one that starts from it.
+    /// Description's text, then its bases', each after the text that starts from it.
     pub sources: Vec<TomlSource>,
 }
 
-/// Reads the description `text`; `name` stands in mistakes and is given to `bases`.
+/// Reads the description `text`; `name` appears in mistakes and is passed to `bases`.
 ///
 /// # Errors
-///
-/// All mistakes that can be told.
+/// All detected mistakes.
 pub fn read(name: &str, text: &str, bases: &dyn Bases) -> Result<Description, Diagnostics> {
     if text.len() > LONGEST {
         return Err(refused(name, &format!("this is {} bytes long", text.len())));
@@ -79,11 +75,10 @@ pub fn read(name: &str, text: &str, bases: &dyn Bases) -> Result<Description, Di
     reader::MechanismReader::default().read(source, bases)
 }
 
-/// Reads a description from bytes, whatever they are.
+/// Reads a description from any bytes.
 ///
 /// # Errors
-///
-/// As of [`read`]; bytes that are no text.
+/// Those of [`read`]; bytes that are not text.
 pub fn read_bytes(name: &str, bytes: &[u8], bases: &dyn Bases) -> Result<Description, Diagnostics> {
     if bytes.len() > LONGEST {
         return Err(refused(name, &format!("this is {} bytes long", bytes.len())));

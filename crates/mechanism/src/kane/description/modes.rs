@@ -1,4 +1,4 @@
-//! Modes: what holds and acts in each, and what follows from what.
+//! Modes: constraints, forces and equations of each.
 
 use documents::toml::{KeyReader, SourcePlace, TomlEntry};
 use documents::{choice, quoted};
@@ -145,7 +145,7 @@ impl MechanismReader {
         }
     }
 
-    /// Returns the number of the coordinate that an entry is named after.
+    /// Returns the number of the coordinate with the name of an entry.
     pub(super) fn coordinate(&mut self, entry: &TomlEntry) -> Option<usize> {
         if let Some((SymbolKind::Coordinate(index), _)) = self.names.symbols.get(&entry.name) {
             return Some(*index);
@@ -157,7 +157,6 @@ impl MechanismReader {
         None
     }
 
-    /// Returns the number of the speed called `name`.
     pub(super) fn speed(&mut self, name: &str, place: SourcePlace) -> Option<usize> {
         let found = self.mechanism.speeds.iter().position(|it| it.name == name);
         if found.is_none() {
@@ -167,7 +166,7 @@ impl MechanismReader {
         found
     }
 
-    /// Of `u'`, or of `theta''`.
+    /// Returns the number of the speed with the rate `u'` or `theta''`.
     fn rate_of_speed(&mut self, entry: &TomlEntry) -> Option<usize> {
         if let Some(name) = entry.name.strip_suffix('\'') {
             return self.speed(name, entry.place);
@@ -189,7 +188,7 @@ impl MechanismReader {
         Some(all.of(&mut self.graph, node))
     }
 
-    /// Returns the node of `file` in a mode: forces that do not act there are 0.
+    /// Returns the node of `file` in a mode, in which inactive forces are 0.
     pub(super) fn mode_value(
         &mut self,
         name: &str,
@@ -203,7 +202,7 @@ impl MechanismReader {
         Some(self.acting(file, value, mode).node)
     }
 
-    /// Returns `value` with the forces that act in `mode` in place of their names.
+    /// Returns `value` with the names of forces replaced by those that act in `mode`.
     pub(super) fn acting(
         &mut self,
         file: &FileExpression,
@@ -221,7 +220,6 @@ impl MechanismReader {
         value
     }
 
-    /// Returns the number of the mode called `name`.
     pub(super) fn mode_number(&mut self, name: &str, place: SourcePlace) -> Option<usize> {
         let found = self.modes.iter().position(|(known, _)| known == name);
         if found.is_none() {

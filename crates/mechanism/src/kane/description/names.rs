@@ -1,4 +1,4 @@
-//! What every name of a description stands for.
+//! Meanings of all names of a description.
 
 use documents::toml::SourcePlace;
 
@@ -10,7 +10,7 @@ use super::world_frame::WorldPoint;
 use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::text::{Dependence, Dimension, Measured, NameError};
 
-/// What a name in an expression is.
+/// Kind of a name in an expression.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum SymbolKind {
     Parameter(usize),
@@ -20,18 +20,17 @@ pub(super) enum SymbolKind {
     Input,
 }
 
-/// What a force, contact or friction is.
+/// Number of a force, contact or friction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LawPlace {
     Force(usize),
     Contact(usize),
 }
 
-/// Named things of one kind.
 #[derive(Clone, Debug)]
 pub(super) struct NameCatalogue<T> {
     pub(super) names: BTreeMap<String, (usize, SourcePlace)>,
-    /// What each is; none until it is built, or if it is wrong.
+    /// Value of each; `None` until it is built, or if it is invalid.
     pub(super) values: Vec<Option<T>>,
 }
 
@@ -56,7 +55,7 @@ impl<T: Clone> NameCatalogue<T> {
         }
     }
 
-    /// Enters a name; the place of the first if there are two.
+    /// Declares a name, or returns the place of its first declaration.
     pub(super) fn declare(&mut self, name: &str, place: SourcePlace) -> Result<usize, SourcePlace> {
         if let Some((_, first)) = self.names.get(name) {
             return Err(*first);
@@ -67,23 +66,22 @@ impl<T: Clone> NameCatalogue<T> {
         Ok(index)
     }
 
-    /// Returns what to do about `wrong`.
+    /// Returns the help for the unknown name `wrong`.
     pub(super) fn choice(&self, wrong: &str) -> String {
         choice(wrong, self.names.keys())
     }
 }
 
-/// All names of a description, and what was built of them so far.
+/// All names of a description, and the values built so far.
 #[derive(Debug, Default)]
 pub(super) struct NameTable {
     pub(super) symbols: BTreeMap<String, (SymbolKind, SourcePlace)>,
-    /// Part of a file is not readable: a name that is missing may stand there.
+    /// `true` if a part of a file is unreadable and may contain missing names.
     pub(super) is_broken: bool,
-    /// Names whose unit is not known, because it was written wrong.
+    /// Names of unknown unit, because it is invalid in the file.
     pub(super) vague: BTreeSet<String>,
     pub(super) parameters: Vec<Dimension>,
     pub(super) coordinates: Vec<Dimension>,
-    /// The rate of each coordinate.
     pub(super) rates: Vec<Option<Measured>>,
     /// Speeds by the number in the mechanism.
     pub(super) speeds: Vec<Dimension>,
@@ -97,7 +95,6 @@ pub(super) struct NameTable {
 }
 
 impl NameTable {
-    /// Returns the rate of `value` along the motion.
     pub(super) fn total_rate(
         &mut self,
         graph: &mut Graph,
@@ -145,7 +142,7 @@ impl NameTable {
         Tangent::new(seeds)
     }
 
-    /// Returns the unprimed value and how many primes are left to take.
+    /// Returns the unprimed value and the number of primes left to apply.
     pub(super) fn first(
         &self,
         graph: &mut Graph,
@@ -246,7 +243,6 @@ const fn length(node: Node, reach: Dependence) -> Measured {
     Measured { node, dimension: Dimension::LENGTH, reach }
 }
 
-/// Returns the distance of two points.
 pub(super) fn distance(graph: &mut Graph, from: [Node; 3], to: [Node; 3]) -> Node {
     let mut squares = Vec::new();
     for (a, b) in from.into_iter().zip(to) {
@@ -261,12 +257,11 @@ fn missing(kind: &str, name: &str, help: String) -> NameError {
     NameError { message: format!("there is no {kind} {}", quoted(name)), help }
 }
 
-/// Returns the number of a thing; there are never so many that it does not fit.
+/// Returns the number of an item; limits on items make it fit.
 pub(super) fn number(index: usize) -> u16 {
     u16::try_from(index).unwrap_or(u16::MAX)
 }
 
-/// π, which every expression knows.
 pub(super) fn pi(graph: &mut Graph) -> Measured {
     let node = graph.constant(std::f64::consts::PI);
     Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING }

@@ -1,12 +1,10 @@
-//! The names that an expression of a file may use.
-
 use documents::{choice, quoted};
 
 use super::names::{NameTable, SymbolKind, pi};
 use crate::kane::graph::Graph;
 use crate::kane::text::{Dependence, Measured, NameError, NameScope};
 
-/// The names as an expression may use them.
+/// Names that an expression of a file may use.
 #[derive(Debug)]
 pub(super) struct NamesInUse<'a> {
     pub(super) names: &'a mut NameTable,

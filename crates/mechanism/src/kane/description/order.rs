@@ -1,6 +1,6 @@
-//! What is built from what: an order without recursion, and every circle.
+//! Build order of dependent items, without recursion, and cycles.
 
-/// An order in which everything comes after what it needs, and the circles that have none.
+/// Order in which every item follows its needs, and the cycles without an order.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct BuildOrder {
     pub(super) order: Vec<usize>,
@@ -14,7 +14,7 @@ enum Visit {
     Done,
 }
 
-/// Sorts; `needs` has the needs of each thing by its number.
+/// Sorts items by number; `needs` has the needs of each.
 pub(super) fn sorted(needs: &[Vec<usize>]) -> BuildOrder {
     let mut found = BuildOrder::default();
     let mut visits = vec![Visit::New; needs.len()];
@@ -26,7 +26,7 @@ pub(super) fn sorted(needs: &[Vec<usize>]) -> BuildOrder {
     found
 }
 
-/// Depth first with a list of its own: each entry with the number of its needs that were seen.
+/// Searches depth first with an explicit stack of items and numbers of visited needs.
 fn walk(start: usize, needs: &[Vec<usize>], visits: &mut [Visit], found: &mut BuildOrder) {
     let mut path = vec![(start, 0)];
     mark(visits, start, Visit::Open);

@@ -1,4 +1,4 @@
-//! The lines of a drawing, from what is written to points on a frame.
+//! Outlines of a drawing, as points on a frame.
 
 use documents::toml::{KeyReader, TomlEntry, TomlNode, list};
 use documents::{choice, quoted};
@@ -9,10 +9,8 @@ use crate::kane::mechanics::turned;
 use crate::kane::mechanism::{Material, Outline};
 use crate::kane::text::Dimension;
 
-/// Most points of all outlines.
 const MOST_POINTS: usize = 2_000;
 
-/// Corners of a disc.
 const CORNERS: u8 = 24;
 
 const MATERIALS: [(&str, Material); 6] = [
@@ -24,7 +22,7 @@ const MATERIALS: [(&str, Material); 6] = [
     ("finger", Material::Finger),
 ];
 
-/// Where the points of an outline are on its frame: multiplied, turned and moved.
+/// Transformation of an outline on its frame: scale, rotation and translation.
 #[derive(Clone, Copy, Debug)]
 struct OutlinePlace {
     scale: Option<Node>,
@@ -48,7 +46,6 @@ impl MechanismReader {
         }
     }
 
-    /// Reads an outline of `body`.
     fn outline(&mut self, node: &TomlNode, body: Option<&str>) {
         let Some(mut keys) = KeyReader::of(&mut self.report, "outlines", node) else { return };
         let frame = self.drawn_frame(&mut keys, body);
@@ -113,7 +110,7 @@ impl MechanismReader {
         Some(OutlinePlace { scale: scale?, turn: turn?, origin: origin? })
     }
 
-    /// A point over the parameters (m).
+    /// Returns a point over the parameters (m).
     pub(super) fn drawn_place(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -135,7 +132,7 @@ impl MechanismReader {
         pair
     }
 
-    /// Points as they are written: lengths, or multiples of a scale.
+    /// Returns points as written: lengths, or multiples of a scale.
     fn outline_points(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -160,7 +157,7 @@ impl MechanismReader {
         Some(vec![[*left, *bottom], [*right, *bottom], [*right, *top], [*left, *top]])
     }
 
-    /// A polygon that looks round.
+    /// Returns a polygon that looks round.
     fn disc(&mut self, entry: &TomlEntry, dimension: Dimension) -> Option<Vec<[Node; 2]>> {
         let numbers = self.drawn_numbers("disc", &entry.node, dimension)?;
         let [x, y, radius] = numbers.as_slice() else {
@@ -176,7 +173,6 @@ impl MechanismReader {
         Some(corners.collect())
     }
 
-    /// A point of an outline in the frame's axes.
     fn placed(&mut self, place: OutlinePlace, point: [Node; 2]) -> [Node; 2] {
         let graph = &mut self.graph;
         let [x, y] = place.scale.map_or(point, |it| point.map(|node| graph.multiply(node, it)));

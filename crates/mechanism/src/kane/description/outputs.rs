@@ -1,5 +1,3 @@
-//! Quantities for files and plots.
-
 use documents::quoted;
 use documents::toml::{KeyReader, TomlEntry, TomlKind, TomlNode};
 
@@ -59,7 +57,7 @@ impl MechanismReader {
         }
     }
 
-    /// Other expressions in some modes.
+    /// Reads expressions that differ in some modes.
     fn in_modes(&mut self, keys: &mut KeyReader<'_>) -> Vec<(usize, FileExpression)> {
         let mut others = Vec::new();
         for entry in keys.table(&mut self.report, "in") {

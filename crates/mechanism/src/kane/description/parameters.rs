@@ -1,4 +1,4 @@
-//! Parameters, their values in presets, and what must hold among them.
+//! Parameters, their units and ranges, and requirements among them.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "TOML has many kinds of values, and each place takes few of them"
@@ -51,7 +51,7 @@ impl MechanismReader {
         });
     }
 
-    /// The unit that is stated, or that the value is written in.
+    /// Returns the stated unit, or the one in which the value is written.
     fn parameter_unit(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -74,7 +74,7 @@ impl MechanismReader {
         Some((unit, dimension.unwrap_or_default()))
     }
 
-    /// Returns the unit of `name`; without one, what depends on it is not looked at.
+    /// Returns the unit of `name`; without one, its dependents are not checked.
     pub(super) fn or_vague(
         &mut self,
         name: &str,
@@ -86,7 +86,6 @@ impl MechanismReader {
         })
     }
 
-    /// Returns the unit called `name`, in SI.
     pub(super) fn unit(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -111,7 +110,7 @@ impl MechanismReader {
         }
     }
 
-    /// Returns the range called `name` of what is called `of`.
+    /// Returns the range `name` of the item `of`.
     pub(super) fn range(
         &mut self,
         keys: &mut KeyReader<'_>,
@@ -150,7 +149,6 @@ impl MechanismReader {
         Some((low, high))
     }
 
-    /// Reads what must hold among the parameters.
     pub(super) fn requirements(&mut self, root: &mut KeyReader<'_>) {
         for item in root.list(&mut self.report, "requires") {
             let Some(file) = self.written_as("requires", item, Form::Condition) else { continue };

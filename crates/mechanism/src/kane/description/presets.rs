@@ -1,4 +1,4 @@
-//! Named values of the parameters, graded over the keys.
+//! Presets: named values of the parameters, graded over the keys.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "TOML has many kinds of values, and each place takes few of them"
@@ -15,11 +15,10 @@ use crate::kane::graph::{Graph, Place};
 use crate::kane::mechanism::MechanismPreset;
 use crate::kane::text::{self, Dependence, Dimension, Measured, NameError, NameScope, PartShape};
 
-/// Most presets of a description.
 const MOST_PRESETS: usize = 32;
 
 impl MechanismReader {
-    /// Reads the presets; without any, the parameters' values are one.
+    /// Reads the presets; without any, the parameters' values form one.
     pub(super) fn presets(&mut self, root: &mut KeyReader<'_>) {
         let entries = root.table(&mut self.report, "presets");
         if let Some(entry) = entries.get(MOST_PRESETS) {
@@ -71,7 +70,7 @@ impl MechanismReader {
         }
     }
 
-    /// Builds the values of all parameters, each of the key alone.
+    /// Builds the values of all parameters as functions of the key alone.
     pub(super) fn preset_values(
         &mut self,
         written: &[Option<FileExpression>],
@@ -135,7 +134,7 @@ impl MechanismReader {
     }
 }
 
-/// The names in a preset's formulas: the key, and other parameters of the same preset.
+/// Names in a preset's formulas: the key, and other parameters of the preset.
 struct PresetScope<'a> {
     parameters: Vec<&'a str>,
     values: &'a [Option<Measured>],

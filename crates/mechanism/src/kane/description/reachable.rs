@@ -1,13 +1,11 @@
-//! Which modes lead to which: none that cannot be reached, none that cannot be left.
-
 use documents::quoted;
 
 use super::reader::MechanismReader;
 
 impl MechanismReader {
-    /// Reports modes that nothing leads to, and modes that nothing leads out of.
+    /// Reports modes that cannot be reached, and modes that cannot be left.
     pub(super) fn check_modes(&mut self) {
-        // A way that was not understood may be the one that is missing.
+        // A way that was not understood may be the missing one.
         if !self.are_modes_whole || self.mechanism.modes.len() < 2 {
             return;
         }

@@ -1,4 +1,4 @@
-//! Builds what is named, each thing after what it is made of.
+//! Builds named items, each after its needs.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "TOML has many kinds of values, and each place takes few of them"
@@ -14,7 +14,7 @@ use super::reader::{CONSTANT, MOTION, MechanismReader, POSE, STATE};
 use crate::kane::mechanism::{Constraint, ConstraintKind};
 use crate::kane::text::{Dimension, Measured, PartShape};
 
-/// The numbers of items by what they are.
+/// Indices of items by their kind.
 struct ItemIndex {
     rates: Vec<usize>,
     definitions: Vec<usize>,
@@ -42,7 +42,7 @@ impl ItemIndex {
 }
 
 impl MechanismReader {
-    /// Builds all items; reports circles.
+    /// Builds all items; reports cycles.
     pub(super) fn resolve(&mut self) {
         let index = ItemIndex::new(&self.items);
         let needs: Vec<_> = self.items.iter().map(|item| self.needs(item, &index)).collect();
@@ -89,7 +89,6 @@ impl MechanismReader {
 
     fn linked(&self, kind: LinkKind, name: &str, index: &ItemIndex) -> Option<usize> {
         match kind {
-            // The ground is no item.
             LinkKind::Frame => {
                 let frame = self.names.frames.index(name)?.checked_sub(1)?;
                 index.frames.get(frame).copied()
@@ -200,7 +199,7 @@ impl MechanismReader {
         }
     }
 
-    /// Puts what was built into the order in which it was declared.
+    /// Sorts the built items into the order of declaration.
     fn collect_built(&mut self) {
         self.built_constraints.sort_by_key(|(index, _)| *index);
         self.mechanism.constraints =

@@ -1,4 +1,4 @@
-//! Where the mechanism rests, and the damper that the key lifts.
+//! `[rest]`: the rest pose, and the damper that the key lifts.
 
 use documents::toml::{KeyReader, TomlEntry, TomlNode};
 use documents::{choice, quoted};
@@ -29,7 +29,7 @@ impl MechanismReader {
         self.mechanism.rest = rest;
     }
 
-    /// One mode, or a list of conditions on the parameters with a mode each.
+    /// Reads one mode, or a list of conditions on the parameters with a mode each.
     fn rest_mode(&mut self, keys: &mut KeyReader<'_>, rest: &mut Rest) {
         let Some(entry) = keys.take("mode") else { return };
         if let Some(name) = entry.node.text() {

@@ -1,9 +1,9 @@
-//! Rigid contacts, written out as constraints, modes and guards before anything is read.
+//! Rigid contacts, expanded into constraints, modes and guards before anything is read.
 //!
-//! A mode in which rigid contacts can close becomes one mode for each set of them that is closed:
-//! `free`, `free+stop`. A closed contact is a constraint, whose reaction opens it when it would
-//! pull; one that closes does so by an impact with its restitution, and stays closed where that
-//! leaves no rebound. What is written out has the places of what was written.
+//! A mode in which rigid contacts can close becomes one mode for each set of closed contacts:
+//! `free`, `free+stop`. A closed contact is a constraint that opens when its reaction would pull. A
+//! contact closes by an impact with its restitution, and stays closed where that leaves no rebound.
+//! The expansion has the places of the written text.
 
 use documents::quoted;
 use documents::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, TomlNode};
@@ -11,10 +11,10 @@ use documents::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, 
 use super::configurations::{Configurations, JOINT, RigidContact};
 use crate::kane::mechanism::most_modes;
 
-/// What of a rigid contact is understood.
+/// Keys of a rigid contact.
 const KEYS: [&str; 5] = ["rigid", "gap", "restitution", "scale", "sounds"];
 
-/// Writes out the rigid contacts of a description; without any it stays as it is.
+/// Expands the rigid contacts of a description; without any it is unchanged.
 pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<TomlNode> {
     let RigidContacts { contacts, unreadable } = rigid(report, tree)?;
     let first = contacts.first().map_or(tree.place, |it| it.place);
@@ -53,15 +53,14 @@ pub(super) fn written_out(report: &mut FindingList, tree: &TomlNode) -> Option<T
     Some(out)
 }
 
-/// The rigid contacts of a description.
 #[derive(Default)]
 struct RigidContacts {
     contacts: Vec<RigidContact>,
-    /// Names of those that have no gap.
+    /// Names of contacts without a gap.
     unreadable: Vec<String>,
 }
 
-/// The rigid contacts; none where there are none.
+/// Returns the rigid contacts; `None` if there are none.
 fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<RigidContacts> {
     let all = tree.get("contacts")?.node.entries()?;
     let mut found = RigidContacts::default();
@@ -97,7 +96,7 @@ fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<RigidContacts> {
     (!found.contacts.is_empty() || !found.unreadable.is_empty()).then_some(found)
 }
 
-/// The modes that are written, or the one that there is without any.
+/// Returns the written modes, or the single implicit one.
 fn modes(tree: &TomlNode) -> Vec<TomlEntry> {
     let modes = tree.get("modes").and_then(|it| it.node.entries());
     modes.map_or_else(
@@ -109,7 +108,7 @@ fn modes(tree: &TomlNode) -> Vec<TomlEntry> {
     )
 }
 
-/// Removes the contacts called `rigid` from the others, of which `rigid = false` says nothing.
+/// Removes the contacts called `rigid`, and `rigid = false` of the others.
 fn without_rigid(tree: &mut TomlNode, rigid: &[&String]) {
     let TomlKind::Table(entries) = &mut tree.kind else { return };
     let Some(table) = entries.iter_mut().find(|entry| entry.name == "contacts") else { return };
@@ -122,7 +121,7 @@ fn without_rigid(tree: &mut TomlNode, rigid: &[&String]) {
     }
 }
 
-/// Puts `more` into the table called `name`, which is made if it is not there.
+/// Adds `more` to the table called `name`, created if missing.
 fn extend(entries: &mut Vec<TomlEntry>, name: &str, place: SourcePlace, more: Vec<TomlEntry>) {
     if let Some(entry) = entries.iter_mut().find(|entry| entry.name == name) {
         if let TomlKind::Table(all) = &mut entry.node.kind {

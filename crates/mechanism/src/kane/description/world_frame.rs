@@ -1,9 +1,7 @@
-//! Frames in the ground's axes.
-
 use crate::kane::graph::{Graph, Node, UnaryFunction};
 use crate::kane::text::Dependence;
 
-/// A frame in the ground's axes.
+/// Frame in the ground's axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WorldFrame {
     pub(super) index: usize,
@@ -11,18 +9,18 @@ pub(super) struct WorldFrame {
     turn: WorldTurn,
 }
 
-/// A point in the ground's axes.
+/// Point in the ground's axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WorldPoint {
     pub(super) at: [Node; 3],
-    /// The parameters alone where it does not move.
+    /// Dependence: the parameters alone where the point does not move.
     pub(super) reach: Dependence,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum WorldTurn {
     None,
-    /// About one axis of the ground, by an angle.
+    /// Rotation about one axis of the ground, by an angle.
     Axis(usize, Node),
     /// Rows of the matrix from the frame's to the ground's axes.
     Matrix([[Node; 3]; 3]),
@@ -34,13 +32,11 @@ impl WorldFrame {
         Self { index: 0, origin: [zero; 3], turn: WorldTurn::None }
     }
 
-    /// Returns a point of the frame in the ground's axes.
     pub(super) fn point(&self, graph: &mut Graph, at: [Node; 3]) -> [Node; 3] {
         let turned = self.turn.apply(graph, at);
         [0, 1, 2].map(|axis| graph.add(self.origin[axis], turned[axis]))
     }
 
-    /// Returns a frame that moves in this one.
     pub(super) fn child(
         &self,
         graph: &mut Graph,
@@ -63,7 +59,7 @@ impl WorldTurn {
         rows.map(|row| dot(graph, row, at))
     }
 
-    /// Turns about one axis add up.
+    /// Appends a rotation; angles about one axis are added.
     fn then(self, graph: &mut Graph, turn: Option<(usize, Node)>) -> Self {
         let Some((axis, angle)) = turn else { return self };
         match self {

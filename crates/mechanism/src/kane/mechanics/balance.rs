@@ -1,4 +1,4 @@
-//! Energy, what the input supplies, and what is lost.
+//! Energy, supplied power and lost power.
 
 use super::inertia::{InertiaTerms, rates};
 use super::kinematics::along_places;
@@ -39,8 +39,8 @@ pub(super) fn lost(
     force: &Force,
 ) -> Node {
     let stored = tangent.of(graph, force.energy);
-    // What of the tension is the energy's slope, if the stretch's rate is a factor of the power
-    // that is stored: then what is left has no difference of large terms.
+    // The part of the tension that is the energy's slope, if the stretch's rate is a factor of the
+    // stored power: the remainder then has no difference of large terms.
     let slope = graph.divide(stored, force.stretch_rate);
     let places = rates(mechanism);
     if graph.depends(slope, |place| places.contains(&place)) {

@@ -1,4 +1,4 @@
-//! A pose near the guess where the constraints are met.
+//! Search for a pose near the guess that meets the constraints.
 
 use super::coordinates::SolvedCoordinates;
 use super::kinematics::number;
@@ -6,10 +6,10 @@ use super::numeric::NumericPose;
 use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
 
-/// Newton's steps from a rough guess; a pose that is not found by then is left as it is.
+/// Newton's steps from a rough guess; a pose that needs more is left as it is.
 const ROUNDS: usize = 30;
 
-/// Moves the coordinates that are not solved until the holonomic constraints are met.
+/// Moves the unsolved coordinates until the holonomic constraints are met.
 pub(super) fn close(
     graph: &mut Graph,
     pose: &mut NumericPose,
@@ -50,9 +50,9 @@ pub(super) fn close(
     solved.place(graph, pose);
 }
 
-/// The shortest x of J x = r, by Jᵀ (J Jᵀ + small)⁻¹ r.
+/// Returns the shortest x of J x = r, by Jᵀ (J Jᵀ + small)⁻¹ r.
 fn least_step(jacobian: &[Vec<f64>], right: &[f64]) -> Option<Vec<f64>> {
-    /// Against constraints that follow from others.
+    /// Regularisation for dependent constraints.
     const SMALL: f64 = 1e-14;
     let n = right.len();
     if n == 0 {

@@ -1,4 +1,4 @@
-//! What contacts and frictions do to a mode's motion.
+//! Effect of contacts and frictions on a mode's motion.
 
 use super::balance::lost;
 use super::explicit::ExplicitForms;
@@ -9,7 +9,6 @@ use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::mechanism::{DryFriction, Mechanism, MechanismContact, Mode};
 use crate::kane::system::{ContactEquations, FrictionEquations};
 
-/// What a contact's equations are made from.
 pub(super) struct ContactScope<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) inertia: &'a InertiaTerms,
@@ -18,7 +17,6 @@ pub(super) struct ContactScope<'a> {
 }
 
 impl ContactScope<'_> {
-    /// Returns the equations of every contact that the mode has.
     pub(super) fn all(
         &self,
         graph: &mut Graph,
@@ -52,7 +50,7 @@ impl ContactScope<'_> {
         }
     }
 
-    /// Force, energy, and power that is lost.
+    /// Returns force, energy, and lost power.
     fn normal(
         &self,
         graph: &mut Graph,
@@ -65,7 +63,7 @@ impl ContactScope<'_> {
         Some([force.tension, force.energy, lost].map(|it| forms.value(graph, it)))
     }
 
-    /// What 1 N along `rate` adds to the derivative, and to the readout.
+    /// Returns the contribution of 1 N along `rate` to the derivative, and to the readout.
     fn response(
         &self,
         graph: &mut Graph,

@@ -1,5 +1,5 @@
-//! Coordinates that follow from others: as the description solves them, and where constraints
-//! give them linearly.
+//! Coordinates that follow from others: as the description solves them, and where constraints are
+//! linear in them.
 
 use std::collections::BTreeMap;
 
@@ -9,28 +9,27 @@ use super::numeric::{self, NumericPose};
 use crate::kane::graph::{Graph, Node, NodeOperation, Place, Substitution};
 use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
 
-/// A coefficient of the equations below this part of the largest is no ground to stand on.
+/// Fraction of the largest coefficient below which a coefficient cannot be a pivot.
 const NEGLIGIBLE: f64 = 1e-3;
 
-/// Which slopes of the constraints are good enough to solve them.
+/// Slopes of the constraints that are suitable for solving.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum SlopeKind {
-    /// Of the parameters alone.
+    /// Slopes over the parameters alone.
     Constant,
-    /// Without the coordinates that are solved.
+    /// Slopes without the solved coordinates.
     Linear,
 }
 
-/// The coordinates that are solved in a mode, by their numbers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SolvedCoordinates {
-    /// As the description states them, over coordinates that it does not.
+    /// Coordinates that the description states, over those that it does not.
     pub(super) stated: BTreeMap<usize, Node>,
-    /// Those that constraints give linearly, over the others.
+    /// Coordinates that constraints give linearly, over the others.
     pub(super) linear: BTreeMap<usize, Node>,
 }
 
-/// Returns the number of the speed that the rate of a coordinate is.
+/// Returns the number of the speed that equals the rate of a coordinate.
 pub(super) fn plain_speed(
     graph: &Graph,
     mechanism: &Mechanism,
@@ -40,16 +39,15 @@ pub(super) fn plain_speed(
     if let NodeOperation::Symbol(Place::Speed(j)) = rate { Some(usize::from(*j)) } else { None }
 }
 
-/// Returns the replacement of solved coordinates.
 pub(super) fn replacement(solved: &BTreeMap<usize, Node>) -> Substitution {
     Substitution::new(solved.iter().map(|(i, node)| (Place::Coordinate(number(*i)), *node)))
 }
 
 impl SolvedCoordinates {
-    /// Returns what is solved in `mode`.
+    /// Returns the solved coordinates of `mode`.
     ///
     /// # Errors
-    /// Returns the stated coordinates that are made of one another.
+    /// The stated coordinates that depend on one another.
     pub(super) fn of(
         graph: &mut Graph,
         pose: &NumericPose,
@@ -63,7 +61,6 @@ impl SolvedCoordinates {
         Ok(solved)
     }
 
-    /// Whether the coordinate is solved.
     pub(super) fn contains(&self, coordinate: usize) -> bool {
         self.stated.contains_key(&coordinate) || self.linear.contains_key(&coordinate)
     }
@@ -78,7 +75,6 @@ impl SolvedCoordinates {
         all
     }
 
-    /// Puts their values into `pose`.
     pub(super) fn place(&self, graph: &mut Graph, pose: &mut NumericPose) {
         for (i, node) in self.resolved(graph) {
             let value = pose.value(graph, node);
@@ -87,7 +83,7 @@ impl SolvedCoordinates {
     }
 }
 
-/// The stated expressions without one another.
+/// Returns the stated expressions with one another substituted.
 fn stated(graph: &mut Graph, mode: &Mode) -> Result<BTreeMap<usize, Node>, Vec<usize>> {
     let mut all: BTreeMap<usize, Node> = mode.solved.iter().copied().collect();
     // A chain of n expressions is resolved after n rounds.
@@ -102,7 +98,6 @@ fn stated(graph: &mut Graph, mode: &Mode) -> Result<BTreeMap<usize, Node>, Vec<u
     Err(all.into_keys().collect())
 }
 
-/// The search for coordinates that constraints give linearly.
 struct Search<'a> {
     graph: &'a mut Graph,
     pose: &'a NumericPose,
@@ -130,7 +125,7 @@ impl Search<'_> {
         }
     }
 
-    /// The holonomic constraints with the stated coordinates put in.
+    /// Returns the holonomic constraints with the stated coordinates substituted.
     fn zeros(&mut self, solved: &SolvedCoordinates) -> Vec<Node> {
         let mut by = replacement(&solved.stated);
         let active = self.mode.constraints.iter().map(|c| &self.mechanism.constraints[*c]);
@@ -138,7 +133,7 @@ impl Search<'_> {
         holonomic.map(|it| by.of(self.graph, it.zero)).collect()
     }
 
-    /// Whether the mode leaves it to the derivation what becomes of the coordinate.
+    /// Returns `true` if the mode does not determine the coordinate otherwise.
     fn is_free(&self, solved: &SolvedCoordinates, coordinate: usize) -> bool {
         let Some(speed) = plain_speed(self.graph, self.mechanism, coordinate) else { return false };
         let is_stated = self.mode.independent.as_ref().is_some_and(|all| all.contains(&speed));
@@ -146,7 +141,6 @@ impl Search<'_> {
         !solved.contains(coordinate) && !is_stated && !has_equation
     }
 
-    /// The slopes of the constraints by the chosen coordinates.
     fn slopes(&mut self, zeros: &[Node], chosen: &[usize]) -> Vec<Vec<Node>> {
         let slope = |graph: &mut Graph, zero: Node, i: usize| {
             graph.partial(zero, Place::Coordinate(number(i)))
@@ -157,8 +151,8 @@ impl Search<'_> {
             .collect()
     }
 
-    /// The constraints that are linear in the chosen coordinates, with their slopes; with
-    /// constant ones, if it is asked for.
+    /// Returns the constraints that are linear in the chosen coordinates, with their slopes; only
+    /// constant ones if requested.
     fn usable(
         &mut self,
         zeros: &[Node],
@@ -174,8 +168,8 @@ impl Search<'_> {
         both.filter(|(_, row)| !row.iter().any(|slope| self.graph.depends(*slope, moves))).unzip()
     }
 
-    /// Whether constraints that are linear in the chosen coordinates and in this one give all of
-    /// them.
+    /// Returns `true` if constraints that are linear in the chosen coordinates and in this one
+    /// determine all of them.
     fn fits(
         &mut self,
         zeros: &[Node],

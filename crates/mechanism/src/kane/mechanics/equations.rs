@@ -1,5 +1,3 @@
-//! The equations of one mode, as a running model needs them.
-
 use super::balance::BalanceTerms;
 use super::contact::ContactScope;
 use super::error::DerivationObstacle;
@@ -12,17 +10,16 @@ use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::{Guard, Mechanism, Mode, Target};
 use crate::kane::system::{GuardEquations, ModeEquations};
 
-/// A mode among the others.
+/// Mode among the others, for equations as a running model needs them.
 pub(super) struct ModeScope<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) inertia: &'a InertiaTerms,
-    /// The motion in each mode.
     pub(super) motions: &'a [ModeMotion],
     pub(super) number: usize,
     pub(super) state: &'a [Place],
 }
 
-/// Returns what forces and plain equations of a mode must not depend on, but do.
+/// Returns the obstacles of forces and plain equations that depend on accelerations or reactions.
 pub(super) fn implicit(
     graph: &Graph,
     mechanism: &Mechanism,
@@ -51,7 +48,6 @@ impl ModeScope<'_> {
         &self.mechanism.modes[self.number]
     }
 
-    /// Returns the equations of all modes.
     pub(super) fn equations(
         &self,
         graph: &mut Graph,
@@ -79,7 +75,7 @@ impl ModeScope<'_> {
         Ok(equations)
     }
 
-    /// What cannot be made explicit.
+    /// Returns expressions that cannot be made explicit as obstacles.
     fn check(&self, graph: &Graph, forms: &ExplicitForms) -> Result<(), Vec<DerivationObstacle>> {
         let (mechanism, mode) = (self.mechanism, self.mode());
         let mut obstacles = Vec::new();
@@ -124,7 +120,6 @@ impl ModeScope<'_> {
         }
     }
 
-    /// The derivative, and what is slaved.
     fn move_state(
         &self,
         graph: &mut Graph,

@@ -1,39 +1,36 @@
-//! What a derivation cannot go on without.
-
 use std::fmt;
 
 use crate::kane::graph::WorkEnd;
 
-/// A reason for which a mechanism has no equations of motion, with what to do about it.
+/// Reason for which a mechanism has no equations of motion, with a remedy.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct DerivationError {
-    /// Number of the mode; none if it concerns them all.
+    /// Number of the mode; `None` if it concerns them all.
     pub mode: Option<usize>,
-    /// That mode's name.
     pub mode_name: String,
     pub obstacle: DerivationObstacle,
 }
 
-/// What stands in the way of the equations of motion; names are those of the description.
+/// Obstacle to the equations of motion; names are those of the description.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum DerivationObstacle {
-    /// Speeds that move nothing with mass at the rest pose.
+    /// A speed moves no mass at the rest pose.
     Massless { speed: String },
-    /// Constraints of which one follows from the others at the rest pose.
+    /// One constraint follows from the others at the rest pose.
     DependentConstraints { constraints: Vec<String> },
-    /// Coordinates whose `solved` expressions are made of one another.
+    /// The `solved` expressions of these coordinates depend on one another.
     CircularSolution { coordinates: Vec<String> },
-    /// A constraint that the `solved` expressions do not meet.
+    /// The `solved` expressions do not meet a constraint.
     UnmetConstraint { constraint: String },
-    /// A reaction that is asked for, and that the equations do not determine.
+    /// The equations do not determine a reaction that an expression uses.
     UndeterminedReaction { constraint: String },
-    /// An expression that needs a rate of the input beyond the third.
+    /// An expression needs a rate of the input beyond the third.
     TooManyInputRates { what: String },
-    /// A plain equation or a force that depends on accelerations or reactions.
+    /// A plain equation or a force depends on accelerations or reactions.
     ImplicitForce { what: String },
-    /// A reset map that sets what is not in the state.
+    /// A reset map sets a quantity outside the state.
     NotInState { guard: String, name: String },
-    /// The derivation was not brought to its end.
+    /// The derivation was given up.
     GivenUp(WorkEnd),
 }
 

@@ -1,5 +1,3 @@
-//! Expressions of a mode without accelerations, reactions and dependent entries.
-
 use std::collections::BTreeSet;
 
 use super::error::DerivationObstacle;
@@ -9,19 +7,17 @@ use super::motion::ModeMotion;
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::mechanism::{Mechanism, Mode};
 
-/// Replaces in expressions what a mode knows, and finds their rates.
+/// Expressions of a mode without accelerations, reactions and dependent entries, and their rates.
 #[derive(Debug)]
 pub(super) struct ExplicitForms {
     known: Substitution,
     finish: Substitution,
-    /// Along the motion, contacts that press included.
+    /// Direction of the motion, with pressing contacts.
     motion: Tangent,
-    /// Reactions that the motion does not determine.
     undetermined: BTreeSet<u16>,
 }
 
 impl ExplicitForms {
-    /// Returns the replacements in a mode.
     pub(super) fn of(
         graph: &mut Graph,
         mechanism: &Mechanism,
@@ -76,14 +72,13 @@ impl ExplicitForms {
         self.finish.of(graph, node)
     }
 
-    /// Returns the rate of `node` along the motion.
     pub(super) fn rate(&mut self, graph: &mut Graph, node: Node) -> Node {
         let known = self.known.of(graph, node);
         let rate = self.motion.of(graph, known);
         self.finish.of(graph, rate)
     }
 
-    /// What of `node` nothing determines.
+    /// Returns the undetermined quantity in `node`, if any.
     pub(super) fn obstacle(
         &self,
         graph: &Graph,
@@ -99,7 +94,7 @@ impl ExplicitForms {
     }
 }
 
-/// The force of a contact while its gap is closed, and the gap's rate.
+/// Returns the force of a contact while its gap is closed, and the gap's rate.
 fn pressing(
     graph: &mut Graph,
     mechanism: &Mechanism,
@@ -116,7 +111,6 @@ fn pressing(
     Some((graph.select(gap, zero, force.tension), rate))
 }
 
-/// Adds to each entry `force` times its response.
 fn add(graph: &mut Graph, entries: Vec<(&mut Node, Node)>, force: Node) {
     for (entry, by) in entries {
         let more = graph.multiply(by, force);
@@ -124,7 +118,6 @@ fn add(graph: &mut Graph, entries: Vec<(&mut Node, Node)>, force: Node) {
     }
 }
 
-/// The direction of the motion.
 fn along_motion(graph: &mut Graph, mechanism: &Mechanism, accelerations: &[Node]) -> Tangent {
     let coordinates = mechanism.coordinates.iter().enumerate();
     let mut seeds: Vec<_> =

@@ -8,7 +8,7 @@ use super::speeds::SpeedMap;
 use crate::kane::graph::{Graph, Node, Place, Substitution};
 use crate::kane::mechanism::{Mechanism, Mode};
 
-/// Generalised forces less the inertia forces at constant speeds.
+/// Returns the generalised forces less the inertia forces at constant speeds.
 pub(super) fn forces(
     graph: &mut Graph,
     mechanism: &Mechanism,
@@ -27,7 +27,7 @@ pub(super) fn forces(
     terms.iter().map(|terms| graph.sum(terms)).collect()
 }
 
-/// The first `count` rows of matrix × vector.
+/// Returns the first `count` rows of matrix × vector.
 pub(super) fn times(
     graph: &mut Graph,
     matrix: &[Vec<Node>],
@@ -37,13 +37,13 @@ pub(super) fn times(
     matrix[..count].iter().map(|row| inner(graph, row, vector)).collect()
 }
 
-/// The scalar product of as many entries as both have.
+/// Returns the scalar product over the entries that both have.
 pub(super) fn inner(graph: &mut Graph, x: &[Node], y: &[Node]) -> Node {
     let terms: Vec<_> = x.iter().zip(y).map(|(x, y)| (graph.multiply(*x, *y), 1.0)).collect();
     graph.sum(&terms)
 }
 
-/// What dependent coordinates and speeds are, over the others.
+/// Returns the dependent coordinates and speeds over the others.
 pub(super) fn finishing(
     graph: &mut Graph,
     solved: &BTreeMap<usize, Node>,

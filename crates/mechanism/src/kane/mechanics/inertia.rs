@@ -1,4 +1,4 @@
-//! The mass matrix and what goes with it, by partial velocities.
+//! The mass matrix and inertia forces, by partial velocities.
 //!
 //! The last row and column are those of the input's rate, which is prescribed: its row is the
 //! generalised force that drives the input.
@@ -11,23 +11,20 @@ use crate::kane::mechanism::Mechanism;
 /// Inertia and weight of all bodies, over all speeds; the input's rate is the last.
 #[derive(Debug)]
 pub(super) struct InertiaTerms {
-    /// Generalised masses, row by row.
     pub(super) mass: Vec<Vec<Node>>,
     /// Generalised inertia forces at constant speeds, with the sign of mass × acceleration.
     pub(super) bias: Vec<Node>,
-    /// Generalised force of the weight.
     pub(super) weight: Vec<Node>,
     /// Kinetic energy and that of gravity (J).
     pub(super) energy: Node,
 }
 
-/// Returns the places of all speeds and of the input's rate.
 pub(super) fn rates(mechanism: &Mechanism) -> Vec<Place> {
     let speeds = (0..mechanism.speeds.len()).map(|j| Place::Speed(number(j)));
     speeds.chain([Place::Input(1)]).collect()
 }
 
-/// Returns the slopes of what is linear in the speeds and the input's rate.
+/// Returns the slopes of a node that is linear in the speeds and the input's rate.
 pub(super) fn gradient(graph: &mut Graph, mechanism: &Mechanism, node: Node) -> Vec<Node> {
     rates(mechanism).into_iter().map(|place| graph.partial(node, place)).collect()
 }
@@ -55,7 +52,6 @@ impl InertiaTerms {
     }
 }
 
-/// Sums that are being collected, body by body.
 struct InertiaSums {
     mass: Vec<Vec<Vec<(Node, f64)>>>,
     bias: Vec<Vec<(Node, f64)>>,
@@ -76,9 +72,9 @@ struct BodyTerms<'a> {
 /// Partial velocities of a body by one speed.
 struct Partial {
     velocity: FrameVector,
-    /// Along the body's axes.
+    /// Rotation along the body's axes.
     rotation: Components,
-    /// The vector times the inertia.
+    /// Rotation times the inertia.
     momentum: Components,
 }
 
@@ -149,7 +145,7 @@ impl BodyTerms<'_> {
     }
 }
 
-/// The product of `factor` with a sum, multiplied out.
+/// Returns the product of `factor` with a sum, multiplied out.
 fn times_terms(graph: &mut Graph, factor: Node, sum: Node) -> Node {
     let crate::kane::graph::NodeOperation::Sum(number, terms) = graph.operation(sum).clone() else {
         return graph.multiply(factor, sum);
@@ -162,7 +158,7 @@ fn times_terms(graph: &mut Graph, factor: Node, sum: Node) -> Node {
     graph.sum(&products)
 }
 
-/// The scalar product of components along the same axes; a sum is multiplied out.
+/// Returns the scalar product of components along common axes; a sum is multiplied out.
 fn inner(graph: &mut Graph, x: Components, y: Components) -> Node {
     let terms = [0, 1, 2].map(|i| {
         let is_number = graph.number(x[i]).is_some();
@@ -172,7 +168,6 @@ fn inner(graph: &mut Graph, x: Components, y: Components) -> Node {
 }
 
 impl InertiaSums {
-    /// Enters a mass in both halves.
     fn enter_mass(&mut self, [row, column]: [usize; 2], term: Node) {
         self.mass[row][column].push((term, 1.0));
         if row != column {
@@ -201,7 +196,7 @@ impl InertiaSums {
     }
 }
 
-/// ½ Σ M u u.
+/// Returns ½ Σ M u u.
 fn half_square(graph: &mut Graph, places: &[Place], mass: &[Vec<Node>]) -> Node {
     let mut terms = Vec::new();
     for (r, row) in mass.iter().enumerate() {
@@ -214,7 +209,7 @@ fn half_square(graph: &mut Graph, places: &[Place], mass: &[Vec<Node>]) -> Node 
     graph.sum(&terms)
 }
 
-/// Whether a body moves while all speeds and the input's rate are 0.
+/// Returns `true` if a body moves while all speeds and the input's rate are 0.
 fn has_drift(graph: &mut Graph, mechanism: &Mechanism, bodies: &[BodyMotion]) -> bool {
     let zero = graph.constant(0.0);
     let mut still = Substitution::new(rates(mechanism).into_iter().map(|place| (place, zero)));

@@ -1,23 +1,21 @@
-//! Where bodies are, how fast they move, and what of their acceleration is there at constant
-//! speeds.
+//! Positions and velocities of bodies, and their accelerations at constant speeds.
 
 use super::vector::{Components, FrameVector, Orientations, cross};
 use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::mechanism::Mechanism;
 
-/// The motion of a body's mass centre and of its axes.
+/// Motion of a body's mass centre and of its axes.
 #[derive(Debug)]
 pub(super) struct BodyMotion {
     pub(super) position: FrameVector,
     pub(super) velocity: FrameVector,
     /// Angular velocity (rad/s).
     pub(super) rotation: FrameVector,
-    /// Accelerations while every speed and the input's rate stay as they are.
+    /// Accelerations at constant speeds and a constant rate of the input.
     pub(super) acceleration: FrameVector,
     pub(super) angular_acceleration: FrameVector,
 }
 
-/// The motion of a frame.
 #[derive(Clone, Debug, Default)]
 struct FrameMotion {
     position: FrameVector,
@@ -25,8 +23,8 @@ struct FrameMotion {
     rotation: FrameVector,
 }
 
-/// Returns the direction along the motion of what depends on coordinates and the input; speeds
-/// and the input's rate stand still.
+/// Returns the direction of the motion for functions of coordinates and the input, with constant
+/// speeds and a constant rate of the input.
 pub(super) fn along_places(graph: &mut Graph, mechanism: &Mechanism) -> Tangent {
     let coordinates = mechanism.coordinates.iter().enumerate();
     let mut seeds: Vec<_> =
@@ -35,12 +33,10 @@ pub(super) fn along_places(graph: &mut Graph, mechanism: &Mechanism) -> Tangent 
     Tangent::new(seeds)
 }
 
-/// Returns an index as a symbol's number.
 pub(super) fn number(index: usize) -> u16 {
     u16::try_from(index).unwrap_or(u16::MAX)
 }
 
-/// Returns the motion of every body.
 pub(super) fn bodies(
     graph: &mut Graph,
     axes: &mut Orientations<'_>,
@@ -71,7 +67,6 @@ struct Moving<'a, 'b> {
 }
 
 impl Moving<'_, '_> {
-    /// The motion of a frame whose parent's is known.
     fn frame(&mut self, graph: &mut Graph, mechanism: &Mechanism, frame: usize) -> FrameMotion {
         if frame == 0 {
             return FrameMotion::default();
@@ -87,7 +82,7 @@ impl Moving<'_, '_> {
         FrameMotion { position, velocity, rotation }
     }
 
-    /// Position and velocity of a point that may move along the axes of `frame`.
+    /// Returns position and velocity of a point that may move along the axes of `frame`.
     fn point(
         &mut self,
         graph: &mut Graph,
@@ -102,7 +97,7 @@ impl Moving<'_, '_> {
         (of.position.plus(graph, &offset), of.velocity.plus(graph, &rate))
     }
 
-    /// The rate of a vector as seen from the ground.
+    /// Returns the rate of a vector in the ground frame.
     fn derivative(&mut self, graph: &mut Graph, vector: &FrameVector) -> FrameVector {
         let mut rate = FrameVector::default();
         for (frame, components) in &vector.parts {
@@ -114,7 +109,7 @@ impl Moving<'_, '_> {
         rate
     }
 
-    /// ω × components, along the frame's axes.
+    /// Returns ω × components, along the frame's axes.
     fn turned(&mut self, graph: &mut Graph, frame: usize, components: Components) -> Components {
         let rotation = self.frames[frame].rotation.clone();
         let rotation = self.axes.express(graph, &rotation, frame);

@@ -1,10 +1,10 @@
-//! Configurations of rigid contacts that cannot be: their constraints depend on one another.
+//! Impossible configurations of rigid contacts, with constraints that depend on one another.
 
 use super::error::{DerivationError, DerivationObstacle};
 use crate::kane::mechanism::{Guard, GuardBranch, Mechanism};
 
-/// The configurations that have no equations only because their constraints depend on one another;
-/// none if anything else is wrong.
+/// Returns the configurations without equations only because their constraints depend on one
+/// another; `None` for any other obstacle.
 pub(super) fn dependent(mechanism: &Mechanism, errors: &[DerivationError]) -> Option<Vec<usize>> {
     let one = |error: &DerivationError| {
         let mode = error.mode?;
@@ -15,9 +15,9 @@ pub(super) fn dependent(mechanism: &Mechanism, errors: &[DerivationError]) -> Op
     errors.iter().map(one).collect()
 }
 
-/// Takes modes out of a mechanism, and notes their names.
+/// Removes modes from a mechanism, and records their names.
 ///
-/// A contact that would close into one of them cannot: in the mode before its gap stays as it is.
+/// A contact cannot close into a removed mode: in the mode before, its gap stays as it is.
 pub(super) fn leave_out(mechanism: &mut Mechanism, gone: &[usize]) {
     let mut next = 0;
     let mut numbers = Vec::new();
@@ -50,7 +50,6 @@ pub(super) fn leave_out(mechanism: &mut Mechanism, gone: &[usize]) {
     }
 }
 
-/// Takes the entries with these indices out of a list.
 fn keep<T>(all: &mut Vec<T>, gone: &[usize]) {
     let mut index = 0;
     all.retain(|_| {
@@ -59,7 +58,7 @@ fn keep<T>(all: &mut Vec<T>, gone: &[usize]) {
     });
 }
 
-/// A guard with the new numbers of modes; none if it led to a mode that is gone.
+/// Returns a guard with the new numbers of modes; `None` if its target was removed.
 fn led(guard: Guard, now: &impl Fn(usize) -> Option<usize>) -> Option<Guard> {
     let branches = guard.branches.into_iter().map(|it| led_branch(it, now));
     Some(Guard { branches: branches.collect::<Option<_>>()?, ..guard })

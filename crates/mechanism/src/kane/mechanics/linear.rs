@@ -1,6 +1,6 @@
 //! Small systems of linear equations, solved on the graph.
 //!
-//! Entries that are 0 by structure cost nothing. Of two unknowns that remain, determinants give
+//! Entries that are 0 by structure cost nothing. For the last two unknowns, determinants give
 //! shorter expressions than elimination; pivots are the largest at the rest pose.
 
 use super::numeric::NumericPose;
@@ -14,12 +14,12 @@ pub(super) struct LinearSystem<'a> {
     b: Vec<Vec<Node>>,
     rows: Vec<usize>,
     columns: Vec<usize>,
-    /// Rows and the unknowns to be found from them, backwards.
+    /// Rows and the unknowns to be found from them, in reverse order.
     later: Vec<(usize, usize)>,
     solution: Vec<Option<Vec<Node>>>,
 }
 
-/// Returns x of the square system A x = B, a row per unknown; none where A is singular at `pose`.
+/// Returns x of the square system A x = B, a row per unknown; `None` if A is singular at `pose`.
 pub(super) fn solve(
     graph: &mut Graph,
     pose: &NumericPose,
@@ -45,7 +45,7 @@ pub(super) fn solve(
 }
 
 impl LinearSystem<'_> {
-    /// Finds an unknown, or a row from which it follows later.
+    /// Finds an unknown, or a row that gives it later.
     fn advance(&mut self) -> Option<()> {
         if let Some((row, column)) = self.single_unknown() {
             let value = self.quotient(row, column)?;
@@ -66,7 +66,6 @@ impl LinearSystem<'_> {
         self.graph.is_zero(self.a[row][column])
     }
 
-    /// A row with one unknown.
     fn single_unknown(&self) -> Option<(usize, usize)> {
         self.rows.iter().find_map(|row| {
             let mut filled = self.columns.iter().filter(|column| !self.is_zero(*row, **column));
@@ -75,7 +74,6 @@ impl LinearSystem<'_> {
         })
     }
 
-    /// An unknown that is in one row.
     fn single_row(&self) -> Option<(usize, usize)> {
         self.columns.iter().find_map(|column| {
             let mut filled = self.rows.iter().filter(|row| !self.is_zero(**row, *column));
@@ -103,7 +101,6 @@ impl LinearSystem<'_> {
         value != 0.0 && value.is_finite()
     }
 
-    /// Puts a known unknown into the rows that remain.
     fn put_in(&mut self, column: usize, value: &[Node]) {
         for row in self.rows.clone() {
             if self.is_zero(row, column) {
@@ -116,7 +113,7 @@ impl LinearSystem<'_> {
         }
     }
 
-    /// x = (b1 a22 − b2 a12)/det and y = (a11 b2 − a21 b1)/det.
+    /// Solves x = (b1 a22 − b2 a12)/det and y = (a11 b2 − a21 b1)/det.
     fn determinants(&mut self) -> Option<()> {
         let ([r, s], [c, d]) = ([self.rows[0], self.rows[1]], [self.columns[0], self.columns[1]]);
         let [[a11, a12], [a21, a22]] = [r, s].map(|row| [c, d].map(|column| self.a[row][column]));
@@ -139,13 +136,13 @@ impl LinearSystem<'_> {
         Some(())
     }
 
-    /// a b − c d.
+    /// Returns a b − c d.
     fn minor(&mut self, [a, b]: [Node; 2], [c, d]: [Node; 2]) -> Node {
         let (plus, minus) = (self.graph.multiply(a, b), self.graph.multiply(c, d));
         self.graph.subtract(plus, minus)
     }
 
-    /// Takes the largest pivot out of the other rows.
+    /// Eliminates the unknown of the largest pivot from the other rows.
     fn eliminate(&mut self) -> Option<()> {
         let (row, column) = self.largest()?;
         self.take(row, column);
@@ -174,11 +171,10 @@ impl LinearSystem<'_> {
         let entries: Vec<Node> = places.iter().map(|(r, c)| self.a[*r][*c]).collect();
         let sizes = self.pose.all(self.graph, &entries).into_iter().map(f64::abs);
         let regular = places.into_iter().zip(sizes).filter(|(_, size)| *size > 0.0);
-        // The first of equal ones.
         regular.rev().max_by(|x, y| x.1.total_cmp(&y.1)).map(|it| it.0)
     }
 
-    /// What was put off, backwards.
+    /// Solves the deferred rows in reverse order.
     fn finish(mut self) -> Option<Vec<Vec<Node>>> {
         while let Some((row, column)) = self.later.pop() {
             for other in 0..self.solution.len() {
@@ -190,7 +186,6 @@ impl LinearSystem<'_> {
         self.solution.into_iter().collect()
     }
 
-    /// Puts an unknown, if it is known, into a row.
     fn put_back(&mut self, row: usize, column: usize) {
         let Some(known) = self.solution[column].clone() else { return };
         if self.is_zero(row, column) {

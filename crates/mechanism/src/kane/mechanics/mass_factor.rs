@@ -1,25 +1,20 @@
-//! The mass matrix as L D Lᵀ, with the zeros that its structure has.
-
 use super::numeric::NumericPose;
 use crate::kane::graph::{Graph, Node, NodeOperation};
 
-/// Of the largest generalised mass: a pivot below it is none.
+/// Fraction of the largest generalised mass below which a pivot counts as 0.
 const NEGLIGIBLE: f64 = 1e-13;
 
-/// A symmetric matrix as L D Lᵀ in an order of its rows that keeps L sparse.
+/// Mass matrix as L D Lᵀ in an order of its rows that keeps L sparse.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MassFactor {
     order: Vec<usize>,
     pivots: Vec<Node>,
-    /// Below the diagonal of L, by original rows and columns.
+    /// Entries of L below the diagonal, by original rows and columns.
     lower: Vec<Vec<Option<Node>>>,
 }
 
 impl MassFactor {
-    /// Returns the factors of `matrix`.
-    ///
-    /// # Errors
-    /// Returns the row without a pivot at `pose`.
+    /// Returns the factors of `matrix`, or the row without a pivot at `pose`.
     pub(super) fn of(
         graph: &mut Graph,
         pose: &NumericPose,
@@ -53,7 +48,7 @@ impl MassFactor {
         Ok(factor)
     }
 
-    /// Takes the row of a pivot out of the row `i`; those that are `left` keep their columns.
+    /// Eliminates a pivot's row from the row `i`; rows in `left` keep their columns.
     fn take_out(
         &mut self,
         graph: &mut Graph,
@@ -92,14 +87,14 @@ impl MassFactor {
     }
 }
 
-/// x − by y.
+/// Returns x − by y.
 fn without(graph: &mut Graph, x: Node, by: Option<Node>, y: Node) -> Node {
     let Some(by) = by else { return x };
     let taken = graph.multiply(by, y);
     graph.subtract(x, taken)
 }
 
-/// The row to go next: the one with the fewest others, a constant one before a moving one.
+/// Returns the next row: the one with the fewest others, a constant one before a moving one.
 fn next(graph: &Graph, matrix: &[Vec<Node>], left: &[usize]) -> Option<usize> {
     left.iter().copied().min_by_key(|row| {
         let others = left.iter().filter(|c| *c != row && !graph.is_zero(matrix[*row][**c])).count();

@@ -1,8 +1,8 @@
 //! The equations of motion of a mechanism, by Kane's method.
 //!
-//! Generalised forces and inertia forces are taken along the partial velocities of the bodies'
+//! Generalised forces and inertia forces are projected on the partial velocities of the bodies'
 //! mass centres, F + F* = 0 `[KL85]`. Each mode solves what coordinates and speeds it can from its
-//! constraints; reactions are what the rows of dependent speeds leave over.
+//! constraints; reactions are the remainders of the rows of dependent speeds.
 
 mod balance;
 mod closing;
@@ -40,7 +40,7 @@ use numeric::NumericPose;
 /// Returns the equations of motion of `mechanism` in each of its modes.
 ///
 /// # Errors
-/// Returns every reason for which a mode has none.
+/// Every reason for which a mode has none.
 pub fn derive(mut mechanism: Mechanism) -> Result<EquationSystem, Vec<DerivationError>> {
     let mut graph = std::mem::take(&mut mechanism.graph);
     poses::add(&mut graph, &mut mechanism);
@@ -117,8 +117,8 @@ fn in_mode(
     obstacles.into_iter().map(error).collect()
 }
 
-/// The entries of the state: coordinates that some mode does not solve, and the speeds, without
-/// those of coordinates that are left out.
+/// Returns the entries of the state: coordinates that some mode does not solve, and the speeds,
+/// except those of excluded coordinates.
 fn state(graph: &Graph, mechanism: &Mechanism, motions: &[ModeMotion]) -> Vec<Place> {
     let is_solved = |i: usize| motions.iter().all(|motion| motion.solved.contains_key(&i));
     let is_dependent = |j: usize| motions.iter().all(|it| it.speeds.dependent.contains(&j));

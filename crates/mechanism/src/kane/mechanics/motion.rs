@@ -1,5 +1,5 @@
-//! The equations of one mode: the mass matrix of its independent speeds, all accelerations, and
-//! the reactions of its constraints.
+//! Equations of one mode: the mass matrix of its independent speeds, all accelerations, and the
+//! reactions of its constraints.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -15,38 +15,35 @@ use super::speeds::{SpeedMap, SpeedProblem, along_map};
 use crate::kane::graph::{Graph, Node, Place, Substitution};
 use crate::kane::mechanism::{Mechanism, Mode};
 
-/// How a mode moves; over coordinates, speeds and input, with dependent ones among them.
+/// Motion of a mode, over all coordinates, speeds and input, dependent ones included.
 #[derive(Debug)]
 pub(super) struct ModeMotion {
     pub(super) pose: NumericPose,
     /// Solved coordinates over the others.
     pub(super) solved: BTreeMap<usize, Node>,
     pub(super) speeds: SpeedMap,
-    /// Which of the independent speeds have no plain equation, by their places in the list.
+    /// Indices of the independent speeds without a plain equation.
     pub(super) dynamic: Vec<usize>,
     pub(super) factor: MassFactor,
-    /// Rates of all speeds.
     pub(super) accelerations: Vec<Node>,
-    /// Reactions of the constraints, by their numbers; none where they are not determined.
+    /// Reactions of the constraints, by their numbers; `None` where they are undetermined.
     pub(super) reactions: BTreeMap<usize, Option<Node>>,
     /// Generalised force that drives the input.
     pub(super) driving: Option<Node>,
-    /// What dependent coordinates and speeds are.
+    /// Expressions of dependent coordinates and speeds.
     finish: HashMap<Place, Node>,
 }
 
-/// What a generalised force on the speeds, without other forces, does to the motion.
+/// Effect on the motion of a generalised force on the speeds, without other forces.
 pub(super) struct Response {
-    /// The rates of all speeds.
     pub(super) accelerations: Vec<Node>,
-    /// On what drives the input.
+    /// Force on the driver of the input.
     pub(super) driving: Option<Node>,
-    /// The constraints' forces, by their numbers.
+    /// Forces of the constraints, by their numbers.
     pub(super) reactions: BTreeMap<usize, Node>,
 }
 
 impl ModeMotion {
-    /// Returns the motion in `mode`.
     pub(super) fn of(
         graph: &mut Graph,
         pose: &NumericPose,
@@ -97,12 +94,12 @@ impl ModeMotion {
         Ok(motion)
     }
 
-    /// Returns the replacement of dependent coordinates and speeds by what they are.
+    /// Returns the replacement of dependent coordinates and speeds by their expressions.
     pub(super) fn finishing(&self) -> Substitution {
         Substitution::new(self.finish.iter().map(|(place, node)| (*place, *node)))
     }
 
-    /// Tᵀ M T of the dynamic speeds.
+    /// Factorises Tᵀ M T of the dynamic speeds.
     fn factored(
         &self,
         graph: &mut Graph,
@@ -116,7 +113,7 @@ impl ModeMotion {
             let moved = times(graph, &inertia.mass, &column, n);
             matrix.push(self.reduced(graph, &moved));
         }
-        // Rounding is one thing, the structure of both halves another: they are one expression.
+        // Both halves are one expression, so that only rounding could differ.
         let lower = matrix.clone();
         for (i, row) in matrix.iter_mut().enumerate() {
             for (entry, other) in row.iter_mut().zip(&lower).skip(i + 1) {
@@ -129,12 +126,12 @@ impl ModeMotion {
         })
     }
 
-    /// The slopes of all speeds by an independent one.
+    /// Returns the slopes of all speeds by an independent one.
     fn column(&self, k: usize) -> Vec<Node> {
         self.speeds.slopes.iter().map(|row| row[k]).collect()
     }
 
-    /// Tᵀ `force` for the dynamic speeds.
+    /// Returns Tᵀ `force` for the dynamic speeds.
     fn reduced(&self, graph: &mut Graph, force: &[Node]) -> Vec<Node> {
         self.dynamic
             .iter()
@@ -174,7 +171,7 @@ impl ModeMotion {
         }
     }
 
-    /// Accelerations where the dynamic ones are 0.
+    /// Returns the accelerations where the dynamic ones are 0.
     fn base(&self, graph: &mut Graph, mechanism: &Mechanism, mode: &Mode) -> Vec<Node> {
         let mut tangent = along_map(graph, mechanism);
         let mut all = Vec::new();
@@ -193,7 +190,7 @@ impl ModeMotion {
         all
     }
 
-    /// T `free` + `base`.
+    /// Returns T `free` + `base`.
     fn expand(&self, graph: &mut Graph, base: &[Node], free: &[Node]) -> Vec<Node> {
         base.iter()
             .zip(&self.speeds.slopes)
@@ -207,8 +204,8 @@ impl ModeMotion {
             .collect()
     }
 
-    /// The force that drives the input, and the reactions that balance `residual`, which is over
-    /// all speeds and the input's rate.
+    /// Returns the force that drives the input, and the reactions that balance `residual`, which is
+    /// over all speeds and the input's rate.
     fn reactions_of(
         &self,
         graph: &mut Graph,
@@ -237,7 +234,7 @@ impl ModeMotion {
         (Some(graph.sum(&terms)), Some(reactions))
     }
 
-    /// Returns what a generalised force does, over all speeds and the input's rate.
+    /// Returns the effect of a generalised force over all speeds and the input's rate.
     pub(super) fn response(
         &self,
         graph: &mut Graph,
@@ -258,7 +255,6 @@ impl ModeMotion {
         Response { accelerations, driving, reactions: reactions.unwrap_or_default() }
     }
 
-    /// Returns the slopes of a row by the dynamic speeds.
     pub(super) fn reduce(&self, graph: &mut Graph, slopes: &[Node]) -> Vec<Node> {
         self.reduced(graph, &slopes[..self.speeds.slopes.len()])
     }

@@ -1,4 +1,4 @@
-//! Numbers at one pose, by which pivots are chosen and dependences found.
+//! Values at one pose, for the choice of pivots and the detection of dependences.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use super::kinematics::number;
 use crate::kane::graph::{Graph, Node, NodeOperation, Place};
 use crate::kane::mechanism::Mechanism;
 
-/// Of the largest entry of a matrix: below it an entry counts as 0.
+/// Fraction of a matrix's largest entry below which an entry counts as 0.
 const NEGLIGIBLE: f64 = 1e-9;
 
 /// Values of all symbols at one pose, at rest.
@@ -18,7 +18,7 @@ pub(super) struct NumericPose {
 impl NumericPose {
     /// Returns the rest pose with the default values of the parameters, for a key in the middle.
     pub(super) fn at_rest(graph: &Graph, mechanism: &Mechanism) -> Self {
-        /// C4.
+        /// Number of the key C4.
         const MIDDLE: f64 = 39.0;
         let mut pose = Self { values: HashMap::from([(Place::Key, MIDDLE)]) };
         for k in 0..4 {
@@ -40,13 +40,13 @@ impl NumericPose {
         pose
     }
 
-    /// Returns a pose nearby, in no special place.
+    /// Returns a generic pose nearby.
     pub(super) fn nearby(&self, mechanism: &Mechanism) -> Self {
         let mut pose = self.clone();
         for i in 0..mechanism.coordinates.len() {
             let place = Place::Coordinate(number(i));
             let value = self.values.get(&place).copied().unwrap_or(0.0);
-            // The golden ratio's multiples are never alike.
+            // Fractional parts of multiples of the golden ratio never coincide.
             let offset = (0.5 + 0.618_033_988_75 * (i as f64 + 1.0)).fract() - 0.5;
             pose.set(place, value + 0.02 * offset * value.abs().max(1.0));
         }
@@ -76,7 +76,6 @@ impl NumericPose {
         nodes.iter().map(|node| values.get(node).copied().unwrap_or(0.0)).collect()
     }
 
-    /// The value of a node whose operands' values are known.
     fn one(&self, graph: &Graph, values: &HashMap<Node, f64>, node: Node) -> f64 {
         let of = |it: &Node| values[it];
         match graph.operation(node) {
@@ -96,14 +95,13 @@ impl NumericPose {
         }
     }
 
-    /// Returns the values of a matrix of nodes.
     pub(super) fn matrix(&self, graph: &Graph, rows: &[Vec<Node>]) -> Vec<Vec<f64>> {
         rows.iter().map(|row| self.all(graph, row)).collect()
     }
 }
 
 /// Returns rows and columns of pivots, as many as the rank, the largest first; columns of an
-/// earlier group of `groups` go before those of a later one.
+/// earlier group of `groups` precede those of a later one.
 pub(super) fn pivots(mut matrix: Vec<Vec<f64>>, groups: &[Vec<usize>]) -> Vec<(usize, usize)> {
     for row in &mut matrix {
         let size = row.iter().fold(0.0_f64, |size, entry| size.max(entry.abs()));
@@ -123,7 +121,7 @@ pub(super) fn pivots(mut matrix: Vec<Vec<f64>>, groups: &[Vec<usize>]) -> Vec<(u
     found
 }
 
-/// The largest entry in columns of `group` outside the rows and columns that are taken.
+/// Returns the largest entry in columns of `group` outside the taken rows and columns.
 fn largest(
     matrix: &[Vec<f64>],
     group: &[usize],
@@ -135,7 +133,7 @@ fn largest(
             continue;
         }
         for c in group.iter().filter(|c| !taken.iter().any(|(_, column)| column == *c)) {
-            // By more than rounding, so that equal ones go by their order.
+            // By more than rounding, so that equal entries keep their order.
             if row[*c].abs() > best.0 * (1.0 + NEGLIGIBLE) {
                 best = (row[*c].abs(), Some((r, *c)));
             }

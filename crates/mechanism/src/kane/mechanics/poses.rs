@@ -1,5 +1,3 @@
-//! The poses of the frames that are drawn, as outputs.
-
 use crate::kane::graph::{Graph, Node, UnaryFunction};
 use crate::kane::mechanism::{Mechanism, MechanismOutput};
 
@@ -20,11 +18,11 @@ pub(super) fn add(graph: &mut Graph, mechanism: &mut Mechanism) {
     }
 }
 
-/// The pose of a frame in the ground's axes, seen along z.
+/// Returns the pose of a frame in the ground's axes, seen along z.
 fn pose(graph: &mut Graph, mechanism: &Mechanism, frame: usize) -> [Node; 3] {
     let zero = graph.constant(0.0);
     let mut pose = [zero; 3];
-    // From the frame outwards: each parent turns and moves what was found so far.
+    // From the frame outwards: each parent rotates and moves the pose so far.
     let mut at = frame;
     for _ in 0..mechanism.frames.len() {
         let Some(own) = mechanism.frames.get(at).filter(|_| at != 0) else { break };
@@ -41,7 +39,7 @@ fn pose(graph: &mut Graph, mechanism: &Mechanism, frame: usize) -> [Node; 3] {
     pose
 }
 
-/// A point turned about the origin.
+/// Returns a point rotated about the origin.
 pub(crate) fn turned(graph: &mut Graph, [x, y]: [Node; 2], angle: Node) -> [Node; 2] {
     let (sin, cos) =
         (graph.unary(UnaryFunction::Sin, angle), graph.unary(UnaryFunction::Cos, angle));

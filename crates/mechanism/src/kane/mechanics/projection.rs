@@ -1,4 +1,4 @@
-//! Newton's step towards constraints that no coordinate is solved from.
+//! Newton's step towards constraints from which no coordinate is solved.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,10 @@ use super::numeric;
 use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::{ConstraintKind, Mechanism, Mode};
 
-/// Below it a slope of a constraint is rounding.
+/// Slope of a constraint below which it is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// How far constraints are from zero, and coordinates after one step of Newton's method.
+/// Distances of constraints from zero, and coordinates after one step of Newton's method.
 #[derive(Debug, Default)]
 pub(super) struct Projection {
     pub(super) drift: Vec<Node>,
@@ -21,7 +21,7 @@ pub(super) struct Projection {
 }
 
 impl Projection {
-    /// Returns the step of a mode; empty if all constraints are met by what is solved.
+    /// Returns the step of a mode; empty if the solved coordinates meet all constraints.
     pub(super) fn of(
         graph: &mut Graph,
         mechanism: &Mechanism,
@@ -51,7 +51,7 @@ impl Projection {
     }
 }
 
-/// Moves as few coordinates as there are constraints: those whose speeds are dependent first.
+/// Moves as few coordinates as there are constraints: those with dependent speeds first.
 fn step(
     graph: &mut Graph,
     mechanism: &Mechanism,

@@ -1,8 +1,9 @@
-//! Reset maps: what the description sets, what rigid impacts change, and what the next mode puts
-//! in place.
+//! Reset maps: values set by the description, changes by rigid impacts, and coordinates of the next
+//! mode.
 //!
-//! First coordinates: as they are set, then onto those that the next mode solves. Then speeds:
-//! the impulses of the constraints that are new, and of a stated impact, along the mode before.
+//! First the coordinates are set and projected onto those that the next mode solves. Then the
+//! speeds change: by the impulses of new constraints, and of a stated impact, along the mode
+//! before.
 
 use std::collections::HashMap;
 
@@ -18,34 +19,29 @@ use crate::kane::graph::{Graph, Node, Place, Substitution};
 use crate::kane::mechanism::{GuardBranch, Mechanism, Target};
 use crate::kane::system::Way;
 
-/// What a reset map is made from.
 pub(super) struct ResetScope<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) inertia: &'a InertiaTerms,
-    /// The motion in each mode.
     pub(super) motions: &'a [ModeMotion],
     pub(super) from: usize,
     pub(super) state: &'a [Place],
 }
 
-/// A condition on the speeds after an impact: rate⁺ = −restitution × rate⁻.
+/// Condition on the speeds after an impact: rate⁺ = −restitution × rate⁻.
 struct ImpactRow {
     row: VelocityRow,
     rate: Node,
-    /// 1 + e.
+    /// Factor 1 + e, with the restitution e.
     change: Node,
 }
 
-/// What the impulses do.
 struct ImpactSolution {
-    /// Changes of all speeds.
     changes: Vec<Node>,
-    /// Impulse on what drives the input.
+    /// Impulse on the driver of the input.
     impulse: Node,
 }
 
 impl ResetScope<'_> {
-    /// Returns the way out of the mode.
     pub(super) fn way(
         &self,
         graph: &mut Graph,
@@ -85,7 +81,7 @@ impl ResetScope<'_> {
         Way { branch, state, impulse }
     }
 
-    /// Every coordinate and speed before the impact, as it is or as the description sets it.
+    /// Returns every coordinate and speed before the impact, current or set by the description.
     fn before(
         &self,
         graph: &mut Graph,
@@ -107,7 +103,7 @@ impl ResetScope<'_> {
         all
     }
 
-    /// The impulses; none where nothing is new, or where motion is by plain equations.
+    /// Returns the impulses; `None` without new constraints, or if motion is by plain equations.
     fn impact(&self, graph: &mut Graph, branch: &GuardBranch) -> Option<ImpactSolution> {
         let modes = &self.mechanism.modes;
         if !modes[self.from].equations.is_empty() || !modes[branch.to].equations.is_empty() {
@@ -145,7 +141,7 @@ impl ResetScope<'_> {
         Some(ImpactSolution { changes: response.accelerations, impulse })
     }
 
-    /// The constraints that are new, then the stated impact.
+    /// Returns the new constraints, then the stated impact.
     fn rows(&self, graph: &mut Graph, branch: &GuardBranch) -> Vec<ImpactRow> {
         let modes = &self.mechanism.modes;
         let one = graph.constant(1.0);
@@ -170,7 +166,7 @@ impl ResetScope<'_> {
         rows
     }
 
-    /// The rows that do not follow from those before them.
+    /// Returns the rows that do not follow from earlier ones.
     fn regular(
         &self,
         graph: &Graph,
@@ -195,7 +191,6 @@ impl ResetScope<'_> {
     }
 }
 
-/// Coordinates that the next mode solves.
 fn put_in_place(graph: &mut Graph, next: &ModeMotion, all: &mut HashMap<Place, Node>) {
     let mut before = Substitution::new(all.iter().map(|(place, node)| (*place, *node)));
     for (i, node) in &next.solved {

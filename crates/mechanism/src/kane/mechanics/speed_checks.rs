@@ -1,4 +1,4 @@
-//! Whether the constraints of a mode say what they should.
+//! Consistency checks of a mode's constraints.
 
 use super::error::DerivationObstacle;
 use super::generalised::inner;
@@ -10,7 +10,6 @@ use crate::kane::graph::{Node, Place};
 const UNMET: f64 = 1e-6;
 
 impl SpeedProblem<'_> {
-    /// Whether each constraint says something that the others do not.
     pub(super) fn check_rank(&self, rows: &[VelocityRow]) -> Result<(), Vec<DerivationObstacle>> {
         let n = self.mechanism.speeds.len();
         let slopes: Vec<Vec<Node>> = rows.iter().map(|row| row.slopes[..n].to_vec()).collect();
@@ -25,8 +24,8 @@ impl SpeedProblem<'_> {
         vec![DerivationObstacle::DependentConstraints { constraints }]
     }
 
-    /// Whether stated coordinates that constraints touch follow from these: those that do not
-    /// would be a condition more.
+    /// Checks that stated coordinates in constraints follow from these: others would be a further
+    /// condition.
     pub(super) fn check_stated(
         &self,
         rows: &[VelocityRow],
@@ -44,7 +43,7 @@ impl SpeedProblem<'_> {
         if unmet.is_empty() { Ok(()) } else { Err(unmet) }
     }
 
-    /// Whether the speeds meet every constraint: those that stated coordinates stand for, too.
+    /// Checks that the speeds meet every constraint, also those that stated coordinates replace.
     pub(super) fn check_met(&mut self, map: &SpeedMap) -> Result<(), Vec<DerivationObstacle>> {
         let mut moving = self.nearby.clone();
         moving.set(Place::Input(1), 1.0);

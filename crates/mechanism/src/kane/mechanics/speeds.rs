@@ -1,4 +1,4 @@
-//! Dependent speeds: what constraints and solved coordinates leave to choose.
+//! Independent and dependent speeds under constraints and solved coordinates.
 
 use std::collections::BTreeMap;
 
@@ -11,18 +11,18 @@ use super::numeric::{self, NumericPose};
 use crate::kane::graph::{Graph, Node, Place, Substitution, Tangent};
 use crate::kane::mechanism::{Mechanism, Mode};
 
-/// Part of a slope that is rounding.
+/// Fraction of a slope that is rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// A condition that is linear in the speeds: slopes · (speeds, input's rate) + rest = 0.
+/// Condition that is linear in the speeds: slopes · (speeds, input's rate) + rest = 0.
 #[derive(Clone, Debug)]
 pub(super) struct VelocityRow {
-    /// The constraint that it is the rate of; none for a solved coordinate's own condition.
+    /// Constraint of which this is the rate; `None` for the condition of a solved coordinate.
     pub(super) constraint: Option<usize>,
-    /// The speed of the stated coordinate whose condition it is.
+    /// Speed of the stated coordinate with this condition.
     pub(super) stated: Option<usize>,
     pub(super) slopes: Vec<Node>,
-    /// All but the speeds' part.
+    /// Part without the speeds.
     pub(super) rest: Node,
 }
 
@@ -36,11 +36,11 @@ pub(super) struct SpeedMap {
     pub(super) slopes: Vec<Vec<Node>>,
     /// Every speed where the independent ones are 0.
     pub(super) offset: Vec<Node>,
-    /// Rows of the constraints, and of solved coordinates that no constraint stands for.
+    /// Rows of the constraints, and of solved coordinates that no constraint covers.
     pub(super) rows: Vec<VelocityRow>,
 }
 
-/// What the dependent speeds of a mode follow from.
+/// Problem of the dependent speeds of a mode.
 pub(super) struct SpeedProblem<'a> {
     pub(super) graph: &'a mut Graph,
     pub(super) pose: &'a NumericPose,
@@ -50,7 +50,6 @@ pub(super) struct SpeedProblem<'a> {
     pub(super) solved: &'a SolvedCoordinates,
 }
 
-/// Returns the row of a node that is linear in the speeds.
 pub(super) fn row(
     graph: &mut Graph,
     mechanism: &Mechanism,
@@ -65,7 +64,6 @@ pub(super) fn row(
 }
 
 impl SpeedMap {
-    /// Returns a speed over the independent ones.
     pub(super) fn value(&self, graph: &mut Graph, speed: usize) -> Node {
         let mut terms = vec![(self.offset[speed], 1.0)];
         for (k, slope) in self.independent.iter().zip(&self.slopes[speed]) {
@@ -77,7 +75,6 @@ impl SpeedMap {
 }
 
 impl SpeedProblem<'_> {
-    /// Returns the speeds in terms of independent ones.
     pub(super) fn solve(mut self) -> Result<SpeedMap, Vec<DerivationObstacle>> {
         let stated = self.stated();
         let mut rows: Vec<VelocityRow> = Vec::new();
@@ -99,7 +96,7 @@ impl SpeedProblem<'_> {
         Ok(map)
     }
 
-    /// The speeds of stated coordinates, by differentiation.
+    /// Returns the speeds of stated coordinates, by differentiation.
     fn stated(&mut self) -> BTreeMap<usize, VelocityRow> {
         let mut tangent = along_places(self.graph, self.mechanism);
         let mut all = BTreeMap::new();
@@ -111,7 +108,7 @@ impl SpeedProblem<'_> {
         all
     }
 
-    /// Rows of stated coordinates whose rate is no speed of their own.
+    /// Returns rows of stated coordinates with a rate that is no speed of their own.
     fn own_rows(&mut self) -> Vec<VelocityRow> {
         let mut tangent = along_places(self.graph, self.mechanism);
         let mut rows = Vec::new();
@@ -125,7 +122,7 @@ impl SpeedProblem<'_> {
         rows
     }
 
-    /// The row with the stated speeds put in.
+    /// Returns the row with the stated speeds substituted.
     fn without_stated(
         &mut self,
         row: &VelocityRow,
@@ -149,7 +146,7 @@ impl SpeedProblem<'_> {
         new
     }
 
-    /// Leaves out rows that stated coordinates meet: what is left of their slopes is rounding.
+    /// Removes rows that stated coordinates meet: the rest of their slopes is rounding.
     fn without_met(&self, rows: &[VelocityRow], mut open: Vec<VelocityRow>) -> Vec<VelocityRow> {
         let n = self.mechanism.speeds.len();
         let size = |pose: &NumericPose, row: &VelocityRow| {
@@ -166,7 +163,7 @@ impl SpeedProblem<'_> {
         open
     }
 
-    /// Rows and dependent speeds, one for the other.
+    /// Pairs rows with dependent speeds.
     fn choose(
         &self,
         open: &[VelocityRow],
@@ -188,7 +185,7 @@ impl SpeedProblem<'_> {
         numeric::pivots(self.pose.matrix(self.graph, &slopes), &groups)
     }
 
-    /// The constraints' rows, and as many of solved coordinates as reactions need besides.
+    /// Returns the constraints' rows, and as many of solved coordinates as reactions need besides.
     fn reaction_rows(
         &mut self,
         mut rows: Vec<VelocityRow>,
@@ -255,7 +252,7 @@ impl SpeedProblem<'_> {
         Ok(map)
     }
 
-    /// Stated speeds over the independent ones.
+    /// Expresses stated speeds over the independent ones.
     fn put_stated(&mut self, map: &mut SpeedMap, stated: &BTreeMap<usize, VelocityRow>) {
         let others: Vec<usize> =
             map.dependent.iter().copied().filter(|j| !stated.contains_key(j)).collect();
@@ -276,7 +273,7 @@ impl SpeedProblem<'_> {
     }
 }
 
-/// Returns the direction of speeds' expressions while the independent ones stay as they are.
+/// Returns the direction of the speeds' expressions at constant independent speeds.
 pub(super) fn along_map(graph: &mut Graph, mechanism: &Mechanism) -> Tangent {
     let coordinates = mechanism.coordinates.iter().enumerate();
     let mut seeds: Vec<_> =

@@ -1,7 +1,7 @@
 //! Vectors as components along the axes of several frames.
 //!
-//! A sum of vectors of different frames stays a sum: components are turned only where a product
-//! needs them along the same axes, and then by the angle between the two frames alone.
+//! A sum of vectors of different frames stays a sum: components are rotated only where a product
+//! needs common axes, and then by the angle between the two frames alone.
 
 use std::collections::BTreeMap;
 
@@ -11,19 +11,17 @@ use crate::kane::mechanism::ReferenceFrame;
 /// Components along the axes of one frame.
 pub(super) type Components = [Node; 3];
 
-/// A sum of vectors, each along the axes of its frame.
+/// Sum of vectors, each along the axes of its frame.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FrameVector {
     pub(super) parts: BTreeMap<usize, Components>,
 }
 
 impl FrameVector {
-    /// Returns the vector with these components along the axes of `frame`.
     pub(super) fn of(frame: usize, components: Components) -> Self {
         Self { parts: BTreeMap::from([(frame, components)]) }
     }
 
-    /// Returns the sum of both.
     pub(super) fn plus(&self, graph: &mut Graph, other: &Self) -> Self {
         let mut sum = self.clone();
         for (frame, components) in &other.parts {
@@ -36,7 +34,6 @@ impl FrameVector {
         sum
     }
 
-    /// Returns the vector whose components are `change` of these.
     pub(super) fn map(
         &self,
         graph: &mut Graph,
@@ -49,7 +46,7 @@ impl FrameVector {
     }
 }
 
-/// The directions of frames relative to one another.
+/// Relative directions of frames.
 #[derive(Debug)]
 pub(super) struct Orientations<'a> {
     frames: &'a [ReferenceFrame],
@@ -61,7 +58,7 @@ impl<'a> Orientations<'a> {
         Self { frames, known: BTreeMap::new() }
     }
 
-    /// Returns the matrix that takes components along `from` to those along `to`.
+    /// Returns the matrix that converts components along `from` to those along `to`.
     pub(super) fn matrix(&mut self, graph: &mut Graph, from: usize, to: usize) -> [Components; 3] {
         if let Some(known) = self.known.get(&(from, to)) {
             return *known;
@@ -75,7 +72,7 @@ impl<'a> Orientations<'a> {
         matrix
     }
 
-    /// The rotations that lead from one frame to the other; those about one axis are one.
+    /// Returns the rotations from one frame to the other; those about one axis are merged.
     fn turns(&self, graph: &mut Graph, from: usize, to: usize) -> Vec<(usize, Node)> {
         let (up, down) = (self.ancestors(from), self.ancestors(to));
         let up_only = up.iter().filter(|frame| !down.contains(frame));
@@ -96,7 +93,7 @@ impl<'a> Orientations<'a> {
         turns
     }
 
-    /// The frame, its parent, and so on, without the ground.
+    /// Returns the frame, its parent, and so on, without the ground.
     fn ancestors(&self, frame: usize) -> Vec<usize> {
         let mut all = Vec::new();
         let mut at = frame;
@@ -107,7 +104,6 @@ impl<'a> Orientations<'a> {
         all
     }
 
-    /// Returns the components of `vector` along `frame`.
     pub(super) fn express(
         &mut self,
         graph: &mut Graph,
@@ -125,11 +121,10 @@ impl<'a> Orientations<'a> {
         sums.map(|terms| graph.sum(&terms))
     }
 
-    /// Returns the scalar product.
     pub(super) fn dot(&mut self, graph: &mut Graph, x: &FrameVector, y: &FrameVector) -> Node {
         let mut terms = Vec::new();
         for (frame, left) in &x.parts {
-            // With many bodies these loops alone would be long.
+            // Ends the loops early, which are long with many bodies.
             if graph.given_up().is_some() {
                 break;
             }
@@ -142,7 +137,7 @@ impl<'a> Orientations<'a> {
     }
 }
 
-/// The terms of x · (matrix y).
+/// Returns the terms of x · (matrix y).
 fn bilinear(
     graph: &mut Graph,
     x: &Components,
@@ -153,7 +148,7 @@ fn bilinear(
     places.map(|(i, j)| (graph.product(&[(x[i], 1), (matrix[i][j], 1), (y[j], 1)]), 1.0)).collect()
 }
 
-/// Returns x × y of components along the same axes.
+/// Returns x × y of components along common axes.
 pub(super) fn cross(graph: &mut Graph, x: Components, y: Components) -> Components {
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         let (a, b) = (graph.multiply(x[i], y[j]), graph.multiply(x[j], y[i]));
@@ -166,7 +161,7 @@ fn identity(graph: &mut Graph) -> [Components; 3] {
     [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
 }
 
-/// The matrix of a turn of a child's axes, from its components to the parent's.
+/// Returns the rotation matrix from a child's components to the parent's.
 fn about(graph: &mut Graph, axis: usize, angle: Node) -> [Components; 3] {
     let (sin, cos) =
         (graph.unary(UnaryFunction::Sin, angle), graph.unary(UnaryFunction::Cos, angle));

@@ -1,7 +1,7 @@
-//! Equations for people: text as descriptions are written, and LaTeX.
+//! Readable equations: text in the notation of descriptions, and LaTeX.
 //!
-//! A part that stands more than once and is not small gets a name, `z1`, `z2` …, and is said once.
-//! Every pass is a loop over the graph; no depth of an expression goes down the stack.
+//! A larger part that occurs more than once is named, `z1`, `z2` …, and defined once.
+//! Every pass is a loop over the graph, so the depth of an expression uses no stack.
 
 mod names;
 mod notation;

@@ -1,11 +1,9 @@
-//! What symbols are called in equations.
-
 use std::collections::HashMap;
 
 use crate::kane::graph::Place;
 use crate::kane::mechanism::Mechanism;
 
-/// What symbols are called, as a description writes them.
+/// Names of symbols in equations, in the notation of descriptions.
 #[derive(Clone, Debug, Default)]
 pub struct SymbolNames {
     names: HashMap<Place, String>,
@@ -13,7 +11,6 @@ pub struct SymbolNames {
 }
 
 impl SymbolNames {
-    /// Returns names for the symbols of `mechanism`.
     pub fn of(mechanism: &Mechanism) -> Self {
         let mut names = Self { input: mechanism.input.name.clone(), ..Self::default() };
         for (at, parameter) in (0..).zip(&mechanism.parameters) {
@@ -35,12 +32,11 @@ impl SymbolNames {
         names
     }
 
-    /// Says what the symbol at `place` is called.
     pub fn set(&mut self, place: Place, name: &str) {
         self.names.insert(place, name.to_owned());
     }
 
-    /// Returns the name of the symbol at `place`; one is made up where none was said.
+    /// Returns the name of the symbol at `place`, generated where none was set.
     pub fn name(&self, place: Place) -> String {
         if let Some(name) = self.names.get(&place) {
             return name.clone();

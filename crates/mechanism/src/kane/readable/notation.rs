@@ -1,17 +1,15 @@
-//! How operations are written.
-
 use super::words;
 use crate::kane::graph::{BinaryFunction, UnaryFunction};
 
-/// How equations are written.
+/// Notation of equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Notation {
-    /// As a description writes expressions: `k1*(s - theta_k)`.
+    /// Notation of descriptions: `k1*(s - theta_k)`.
     Text,
     Latex,
 }
 
-/// How tightly a written expression holds together.
+/// Binding strength of a written expression.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum Tightness {
     Sum,
@@ -20,7 +18,7 @@ pub(super) enum Tightness {
     Atom,
 }
 
-/// An expression that was written, and whether it needs brackets.
+/// Written expression with its binding strength.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct WrittenPart {
     pub(super) text: String,
@@ -41,7 +39,6 @@ impl Notation {
         })
     }
 
-    /// A number that is not negative.
     pub(super) fn number(self, value: f64) -> WrittenPart {
         let scientific = format!("{value:e}");
         let plain = format!("{value}");
@@ -55,7 +52,7 @@ impl Notation {
         }
     }
 
-    /// The text, in brackets where it holds together less than `tightness`.
+    /// Returns the text, in brackets where it binds less tightly than `tightness`.
     pub(super) fn within(self, written: &WrittenPart, tightness: Tightness) -> String {
         if written.tightness >= tightness {
             written.text.clone()
@@ -71,7 +68,7 @@ impl Notation {
         }
     }
 
-    /// Factors side by side; none are 1.
+    /// Returns factors side by side; 1 without factors.
     pub(super) fn product(self, factors: &[WrittenPart]) -> WrittenPart {
         match factors {
             [] => WrittenPart::atom("1".to_owned()),

@@ -1,5 +1,3 @@
-//! All equations of a system, mode by mode.
-
 use instruments::equations::table::is_pose;
 
 use super::writer::{Equation, equations};
@@ -7,8 +5,8 @@ use super::{Notation, SymbolNames};
 use crate::kane::graph::{Node, NodeOperation, Place};
 use crate::kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
-/// Returns all equations of `system`: for each mode what is slaved, the derivative, readout and
-/// outputs, guards with where they lead, and reset maps.
+/// Returns all equations of `system`: for each mode its slaved entries, derivative, readout and
+/// outputs, guards with their targets, and reset maps.
 pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
     let mut text = String::new();
     for mode in 0..system.modes.len() {
@@ -23,7 +21,7 @@ pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
     text
 }
 
-/// Returns the equations of one mode of `system`; nothing for a mode that it has not.
+/// Returns the equations of one mode of `system`; an empty text for an unknown mode.
 pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) -> String {
     let Some(found) = system.modes.get(mode) else { return String::new() };
     let names = SymbolNames::of(&system.mechanism);
@@ -38,13 +36,13 @@ pub fn mode_equations(system: &EquationSystem, mode: usize, notation: Notation) 
     page.print(title, notation)
 }
 
-/// Equations that are collected, and the headings before some of them.
+/// Collected equations, and the headings before some of them.
 struct Page<'a> {
     system: &'a EquationSystem,
     names: SymbolNames,
     wanted: Vec<(String, Node)>,
     sections: Vec<(usize, String)>,
-    /// What needs no equation, after so many sections.
+    /// Statements without an equation, each with the number of sections before it.
     statements: Vec<(usize, String)>,
 }
 
@@ -57,7 +55,7 @@ impl Page<'_> {
         self.wanted.extend(node.into().map(|node| (name.into(), node)));
     }
 
-    /// A rate, unless it is a speed of that name: `y' = y'` says nothing.
+    /// Adds a rate, unless it is a speed of that name: `y' = y'` is empty.
     fn want_rate(&mut self, name: &str, node: Option<Node>) {
         let Some(node) = node else { return };
         let operation = self.system.mechanism.graph.operation(node);
@@ -103,7 +101,7 @@ impl Page<'_> {
         self.statements.push((self.sections.len(), statement));
     }
 
-    /// The mode in which the rebounds of an impact end, if it is another one.
+    /// Returns the mode in which the rebounds of an impact end, if it is another one.
     fn settled(&self, way: &Way) -> Option<String> {
         let mode = way.branch.impact?.settles.filter(|to| *to != way.branch.to)?;
         Some(self.system.mechanism.modes.get(mode)?.name.clone())
@@ -165,7 +163,6 @@ impl Page<'_> {
     }
 }
 
-/// Text of a page.
 struct Printed {
     notation: Notation,
     text: String,
@@ -180,7 +177,6 @@ impl Printed {
         self.text.push_str(&title);
     }
 
-    /// A line of its own.
     fn statement(&mut self, text: &str) {
         let text = match self.notation {
             Notation::Text => format!("\n{text}\n"),

@@ -7,7 +7,6 @@ const GREEK: [&str; 36] = [
     "Omega", "varphi", "vartheta",
 ];
 
-/// Returns `name` in LaTeX.
 pub(super) fn latex(name: &str) -> String {
     if let Some((function, rest)) = name.split_once('(') {
         let of = rest.trim_end_matches(')');
@@ -16,7 +15,6 @@ pub(super) fn latex(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     let primes = name.len() - stem.len();
     let (first, rest) = stem.split_once('_').unwrap_or((stem, ""));
-    // `k1` has the index 1.
     let letters = first.trim_end_matches(|it: char| it.is_ascii_digit());
     let (letters, digits) =
         if letters.is_empty() { (first, "") } else { first.split_at(letters.len()) };
@@ -41,7 +39,7 @@ fn base(letters: &str) -> String {
     }
 }
 
-/// An index: letters and digits as they are, words upright.
+/// Returns an index: letters and digits unchanged, words upright.
 fn upright(name: &str) -> String {
     if GREEK.contains(&name) {
         return format!("\\{name}");
@@ -52,7 +50,7 @@ fn upright(name: &str) -> String {
     format!("\\mathrm{{{}}}", escaped(name))
 }
 
-/// Signs that mean something to LaTeX are written out.
+/// Escapes the special characters of LaTeX.
 pub(super) fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for character in text.chars() {

@@ -1,4 +1,4 @@
-//! Expressions bottom up, with names for what stands more than once.
+//! Writes expressions bottom up, with names for parts that occur more than once.
 
 use std::collections::HashMap;
 
@@ -6,19 +6,19 @@ use super::SymbolNames;
 use super::notation::{Notation, Tightness, WrittenPart};
 use crate::kane::graph::{Graph, Node, NodeOperation};
 
-/// A part that stands more than once gets a name from this many operations on.
+/// Operations from which a part that occurs more than once is named.
 const NAMED_WHEN_SHARED: u64 = 6;
-/// Any part gets a name from this many operations on: nobody reads longer lines.
+/// Operations from which any part is named, because longer lines are unreadable.
 const NAMED_ALWAYS: u64 = 60;
 
-/// A line: a name, and what it is.
+/// Named definition on one line.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Equation {
     pub left: String,
     pub right: String,
 }
 
-/// Returns `node` written out whole, without names for its parts.
+/// Returns `node` written out, without names for its parts.
 ///
 /// Its text can be far longer than its graph; [`equations()`] names parts instead.
 pub fn expression(graph: &Graph, node: Node, names: &SymbolNames, notation: Notation) -> String {
@@ -29,7 +29,7 @@ pub fn expression(graph: &Graph, node: Node, names: &SymbolNames, notation: Nota
 
 /// Returns the definitions of named parts, then `wanted` in terms of them.
 ///
-/// The left sides of `wanted` are names as a description writes them.
+/// The left sides of `wanted` are in the notation of descriptions.
 pub fn equations(
     graph: &Graph,
     wanted: &[(String, Node)],
@@ -54,11 +54,10 @@ struct EquationWriter<'a> {
     notation: Notation,
     written: HashMap<Node, WrittenPart>,
     definitions: Vec<Equation>,
-    /// The names of sums, by their number and terms.
     sums: HashMap<SumTerms, WrittenPart>,
 }
 
-/// The number of a sum, and its terms with their factors.
+/// Number of a sum, and its terms with their factors.
 type SumTerms = (u64, Vec<(Node, u64)>);
 
 impl<'a> EquationWriter<'a> {
@@ -107,17 +106,16 @@ impl<'a> EquationWriter<'a> {
         }
     }
 
-    /// Remembers what a sum is called.
     fn remember_sum(&mut self, node: Node, name: &WrittenPart) {
         if let NodeOperation::Sum(number, terms) = self.graph.operation(node) {
             self.sums.insert((*number, terms.to_vec()), name.clone());
         }
     }
 
-    /// A sum whose terms are those of one that has a name, with the opposite signs.
+    /// Returns the negative of a named sum if `node` has its terms with opposite signs.
     fn negated(&self, node: Node) -> Option<WrittenPart> {
         let NodeOperation::Sum(number, terms) = self.graph.operation(node) else { return None };
-        // Of −0 there is none: the graph has 0.
+        // The graph has no −0, only 0.
         let opposite = |bits: u64| (0.0 - f64::from_bits(bits)).to_bits();
         let terms = terms.iter().map(|(node, by)| (*node, opposite(*by))).collect();
         let name = self.sums.get(&(opposite(*number), terms))?;
@@ -128,7 +126,6 @@ impl<'a> EquationWriter<'a> {
         self.written.get(&node).cloned().unwrap_or_else(|| WrittenPart::atom(String::new()))
     }
 
-    /// A node whose operands are written.
     fn one(&self, node: Node) -> WrittenPart {
         match self.graph.operation(node) {
             NodeOperation::Number(bits) => self.signed_number(f64::from_bits(*bits)),
@@ -159,7 +156,7 @@ impl<'a> EquationWriter<'a> {
         }
     }
 
-    /// Positive terms first, the number behind them.
+    /// Writes positive terms first, the number last.
     fn sum(&self, number: f64, terms: &[(Node, f64)]) -> WrittenPart {
         let mut ordered: Vec<(Option<Node>, f64)> =
             terms.iter().map(|(node, factor)| (Some(*node), *factor)).collect();
