@@ -1,5 +1,3 @@
-//! The entry of a model that was read from a description.
-
 use std::path::Path;
 
 use mechanism::Library;

@@ -1,12 +1,9 @@
-//! Models by the paths of their files.
-
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
 use mechanism::{Library, MissingModel, contents_now, description, rendered};
 
-/// The description of a ball, with `comment` behind it.
 fn ball(comment: &str) -> String {
     format!("{}# {comment}\n", description("bouncing-ball").unwrap())
 }

@@ -1,11 +1,9 @@
-//! What versions of a description leave behind.
-
 use std::fs;
 use std::sync::Arc;
 
 use mechanism::{Library, description};
 
-/// Memory of this process that is resident now (bytes).
+/// Returns the resident memory of this process (bytes).
 fn resident() -> u64 {
     let statm = fs::read_to_string("/proc/self/statm").unwrap();
     let pages: u64 = statm.split_whitespace().nth(1).unwrap().parse().unwrap();
@@ -14,9 +12,9 @@ fn resident() -> u64 {
 
 #[test]
 fn fifty_reloads_of_a_description_leave_no_memory_behind() {
-    /// Reloads until the allocator has what it keeps for later.
+    /// Reloads until the allocator has its reserve.
     const FIRST: u32 = 10;
-    /// Table, machine code and entry of one version take 360 kB, which for fifty is 18 MB.
+    /// Table, machine code and entry of one version take 360 kB, fifty of them 18 MB.
     const MOST: u64 = 4 << 20;
     let (library, folder) = (Library::default(), tempfile::tempdir().unwrap());
     let path = folder.path().join("my-action.toml");

@@ -1,10 +1,10 @@
-//! Bytes as a description that may start from itself: read or refused, with at least one mistake.
+//! Arbitrary bytes as a description that may start from itself: read, or rejected with a mistake.
 #![no_main]
 
 use mechanism::kane::description::{Bases, read_bytes, rendered};
 use libfuzzer_sys::fuzz_target;
 
-/// A good description, and the bytes themselves.
+/// Valid description, and the bytes themselves.
 struct Shelf<'a>(&'a [u8]);
 
 impl Bases for Shelf<'_> {

@@ -1,4 +1,3 @@
-//! Expressions that share their parts, and their derivatives.
 #![expect(clippy::unwrap_used, reason = "helpers of tests, outside #[test]")]
 
 use mechanism::expressions::graph::{Graph, Node, Place, Substitution, UnaryFunction};
@@ -32,7 +31,7 @@ proptest! {
     #[test]
     fn the_order_of_terms_and_factors_does_not_matter(all in prop::collection::vec(trees(), 2..5)) {
         let mut graph = Graph::new();
-        // Numbers are rounded in the order in which they come: only what is no number is looked at.
+        // Rounding depends on the order of numbers, so only other nodes are compared.
         let mut nodes: Vec<Node> = all.iter().map(|it| it.build(&mut graph)).collect();
         nodes.retain(|it| graph.number(*it).is_none());
         let nodes: Vec<Node> =
@@ -45,8 +44,8 @@ proptest! {
         prop_assert_eq!(graph.product(&factors), graph.product(&back));
     }
 
-    /// Central differences of smooth expressions: truncation below h² times the third derivative,
-    /// which is estimated by the same formula at 2h, and rounding below ε |f| / h.
+    /// Central differences of smooth expressions: truncation is below h² times the third
+    /// derivative, which is estimated by the formula at 2h, and rounding below ε |f| / h.
     #[test]
     fn derivatives_are_slopes(tree in trees(), at in values(), by in 0..6_usize) {
         const H: f64 = 1e-4;
@@ -61,7 +60,7 @@ proptest! {
             (samples[high].value - samples[low].value) / (2.0 * step * H)
         };
         let [wide, middle, narrow] = [slope(0, 6, 2.0), slope(1, 5, 1.0), slope(2, 4, 0.5)];
-        // Corners: there the two sides do not come together.
+        // At a corner the slopes of the two sides differ.
         let bend = |low: usize, high: usize| {
             samples[high].value - 2.0 * samples[3].value + samples[low].value
         };
@@ -88,7 +87,7 @@ proptest! {
         let Some(value_of_inner) = inner.evaluate(&at) else { return Ok(()) };
         let mut moved = at;
         moved[2] = value_of_inner.value;
-        // What the inner error does to the whole is not bounded here: only exact inner values.
+        // Errors of inner values are not bounded here: only exact ones are used.
         let Some(expected) = tree.evaluate(&moved) else { return Ok(()) };
         prop_assume!(value_of_inner.error == 0.0);
         let mut graph = Graph::new();
@@ -109,12 +108,10 @@ fn squares_of_sine_and_cosine_become_one() {
     let (ss, cc) = (graph.power(sine, 2), graph.power(cosine, 2));
     let one = graph.add(ss, cc);
     assert_eq!(graph.number(one), Some(1.0));
-    // With a common factor, and beside other terms.
     let terms = [(graph.multiply(ss, y), 3.0), (graph.multiply(cc, y), 3.0), (x, 1.0)];
     let sum = graph.sum(&terms);
     let expected = graph.sum(&[(y, 3.0), (x, 1.0)]);
     assert_eq!(sum, expected);
-    // Not with two factors.
     let uneven = graph.sum(&[(ss, 1.0), (cc, 2.0)]);
     assert_ne!(graph.number(uneven), Some(1.0));
 }
@@ -135,7 +132,6 @@ fn many_pairs_of_squares_become_their_number() {
     assert_eq!(graph.number(sum), Some(f64::from(PAIRS)));
 }
 
-/// A sum of this many terms is a part of its own in another sum.
 #[test]
 fn odd_and_even_functions_of_a_long_sum_have_one_sign() {
     let mut graph = Graph::new();
@@ -148,8 +144,8 @@ fn odd_and_even_functions_of_a_long_sum_have_one_sign() {
     assert_eq!(cosine, other);
 }
 
-/// x ↦ √(x² + c), again and again: after n times √(x² + n c), with the slope x/√(x² + n c).
-/// Neither building, derivative, substitution nor evaluation may go down the stack.
+/// Iterates x ↦ √(x² + c): after n times √(x² + n c), with the slope x/√(x² + n c).
+/// Building, derivative, substitution and evaluation must not recurse.
 #[test]
 fn deep_chains_do_not_overflow_the_stack() {
     const DEPTH: u32 = 100_000;
@@ -174,7 +170,7 @@ fn deep_chains_do_not_overflow_the_stack() {
     assert!(graph.depends(chain, |place| place == SYMBOLS[0]));
 }
 
-/// Each x is the sum of all sines before it: what flattens to long sums still ends soon.
+/// Each x is the sum of all earlier sines: what flattens to long sums still ends soon.
 #[test]
 fn chains_that_flatten_are_lowered_in_bounded_time() {
     const DEPTH: u32 = 3000;

@@ -1,5 +1,4 @@
-//! Expressions against trees that are evaluated by recursion, tapes against both, and series
-//! against closed forms and the committed code.
+//! Expressions against recursive evaluation, tapes against both, series against closed forms.
 
 pub(crate) mod common;
 mod graph;

@@ -9,7 +9,6 @@ use proptest::prelude::*;
 
 use crate::expressions::common::{SYMBOLS, layout, trees, values};
 
-/// A tape's first output at values of the symbols.
 pub(crate) fn value(tape: &Tape, symbols: &[f64; 6]) -> f64 {
     let [p0, p1, q0, q1, u0, s1] = *symbols;
     let input = [0.0, s1, 0.0, 0.0];
@@ -52,7 +51,7 @@ fn missing_arguments_are_not_numbers() {
     assert!(tape.evaluate(&short)[0].is_nan());
 }
 
-/// How many multiplications and divisions, and how many additions and subtractions.
+/// Returns the number of multiplications and divisions, and of additions and subtractions.
 fn costs(tape: &Tape) -> (usize, usize, usize) {
     let count =
         |kind: fn(&Instruction) -> bool| tape.instructions.iter().filter(|it| kind(it)).count();

@@ -1,5 +1,3 @@
-//! What assembled programs say of their equations.
-
 use instruments::equations::ModeNumber;
 use pode::{EquationKind, Model as _, Motion, Part};
 

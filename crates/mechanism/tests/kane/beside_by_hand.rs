@@ -1,5 +1,4 @@
-//! The described models A, B and C beside their equations by hand: in every mode, at every guard
-//! and after every reset.
+//! Models A, B and C against their equations by hand: every mode, guard and reset.
 
 use std::collections::BTreeMap;
 
@@ -15,13 +14,13 @@ use crate::kane::runnable::{
     self, GRAND, RIGID, Runnable, SPRINGS, ShippedModel, mode_name, modes,
 };
 
-/// How closely both agree, relative to the value and to what it is a sum of.
+/// Allowed difference, relative to the value and to the terms of its sum.
 const AGREEMENT: f64 = 1e-12;
-/// Random places in each mode, for each set of values.
+/// Random states in each mode, for each set of values.
 const PLACES: usize = 200;
 
-/// The middle and the half width of each entry of the state, and the half width of the input and
-/// its rates, where random places are.
+/// Ranges of random states: middle and half width of each entry of the state, and half width of
+/// the input and its rates.
 struct Span<const N: usize> {
     state: [(f64, f64); N],
     input: [(f64, f64); 4],
@@ -36,7 +35,7 @@ impl<const N: usize> Span<N> {
     }
 }
 
-/// A described model, its equations by hand, and where they are compared.
+/// Described model, its equations by hand, and the compared states.
 struct Pair<W, const N: usize> {
     label: String,
     described: Runnable<N>,
@@ -63,7 +62,7 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
         }
     }
 
-    /// Compares where entries are that the mode slaves, and returns the state with them.
+    /// Compares entries that the mode slaves, and returns the state with them.
     fn placed(&self, mode: ModeNumber, x: &[f64; N], s: &Motion) -> [f64; N] {
         let name = mode_name(&self.described, mode);
         let placed = self.described.constrain(mode, x, s);
@@ -93,7 +92,7 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
         for (output, value) in expected.outputs(name, x, s) {
             check(runnable::output(found, mode, (x, s), output), value, output);
         }
-        // Differences of the readout know six digits.
+        // Differences of the readout have six correct digits.
         let (slopes, rough) = (found.slopes(mode, x, s), differenced_slopes(found, mode, x, s));
         let pairs = [(slopes.per_position, rough.per_position), (slopes.per_rate, rough.per_rate)];
         for (slope, rough) in pairs {
@@ -121,7 +120,7 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
         }
     }
 
-    /// Compares where each guard leads, at states where it is 0.
+    /// Compares the targets of each guard, at states where it is 0.
     fn compare_resets(&self, mode: ModeNumber, numbers: &mut Numbers) {
         let name = mode_name(&self.described, mode);
         let span = (self.span)(name);
@@ -135,7 +134,7 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
         }
     }
 
-    /// Where between two states a guard comes to zero and falls.
+    /// Returns a state between two at which a guard falls through zero.
     fn zero(
         &self,
         mode: ModeNumber,
@@ -175,7 +174,7 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
         let found = model.reset(mode, guard.id, x, s);
         let expected = self.by_hand.reset(name, guard.name, x, s);
         assert_eq!(mode_name(model, found.mode), expected.mode, "{what}");
-        // Slaved entries are put in place by the mode that follows.
+        // The next mode sets its slaved entries.
         let placed = model.constrain(found.mode, &found.state, s);
         let wanted = self.by_hand.constrain(expected.mode, &expected.state, s);
         for (found, expected) in placed.iter().zip(wanted) {
@@ -189,7 +188,6 @@ impl<W: ByHand<N>, const N: usize> Pair<W, N> {
     }
 }
 
-/// A parameter with losses that no preset has.
 fn unlike_any_preset(name: &str, value: f64) -> f64 {
     match name {
         "b1" => value + 0.3,
@@ -239,7 +237,7 @@ fn the_described_model_b_has_the_equations_by_hand() {
 #[test]
 fn the_described_model_c_has_the_equations_by_hand() {
     check::<Grand, 4>(&GRAND, |mode| Span {
-        // Let-off ends at 8.9 mm, behind which its polynomials mean nothing.
+        // Let-off ends at 8.9 mm, beyond which its polynomials are invalid.
         state: [
             if mode == "LO" { (0.0085, 0.0008) } else { (0.005, 0.007) },
             (0.025, 0.03),

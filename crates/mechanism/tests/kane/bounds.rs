@@ -1,7 +1,7 @@
-//! Bounds over a step, against what expressions do along random orbits.
+//! Bounds over a step, against expressions along random orbits.
 //!
-//! Steps are random cubics from random places: what holds along them holds along any method's
-//! dense output.
+//! Steps are random cubics from random states: their properties hold for the dense output of any
+//! method.
 #![expect(
     clippy::unwrap_used,
     clippy::large_stack_frames,
@@ -18,10 +18,10 @@ use proptest::test_runner::RngSeed;
 use crate::kane::by_hand::{Draft, guard};
 use crate::kane::runnable::{Runnable, runnable};
 
-/// Looks at each guard over one step.
+/// Samples of each guard over one step.
 const LOOKS: usize = 64;
 
-/// A step: a cubic for each entry of the state, and one for the input.
+/// Step: a cubic for each entry of the state, and one for the input.
 #[derive(Clone, Debug)]
 struct Motions<const N: usize> {
     h: f64,
@@ -43,7 +43,7 @@ impl<const N: usize> Motions<N> {
         Enclosure { h: self.h, start: self.start, moves, speeds, bends, input_start, input }
     }
 
-    /// What a guard is at each look.
+    /// Returns the samples of a guard.
     fn values<M>(&self, model: &M, mode: M::Mode, id: GuardId) -> Vec<f64>
     where
         M: Guarded<State = [f64; N], Input = Motion>,
@@ -57,7 +57,7 @@ impl<const N: usize> Motions<N> {
         (0..=LOOKS).map(at).collect()
     }
 
-    /// How far a guard goes and bends, as it is seen; none where it is no number.
+    /// Returns the observed move and bend of a guard; `None` where it is NaN.
     fn seen<M>(&self, model: &M, mode: M::Mode, id: GuardId) -> Option<[f64; 3]>
     where
         M: Guarded<State = [f64; N], Input = Motion>,
@@ -72,11 +72,11 @@ impl<const N: usize> Motions<N> {
     }
 }
 
-/// What is put on a stack of expressions, by its number and a constant.
+/// Instruction of the stack machine: its number and a constant.
 type Code = (u8, f64);
 
-/// An expression from a list of codes: a stack machine that always has operands. What each code
-/// gives is larger and smaller in turn by the fraction `shake`.
+/// Builds an expression from a list of codes by a stack machine that always has operands. The
+/// result of each code is scaled up and down in turn by the fraction `shake`.
 fn expression(draft: &mut Draft, codes: &[Code], shake: f64) -> Node {
     let symbols: Vec<Node> = draft.same().into_iter().chain(draft.input()).collect();
     let parameter = draft.parameter("p");
@@ -102,7 +102,6 @@ fn expression(draft: &mut Draft, codes: &[Code], shake: f64) -> Node {
     graph.sum(&terms)
 }
 
-/// A function of one node.
 fn one_of(graph: &mut Graph, code: u8, x: Node, number: f64) -> Node {
     use UnaryFunction::{
         Abs, Acos, Asin, Cos, Exp, Ln, Logistic, Sign, Sin, Softplus, SoftplusArea,
@@ -147,7 +146,6 @@ fn one_of(graph: &mut Graph, code: u8, x: Node, number: f64) -> Node {
     }
 }
 
-/// A function of two nodes.
 fn two_of(graph: &mut Graph, code: u8, [x, y]: [Node; 2], parameter: Node) -> Node {
     match code % 10 {
         0 | 1 => graph.add(x, y),
@@ -161,12 +159,11 @@ fn two_of(graph: &mut Graph, code: u8, [x, y]: [Node; 2], parameter: Node) -> No
     }
 }
 
-/// A model whose only guard is the expression.
 fn guarded(codes: &[Code]) -> Runnable<4, 2048> {
     shaken(codes, 0.0)
 }
 
-/// The same with each of its parts off by a fraction.
+/// Returns the model with each part of the guard off by a fraction.
 fn shaken(codes: &[Code], shake: f64) -> Runnable<4, 2048> {
     let mut draft = Draft::new(&[("p", 0.7)], &["x", "y"]);
     let value = expression(&mut draft, codes, shake);
@@ -191,8 +188,8 @@ fn step() -> impl Strategy<Value = Motions<4>> {
     })
 }
 
-/// How far rounding may put the values of an expression off over a step: what small errors of all
-/// its parts make of them. It is 1e-11 for asin(cos(1e-5)), each of which is good to 1e-16.
+/// Returns the error of an expression over a step by rounding: the effect of small errors of all
+/// its parts. It is 1e-11 for asin(cos(1e-5)), each part of which is good to 1e-16.
 fn rounding(codes: &[Code], step: &Motions<4>) -> f64 {
     let only = (ModeNumber(0), GuardId(0));
     let exact = step.values(&guarded(codes), only.0, only.1);
@@ -204,7 +201,7 @@ fn rounding(codes: &[Code], step: &Motions<4>) -> f64 {
     most
 }
 
-/// Checks that an expression goes and bends no further over a step than `model`'s bound of it.
+/// Checks that an expression moves and bends no further over a step than `model`'s bound of it.
 fn check(
     model: &Runnable<4, 2048>,
     codes: &[Code],
@@ -213,7 +210,7 @@ fn check(
     let Some([moved, bent, size]) = step.seen(model, ModeNumber(0), GuardId(0)) else {
         return Ok(());
     };
-    // Beyond this it is mostly rounding: 1/softplus(−34), whose value has but one digit.
+    // Beyond this it is mostly rounding: 1/softplus(−34) has a single correct digit.
     if size > 1e6 {
         return Ok(());
     }
@@ -233,13 +230,12 @@ fn check(
     Ok(())
 }
 
-/// Lists of codes of expressions.
 fn expressions() -> impl Strategy<Value = Vec<Code>> {
     prop::collection::vec((0_u8..60, -2.0..2.0_f64), 1..14)
 }
 
 proptest! {
-    // The same cases in each run.
+    // Every run has the same cases.
     #![proptest_config(ProptestConfig {
         cases: 512,
         failure_persistence: None,
@@ -259,7 +255,7 @@ proptest! {
     }
 }
 
-/// x + asin(cos(u)) is x + π/2 − u, whose values have no rounding to speak of, for a u of 1e-5.
+/// x + asin(cos(u)) is x + π/2 − u, with values of negligible rounding for a u of 1e-5.
 #[test]
 fn the_bound_of_an_angle_near_its_end_is_that_of_the_angle() {
     let angle = [(18, 0.0), (0, 0.0), (21, 0.0), (26, 0.0), (49, 0.0)];
@@ -273,7 +269,7 @@ fn the_bound_of_an_angle_near_its_end_is_that_of_the_angle() {
     let bound = guarded(&turned).guard_bound(only.0, only.1, &step.enclosure());
     assert!(moved <= bound.moves && bound.moves < 1.001 * moved, "{moved:e}, {bound:?}");
     assert!(bent <= bound.bend && bound.bend < 1.001 * bent, "{bent:e}, {bound:?}");
-    // What is seen of the other is off by its rounding, which is known.
+    // The other is off by its rounding, which is known.
     let [_, rough, _] = step.seen(&guarded(&turned), only.0, only.1).unwrap();
     let off = 4.0 * (LOOKS * LOOKS) as f64 * rounding(&turned, &step);
     assert!((rough - bent).abs() > 1e-8 && (rough - bent).abs() < off, "{rough:e}, {off:e}");

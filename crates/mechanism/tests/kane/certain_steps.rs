@@ -1,4 +1,4 @@
-//! How many steps of a played stroke are certain to hide no crossing.
+//! Number of a played stroke's steps that are certain to hide no crossing.
 
 #![expect(
     clippy::cast_possible_truncation,
@@ -15,7 +15,7 @@ use crate::kane::reference::Case;
 use crate::kane::runnable::{GRAND, RIGID, Runnable, SPRINGS, ShippedModel, built_in};
 use crate::kane::stroke::{presses, still};
 
-/// Certain steps over all.
+/// Returns the fraction of certain steps.
 fn share(work: &Work) -> f64 {
     f64::from(work.certain) / f64::from(work.certain + work.unknown)
 }
@@ -44,8 +44,8 @@ fn count<const N: usize>(
     quiet
 }
 
-/// Of the ticks without an event, nearly all steps are certain: all but those in which a guard
-/// is as near to zero as it can go in one.
+/// Checks that nearly all steps without an event are certain: all but those in which a guard is as
+/// near to zero as it can move in one step.
 #[track_caller]
 fn check(label: &str, quiet: &Work) {
     assert!(share(quiet) > 0.995, "{label}: {quiet:?}");

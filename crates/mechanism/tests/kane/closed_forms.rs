@@ -1,5 +1,3 @@
-//! Mechanisms whose equations are known in closed form.
-
 use crate::kane::builder::MechanismBuilder;
 use crate::kane::evaluation::{Derived, Numbers, close};
 
@@ -74,7 +72,7 @@ fn a_rolling_disc() {
     let parameters = [("m", 0.8), ("r", 0.3), ("g", 9.81)];
     let mut m = MechanismBuilder::new(&parameters, &["x", "y", "phi", "theta", "psi"]);
     m.gravity(&["0", "0", "-g"]);
-    // The disc stands in the plane of x and z of its leaning frame, its axis is y.
+    // The disc is in the plane of x and z of its leaning frame, its axis is y.
     let yaw = m.frame_about(0, &["x", "y", "0"], Some((2, "phi")));
     let lean = m.frame_about(yaw, &["0", "0", "0"], Some((0, "theta")));
     let spin = m.frame_about(lean, &["0", "0", "r"], Some((1, "psi")));
@@ -86,7 +84,7 @@ fn a_rolling_disc() {
         &["0", "0", "0"],
         [Some(across), Some(along), Some(across), None, None, None],
     );
-    // The point of contact moves on the floor as the rim unrolls: (x, y) is that point.
+    // The point of contact (x, y) moves on the floor as the rim unrolls.
     m.nonholonomic("roll_x", "x' - r*psi'*cos(phi)");
     m.nonholonomic("roll_y", "y' - r*psi'*sin(phi)");
     m.mode("rolls", &[0, 1]);

@@ -1,11 +1,9 @@
-//! Contacts and frictions against the same forces written as forces.
-
 use mechanism::kane::mechanism::{DryFriction, Force, MechanismContact};
 
 use crate::kane::builder::MechanismBuilder;
 use crate::kane::evaluation::{Derived, Numbers, close};
 
-/// Two links that a joint holds together, driven by the input at the first.
+/// Two links with a joint, driven by the input at the first.
 fn links() -> MechanismBuilder {
     let mut m = MechanismBuilder::new(&[("l", 0.3), ("K", 900.0)], &["a", "b"]);
     m.gravity(&["0", "-9.81"]);
@@ -13,7 +11,6 @@ fn links() -> MechanismBuilder {
     m.body(first, "0.4", &["l/2"], "0.002");
     let second = m.frame(first, &["l", "0"], "b");
     m.body(second, "0.3", &["l/2"], "0.001");
-    // The tip above a floor at −0.4 m.
     m.define("gap", "l*sin(a) + l*sin(a + b) + 0.4 + 0.1*s");
     m.define("slip", "0.2*s' - l*sin(a)*a' - l*sin(a + b)*(a' + b')");
     m
@@ -28,7 +25,6 @@ fn with_contact() -> Derived {
     m.names.insert("rate_of_gap".into(), gap_rate);
     let (tension, energy) = (m.e(FORCE), m.e("K*max(0, -gap)^2/2"));
     let (stretch, stretch_rate) = (m.graph().negate(gap), m.graph().negate(gap_rate));
-    // The force along the stretch −gap that makes it smaller.
     let force = Force { name: "tip".into(), stretch, stretch_rate, tension, energy };
     let (slip, stiction, kinetic) = (m.e("slip"), m.e("2"), m.e("1"));
     let friction =
@@ -46,14 +42,13 @@ fn with_contact() -> Derived {
     Derived::from(m)
 }
 
-/// Which of a contact's forces.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum ForceKind {
     Normal,
     Friction,
 }
 
-/// The same with the contact's law, or with 1 N along the slip, as a plain force.
+/// Replaces the contact's law, or 1 N along the slip, by a plain force.
 fn with_force(kind: ForceKind) -> Derived {
     let mut m = links();
     let gap = m.e("gap");

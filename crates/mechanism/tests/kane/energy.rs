@@ -1,9 +1,6 @@
-//! A closed chain whose solution is stated, and the same projected.
-
 use crate::kane::builder::MechanismBuilder;
 use crate::kane::evaluation::{Derived, Numbers, close};
 
-/// A crank and a slider, with the rod's angle as it is asked for.
 fn slider_crank(solve: impl FnOnce(&mut MechanismBuilder)) -> Derived {
     let mut m = MechanismBuilder::new(&[("r", 0.1), ("l", 0.3), ("k", 50.0)], &["a", "b", "x"]);
     m.gravity(&["0", "-9.81"]);

@@ -1,5 +1,3 @@
-//! What cannot be derived is said in a sentence that names the mode.
-
 use mechanism::kane::mechanism::Target;
 
 use crate::kane::builder::MechanismBuilder;

@@ -1,7 +1,7 @@
-//! Bounds of the guards of the models of the program over a step, against what guards do there.
+//! Bounds of the shipped models' guards over a step, against the guards along random steps.
 //!
-//! Steps are random cubics from random places: what holds along them holds along any method's
-//! dense output.
+//! Steps are random cubics from random states: their properties hold for the dense output of any
+//! method.
 
 use instruments::equations::ModeNumber;
 use pode::input::Cubic;
@@ -14,32 +14,31 @@ use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{Runnable, ShippedModel, built_in, modes};
 use crate::kane::stroke::still;
 
-/// Entries of a state, with room for all.
+/// Entries of a state, enough for all models.
 const N: usize = 4;
 
 type Model = Runnable<N>;
 
-/// Looks at each guard over one step.
+/// Samples of each guard over one step.
 const LOOKS: usize = 64;
 
-/// A motion over one step: the state's cubic and the input's.
+/// Motion over one step: the state's cubic and the input's.
 struct Motions {
     h: f64,
     orbit: Polynomial<[f64; N], 4>,
     input: Cubic,
 }
 
-/// How a step is chosen.
+/// Choice of random steps.
 #[derive(Clone, Copy)]
 enum Steps {
-    /// Anything within the ranges; every other term is left out, so that each stands alone at
-    /// times.
+    /// Anything within the ranges; every other term is left out, so that each is alone at times.
     Any,
-    /// As a key is played: all entries move, none of them wildly.
+    /// Steps as in playing: all entries move, none of them wildly.
     Played,
 }
 
-/// A random step of `model` in `mode`, with the state at its start.
+/// Returns a random step of `model` in `mode`, with the state at its start.
 fn step(
     model: &Model,
     mode: ModeNumber,
@@ -76,15 +75,14 @@ fn step(
     (x, Motions { h, orbit: Polynomial::new(terms, end), input })
 }
 
-/// What a guard did over a step, and what the model allows: moves and bend.
+/// Moves and bend of a guard over a step, and the model's bounds.
 struct Found {
     seen: [f64; 2],
     allowed: [f64; 2],
-    /// What rounding makes of both.
+    /// Rounding errors of both.
     rounding: [f64; 2],
 }
 
-/// Follows `guard` over a step.
 fn follow(
     (model, mode): (&Model, ModeNumber),
     guard: &GuardSpec,
@@ -115,7 +113,7 @@ fn follow(
     }
 }
 
-/// The model with a preset's values of one key, each times a random factor and put back into
+/// Returns the model with a preset's values of one key, each times a random factor and clamped to
 /// its range; a spread of 0 keeps the preset.
 fn varied(
     shipped: &ShippedModel,
@@ -135,8 +133,7 @@ fn between(numbers: &mut Numbers, low: f64, high: f64) -> f64 {
     low + (high - low) * 0.5 * (1.0 + numbers.next())
 }
 
-/// Random steps of every guard of every mode of every preset of two keys, each as it is and with
-/// its values varied.
+/// Checks random steps of every guard, mode and preset on two keys, with and without varied values.
 fn every_guard(
     shipped: &ShippedModel,
     sample: (usize, Steps),
@@ -153,7 +150,6 @@ fn every_guard(
     }
 }
 
-/// `n` random steps of every guard of every mode of `model`.
 fn every_step(
     model: &Model,
     preset: &str,
@@ -181,7 +177,7 @@ fn bounds_hold(shipped: &ShippedModel) {
     every_guard(shipped, (200, Steps::Any), &spreads, |label, found| {
         for (what, i) in [("moves", 0), ("bend", 1)] {
             let (seen, allowed) = (found.seen[i], found.allowed[i]);
-            // What is not a number says nothing, and is taken as such.
+            // NaN makes no claim and passes.
             let breaks = seen > allowed * (1.0 + 1e-9) + found.rounding[i];
             assert!(!breaks, "{label}: {what} {seen:e}, allowed {allowed:e}");
         }
@@ -193,11 +189,11 @@ fn bounds_are_not_much_wider_than_what_guards_do() {
     built_in().into_iter().for_each(bounds_are_tight);
 }
 
-/// Guards that read the input's acceleration: their bend would take its second derivative.
+/// Guards that read the input's acceleration: their bend would need its second derivative.
 const WITHOUT_BEND: [&str; 2] = ["key-hammer-rigid A1 release", "bouncing-ball rest lift"];
 
-/// Most of the steps allow less than four times what was seen: sums of magnitudes do not see
-/// what cancels, and random motions cancel somewhat.
+/// Most of the steps allow less than four times the observed bend: sums of magnitudes ignore
+/// cancellation, and random motions cancel somewhat.
 fn bounds_are_tight(shipped: &ShippedModel) {
     const FACTOR: f64 = 4.0;
     let mut ratios: Vec<(String, [Vec<f64>; 2])> = Vec::new();
@@ -223,7 +219,7 @@ fn bounds_are_tight(shipped: &ShippedModel) {
     }
 }
 
-/// The middle of a list; 0 if it is empty.
+/// Returns the median of a list; 0 if it is empty.
 fn median(list: &mut [f64]) -> f64 {
     list.sort_by(f64::total_cmp);
     list.get(list.len() / 2).copied().unwrap_or(0.0)

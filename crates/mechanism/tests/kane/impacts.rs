@@ -1,4 +1,3 @@
-//! The described ball, wall and cart against closed forms.
 #![expect(
     clippy::float_cmp,
     clippy::large_stack_frames,
@@ -10,10 +9,10 @@ use pode::{Model as _, Motion};
 use crate::kane::runnable::{BALL, CART, WALL, guard, mode};
 use crate::kane::stroke::{bells, run, sine, still};
 
-/// √(2/g), the fall from 1 m (s).
+/// Time √(2/g) of the fall from 1 m (s).
 const T1: f64 = 0.451_523_640_985_730_9;
 
-/// Case C1: the bounces, their end, and what the floor got.
+/// Checks case C1: the bounces, their end, and the floor's impulse.
 #[track_caller]
 fn check_drop(e: f64, h: f64, floor: f64) {
     let model = BALL.model::<2>("default", 0, &[("restitution", e)]);
@@ -46,7 +45,7 @@ fn a_dropped_ball_bounces_at_its_times_and_comes_to_rest() {
     check_drop(0.8, 1e-3, 0.01);
 }
 
-/// Case C2: the ball on the shaker.
+/// Case C2: amplitude (m) and angular frequency (rad/s) of the shaker.
 const SHAKER: (f64, f64) = (2e-3, 40.0 * core::f64::consts::PI);
 
 #[test]
@@ -59,8 +58,8 @@ fn a_shaken_ball_lifts_off_and_lands_at_the_given_times() {
         let (lift, landing) = (&audited.events[0], &audited.events[1]);
         let speed = landing.before.1[1] - landing.input.rate;
         assert!((lift.t - 0.002_513_355_797_052_246).abs() < 1e-14, "lift-off at {}", lift.t);
-        // The flight is a parabola: what is left is the rounding of lift-off, grown over
-        // a flight of 50 ms from a guard with a triple zero.
+        // The flight is a parabola: the error is the rounding of lift-off, grown over a flight of
+        // 50 ms from a guard with a triple zero.
         assert!((landing.t - 0.051_865_286_988_733_95).abs() < 1e-13, "landing at {}", landing.t);
         assert!((speed + 0.489_701_201_981_647_3).abs() < 1e-11, "landing at {speed} m/s");
     }
@@ -115,9 +114,8 @@ fn the_wall_pushes_back_and_never_pulls() {
     assert!(audited.ticks.iter().all(|tick| tick.mean_readout >= 0.0 && tick.end_readout >= 0.0));
     let peak = audited.ticks.iter().map(|tick| tick.end_readout).fold(0.0, f64::max);
     assert!(peak > 14.0, "{peak} N at least: 7 mm into 2 kN/m");
-    // What the finger put in went into the damper, and nothing is left in the wall. The
-    // force has a kink where it would begin to pull, over which Simpson's rule is of
-    // second order.
+    // The finger's work went into the damper, and none is left in the wall. The force has a kink
+    // where it would begin to pull, over which Simpson's rule is of second order.
     assert!(audited.audit.dissipated > 0.0);
     assert!(audited.audit.integration.abs() < 1e-6, "residual {:e} J", audited.audit.integration);
     assert!(audited.audit.stored.abs() < 1e-15);
@@ -144,7 +142,7 @@ fn a_held_cart_comes_off_when_the_spring_lets_it() {
     let model = CART.model::<4>("key", 0, &[("b", 0.0)]);
     let start = model.at_rest(&still(0.05));
     assert_eq!(start.0, mode(&model, "right"));
-    // s falls linearly through the wall's place at 0.1 s; the pendulum hangs still.
+    // s falls linearly through the wall's position at 0.1 s; the pendulum hangs still.
     let input = |t: f64| Motion { position: 0.05 - 0.1 * t, rate: -0.1, ..Motion::default() };
     let (audited, cart) = run(&model, start, (1e-3, 0.15), input);
     assert_eq!(audited.names(), ["off"]);
@@ -155,7 +153,7 @@ fn a_held_cart_comes_off_when_the_spring_lets_it() {
 #[test]
 fn a_cart_that_is_pressed_against_a_wall_does_not_chatter() {
     let model = CART.model::<4>("key", 0, &[]);
-    // The key goes to its bottom and comes back, once a second.
+    // The key moves to its bottom and back, once a second.
     let input = |t: f64| {
         let wave = sine(0.025, 2.0 * core::f64::consts::PI, t);
         Motion { position: wave.position + 0.025, ..wave }
@@ -163,8 +161,8 @@ fn a_cart_that_is_pressed_against_a_wall_does_not_chatter() {
     let start = (mode(&model, "free"), [0.025, 0.0, 0.0, 0.0]);
     let (audited, _) = run(&model, start, (1e-3, 5.0), input);
     assert!(audited.generated < 1e-15, "an impact made {:e} J", audited.generated);
-    // The move to the end of the bounces takes a part of a tick, in which the pendulum
-    // swings on by a parabola: third order in that part.
+    // The move to the end of the bounces takes a part of a tick, in which the pendulum swings on
+    // by a parabola: third order in that part.
     assert!(audited.generated_settling < 1e-9, "settling made {:e} J", audited.generated_settling);
     assert!(audited.events.len() < 2000, "{} events in 5 s", audited.events.len());
     assert!(audited.names().contains(&"settled"), "it never came to rest at the wall");

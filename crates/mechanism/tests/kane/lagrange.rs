@@ -1,10 +1,10 @@
-//! Equations of described models against what follows from geometry and energy alone.
+//! Equations of described models against geometry and energy alone.
 //!
-//! Bodies are placed by vectors, energies computed from where they are, and Lagrange's
-//! equations formed by finite differences; no formula of the models is used.
-//! A five-point difference at 1e-3 of functions of scale 1 is off by 1e-13 (truncation
-//! h⁴/30) plus 1e-13 (rounding ε/h); mass matrices multiply that by at most the spread
-//! of the energies, 1e3 here.
+//! Bodies are placed by vectors, energies computed from their positions, and Lagrange's equations
+//! formed by finite differences; no formula of the models is used.
+//! A five-point difference at 1e-3 of functions of scale 1 is off by 1e-13 (truncation h⁴/30) plus
+//! 1e-13 (rounding ε/h); mass matrices multiply that by at most the spread of the energies, 1e3
+//! here.
 
 #![expect(clippy::float_cmp, reason = "what is copied or declared zero is so to the bit")]
 
@@ -14,7 +14,7 @@ use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{BALL, CART, RIGID, Runnable, SPRINGS, guard, mode, output, value};
 use crate::kane::stroke::still;
 
-/// Relative error that the differences are allowed.
+/// Relative error allowed for the differences.
 const TOLERANCE: f64 = 1e-9;
 
 type Vector = [f64; 2];
@@ -35,15 +35,14 @@ fn combined(a: Vector, scale: f64, b: Vector) -> Vector {
     [a[0] + scale * b[0], a[1] + scale * b[1]]
 }
 
-/// f'(0) by five points.
+/// Returns f'(0) by five points.
 fn slope(f: impl Fn(f64) -> f64) -> f64 {
     const H: f64 = 1e-3;
     (8.0 * (f(H) - f(-H)) - (f(2.0 * H) - f(-2.0 * H))) / (12.0 * H)
 }
 
-/// q'' of a system of two coordinates with Lagrangian L(q, q') under the forces `applied`.
-///
-/// L is quadratic in q': its second differences over unit steps are exact.
+/// Returns q'' of two coordinates with Lagrangian L(q, q') under the forces `applied`. L is
+/// quadratic in q': its second differences over unit steps are exact.
 fn lagrange(
     lagrangian: impl Fn(Vector, Vector) -> f64,
     q: Vector,
@@ -65,7 +64,6 @@ fn lagrange(
         let carried = slope(|d| momentum(combined(q, d, v), i));
         force - carried + applied[i]
     });
-    // Eliminate the first coordinate.
     let share = mass(0, 1) / mass(0, 0);
     let second = (f[1] - share * f[0]) / (mass(1, 1) - share * mass(0, 1));
     [f[0] / mass(0, 0) - share * second, second]
@@ -77,7 +75,7 @@ fn agree(what: &str, got: f64, expected: f64, scale: f64) {
     assert!(error <= TOLERANCE * (scale + expected.abs()), "{what}: {got} is not {expected}");
 }
 
-/// The parameters of models A and B that place bodies and springs.
+/// Parameters of models A and B that place bodies and springs.
 struct Parameters {
     l1: f64,
     l2: f64,
@@ -102,17 +100,18 @@ impl Parameters {
         Self { l1, l2, l3, l4, m1, m2, k1, k2, ck, jk, jh, g }
     }
 
-    /// The slider's nominal point on a key at the angle `key`, seen from the hammer's pivot.
+    /// Returns the slider's nominal point on a key at the angle `key`, seen from the hammer's
+    /// pivot.
     fn slider(&self, key: f64) -> Vector {
         combined(combined([0.0; 2], self.l1, direction(key)), -1.0, [self.l3, self.l4])
     }
 
-    /// Compression of k2: from the slider's nominal point on K, along K's normal, to H.
+    /// Returns the compression of k2: from the slider's nominal point on K, along K's normal, to H.
     fn compression(&self, hammer: f64, key: f64) -> f64 {
         dot(self.slider(key), normal(hammer)) / dot(normal(key), normal(hammer))
     }
 
-    /// L of model B with the hammer's mass anywhere on a body of inertia JH.
+    /// Returns L of model B with the hammer's mass anywhere on a body of inertia JH.
     fn springs_lagrangian(&self, mode: &str, s: f64, q: Vector, v: Vector) -> f64 {
         let [hammer, key] = q;
         let kinetic = 0.5 * (self.jh * v[0] * v[0] + self.jk * v[1] * v[1]);
@@ -124,7 +123,6 @@ impl Parameters {
     }
 }
 
-/// A number between two.
 fn between(numbers: &mut Numbers, low: f64, high: f64) -> f64 {
     low + (high - low) * 0.5 * (1.0 + numbers.next())
 }
@@ -163,7 +161,7 @@ fn model_b_is_lagranges_equations_of_its_energy() {
             let expected = lagrange(l, q, v, applied);
             let dx = model.derivative(mode, &x, &s);
             assert_eq!([dx[0], dx[1]], v);
-            // The largest acceleration that the springs give in a case.
+            // Largest acceleration by the springs in a case.
             let scale = p.k1 / p.jk + p.k2 * (p.l1 * p.l1 / p.jk + 0.1 / p.jh);
             agree("θh''", dx[2], expected[0], scale);
             agree("θk''", dx[3], expected[1], scale);
@@ -192,7 +190,7 @@ fn the_slider_moves_as_the_identities_say() {
     });
 }
 
-/// Checks what the string makes of a hammer in `mode`.
+/// Checks the effect of the string on a hammer in `mode`.
 #[track_caller]
 fn check_string<const N: usize>(model: &Runnable<N>, name: &str, x: [f64; N], speed: usize) {
     let mode = mode(model, name);
@@ -214,7 +212,6 @@ fn the_string_throws_the_hammer_back_by_its_restitution() {
     }
 }
 
-/// s(t) with constant s''.
 fn moved(s: &Motion, t: f64) -> f64 {
     s.position + t * (s.rate + 0.5 * t * s.acceleration)
 }
@@ -228,7 +225,7 @@ fn model_a_is_virtual_work() {
         for _ in 0..200 {
             let s = Motion {
                 position: between(&mut numbers, 0.0, 0.04),
-                // The differences are over 1 ms: the hammer must not go far in it.
+                // The differences are over 1 ms, in which the hammer must not go far.
                 rate: between(&mut numbers, 0.02, 0.2),
                 acceleration: 2.0 * numbers.next(),
                 jerk: 0.0,
@@ -278,7 +275,6 @@ fn cart_lagrangian(model: &Runnable<4>, s: f64, q: Vector, v: Vector) -> f64 {
     kinetic - bob_mass * g * bob[1] - 0.5 * k * (s - x).powi(2)
 }
 
-/// Random carts, states and inputs.
 fn cart_cases(mut check: impl FnMut(&Runnable<4>, [f64; 4], Motion)) {
     let mut numbers = Numbers::new(11);
     for name in ["default", "key"] {

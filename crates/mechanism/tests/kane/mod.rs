@@ -1,5 +1,4 @@
-//! Tests of what a mechanism's equations are, and of the programs that are assembled from them,
-//! against closed forms, models written by hand, and other programs.
+//! Mechanisms and their programs against closed forms, models by hand, and other programs.
 #![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 
 mod assembled;

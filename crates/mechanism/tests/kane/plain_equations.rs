@@ -1,10 +1,7 @@
-//! Modes whose speeds have plain equations, without a mechanism.
-
 use crate::kane::builder::MechanismBuilder;
 use crate::kane::evaluation::{Derived, Numbers, close};
 
-/// A hammer on a key, z = y² here: its force is what its acceleration takes, and the guard reads
-/// that acceleration.
+/// A hammer on a key, z = y² here: its force balances its acceleration, which the guard reads.
 #[test]
 fn a_slaved_coordinate_follows_a_plain_equation() {
     let mut m = MechanismBuilder::new(&[("k", 3.0), ("m", 0.2)], &["y", "z"]);
@@ -37,7 +34,7 @@ fn a_slaved_coordinate_follows_a_plain_equation() {
         close(value, 0.2 * (bent + 9.81), 1e-13, "leave");
         let jerk = 3.0 * (input[1] - u);
         close(rate, 0.4 * (3.0 * u * a + y * jerk), 1e-13, "leave's rate");
-        // Landing puts z and z' onto the key, and keeps y and y'.
+        // Landing sets z and z' from the key, and keeps y and y'.
         let way = &d.system.modes[1].guards[0].ways[0];
         let after = d.all(&way.state, &[y, z, u, w], input);
         for (found, expected) in after.iter().zip([y, y * y, u, 2.0 * y * u]) {

@@ -13,17 +13,16 @@ use crate::kane::stroke::{Seen, run, still};
 const DIP: f64 = 0.010_16;
 const FRONT: f64 = 0.2595;
 
-/// The model B of every key.
 fn compass() -> impl Iterator<Item = (u8, Runnable<4>)> {
     (0..88).map(|key| (key, SPRINGS.model("playable", key, &[])))
 }
 
-/// Hammer angle at rest with the key front `down` (m).
+/// Returns the hammer angle at rest with the key front `down` (m).
 fn hammer<const N: usize>(model: &Runnable<N>, down: f64) -> f64 {
     model.at_rest(&still(down / FRONT)).1[0]
 }
 
-/// Distance of the head below the string (m) at that rest.
+/// Returns the distance of the head below the string (m) at that rest.
 fn short<const N: usize>(model: &Runnable<N>, down: f64) -> f64 {
     value(model, "L2") * (value(model, "string_angle") - hammer(model, down))
 }
@@ -62,7 +61,7 @@ fn every_key_is_balanced() {
             let input = still(down / FRONT);
             let (mode, x) = model.at_rest(&input);
             let force = model.readout(mode, &x, &input) * model.input_per_metre();
-            // 39 gf, 0.382 N, with the hammer level; 0.03 N less where it slopes most.
+            // 39 gf, 0.382 N, with the hammer level; 0.03 N less at its steepest.
             assert!((0.34..0.385).contains(&force), "key {key} at {down}: {force:.4} N");
             let rigid = RIGID.model::<2>("playable", key, &[]);
             let (mode, x) = rigid.at_rest(&input);
@@ -73,7 +72,7 @@ fn every_key_is_balanced() {
     }
 }
 
-/// A press to the bottom in `duration` (s), of minimum jerk, that stays there.
+/// Returns a minimum-jerk press to the bottom in `duration` (s).
 fn press(duration: f64, t: f64) -> Motion {
     let z = (t / duration).clamp(0.0, 1.0);
     let bottom = DIP / FRONT;
@@ -87,7 +86,6 @@ fn press(duration: f64, t: f64) -> Motion {
     }
 }
 
-/// Speeds (m/s) at which the string was struck.
 fn strikes(key: u8, duration: f64) -> Vec<f64> {
     let model = SPRINGS.model::<4>("playable", key, &[]);
     let (audited, _) = run(&model, model.at_rest(&still(0.0)), (1e-3, 1.0), |t| press(duration, t));
@@ -112,7 +110,7 @@ fn a_press_sounds_once() {
     for key in [0, 39, 87] {
         for duration in [0.12, 0.06, 0.03] {
             let all = strikes(key, duration);
-            // What follows the strike is at most a fifth of it: no second note.
+            // Later strikes have at most a fifth of the speed: no second note.
             assert!(all[1..].iter().all(|it| *it < 0.2 * all[0]), "key {key}: {all:?}");
         }
     }
@@ -140,8 +138,8 @@ fn pressing_past_the_bottom_neither_caps_nor_rattles() {
 #[test]
 #[expect(clippy::float_cmp, reason = "what is kept is kept to the bit")]
 fn a_hammer_pushed_through_the_string_is_not_put_back() {
-    // Model A's contact is rigid: 1.5 mm past the bottom the head is past the string.
-    // A key that drops faster than the hammer can fall leaves it there.
+    // Model A's contact is rigid: 1.5 mm past the bottom the head is past the string. A key that
+    // drops faster than the hammer can fall leaves it there.
     let model = RIGID.model::<2>("playable", 39, &[]);
     let bottom = (DIP + 1.5e-3) / FRONT;
     let input = |t: f64| {
@@ -160,7 +158,7 @@ fn a_hammer_pushed_through_the_string_is_not_put_back() {
     assert_eq!(audited.events[0].before.1, audited.events[0].after.1, "a release keeps the state");
 }
 
-/// The force at the finger under a sampled input, against that under the exact one (N).
+/// Returns the force at the finger under a sampled input, and that under the exact one (N).
 fn deviation(kind: Reconstruction, quantum: f64, noise: f64) -> f64 {
     const H: f64 = 1e-3;
     let model = SPRINGS.model::<4>("playable", 39, &[]);
@@ -184,9 +182,9 @@ fn deviation(kind: Reconstruction, quantum: f64, noise: f64) -> f64 {
 
 #[test]
 fn a_quantised_and_noisy_input_moves_the_force_by_a_bounded_amount() {
-    // 10 µm of quantum and one of noise: s is off by up to q = 15 µm, the rate that a
-    // parabola makes of it by 4 q / h, and the damper passes that on: b1 4 q / (h r²).
-    // The key on its coupling rings on top, at most as high again.
+    // 10 µm of quantum and one of noise: s is off by up to q = 15 µm, the rate of a parabola
+    // through it by 4 q / h, and the damper passes that on: b1 4 q / (h r²). The key on its
+    // coupling rings on top, at most as high again.
     let (q, h) = (1.5e-5, 1e-3);
     let (k1, b1) = (300.0, 0.12);
     let bound = |rates: f64| 2.0 * (k1 * q + b1 * rates * q / h) / (FRONT * FRONT);

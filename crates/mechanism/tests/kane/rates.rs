@@ -1,5 +1,4 @@
-//! Rates of guards and slopes of readouts against differences, in every mode of the models of the
-//! program.
+//! Rates of guards and slopes of readouts against differences, in every mode of shipped models.
 
 use instruments::equations::ModeNumber;
 use pode::{Guarded as _, Model as _, Motion, Sloped as _, differenced_slopes};
@@ -7,13 +6,13 @@ use pode::{Guarded as _, Model as _, Motion, Sloped as _, differenced_slopes};
 use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{Runnable, ShippedModel, built_in, modes};
 
-/// Random places in each mode, for each preset.
+/// Random states in each mode, for each preset.
 const PLACES: usize = 100;
 
 /// Time between the five points of a difference (s).
 const H: f64 = 1e-7;
 
-/// Somewhere about 5 mm of the key around its rest, and an input that moves.
+/// Returns a state about 5 mm of the key around its rest, and an input that moves.
 fn somewhere(model: &Runnable<4>, mode: ModeNumber, numbers: &mut Numbers) -> ([f64; 4], Motion) {
     let size = 5e-3 * model.input_per_metre();
     let [position, rate, acceleration, jerk] =
@@ -26,7 +25,7 @@ fn somewhere(model: &Runnable<4>, mode: ModeNumber, numbers: &mut Numbers) -> ([
     (model.constrain(mode, &x, &input), input)
 }
 
-/// Compares each guard's rate in `mode` with how its value changes along the motion.
+/// Compares each guard's rate in `mode` with the change of its value along the motion.
 fn check_rates(model: &Runnable<4>, mode: ModeNumber, (x, s): ([f64; 4], Motion)) {
     let dx = model.derivative(mode, &x, &s);
     for spec in model.guards(mode) {
@@ -42,14 +41,14 @@ fn check_rates(model: &Runnable<4>, mode: ModeNumber, (x, s): ([f64; 4], Motion)
         };
         let seen = (8.0 * (value(H) - value(-H)) - (value(2.0 * H) - value(-2.0 * H))) / (12.0 * H);
         let guard = model.guard(mode, spec.id, &x, &s);
-        // Rounding of a value over H, and of what it is a difference of.
+        // Rounding of a value over H, and of its terms.
         let bound = 1e-6 * guard.rate.abs() + 1e-8 * (guard.value.abs() + spec.scale);
         let off = (seen - guard.rate).abs();
         assert!(off < bound, "{}: {} is not {seen}, {s:?}", spec.name, guard.rate);
     }
 }
 
-/// Compares the readout's slopes with its differences, which know six digits.
+/// Compares the readout's slopes with its differences, which have six correct digits.
 fn check_slopes(model: &Runnable<4>, mode: ModeNumber, (x, s): ([f64; 4], Motion)) {
     let found = model.slopes(mode, &x, &s);
     let rough = differenced_slopes(model, mode, &x, &s);

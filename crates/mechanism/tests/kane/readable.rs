@@ -1,5 +1,3 @@
-//! Equations for people.
-
 use mechanism::kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
 use mechanism::kane::mechanism::{
     Coordinate, GuardBranch, Mechanism, MechanismParameter, Mode, Speed,
@@ -103,7 +101,6 @@ fn an_expression_of_any_depth_is_written() {
     assert_eq!(lines.len(), 1);
 }
 
-/// A ball that bounces: two states, one guard.
 fn ball() -> EquationSystem {
     let mut graph = Graph::new();
     let [g, e] = [0, 1].map(|at| graph.symbol(Place::Parameter(at)));

@@ -1,5 +1,3 @@
-//! Where described models rest, against closed forms.
-
 use instruments::equations::ModeNumber;
 use mechanism::kane::derive_model;
 use pode::contacts::WithContacts;
@@ -9,7 +7,7 @@ use pode::{Limits, Silent, Simulator};
 use crate::kane::runnable::{self, CART, Run, WALL, described, model, shipped};
 use crate::kane::stroke::still;
 
-/// A beam on two felts, its weight nearer to the left one; it starts above both.
+/// Beam on two felts, its weight nearer to the left one; it starts above both.
 const BEAM: &str = r#"
 name = "beam"
 summary = "a beam on two felts"
@@ -105,7 +103,6 @@ fn the_mode_at_rest_is_the_one_that_holds_under_the_input() {
             assert!((a - b).abs() < 1e-9, "at {input}: {:?}", pose.state);
         }
     }
-    // It has no states: one more entry stays 0.
     let wall = WALL.model::<1>("default", 0, &[]);
     for (input, mode) in [(0.0, 0), (4e-3, 0), (9e-3, 1), (20e-3, 1)] {
         assert_eq!(wall.at_rest(&still(input)).0, ModeNumber(mode), "at {input}");

@@ -1,4 +1,3 @@
-//! Rigid contacts beside the same modes written by hand.
 #![expect(clippy::unwrap_used, reason = "a test fails aloud")]
 
 use mechanism::kane::derive_model;
@@ -8,7 +7,7 @@ use pode::{Limits, Motion, RunRecorder, Simulator};
 
 use crate::kane::runnable::{Run, described, model, shipped};
 
-/// A run's events, by name, mode and time, and its state every millisecond.
+/// Events of a run, by name, mode and time, and its state every millisecond.
 type Story<const N: usize> = (Vec<(String, u8, f64)>, Vec<[f64; N]>);
 
 fn story<const N: usize>(text: &str, until: f64, input: impl Fn(f64) -> Motion) -> Story<N> {
@@ -35,7 +34,6 @@ fn same<const N: usize>(one: &Story<N>, other: &Story<N>) {
     }
 }
 
-/// Slowly to the right, held there, then to the left and back.
 fn to_and_fro(t: f64) -> Motion {
     let (sin, cos) = (2.0 * t).sin_cos();
     Motion { position: 0.12 * sin, rate: 0.24 * cos, acceleration: -0.48 * sin, jerk: -0.96 * cos }
@@ -119,7 +117,6 @@ to = "swing"
     same(&one, &other);
 }
 
-/// A mass in a plane with stops on its sides.
 fn stops(count: usize, extra: &str) -> String {
     let text = r#"
 name = "stops"
@@ -202,7 +199,7 @@ fn an_impact_of_a_rigid_contact_keeps_the_momentum_along_it() {
     );
     let mut recorder = RunRecorder::new(1e-3);
     assert!(simulator.run(1.0, 1e-3, |_| Motion::default(), &mut recorder).is_completed());
-    // It meets the stop at 0.5 s, and goes back by a quarter of its speed.
+    // It meets the stop at 0.5 s, and returns at a quarter of its speed.
     let [x, y, u, v] = *simulator.state();
     assert!((x - 0.875).abs() < 1e-12 && (y - 0.3).abs() < 1e-12, "{x} {y}");
     assert!((u + 0.25).abs() < 1e-12 && (v - 0.3).abs() < 1e-12, "{u} {v}");

@@ -1,4 +1,4 @@
-//! Models that run, from descriptions: the one file that knows how a test gets one.
+//! Runnable models from descriptions, for all tests.
 
 use std::sync::LazyLock;
 
@@ -10,11 +10,11 @@ use pode::{GuardId, Guarded as _};
 
 use crate::kane::shipped::{Folder, files};
 
-/// A model by interpretation, whose state is at the front of N entries, with room for C constants.
+/// Interpreted model, with its state first in N entries, and room for C constants.
 pub(crate) type Runnable<const N: usize, const C: usize = 256> =
     EquationModel<&'static Program, N, C>;
 
-/// The model of a program, with one value per parameter; missing ones are those of the default.
+/// Returns the model of a program, with one value per parameter; missing ones are the defaults.
 pub(crate) fn runnable<const N: usize, const C: usize>(
     program: Program,
     values: &[f64],
@@ -22,28 +22,25 @@ pub(crate) fn runnable<const N: usize, const C: usize>(
     ShippedModel::of(program).valued(values)
 }
 
-/// A runnable model with room for any description.
+/// Runnable model with room for any description.
 pub(crate) type Run<const N: usize> = Runnable<N, 512>;
 
-/// The model of a description, with the values of a preset for a key.
+/// Returns the model of a description, with the values of a preset for a key.
 pub(crate) fn model<const N: usize>(derived: DerivedModel, (preset, key): (usize, u8)) -> Run<N> {
     let it = ShippedModel::of(derived.program);
     it.valued(&it.values(preset, key))
 }
 
-/// The model that `text` describes.
 pub(crate) fn described(text: &str) -> DerivedModel {
     derive_model("it.toml", text, &Folder).unwrap_or_else(|mistakes| panic!("{mistakes}"))
 }
 
-/// The text of the shipped description of this name.
 pub(crate) fn shipped(name: &str) -> String {
     let texts = files().into_iter().map(|file| std::fs::read_to_string(file).expect("a file"));
     let mut named = texts.filter(|text| text.starts_with(&format!("name = \"{name}\"")));
     named.next().unwrap_or_else(|| panic!("no description of {name}"))
 }
 
-/// A description that became a program.
 pub(crate) struct ShippedModel {
     pub(crate) table: &'static ModelTable,
     program: &'static Program,
@@ -55,24 +52,22 @@ impl ShippedModel {
         Self { table: &program.table, program }
     }
 
-    /// The description of this name.
     fn named(name: &str) -> Self {
         Self::of(described(&shipped(name)).program)
     }
 
-    /// The model with one value per parameter.
     pub(crate) fn valued<const N: usize, const C: usize>(&self, values: &[f64]) -> Runnable<N, C> {
         EquationModel::new(self.program, values).expect("there is room for it")
     }
 
-    /// The values of a preset for a key.
     pub(crate) fn values(&self, preset: usize, key: u8) -> Vec<f64> {
         let mut values = vec![0.0; self.table.parameters.len()];
         self.valued::<16, 512>(&[]).preset(preset, key, &mut values);
         values
     }
 
-    /// The model with the preset called `preset` of `key`, and some values replaced by name.
+    /// Returns the model with the preset called `preset` of `key`, and some values replaced by
+    /// name.
     pub(crate) fn model<const N: usize>(
         &self,
         preset: &str,
@@ -106,23 +101,19 @@ pub(crate) static CART: LazyLock<ShippedModel> =
 pub(crate) static WALL: LazyLock<ShippedModel> =
     LazyLock::new(|| ShippedModel::named("spring-wall"));
 
-/// All six models of the program.
 pub(crate) fn built_in() -> [&'static ShippedModel; 6] {
     [&RIGID, &SPRINGS, &GRAND, &BALL, &CART, &WALL]
 }
 
-/// The value of a parameter of a model.
 pub(crate) fn value<const N: usize>(model: &Runnable<N>, name: &str) -> f64 {
     model.parameters()[parameter(model.table(), name)]
 }
 
-/// The mode called `name`.
 pub(crate) fn mode<const N: usize>(model: &Runnable<N>, name: &str) -> ModeNumber {
     let number = model.table().modes.iter().position(|it| it.name == name);
     ModeNumber(u8::try_from(number.expect("a mode")).expect("few modes"))
 }
 
-/// The modes of a model with their names.
 pub(crate) fn modes<const N: usize>(
     model: &Runnable<N>,
 ) -> impl Iterator<Item = (ModeNumber, &'static str)> + use<'_, N> {
@@ -133,13 +124,11 @@ pub(crate) fn mode_name<const N: usize>(model: &Runnable<N>, mode: ModeNumber) -
     model.table().modes[usize::from(mode.0)].name
 }
 
-/// The guard called `name` of `mode`.
 #[track_caller]
 pub(crate) fn guard<const N: usize>(model: &Runnable<N>, mode: ModeNumber, name: &str) -> GuardId {
     model.guards(mode).iter().find(|it| it.name == name).expect("a guard").id
 }
 
-/// The output called `name`.
 #[track_caller]
 pub(crate) fn output<const N: usize>(
     model: &Runnable<N>,

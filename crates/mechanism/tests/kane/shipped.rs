@@ -1,11 +1,9 @@
-//! Every description that is shipped becomes a program.
-
 use std::path::{Path, PathBuf};
 
 use mechanism::kane::derive_model;
 use mechanism::kane::description::Bases;
 
-/// Descriptions beside each other, and those of the program by their names.
+/// Bases: descriptions in one folder, and shipped ones by their names.
 pub(crate) struct Folder;
 
 impl Bases for Folder {
@@ -20,7 +18,6 @@ impl Bases for Folder {
     }
 }
 
-/// All descriptions of the workspace.
 pub(crate) fn files() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut all = Vec::new();

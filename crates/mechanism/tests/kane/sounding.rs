@@ -1,4 +1,3 @@
-//! Contacts that sound where they close.
 #![expect(clippy::unwrap_used, reason = "a test fails aloud")]
 
 use pode::contacts::{ContactGuard, WithContacts};
@@ -9,10 +8,10 @@ use crate::kane::runnable::{Run, described, model, shipped};
 
 type Action = WithContacts<Run<10>>;
 
-/// The contact whose events are told.
+/// Contact with reported events.
 const STRING: &str = "string";
 
-/// Each event of the string: whether it closes, what sounds, and how fast the hammer's head rises.
+/// Events of the string: closing or not, sounding speed, and speed of the hammer's head.
 #[derive(Default)]
 struct Strings(Vec<(bool, Option<f64>, f64)>);
 
@@ -32,7 +31,7 @@ impl Watch<Action> for Strings {
     }
 }
 
-/// A key that is pressed: what the string was told, and the work.
+/// Presses a key; returns the events of the string, and the work.
 #[expect(clippy::large_stack_frames, reason = "a test, off the tick")]
 fn pressed(text: &str, length: f64, reach: f64) -> (Strings, Work) {
     let action: Run<10> = model(described(text), (0, 40));
@@ -48,7 +47,7 @@ fn pressed(text: &str, length: f64, reach: f64) -> (Strings, Work) {
     (told, outcome.work)
 }
 
-/// From rest at 0 to rest at `reach` (m) in `length` (s).
+/// Returns a motion from rest at 0 to rest at `reach` (m) in `length` (s).
 fn half_cosine(t: f64, length: f64, reach: f64) -> Motion {
     let w = std::f64::consts::PI / length;
     if t > length {

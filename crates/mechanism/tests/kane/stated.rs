@@ -1,4 +1,4 @@
-//! What a described model says of itself, beside what it does.
+//! Stated properties of described models, against their behaviour.
 #![expect(clippy::float_cmp, reason = "bits are what is compared")]
 
 use instruments::equations::ModeNumber;
@@ -10,7 +10,6 @@ use pode::{
 
 use crate::kane::runnable::{BALL, CART, RIGID, Run, described, model, shipped};
 
-/// A mass on a spring that the input moves.
 const MASS: &str = r#"
 name = "mass"
 summary = "a mass on a spring, and a felt that the input presses"
@@ -40,7 +39,7 @@ fn swung<const N: usize>(stepper: impl Stepper, text: &str) -> [f64; 2] {
 
 #[test]
 fn methods_that_step_places_and_speeds_in_turn_know_which_are_which() {
-    // With room for more states half of the room is not where the speeds begin.
+    // With room for more states the speeds do not begin in the middle of the room.
     let exact = 0.01 * (400.0_f64 / 0.1).sqrt().cos();
     let [one, other] = [swung::<2>(VelocityVerlet, MASS), swung::<5>(VelocityVerlet, MASS)];
     assert_eq!(one, other);
@@ -74,9 +73,9 @@ fn slopes_with_contacts_are_those_of_what_is_closed() {
 #[test]
 fn events_move_a_state_as_far_as_a_description_allows() {
     const ANY: f64 = f64::INFINITY;
-    // The walls stand still. Noise of 0.1 mm of the key moves the floor, 5 times as fast, by a
-    // tenth of 2 mm, and the hammer by 0.02 rad; one that the key has pushed through the string
-    // may come round, more than half a turn, and land from behind.
+    // The walls are at rest. Noise of 0.1 mm of the key moves the floor, 5 times as fast, by a
+    // tenth of 2 mm, and the hammer by 0.02 rad; one that the key pushed through the string may
+    // rotate by more than half a turn and land from behind.
     let cart = CART.model::<4>("default", 0, &[]);
     let ball = BALL.model::<2>("key", 0, &[]);
     let rigid = RIGID.model::<2>("paper", 0, &[]);

@@ -1,4 +1,4 @@
-//! Exact inputs, and runs of a model under them whose energy is audited.
+//! Exact inputs, and audited runs of a model under them.
 #![allow(dead_code, unreachable_pub, reason = "other crates' tests use a part of it")]
 
 use pode::stepper::Rk4;
@@ -7,11 +7,11 @@ use pode::{
     Simulator, Watch,
 };
 
-/// The strokes of figure 6: height (rad), middle (s) and width (s) of each bell.
+/// Strokes of figure 6: height (rad), middle (s) and width (s) of each bell.
 pub const FIGURE_6: [[f64; 3]; 3] =
     [[0.099, 0.514, 0.079], [0.181, 1.095, 0.109], [0.186, 1.573, 0.059]];
 
-/// s(t) = Σ A exp(−((t − tc)/w)²) with its derivatives.
+/// Returns s(t) = Σ A exp(−((t − tc)/w)²) with its derivatives.
 pub fn bells(bells: &[[f64; 3]], t: f64) -> Motion {
     let mut motion = Motion::default();
     for [a, tc, w] in bells {
@@ -25,7 +25,7 @@ pub fn bells(bells: &[[f64; 3]], t: f64) -> Motion {
     motion
 }
 
-/// s(t) = Σ A (1 + tanh((t − tc)/w))/2 with its derivatives.
+/// Returns s(t) = Σ A (1 + tanh((t − tc)/w))/2 with its derivatives.
 pub fn presses(presses: &[[f64; 3]], t: f64) -> Motion {
     let mut motion = Motion::default();
     for [a, tc, w] in presses {
@@ -39,7 +39,7 @@ pub fn presses(presses: &[[f64; 3]], t: f64) -> Motion {
     motion
 }
 
-/// s(t) = A sin ωt with its derivatives.
+/// Returns s(t) = A sin ωt with its derivatives.
 pub fn sine(amplitude: f64, omega: f64, t: f64) -> Motion {
     let (sin, cos) = (omega * t).sin_cos();
     Motion {
@@ -50,12 +50,10 @@ pub fn sine(amplitude: f64, omega: f64, t: f64) -> Motion {
     }
 }
 
-/// An input that does not move.
 pub fn still(position: f64) -> Motion {
     Motion { position, ..Motion::default() }
 }
 
-/// An event of a run.
 #[derive(Clone, Debug)]
 pub struct Seen<M: Resets> {
     pub t: f64,
@@ -66,19 +64,18 @@ pub struct Seen<M: Resets> {
     pub impulse: f64,
 }
 
-/// The events and the energy of a run.
 #[derive(Debug)]
 pub struct AuditedRun<M: Resets> {
     h: f64,
     pub events: Vec<Seen<M>>,
     pub audit: EnergyAudit,
-    /// Σ impulse × s': work of the impulses on the input (J).
+    /// Work of the impulses on the input, Σ impulse × s' (J).
     pub impulsive: f64,
     /// Largest energy (J) that an event generated beyond its impulse's work.
     pub generated: f64,
-    /// Like `generated`, for moves over many impacts, which last a while, and for their corrections.
+    /// Like `generated`, for moves over many impacts, which take time, and for their corrections.
     pub generated_settling: f64,
-    /// ∫ |supplied| dt: the energy that went through (J).
+    /// Energy put through, ∫ |supplied| dt (J).
     pub throughput: f64,
     /// Largest and smallest energy at the ends of pieces (J).
     pub energies: (f64, f64),
@@ -104,7 +101,7 @@ impl<M: Resets> AuditedRun<M> {
         self.events.iter().map(|event| event.name).collect()
     }
 
-    /// Spread of the energy over the run (J).
+    /// Returns the spread of the energy over the run (J).
     pub fn spread(&self) -> f64 {
         self.energies.0 - self.energies.1
     }

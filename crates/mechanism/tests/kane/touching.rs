@@ -1,5 +1,3 @@
-//! Described models with contacts and frictions, against closed forms.
-
 use instruments::equations::ModeNumber;
 use pode::contacts::{ContactState, WithContacts};
 use pode::stepper::Rk4;
@@ -78,8 +76,8 @@ fn a_bearing_sticks_and_slips_as_the_closed_form_does() {
     assert!(audit.sums.integration.abs() < 1e-9, "{:e}", audit.sums.integration);
 }
 
-/// Energy and powers at one instant, taken together, are those taken one by one: with a contact
-/// that is closed, and with a bearing that holds, and slips each way.
+/// Energy and powers computed together equal those computed one by one: with a closed contact, and
+/// with a bearing that holds, and slips each way.
 #[test]
 fn a_balance_is_its_three_numbers() {
     let (falling, drawn): (Runnable<2>, Runnable<2>) =
@@ -101,7 +99,7 @@ fn a_balance_is_its_three_numbers() {
             ];
             assert_eq!(found.map(f64::to_bits), one_by_one.map(f64::to_bits), "{state:?}");
             assert!(balance.energy.abs() > 1e-3, "{state:?} stores something");
-            // A bearing that slips takes 1.5 N times 0.2 m/s, or gives it where it slips backwards.
+            // A slipping bearing takes 1.5 N times 0.2 m/s, or gives it where it slips backwards.
             let taken = match state {
                 ContactState::SlideUp => 0.3,
                 ContactState::SlideDown => -0.3,

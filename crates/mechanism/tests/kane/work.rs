@@ -1,5 +1,3 @@
-//! Work on a description is counted and limited, whatever the machine.
-
 use std::fmt::Write as _;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,10 +7,10 @@ use mechanism::kane::{derive_model, derive_unless_cancelled};
 
 use crate::kane::shipped::{Folder, files};
 
-/// How many times the largest model of the program fits into the limit, at least.
+/// Factor by which the limit exceeds the work on the largest shipped model, at least.
 const ROOM: u64 = 10;
 
-/// Rods that hang from each other: small to write, and with equations that grow with their number.
+/// Rods that hang from each other: a short text with equations that grow with their number.
 fn pendulum(links: usize) -> String {
     let mut tables = [String::new(), String::new(), String::new()];
     for link in 1..=links {

@@ -1,4 +1,4 @@
-//! The same bits as the tape gives.
+//! Machine code gives the bits of its tape.
 
 use instruments::equations::table::{Arguments, Functions as _};
 use mechanism::expressions::graph::Graph;
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 use crate::expressions::common::{layout, lever, trees, values};
 
-/// Bits, with one kind of what is not a number.
+/// Bits, with a single kind of NaN.
 fn bits(all: &[f64]) -> Vec<u64> {
     all.iter().map(|it| if it.is_nan() { f64::NAN.to_bits() } else { it.to_bits() }).collect()
 }

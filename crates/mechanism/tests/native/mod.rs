@@ -1,3 +1,1 @@
-//! Machine code against the tapes that it was made of.
-
 mod bits;

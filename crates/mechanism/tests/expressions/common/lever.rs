@@ -1,5 +1,4 @@
-//! The functions of a lever with a hammer on it, about as large as those of pianos: something to
-//! emit and to compile, whose equations nobody reads.
+//! Functions of a lever with a hammer, as large as those of pianos: something to compile.
 
 use mechanism::expressions::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
 use mechanism::expressions::tape::{Argument, ArgumentLayout, Tape};
@@ -20,7 +19,7 @@ fn layout() -> ArgumentLayout {
     layout
 }
 
-/// The derivative of the state: a lever on springs, and a hammer that slides on it behind felt.
+/// Returns the derivative of a lever on springs, and a hammer that slides on it behind felt.
 pub fn derivative(g: &mut Graph) -> Vec<Node> {
     let [l1, m1, j1, j2, k1, k2] = [0, 1, 2, 3, 4, 5].map(|at| g.symbol(Place::Parameter(at)));
     let [q1, q2] = [0, 1].map(|at| g.symbol(Place::Coordinate(at)));
@@ -74,7 +73,6 @@ pub fn derivative(g: &mut Graph) -> Vec<Node> {
     vec![u1, u2, first, second]
 }
 
-/// The example's functions.
 pub fn functions() -> Vec<Tape> {
     let mut graph = Graph::new();
     let g = &mut graph;

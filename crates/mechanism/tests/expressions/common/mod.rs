@@ -7,7 +7,7 @@ use mechanism::expressions::graph::{BinaryFunction, Graph, Node, Place, UnaryFun
 use mechanism::expressions::tape::{Argument, ArgumentLayout};
 use proptest::prelude::*;
 
-/// The symbols of random expressions, in the order of their values.
+/// Symbols of random expressions, in the order of their values.
 pub const SYMBOLS: [Place; 6] = [
     Place::Parameter(0),
     Place::Parameter(1),
@@ -17,7 +17,7 @@ pub const SYMBOLS: [Place; 6] = [
     Place::Input(1),
 ];
 
-/// Where a tape finds them: two constants, three of the state, the input's rate.
+/// Arguments of the symbols: two constants, three of the state, the input's rate.
 pub fn layout() -> ArgumentLayout {
     let mut layout = ArgumentLayout::default();
     let arguments = [
@@ -34,7 +34,6 @@ pub fn layout() -> ArgumentLayout {
     layout
 }
 
-/// An expression as a tree.
 #[derive(Clone, Debug)]
 pub enum Tree {
     Number(f64),
@@ -71,7 +70,6 @@ pub const BINARY: [BinaryFunction; 5] = [
     BinaryFunction::Max,
 ];
 
-/// Any expression of a few dozen operations.
 pub fn trees() -> impl Strategy<Value = Tree> {
     let leaf = prop_oneof![
         1 => prop::sample::select(vec![0.0, 1.0, -1.0, 0.5, 2.0, -3.0, 1.25, 0.1])
@@ -95,13 +93,11 @@ pub fn trees() -> impl Strategy<Value = Tree> {
     })
 }
 
-/// Values of the symbols.
 pub fn values() -> impl Strategy<Value = [f64; 6]> {
     prop::array::uniform6(prop_oneof![-2.0..2.0, prop::sample::select(vec![0.0, -0.0, 1.0, -1.0])])
 }
 
 impl Tree {
-    /// Builds the expression in `graph`.
     pub fn build(&self, graph: &mut Graph) -> Node {
         match self {
             Self::Number(value) => graph.constant(*value),
@@ -130,7 +126,7 @@ impl Tree {
         }
     }
 
-    /// Evaluates by recursion; none where the value is wild, or decided by rounding.
+    /// Evaluates by recursion; `None` where the value is extreme, or decided by rounding.
     pub fn evaluate(&self, symbols: &[f64; 6]) -> Option<Bounded> {
         match self {
             Self::Number(value) => Some(Bounded { value: *value, error: 0.0 }),
@@ -148,7 +144,7 @@ impl Tree {
             Self::Product(factors) => {
                 let (mut value, mut relative) = (1.0, 8.0 * f64::EPSILON);
                 for (factor, exponent) in factors {
-                    // Near zero neither a division by it nor a relative error makes sense.
+                    // Near zero neither a division nor a relative error is meaningful.
                     let factor = factor.evaluate(symbols).filter(|it| it.value.abs() >= 1e-6)?;
                     value *= factor.value.powi(*exponent);
                     let each = factor.error / factor.value.abs() + 4.0 * f64::EPSILON;
@@ -175,7 +171,7 @@ impl Tree {
             }
             Self::Select(all) => {
                 let condition = all[0].evaluate(symbols)?;
-                // Both are computed by those who do not branch, so both must be tame.
+                // Evaluation without branches computes both, so both must be tame.
                 let (positive, other) = (all[1].evaluate(symbols)?, all[2].evaluate(symbols)?);
                 condition.is_certain().then_some(if condition.value > 0.0 {
                     positive
@@ -187,7 +183,7 @@ impl Tree {
     }
 }
 
-/// A number with a bound of its error.
+/// Number with a bound of its error.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded {
     pub value: f64,
@@ -199,15 +195,15 @@ impl Bounded {
         (self.value.abs() < 1e9 && self.error < 1e-6).then_some(self)
     }
 
-    /// Whether the error cannot change the sign; an exact zero has one.
+    /// Returns `true` if the error cannot change the sign; an exact zero has one.
     fn is_certain(self) -> bool {
         self.error == 0.0 || self.value.abs() > 2.0 * self.error
     }
 
-    /// The value of a function whose slope is found by trying both ends of the error.
+    /// Returns the value of a function; its slope is estimated at both ends of the error.
     fn through(self, function: impl Fn(f64) -> f64) -> Option<Self> {
         let value = function(self.value);
-        // The error is widened, so that its ends tell a slope and not rounding alone.
+        // The error is widened, so that its ends show a slope and not only rounding.
         let wide = 1e3 * self.error.max(f64::EPSILON * self.value.abs());
         let ends = [self.value - wide, self.value + wide].map(function);
         let spread = ends.iter().map(|end| (end - value).abs()).fold(0.0, nan_or_larger);
@@ -215,7 +211,7 @@ impl Bounded {
     }
 }
 
-/// `f64::max` would hide what is not a number.
+/// Returns the larger value; `f64::max` would hide NaN.
 fn nan_or_larger(x: f64, y: f64) -> f64 {
     if x.is_nan() || y.is_nan() { f64::NAN } else { x.max(y) }
 }

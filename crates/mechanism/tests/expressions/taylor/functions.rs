@@ -1,5 +1,4 @@
-//! Every function along x = t: its series against the function itself, and against exact
-//! derivatives of the graph.
+//! Series of every function along x = t, against the function and the graph's exact derivatives.
 
 use mechanism::expressions::graph::{
     BinaryFunction as Two, Graph, Node, Place, Tangent, UnaryFunction as One,
@@ -8,11 +7,10 @@ use mechanism::expressions::tape::{Argument, ArgumentLayout, Tape, TapeArguments
 
 use super::straight::followed;
 
-/// Where the series begins, and the parameter.
+/// Start of the series, and the parameter.
 const X: f64 = 0.37;
 const P: f64 = 0.8;
 
-/// x' = 1, so that a guard is a function of time.
 struct Along {
     graph: Graph,
     layout: ArgumentLayout,
@@ -40,7 +38,7 @@ impl Along {
         self.graph.binary(function, x, y)
     }
 
-    /// One of each kind, with operands that are series themselves.
+    /// Returns one of each kind, with operands that are series themselves.
     fn functions(&mut self) -> Vec<Node> {
         let (x, p) = (self.x, self.p);
         let (half, square) = (self.graph.scale(x, 0.5), self.graph.power(x, 2));
@@ -94,7 +92,6 @@ impl Along {
         tape.evaluate(&TapeArguments { constants: &[P], state: &[x], ..TapeArguments::default() })
     }
 
-    /// The series of `nodes` in x − X, up to `order`.
     fn series(&self, nodes: &[Node], order: usize) -> Vec<Vec<f64>> {
         let one = |node: &Node| followed(&self.tape(&[*node]), (P, X), order).swap_remove(1);
         nodes.iter().map(one).collect()
@@ -146,13 +143,13 @@ fn a_series_says_where_it_ends() {
     let conditions = |along: &Along, node: Node, x: f64| -> Vec<Vec<f64>> {
         followed(&along.tape(&[node]), (P, x), 2).split_off(2)
     };
-    // A choice by x − p: what is compared is zero where they are the same.
+    // A choice by x − p: the compared value is zero where they are equal.
     let larger = along.two(Two::Max, x, p);
     assert_eq!(conditions(&along, larger, 2.0), [[2.0 - P, 1.0, 0.0]]);
     let size = along.one(One::Abs, x);
     assert_eq!(conditions(&along, size, -3.0), [[-3.0, 1.0, 0.0]]);
-    // A softplus: from −100 to −40, from −35 to −20, from 15 to 10 if it turns round; and near
-    // zero it is seen by its own coefficients.
+    // A softplus: from −100 to −40, from −35 to −20, from 15 to 10 if it turns round; near zero
+    // its own coefficients show the corner.
     let soft = along.one(One::Softplus, x);
     for (x, above, slope) in [(-100.0, 60.0, -1.0), (-35.0, 15.0, -1.0), (15.0, 5.0, 1.0)] {
         assert_eq!(conditions(&along, soft, x), [[above, slope, 0.0]]);
@@ -160,7 +157,7 @@ fn a_series_says_where_it_ends() {
     assert_eq!(conditions(&along, soft, -5.0), [[0.0, 0.0, 0.0]]);
     let tanh = along.one(One::Tanh, x);
     assert_eq!(conditions(&along, tanh, -12.0), [[4.0, -2.0, 0.0]]);
-    // What the parameters alone decide ends nothing.
+    // A choice by the parameters alone ends nothing.
     let fixed = along.graph.select(p, x, p);
     assert!(conditions(&along, fixed, 2.0).is_empty());
 }

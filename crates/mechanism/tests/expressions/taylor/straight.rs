@@ -1,9 +1,6 @@
-//! A recursion as two straight lines gives the coefficients of the recursion.
-
 use mechanism::expressions::tape::Tape;
 use mechanism::expressions::taylor::{Recursion, SeriesCoefficients};
 
-/// Outputs and conditions of x' = 1 from `x` on, order by order.
 pub(crate) fn followed(tape: &Tape, (p, x): (f64, f64), order: usize) -> Vec<Vec<f64>> {
     let tapes = Recursion::new(tape, 1).tapes();
     let known = tape.outputs.len() + tapes.conditions;

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use mechanism::kane::graph::{BinaryFunction, Graph, Node, UnaryFunction};
 
-/// The expression that `text` is; panics where it is none.
 pub(super) fn read(graph: &mut Graph, names: &HashMap<String, Node>, text: &str) -> Node {
     let mut reader = Reader { graph, names, text, left: text };
     let node = reader.sum();

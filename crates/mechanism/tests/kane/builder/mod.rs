@@ -1,5 +1,3 @@
-//! Mechanisms written in a few lines.
-
 mod expression;
 
 use std::collections::HashMap;
@@ -10,7 +8,6 @@ use mechanism::kane::mechanism::{
     MechanismParameter, MechanismPreset, Mode, ReferenceFrame, RigidBody, Speed,
 };
 
-/// A mechanism that is being written.
 #[derive(Default)]
 pub(crate) struct MechanismBuilder {
     pub(crate) it: Mechanism,
@@ -58,7 +55,7 @@ impl MechanismBuilder {
         node
     }
 
-    /// A coordinate whose rate is a speed of its own.
+    /// Adds a coordinate with its rate as a speed.
     pub(crate) fn coordinate(&mut self, name: &str) {
         let rate = self.speed(&format!("{name}'"));
         self.coordinate_with_rate(name, rate);
@@ -80,7 +77,6 @@ impl MechanismBuilder {
         self.symbol(name, Place::Speed(at))
     }
 
-    /// The expression that `text` is.
     pub(crate) fn e(&mut self, text: &str) -> Node {
         expression::read(&mut self.it.graph, &self.names, text)
     }
@@ -98,7 +94,7 @@ impl MechanismBuilder {
         nodes
     }
 
-    /// A frame that turns about z, as planar ones do.
+    /// Adds a frame that rotates about z.
     pub(crate) fn frame(&mut self, parent: usize, origin: &[&str], turn: &str) -> usize {
         self.frame_about(parent, origin, Some((2, turn)))
     }
@@ -116,7 +112,7 @@ impl MechanismBuilder {
         self.it.frames.len() - 1
     }
 
-    /// A planar body: inertia about its centre.
+    /// Adds a planar body, with the inertia about its centre.
     pub(crate) fn body(&mut self, frame: usize, mass: &str, centre: &[&str], inertia: &str) {
         let inertia = self.e(inertia);
         self.body_with(frame, mass, centre, [None, None, Some(inertia), None, None, None]);
@@ -138,7 +134,7 @@ impl MechanismBuilder {
         self.it.gravity = self.vector(at);
     }
 
-    /// The rate of what depends on coordinates and the input.
+    /// Returns the rate of a function of coordinates and the input.
     pub(crate) fn rate(&mut self, node: Node) -> Node {
         let graph = &mut self.it.graph;
         let coordinates = self.it.coordinates.iter().enumerate();
@@ -150,7 +146,7 @@ impl MechanismBuilder {
         Tangent::new(seeds).of(graph, node)
     }
 
-    /// A force along a deformation; its rate is called `rate` in the tension.
+    /// Adds a force along a deformation; its rate is called `rate` in the tension.
     pub(crate) fn force(
         &mut self,
         name: &str,
@@ -168,7 +164,6 @@ impl MechanismBuilder {
         self.it.forces.len() - 1
     }
 
-    /// A holonomic constraint.
     pub(crate) fn constraint(&mut self, name: &str, zero: &str) -> usize {
         let zero = self.e(zero);
         let rate = self.rate(zero);
@@ -193,7 +188,7 @@ impl MechanismBuilder {
         at
     }
 
-    /// A mode with these constraints, in which all forces act that there are by now.
+    /// Adds a mode with these constraints and all forces so far.
     pub(crate) fn mode(&mut self, name: &str, constraints: &[usize]) -> usize {
         self.it.modes.push(Mode {
             name: name.to_owned(),
@@ -225,7 +220,6 @@ impl MechanismBuilder {
         self.it.modes[mode].guards.last_mut().expect("just pushed")
     }
 
-    /// An output that is the same expression in every mode.
     pub(crate) fn output(&mut self, name: &str, text: &str) {
         let value = self.e(text);
         let values = vec![value; self.it.modes.len()];

@@ -1,4 +1,3 @@
-//! Systems whose equations are written by hand, as nodes.
 #![expect(clippy::unwrap_used, reason = "a test fails aloud, and bits are what is compared")]
 #![expect(unreachable_pub, reason = "a test's own module")]
 
@@ -13,7 +12,6 @@ use mechanism::kane::mechanism::{
 };
 use mechanism::kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
-/// A system that is being written down.
 #[derive(Debug)]
 pub struct Draft {
     pub mechanism: Mechanism,
@@ -21,7 +19,7 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// A system with these parameters, and coordinates each with a speed of its own.
+    /// Returns a system with these parameters, and coordinates each with a speed of its own.
     pub fn new(parameters: &[(&str, f64)], coordinates: &[&str]) -> Self {
         let mut graph = Graph::new();
         let values = parameters.iter().map(|(_, value)| graph.constant(*value)).collect();
@@ -58,23 +56,19 @@ impl Draft {
         &mut self.mechanism.graph
     }
 
-    /// The parameter with this name.
     pub fn parameter(&mut self, name: &str) -> Node {
         let number = self.mechanism.parameters.iter().position(|it| it.name == name).unwrap();
         self.mechanism.graph.symbol(Place::Parameter(u16::try_from(number).unwrap()))
     }
 
-    /// The coordinate `number` and its speed.
     pub fn state(&mut self, number: u16) -> [Node; 2] {
         [Place::Coordinate(number), Place::Speed(number)].map(|it| self.mechanism.graph.symbol(it))
     }
 
-    /// The input and its rates.
     pub fn input(&mut self) -> [Node; 4] {
         [0, 1, 2, 3].map(|rate| self.mechanism.graph.symbol(Place::Input(rate)))
     }
 
-    /// The places of the state: coordinates, then speeds.
     pub fn places(&self) -> Vec<Place> {
         let count = u16::try_from(self.mechanism.coordinates.len()).unwrap();
         (0..count).map(Place::Coordinate).chain((0..count).map(Place::Speed)).collect()
@@ -93,13 +87,12 @@ impl Draft {
         self.modes.last_mut().unwrap()
     }
 
-    /// A way to a mode with this state after it.
+    /// Returns a branch to a mode with this state after it.
     pub fn way(to: usize, state: &[Node], impulse: Node) -> Way {
         let branch = GuardBranch { when: None, to, set: Vec::new(), impact: None };
         Way { branch, state: state.to_vec(), impulse }
     }
 
-    /// The nodes of the state itself.
     pub fn same(&mut self) -> Vec<Node> {
         self.places().iter().map(|it| self.mechanism.graph.symbol(*it)).collect()
     }
@@ -113,7 +106,6 @@ impl Draft {
     }
 }
 
-/// A guard that fires while it is negative.
 pub fn guard(name: &str, [value, rate]: [Node; 2], way: Way) -> GuardEquations {
     GuardEquations {
         unit: String::new(),

@@ -1,4 +1,4 @@
-//! A pendulum on an arm that holds it at an angle: no input moves it.
+//! A pendulum on an arm that holds it at an angle, without an input.
 
 use mechanism::kane::assemble::Program;
 use mechanism::kane::graph::UnaryFunction;

@@ -1,12 +1,10 @@
-//! A mass that falls on a spring, and one that is drawn over a bearing with friction.
-
 use mechanism::kane::assemble::Program;
 use mechanism::kane::mechanism::{DryFriction, MechanismContact};
 use mechanism::kane::system::{ContactEquations, FrictionEquations};
 
 use super::Draft;
 
-/// Parameters m, g, k: a contact without friction, whose force is k times its depth.
+/// Parameters m, g, k: a contact without friction, with the force k times its depth.
 pub fn falling() -> Program {
     let mut draft = Draft::new(&[("m", 2.0), ("g", 9.81), ("k", 5e3)], &["y"]);
     let [m, g, k] = ["m", "g", "k"].map(|name| draft.parameter(name));

@@ -11,13 +11,13 @@ use super::{After, ByHand, NamedGuard, Values, turned};
 
 pub(crate) struct Grand(Values);
 
-/// The head as the key carries it: z = ζ(y).
+/// Head on the key: z = ζ(y).
 struct Head {
     height: f64,
     ratio: f64,
-    /// ζ'' (1/m).
+    /// Second derivative ζ'' (1/m).
     bend: f64,
-    /// Force on the key over force on the head: ζ' and what friction adds.
+    /// Force on the key over force on the head: ζ' and the part of friction.
     transmission: f64,
 }
 
@@ -27,7 +27,7 @@ impl Head {
     }
 }
 
-/// A felt that sets in softly: F = k w² sp(x/w)² max(1 + a x', 0), x how deep one is in it.
+/// Felt with a soft onset: F = k w² sp(x/w)² max(1 + a x', 0), with x the depth in it.
 struct Felt {
     k: f64,
     w: f64,
@@ -57,7 +57,7 @@ impl Felt {
         self.spring() * (self.factor() - 1.0) * self.rate
     }
 
-    /// ∂F/∂x and ∂F/∂x'.
+    /// Returns ∂F/∂x and ∂F/∂x'.
     fn slopes(&self) -> [f64; 2] {
         let x = self.depth / self.w;
         let per_rate = if self.factor() > 0.0 { self.spring() * self.a } else { 0.0 };
@@ -66,7 +66,6 @@ impl Felt {
 }
 
 impl Grand {
-    /// The key's bed and its rest rail.
     fn felts(&self, y: f64, u: f64) -> [Felt; 2] {
         let [bed, w] = self.0.of(["ybed", "wf"]);
         let [kb, ab, kr, ar] = self.0.of(["Kb", "ab", "Kr", "ar"]);
@@ -74,13 +73,13 @@ impl Grand {
         [bed, Felt { k: kr, w, a: ar, depth: -y, rate: -u }]
     }
 
-    /// F_KU = k1 (s − y) + b1 (s' − u) (N).
+    /// Returns F_KU = k1 (s − y) + b1 (s' − u) (N).
     fn finger(&self, y: f64, u: f64, s: &Motion) -> f64 {
         let [k1, b1] = self.0.of(["k1", "b1"]);
         k1 * (s.position - y) + b1 * (s.rate - u)
     }
 
-    /// S: what the key's own parts put against its going down (N).
+    /// Returns S, the resistance of the key's own parts to going down (N).
     fn load(&self, y: f64, u: f64) -> f64 {
         let [weight, dry, slow, viscous] = self.0.of(["Wk", "Fc", "vc", "ck"]);
         let [kj, wj, yb] = self.0.of(["kj", "wj", "yb"]);
@@ -90,7 +89,7 @@ impl Grand {
         weight + rubbing + jack + bed.force() - rail.force()
     }
 
-    /// The rate of F_KU − S while the key accelerates at `a` (N/s).
+    /// Returns the rate of F_KU − S while the key accelerates at `a` (N/s).
     fn push_rate(&self, y: f64, u: f64, a: f64, s: &Motion) -> f64 {
         let [k1, b1, dry, slow, viscous] = self.0.of(["k1", "b1", "Fc", "vc", "ck"]);
         let [kj, wj, yb] = self.0.of(["kj", "wj", "yb"]);
@@ -101,14 +100,14 @@ impl Grand {
         k1 * (s.rate - u) + b1 * (s.acceleration - a) - stiffness * u - damping * a
     }
 
-    /// Let-off, from the button at yb to the trip at yt = yb + D: ξ, and D.
+    /// Returns ξ and D of the let-off from the button at yb to the trip at yt = yb + D.
     fn let_off(&self, y: f64) -> [f64; 2] {
         let [ratio, yb, zt, rho] = self.0.of(["R", "yb", "zt", "rho"]);
         let travel = (2.0 * (zt - ratio * yb) / (ratio * (1.0 + rho))).max(1e-6);
         [(y - yb) / travel, travel]
     }
 
-    /// The head on the jack that trips: Z = zb + R D (ξ − ξ² (1 − ρ)/2).
+    /// Returns the head on the tripping jack: Z = zb + R D (ξ − ξ² (1 − ρ)/2).
     fn at_button(&self, y: f64, u: f64) -> Head {
         let [ratio, yb, rho, nu, slow] = self.0.of(["R", "yb", "rho", "nu", "vc"]);
         let [xi, travel] = self.let_off(y);
@@ -122,13 +121,13 @@ impl Grand {
         }
     }
 
-    /// The head in check: Zc = zc + Rc (y − ybed).
+    /// Returns the head in check: Zc = zc + Rc (y − ybed).
     fn in_check(&self, y: f64) -> Head {
         let [zc, rc, bed] = self.0.of(["zc", "Rc", "ybed"]);
         Head::straight(zc + rc * (y - bed), rc)
     }
 
-    /// The head that the key carries, if it does in `mode`.
+    /// Returns the head on the key, if the key carries it in `mode`.
     fn carried(&self, mode: &str, y: f64, u: f64) -> Option<Head> {
         let [ratio] = self.0.of(["R"]);
         match mode {
@@ -139,14 +138,16 @@ impl Grand {
         }
     }
 
-    /// The end of the repetition lever, Zr = o_r + R (y − wd sp(a)) with a = (y − yd)/wd, and Zr'.
+    /// Returns the end of the repetition lever, Zr = o_r + R (y − wd sp(a)), a = (y − yd)/wd, and
+    /// Zr'.
     fn lever(&self, y: f64) -> [f64; 2] {
         let [ratio, offset, yd, wd] = self.0.of(["R", "o_r", "yd", "wd"]);
         let a = (y - yd) / wd;
         [offset + ratio * (y - wd * softplus(a)), ratio * (1.0 - logistic(a))]
     }
 
-    /// The repetition spring on the head, kr d sp(cr d')/ln 2 with d = Zr − z, kr d, and d'.
+    /// Returns the repetition spring on the head, kr d sp(cr d')/ln 2 with d = Zr − z, kr d, and
+    /// d'.
     fn lever_force(&self, [y, z, u, w]: [f64; 4]) -> [f64; 3] {
         let [kr, cr] = self.0.of(["kr", "cr"]);
         let [height, ratio] = self.lever(y);
@@ -154,20 +155,21 @@ impl Grand {
         [spring * softplus(cr * rate) / LN_2, spring, rate]
     }
 
-    /// The string on the head, Ks (z − zs)^ps max(1 + μs w, 0), and the part of it that stores.
+    /// Returns the string's force on the head, Ks (z − zs)^ps max(1 + μs w, 0), and its stored
+    /// part.
     fn string_force(&self, z: f64, w: f64) -> [f64; 2] {
         let [zs, ks, ps, mus] = self.0.of(["zs", "Ks", "ps", "mus"]);
         let spring = ks * (z - zs).max(0.0).powf(ps);
         [spring * (1.0 + mus * w).max(0.0), spring]
     }
 
-    /// Force on a carried head but for its ζ' y'': mh (ζ'' u² + g) + ch ζ' u (N).
+    /// Returns the force on a carried head without ζ' y'': mh (ζ'' u² + g) + ch ζ' u (N).
     fn burden(&self, head: &Head, u: f64) -> f64 {
         let [mh, g, ch] = self.0.of(["mh", "g", "ch"]);
         mh * (head.bend * u * u + g) + ch * head.ratio * u
     }
 
-    /// y'' of a key that carries `head`.
+    /// Returns y'' of a key that carries `head`.
     fn with_head(&self, mode: &str, head: &Head, x: &[f64; 4], s: &Motion) -> f64 {
         let [mk, mh, kr] = self.0.of(["mk", "mh", "kr"]);
         let [y, _, u, _] = *x;
@@ -179,15 +181,15 @@ impl Grand {
             / (mk + mh * head.transmission * head.ratio)
     }
 
-    /// λ, the jack's force on the head in ACC and LO (N).
+    /// Returns λ, the jack's force on the head in ACC and LO (N).
     fn jack_force(&self, mode: &str, x: &[f64; 4], s: &Motion) -> Option<f64> {
         let [mh] = self.0.of(["mh"]);
         let head = self.carried(mode, x[0], x[2]).filter(|_| mode != "CHK")?;
         Some(mh * head.ratio * self.with_head(mode, &head, x, s) + self.burden(&head, x[2]))
     }
 
-    /// λ (mk + mh t ζ')/mk, which vanishes with λ and has no friction of the let-off in it:
-    /// mh ζ' (Fu − S)/mk + mh (ζ'' u² + g) + ch ζ' u, and its rate.
+    /// Returns λ (mk + mh t ζ')/mk and its rate, which vanish with λ and contain no friction of the
+    /// let-off: mh ζ' (Fu − S)/mk + mh (ζ'' u² + g) + ch ζ' u.
     fn lift_off(&self, mode: &str, head: &Head, x: &[f64; 4], s: &Motion) -> GuardValue {
         let [mk, mh, ch] = self.0.of(["mk", "mh", "ch"]);
         let ([y, _, u, _], &Head { ratio, bend, .. }) = (*x, head);
@@ -199,7 +201,7 @@ impl Grand {
         GuardValue::new(mh / mk * ratio * push + self.burden(head, u), rate)
     }
 
-    /// A head that lands on what moves at `ratio`: u⁺ = (mk u + mh r w)/(mk + r² mh), w⁺ = r u⁺.
+    /// Lands a head on a part that moves at `ratio`: u⁺ = (mk u + mh r w)/(mk + r² mh), w⁺ = r u⁺.
     fn caught(&self, ratio: f64, [y, z, u, w]: [f64; 4]) -> [f64; 4] {
         let [mk, mh] = self.0.of(["mk", "mh"]);
         let speed = (mk * u + mh * ratio * w) / (mk + mh * ratio * ratio);
@@ -283,7 +285,7 @@ impl ByHand<4> for Grand {
         }
     }
 
-    /// Landing and check are plastic, the string is met exactly; all else keeps the state.
+    /// Landing and check are plastic, the string is met exactly; other events keep the state.
     fn reset(&self, mode: &str, guard: &str, x: &[f64; 4], _s: &Motion) -> After<4> {
         let [ratio, rc, yb, zs, yck] = self.0.of(["R", "Rc", "yb", "zs", "yck"]);
         let [y, z, u, w] = *x;

@@ -8,7 +8,8 @@ use pode::{EnergyBalance, GuardValue, Motion};
 use super::{After, ByHand, NamedGuard, Values, turned};
 
 impl Values {
-    /// The gap between slider and hammer and its rate: L4 cos θh − L3 sin θh − L1 sin(θk − θh).
+    /// Returns the gap between slider and hammer, L4 cos θh − L3 sin θh − L1 sin(θk − θh), and its
+    /// rate.
     fn gap(&self, (h, wh): (f64, f64), (k, wk): (f64, f64)) -> GuardValue {
         let [l1, l3, l4] = self.of(["L1", "L3", "L4"]);
         let delta = k - h;
@@ -17,32 +18,31 @@ impl Values {
         GuardValue::new(value, rate)
     }
 
-    /// The angle that the hammer is below the string, and its rate.
+    /// Returns the angle of the hammer below the string, and its rate.
     fn below_string(&self, (h, wh): (f64, f64)) -> GuardValue {
         let [string] = self.of(["string_angle"]);
         GuardValue::new(string - h, -wh)
     }
 
-    /// The weights of hammer and key about their pivots, lying level: M2 g L2 and M1 g cK (N·m).
+    /// Returns the moments of level hammer and key about their pivots: M2 g L2 and M1 g cK (N·m).
     fn moments(&self) -> [f64; 2] {
         let [m1, m2, g, l2, ck] = self.of(["M1", "M2", "g", "L2", "cK"]);
         [m2 * g * l2, m1 * g * ck]
     }
 
-    /// Energy of motion and weight, heights from P1 (J).
+    /// Returns the kinetic energy and that of gravity, with heights from P1 (J).
     fn moving(&self, (h, wh): (f64, f64), (k, wk): (f64, f64)) -> f64 {
         let [jh, jk, m2, g, l4] = self.of(["JH", "JK", "M2", "g", "L4"]);
         let [hammer, key] = self.moments();
         0.5 * (jh * wh * wh + jk * wk * wk) + hammer * h.sin() + key * k.sin() + m2 * g * l4
     }
 
-    /// What the string does to the hammer: its angle and rate after.
+    /// Returns the hammer's angle and rate after the string.
     fn thrown(&self, wh: f64) -> [f64; 2] {
         let [string, restitution] = self.of(["string_angle", "restitution"]);
         [string, -restitution * wh]
     }
 
-    /// The speed of the hammer's head (m/s).
     fn head(&self, wh: f64) -> f64 {
         let [l2] = self.of(["L2"]);
         l2 * wh.abs()
@@ -52,16 +52,16 @@ impl Values {
 /// Model A: rigid contact. A1: the hammer on the key; A2: in free flight. State θh, θh'.
 pub(crate) struct Rigid(Values);
 
-/// The hammer on a rigid key: all that follows from s, s', s'', s'''.
+/// Hammer on a rigid key, as a function of s, s', s'', s'''.
 struct Coupled {
     angle: f64,
     rate: f64,
     acceleration: f64,
     jerk: f64,
-    /// σ, the slider's distance from P2 (m), and its rate.
+    /// Distance σ of the slider from P2 (m), and its rate.
     reach: f64,
     reach_rate: f64,
-    /// cos(s − θh).
+    /// Cosine cos(s − θh).
     cos_delta: f64,
 }
 
@@ -87,7 +87,7 @@ impl Rigid {
         Coupled { angle, rate, acceleration, jerk, reach, reach_rate, cos_delta: cos }
     }
 
-    /// F_KH = (JH θh'' + M2 g L2 cos θh)/σ and its rate.
+    /// Returns F_KH = (JH θh'' + M2 g L2 cos θh)/σ and its rate.
     fn contact(&self, hammer: &Coupled) -> GuardValue {
         let [jh] = self.0.of(["JH"]);
         let [weight, _] = self.0.moments();
@@ -97,7 +97,7 @@ impl Rigid {
         GuardValue::new(force, (moment_rate - force * hammer.reach_rate) / reach)
     }
 
-    /// F_KH (N) and T_KU (N·m).
+    /// Returns F_KH (N) and T_KU (N·m).
     fn forces(&self, mode: &str, s: &Motion) -> [f64; 2] {
         let [jk, l1] = self.0.of(["JK", "L1"]);
         let key = jk * s.acceleration + self.0.moments()[1] * s.position.cos();
@@ -136,7 +136,7 @@ impl ByHand<2> for Rigid {
         vec![("land", gap), ("string", self.0.below_string(hammer))]
     }
 
-    /// A landing is plastic; its impulse goes on to the key.
+    /// A landing is plastic; its impulse acts on the key.
     fn reset(&self, _mode: &str, guard: &str, x: &[f64; 2], s: &Motion) -> After<2> {
         if guard == "release" {
             return After::to("A2", *x);
@@ -172,18 +172,18 @@ impl ByHand<2> for Rigid {
 /// State θh, θk, θh', θk'.
 pub(crate) struct Springs(Values);
 
-/// The spring k2 and the slider, δ = θk − θh.
+/// Spring k2 and the slider, with δ = θk − θh.
 struct Contact {
     /// Compression of k2 (m), (L1 sin δ − L4 cos θh + L3 sin θh)/cos δ, and its rate.
     q4: f64,
     q4_rate: f64,
     /// Position of the slider along H (m), (L1 − L3 cos θk − L4 sin θk)/cos δ.
     q3: f64,
-    /// ∂q4/∂θh = −q3/cos δ and ∂q4/∂θk = L1 + q4 tan δ (m/rad).
+    /// Slopes ∂q4/∂θh = −q3/cos δ and ∂q4/∂θk = L1 + q4 tan δ (m/rad).
     per_angle: [f64; 2],
-    /// k2 q4, the part of the force that stores (N).
+    /// Stored part of the force, k2 q4 (N).
     spring: f64,
-    /// F_KH = k2 q4 (1 + c2 q4'); the felt's factor never makes it pull.
+    /// Force F_KH = k2 q4 (1 + c2 q4'); the felt's factor never makes it pull.
     force: f64,
 }
 
@@ -200,7 +200,7 @@ impl Springs {
         Contact { q4, q4_rate, q3, per_angle, spring, force }
     }
 
-    /// T_KU = k1 (s − θk) + b1 (s' − θk') (N·m).
+    /// Returns T_KU = k1 (s − θk) + b1 (s' − θk') (N·m).
     fn coupling(&self, x: &[f64; 4], s: &Motion) -> f64 {
         let [k1, b1] = self.0.of(["k1", "b1"]);
         k1 * (s.position - x[1]) + b1 * (s.rate - x[3])
@@ -267,7 +267,7 @@ impl ByHand<4> for Springs {
     fn outputs(&self, mode: &str, x: &[f64; 4], s: &Motion) -> Vec<(&'static str, f64)> {
         let gap = self.0.gap((x[0], x[2]), (x[1], x[3])).value;
         let Contact { q4, q3, force, .. } = self.contact(x);
-        // Apart, the spring is slack and the slider is nowhere on the hammer.
+        // Apart, the spring is slack and the slider is not on the hammer.
         let closed = if mode == "B1" { 1.0 } else { 0.0 };
         vec![
             ("F_KH", closed * force),

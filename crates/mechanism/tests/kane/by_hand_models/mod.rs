@@ -1,8 +1,8 @@
-//! The paper's models A and B, and model C, by hand: equations to judge their descriptions by.
+//! The paper's models A and B, and model C, by hand: independent equations for their descriptions.
 //!
 //! No line of `kane` is used here, and nothing is stated that the equations do not need. Modes,
-//! guards, parameters and outputs have the names of the descriptions, whose READMEs in
-//! `crates/instruments/src` define coordinates and symbols.
+//! guards, parameters and outputs have the names of the descriptions, with READMEs in
+//! `crates/instruments/src` that define coordinates and symbols.
 
 mod grand;
 mod key_hammer;
@@ -14,18 +14,15 @@ use pode::{EnergyBalance, GuardValue, Motion};
 pub(crate) use grand::Grand;
 pub(crate) use key_hammer::{Rigid, Springs};
 
-/// The values of the parameters by name.
 #[derive(Debug)]
 pub(crate) struct Values(pub(crate) BTreeMap<&'static str, f64>);
 
 impl Values {
-    /// Returns the values of the parameters called `names`.
     pub(crate) fn of<const K: usize>(&self, names: [&str; K]) -> [f64; K] {
         names.map(|name| *self.0.get(name).unwrap_or_else(|| panic!("no parameter {name}")))
     }
 }
 
-/// The state after an event.
 #[derive(Debug)]
 pub(crate) struct After<const N: usize> {
     pub(crate) mode: &'static str,
@@ -37,27 +34,25 @@ pub(crate) struct After<const N: usize> {
 }
 
 impl<const N: usize> After<N> {
-    /// Goes on in `mode` with the state `state`.
     const fn to(mode: &'static str, state: [f64; N]) -> Self {
         Self { mode, state, impulse: 0.0, sounds: None }
     }
 }
 
-/// A guard's name with its value and rate.
 pub(crate) type NamedGuard = (&'static str, GuardValue);
 
-/// The equations of a model whose state has N entries.
+/// Equations of a model with N entries of the state.
 pub(crate) trait ByHand<const N: usize> {
     fn new(values: Values) -> Self;
 
-    /// Puts entries that follow from the others, or from the input, in their place.
+    /// Sets entries that follow from the others, or from the input.
     fn constrain(&self, mode: &str, x: &[f64; N], s: &Motion) -> [f64; N];
 
     fn derivative(&self, mode: &str, x: &[f64; N], s: &Motion) -> [f64; N];
 
     fn readout(&self, mode: &str, x: &[f64; N], s: &Motion) -> f64;
 
-    /// Returns the guards in the order in which those that fire at once are taken.
+    /// Returns the guards in the order in which simultaneous ones are handled.
     fn guards(&self, mode: &str, x: &[f64; N], s: &Motion) -> Vec<NamedGuard>;
 
     fn reset(&self, mode: &str, guard: &str, x: &[f64; N], s: &Motion) -> After<N>;
@@ -67,7 +62,7 @@ pub(crate) trait ByHand<const N: usize> {
     fn outputs(&self, mode: &str, x: &[f64; N], s: &Motion) -> Vec<(&'static str, f64)>;
 }
 
-/// Returns a guard the other way round.
+/// Returns a guard with the opposite sign.
 const fn turned(guard: GuardValue) -> GuardValue {
     GuardValue::new(-guard.value, -guard.rate)
 }

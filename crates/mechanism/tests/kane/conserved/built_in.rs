@@ -1,10 +1,8 @@
-//! The built-in models without their losses, and the balance of every description.
-
 use super::{Conserved, conserved};
 use crate::kane::evaluation::{Derived, Numbers, close, imbalance};
 use crate::kane::shipped::files;
 
-/// dE/dt is what the input supplies less what is dissipated, in each mode of each description.
+/// dE/dt is the supplied less the dissipated power, in each mode of each description.
 #[test]
 fn every_description_accounts_for_its_energy() {
     let mut numbers = Numbers::new(31);
@@ -24,13 +22,13 @@ fn every_description_accounts_for_its_energy() {
     assert!(modes > 20, "{modes} modes");
 }
 
-/// A state that the mode can be in, near the guess of its rest.
+/// Returns a valid state of the mode, near the guess of its rest.
 fn somewhere(derived: &Derived, mode: usize, numbers: &mut Numbers) -> (Vec<f64>, [f64; 4]) {
     for _ in 0..1000 {
         let input = numbers.list::<4>().map(|it| 0.01 * it);
         let count = derived.system.coordinates;
         let guess = (0..derived.system.state.len()).map(|i| {
-            // The linkage closes about these; all else does about 0.
+            // The linkage closes about these values; all other states are about 0.
             let name = derived.system.mechanism.name.as_str();
             let about = match (name, i) {
                 ("linkage", 1) => 0.6,
@@ -47,7 +45,6 @@ fn somewhere(derived: &Derived, mode: usize, numbers: &mut Numbers) -> (Vec<f64>
     panic!("no state of mode {mode} was found");
 }
 
-/// Parameters that are losses, in whatever model.
 fn without_losses(folder: &str) -> Derived {
     let mut derived = Derived::built_in(folder, 0);
     let names: Vec<_> =
@@ -77,7 +74,6 @@ fn without_losses_no_mode_of_model_c_dissipates() {
     }
 }
 
-/// Model A under a key that stands: the hammer is a pendulum.
 #[test]
 fn a_hammer_in_flight_keeps_its_energy() {
     let mut derived = without_losses("key_hammer_rigid");

@@ -1,7 +1,7 @@
-//! Energy and momentum of described motions, by formulas of their own.
+//! Energy and momentum of described motions, by independent formulas.
 //!
-//! A method under a tolerance is off by that much in each step, in the mean square of the state's
-//! entries; what is conserved may drift by the steps that it took times its slope by the entries.
+//! A method under a tolerance has that error in each step, in the mean square of the state's
+//! entries; a conserved quantity may drift by its steps times its slope by the entries.
 #![expect(clippy::print_stdout, reason = "what was compared is shown")]
 
 mod built_in;
@@ -14,13 +14,11 @@ use pode::{Limits, Motion, RunRecorder, Simulator};
 
 use crate::kane::evaluation::Derived;
 
-/// Tolerances of the two runs.
 const TOLERANCES: [f64; 2] = [1e-8, 1e-11];
 
-/// A quantity that stays as it is, of the state.
 type Conserved<'a, const N: usize> = &'a dyn Fn(&[f64; N]) -> f64;
 
-/// A motion under one tolerance: states at the ends of its ticks, and how many steps it took.
+/// Motion under one tolerance: states at the ends of its ticks, and its number of steps.
 struct Free<const N: usize> {
     states: Vec<[f64; N]>,
     steps: u32,
@@ -44,7 +42,7 @@ fn free<const N: usize>(
     Free { states, steps: outcome.work.pieces }
 }
 
-/// How far `quantity` can be off where each entry is off by one unit of the tolerance, 1 + |x|, as
+/// Returns the error of `quantity` if each entry is off by one unit of the tolerance, 1 + |x|, as
 /// far as the mean square of all allows.
 fn slope<const N: usize>(quantity: Conserved<'_, N>, x: &[f64; N]) -> f64 {
     let small = 1e-6;
@@ -60,7 +58,7 @@ fn slope<const N: usize>(quantity: Conserved<'_, N>, x: &[f64; N]) -> f64 {
     (sum * N as f64).sqrt()
 }
 
-/// Checks that quantities do not drift further than the tolerance allows, with both tolerances.
+/// Checks that quantities drift no further than the tolerance allows, with both tolerances.
 #[track_caller]
 fn conserved<const N: usize>(
     derived: &Derived,

@@ -1,9 +1,7 @@
-//! Mechanisms in a plane: rods, free bodies, and a closed linkage.
-
 use super::{Conserved, conserved, free};
 use crate::kane::evaluation::Derived;
 
-/// Mass (kg), inertia (kg m²), place and velocity of a mass centre, and the rate of turn.
+/// Mass (kg), inertia (kg m²), position and velocity of a mass centre, and angular velocity.
 struct Moving {
     mass: f64,
     inertia: f64,
@@ -21,14 +19,13 @@ impl Moving {
             + self.mass * gravity * y
     }
 
-    /// About the origin.
     fn angular_momentum(&self) -> f64 {
         let ([x, y], [u, v]) = (self.place, self.velocity);
         self.mass * (x * v - y * u) + self.inertia * self.turn
     }
 }
 
-/// The rods of the double pendulum: angles are to the vertical and to the upper rod.
+/// Returns the rods of the double pendulum: angles are to the vertical and to the upper rod.
 fn rods(derived: &Derived, [a, b, u, w]: &[f64; 4]) -> [Moving; 2] {
     let [l1, l2, m1, m2] = ["l1", "l2", "m1", "m2"].map(|name| derived.value_of(name));
     let (sin, cos) = a.sin_cos();
@@ -86,7 +83,7 @@ fn a_double_pendulum_without_gravity_and_spring_keeps_its_angular_momentum() {
     conserved(&derived, (0, [0.2, -0.4, 2.0, -3.0]), (0.0, 1.0), quantities);
 }
 
-/// Two bodies in the plane, each with its own place and angle, on a spring between their edges.
+/// Two bodies in the plane, each with its position and angle, on a spring between their edges.
 const PAIR: &str = r#"
 name = "pair"
 [coordinates]
@@ -149,7 +146,7 @@ fn two_bodies_on_a_spring_keep_momentum_angular_momentum_and_energy() {
     conserved(&derived, (0, start), (0.0, 2.0), quantities);
 }
 
-/// The rods of the linkage; the coupler's angle is that to the ground.
+/// Returns the rods of the linkage; the coupler's angle is that to the ground.
 fn linkage_rods(derived: &Derived, x: &[f64; 6]) -> [Moving; 3] {
     let [crank, base] = ["crank", "base"].map(|name| derived.value_of(name));
     let rod = |i: usize, mass: &str, length: &str, pivot: [f64; 2], pivot_rate: [f64; 2]| {
@@ -190,7 +187,6 @@ fn a_closed_linkage_keeps_its_energy_and_stays_closed() {
         move |x: &[f64; 6]| {
             let end = linkage_rods(rods, x);
             let along = |i: usize| [x[i].cos(), x[i].sin()][axis];
-            // From each rod's mass centre to its end.
             end[1].place[axis] + 0.5 * coupler * along(1)
                 - end[2].place[axis]
                 - 0.5 * rocker * along(2)

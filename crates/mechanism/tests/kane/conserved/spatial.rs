@@ -1,9 +1,7 @@
-//! Bodies in space: one that tumbles, and one that rolls.
-
 use super::{Conserved, conserved};
 use crate::kane::evaluation::Derived;
 
-/// A free body of three unlike moments, on turns about z, x and z: it tumbles.
+/// Free body of three different moments, on rotations about z, x and z: it tumbles.
 const TUMBLING: &str = r#"
 name = "tumbling"
 [coordinates]
@@ -53,7 +51,7 @@ fn a_tumbling_body_keeps_its_angular_momentum_in_space_and_its_energy() {
     conserved(&derived, (0, start), (0.0, 1.0), quantities);
 }
 
-/// Rates of turn of the disk about its own axes across, along and up its lean: ω1 = θ',
+/// Returns the rates of the disk about its own axes across, along and up its lean: ω1 = θ',
 /// ω2 = ψ' + φ' sin θ along its axle, ω3 = φ' cos θ.
 fn disk_turns([_, _, _, lean, _, _, _, yaw_rate, lean_rate, roll_rate]: &[f64; 10]) -> [f64; 3] {
     let (sin, cos) = lean.sin_cos();

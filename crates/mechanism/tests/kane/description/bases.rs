@@ -1,10 +1,7 @@
-//! Descriptions that start from others.
-
 use mechanism::kane::description::{Bases, read};
 
 use super::{WEIGHT, mistakes_of};
 
-/// Descriptions, each with its name.
 struct Shelf(Vec<(&'static str, String)>);
 
 impl Bases for Shelf {

@@ -1,4 +1,4 @@
-//! What is drawn where, against places found by hand.
+//! Drawings, against positions computed by hand.
 #![expect(clippy::float_cmp, reason = "these values are exact")]
 
 use super::meaning::value;
@@ -7,7 +7,7 @@ use crate::kane::runnable::{Run, described, model};
 use instruments::equations::ModeNumber;
 use pode::Motion;
 
-/// A lid that leaves its weight where the weight leans on the wall.
+/// Lid that leaves its weight where the weight leans on the wall.
 const LID: &str = r#"
 [frames.shelf]
 origin = ["0 m", "2*m/(1 kg/m)"]

@@ -1,4 +1,4 @@
-//! Foreign bytes: whatever they are, an answer comes back.
+//! Arbitrary text is read or rejected.
 
 use mechanism::kane::description::{read, read_bytes};
 use proptest::prelude::*;
@@ -7,7 +7,7 @@ use super::WEIGHT;
 
 const SPRINGS: &str = include_str!("../../../../instruments/src/key_hammer_springs/model.toml");
 
-/// What people and other programs write where it does not belong.
+/// Fragments that people and other programs write in the wrong place.
 const PIECES: [&str; 28] = [
     "\"",
     "'",

@@ -1,7 +1,7 @@
-//! README.md names every key that is read and every function, and no other.
+//! README.md names every accepted key and every function, and no other.
 //!
-//! What is read is what the reader offers where a key is unknown: a description with each kind of
-//! table has a foreign key in each of them.
+//! Accepted keys are those that the reader offers for an unknown key: a description with each kind
+//! of table has a foreign key in each of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -10,16 +10,15 @@ use super::mistakes_of;
 
 const README: &str = include_str!("../../../LANGUAGE.md");
 
-/// Keys that are read before anything else, where the bases are merged.
+/// Keys that are read first, where the bases are merged.
 const FIRST: [&str; 2] = ["base", "remove"];
 
-/// Words beside the keys in the README's cells: names and values that stand for others'.
+/// Words beside the keys in the README's cells: placeholders for other names and values.
 const OTHER_WORDS: [&str; 8] = ["ground", "motion", "q", "key", "u", "y", "x", "rigid"];
 
-/// The coordinates of the description.
 const COORDINATES: [&str; 2] = ["y", "h"];
 
-/// Each kind of table; `@name` becomes a foreign key, of which `name` is the row in the README.
+/// Each kind of table; `@name` becomes a foreign key in the README's row `name`.
 const EVERYTHING: &str = r#"
 name = "everything"
 @top = 1
@@ -115,7 +114,7 @@ from = { frame = "ground", @drawing.springs = 1 }
 @drawing.springs = 1
 "#;
 
-/// The keys that the reader offers, by the row of the README in which they belong.
+/// Returns the keys that the reader offers, by their row of the README.
 fn read_keys() -> BTreeMap<&'static str, BTreeSet<String>> {
     let mut rows = Vec::new();
     let mut pieces = EVERYTHING.split('@');
@@ -134,7 +133,7 @@ fn read_keys() -> BTreeMap<&'static str, BTreeSet<String>> {
         let (_, offered) = offered.unwrap_or_else(|| panic!("{row} is not read: {mistakes:#?}"));
         let words = offered.trim_start_matches("one of ").split([',', ' ']);
         let words = words.map(|it| it.trim_matches('"').to_owned()).filter(|it| !it.is_empty());
-        // Where the mechanism rests, coordinates stand beside the keys.
+        // In the rest pose coordinates are listed beside the keys.
         keys.entry(*row)
             .or_default()
             .extend(words.filter(|it| !COORDINATES.contains(&it.as_str())));
@@ -142,7 +141,7 @@ fn read_keys() -> BTreeMap<&'static str, BTreeSet<String>> {
     keys
 }
 
-/// What the README says of each row: the cell of a table, or the paragraphs about it.
+/// Returns the README's text of each row: the cell of a table, or the paragraphs about it.
 fn cells() -> BTreeMap<&'static str, String> {
     let (_, keys) = README.split_once("## Every key").expect("the keys");
     let keys = keys.split("\n## ").next().unwrap_or_default();
@@ -170,7 +169,6 @@ fn cells() -> BTreeMap<&'static str, String> {
     cells
 }
 
-/// What stands between backticks.
 fn spans(text: &str) -> impl Iterator<Item = &str> {
     text.split('`').skip(1).step_by(2)
 }
@@ -179,7 +177,7 @@ fn is_word(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|it| it.is_ascii_lowercase() || it == '_')
 }
 
-/// The keys that a cell names: alone, before "=", or in a list in braces.
+/// Returns the keys in a cell: alone, before "=", or in a list in braces.
 fn named_keys(cell: &str) -> BTreeSet<String> {
     let mut keys = BTreeSet::new();
     for span in spans(cell) {
@@ -197,14 +195,13 @@ fn named_keys(cell: &str) -> BTreeSet<String> {
     keys
 }
 
-/// Whether a word stands in the code of a cell.
 fn mentions(cell: &str, key: &str) -> bool {
     spans(cell).any(|span| {
         span.split(|it: char| !it.is_ascii_alphanumeric() && it != '_').any(|word| word == key)
     })
 }
 
-/// Whether a key is a table of its own, which has its own place in the README.
+/// Returns `true` if a key is a table with its own place in the README.
 fn is_table(row: &str, key: &str) -> bool {
     let heading = match row {
         "top" => format!("| `[{key}"),
@@ -256,7 +253,7 @@ fn every_table_in_the_readme_is_read() {
     }
 }
 
-/// A function is a span of the README's table that goes on in parentheses.
+/// A function is a span of the README's table that continues in parentheses.
 #[test]
 fn every_function_in_the_readme_is_known() {
     let (_, table) = README.split_once("| function | is |").expect("the functions");

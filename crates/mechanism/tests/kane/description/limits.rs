@@ -1,4 +1,4 @@
-//! What is too long, too many or too deep is refused, without a stack overflow.
+//! Too long, too many or too deep descriptions are rejected, without a stack overflow.
 
 use std::fmt::Write as _;
 
@@ -73,7 +73,7 @@ fn too_many_expressions_are_refused() {
     refuses(&text, &format!("more than {MOST_EXPRESSIONS} expressions"));
 }
 
-/// Each is the product of all before: 2²⁰⁰ factors if they were multiplied out.
+/// Each is the product of all earlier ones: 2²⁰⁰ factors if they were multiplied out.
 #[test]
 fn expressions_that_grow_are_refused() {
     let mut definitions = "[definitions]\na0 = \"1 + sin(y/(1 m))\"\n".to_owned();
@@ -91,7 +91,6 @@ fn derived(text: &str) {
     }
 }
 
-/// A sum of more terms than the graph keeps apart, the first of them negative.
 #[test]
 fn the_sine_of_a_long_sum() {
     let terms = (1..80).map(|it| format!("cos({it}*y/(1 m))")).collect::<Vec<_>>();
@@ -99,10 +98,9 @@ fn the_sine_of_a_long_sum() {
     derived(&WEIGHT.replacen("\"y - s\"", &sine, 1));
 }
 
-/// The line of a description for one of many things.
+/// Returns the line of a description for one of many items.
 type Entry = fn(usize) -> String;
 
-/// Rods that hang on one another.
 fn chain(count: usize) -> String {
     let mut text = "name = \"chain\"\ngravity = [\"0\", \"-9.81 m/s^2\"]\n".to_owned();
     let sections: [(&str, Entry); 3] = [
@@ -126,7 +124,6 @@ fn chain(count: usize) -> String {
     text
 }
 
-/// What a description may have but a model cannot is refused before it is derived.
 #[test]
 fn a_chain_of_two_hundred_bodies() {
     let said = derive_model("it.toml", &chain(200), &()).unwrap_err().to_string();

@@ -1,4 +1,4 @@
-//! What expressions come to, against numbers found by hand.
+//! Values of expressions, against numbers computed by hand.
 #![expect(clippy::float_cmp, reason = "these values are exact")]
 
 use mechanism::kane::graph::{Node, Place};
@@ -9,7 +9,8 @@ use super::{WEIGHT, good};
 
 const SPRINGS: &str = include_str!("../../../../instruments/src/key_hammer_springs/model.toml");
 
-/// The value of `node` with the default preset's values of key 0; state, then accelerations.
+/// Returns the value of `node` with the default preset's values of key 0; state, then
+/// accelerations.
 #[track_caller]
 pub(super) fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f64; 4]) -> f64 {
     let mut layout = ArgumentLayout::default();
@@ -33,7 +34,7 @@ pub(super) fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f6
     tape.evaluate(&TapeArguments { constants: &constants, state, input, extra: &[] })[0]
 }
 
-/// An output of [`WEIGHT`] that is `expression`.
+/// Returns an output of [`WEIGHT`] with the value `expression`.
 #[track_caller]
 fn weight(expression: &str, state: [f64; 2], input: [f64; 4]) -> f64 {
     let text = WEIGHT.replacen(
@@ -81,7 +82,6 @@ fn primes_are_rates_along_the_motion() {
     assert!((moving("force(spring)") - (20.0 * 0.2 - 2.7)).abs() < 1e-12);
 }
 
-/// The force by its name is the law where it acts, and 0 where it does not.
 #[test]
 fn a_force_is_zero_in_modes_without_it() {
     let mechanism = good(SPRINGS).mechanism;
@@ -108,7 +108,6 @@ fn a_felt_pushes_only() {
     assert_eq!(at(felt.tension, 0.6, 1.0), 0.0);
 }
 
-/// Turns about different axes, against a rotation written out by hand.
 #[test]
 fn points_are_placed_by_all_frames_below_them() {
     let frames = "[frames]\nA = { turn = \"0.3 rad\", axis = \"x\" }\nB = { in = \"A\", origin = [\"1 m\", \"2 m\", \"3 m\"], turn = \"0.7 rad\" }\nC = { in = \"B\", turn = \"y/(1 m)\", axis = \"z\" }";

@@ -1,10 +1,8 @@
-//! Each mistake is named with its place and what to do.
-
 use mechanism::kane::description::{read, read_bytes, rendered};
 
 use super::{WEIGHT, good, mistake, mistakes_of};
 
-/// Replaces `old` by `new` in a good description; the message must have all `parts`.
+/// Replaces `old` by `new` in a valid description; the message must contain all `parts`.
 #[track_caller]
 fn says(old: &str, new: &str, parts: &[&str]) {
     let said = mistake(old, new);

@@ -1,5 +1,3 @@
-//! Descriptions: what is read, and what is said about mistakes.
-
 mod bases;
 mod drawing;
 mod foreign;
@@ -13,7 +11,7 @@ mod units;
 use documents::toml::TomlSource;
 use mechanism::kane::description::{Bases, Description, read, rendered};
 
-/// A weight on a spring, with a wall that it can lean on.
+/// Weight on a spring, with a wall on which it can lean.
 pub(crate) const WEIGHT: &str = r#"
 name = "weight"
 summary = "a weight on a spring"
@@ -83,7 +81,6 @@ mode = "free"
 y = "s - m*g/k"
 "#;
 
-/// Reads a text that has no mistake.
 #[track_caller]
 pub(crate) fn good(text: &str) -> Description {
     match read("test.toml", text, &()) {
@@ -95,7 +92,7 @@ pub(crate) fn good(text: &str) -> Description {
     }
 }
 
-/// Reads a text that has mistakes; each as `line:column: message; help`.
+/// Reads a text with mistakes; returns each as `line:column: message; help`.
 #[track_caller]
 pub(crate) fn mistakes_of(text: &str, bases: &dyn Bases) -> Vec<String> {
     let mistakes = read("test.toml", text, bases).expect_err("there are mistakes");
@@ -103,7 +100,7 @@ pub(crate) fn mistakes_of(text: &str, bases: &dyn Bases) -> Vec<String> {
     shown.map(|it| it.trim_start_matches("test.toml:").trim().to_owned()).collect()
 }
 
-/// The one mistake of [`WEIGHT`] with `old` replaced by `new`.
+/// Returns the single mistake of [`WEIGHT`] with `old` replaced by `new`.
 #[track_caller]
 pub(crate) fn mistake(old: &str, new: &str) -> String {
     assert!(WEIGHT.contains(old), "{old:?} is not there");

@@ -1,10 +1,7 @@
-//! The examples of README.md are read.
-
 use mechanism::kane::description::{Bases, read, rendered};
 
 const README: &str = include_str!("../../../LANGUAGE.md");
 
-/// Earlier examples, which later ones start from.
 struct Before<'a>(&'a [(String, &'a str)]);
 
 impl Bases for Before<'_> {

@@ -1,4 +1,3 @@
-//! Units, and what expressions make of them.
 #![expect(clippy::float_cmp, reason = "these values are exact")]
 
 use mechanism::kane::text::{Dimension, unit};

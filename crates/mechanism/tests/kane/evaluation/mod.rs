@@ -1,5 +1,3 @@
-//! Values of derived equations, by their tapes.
-
 use std::path::Path;
 
 use mechanism::kane::graph::{Node, Place};
@@ -11,14 +9,13 @@ use crate::kane::builder::{MechanismBuilder, number};
 use crate::kane::runnable::{Runnable, runnable};
 use crate::kane::shipped::Folder;
 
-/// A derived system with the values of its parameters.
+/// Derived system with the values of its parameters.
 pub(crate) struct Derived {
     pub(crate) system: EquationSystem,
     pub(crate) values: Vec<f64>,
 }
 
 impl Derived {
-    /// Derives what the builder wrote.
     pub(crate) fn from(builder: MechanismBuilder) -> Self {
         let values = builder.values;
         let system = mechanism::kane::mechanics::derive(builder.it);
@@ -29,13 +26,11 @@ impl Derived {
         Self { system, values }
     }
 
-    /// Derives the description of the model of the program in this folder.
     pub(crate) fn built_in(folder: &str, preset: usize) -> Self {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         Self::file(&root.join(format!("../instruments/src/{folder}/model.toml")), preset)
     }
 
-    /// Derives a shipped description.
     pub(crate) fn shipped(name: &str) -> Self {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
         Self::file(&root.join(format!("../../configs/models/{name}.toml")), 0)
@@ -56,13 +51,11 @@ impl Derived {
         Self { system, values }
     }
 
-    /// Gives a parameter another value.
     pub(crate) fn set(&mut self, name: &str, value: f64) {
         let index = self.parameter(name);
         self.values[index] = value;
     }
 
-    /// The value of a parameter.
     pub(crate) fn value_of(&self, name: &str) -> f64 {
         self.values[self.parameter(name)]
     }
@@ -73,12 +66,12 @@ impl Derived {
         index.unwrap_or_else(|| panic!("there is no parameter {name}"))
     }
 
-    /// What the simulator runs.
+    /// Returns the program for the simulator.
     pub(crate) fn model<const N: usize>(&self) -> Runnable<N> {
         runnable(self.system.clone().assemble().expect("a program"), &self.values)
     }
 
-    /// The values of `nodes`, which are over state, parameters and input.
+    /// Returns the values of `nodes`, which are over state, parameters and input.
     pub(crate) fn all(&self, nodes: &[Node], state: &[f64], input: [f64; 4]) -> Vec<f64> {
         assert_eq!(state.len(), self.system.state.len(), "{:?}", self.system.state);
         let mut layout = ArgumentLayout::default();
@@ -103,13 +96,13 @@ impl Derived {
         self.all(&self.system.modes[mode].derivative, state, input)
     }
 
-    /// The state with slaved entries in place, after Newton's steps onto the constraints.
+    /// Returns the state with slaved entries in place, after Newton's steps onto the constraints.
     #[track_caller]
     pub(crate) fn consistent(&self, mode: usize, state: &[f64], input: [f64; 4]) -> Vec<f64> {
         self.near(mode, state, input).expect("a state on the constraints")
     }
 
-    /// The same; none where Newton's steps do not lead onto the constraints.
+    /// Like the panicking form, but returns `None` where Newton's steps miss the constraints.
     pub(crate) fn near(&self, mode: usize, state: &[f64], input: [f64; 4]) -> Option<Vec<f64>> {
         let equations = &self.system.modes[mode];
         let mut state = state.to_vec();
@@ -126,7 +119,6 @@ impl Derived {
     }
 }
 
-/// The values of a preset for key 40.
 fn preset_values(mechanism: &Mechanism, preset: usize) -> Vec<f64> {
     let mut layout = ArgumentLayout::default();
     layout.place(Place::Key, Argument::Extra(0));
@@ -135,7 +127,7 @@ fn preset_values(mechanism: &Mechanism, preset: usize) -> Vec<f64> {
     tape.evaluate(&TapeArguments { extra: &[40.0], ..TapeArguments::default() })
 }
 
-/// Numbers in −1 ..= 1 that look random: xorshift.
+/// Pseudorandom numbers in −1 ..= 1: xorshift.
 #[derive(Clone, Debug)]
 pub(crate) struct Numbers(u64);
 
@@ -168,7 +160,7 @@ pub(crate) fn close(found: f64, expected: f64, relative: f64, what: &str) {
     assert!((found - expected).abs() <= relative * scale, "{what}: {found} is not {expected}");
 }
 
-/// dE/dt − supplied + dissipated in a mode, relative to the terms.
+/// Returns dE/dt − supplied + dissipated in a mode, relative to the terms.
 pub(crate) fn imbalance(derived: &mut Derived, mode: usize, state: &[f64], input: [f64; 4]) -> f64 {
     use mechanism::kane::graph::Tangent;
     let equations = derived.system.modes[mode].clone();

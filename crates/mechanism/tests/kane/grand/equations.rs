@@ -1,5 +1,3 @@
-//! The reduced grand's equations against geometry, virtual work and energy.
-
 use instruments::equations::ModeNumber;
 use pode::{Energetic as _, Guarded as _, Matrix, Model as _, Motion, Resets as _};
 
@@ -8,10 +6,10 @@ use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{GRAND, Runnable, guard, mode, mode_name, modes, output, value};
 use crate::kane::stroke::still;
 
-/// A way into the string or the bed (m).
+/// Displacement into the string or the bed (m).
 const DEEP: f64 = 1e-3;
 
-/// Somewhere in the mode called `name` as it is played, and an input near.
+/// Returns a state of the mode called `name` as it is played, and an input near.
 fn played(model: &Runnable<4>, name: &str, numbers: &mut Numbers) -> ([f64; 4], Motion) {
     let (low, high) = match name {
         "ACC" | "FLA" => (-3e-4, BUTTON),
@@ -36,7 +34,7 @@ fn played(model: &Runnable<4>, name: &str, numbers: &mut Numbers) -> ([f64; 4], 
     (model.constrain(mode(model, name), &[y, z, u, w], &input), input)
 }
 
-/// 200 places in every mode, with losses and without the friction of the let-off.
+/// Visits 200 states in every mode, with losses and without the friction of the let-off.
 fn everywhere(mut check: impl FnMut(&Runnable<4>, ModeNumber, [f64; 4], Motion)) {
     let mut numbers = Numbers::new(21);
     for changes in [[].as_slice(), &[("nu", 0.0)], &[("kj", 900.0), ("ch", 0.3)]] {
@@ -50,7 +48,7 @@ fn everywhere(mut check: impl FnMut(&Runnable<4>, ModeNumber, [f64; 4], Motion))
     }
 }
 
-/// f'(0) by five points, `h` apart.
+/// Returns f'(0) by five points, `h` apart.
 fn slope(h: f64, f: impl Fn(f64) -> f64) -> f64 {
     (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h)
 }
@@ -73,7 +71,7 @@ fn the_let_off_ends_at_its_height_and_ratio() {
     assert!(trip.value.abs() < 1e-17, "the trip is at {TRIP}, off by {:e}", trip.value);
 }
 
-/// y(t) and ζ(y(t)) are parabolas or their squares: five points 0.1 ms apart are exact but for
+/// y(t) and ζ(y(t)) are parabolas or their squares: five points 0.1 ms apart are exact except for
 /// the rounding of 4e-2 m, 1e-17, over h² = 1e-8 s².
 #[test]
 fn a_carried_head_does_the_work_that_the_key_puts_in() {
@@ -91,7 +89,7 @@ fn a_carried_head_does_the_work_that_the_key_puts_in() {
         let acceleration = slope(H, rate);
         agree("z'", dx[1], rate(0.0), 1e-9);
         agree("z''", dx[3], acceleration, 1e-7);
-        // On the key alone: what the flying modes give it.
+        // On the key alone: the contribution of the flying modes.
         let alone = of("mk") * model.derivative(self::mode(model, "FLT"), &x, &s)[2];
         let ratio = slope(1e-6, |d| carried(model, name, y + d).unwrap_or(0.0));
         let mut force = of("mh") * (acceleration + of("g")) + of("ch") * rate(0.0);
@@ -112,7 +110,7 @@ fn a_carried_head_does_the_work_that_the_key_puts_in() {
     });
 }
 
-/// Corners are passed in wf/u = 80 µs: five points 0.1 µs apart are off by (1/800)⁴ = 2e-12.
+/// Corners take wf/u = 80 µs: five points 0.1 µs apart are off by (1/800)⁴ = 2e-12.
 #[test]
 fn the_energy_is_what_is_put_in_less_what_is_lost() {
     everywhere(|model, mode, x, s| {
@@ -165,7 +163,6 @@ fn a_catch_keeps_momentum_and_makes_no_energy() {
         for _ in 0..100 {
             let (x, s) = played(&model, name, &mut numbers);
             let head = |y: f64| carried(&model, expected, y).unwrap_or(0.0);
-            // On what it meets, going down.
             let before = [x[0], head(x[0]), x[2], -x[3].abs()];
             let reset = model.reset(from, guard(&model, from, by), &before, &s);
             assert_eq!(reset.mode, to);

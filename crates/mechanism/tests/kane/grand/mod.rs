@@ -1,5 +1,5 @@
-//! The described model C, a reduced grand, against its geometry as the source writes it, virtual
-//! work, and what a finger feels.
+//! The described model C, a reduced grand, against the geometry of its source, virtual work, and
+//! the forces on a finger.
 
 mod equations;
 mod modes;
@@ -8,25 +8,24 @@ mod pressed;
 
 use crate::kane::runnable::{Runnable, value};
 
-/// The let-off button (m).
+/// Position of the let-off button (m).
 const BUTTON: f64 = 0.0082;
-/// Where the jack trips (m).
+/// Position at which the jack trips (m).
 const TRIP: f64 = 0.009_109_090_909_090_909;
-/// The string (m).
+/// Position of the string (m).
 const STRING: f64 = 0.045;
 
-/// ln(1 + eˣ).
 fn softplus(x: f64) -> f64 {
     if x > 30.0 { x } else { x.exp().ln_1p() }
 }
 
-/// The end of the repetition lever (m).
+/// Returns the position of the end of the repetition lever (m).
 fn lever(model: &Runnable<4>, y: f64) -> f64 {
     let [offset, ratio, drop, width] = ["o_r", "R", "yd", "wd"].map(|name| value(model, name));
     offset + ratio * (y - width * softplus((y - drop) / width))
 }
 
-/// The head that the key carries (m): on the jack along a line, through the let-off along the
+/// Returns the head on the key (m): on the jack along a line, through the let-off along the
 /// parabola that leaves the button in the line's direction and ends flat by `rho` at `zt`.
 fn carried(model: &Runnable<4>, mode: &str, y: f64) -> Option<f64> {
     let of = |name| value(model, name);
@@ -43,7 +42,6 @@ fn carried(model: &Runnable<4>, mode: &str, y: f64) -> Option<f64> {
     }
 }
 
-/// Compares, absolutely below 1 and relatively above.
 #[track_caller]
 fn agree(what: &str, got: f64, expected: f64, tolerance: f64) {
     let error = (got - expected).abs();

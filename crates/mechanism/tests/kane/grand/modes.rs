@@ -1,4 +1,4 @@
-//! The reduced grand's modes: where their guards stand, and where they lead.
+//! The reduced grand's modes: positions and targets of their guards.
 
 use pode::{Guarded as _, Resets as _};
 
@@ -55,14 +55,13 @@ fn guards_on_the_head_stand_where_the_table_says() {
     }
 }
 
-/// The guard called `name` of the mode called `of` at `x`.
 #[track_caller]
 fn guard_value(model: &Runnable<4>, of: &str, name: &str, x: [f64; 4]) -> f64 {
     let mode = mode(model, of);
     model.guard(mode, guard(model, mode, name), &x, &still(0.0)).value
 }
 
-/// Where the guard called `name` leads from `from`, with the key at `y` and the head at `z`.
+/// Returns the target of the guard `name` in `from`, with the key at `y` and the head at `z`.
 #[track_caller]
 fn leads(from: &str, name: &str, (y, z): (f64, f64)) -> &'static str {
     let model = GRAND.model::<4>("default", 0, &[]);
@@ -117,6 +116,5 @@ fn every_guard_leads_where_the_table_says() {
 fn the_table_has_every_guard_of_every_mode() {
     let model = GRAND.model::<4>("default", 0, &[]);
     let count: usize = modes(&model).map(|(mode, _)| model.guards(mode).len()).sum();
-    // One row more for each of the four that have a choice.
     assert_eq!(count + 4, 33, "guards without a row in the test above");
 }

@@ -1,4 +1,4 @@
-//! The reduced grand under a finger: its weights, its let-off, its blows and repetitions.
+//! The reduced grand under a finger: weights, let-off, blows and repetitions.
 
 use pode::stepper::Rk4;
 use pode::{Advance, Guarded as _, Limits, Model as _, Motion, Simulator};
@@ -9,20 +9,19 @@ use crate::kane::stroke::{AuditedRun, Seen, presses, run, still};
 
 /// Weight of a gram (N).
 const GRAM: f64 = 9.806_65e-3;
-/// Ticks (s).
+/// Duration of a tick (s).
 const H: f64 = 1e-3;
 
-/// What is felt at one tick.
+/// Finger's position and force at one tick.
 #[derive(Clone, Copy, Debug)]
 struct Felt {
     /// Key front (m).
     y: f64,
-    /// The finger's force, as a weight (gf).
+    /// Force of the finger, as a weight (gf).
     weight: f64,
     mode: &'static str,
 }
 
-/// Plays `gestures` on the default set until `until` (s).
 fn play(gestures: &[[f64; 3]], until: f64) -> (AuditedRun<Runnable<4>>, Vec<Felt>) {
     let model = GRAND.model::<4>("default", 0, &[]);
     let (mode, x) = model.at_rest(&still(0.0));
@@ -43,7 +42,7 @@ fn play(gestures: &[[f64; 3]], until: f64) -> (AuditedRun<Runnable<4>>, Vec<Felt
     (audited, felt)
 }
 
-/// Speeds at which the string was struck (m/s).
+/// Returns the speeds at which the string was struck (m/s).
 fn strikes(audited: &AuditedRun<Runnable<4>>) -> Vec<f64> {
     let model = GRAND.model::<4>("default", 0, &[]);
     let hits = audited.events.iter().filter(|event| event.name == "string-on");
@@ -55,17 +54,17 @@ fn strikes(audited: &AuditedRun<Runnable<4>>) -> Vec<f64> {
     hits.filter_map(sounds).collect()
 }
 
-/// A press to the bottom that takes some 4 `w` (s), with its middle at 6 `w`.
+/// Returns a press to the bottom that takes some 4 `w` (s), with its middle at 6 `w`.
 fn press(w: f64) -> [f64; 3] {
     [0.0107, 6.0 * w, w]
 }
 
-/// The slow press of a technician, 18 mm/s at most, and its release.
+/// Returns the slow press of a technician, 18 mm/s at most, and its release.
 fn weighed() -> (AuditedRun<Runnable<4>>, Vec<Felt>) {
     play(&[press(0.3), [-0.0107, 4.2, 0.3]], 6.5)
 }
 
-/// The weights where the key passes `y` (m), in the order of time.
+/// Returns the weights where the key passes `y` (m), in the order of time.
 fn at(felt: &[Felt], y: f64) -> Vec<f64> {
     let passes = felt.windows(2).filter(|pair| (pair[0].y < y) != (pair[1].y < y));
     passes.map(|pair| pair[1].weight).collect()
@@ -73,8 +72,8 @@ fn at(felt: &[Felt], y: f64) -> Vec<f64> {
 
 #[test]
 fn down_weight_and_up_weight_are_those_of_a_grand() {
-    // 50.9 and 25.7 gf by the independent program, at speeds that it does not say: viscous
-    // damping makes 0.046 gf for each mm/s, hence 0.8 gf at the 18 mm/s of this press.
+    // 50.9 and 25.7 gf by the independent program, which states no speeds: viscous damping adds
+    // 0.046 gf for each mm/s, hence 0.8 gf at the 18 mm/s of this press.
     let (_, felt) = weighed();
     let weights = at(&felt, 0.005);
     let [down, up] = weights[..] else { panic!("passes 5 mm {} times", weights.len()) };
@@ -89,12 +88,12 @@ fn the_let_off_is_felt_and_then_the_key_is_light() {
     assert_eq!(audited.names()[..3], ["button", "trip", "rep-on"]);
     let in_let_off = felt.iter().filter(|it| it.mode == "LO");
     let peak = in_let_off.max_by(|a, b| a.weight.total_cmp(&b.weight)).expect("a let-off");
-    // Nothing but S + t r at rest, t = Z' + ν half way: 2.77 + 5 times the 0.11 N of the
-    // hammer, 0.11 N of the jack's spring and −0.06 N of key and friction make 92 gf; the
-    // key, held up and let go again within 30 ms, adds some per cent.
+    // Only S + t r at rest, with t = Z' + ν half way: 2.77 + 5 times the 0.11 N of the hammer,
+    // 0.11 N of the jack's spring and −0.06 N of key and friction are 92 gf; the key, held up and
+    // released within 30 ms, adds some per cent.
     assert!((peak.y - 8.65e-3).abs() < 5e-5, "let-off at {:.3} mm", peak.y * 1e3);
     assert!((92.0..110.0).contains(&peak.weight), "let-off of {:.1} gf", peak.weight);
-    // After the trip the hammer is off the finger, and what remains is the jack's spring.
+    // After the trip the hammer is off the finger, and only the jack's spring remains.
     let [after, _] = at(&felt, 9.5e-3)[..] else { panic!("passes 9.5 mm once each way") };
     assert!((20.0..30.0).contains(&after), "aftertouch of {after:.1} gf");
     let [bottom, _] = at(&felt, 10.0e-3)[..] else { panic!("passes 10 mm once each way") };
@@ -121,7 +120,7 @@ fn a_slow_press_is_silent_and_faster_ones_are_louder() {
     assert!(speeds[0] < 0.2 && speeds[5] > 4.0, "from 0.13 to 4.0 m/s and more: {speeds:?}");
 }
 
-/// A forte, up to where the key is `low` (m), and another 0.12 s later.
+/// Plays a forte, up to where the key is `low` (m), and another 0.12 s later.
 fn repeated(low: f64) -> AuditedRun<Runnable<4>> {
     let back = 0.0107 - low;
     play(&[[0.0107, 0.1, 0.015], [-back, 0.3, 0.015], [back, 0.42, 0.015]], 0.8).0
@@ -138,7 +137,7 @@ fn a_caught_hammer_strikes_again_from_below_7_mm_and_not_from_above() {
         assert!(audited.names().contains(&"jack-in"), "from {low} m: {:?}", audited.names());
         assert!(speeds[1] > 0.3 * speeds[0], "from {low} m: {speeds:?}");
     }
-    // At 7.5 mm the jack has not slipped back: there is nothing that could throw the hammer.
+    // At 7.5 mm the jack has not slipped back, so nothing can throw the hammer.
     let audited = repeated(0.0075);
     assert_eq!(strikes(&audited).len(), 1, "{:?}", audited.names());
     assert!(!audited.names().contains(&"reset"), "{:?}", audited.names());
@@ -146,7 +145,7 @@ fn a_caught_hammer_strikes_again_from_below_7_mm_and_not_from_above() {
 
 #[test]
 fn a_press_while_the_head_is_below_the_check_does_not_catch_it() {
-    // On the lever with the head low, the key comes down through where the check begins.
+    // On the lever with the head low, the key comes down through the start of the check.
     let model = GRAND.model::<4>("default", 0, &[]);
     let s = Motion { position: 8.6e-3, rate: 0.05, ..Motion::default() };
     let x = [8.49e-3, 0.028, 0.05, -0.1];
@@ -172,7 +171,7 @@ fn held_down_it_rests_where_a_slow_press_would_leave_it() {
         let (mode, x) = model.at_rest(&input);
         assert_eq!(mode_name(&model, mode), expected, "at {s} m");
         let dx = model.derivative(mode, &x, &input);
-        // 1e-18 m of the key on 8 kN/m; and as much of the head on 45 N/m over 11 g.
+        // 1e-18 m of the key on 8 kN/m, and of the head on 45 N/m over 11 g.
         assert!(dx.iter().all(|it| it.abs() < 1e-11), "at {s} m: {dx:?}");
         let (audited, end) = run(&model, (mode, x), (H, 0.5), |_| input);
         assert!(audited.events.is_empty(), "at {s} m: {:?}", audited.names());
@@ -183,7 +182,7 @@ fn held_down_it_rests_where_a_slow_press_would_leave_it() {
 
 #[test]
 fn a_playable_key_is_balanced_and_comes_up_from_everywhere() {
-    /// What a released key must overcome: stiction of a simulated key (N).
+    /// Stiction of a simulated key, which a released key must overcome (N).
     const STICTION: f64 = 0.12;
     for key in 0..88 {
         let model = GRAND.model::<4>("playable", key, &[]);
@@ -195,7 +194,7 @@ fn a_playable_key_is_balanced_and_comes_up_from_everywhere() {
         let [mk, mh, g, kr] = ["mk", "mh", "g", "kr"].map(|name| value(&model, name));
         let sag = mh * g / kr;
         for y in (0..=20).map(|i| 0.0082 + 1e-4 * f64::from(i)) {
-            // Slowly upwards, without a finger: s goes with the key.
+            // Slowly upwards, without a finger: s moves with the key.
             let u = -0.02;
             let s = Motion { position: y, rate: u, ..Motion::default() };
             for (name, z) in [("REPH", lever(&model, y) - sag), ("CHK", 0.0)] {

@@ -1,12 +1,11 @@
-//! The reduced grand pressed and struck harder than any hand can: its energy is kept all the
-//! same.
+//! The reduced grand, pressed and struck harder than by any hand, keeps its energy.
 
 use pode::Motion;
 
 use crate::kane::runnable::{GRAND, Runnable, mode, value};
 use crate::kane::stroke::{AuditedRun, run, still};
 
-/// The finger goes on at 1 m/s for 1 s, and 1 m below the bed it pushes with 8 kN.
+/// Runs a finger that moves on at 1 m/s for 1 s, and pushes with 8 kN 1 m below the bed.
 fn pushed_through(h: f64) -> AuditedRun<Runnable<4>> {
     let model = GRAND.model::<4>("default", 0, &[]);
     let input = |t: f64| Motion { position: t, rate: 1.0, ..Motion::default() };
@@ -18,7 +17,7 @@ fn a_key_pressed_through_its_bed_keeps_its_energy() {
     let audited = pushed_through(1e-3);
     let residual = audited.audit.integration.abs();
     assert!(audited.throughput > 3e3 && residual < 1e-6 * audited.throughput, "{residual:e}");
-    // The same in steps that no felt is too stiff for.
+    // Again in steps that are short enough for every felt.
     let fine = pushed_through(5e-6).audit.dissipated;
     let off = (audited.audit.dissipated - fine).abs();
     assert!(off < 1e-4 * fine, "{} J, in fine steps {fine} J", audited.audit.dissipated);

@@ -1,18 +1,15 @@
-//! The built-in models' descriptions at random states, as text for another program.
-
 use mechanism::kane::graph::Place;
 use serde_json::{Map, Value, json};
 
 use crate::kane::evaluation::{Derived, Numbers};
 
-/// How many states are compared in each mode.
+/// States that are compared in each mode.
 const STATES: usize = 5;
 
-/// Folders of the built-in models that are mechanisms.
 const MECHANISMS: [&str; 5] =
     ["key_hammer_rigid", "key_hammer_springs", "cart_pendulum", "bouncing_ball", "reduced_grand"];
 
-/// Each mode of each preset of the built-in models, with states and what was found there.
+/// Writes each mode of each preset of the built-in models, with states and results.
 pub(super) fn cases() -> Vec<Value> {
     let mut all = Vec::new();
     let mut numbers = Numbers::new(21);
@@ -53,7 +50,6 @@ fn case(derived: &Derived, mode: usize, numbers: &mut Numbers) -> Value {
     })
 }
 
-/// A random state within the declared ranges.
 fn state(derived: &Derived, mode: usize, numbers: &mut Numbers) -> Value {
     let mechanism = &derived.system.mechanism;
     let names: Vec<_> = derived.system.state.iter().map(|place| entry(derived, *place)).collect();
@@ -61,7 +57,7 @@ fn state(derived: &Derived, mode: usize, numbers: &mut Numbers) -> Value {
         .iter()
         .map(|(name, (low, high))| {
             let part = 0.5 * numbers.next();
-            // Where the key of model C is let off, and meets its bed.
+            // Range of model C's key between let-off and bed.
             let (low, high) = if name == "y" && mechanism.name == "reduced-grand" {
                 (0.0045, 0.0125)
             } else {
@@ -79,7 +75,7 @@ fn state(derived: &Derived, mode: usize, numbers: &mut Numbers) -> Value {
         found.insert(format!("{name}'"), json!(rates[index]));
     }
     let outputs = derived.all(&equations.outputs, &x, input);
-    // Those with a point place what is drawn.
+    // Outputs with a point place drawn frames.
     let named = mechanism.outputs.iter().zip(outputs);
     for (output, value) in named.filter(|(output, _)| !output.name.contains('.')) {
         found.insert(output.name.clone(), json!(value));
@@ -91,7 +87,6 @@ fn state(derived: &Derived, mode: usize, numbers: &mut Numbers) -> Value {
     json!({ "state": state, "input": input, "found": found })
 }
 
-/// Name and range of an entry of the state.
 fn entry(derived: &Derived, place: Place) -> (String, (f64, f64)) {
     let mechanism = &derived.system.mechanism;
     if let Place::Coordinate(i) = place {

@@ -1,5 +1,3 @@
-//! Motions of free linkages, as text for `MuJoCo`.
-
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, RunRecorder, Simulator};
 use serde_json::{Value, json};
@@ -9,7 +7,7 @@ use instruments::equations::ModeNumber;
 use crate::kane::evaluation::Derived;
 use crate::kane::runnable::Runnable;
 
-/// Three unlike rods that hang on one another, with a spring and a damper in the last joint.
+/// Three different rods in a chain, with a spring and a damper in the last joint.
 const CHAIN: &str = r#"
 name = "chain"
 gravity = ["0", "-9.81 m/s^2"]
@@ -40,11 +38,10 @@ start = true
 /// Step of the finer run (s): a hundredth of a radian and less.
 const STEP: f64 = 5e-5;
 
-/// How often the motion is compared (s), and for how long.
+/// Interval of the comparison (s), and its length.
 const EVERY: f64 = 0.05;
 const UNTIL: f64 = 0.5;
 
-/// The open chain and the closed four-bar linkage.
 pub(super) fn cases() -> Vec<Value> {
     vec![chain(), four_bar()]
 }
@@ -64,7 +61,7 @@ fn chain() -> Value {
     })
 }
 
-/// The shipped linkage: the coupler's angle is to the crank in the other program.
+/// Returns the shipped linkage: the coupler's angle is to the crank in the other program.
 fn four_bar() -> Value {
     let mut derived = Derived::shipped("linkage");
     // Soft enough for a wide swing.
@@ -97,7 +94,7 @@ fn four_bar() -> Value {
     })
 }
 
-/// Time and state at each look, by fine steps and by steps twice as long.
+/// Returns time and state at each sample, by fine steps and by steps twice as long.
 fn motions(derived: &Derived, start: &[f64], input: f64) -> [Vec<Vec<f64>>; 2] {
     let start: [f64; 6] = start.try_into().expect("three bodies");
     let still = Motion { position: input, ..Motion::default() };
@@ -105,7 +102,6 @@ fn motions(derived: &Derived, start: &[f64], input: f64) -> [Vec<Vec<f64>>; 2] {
     [STEP, 2.0 * STEP].map(|h| motion(&model, (still, start), h))
 }
 
-/// The same by steps of `h`.
 fn motion(model: &Runnable<6>, (still, start): (Motion, [f64; 6]), h: f64) -> Vec<Vec<f64>> {
     let mut simulator = Simulator::new(*model, Rk4, Limits::default(), ModeNumber(0), start);
     let mut recorder = RunRecorder::new(h).sampled(EVERY);

@@ -1,7 +1,7 @@
-//! Mechanisms here and by other programs: SymPy's `KanesMethod`, and the motions of `MuJoCo`.
+//! Mechanisms compared with SymPy's `KanesMethod`, and motions with `MuJoCo`.
 //!
 //! `cargo xtask oracle` installs both and compares all, `cargo xtask test` a part. Without a Python
-//! that has them there is nothing to compare with, and the tests say that they were skipped.
+//! that has them the tests compare nothing and report that they were skipped.
 #![expect(clippy::print_stdout, reason = "what was compared is shown")]
 
 mod built_in;
@@ -14,16 +14,15 @@ use std::process::Command;
 
 use serde_json::Value;
 
-/// A Python that has what requirements.txt names.
+/// Python with the packages of requirements.txt.
 const PYTHON: &str = "LETOFF_ORACLE_PYTHON";
 
-/// How many random mechanisms are compared.
+/// Number of random mechanisms to compare.
 const COUNT: &str = "LETOFF_ORACLE_MECHANISMS";
 
-/// How many there are in all.
 const ALL: u64 = 20;
 
-/// The Python; without one says that nothing is compared.
+/// Returns the Python; without one, reports that nothing is compared.
 fn python() -> Option<OsString> {
     let python = std::env::var_os(PYTHON);
     if python.is_none() {
@@ -34,7 +33,7 @@ fn python() -> Option<OsString> {
     python
 }
 
-/// Gives `cases` to a program of this folder, which compares them.
+/// Passes `cases` to a program of this folder, which compares them.
 fn compare(python: OsString, program: &str, cases: &[Value]) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("oracle");
     std::fs::create_dir_all(&folder).expect("a folder");
@@ -70,7 +69,7 @@ fn free_linkages_move_as_in_mujoco() {
     compare(python, "linkages.py", &cases);
 }
 
-/// Without any other program: the mechanisms are derived, and energy is conserved.
+/// Without another program: the mechanisms are derived, and energy is conserved.
 #[test]
 fn random_mechanisms_have_equations() {
     let mut constrained = 0;

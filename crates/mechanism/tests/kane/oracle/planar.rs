@@ -1,15 +1,12 @@
-//! Random planar mechanisms: chains and trees of links and slides, with springs and constraints.
-
 use mechanism::kane::graph::Place;
 use serde_json::{Value, json};
 
 use crate::kane::builder::MechanismBuilder;
 use crate::kane::evaluation::{Derived, Numbers, close, imbalance};
 
-/// How many states are compared.
 const STATES: usize = 5;
 
-/// A mechanism that grows here and in the text for the other program.
+/// Mechanism that is built here and in the text for the other program.
 struct Planar {
     numbers: Numbers,
     m: MechanismBuilder,
@@ -20,17 +17,15 @@ struct Planar {
     springs: Vec<Value>,
     torsion: Vec<Value>,
     constraints: Vec<Value>,
-    /// Numbers of the constraints.
     tied: Vec<usize>,
     /// Coordinates of the pose in which the constraints are met.
     start: Vec<f64>,
 }
 
-/// A point of a frame.
 struct FramePoint {
     frame: usize,
     at: [f64; 2],
-    /// On the ground's axes.
+    /// Position on the ground's axes.
     place: [String; 2],
 }
 
@@ -59,7 +54,7 @@ pub(super) fn random(seed: u64) -> Value {
         start: Vec::new(),
     };
     for i in 0..count {
-        // Loops are closed by chains, which can; trees are free.
+        // Only chains have closed loops; trees are free.
         let parent = if seed.is_multiple_of(5) { planar.numbers.below(i + 1) } else { i };
         planar.link(i, parent);
     }
@@ -76,13 +71,13 @@ pub(super) fn random(seed: u64) -> Value {
 }
 
 impl Planar {
-    /// A number with few digits, so that its text is the number.
+    /// Returns a number with few digits, so that its text is exact.
     fn number(&mut self, low: f64, high: f64) -> f64 {
         let middle = 0.5 * (low + high) + 0.5 * (high - low) * self.numbers.next();
         (middle * 1e4).round() / 1e4
     }
 
-    /// A body on a frame that turns or slides on one before.
+    /// Adds a body on a frame that rotates or slides on an earlier one.
     fn link(&mut self, i: usize, parent: usize) {
         let [x, y] = [self.number(0.1, 0.6), self.number(-0.3, 0.3)];
         let turns = i == 0 || self.numbers.next() > -0.4;
@@ -114,7 +109,6 @@ impl Planar {
         self.m.rest(i, &self.start[i].to_string());
     }
 
-    /// A spring between the input and the angle of a joint.
     fn torsion_spring(&mut self, i: usize, frame: usize, parent: usize) {
         if self.numbers.next() < 0.0 {
             return;
@@ -143,7 +137,6 @@ impl Planar {
         FramePoint { frame, at, place }
     }
 
-    /// A spring with a damper between points of two frames.
     fn spring(&mut self) {
         let first = self.numbers.below(self.places.len());
         let second = (first + 1 + self.numbers.below(self.places.len() - 1)) % self.places.len();
@@ -161,7 +154,7 @@ impl Planar {
         }));
     }
 
-    /// A point of the last frame stays where it is at the start, or goes with the input.
+    /// Holds a point of the last frame at its start, or moves it with the input.
     fn tie(&mut self, axes: &[&str]) {
         let point = self.point(self.places.len() - 1);
         for (k, axis) in ["x", "y"].iter().enumerate().filter(|(_, it)| axes.contains(it)) {
@@ -175,7 +168,6 @@ impl Planar {
         }
     }
 
-    /// The value of a text at the start.
     fn value(&mut self, text: &str) -> f64 {
         let mut probe = MechanismBuilder::new(&[], &[]);
         for (i, value) in self.start.iter().enumerate() {
@@ -185,7 +177,7 @@ impl Planar {
         probe.graph().number(node).expect("a number")
     }
 
-    /// A point of the last frame goes along the frame only, as a skate does.
+    /// Lets a point of the last frame move along the frame only, like a skate.
     fn edge(&mut self) {
         let point = self.point(self.places.len() - 1);
         let angle = self.places[point.frame][2].clone();
@@ -201,7 +193,6 @@ impl Planar {
         self.constraints.push(json!({ "kind": "edge", "place": "0", "point": point }));
     }
 
-    /// A state near the start.
     fn guess(&mut self, derived: &Derived) -> Vec<f64> {
         let state = derived.system.state.iter();
         let values = state.map(|place| {

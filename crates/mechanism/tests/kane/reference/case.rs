@@ -1,5 +1,3 @@
-//! Reads the reference cases and runs a described model on them.
-
 use std::fs;
 use std::path::PathBuf;
 
@@ -11,35 +9,31 @@ use serde_json::Value;
 use crate::kane::runnable::{Runnable, ShippedModel, mode_name};
 use crate::kane::stroke::{bells, presses, still};
 
-/// An event of a reference case.
 #[derive(Clone, Debug)]
 pub(crate) struct Expected {
     pub(crate) t: f64,
     pub(crate) guard: String,
     pub(crate) from: String,
     pub(crate) to: String,
-    /// State before and after, in the order of the model's state.
     pub(crate) before: Vec<f64>,
     pub(crate) after: Vec<f64>,
 }
 
-/// The terms that a reference's input is a sum of.
+/// Terms of a reference's input.
 #[derive(Clone, Copy, Debug)]
 enum Shape {
-    /// A exp(−((t − tc)/w)²).
+    /// Terms A exp(−((t − tc)/w)²).
     Bells,
-    /// A (1 + tanh((t − tc)/w))/2.
+    /// Terms A (1 + tanh((t − tc)/w))/2.
     Presses,
 }
 
-/// A reference case: parameters, input, events and the sampled trajectory.
+/// Reference case: parameters, input, events and the sampled trajectory.
 pub(crate) struct Case<const N: usize> {
-    /// The model with the case's parameters.
     pub(crate) model: Runnable<N>,
-    /// Names of the state's entries.
     pub(crate) states: Vec<&'static str>,
     shape: Shape,
-    /// (A, tc, w) of each term.
+    /// Values (A, tc, w) of each term.
     terms: Vec<[f64; 3]>,
     /// `true` if the start is the rest under s = 0 rather than under s(0).
     starts_at_zero: bool,
@@ -76,7 +70,6 @@ impl<const N: usize> Case<N> {
         }
     }
 
-    /// The exact input at `t` (s).
     pub(crate) fn input(&self, t: f64) -> Motion {
         match self.shape {
             Shape::Bells => bells(&self.terms, t),
@@ -84,18 +77,15 @@ impl<const N: usize> Case<N> {
         }
     }
 
-    /// Mode and state at the start.
     pub(crate) fn start(&self) -> (ModeNumber, [f64; N]) {
         self.model.at_rest(&if self.starts_at_zero { still(0.0) } else { self.input(0.0) })
     }
 
-    /// The value in `column` of `row`.
     pub(crate) fn value(&self, row: usize, column: &str) -> f64 {
         let index = self.columns.iter().position(|name| name == column).expect("a column");
         self.rows[row][index].parse().expect("a number")
     }
 
-    /// Runs the case with ticks of `h` (s) and the exact input.
     #[track_caller]
     pub(crate) fn run(&self, h: f64) -> Trace<N> {
         let (mode, state) = self.start();
@@ -113,7 +103,7 @@ impl<const N: usize> Case<N> {
     }
 }
 
-/// The values of the first preset, replaced where the case states others.
+/// Returns the values of the first preset, replaced where the case states others.
 fn values(shipped: &ShippedModel, given: &Value) -> Vec<f64> {
     let mut values = shipped.values(0, 0);
     for (parameter, value) in shipped.table.parameters.iter().zip(&mut values) {
@@ -124,7 +114,7 @@ fn values(shipped: &ShippedModel, given: &Value) -> Vec<f64> {
     values
 }
 
-/// A number, in quotes where all its digits are kept.
+/// Reads a number, in quotes where all its digits are kept.
 pub(crate) fn number(value: &Value) -> f64 {
     let text = value.as_str().map(|text| text.parse().expect("a number"));
     text.unwrap_or_else(|| value.as_f64().expect("a number"))
@@ -143,7 +133,6 @@ fn event(json: &Value, states: &[&str]) -> Expected {
     }
 }
 
-/// An event of a run: its time (s), its guard, and mode and state before and after.
 #[derive(Debug)]
 pub(crate) struct Met<const N: usize> {
     pub(crate) t: f64,
@@ -152,7 +141,7 @@ pub(crate) struct Met<const N: usize> {
     pub(crate) states: [[f64; N]; 2],
 }
 
-/// The events of a run, mode and state at the end of each tick, and its energy.
+/// Events of a run, mode and state at the end of each tick, and its energy.
 #[derive(Debug)]
 pub(crate) struct Trace<const N: usize> {
     h: f64,

@@ -7,7 +7,7 @@ use crate::kane::runnable::{GRAND, RIGID, SPRINGS, ShippedModel, mode_name, outp
 pub(crate) use case::Case;
 use case::Trace;
 
-/// Largest event-time error of a run (s); panics unless the mode sequence is right.
+/// Returns the largest event-time error of a run (s); checks the mode sequence.
 #[track_caller]
 fn event_error<const N: usize>(case: &Case<N>, trace: &Trace<N>, h: f64) -> f64 {
     let seen: Vec<_> = trace.events.iter().map(|it| (it.guard, it.modes)).collect();
@@ -46,7 +46,7 @@ fn model_a_throws_and_catches_twice() {
     check_events::<2>(&RIGID, "model-a-two-throws");
 }
 
-/// The forte of model C, with ticks of `h` (s): the largest error of an event's time.
+/// Plays the forte of model C with ticks of `h` (s); returns the largest error of an event's time.
 fn forte_error(h: f64) -> f64 {
     let case = Case::<4>::load(&GRAND, "model-c-forte");
     event_error(&case, &case.run(h), h)
@@ -54,9 +54,9 @@ fn forte_error(h: f64) -> f64 {
 
 #[test]
 fn model_c_plays_a_forte_at_the_speed_of_a_keyboard() {
-    // However long the tick, steps are at most 0.75 of a radian of what moves: RK4 is off by
-    // 0.75⁵/120 = 2e-3 of a radian in each, hence by 4e-7 s on the string (1/ω = 0.21 ms) and
-    // 5e-6 s on the key (1/ω = 1.3 to 2.4 ms); shorter ticks are better by more than their cube.
+    // However long the tick, steps are at most 0.75 rad of the fastest motion: RK4 is off by
+    // 0.75⁵/120 = 2e-3 rad in each, hence by 4e-7 s on the string (1/ω = 0.21 ms) and 5e-6 s on
+    // the key (1/ω = 1.3 to 2.4 ms); shorter ticks improve by more than their cube.
     for h in [1e-3, 5e-4, 2.5e-4, 1e-4_f64] {
         let (error, bound) = (forte_error(h), 1e-5 * (h / 1e-3).powi(3));
         assert!(error < bound, "at ticks of {h} s event times are off by {error:e} s");
@@ -65,7 +65,7 @@ fn model_c_plays_a_forte_at_the_speed_of_a_keyboard() {
 
 #[test]
 fn model_c_converges_as_its_felts_allow() {
-    // The string sets in as p^2.5, so RK4's fourth order is one of 3.5 in the steps where the
+    // The string force begins as p^2.5, so RK4's fourth order is one of 3.5 in the steps where the
     // hammer meets and leaves it: a tenth of the step divides by 10^3.5 at least.
     let (coarse, fine) = (forte_error(2.5e-5), forte_error(2.5e-6));
     assert!(coarse / fine > 10.0_f64.powf(3.5), "{coarse:e} s, then {fine:e} s");
@@ -75,14 +75,13 @@ fn model_c_converges_as_its_felts_allow() {
 #[test]
 fn states_at_events_are_the_references() {
     check_states::<4>(&SPRINGS, "model-b-figure6", 1e-4, 1e-8);
-    // The string decelerates the head by some km/s²: 1e-12 s make 1e-8 m/s.
+    // The string decelerates the head by some km/s²: 1e-12 s are 1e-8 m/s.
     check_states::<4>(&GRAND, "model-c-forte", 1e-5, 1e-7);
     let case = Case::<4>::load(&SPRINGS, "model-b-figure6");
     let first = &case.events[0];
     assert_eq!(first.before, first.after, "a release keeps the state");
 }
 
-/// Checks the states before and after each event.
 #[track_caller]
 fn check_states<const N: usize>(shipped: &ShippedModel, name: &str, h: f64, tolerance: f64) {
     let case = Case::<N>::load(shipped, name);
@@ -149,7 +148,6 @@ fn check_outputs<const N: usize>(
     (case, trace)
 }
 
-/// Ticks of `h` (s) in a row of the trajectory.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
 fn per_row<const N: usize>(case: &Case<N>, h: f64) -> usize {
     (case.value(1, "t") / h).round() as usize
@@ -186,8 +184,8 @@ fn energy_is_accounted_for() {
         assert!(audit.supplied.abs() > 1e-3, "the stroke supplies {} J", audit.supplied);
         assert!(audit.integration.abs() < 1e-9, "{name}: residual {:e} J", audit.integration);
     }
-    // 30 mJ go into the string and come out of it again; Simpson's rule over the onset of
-    // its p^2.5 is of order 3.5, as the motion is.
+    // 30 mJ go into the string and return; Simpson's rule over the onset of its p^2.5 is of order
+    // 3.5, like the motion.
     let case = Case::<4>::load(&GRAND, "model-c-forte");
     let residual = |h| case.run(h).audit.integration.abs();
     let (coarse, fine) = (residual(1e-3), residual(6.25e-6));

@@ -1,11 +1,9 @@
-//! Coefficients by two functions against the equations.
-
 use pode::{GuardId, Guarded as _, Model as _};
 
 use super::{ORDER, each, motion_at};
 
-/// How far the series says something: its last terms are then in the rounding, and no condition is
-/// near its zero.
+/// Returns the validity of the series: its last terms are then rounding, and no condition is near
+/// zero.
 fn reach(case: &super::Case<12>) -> f64 {
     let series = &case.series;
     let rows = (0..case.states()).map(|entry| series.terms.map(|term| term[entry]));

@@ -1,4 +1,3 @@
-//! The Taylor series of described models: every mode of every description that has one.
 #![expect(
     clippy::large_types_passed_by_value,
     reason = "models are copied, and a test has the stack"
@@ -19,30 +18,27 @@ use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{Runnable, ShippedModel};
 use crate::kane::shipped::{Folder, files};
 
-/// The program of a description.
 fn program(file: &PathBuf) -> Program {
     let text = std::fs::read_to_string(file).expect("a description");
     let model = derive_model(&file.display().to_string(), &text, &Folder);
     model.unwrap_or_else(|mistakes| panic!("{mistakes}")).program
 }
 
-/// The program of the description of this name.
 fn named(name: &str) -> Program {
     let all = files().iter().map(program).find(|program| program.table.name == name);
     all.expect("a description of that name")
 }
 
-/// The model of a program, with the values of a preset in the middle of the keys.
+/// Returns the model of a program, with the values of a preset in the middle of the keys.
 fn model<const N: usize>(program: &Program, preset: usize) -> Runnable<N> {
     let model = ShippedModel::of(program.clone());
     model.valued(&model.values(preset, 44))
 }
 
-/// A mode of a model somewhere near its rest, under an input that moves, and its series.
+/// Mode of a model near its rest, under a moving input, and its series.
 struct Case<const N: usize> {
     model: Runnable<N>,
     mode: ModeNumber,
-    /// The mode's number in the table.
     index: usize,
     input: [Motion; INPUT_TERMS],
     series: Expansion<[f64; N]>,
@@ -51,7 +47,7 @@ struct Case<const N: usize> {
 const ORDER: usize = 16;
 
 impl<const N: usize> Case<N> {
-    /// None where the mode has no series.
+    /// Returns `None` where the mode has no series.
     fn new(model: Runnable<N>, index: usize, numbers: &mut Numbers) -> Option<Self> {
         let table = model.table();
         table.modes[index].series?;
@@ -88,7 +84,7 @@ impl<const N: usize> Case<N> {
         format!("{} {}", table.name, table.modes[self.index].name)
     }
 
-    /// The state along the series, and its derivative (1/s).
+    /// Returns the state along the series, and its derivative (1/s).
     fn at(&self, tau: f64) -> [[f64; N]; 2] {
         let series = &self.series;
         let terms = |entry: usize| (0..=ORDER).map(move |k| series.terms[k][entry]);
@@ -102,7 +98,7 @@ impl<const N: usize> Case<N> {
     }
 }
 
-/// The input and its rates where τ has passed.
+/// Returns the input and its rates after τ.
 fn motion_at(input: &[Motion; INPUT_TERMS], scale: f64, tau: f64) -> Motion {
     let mut terms: Vec<f64> = input.iter().map(|it| it.position).collect();
     let mut next = || {
@@ -114,7 +110,7 @@ fn motion_at(input: &[Motion; INPUT_TERMS], scale: f64, tau: f64) -> Motion {
     Motion { position: next(), rate: next(), acceleration: next(), jerk: next() }
 }
 
-/// Calls `check` with a few cases of every mode of every description that has a series.
+/// Calls `check` with a few cases of every mode of every description with a series.
 fn each(mut check: impl FnMut(&Program, &Case<12>)) -> usize {
     let mut numbers = Numbers::new(16);
     let mut modes = 0;

@@ -1,5 +1,3 @@
-//! Described models stepped by Taylor's method.
-
 use instruments::equations::ModeNumber;
 use pode::series::{INPUT_TERMS, add_bell};
 use pode::stepper::{Controlled, Dop853, Stepper, Taylor, Tolerance};
@@ -9,12 +7,12 @@ use super::{model, named};
 use crate::kane::runnable::{Runnable, runnable};
 use crate::kane::stroke::{FIGURE_6, bells};
 
-/// The strokes of figure 6 over one tick of `h` (s), with their series.
+/// Strokes of figure 6 over one tick of `h` (s), with their series.
 struct Strokes {
-    /// Where the tick begins (s).
+    /// Start of the tick (s).
     from: f64,
     h: f64,
-    /// How strong they are.
+    /// Factor of the strokes' size.
     scale: f64,
 }
 
@@ -37,7 +35,7 @@ impl Signal<Motion> for Strokes {
     }
 }
 
-/// What a run gave: times (s), names and modes of its events, its end, and its work.
+/// Times (s), names and modes of a run's events, its end, and its work.
 struct Outcome<const N: usize> {
     events: Vec<(f64, &'static str, u8)>,
     end: [f64; N],
@@ -71,7 +69,6 @@ fn exact() -> Controlled<Dop853> {
     Controlled { method: Dop853, tolerance: Tolerance::both(1e-13) }
 }
 
-/// Compares two runs: the same events, at the same times.
 fn same<const N: usize>(name: &str, one: &Outcome<N>, other: &Outcome<N>, within: f64) {
     let story = |it: &Outcome<N>| -> Vec<_> {
         it.events.iter().map(|(_, name, to)| (*name, *to)).collect()
@@ -101,7 +98,6 @@ fn a_described_double_pendulum_meets_its_wall_when_another_method_says_so() {
 fn its_energy_stays() {
     let program = named("double-pendulum");
     let mut model = model::<4>(&program, 0);
-    // A wall that is out of reach.
     let mut values = model.parameters().to_vec();
     let wall = program.table.parameters.iter().position(|it| it.name == "wall").expect("a wall");
     values[wall] = 0.5;
@@ -127,7 +123,7 @@ fn the_described_model_b_throws_and_catches_when_another_method_says_so() {
     println!("{:?}", taylor.work);
 }
 
-/// The third preset has a felt whose force is never negative: the step ends where it would be.
+/// The third preset has a felt with a non-negative force: the step ends where it would be negative.
 #[test]
 fn a_step_ends_where_a_felt_is_left() {
     let program = named("key-hammer-springs");
