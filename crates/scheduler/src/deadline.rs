@@ -48,6 +48,7 @@ impl TickTimes {
         self.work.since(self.simulated)
     }
 
+    /// Returns the time between start and end in which the host did not run.
     pub const fn stolen(&self) -> Nanos {
         self.turnaround().since(self.own_work())
     }
@@ -90,6 +91,7 @@ pub struct Counters {
     pub skipped: u64,
 }
 
+/// Counts of ticks and misses, with the end and the miss of the last tick.
 #[derive(Clone, Debug, Default)]
 pub struct Ledger {
     counters: Counters,

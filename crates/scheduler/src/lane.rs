@@ -1,3 +1,5 @@
+//! One worker's voices, and their share of the tick.
+
 use crate::port::{TickInput, TickOutput};
 use crate::slot::Slot;
 use crate::voice::{Voice, VoiceOutput, VoiceWork};
@@ -131,6 +133,7 @@ mod tests {
         assert_eq!((0..KEYS).filter(seen).count(), 2, "slots whose key is followed are looked at");
     }
 
+    /// Clock by which each turn of ten units takes `turn` (ns) of `time` (ns).
     struct TurnClock<'a> {
         time: f64,
         turn: f64,

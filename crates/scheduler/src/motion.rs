@@ -107,6 +107,7 @@ pub enum PressureScope {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum KeyEvent {
     Strike {
+        /// Hammer speed at the string (m/s).
         speed: f64,
         loudness: Loudness,
     },

@@ -12,6 +12,7 @@ pub const MAX_STATES: usize = 32;
 /// Changes of mode of one tick that can be shown; more are counted, not kept.
 pub const MAX_SWITCHES: usize = 6;
 
+/// Keys with observed voices in a tick, a bit each.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct FollowedKeys {
     all: u128,
@@ -62,6 +63,7 @@ impl VoiceObservation {
     }
 }
 
+/// Model at the end of a tick.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct ModelSnapshot {
     /// Number of the voice among all voices of a run; 0 for a key without a voice.
@@ -90,6 +92,7 @@ impl ModelSnapshot {
     }
 }
 
+/// Change of a mode within a tick.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Switch {
     /// Fraction of the tick, in `0 ..= 1`.

@@ -160,11 +160,9 @@ impl<V> Slot<V> {
 }
 
 impl<V: Voice> Slot<V> {
-    /// Replaces the voice by one that continues from the state of the old one, and returns the old
-    /// one.
-    ///
-    /// The force of the new voice is fresh. The new voice begins at rest if it cannot take over, or
-    /// if the old one failed or has not begun.
+    /// Replaces the voice by one that continues from its state, with a fresh force, and returns the
+    /// old one. The new voice begins at rest if it cannot take over, or if the old one failed or
+    /// has not begun.
     ///
     /// # Real-time
     /// As [`Voice::take_over`].
@@ -203,14 +201,12 @@ impl<V: Voice> Slot<V> {
         self.last_turn.units
     }
 
-    /// Sets the rules of the next turns, and the `units` of work for which the lane has time in
-    /// each.
+    /// Sets the rules of the next turns, and the `units` of work that the lane allows in each.
     pub fn allow(&mut self, rules: TickRules, units: u32) {
         (self.rules, self.limit) = (rules, SlotLimit::Budget(units));
     }
 
-    /// Like [`Self::allow`], but with the limit of a recorded turn if it was cut off; in other
-    /// turns the limit decided nothing.
+    /// Like [`Self::allow`], but with the limit of a recorded turn, if it was cut off there.
     pub fn allow_recorded(&mut self, rules: TickRules, limit: Option<u32>) {
         let limit = limit.map_or(TurnLimit::NONE, TurnLimit::of);
         (self.rules, self.limit) = (rules, SlotLimit::Recorded(limit));
@@ -432,7 +428,7 @@ mod tests {
         fn reset(&mut self, _sample: &KeySample) {}
     }
 
-    /// Returns how often a voice that fails in the ticks of `fails` is called in `ticks`.
+    /// Counts the calls, in `ticks`, of a voice that fails in the ticks of `fails`.
     fn calls(ticks: u64, fails: fn(u64) -> bool) -> u64 {
         calls_at(1000, ticks, fails)
     }
@@ -526,6 +522,7 @@ mod tests {
 
     #[test]
     fn a_voice_that_flips_between_fault_and_recovery_is_muted() {
+        // A fault, 20 ms of fading, 20 ms of return: 250 of them in 10 s.
         let called = calls(10_000, |tick| tick % 40 == 0);
         assert!((120..=400).contains(&called), "called {called} times");
     }

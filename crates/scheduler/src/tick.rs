@@ -47,8 +47,8 @@ const _: () = {
 };
 
 impl Scheduler {
-    /// Returns a scheduler whose first tick is due at the timetable's start, and whose forces
-    /// change by at most `slew` (N/s) on their way to a voice.
+    /// Returns a scheduler with its first tick due at the timetable's start, and forces that change
+    /// by at most `slew` (N/s) towards a voice.
     #[expect(
         clippy::large_stack_frames,
         clippy::large_stack_arrays,
@@ -59,7 +59,6 @@ impl Scheduler {
             timetable,
             next: 0,
             samples: [KeySample::default(); KEYS],
-            // Keys without a voice rest permanently.
             turns: [VoiceOutput { idle: true, ..VoiceOutput::default() }; KEYS],
             observed: [VoiceObservation::default(); KEYS],
             forces: [SAFE_FORCE; KEYS],
@@ -69,7 +68,6 @@ impl Scheduler {
         }
     }
 
-    /// Sets what is left out under overload.
     pub fn set_overload(&mut self, rules: OverloadRules) {
         self.overload = OverloadController::new(rules, self.timetable.period());
     }
@@ -126,6 +124,7 @@ impl Scheduler {
         let voices = LaneReport::of(&self.turns);
         self.overload.note_evaluations(voices.work.evaluations());
         if 0 < voices.late {
+            // Late lanes mean full load.
             self.overload.note_load(1.0);
         }
         Some(TickReport {

@@ -65,10 +65,12 @@ impl Period {
         if 0 < tick_hz && tick_hz <= MAX_TICK_HZ { Some(Self { hz: tick_hz }) } else { None }
     }
 
+    /// Returns the rate (1/s).
     pub const fn hz(self) -> u32 {
         self.hz
     }
 
+    /// Returns the period (s).
     pub fn as_secs_f64(self) -> f64 {
         1.0 / f64::from(self.hz)
     }

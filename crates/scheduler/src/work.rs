@@ -78,6 +78,7 @@ impl WorkCosts {
         known.fold(NOMINAL_UNIT_NS, f64::max)
     }
 
+    /// Returns the cost of a unit (ns), if it is known.
     #[inline]
     pub fn unit(&self, kind: VoiceKind) -> Option<f64> {
         let known = self.units[..self.n_kinds].iter().find(|(it, _)| *it == kind);
@@ -119,7 +120,7 @@ pub struct LaneBudget<'a, C> {
     clock: C,
     /// Time of the lane by its clock in a tick (ns).
     time: f64,
-    /// Time that may be spent before the next look at the clock (ns).
+    /// Time that may be spent before the next read of the clock (ns).
     granted: f64,
     /// Time spent by the costs (ns).
     spent: f64,
@@ -174,8 +175,7 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
         price
     }
 
-    /// Returns `true` if the lane has time for a turn of `units`, the work of the voice's last
-    /// turn.
+    /// Returns `true` if the lane has time for a turn of `units`, those of the voice's last turn.
     ///
     /// # Real-time
     /// Reads the clock where the time that was granted is spent by the costs.
@@ -186,8 +186,8 @@ impl<'a, C: LaneClock> LaneBudget<'a, C> {
 
     /// Reads the clock and grants half of the time left, if a turn of `units` fits into it.
     ///
-    /// The clock is decisive: a tick that took less than its costs will do so in this turn. No turn
-    /// takes more than its limit.
+    /// The clock is right: if the tick took less than its costs so far, the turn will as well. No
+    /// turn takes more than its limit.
     #[cold]
     fn look(&mut self, price: TurnPrice, units: u32) -> bool {
         let left = self.clock.left();

@@ -1,5 +1,3 @@
-//! When a tick runs, and which one, in virtual time.
-
 use scheduler::time::Nanos;
 
 use crate::rig::Rig;

@@ -7,7 +7,6 @@ use scheduler::time::Period;
 
 use crate::rig::{Failure, HZ, Rig, Spring, spring};
 
-/// Ticks of the fade at the tests' rate.
 const FADE_TICKS: u32 = 20;
 
 /// Ticks from the first that is held to the first without force.
@@ -24,7 +23,7 @@ const LIMIT: f64 = 0.010 * 800.0;
 /// Fastest change of a spring's force (N): the key moves at most 0.1 mm a tick.
 const SLEW: f64 = 0.000_1 * 800.0;
 
-/// Runs 200 ticks and returns what key 40 felt (N).
+/// Returns the force on key 40 in 200 ticks (N).
 fn felt(mut rig: Rig) -> [f64; 200] {
     core::array::from_fn(|tick| rig.forces_of(tick as u64)[40])
 }

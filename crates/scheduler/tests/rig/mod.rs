@@ -35,7 +35,6 @@ pub struct Spring {
     pub fails: Option<(u64, u64, Failure)>,
 }
 
-/// How a voice goes wrong.
 #[derive(Clone, Copy, Debug)]
 pub enum Failure {
     Reported,
@@ -62,7 +61,6 @@ impl Voice for Spring {
     }
 }
 
-/// Returns springs for all keys, each with its own rate.
 pub fn springs() -> [Slot<Spring>; KEYS] {
     core::array::from_fn(|key| Slot::new(key, spring(key)))
 }

@@ -17,6 +17,7 @@ fn sent<const T: usize>(mut key: KeySafety, ticks: [(Trust, f64); T]) -> [f64; T
     ticks.map(|(trust, force)| key.step(trust, (force, 0.0), RAMPS, 1.0))
 }
 
+/// Returns a key that follows its voice and was last sent `force` (N).
 fn following(force: f64) -> KeySafety {
     KeySafety { state: SafetyState::Following, sent: force, position: 0.0 }
 }
