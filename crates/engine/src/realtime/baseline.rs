@@ -37,7 +37,7 @@ pub struct BaselineTiming {
 }
 
 impl BaselineTiming {
-    /// Returns how often the timer was later than the rest of a period after the usual `work` (ns):
+    /// Counts the wake-ups later than the rest of a period after the usual `work` (ns):
     /// the machine then stopped for so long that a tick under way could not be in time.
     pub fn stops(&self, work: &Histogram<u64>) -> u64 {
         let spare = self.period.as_u64().saturating_sub(work.value_at_quantile(0.5));

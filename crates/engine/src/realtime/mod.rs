@@ -1,14 +1,5 @@
 //! The tick on a real machine.
 //!
-//! | module | content |
-//! |---|---|
-//! | [`clock`] | the only module that reads clocks and sleeps |
-//! | [`thread`], [`affinity`], [`memory`], [`wake_latency`] | requests to the system, with advice |
-//! | [`pool`] | voices on one or several threads |
-//! | [`run`], [`virtual_time`] | the loop in real time, and without waiting |
-//! | [`baseline`] | a bare timer thread for comparison |
-//! | [`stolen`] | time that a hypervisor takes from the machine |
-//!
 //! A running loop makes the system calls `clock_gettime`, `clock_nanosleep`, and with several lanes
 //! `futex` and `sched_yield`; nothing here allocates, locks or logs in a tick.
 

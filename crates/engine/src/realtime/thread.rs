@@ -29,6 +29,7 @@ pub struct ThreadPlan {
     pub cpus: Vec<usize>,
 }
 
+/// Scheduling policy to request for a thread.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum WantedPolicy {
     /// No request: the thread keeps its policy.

@@ -79,7 +79,6 @@ impl KeyBus for StillKeys {
     fn send(&mut self, _tick: u64, _forces: &[f64; KEYS], _slopes: &[KeySlope; KEYS]) {}
 }
 
-/// Events of voices in a run.
 #[derive(Default)]
 struct TurnLog {
     ticks: usize,

@@ -1,3 +1,1 @@
-//! Lanes and budgets on real threads.
-
 mod budgets;

@@ -4,7 +4,6 @@
 //! took. A tick moves a cost by a bounded step, so that an outlier in either direction counts no
 //! more than a usual tick. Steps are fractions of the time since a cost was last learned, so that
 //! an old cost is given up as soon as its kind of voice works again.
-//! its kind of voice works again.
 
 use scheduler::slot::Slot;
 use scheduler::time::Nanos;

@@ -19,7 +19,7 @@ pub struct LaneCounters {
     pub passed: u64,
 }
 
-/// Note events of a key's late turns.
+/// Note events of a key's late turns, and whether its force must count as fresh.
 #[derive(Clone, Debug, Default)]
 pub struct LateResult {
     events: Events,

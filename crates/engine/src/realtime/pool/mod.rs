@@ -87,6 +87,7 @@ impl WaitLimit {
         }
     }
 
+    /// Returns the time of a lane in a tick of a rate `hz` (ns).
     const fn lane_time(self, hz: u32) -> f64 {
         match self {
             Self::Until { share, .. } if share.as_u64() != 0 => share.as_u64() as f64,
@@ -102,6 +103,7 @@ impl WaitLimit {
     }
 }
 
+/// Lanes of voices on one or several threads.
 ///
 /// # Real-time
 /// A tick allocates, locks and frees nothing, unless a voice panics, and ends by its patience.
@@ -244,6 +246,7 @@ impl ThreadedLanes {
             .and_then(|slots| Some(slots.swap_remove(measured.to_move(slots, most, least)?)));
         let Some(slot) = choice else { return };
         if let Some(slots) = slots_of(&mut self.inline, &mut self.remotes, to) {
+            // There is room for all keys, so it never grows.
             slots.push(slot);
         }
     }
@@ -280,7 +283,7 @@ impl ThreadedLanes {
         }
     }
 
-    /// Takes back finished shares; returns `true` if a lane is still worth waiting for.
+    /// Receives finished shares; returns `true` if a lane is still worth waiting for.
     fn look(
         &mut self,
         input: &TickInput<'_>,

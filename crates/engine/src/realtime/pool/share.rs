@@ -60,7 +60,7 @@ impl RemoteLane {
         Self { remote, shares }
     }
 
-    /// Takes back late batches, and marks every share as not sent in `tick`.
+    /// Receives late batches, and marks every share as not sent in `tick`.
     pub(super) fn begin(
         &mut self,
         tick: u64,
@@ -121,6 +121,7 @@ impl RemoteLane {
         for share in shares.iter_mut().filter(|it| it.stands == ShareState::Home) {
             let Some(batch) = share.batch.take_if(|it| !it.slots.is_empty()) else { continue };
             share.keys.clear();
+            // There is room for all keys, so it never grows.
             share.keys.extend(batch.slots.iter().map(Slot::key));
             remote.send(batch, input, rules);
             share.stands = ShareState::Running;
@@ -133,6 +134,7 @@ impl RemoteLane {
         output: &mut TickOutput<'_>,
         latecomers: &mut LateResults,
     ) {
+        // Bounded by the lane's batches.
         while let Some(batch) = self.remote.take() {
             let share = &mut self.shares[batch.share];
             share.stands = match batch.ran {
@@ -212,6 +214,7 @@ fn sift(
     let mut index = 0;
     while let Some(slot) = from.get(index) {
         if belongs(slot.key()) {
+            // There is room for all keys in each, so neither grows.
             to.push(from.swap_remove(index));
         } else {
             index += 1;

@@ -123,6 +123,7 @@ impl VoiceSwaps {
         }
     }
 
+    /// Frees the replaced voices and returns their number; not for the tick.
     pub fn drain(&mut self) -> usize {
         std::iter::from_fn(|| self.out.pop().ok()).count()
     }
@@ -142,7 +143,7 @@ pub(super) fn rings(has_voice: [bool; KEYS]) -> (VoiceSwaps, InnerEnd) {
 }
 
 impl InnerEnd {
-    /// Makes the waiting changes, while there is room for replaced voices and the next key is at
+    /// Applies the waiting changes, while there is room for replaced voices and the next key is at
     /// home. Observes changed voices into `observed`, so that a recording has the tick of each
     /// change, even of a late voice.
     ///
@@ -181,7 +182,7 @@ impl InnerEnd {
 }
 
 impl QueuedChange {
-    /// Makes the change, and returns the replaced voice, which must be freed elsewhere.
+    /// Applies the change, and returns the replaced voice, which must be freed elsewhere.
     fn apply(self, slot: Option<&mut Slot<PanicGuard>>) -> Option<PanicGuard> {
         match self.change {
             VoiceChange::Replace(voice) => {

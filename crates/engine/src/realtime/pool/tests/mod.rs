@@ -93,7 +93,6 @@ impl Voice for Dropping {
 
 impl Drop for Dropping {
     fn drop(&mut self) {
-        // The test may have ended.
         self.0.send(()).unwrap_or_default();
     }
 }
@@ -163,7 +162,6 @@ fn any_number_of_lanes_gives_the_same_bits() {
 /// No patience: a share that is not back at the first check is late.
 const NONE: WaitLimit = WaitLimit::Until { time: Nanos::ZERO, share: Nanos::ZERO };
 
-/// Keys of lane 1 of 2, and of lane 0.
 const ELSEWHERE: usize = 40;
 const INLINE: usize = 39;
 
@@ -213,7 +211,7 @@ impl Voice for Steady {
     fn reset(&mut self, _sample: &KeySample) {}
 }
 
-/// Voice at rest that reports tick 2 and waits for the test.
+/// Voice at rest that reports tick 2 and waits.
 struct Sleeping(Sender<()>, Receiver<()>);
 
 impl Voice for Sleeping {
@@ -334,7 +332,6 @@ fn a_lane_that_is_late_again_tells_which_ticks_its_events_are_of() {
     // Dropped before the lanes, which wait for their voices.
     let go = go;
     assert!(run.tick(1)[ELSEWHERE].late);
-    // Last tick that is known to have been run.
     let (mut tick, mut last) = (1, 0);
     for _ in 0..3 {
         go.send(()).unwrap();
@@ -416,6 +413,7 @@ fn a_whole_instrument_is_replaced_in_some_ticks_and_the_next_waits_for_it_not_fo
     let refused = swaps.wait_for_room(&[3]).unwrap_err();
     assert!(refused.contains("too many voices are waiting"), "no tick runs: {refused}");
     let waiting = thread::spawn(move || swaps.wait_for_room(&every_key));
+    // After tick 3, at which this voice would panic; four keys at a time.
     for tick in 4..26 {
         run.tick(tick);
     }
