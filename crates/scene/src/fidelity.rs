@@ -1,7 +1,6 @@
 //! `fidelity`: computed fraction of an instrument's action, set by a scene or chosen at start.
 //!
-//! An instrument's file names the instruments that render the same action with less work; each is
-//! an instrument of its own.
+//! An instrument's file names others that render the same action with less work.
 
 use keyboard::KeyRange;
 
@@ -40,6 +39,7 @@ impl Fidelity {
     }
 }
 
+/// Instrument at one fidelity, with its voicing.
 #[derive(Clone, Debug)]
 pub struct FidelityLevel {
     pub fidelity: Fidelity,

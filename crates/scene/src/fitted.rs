@@ -18,7 +18,6 @@ pub struct FittedValues<'a> {
     /// Title and description with the origin of the new instrument.
     pub title: &'a str,
     pub doc: &'a str,
-    /// Measured key.
     pub key: KeyIndex,
     /// Parameters by name with their value on that key (SI units).
     pub values: &'a [(&'a str, f64)],

@@ -61,13 +61,11 @@ impl Instrument {
     /// Returns every embedded instrument, in the order of lists; they are read once in a process.
     pub fn embedded() -> &'static [Self] {
         static ALL: OnceLock<Vec<Instrument>> = OnceLock::new();
-        // Tests load each of them.
         let load = |name| Self::load(&Library::default(), name).ok();
         ALL.get_or_init(|| INSTRUMENTS.names().filter_map(load).collect())
     }
 
-    /// Returns the embedded instruments of `model`, in the order of lists. Others are not read, as
-    /// reading descriptions takes time.
+    /// Returns the embedded instruments of `model` in the order of lists, without reading others.
     pub fn of_model(model: &ModelEntry) -> Vec<Arc<Self>> {
         static READ: Mutex<Vec<Arc<Instrument>>> = Mutex::new(Vec::new());
         let line = format!("model = \"{}\"", model.name);
@@ -85,8 +83,7 @@ impl Instrument {
         all.filter(|it| it.voicing.model.is(model)).collect()
     }
 
-    /// Returns the name of the embedded instrument with a General MIDI program, 1 ..= 128; only the
-    /// list is read.
+    /// Returns the name of the embedded instrument with a General MIDI program, 1 ..= 128.
     pub fn of_program(program: u8) -> Option<&'static str> {
         let line = format!("program = {program}");
         let says = |name: &&str| {

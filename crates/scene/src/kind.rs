@@ -40,6 +40,7 @@ const DESCRIPTION: [&str; 23] = [
     "springs",
 ];
 
+/// Kind of a file, by its contents.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FileKind {

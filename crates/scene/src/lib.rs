@@ -10,12 +10,8 @@
 //! |---|---|
 //! | `scene`, `render`, `realtime`, `rig`, `keys`, `links` | the scene, a file per table |
 //! | `instrument`, `voicing` | a model, a preset and differences from it, over the compass |
-//! | `fidelity` | computed fraction of an instrument's action |
-//! | `live` | settings that change while a host plays |
-//! | `kind` | distinguishes scenes, instruments and descriptions |
 //! | `embedded`, `source` | files that are part of the program, and files on the disk |
-//! | `document`, `read`, `quantity`, `setting`, `overrides` | the language of all kinds of file |
-//! | `report` | mistakes with their places and remedies |
+//! | `read`, `quantity`, `setting`, `overrides` | the language of all kinds of file |
 //!
 //! Every value is within its range and every name exists. Not checked here: whether the machine
 //! has the ports and boards that a scene requires.

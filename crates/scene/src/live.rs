@@ -16,7 +16,7 @@ impl Render {
     /// [`Scene::load`](super::Scene::load), `render.passivity` and `control`.
     ///
     /// # Errors
-    /// All that is wrong with them.
+    /// All mistakes in them.
     pub fn changed(&self, tick_hz: u32, changes: &[(String, String)]) -> Result<Self, Diagnostics> {
         let mut present = toml_edit::DocumentMut::new();
         present["render"] = toml_edit::Item::Table(self.written());

@@ -37,7 +37,8 @@ struct Stable {
     min_jerk_density: Option<f64>,
     /// Upper bound of the Kalman filter's jerk density (m²/s⁵): the quickest filter.
     max_jerk_density: Option<f64>,
-    /// Largest stiffness of the coupling between the player's key and the model's (N/m).
+    /// Largest stiffness of the coupling between the player's key and the model's, which is then
+    /// required (N/m).
     max_coupling_stiffness: Option<f64>,
     /// Least damping of that coupling (N s/m).
     min_coupling_damping: Option<f64>,

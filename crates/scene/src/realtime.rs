@@ -20,16 +20,19 @@ pub struct ThreadRules {
 pub enum LaneCount {
     /// One for each processor, at most 16.
     Auto,
+    /// Fixed number, 1 ..= 16.
     Count(usize),
 }
 
 /// Scheduling requested for the threads of the tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum ThreadPolicy {
+    /// `SCHED_FIFO`, on isolated processors if the machine has some.
     #[default]
     Auto,
     /// `SCHED_FIFO`, on any processor or the named ones.
     Fifo,
+    /// `SCHED_DEADLINE`, on any processor.
     Deadline,
     /// No request to the system.
     Ordinary,

@@ -20,7 +20,7 @@ const ERROR_BUDGET: Quantity = Quantity { unit: "1", range: (1e-9, 0.1) };
 /// A bracket of half a tick locates nothing; below 1e-15 the fraction has no digits left.
 const EVENT_TOLERANCE: Quantity = Quantity { unit: "1", range: (1e-15, 0.1) };
 
-/// From a key that hardly moves to one that is hammered.
+/// Range from a key that hardly moves to one that is hammered.
 pub(super) const JERK_DENSITY: Quantity = Quantity { unit: "m²/s⁵", range: (1e-3, 1e12) };
 
 /// Below a finger's slowest stroke the finger feels nothing.

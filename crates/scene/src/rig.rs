@@ -74,8 +74,7 @@ impl FingerName {
 settings! {
     /// Parameters of a key, its encoder, its motor and the finger on it.
     ///
-    /// Simulated keys have them. For keys on boards they are the assumptions of the estimator and
-    /// of predictions about the loop.
+    /// Simulated keys have them; for keys on boards the estimator and predictions assume them.
     pub struct Rig;
     /// Travel of the key front from rest to bottom (m).
     dip: f64 = usual().key.bottom_stop.position, WAY;

@@ -10,7 +10,7 @@ const LONGEST: u64 = 1 << 18;
 /// Text of a scene or instrument, embedded or from a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct SourceText {
-    /// Name in diagnostics.
+    /// Name for use in diagnostics.
     pub(super) file: String,
     /// Name in lists: the file's, without its extension.
     pub(super) name: String,
@@ -19,6 +19,7 @@ pub(super) struct SourceText {
     pub(super) text: String,
 }
 
+/// Value of a scene replaced by the command line.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Override {
     pub name: String,

@@ -165,6 +165,7 @@ impl Voicing {
     }
 }
 
+/// Reads a number, or `{ bass = …, treble = … }`.
 fn read_graded(report: &mut FindingList, parameter: &Parameter, node: &TomlNode) -> Option<Graded> {
     let quantity = Quantity { unit: parameter.unit, range: parameter.range };
     if !matches!(node.kind, TomlKind::Table(_)) {
@@ -199,6 +200,7 @@ mod tests {
         let graded = Graded { bass: 0.1, treble: 0.05 };
         assert_eq!(graded.at(0).to_bits(), 0.1_f64.to_bits());
         assert_eq!(graded.at(87).to_bits(), 0.05_f64.to_bits());
+        // One rounding of a value below 1 in each of three operations.
         assert!((graded.at(29) - (0.1 - 0.05 / 3.0)).abs() < 4.0 * f64::EPSILON);
     }
 

@@ -118,6 +118,7 @@ fn board(number: u8, keys: KeyRange) -> Value {
     table.into()
 }
 
+/// Returns the name of a key's note, 0 (A0) ..= 87 (C8).
 fn key(number: u8) -> String {
     KeyIndex::new(number).map_or_else(String::new, |key| key.to_string())
 }

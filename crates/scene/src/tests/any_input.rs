@@ -41,7 +41,6 @@ fn shipped() -> impl Strategy<Value = &'static str> {
     select(all.concat())
 }
 
-/// Returns a fragment that could occur in a scene.
 fn fragment() -> impl Strategy<Value = String> {
     const KNOWN: [&str; 36] = [
         "[",

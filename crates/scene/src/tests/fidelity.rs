@@ -1,5 +1,3 @@
-//! Fidelities, and instruments by number.
-
 use super::super::embedded::INSTRUMENTS;
 use super::*;
 use mechanism::Library;

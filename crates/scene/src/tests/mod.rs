@@ -1,5 +1,3 @@
-//! From a text to a scene or to its mistakes.
-
 mod any_input;
 mod fidelity;
 mod mistakes;

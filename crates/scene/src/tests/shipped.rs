@@ -1,5 +1,3 @@
-//! The files of configs/.
-
 use mechanism::Library;
 
 use super::super::*;
