@@ -10,6 +10,7 @@ use instruments::FileContents;
 
 use crate::shipped::description;
 
+/// Longest accepted file (bytes).
 const MAX_FILE: u64 = 1 << 18;
 
 /// Problem of an unreadable file, and its remedy.

@@ -27,8 +27,7 @@ pub enum MissingModel {
 }
 
 impl MissingModel {
-    /// Returns the message and the remedy, for a description each mistake with its line and a
-    /// caret.
+    /// Returns the message and the remedy, or each mistake of a description with line and caret.
     pub fn rendered(&self) -> String {
         match self {
             Self::Unknown { message, help } => format!("{message}; {help}"),
@@ -139,8 +138,8 @@ impl Library {
         })
     }
 
-    /// Replaces the contents of `path` by `text` from now on, whatever is on the disk: a recording
-    /// is replayed with the descriptions in it.
+    /// Replaces the contents of `path` by `text`, as when a recording is replayed with its
+    /// descriptions.
     pub fn keep_file(&self, path: &Path, text: &str) {
         self.0.kept.keep(path, text);
     }
@@ -245,7 +244,6 @@ fn compiled(
     Ok(Arc::new(model))
 }
 
-/// Returns one diagnostic about a file as a whole.
 fn refusal(path: &Path, message: String, help: &str) -> Diagnostics {
     Diagnostics::new(vec![Diagnostic {
         file: path.to_string_lossy().into_owned(),

@@ -1,5 +1,3 @@
-//! Message for a model that is too large to be loaded.
-
 use instruments::{DoesNotLoad, LARGEST, MAX_CODED_CONTACTS};
 
 pub(crate) fn message(why: DoesNotLoad) -> String {

@@ -13,8 +13,7 @@ impl Visitor for UnmetOf<'_> {
     }
 }
 
-/// Returns the conditions on the parameters of `model` that `values` do not meet, as written in its
-/// description: `string > trip`.
+/// Returns the conditions on `model` that `values` do not meet, as written: `string > trip`.
 pub fn unmet(model: &LoadedModel, values: &[f64]) -> Vec<String> {
     model.visit(UnmetOf(values))
 }

@@ -5,7 +5,6 @@ use super::Dimension;
 /// Parsed text as a list of parts.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ParsedExpression {
-    /// Text, for messages.
     pub text: String,
     /// Parts, operands first; the last is the whole.
     pub parts: Vec<ExpressionPart>,

@@ -31,6 +31,7 @@ pub(super) enum LexemeKind {
     End,
 }
 
+/// Most primes of a name, as the input has three rates.
 const MOST_PRIMES: usize = 3;
 
 /// Splits `text`; the last lexeme marks its end.

@@ -71,7 +71,7 @@ pub struct NameError {
     pub help: String,
 }
 
-/// Meanings of names.
+/// Meanings of the names in an expression.
 pub trait NameScope {
     /// Returns the value of `name` with `primes` primes.
     ///

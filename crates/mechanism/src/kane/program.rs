@@ -9,6 +9,7 @@ use crate::kane::mechanics::{DerivationError, derive};
 use crate::kane::rest_check;
 use crate::kane::system::EquationSystem;
 
+/// Description, its equations, and their program.
 #[derive(Clone, Debug)]
 pub struct DerivedModel {
     pub description: Description,

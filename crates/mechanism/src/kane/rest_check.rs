@@ -56,10 +56,8 @@ impl Equations for LimitedFunctions<'_> {
     }
 }
 
-/// Fault of a pose at rest.
 struct RestingFault {
     mode: ModeNumber,
-    /// Entry of the state.
     entry: usize,
     kind: FaultKind,
 }
@@ -72,7 +70,7 @@ enum FaultKind {
 }
 
 /// Returns a mistake of `[rest]` for the first preset and key on which the mechanism does not rest,
-/// or for too many to check; `None` without a statement, or if it declares a start in motion.
+/// or for too many to check; `None` without `[rest]`, or if it states a start instead of a rest.
 pub(crate) fn check(
     mechanism: &Mechanism,
     program: &Program,
@@ -157,7 +155,6 @@ fn is_graded(functions: &LimitedFunctions<'_>, preset: usize) -> bool {
     first != last
 }
 
-/// Returns the message and the help.
 fn said(table: &ModelTable, fault: &RestingFault, (preset, key): (usize, u8)) -> (String, String) {
     let preset = table.presets.get(preset).map_or("", |preset| preset.name);
     let mode = table.modes.get(usize::from(fault.mode.0)).map_or("", |mode| mode.name);

@@ -88,7 +88,6 @@ pub(crate) fn register(builder: &mut JITBuilder) {
     builder.symbol(SIN_COS_OF_TWO, sin_cos_of_two as *const u8);
 }
 
-/// Ids of the functions in a module.
 #[derive(Debug)]
 pub(crate) struct Callees {
     unary: Vec<(UnaryFunction, FuncId)>,
@@ -126,7 +125,6 @@ impl Callees {
     }
 }
 
-/// Returns the signature of a function of numbers that returns one.
 fn returning(module: &JITModule, arguments: usize) -> Signature {
     let mut signature = module.make_signature();
     signature.params.extend(core::iter::repeat_n(AbiParam::new(F64), arguments));

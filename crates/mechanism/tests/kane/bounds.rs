@@ -18,7 +18,6 @@ use proptest::test_runner::RngSeed;
 use crate::kane::by_hand::{Draft, guard};
 use crate::kane::runnable::{Runnable, runnable};
 
-/// Samples of each guard over one step.
 const LOOKS: usize = 64;
 
 /// Step: a cubic for each entry of the state, and one for the input.
@@ -43,7 +42,6 @@ impl<const N: usize> Motions<N> {
         Enclosure { h: self.h, start: self.start, moves, speeds, bends, input_start, input }
     }
 
-    /// Returns the samples of a guard.
     fn values<M>(&self, model: &M, mode: M::Mode, id: GuardId) -> Vec<f64>
     where
         M: Guarded<State = [f64; N], Input = Motion>,

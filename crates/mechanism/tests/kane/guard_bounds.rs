@@ -14,12 +14,10 @@ use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{Runnable, ShippedModel, built_in, modes};
 use crate::kane::stroke::still;
 
-/// Entries of a state, enough for all models.
 const N: usize = 4;
 
 type Model = Runnable<N>;
 
-/// Samples of each guard over one step.
 const LOOKS: usize = 64;
 
 /// Motion over one step: the state's cubic and the input's.
@@ -219,7 +217,6 @@ fn bounds_are_tight(shipped: &ShippedModel) {
     }
 }
 
-/// Returns the median of a list; 0 if it is empty.
 fn median(list: &mut [f64]) -> f64 {
     list.sort_by(f64::total_cmp);
     list.get(list.len() / 2).copied().unwrap_or(0.0)

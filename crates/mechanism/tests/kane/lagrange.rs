@@ -3,8 +3,7 @@
 //! Bodies are placed by vectors, energies computed from their positions, and Lagrange's equations
 //! formed by finite differences; no formula of the models is used.
 //! A five-point difference at 1e-3 of functions of scale 1 is off by 1e-13 (truncation h⁴/30) plus
-//! 1e-13 (rounding ε/h); mass matrices multiply that by at most the spread of the energies, 1e3
-//! here.
+//! 1e-13 (rounding ε/h), times at most the spread of the energies by mass matrices, 1e3 here.
 
 #![expect(clippy::float_cmp, reason = "what is copied or declared zero is so to the bit")]
 
@@ -100,8 +99,7 @@ impl Parameters {
         Self { l1, l2, l3, l4, m1, m2, k1, k2, ck, jk, jh, g }
     }
 
-    /// Returns the slider's nominal point on a key at the angle `key`, seen from the hammer's
-    /// pivot.
+    /// Returns the slider's nominal point on a key at the angle `key`, from the hammer's pivot.
     fn slider(&self, key: f64) -> Vector {
         combined(combined([0.0; 2], self.l1, direction(key)), -1.0, [self.l3, self.l4])
     }

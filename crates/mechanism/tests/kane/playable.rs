@@ -86,6 +86,7 @@ fn press(duration: f64, t: f64) -> Motion {
     }
 }
 
+/// Returns the speeds (m/s) at which the string was struck.
 fn strikes(key: u8, duration: f64) -> Vec<f64> {
     let model = SPRINGS.model::<4>("playable", key, &[]);
     let (audited, _) = run(&model, model.at_rest(&still(0.0)), (1e-3, 1.0), |t| press(duration, t));

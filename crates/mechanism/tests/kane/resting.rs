@@ -103,6 +103,7 @@ fn the_mode_at_rest_is_the_one_that_holds_under_the_input() {
             assert!((a - b).abs() < 1e-9, "at {input}: {:?}", pose.state);
         }
     }
+    // It has no states: one more entry stays 0.
     let wall = WALL.model::<1>("default", 0, &[]);
     for (input, mode) in [(0.0, 0), (4e-3, 0), (9e-3, 1), (20e-3, 1)] {
         assert_eq!(wall.at_rest(&still(input)).0, ModeNumber(mode), "at {input}");

@@ -41,7 +41,6 @@ impl Graph {
         self.collect_squares(number, &mut terms)
     }
 
-    /// Returns the node of a sum with sorted terms.
     pub(super) fn sum_in_order(&mut self, number: f64, terms: &[(Node, f64)]) -> Node {
         match terms {
             [] => self.constant(number),

@@ -20,7 +20,7 @@ impl Tangent {
         if let Some(known) = self.known.get(&node) {
             return *known;
         }
-        // Operands first, so a loop is deep enough.
+        // Operands first, so no recursion is needed.
         for reached in graph.reached(&[node]) {
             if !self.known.contains_key(&reached) {
                 let derivative = self.one(graph, reached);

@@ -31,6 +31,7 @@ pub enum UnaryFunction {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum BinaryFunction {
     Atan2,
+    /// Value of √(x² + y²), without overflow.
     Hypot,
     /// Value of xʸ; NaN for a negative x unless y is whole.
     Power,

@@ -2,8 +2,7 @@
 //!
 //! A [`Graph`] is a list of operations; a [`Node`] is an index into it. An expression that is built
 //! twice is the same node (hash-consing), so that common subexpressions need no search. Operands
-//! precede their operation: every pass is one loop over the list, whatever the depth of an
-//! expression.
+//! precede their operation: every pass is one loop over the list.
 //!
 //! Sums and products are kept in one order, with equal terms collected, so that `a − a` is 0 and
 //! `x / x` is 1; nothing is multiplied out.

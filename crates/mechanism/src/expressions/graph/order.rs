@@ -6,7 +6,6 @@ use super::{Graph, Node, NodeOperation};
 /// term by term would hold all its beginnings in full.
 const MOST_FLATTENED: usize = 48;
 
-/// Sum that is being collected.
 #[derive(Default)]
 pub(super) struct Sum {
     number: f64,
@@ -49,7 +48,6 @@ impl Sum {
     }
 }
 
-/// Product that is being collected.
 pub(super) struct Product {
     number: f64,
     factors: BTreeMap<Node, i32>,

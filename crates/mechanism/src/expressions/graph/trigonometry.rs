@@ -11,6 +11,7 @@ impl Graph {
     /// Returns the sum with each pair a cos²(x) p + a sin²(x) p replaced by a p.
     pub(super) fn collect_squares(&mut self, number: f64, terms: &mut Vec<(Node, f64)>) -> Node {
         let mut number = number;
+        // Each round leaves fewer terms.
         while let Some((pairs, left)) = self.pairs(terms) {
             let mut collected = order::Sum::starting_with(number);
             for (node, factor) in left {

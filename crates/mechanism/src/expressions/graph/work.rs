@@ -50,7 +50,7 @@ impl Graph {
         self.work = WorkMeter { done: self.work.done.clone(), ..WorkMeter::default() };
     }
 
-    /// Gives work on the graph up as soon as `is_cancelled` is set.
+    /// Ends work on the graph as soon as `is_cancelled` is set.
     pub fn cancel_by(&mut self, is_cancelled: Arc<AtomicBool>) {
         self.work.is_cancelled = Some(is_cancelled);
         self.spend(0);

@@ -1,8 +1,7 @@
-//! Facts about a tape for its users: argument counts, uses, groups of angles.
-
 use super::{Argument, Instruction, Tape, TapeSlot};
 use crate::expressions::graph::UnaryFunction;
 
+/// Number of arguments of each kind that a tape reads.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ArgumentCounts {
     pub constants: usize,
@@ -20,13 +19,13 @@ pub struct AngleValues {
 }
 
 impl AngleValues {
-    /// Returns the index of the first of its two instructions.
     fn first(&self) -> usize {
         let index = |slot: Option<TapeSlot>| slot.map_or(usize::MAX, TapeSlot::index);
         index(self.sine).min(index(self.cosine))
     }
 }
 
+/// Sines and cosines computed by one call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AngleGroup {
     One(AngleValues),

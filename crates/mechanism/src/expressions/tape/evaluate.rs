@@ -1,5 +1,6 @@
 use super::{Argument, Instruction, Tape, TapeSlot};
 
+/// Arguments of a tape, by kind.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct TapeArguments<'a> {
     pub constants: &'a [f64],
@@ -10,6 +11,7 @@ pub struct TapeArguments<'a> {
 }
 
 impl TapeArguments<'_> {
+    /// Returns the value of `argument`; NaN if it is missing.
     fn value(&self, argument: Argument) -> f64 {
         let of = |list: &[f64], index: usize| list.get(index).copied().unwrap_or(f64::NAN);
         match argument {

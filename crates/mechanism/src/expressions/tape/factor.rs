@@ -27,7 +27,7 @@ const fn side_of(exponent: i32) -> Side {
 type Monomial = (f64, Vec<(FormId, i32)>);
 
 impl Forms {
-    /// Takes common factors out of all sums; only of products without other users.
+    /// Factors all sums; only products without other users are taken apart.
     pub(super) fn factor_sums(&mut self, graph: &Graph) {
         let uses = self.uses();
         let lengths = self

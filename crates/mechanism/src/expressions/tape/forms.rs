@@ -8,7 +8,6 @@ use crate::expressions::graph::{BinaryFunction, Graph, Node, NodeOperation, Plac
 /// Index of a form in [`Forms`].
 pub(super) type FormId = usize;
 
-/// One value as an operation on others.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum TapeForm {
     Number(f64),

@@ -6,9 +6,8 @@ use crate::expressions::graph::{Graph, Node, Place};
 impl Tape {
     /// Returns the program of `outputs`.
     ///
-    /// Common factors are taken out of sums, shared parts of sums or products are computed once,
-    /// and shared divisors are inverted once; long sums and products start with what is ready
-    /// first.
+    /// Common factors are taken out of sums, shared parts are computed once, shared divisors
+    /// inverted once; long sums and products start with what is ready first.
     ///
     /// # Errors
     /// A symbol without an argument in `layout`.
@@ -37,7 +36,6 @@ struct Lowering {
 }
 
 impl Lowering {
-    /// Returns the slot of a form that is already written.
     fn slot(&self, id: FormId) -> TapeSlot {
         self.slots[id].unwrap_or_default()
     }

@@ -7,7 +7,6 @@ use crate::expressions::graph::UnaryFunction;
 /// rest follows output by output, so that few values wait at a time.
 pub(super) fn of(forms: &Forms) -> Vec<FormId> {
     let mut order = Order { forms, is_written: vec![false; forms.all.len()], all: Vec::new() };
-    // Finds the forms that the outputs reach.
     order.write(&forms.outputs);
     let reached = core::mem::take(&mut order.all);
     order.is_written.fill(false);

@@ -6,8 +6,7 @@ use super::forms::{FormId, Forms, TapeForm};
 use super::{Argument, ArgumentLayout};
 use crate::expressions::graph::{Graph, Node, NodeOperation, Place};
 
-/// Returns the parts of `outputs` that depend on constant symbols alone and are worth computing
-/// once.
+/// Returns the parts of `outputs` over constant symbols alone that are worth computing once.
 ///
 /// The constant factors of a product and the constant terms of a sum count as one part, which
 /// becomes a node if it is none yet; [`ArgumentLayout::ready`] then finds it there.

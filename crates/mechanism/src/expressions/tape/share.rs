@@ -16,6 +16,7 @@ const MOST_PARTS: [usize; 5] = [64, 32, 16, 8, 4];
 /// Most pairs that are searched: about a second.
 const MOST_PAIRS: usize = 400_000;
 
+/// Work on a pair, in operands of the graph.
 const PAIR: usize = 4;
 
 /// Two parts: bases of products, or terms of sums with the second's factor over the first's.
@@ -84,7 +85,6 @@ impl Forms {
         }
     }
 
-    /// Returns the most parts of a form that keep the number of pairs within its limit.
     fn most_parts(&self, kind: &dyn Pairs) -> Option<usize> {
         MOST_PARTS.into_iter().find(|most| {
             let parts = self.all.iter().map(|form| kind.parts(form)).filter(|it| it <= most);
@@ -92,7 +92,6 @@ impl Forms {
         })
     }
 
-    /// Makes `pair` a form; returns the new pairs.
     fn extract(
         &mut self,
         graph: &Graph,

@@ -130,7 +130,7 @@ impl TapeWriter {
     }
 }
 
-/// Returns the time of an instruction in cycles.
+/// Returns the duration of an instruction in cycles.
 const fn latency(instruction: &Instruction) -> u32 {
     match instruction {
         Instruction::Number(_) | Instruction::Argument(_) => 0,
@@ -143,7 +143,6 @@ const fn latency(instruction: &Instruction) -> u32 {
     }
 }
 
-/// Returns a key that is equal for equal instructions.
 fn key(instruction: &Instruction) -> [u64; 4] {
     let two = |kind: u64, x: TapeSlot, y: TapeSlot| [kind, u64::from(x.0), u64::from(y.0), 0];
     match *instruction {

@@ -18,7 +18,6 @@ impl CarriedValue {
     }
 }
 
-/// Writes the carried value of the value at `x`.
 pub(super) fn write(writer: &mut TapeWriter, carried: CarriedValue, x: TapeSlot) -> TapeSlot {
     match carried {
         CarriedValue::Value(_) => x,
@@ -31,7 +30,6 @@ pub(super) fn write(writer: &mut TapeWriter, carried: CarriedValue, x: TapeSlot)
     }
 }
 
-/// Returns the argument at an index of `extra`.
 pub(super) fn extra(at: usize) -> Instruction {
     Instruction::Argument(Argument::Extra(u16::try_from(at).unwrap_or(u16::MAX)))
 }

@@ -12,7 +12,6 @@ const CARRIED: usize = 2;
 /// Coefficient; `None` where it is zero.
 type Term = Option<TapeSlot>;
 
-/// Step of a recursion while it is written.
 pub(super) struct StepTerms<'a> {
     recursion: &'a Recursion,
     lanes: &'a [SeriesLane],
@@ -81,7 +80,6 @@ impl<'a> StepTerms<'a> {
         self.writer.push(extra(CARRIED + at))
     }
 
-    /// Returns a value at the start.
     fn value(&mut self, slot: TapeSlot) -> TapeSlot {
         let instruction = self.recursion.tape.instructions[slot.index()];
         let is_at_hand = matches!(

@@ -12,9 +12,9 @@ use crate::expressions::tape::{Tape, TapeSlot, TapeWriter};
 /// k − 1.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SeriesTapes {
-    /// From constants, state and input to the outputs, the conditions, and the carried values.
+    /// Maps constants, state and input to the outputs, the conditions, and the carried values.
     pub start: Tape,
-    /// From constants, the coefficients of order k of state and input, and `extra` with k, 1/k, the
+    /// Maps constants, the coefficients of order k of state and input, and `extra` with k, 1/k, the
     /// carried values and the lanes' sums, to the coefficients of order k of outputs and
     /// conditions, then the first factors of all lanes, and the second ones.
     pub step: Tape,
@@ -55,7 +55,6 @@ impl Recursion {
         all
     }
 
-    /// Returns the values at the start of `outputs`, and the carried values.
     fn start(&self, outputs: &[TapeSlot], carried: &[CarriedValue]) -> Tape {
         let instructions = &self.tape.instructions;
         let mut is_read = vec![false; instructions.len()];

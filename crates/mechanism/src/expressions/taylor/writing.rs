@@ -4,7 +4,6 @@ use super::rules::SeriesRule;
 use crate::expressions::graph::UnaryFunction;
 use crate::expressions::tape::{Argument, Instruction, TapeSlot};
 
-/// Recursion that is being written.
 #[derive(Default)]
 pub(super) struct Writing {
     pub(super) instructions: Vec<Instruction>,

@@ -131,8 +131,7 @@ fn largest_slope(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     }
 }
 
-/// Returns a bound of the mean slope between the centre and any place where `function` is the
-/// slope:
+/// Returns a bound of the mean slope between the centre and any place, for a slope `function`:
 /// |cos x − cos c| ≤ |sin c| |x − c| + |x − c|²/2.
 fn turning(graph: &mut Graph, function: UnaryFunction, x: Range) -> Node {
     let value = graph.unary(function, x.centre);
@@ -187,8 +186,7 @@ fn angle(graph: &mut Graph, [x, y]: [Range; 2], centre: Node) -> Range {
     Range { centre, spread, size: half }
 }
 
-/// Returns a positive value where the point (y, x) of atan2(x, y) cannot reach the cut, y < 0, x =
-/// 0.
+/// Returns a positive value where atan2(x, y) cannot reach its cut, y < 0 and x = 0.
 pub(super) fn cut_room(graph: &mut Graph, [x, y]: [Range; 2]) -> Node {
     let ahead = graph.subtract(y.centre, y.spread);
     let aside = room(graph, x);

@@ -18,7 +18,6 @@ use crate::kane::graph::{BinaryFunction, Graph, Node, Place, UnaryFunction};
 use instruments::equations::table::EnclosureLayout;
 use range::Ranges;
 
-/// Data for the bounds of one state.
 #[derive(Debug)]
 pub(crate) struct Bounds<'a> {
     state: &'a [Place],
@@ -36,7 +35,6 @@ struct Path {
 }
 
 impl<'a> Bounds<'a> {
-    /// Returns the data for bounds with these entries of the state.
     pub(crate) fn new(graph: &mut Graph, state: &'a [Place]) -> Self {
         Self { state, ranges: Ranges::new(graph, state) }
     }
@@ -92,8 +90,7 @@ fn extra(graph: &mut Graph, number: usize) -> Node {
     graph.symbol(Place::Extra(u16::try_from(number).unwrap_or(u16::MAX)))
 }
 
-/// Returns the course of the input or a rate of it, by the largest of the next rates. Of the third
-/// only the size is known.
+/// Returns the course of the input or a rate of it, by the largest next rate; the third has a size.
 fn input(graph: &mut Graph, rate: u8) -> Path {
     let unknown = graph.constant(f64::INFINITY);
     let step = extra(graph, EnclosureLayout::step());

@@ -1,5 +1,3 @@
-//! Modes for the sets of closed rigid contacts of each written mode.
-
 use documents::toml::{SourcePlace, TomlEntry, TomlKind, TomlNode};
 
 use super::toml_making::{each, entry, key_of, list_of, names_in, of_name, table, text};
@@ -63,7 +61,6 @@ impl<'a> Configurations<'a> {
         self.modes.iter_mut().for_each(|mode| mode.most = 0);
     }
 
-    /// Returns the number of modes.
     pub(super) fn count(&self) -> usize {
         self.modes.iter().fold(0, |all: usize, mode| all.saturating_add(mode.count()))
     }
@@ -157,7 +154,7 @@ impl<'a> Configurations<'a> {
         table(*place, keys)
     }
 
-    /// Makes a guard lead to the modes with equal closed contacts, where these exist.
+    /// Redirects a guard to the modes with equal closed contacts, where these exist.
     fn lead(&self, guard: &mut TomlNode, closed: &[usize]) {
         let TomlKind::Table(keys) = &mut guard.kind else { return };
         for key in keys {
@@ -201,7 +198,7 @@ impl<'a> Configurations<'a> {
         }
     }
 
-    /// Does so for the modes of an outline or spring, or of those in a list.
+    /// Adds the configurations to the modes of an outline or spring, or of those in a list.
     fn name_shown(&self, item: &mut TomlNode) {
         key_of(item, "modes", &mut |modes| self.name_items(modes));
         if let TomlKind::List(items) = &mut item.kind {
@@ -269,7 +266,6 @@ impl WrittenMode {
 }
 
 impl RigidContact {
-    /// Returns the constraint of the closed contact.
     pub(super) fn constraint(&self) -> TomlEntry {
         let zero = TomlEntry { name: "zero".to_owned(), place: self.place, node: self.gap.clone() };
         entry(&self.name, self.place, TomlKind::Table(vec![zero]))

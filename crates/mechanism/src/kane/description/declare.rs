@@ -220,7 +220,7 @@ impl MechanismReader {
     }
 }
 
-/// Returns the unit of a rate: `rad/s` of `rad`.
+/// Appends `/s` to a unit: `rad/s` of `rad`.
 fn rate_unit(unit: &str) -> String {
     match unit.split_once('/') {
         None => format!("{unit}/s"),
@@ -229,6 +229,7 @@ fn rate_unit(unit: &str) -> String {
     }
 }
 
+/// Returns the number 0, which has every unit.
 pub(super) fn zero(graph: &mut Graph) -> Measured {
     let node = graph.constant(0.0);
     Measured { node, dimension: Dimension::NONE, reach: Dependence::NOTHING }

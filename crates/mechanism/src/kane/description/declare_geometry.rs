@@ -1,5 +1,3 @@
-//! Reads frames, points and constraints as written.
-
 use documents::quoted;
 use documents::toml::{KeyReader, SourcePlace, TomlEntry};
 

@@ -16,7 +16,6 @@ use crate::kane::text::{Dependence, Dimension, Form, Measured};
 
 const MOST_GUARDS: usize = 32;
 
-/// Defaults for all branches of a guard.
 #[derive(Clone, Debug, Default)]
 struct GuardChanges {
     set: Vec<(Target, crate::kane::graph::Node)>,
@@ -134,7 +133,6 @@ impl MechanismReader {
         GuardChanges { set, impact }
     }
 
-    /// Returns the target of an entry of a reset map, and its unit.
     fn target(&mut self, entry: &TomlEntry) -> Option<(Target, Dimension)> {
         let symbol = self.names.symbols.get(&entry.name).map(|(kind, _)| *kind);
         if let Some(SymbolKind::Coordinate(index)) = symbol {

@@ -77,7 +77,6 @@ impl DescribedItem {
     }
 }
 
-/// Friction of a contact or bearing as written.
 #[derive(Clone, Debug)]
 pub(super) struct FrictionText {
     pub(super) contact: usize,

@@ -1,5 +1,3 @@
-//! Reads springs, felts, forces, contacts and frictions as written.
-
 use documents::quoted;
 use documents::toml::{KeyReader, TomlEntry, TomlNode, text};
 
@@ -65,7 +63,6 @@ impl MechanismReader {
         }
     }
 
-    /// Returns the two end points of a spring.
     pub(super) fn ends(&mut self, keys: &mut KeyReader<'_>) -> Vec<ItemLink> {
         let Some(entry) = keys.take("between") else { return Vec::new() };
         let items = entry.node.items().unwrap_or(&[]);

@@ -8,7 +8,6 @@ use crate::kane::graph::{BinaryFunction, Graph, Node, Place, Substitution};
 use crate::kane::mechanism::{DryFriction, Force, MechanismContact};
 use crate::kane::text::{Dimension, Measured};
 
-/// Inputs of a felt law.
 #[derive(Clone, Copy, Debug)]
 struct FeltParts {
     /// Compression, and its rate.

@@ -43,6 +43,7 @@ use documents::{Diagnostic, Diagnostics};
 
 use crate::kane::mechanism::Mechanism;
 
+/// Longest accepted description (bytes).
 pub const LONGEST: usize = 1 << 20;
 
 /// Most coordinates, and most further speeds: a state has 64 entries at most.

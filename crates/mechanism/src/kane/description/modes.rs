@@ -1,5 +1,3 @@
-//! Modes: constraints, forces and equations of each.
-
 use documents::toml::{KeyReader, SourcePlace, TomlEntry};
 use documents::{choice, quoted};
 

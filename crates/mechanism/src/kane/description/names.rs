@@ -1,5 +1,3 @@
-//! Meanings of all names of a description.
-
 use documents::toml::SourcePlace;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -66,7 +64,6 @@ impl<T: Clone> NameCatalogue<T> {
         Ok(index)
     }
 
-    /// Returns the help for the unknown name `wrong`.
     pub(super) fn choice(&self, wrong: &str) -> String {
         choice(wrong, self.names.keys())
     }

@@ -1,5 +1,3 @@
-//! Outlines of a drawing, as points on a frame.
-
 use documents::toml::{KeyReader, TomlEntry, TomlNode, list};
 use documents::{choice, quoted};
 
@@ -157,7 +155,6 @@ impl MechanismReader {
         Some(vec![[*left, *bottom], [*right, *bottom], [*right, *top], [*left, *top]])
     }
 
-    /// Returns a polygon that looks round.
     fn disc(&mut self, entry: &TomlEntry, dimension: Dimension) -> Option<Vec<[Node; 2]>> {
         let numbers = self.drawn_numbers("disc", &entry.node, dimension)?;
         let [x, y, radius] = numbers.as_slice() else {

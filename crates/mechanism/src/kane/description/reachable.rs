@@ -5,7 +5,7 @@ use super::reader::MechanismReader;
 impl MechanismReader {
     /// Reports modes that cannot be reached, and modes that cannot be left.
     pub(super) fn check_modes(&mut self) {
-        // A way that was not understood may be the missing one.
+        // A branch that was not understood may be the missing one.
         if !self.are_modes_whole || self.mechanism.modes.len() < 2 {
             return;
         }

@@ -1,4 +1,3 @@
-//! Builds named items, each after its needs.
 #![expect(
     clippy::wildcard_enum_match_arm,
     reason = "TOML has many kinds of values, and each place takes few of them"
@@ -199,7 +198,6 @@ impl MechanismReader {
         }
     }
 
-    /// Sorts the built items into the order of declaration.
     fn collect_built(&mut self) {
         self.built_constraints.sort_by_key(|(index, _)| *index);
         self.mechanism.constraints =

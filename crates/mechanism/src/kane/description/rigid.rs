@@ -11,7 +11,6 @@ use documents::toml::{FindingList, KeyReader, SourcePlace, TomlEntry, TomlKind, 
 use super::configurations::{Configurations, JOINT, RigidContact};
 use crate::kane::mechanism::most_modes;
 
-/// Keys of a rigid contact.
 const KEYS: [&str; 5] = ["rigid", "gap", "restitution", "scale", "sounds"];
 
 /// Expands the rigid contacts of a description; without any it is unchanged.
@@ -60,7 +59,6 @@ struct RigidContacts {
     unreadable: Vec<String>,
 }
 
-/// Returns the rigid contacts; `None` if there are none.
 fn rigid(report: &mut FindingList, tree: &TomlNode) -> Option<RigidContacts> {
     let all = tree.get("contacts")?.node.entries()?;
     let mut found = RigidContacts::default();

@@ -1,5 +1,3 @@
-//! Energy, supplied power and lost power.
-
 use super::inertia::{InertiaTerms, rates};
 use super::kinematics::along_places;
 use crate::kane::graph::{Graph, Node, Tangent};

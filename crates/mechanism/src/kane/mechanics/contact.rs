@@ -50,7 +50,6 @@ impl ContactScope<'_> {
         }
     }
 
-    /// Returns force, energy, and lost power.
     fn normal(
         &self,
         graph: &mut Graph,

@@ -83,7 +83,6 @@ impl SolvedCoordinates {
     }
 }
 
-/// Returns the stated expressions with one another substituted.
 fn stated(graph: &mut Graph, mode: &Mode) -> Result<BTreeMap<usize, Node>, Vec<usize>> {
     let mut all: BTreeMap<usize, Node> = mode.solved.iter().copied().collect();
     // A chain of n expressions is resolved after n rounds.
@@ -151,8 +150,7 @@ impl Search<'_> {
             .collect()
     }
 
-    /// Returns the constraints that are linear in the chosen coordinates, with their slopes; only
-    /// constant ones if requested.
+    /// Returns the constraints linear in the chosen coordinates, with (constant, if asked) slopes.
     fn usable(
         &mut self,
         zeros: &[Node],
@@ -168,8 +166,7 @@ impl Search<'_> {
         both.filter(|(_, row)| !row.iter().any(|slope| self.graph.depends(*slope, moves))).unzip()
     }
 
-    /// Returns `true` if constraints that are linear in the chosen coordinates and in this one
-    /// determine all of them.
+    /// Returns `true` if constraints linear in these and the chosen coordinates give all of them.
     fn fits(
         &mut self,
         zeros: &[Node],

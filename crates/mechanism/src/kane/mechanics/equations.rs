@@ -10,7 +10,6 @@ use crate::kane::graph::{Graph, Node, Place};
 use crate::kane::mechanism::{Guard, Mechanism, Mode, Target};
 use crate::kane::system::{GuardEquations, ModeEquations};
 
-/// Mode among the others, for equations as a running model needs them.
 pub(super) struct ModeScope<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) inertia: &'a InertiaTerms,
@@ -75,7 +74,6 @@ impl ModeScope<'_> {
         Ok(equations)
     }
 
-    /// Returns expressions that cannot be made explicit as obstacles.
     fn check(&self, graph: &Graph, forms: &ExplicitForms) -> Result<(), Vec<DerivationObstacle>> {
         let (mechanism, mode) = (self.mechanism, self.mode());
         let mut obstacles = Vec::new();

@@ -61,7 +61,6 @@ impl ExplicitForms {
         }
     }
 
-    /// Returns `node` over the state, parameters and the input.
     pub(super) fn value(&mut self, graph: &mut Graph, node: Node) -> Node {
         let known = self.known.of(graph, node);
         self.finish.of(graph, known)

@@ -1,5 +1,3 @@
-//! Generalised forces, and products of small matrices and vectors.
-
 use std::collections::{BTreeMap, HashMap};
 
 use super::inertia::{InertiaTerms, gradient};

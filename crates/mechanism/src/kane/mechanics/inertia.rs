@@ -57,7 +57,6 @@ struct InertiaSums {
     bias: Vec<Vec<(Node, f64)>>,
     weight: Vec<Vec<(Node, f64)>>,
     potential: Vec<(Node, f64)>,
-    /// Kinetic energy without the mass matrix.
     direct: Vec<(Node, f64)>,
 }
 

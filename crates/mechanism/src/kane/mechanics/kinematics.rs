@@ -4,7 +4,6 @@ use super::vector::{Components, FrameVector, Orientations, cross};
 use crate::kane::graph::{Graph, Node, Place, Tangent};
 use crate::kane::mechanism::Mechanism;
 
-/// Motion of a body's mass centre and of its axes.
 #[derive(Debug)]
 pub(super) struct BodyMotion {
     pub(super) position: FrameVector,
@@ -23,8 +22,7 @@ struct FrameMotion {
     rotation: FrameVector,
 }
 
-/// Returns the direction of the motion for functions of coordinates and the input, with constant
-/// speeds and a constant rate of the input.
+/// Returns the direction of the motion at constant speeds and a constant rate of the input.
 pub(super) fn along_places(graph: &mut Graph, mechanism: &Mechanism) -> Tangent {
     let coordinates = mechanism.coordinates.iter().enumerate();
     let mut seeds: Vec<_> =

@@ -3,8 +3,7 @@
 use super::error::{DerivationError, DerivationObstacle};
 use crate::kane::mechanism::{Guard, GuardBranch, Mechanism};
 
-/// Returns the configurations without equations only because their constraints depend on one
-/// another; `None` for any other obstacle.
+/// Returns the configurations without equations only by dependent constraints; `None` otherwise.
 pub(super) fn dependent(mechanism: &Mechanism, errors: &[DerivationError]) -> Option<Vec<usize>> {
     let one = |error: &DerivationError| {
         let mode = error.mode?;
@@ -15,9 +14,8 @@ pub(super) fn dependent(mechanism: &Mechanism, errors: &[DerivationError]) -> Op
     errors.iter().map(one).collect()
 }
 
-/// Removes modes from a mechanism, and records their names.
-///
-/// A contact cannot close into a removed mode: in the mode before, its gap stays as it is.
+/// Removes modes and records their names. A contact cannot close into a removed mode: in the mode
+/// before, its gap stays as it is.
 pub(super) fn leave_out(mechanism: &mut Mechanism, gone: &[usize]) {
     let mut next = 0;
     let mut numbers = Vec::new();

@@ -30,7 +30,6 @@ pub(super) struct ModeMotion {
     pub(super) reactions: BTreeMap<usize, Option<Node>>,
     /// Generalised force that drives the input.
     pub(super) driving: Option<Node>,
-    /// Expressions of dependent coordinates and speeds.
     finish: HashMap<Place, Node>,
 }
 
@@ -113,7 +112,7 @@ impl ModeMotion {
             let moved = times(graph, &inertia.mass, &column, n);
             matrix.push(self.reduced(graph, &moved));
         }
-        // Both halves are one expression, so that only rounding could differ.
+        // One expression for both halves, whatever their rounding.
         let lower = matrix.clone();
         for (i, row) in matrix.iter_mut().enumerate() {
             for (entry, other) in row.iter_mut().zip(&lower).skip(i + 1) {

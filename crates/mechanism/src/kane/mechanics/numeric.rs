@@ -121,7 +121,6 @@ pub(super) fn pivots(mut matrix: Vec<Vec<f64>>, groups: &[Vec<usize>]) -> Vec<(u
     found
 }
 
-/// Returns the largest entry in columns of `group` outside the taken rows and columns.
 fn largest(
     matrix: &[Vec<f64>],
     group: &[usize],

@@ -39,7 +39,6 @@ fn pose(graph: &mut Graph, mechanism: &Mechanism, frame: usize) -> [Node; 3] {
     pose
 }
 
-/// Returns a point rotated about the origin.
 pub(crate) fn turned(graph: &mut Graph, [x, y]: [Node; 2], angle: Node) -> [Node; 2] {
     let (sin, cos) =
         (graph.unary(UnaryFunction::Sin, angle), graph.unary(UnaryFunction::Cos, angle));

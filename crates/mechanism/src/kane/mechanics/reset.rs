@@ -1,9 +1,8 @@
 //! Reset maps: values set by the description, changes by rigid impacts, and coordinates of the next
 //! mode.
 //!
-//! First the coordinates are set and projected onto those that the next mode solves. Then the
-//! speeds change: by the impulses of new constraints, and of a stated impact, along the mode
-//! before.
+//! First the coordinates are set and projected onto those that the next mode solves; then the
+//! speeds change by the impulses of new constraints and of a stated impact, along the mode before.
 
 use std::collections::HashMap;
 

@@ -24,8 +24,7 @@ impl SpeedProblem<'_> {
         vec![DerivationObstacle::DependentConstraints { constraints }]
     }
 
-    /// Checks that stated coordinates in constraints follow from these: others would be a further
-    /// condition.
+    /// Checks that stated coordinates in constraints follow from these, not as a further condition.
     pub(super) fn check_stated(
         &self,
         rows: &[VelocityRow],

@@ -40,7 +40,6 @@ pub(super) struct SpeedMap {
     pub(super) rows: Vec<VelocityRow>,
 }
 
-/// Problem of the dependent speeds of a mode.
 pub(super) struct SpeedProblem<'a> {
     pub(super) graph: &'a mut Graph,
     pub(super) pose: &'a NumericPose,
@@ -163,7 +162,6 @@ impl SpeedProblem<'_> {
         open
     }
 
-    /// Pairs rows with dependent speeds.
     fn choose(
         &self,
         open: &[VelocityRow],

@@ -1,7 +1,7 @@
 use super::words;
 use crate::kane::graph::{BinaryFunction, UnaryFunction};
 
-/// Notation of equations.
+/// Notation of written equations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Notation {
     /// Notation of descriptions: `k1*(s - theta_k)`.
@@ -18,7 +18,6 @@ pub(super) enum Tightness {
     Atom,
 }
 
-/// Written expression with its binding strength.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct WrittenPart {
     pub(super) text: String,

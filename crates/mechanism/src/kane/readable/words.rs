@@ -15,6 +15,7 @@ pub(super) fn latex(name: &str) -> String {
     let stem = name.trim_end_matches('\'');
     let primes = name.len() - stem.len();
     let (first, rest) = stem.split_once('_').unwrap_or((stem, ""));
+    // `k1` has the index 1.
     let letters = first.trim_end_matches(|it: char| it.is_ascii_digit());
     let (letters, digits) =
         if letters.is_empty() { (first, "") } else { first.split_at(letters.len()) };

@@ -157,7 +157,6 @@ fn a_series_says_where_it_ends() {
     assert_eq!(conditions(&along, soft, -5.0), [[0.0, 0.0, 0.0]]);
     let tanh = along.one(One::Tanh, x);
     assert_eq!(conditions(&along, tanh, -12.0), [[4.0, -2.0, 0.0]]);
-    // A choice by the parameters alone ends nothing.
     let fixed = along.graph.select(p, x, p);
     assert!(conditions(&along, fixed, 2.0).is_empty());
 }

@@ -43,6 +43,7 @@ impl Values {
         [string, -restitution * wh]
     }
 
+    /// Returns the speed of the head (m/s).
     fn head(&self, wh: f64) -> f64 {
         let [l2] = self.of(["L2"]);
         l2 * wh.abs()

@@ -98,7 +98,6 @@ fn the_sine_of_a_long_sum() {
     derived(&WEIGHT.replacen("\"y - s\"", &sine, 1));
 }
 
-/// Returns the line of a description for one of many items.
 type Entry = fn(usize) -> String;
 
 fn chain(count: usize) -> String {

@@ -9,8 +9,7 @@ use super::{WEIGHT, good};
 
 const SPRINGS: &str = include_str!("../../../../instruments/src/key_hammer_springs/model.toml");
 
-/// Returns the value of `node` with the default preset's values of key 0; state, then
-/// accelerations.
+/// Returns `node` with the default preset's values of key 0; state, then accelerations.
 #[track_caller]
 pub(super) fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f64; 4]) -> f64 {
     let mut layout = ArgumentLayout::default();

@@ -66,7 +66,6 @@ impl Derived {
         index.unwrap_or_else(|| panic!("there is no parameter {name}"))
     }
 
-    /// Returns the program for the simulator.
     pub(crate) fn model<const N: usize>(&self) -> Runnable<N> {
         runnable(self.system.clone().assemble().expect("a program"), &self.values)
     }
@@ -102,7 +101,7 @@ impl Derived {
         self.near(mode, state, input).expect("a state on the constraints")
     }
 
-    /// Like the panicking form, but returns `None` where Newton's steps miss the constraints.
+    /// Like [`Self::consistent`], but returns `None` where Newton's steps miss the constraints.
     pub(crate) fn near(&self, mode: usize, state: &[f64], input: [f64; 4]) -> Option<Vec<f64>> {
         let equations = &self.system.modes[mode];
         let mut state = state.to_vec();
@@ -119,6 +118,7 @@ impl Derived {
     }
 }
 
+/// Returns the values of a preset for key 40.
 fn preset_values(mechanism: &Mechanism, preset: usize) -> Vec<f64> {
     let mut layout = ArgumentLayout::default();
     layout.place(Place::Key, Argument::Extra(0));

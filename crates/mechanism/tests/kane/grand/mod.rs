@@ -15,6 +15,7 @@ const TRIP: f64 = 0.009_109_090_909_090_909;
 /// Position of the string (m).
 const STRING: f64 = 0.045;
 
+/// Returns ln(1 + eˣ).
 fn softplus(x: f64) -> f64 {
     if x > 30.0 { x } else { x.exp().ln_1p() }
 }

@@ -116,5 +116,6 @@ fn every_guard_leads_where_the_table_says() {
 fn the_table_has_every_guard_of_every_mode() {
     let model = GRAND.model::<4>("default", 0, &[]);
     let count: usize = modes(&model).map(|(mode, _)| model.guards(mode).len()).sum();
+    // One row more for each of the four with a choice.
     assert_eq!(count + 4, 33, "guards without a row in the test above");
 }

@@ -22,6 +22,7 @@ struct Felt {
     mode: &'static str,
 }
 
+/// Plays `gestures` on the default set until `until` (s).
 fn play(gestures: &[[f64; 3]], until: f64) -> (AuditedRun<Runnable<4>>, Vec<Felt>) {
     let model = GRAND.model::<4>("default", 0, &[]);
     let (mode, x) = model.at_rest(&still(0.0));

@@ -70,6 +70,7 @@ impl<const N: usize> Case<N> {
         }
     }
 
+    /// Returns the exact input at `t` (s).
     pub(crate) fn input(&self, t: f64) -> Motion {
         match self.shape {
             Shape::Bells => bells(&self.terms, t),
@@ -86,6 +87,7 @@ impl<const N: usize> Case<N> {
         self.rows[row][index].parse().expect("a number")
     }
 
+    /// Runs the case with ticks of `h` (s) and the exact input.
     #[track_caller]
     pub(crate) fn run(&self, h: f64) -> Trace<N> {
         let (mode, state) = self.start();
@@ -133,6 +135,7 @@ fn event(json: &Value, states: &[&str]) -> Expected {
     }
 }
 
+/// Event of a run: its time (s), its guard, and mode and state before and after.
 #[derive(Debug)]
 pub(crate) struct Met<const N: usize> {
     pub(crate) t: f64,

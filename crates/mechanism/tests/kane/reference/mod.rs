@@ -148,6 +148,7 @@ fn check_outputs<const N: usize>(
     (case, trace)
 }
 
+/// Returns the number of ticks of `h` (s) in a row of the trajectory.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small count")]
 fn per_row<const N: usize>(case: &Case<N>, h: f64) -> usize {
     (case.value(1, "t") / h).round() as usize

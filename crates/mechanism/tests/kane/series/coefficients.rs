@@ -2,8 +2,7 @@ use pode::{GuardId, Guarded as _, Model as _};
 
 use super::{ORDER, each, motion_at};
 
-/// Returns the validity of the series: its last terms are then rounding, and no condition is near
-/// zero.
+/// Returns the validity of the series: later terms are rounding, and no condition is near zero.
 fn reach(case: &super::Case<12>) -> f64 {
     let series = &case.series;
     let rows = (0..case.states()).map(|entry| series.terms.map(|term| term[entry]));
