@@ -31,7 +31,7 @@ pub struct Spring {
     pub rate: f64,
     /// Position that slowly follows the key (m).
     pub anchor: f64,
-    /// First and last tick of a failure, and its kind.
+    /// First tick of a failure, first tick after it, and its kind.
     pub fails: Option<(u64, u64, Failure)>,
 }
 
