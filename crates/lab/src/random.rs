@@ -1,11 +1,11 @@
-//! Random numbers that a seed repeats on every machine.
+//! Random numbers from a seed, equal on every machine.
 
 /// The generator `SplitMix64`.
 #[derive(Clone, Debug)]
 pub struct SeededRandom(u64);
 
 impl SeededRandom {
-    /// The numbers of one system.
+    /// Creates the stream of one system.
     pub const fn new(seed: u64, system: u64) -> Self {
         let mut random = Self(seed ^ system.wrapping_mul(0xD134_2543_DE82_EF95));
         random.next();
@@ -19,29 +19,29 @@ impl SeededRandom {
         z ^ (z >> 31)
     }
 
-    /// A number from `lo` to `hi`.
+    /// Returns a uniform number from `lo` to `hi`.
     pub fn between(&mut self, lo: f64, hi: f64) -> f64 {
         let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         lo + part * (hi - lo)
     }
 
-    /// A number from `lo` to `hi`, both positive, whose logarithm is spread evenly.
+    /// Returns a number from `lo` to `hi`, both positive, with a uniform logarithm.
     pub fn spread(&mut self, lo: f64, hi: f64) -> f64 {
         self.between(lo.ln(), hi.ln()).exp()
     }
 
-    /// A number of mean 0 and variance 1 whose distribution is nearly Gaussian: a sum of twelve.
+    /// Returns a nearly Gaussian number of mean 0 and variance 1: a sum of twelve.
     pub fn gaussian(&mut self) -> f64 {
         (0..12).map(|_| self.between(-0.5, 0.5)).sum()
     }
 
-    /// A whole number below `n`.
+    /// Returns an integer below `n`.
     #[expect(clippy::cast_possible_truncation, reason = "below n")]
     pub const fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize
     }
 
-    /// True once in `n` times.
+    /// Returns `true` with probability 1 / `n`.
     pub const fn once_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
     }

@@ -14,7 +14,7 @@ use mechanism::Library;
 use pode::stepper::Rk4;
 use pode::{Limits, Motion, Silent, Simulator, Work};
 
-/// Every step, and no time for timing.
+/// Every step, without timing.
 const COUNTED: Effort = Effort { repeats: 1, budget: Duration::ZERO, is_quick: false };
 
 fn names(names: &[&str]) -> Vec<String> {
@@ -33,7 +33,6 @@ fn study(scenarios: &[&str], methods: &[&str], effort: Effort) -> Vec<MeasuredSc
     measured
 }
 
-/// The run of `method` with ticks of `tick` (s).
 #[track_caller]
 fn run<'a>(measured: &'a MeasuredScenario, method: &str, tick: f64) -> &'a StudyRow {
     let is_it =
@@ -183,7 +182,6 @@ fn what_cannot_be_written_is_said_with_its_place() {
     assert!(said.starts_with("cannot write ") && said.contains("report"), "{said}");
 }
 
-/// Writes a report of `measured`; gives its folder.
 fn written(
     test: &str,
     measured: Vec<MeasuredScenario>,
@@ -203,10 +201,9 @@ fn written(
     (folder, report)
 }
 
-/// An empty folder of a test's own.
 fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("lab").join(test);
-    // One of an earlier run may lie there.
+    // A folder of an earlier run may exist.
     let _none = fs::remove_dir_all(folder.join("report"));
     fs::create_dir_all(&folder).expect("a folder");
     folder
@@ -216,7 +213,6 @@ fn read(folder: &Path, file: &str) -> String {
     fs::read_to_string(folder.join(file)).expect("a file")
 }
 
-/// Asserts that every tag is closed.
 #[track_caller]
 fn balanced(svg: &str) {
     let mut open = Vec::new();

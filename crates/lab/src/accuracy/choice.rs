@@ -1,11 +1,11 @@
-//! What is asked for: which scenarios, which methods, how thoroughly.
+//! The scenarios and methods of a study.
 
 use super::Effort;
 use super::method::{METHODS, NamedMethod, Setting};
 use super::study;
 use crate::scenario::{Plan, SCENARIOS, ScenarioEntry};
 
-/// Which scenarios are run with which methods, and how thoroughly.
+/// Scenarios and methods of a study, and how thoroughly they are run.
 #[derive(Clone, Debug)]
 pub struct StudyChoice {
     pub scenarios: Vec<&'static ScenarioEntry>,
@@ -16,18 +16,14 @@ pub struct StudyChoice {
 /// A name that no scenario or method has.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UnknownName {
-    /// What the name should be of: `scenario` or `method`.
+    /// `scenario` or `method`.
     pub what: &'static str,
     pub name: String,
-    /// The names that there are.
     pub known: Vec<&'static str>,
 }
 
 impl StudyChoice {
-    /// Chooses the scenarios and methods of these names; no names are all of them.
-    ///
-    /// # Errors
-    /// Every name that is unknown.
+    /// Chooses the scenarios and methods with these names; an empty list chooses all.
     pub fn new(
         scenarios: &[String],
         methods: &[String],
@@ -49,7 +45,6 @@ impl StudyChoice {
         })
     }
 
-    /// Returns the runs of one scenario, method by method.
     pub(super) fn runs(&self, plan: &Plan) -> Vec<(&'static NamedMethod, Setting)> {
         let stride = if self.effort.is_quick { 2 } else { 1 };
         let settings = |method: &&'static NamedMethod| {
@@ -59,7 +54,7 @@ impl StudyChoice {
         self.methods.iter().flat_map(settings).collect()
     }
 
-    /// Returns the number of all runs; a scenario that cannot be read has none.
+    /// Returns the number of all runs; a scenario that cannot be read counts 0.
     pub fn count(&self) -> usize {
         let runs = |entry: &&ScenarioEntry| {
             study::build(entry).map_or(0, |study| self.runs(&study.plan()).len())
@@ -68,7 +63,6 @@ impl StudyChoice {
     }
 }
 
-/// Returns the names that are not among those `known`.
 fn unknown_names(what: &'static str, names: &[String], known: &[&'static str]) -> Vec<UnknownName> {
     let is_unknown = |name: &&String| !known.contains(&name.as_str());
     let unknown = |name: &String| UnknownName { what, name: name.clone(), known: known.to_vec() };

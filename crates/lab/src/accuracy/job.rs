@@ -1,11 +1,9 @@
-//! One run: a scenario, a method, a tick.
-
 use pode::{Limits, Signal, Silent, Simulator, Stepper, Tick, Watch};
 
 use super::stepped::{Stepped, Stepping};
 use crate::scenario::{InputOf, Scenario};
 
-/// All that a run needs, so that it can be done any number of times.
+/// Scenario, method and tick of a run, which can be repeated any number of times.
 #[derive(Debug)]
 pub(super) struct RunJob<'a, S, T> {
     pub(super) scenario: &'a S,
@@ -17,7 +15,6 @@ pub(super) struct RunJob<'a, S, T> {
 }
 
 impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
-    /// Returns the number of ticks of the run.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -27,7 +24,7 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
         (self.scenario.plan().until / self.tick).round() as u64
     }
 
-    /// Returns a simulator of the model at the start.
+    /// Returns a simulator of the model at t = 0.
     pub(super) fn simulator(&self) -> Simulator<Stepped<S::Model>, T> {
         let (model, mode, state) = self.scenario.start();
         let model = Stepped { model, stepping: self.stepping };
@@ -46,14 +43,14 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
         simulator.advance(h, &signal, watch)
     }
 
-    /// Advances by one tick without a watch: this is what is timed.
+    /// Advances by one tick without a watch; this function is timed.
     #[inline(never)]
     pub(super) fn advance_alone(&self, simulator: &mut Simulator<Stepped<S::Model>, T>) -> Tick {
         self.advance(simulator, &mut Silent)
     }
 }
 
-/// A scenario's input over the tick that begins after `start` ticks of `h` (s).
+/// Input of a scenario over the tick that begins after `start` ticks of `h` (s).
 struct ScenarioSignal<'a, S> {
     scenario: &'a S,
     start: f64,

@@ -1,4 +1,4 @@
-//! The methods that are compared, and the settings with which each of them is run.
+//! The methods that are compared, with their settings.
 
 use std::sync::LazyLock;
 
@@ -9,7 +9,7 @@ use super::stepped::Stepping;
 use crate::scenario::Plan;
 use cli::simulate::StudiedMethod;
 
-/// A method by its name.
+/// A method with its name.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NamedMethod {
     /// Name on the command line and in reports.
@@ -20,16 +20,16 @@ pub struct NamedMethod {
     stepper: StudiedMethod,
 }
 
-/// Where a method's steps come from.
+/// Source of a method's steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MethodKind {
     /// One step a tick, up to an event.
     Fixed,
-    /// The model's own longest step within a tick, as an instrument is played.
+    /// The model's longest step within a tick, as an instrument is played.
     Played,
-    /// An error estimate and a tolerance, in long ticks.
+    /// Error estimate and tolerance, in long ticks.
     Controlled,
-    /// An error budget, mode by mode, in ticks of 1 ms or less.
+    /// Error budget per mode, in ticks of 1 ms or less.
     Budgeted,
 }
 
@@ -38,20 +38,20 @@ pub enum MethodKind {
 pub struct Setting {
     /// Length of a tick (s).
     pub tick: f64,
-    /// Tolerance or error budget, for methods that choose their steps.
+    /// Tolerance or error budget of methods that choose their steps.
     pub tolerance: Option<f64>,
 }
 
-/// Tolerances, relative and absolute, of methods that choose their steps.
+/// Relative and absolute tolerances of methods that choose their steps.
 const TOLERANCES: [f64; 7] = [1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
 
-/// Errors per radian of a mode's fastest motion, of methods that have a budget.
+/// Errors per radian of a mode's fastest motion, for methods with a budget.
 const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// The longest tick in which methods with a budget are studied, that of a keyboard (s).
+/// Longest tick of methods with a budget, that of a keyboard (s).
 const LONGEST_BUDGETED: f64 = 1e-3;
 
-/// Every method that is compared, and RK4 as instruments are played with it.
+/// Every compared method, and RK4 as instruments use it.
 pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
     let all = StudiedMethod::names().filter_map(StudiedMethod::named).map(NamedMethod::of);
     let (mut methods, others): (Vec<_>, Vec<_>) =
@@ -67,8 +67,7 @@ pub static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
 });
 
 impl NamedMethod {
-    /// The study of a method by its own name; the method of the longest steps takes them by a
-    /// tolerance.
+    /// Names the study of a method; the method of the longest steps has a tolerance.
     fn of(stepper: StudiedMethod) -> Self {
         let (name, kind) = match stepper.name() {
             ByNeed::NAME => (ByNeed::NAME, MethodKind::Budgeted),
@@ -79,7 +78,7 @@ impl NamedMethod {
         Self { name, order: stepper.order(), kind, stepper }
     }
 
-    /// Returns the points of the method's series under `plan`, the coarsest first.
+    /// Returns the points of the method's series, the coarsest first.
     pub(super) fn settings(&self, plan: &Plan) -> Vec<Setting> {
         let Plan { ticks, offline_tick, .. } = *plan;
         match self.kind {
@@ -99,13 +98,11 @@ impl NamedMethod {
         }
     }
 
-    /// Returns the method as precise as `setting` says.
     pub(super) fn stepper(&self, setting: &Setting) -> StudiedMethod {
         let precise = |tolerance| self.stepper.with_tolerance(tolerance, setting.tick);
         setting.tolerance.and_then(precise).unwrap_or(self.stepper)
     }
 
-    /// Returns what cuts a tick into steps.
     pub(super) const fn stepping(&self) -> Stepping {
         match self.kind {
             MethodKind::Fixed | MethodKind::Controlled => Stepping::Ticks,
@@ -113,7 +110,7 @@ impl NamedMethod {
         }
     }
 
-    /// Returns what a tick may cost: without a deadline, more.
+    /// Returns the limits of a tick; without a deadline they are wider.
     pub(super) fn limits(&self) -> Limits {
         match self.kind {
             MethodKind::Fixed | MethodKind::Played | MethodKind::Budgeted => Limits::default(),

@@ -1,11 +1,10 @@
 //! Speed against error: every scenario with every method and step.
 //!
-//! In the order of a run: `choice` what is asked for, `method` the methods, `job` one run,
-//! `stepped` the step that is studied as the step that is taken, `observe` what happened,
-//! `judge` how right it was, `time` how long it took, `row` the figures of one run.
+//! In the order of a run: `choice`, `method`, `job` (one run), `stepped` (makes the studied step
+//! the step that is taken), `observe`, `judge`, `time`, `row` (the figures of one run).
 //!
-//! Two errors, never mixed: the time of events, and the state away from them. The sequence of
-//! events comes first: a run in which it is wrong has no error, it has failed.
+//! Errors of event times and of states away from events are never mixed. A run with a wrong
+//! sequence of events has failed and has no error.
 
 mod choice;
 mod job;
@@ -26,21 +25,21 @@ pub use row::{EvaluationCounts, StudyRow, Times};
 
 use crate::scenario::{BadFile, ScenarioEntry};
 
-/// How much time a study spends on timing.
+/// Time that a study spends on timing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Effort {
     /// Smallest number of repeats of a run.
     pub repeats: u32,
-    /// Time that is spent on the repeats of one run at least.
+    /// Least time for the repeats of one run.
     pub budget: Duration,
-    /// Whether only every second step of a series is taken.
+    /// `true` if only every second step of a series is run.
     pub is_quick: bool,
 }
 
 impl Effort {
-    /// For a report: short runs are repeated a thousand times, long ones need fewer.
+    /// For a report: short runs are repeated a thousand times, long ones less often.
     pub const FULL: Self = Self { repeats: 3, budget: Duration::from_millis(200), is_quick: false };
-    /// For a look.
+    /// For a quick impression, not for a claim.
     pub const QUICK: Self = Self { repeats: 2, budget: Duration::from_millis(5), is_quick: true };
 }
 
@@ -48,16 +47,12 @@ impl Effort {
 #[derive(Clone, Debug)]
 pub struct MeasuredScenario {
     pub entry: ScenarioEntry,
-    /// End of the scenario (s).
     pub until: f64,
-    /// The runs, method by method, the longest step first.
+    /// The runs by method, the longest step first.
     pub rows: Vec<StudyRow>,
 }
 
-/// Measures a scenario with the methods chosen, and hands each run that is done to `after`.
-///
-/// # Errors
-/// When the scenario's reference cannot be read.
+/// Measures a scenario with the methods chosen; calls `after` with each finished run.
 pub fn measure(
     entry: &ScenarioEntry,
     choice: &StudyChoice,

@@ -1,4 +1,4 @@
-//! What happens in a run: events, states at the times of samples, work of each tick.
+//! Records the events of a run, its states at sample times and the work of each tick.
 
 use pode::Stepper;
 use pode::{Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Watch, Work};
@@ -7,35 +7,32 @@ use super::job::RunJob;
 use super::stepped::Stepped;
 use crate::scenario::{ForceKind, Plan, Scenario, StateOf, Studied};
 
-/// An event that happened in a run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeenEvent<M: Model> {
-    /// Time of the event (s).
     pub(super) t: f64,
     pub(super) guard: &'static str,
     pub(super) to: M::Mode,
 }
 
-/// State and force where the reference has a sample.
+/// State and force at the time of a reference sample.
 pub(super) type FoundSamples<S> = (S, f64);
 
-/// Everything of a run that can be judged.
+/// Record of a run, for the judge.
 #[derive(Clone, Debug)]
 pub(super) struct ObservedRun<M: Model> {
     pub(super) events: Vec<SeenEvent<M>>,
-    /// The last mode that was entered, and when (s).
+    /// Last mode that was entered, and its time (s).
     pub(super) entered: Option<(f64, M::Mode)>,
-    /// One for each sample of the reference; none where no tick ended there.
+    /// One per sample of the reference; `None` where no tick ended there.
     pub(super) samples: Vec<Option<FoundSamples<M::State>>>,
-    /// Of every tick, until the end or the first fault.
+    /// Work of each tick, until the end or the first fault.
     pub(super) work: Vec<Work>,
-    /// Energy that the method made (J).
+    /// Energy that the method generated (J).
     pub(super) residual: f64,
-    /// Where and why the run did not go on as it should (s).
+    /// Time (s) and cause of a fault or an exceeded limit.
     pub(super) trouble: Option<(f64, String)>,
 }
 
-/// Does the run once, looking on.
 pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> ObservedRun<S::Model> {
     let mut log = EventRecorder::<S::Model>::new(job.tick);
     let mut samples = Samples::new(job.scenario, job.tick);
@@ -61,8 +58,8 @@ pub(super) fn observe<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Observ
     }
 }
 
-/// Returns the work of every tick, until the end or the first fault, without a watch: a look
-/// inside a step may cost evaluations.
+/// Returns the work of every tick, until the end or the first fault. Runs without a watch, as
+/// dense output inside a step may cost evaluations.
 fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
     let mut simulator = job.simulator();
     let mut work = Vec::new();
@@ -76,7 +73,6 @@ fn work<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>) -> Vec<Work> {
     work
 }
 
-/// Why a tick did not go as it should.
 fn failure(advance: Advance, limits: &Limits) -> Option<String> {
     Some(match advance {
         Advance::Completed => return None,
@@ -89,7 +85,7 @@ fn failure(advance: Advance, limits: &Limits) -> Option<String> {
     })
 }
 
-/// Writes down events, and audits the energy.
+/// Records events, and audits the energy.
 struct EventRecorder<M: Model> {
     tick: f64,
     events: Vec<SeenEvent<M>>,
@@ -119,7 +115,6 @@ impl<M: Studied> Watch<Stepped<M>> for EventRecorder<M> {
     }
 }
 
-/// The states at the times of the reference's samples.
 struct Samples<S: Scenario + ?Sized> {
     felt: ForceKind,
     tick: f64,
@@ -138,7 +133,7 @@ impl<S: Scenario> Samples<S> {
         Self { felt, tick, due, found: vec![None; samples.len()], impulse: 0.0, next: 0 }
     }
 
-    /// `ticks` have passed; the last one had the given mean and end of the readout.
+    /// Adds the sample after `ticks`, whose last had these mean and end values of the readout.
     fn add(&mut self, ticks: u64, state: &StateOf<S>, [mean, end]: [f64; 2]) {
         self.impulse += mean * self.tick;
         while let Some(None) = self.due.get(self.next) {
@@ -155,7 +150,7 @@ impl<S: Scenario> Samples<S> {
     }
 }
 
-/// The number that `ticks` is, unless it lies between two.
+/// Converts `ticks` to a whole number; `None` if it lies between two.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a count of ticks")]
 fn whole(ticks: f64) -> Option<u64> {
     ((ticks - ticks.round()).abs() < 1e-6).then(|| ticks.round() as u64)

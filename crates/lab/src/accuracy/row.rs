@@ -1,5 +1,3 @@
-//! The figures of one run.
-
 use pode::{State as _, Work};
 use serde::Serialize;
 
@@ -7,48 +5,40 @@ use super::judge::RunVerdict;
 use super::method::{NamedMethod, Setting};
 use crate::scenario::{Scenario, StateOf};
 
-/// One run, judged, counted and timed.
+/// A judged, counted and timed run.
 #[derive(Clone, Debug)]
 pub struct StudyRow {
     pub scenario: &'static str,
     pub method: &'static NamedMethod,
     pub setting: Setting,
     pub verdict: RunVerdict,
-    /// Work of the run, the same on every machine.
+    /// Work of the run, equal on every machine.
     pub counts: EvaluationCounts,
     pub times: Times,
-    /// Energy that the method made (J).
+    /// Energy that the method generated (J).
     pub energy_residual: f64,
 }
 
 /// Evaluations of a run, as `pode` counts them.
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
 pub struct EvaluationCounts {
-    /// Evaluations of the derivative per simulated ms.
     pub derivatives_per_ms: f64,
-    /// Evaluations of the Jacobian per simulated ms.
     pub jacobians_per_ms: f64,
-    /// Evaluations of one guard each per simulated ms.
+    /// Evaluations of single guards per simulated ms.
     pub guards_per_ms: f64,
-    /// Evaluations of the readout per simulated ms.
     pub readouts_per_ms: f64,
-    /// Evaluations of the derivative in the worst tick.
     pub worst_derivatives: u32,
-    /// Evaluations of the Jacobian in the worst tick.
     pub worst_jacobians: u32,
-    /// Evaluations of guards in the worst tick.
     pub worst_guards: u32,
-    /// Steps in which no root of a guard was missed on the orbit as it was computed, in the
-    /// whole run.
+    /// Steps in the whole run that certainly missed no root of a guard on the computed orbit.
     pub steps_certain: u64,
-    /// Steps of which this is not known, in the whole run.
+    /// Steps in the whole run for which this is not known.
     pub steps_unknown: u64,
-    /// Derivatives per simulated ms, each Jacobian as many as the state has entries.
+    /// Derivatives per simulated ms, where a Jacobian counts as one per entry of the state.
     pub evaluations_per_ms: f64,
 }
 
 impl EvaluationCounts {
-    /// Returns the counts of ticks of `tick` (s).
     pub(super) fn new<S: Scenario>(work: &[Work], tick: f64) -> Self {
         let ms = work.len() as f64 * tick * 1e3;
         let sum = |count: fn(&Work) -> u32| -> u64 {
@@ -74,19 +64,19 @@ impl EvaluationCounts {
     }
 }
 
-/// How long a run takes on one machine (ns).
+/// Times of a run on one machine (ns).
 #[derive(Clone, Copy, PartialEq, Debug, Default, Serialize)]
 pub struct Times {
-    /// Time per simulated ms, over the whole run (ns).
+    /// Time per simulated ms (ns).
     pub per_ms: f64,
-    /// Time of the tick that takes longest (ns).
+    /// Time of the slowest tick (ns).
     pub worst_tick: f64,
-    /// Mean time of a tick without an event (ns).
+    /// Mean time of a tick without events (ns).
     pub without_event: Option<f64>,
     /// Mean time of a tick with one event (ns).
     pub with_one_event: Option<f64>,
     /// Mean time of the ticks with the most events (ns).
     pub with_most_events: Option<f64>,
-    /// Number of events in those ticks.
+    /// Number of events in the ticks with the most.
     pub most_events: u32,
 }

@@ -1,23 +1,22 @@
-//! A model whose steps are those that are studied.
+//! A model whose steps are those of the study.
 //!
-//! A model's own longest step cuts ticks, so that a study of 5 ms would really be one of 1 ms.
-//! Everything else is the model's: each method of the traits is passed on, also those that have
-//! a default.
+//! A model's own longest step cuts ticks: a study of 5 ms would really be one of 1 ms. All other
+//! methods of the traits are forwarded, also those with a default.
 
 use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
 use pode::{Energetic, Reset, Resets, Settling, State};
 
-/// What cuts a tick into steps.
+/// Rule that cuts a tick into steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Stepping {
-    /// The method alone: a tick is one step, up to an event.
+    /// The method alone: one step a tick, up to an event.
     Ticks,
-    /// The model, as when it is played.
+    /// The model's longest step, as when it is played.
     Models,
 }
 
-/// The same model under a `stepping` of the study's.
+/// A model under the `stepping` of the study.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Stepped<M> {
     pub(super) model: M,
@@ -115,7 +114,7 @@ impl<M: Resets> Resets for Stepped<M> {
     }
 }
 
-/// The same accumulation point, of the same model under its other name.
+/// Wraps an accumulation point for the wrapped model.
 fn settling<M: Model>(it: &Settling<M>) -> Settling<Stepped<M>> {
     let Settling { after, ratio, mode, state, impulse } = *it;
     Settling { after, ratio, mode, state, impulse }

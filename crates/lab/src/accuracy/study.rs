@@ -1,4 +1,4 @@
-//! A scenario whose model's type is known by name only, and the runs it can do.
+//! A scenario with its model's type erased.
 
 use super::Effort;
 use super::job::RunJob;
@@ -11,12 +11,10 @@ use crate::scenario::{BadFile, Plan, Scenario, ScenarioEntry, ScenarioVisitor};
 use cli::simulate::MethodVisitor;
 use pode::Stepper;
 
-/// A scenario that can be run with every method.
 pub(super) trait Study {
-    /// Returns how long the scenario is run, and with which ticks.
     fn plan(&self) -> Plan;
 
-    /// Does one run, judges and times it.
+    /// Runs, judges and times one setting.
     fn run(
         &self,
         scenario: &'static str,
@@ -26,15 +24,11 @@ pub(super) trait Study {
     ) -> StudyRow;
 }
 
-/// Builds the scenario of an entry.
-///
-/// # Errors
-/// When its reference cannot be read.
 pub(super) fn build(entry: &ScenarioEntry) -> Result<Box<dyn Study>, BadFile> {
     entry.visit(BoxedStudy)
 }
 
-/// Forgets a scenario's type.
+/// Erases a scenario's type.
 struct BoxedStudy;
 
 impl ScenarioVisitor for BoxedStudy {
@@ -50,8 +44,8 @@ impl<S: Scenario> Study for S {
         Scenario::plan(self)
     }
 
-    /// Observed and timed as the host runs it, by a method that is one of several: compiled once
-    /// for each type of scenario.
+    /// Observes and times the run as the host does, with a method that is one of several: code is
+    /// compiled once per type of scenario.
     fn run(
         &self,
         scenario: &'static str,
@@ -64,7 +58,7 @@ impl<S: Scenario> Study for S {
     }
 }
 
-/// A run whose method is known by its name only.
+/// A run with a method that is known by its name only.
 struct StudyRun<'a, S> {
     scenario: &'a S,
     name: &'static str,

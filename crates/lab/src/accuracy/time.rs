@@ -1,8 +1,7 @@
 //! Nanoseconds of a run, as a whole and tick by tick.
 //!
-//! A run is the same every time, so what another program or a hypervisor takes is never part
-//! of the least time: the run's mean is the least of its repeats, and each tick's time is the
-//! least over the repeats of that very tick.
+//! A run is deterministic, so the least time excludes other programs and the hypervisor. The mean
+//! is the least of all repeats, and each tick's time is the least over the repeats of that tick.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -14,7 +13,7 @@ use super::job::RunJob;
 use super::row::Times;
 use crate::scenario::Scenario;
 
-/// Times the run whose ticks did `work`.
+/// Times a run whose ticks did `work`.
 pub(super) fn time<S: Scenario, T: Stepper>(
     job: &RunJob<'_, S, T>,
     work: &[Work],
@@ -34,7 +33,7 @@ pub(super) fn time<S: Scenario, T: Stepper>(
     figures(ns(whole), &ticks, work, job.tick)
 }
 
-/// The whole run, with one look at the clock at each end.
+/// Runs all ticks, and reads the clock once at each end.
 fn run<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, ticks: usize) -> Duration {
     let mut simulator = job.simulator();
     let began = Instant::now();
@@ -44,7 +43,7 @@ fn run<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, ticks: usize) -> Duratio
     began.elapsed()
 }
 
-/// The same with a look at the clock around every tick; keeps each one's least time.
+/// Runs all ticks, and reads the clock around each; keeps the least time of each tick.
 fn run_by_ticks<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, least: &mut [Duration]) {
     let mut simulator = job.simulator();
     for least in least {
@@ -54,7 +53,7 @@ fn run_by_ticks<S: Scenario, T: Stepper>(job: &RunJob<'_, S, T>, least: &mut [Du
     }
 }
 
-/// What two looks at the clock with nothing between them take.
+/// Returns the time between two consecutive clock readings.
 fn clock_reading() -> Duration {
     let nothing = || {
         let began = Instant::now();
@@ -67,7 +66,7 @@ fn ns(duration: Duration) -> f64 {
     duration.as_secs_f64() * 1e9
 }
 
-/// Means and the worst of `ticks` of `tick` (s), by the events in each.
+/// Returns the means, and the worst of `ticks` of `tick` (s), by the events in each.
 fn figures(whole: f64, ticks: &[f64], work: &[Work], tick: f64) -> Times {
     let most = work.iter().map(|work| work.events).max().unwrap_or(0);
     let of = |events: u32| {

@@ -58,7 +58,6 @@ Exit codes: 0 done; 1 a file could not be written; 2 wrong usage or file.",
     )
 }
 
-/// Runs the study and writes its report.
 pub(super) fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let (choice, mut report) = check(args).map_err(|lines| Failure::Usage(lines.join("\n")))?;
     let bar = bar(choice.count());
@@ -77,7 +76,7 @@ pub(super) fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), Failur
     tell(args, &report, out)
 }
 
-/// Returns what is asked for, or every mistake in a sentence of its own.
+/// Returns the study asked for, or a sentence per mistake.
 fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>> {
     let mut mistakes = Vec::new();
     let effort = if args.quick { Effort::QUICK } else { Effort::FULL };
@@ -98,13 +97,11 @@ fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>>
     }
 }
 
-/// Returns what is wrong with a name, and which would be right.
 fn sentence(unknown: &UnknownName) -> String {
     let UnknownName { what, name, known } = unknown;
     format!("there is no {what} {}: {}", quoted(name), choice(name, known))
 }
 
-/// Says in a line what has been done.
 fn tell(args: &AccuracyArgs, report: &StudyReport, out: &mut dyn Write) -> Result<(), Failure> {
     let rows = || report.measured.iter().flat_map(|measured| &measured.rows);
     let wrong = rows().filter(|row| row.verdict.sequence != SequenceVerdict::Right).count();

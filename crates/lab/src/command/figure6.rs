@@ -35,7 +35,6 @@ pub struct Figure6Args {
     pub json: bool,
 }
 
-/// Runs the experiment, and writes its report.
 pub(super) fn run(args: &Figure6Args, out: &mut dyn Write) -> Result<(), Failure> {
     let Some(pace) = Pace::of(args.time_scale) else {
         let (given, (low, high)) = (args.time_scale, TIME_SCALES);
@@ -66,7 +65,7 @@ fn tell(args: &Figure6Args, figure: &Figure6, out: &mut dyn Write) -> Result<(),
     print_page(args.out.as_deref(), PAGE, out)
 }
 
-/// The events of a reading in a line.
+/// Formats the events of a reading in one line.
 fn events(it: &ClosedLoop) -> String {
     let events = it.paper.events.iter().map(|event| format!("{} {:.3}", event.guard, event.t));
     let scale = it.pace.time_scale();

@@ -1,4 +1,4 @@
-//! `letoff lab fit`: a measured action becomes an instrument.
+//! `letoff lab fit`: fits an instrument to a measured action.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -15,7 +15,7 @@ use super::{Failure, prepare_report, print_report};
 use crate::command::stability::ask::key_named;
 use cli::progress::counter;
 
-/// Speed of a static curve that may be stated (m/s).
+/// Allowed speeds of a static curve (m/s).
 const SPEEDS: (f64, f64) = (1e-5, 1.0);
 
 /// What `letoff lab fit` takes.
@@ -61,7 +61,7 @@ pub struct FitArgs {
     pub json: bool,
 }
 
-/// What was asked for, once all of it is right.
+/// A valid request for a fit.
 struct FitJob {
     instrument: Instrument,
     key: KeyIndex,
@@ -69,7 +69,6 @@ struct FitJob {
     strokes: Vec<MeasuredStroke>,
 }
 
-/// Fits what was asked for, and writes the instrument and its report.
 pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let job = check(args).map_err(|mistakes| Failure::Usage(mistakes.join("\n")))?;
     prepare_report(Some(&args.out))?;
@@ -87,7 +86,7 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let outcome = fit(&subject, &|| runs.inc(1));
     runs.finish_and_clear();
     let outcome = outcome.map_err(Failure::Running)?;
-    // What was found is not lost where the values do not go together on another key.
+    // Write the results even if their values are invalid together on another key.
     let text = text(args, &job, &outcome);
     let file = format!("{}-fitted.toml", instrument.name);
     let fitted = text.as_ref().ok().map(|text| (file.as_str(), text.as_str()));
@@ -97,7 +96,7 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     text.map(drop)
 }
 
-/// Returns what is asked for, or every mistake in a sentence of its own.
+/// Returns the fit asked for, or a sentence per mistake.
 fn check(args: &FitArgs) -> Result<FitJob, Vec<String>> {
     let mut mistakes = Vec::new();
     let instrument = Instrument::load(&Library::default(), &args.instrument)
@@ -133,7 +132,7 @@ fn check(args: &FitArgs) -> Result<FitJob, Vec<String>> {
     }
 }
 
-/// Places of the parameters that are to be fitted.
+/// Returns the indices of the parameters to fit.
 fn places(model: &ModelEntry, wanted: &[String], mistakes: &mut Vec<String>) -> Vec<usize> {
     let names = || model.parameters.iter().map(|it| it.name);
     let mut found = Vec::new();
@@ -162,7 +161,7 @@ fn places(model: &ModelEntry, wanted: &[String], mistakes: &mut Vec<String>) -> 
     found
 }
 
-/// The text of the fitted instrument's file.
+/// Returns the text of the fitted instrument's file.
 fn text(args: &FitArgs, job: &FitJob, outcome: &FitOutcome) -> Result<String, Failure> {
     let FitJob { instrument, key, strokes, .. } = job;
     let files: Vec<_> = strokes.iter().map(|it| it.name.as_str()).collect();

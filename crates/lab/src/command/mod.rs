@@ -1,4 +1,4 @@
-//! What people type: `letoff lab STUDY`, a file or folder for each study.
+//! The command line: `letoff lab STUDY`, a file or folder for each study.
 
 pub mod accuracy;
 pub mod figure6;
@@ -28,7 +28,7 @@ pub struct LabArgs {
     manual: Option<PathBuf>,
 }
 
-/// Makes the list of studies: the name that is typed, and what takes its arguments and runs it.
+/// Defines the list of studies: name, arguments and function of each.
 macro_rules! studies {
     ($($(#[$doc:meta])* $name:ident($module:ident::$args:ident),)+) => {
         /// The study that was asked for.
@@ -62,10 +62,7 @@ studies! {
     Impedance(impedance::ImpedanceArgs),
 }
 
-/// Runs the study that `args` name.
-///
-/// # Errors
-/// With the study's own sentence and exit code.
+/// Runs the study that `args` name; an error carries its sentence and exit code.
 pub fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match (&args.study, &args.manual) {
         (Some(study), _) => study.run(out),
@@ -74,13 +71,13 @@ pub fn run(args: &LabArgs, out: &mut dyn Write) -> Result<(), Failure> {
     }
 }
 
-/// Creates the folder of a report, if one is asked for, before anything is measured for it.
+/// Creates the folder of a report before anything is measured.
 fn prepare_report(folder: Option<&Path>) -> Result<(), Failure> {
     let prepared = folder.map_or(Ok(()), crate::report::prepare);
     prepared.map_err(|error| Failure::Usage(format!("{error}; choose another --out")))
 }
 
-/// Prints where the page of a report is, in the folder that was asked for.
+/// Prints the path of the report's page, if a folder was given.
 fn print_page(folder: Option<&Path>, page: &str, out: &mut dyn Write) -> Result<(), Failure> {
     let page = folder.map(|folder| folder.join(page)).unwrap_or_default();
     Ok(writeln!(out, "{}", shown(&page))?)

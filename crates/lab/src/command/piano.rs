@@ -45,7 +45,7 @@ pub struct PianoArgs {
     pub json: bool,
 }
 
-/// The figures of one instrument, for programs.
+/// Figures of one instrument, for programs.
 #[derive(Serialize)]
 struct Sheet<'a> {
     instrument: &'a str,
@@ -54,7 +54,6 @@ struct Sheet<'a> {
     figures: &'a [Figure],
 }
 
-/// Measures what was asked for, and writes its report.
 pub(super) fn run(args: &PianoArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let instruments = [Some(&args.instrument), args.beside.as_ref()];
     let instruments = instruments.into_iter().flatten().map(|it| load(it));
@@ -71,7 +70,7 @@ pub(super) fn run(args: &PianoArgs, out: &mut dyn Write) -> Result<(), Failure> 
     if missed == 0 { Ok(()) } else { Err(Failure::Running(verdict(&examined))) }
 }
 
-/// The instrument of that name, whose expected figures are known ones.
+/// Loads an instrument; rejects unknown expected figures.
 fn load(name: &str) -> Result<Instrument, Failure> {
     let instrument = Instrument::load(&Library::default(), name)
         .map_err(|mistakes| Failure::Usage(mechanism::rendered(&mistakes)))?;
@@ -127,7 +126,7 @@ fn tell(args: &PianoArgs, examined: &[Examination], out: &mut dyn Write) -> Resu
     Ok(writeln!(out, "{}", shown(&page))?)
 }
 
-/// A figure in a line: its value, and what was expected.
+/// Formats a figure in one line: value and expected value.
 fn line(figure: &Figure) -> String {
     let value = figure.value.map_or_else(|| "—".to_owned(), |it| format!("{it:.3}"));
     let limits = match (figure.low, figure.high) {
@@ -144,7 +143,7 @@ fn line(figure: &Figure) -> String {
     format!("{:66} {value:>10}  {limits:14} {verdict}", figure.title).trim_end().to_owned()
 }
 
-/// What is wrong, in a sentence for each instrument.
+/// Returns a sentence of failures for each instrument.
 fn verdict(examined: &[Examination]) -> String {
     let sentence = |it: &Examination| {
         let wrong = it.figures.iter().filter(|figure| figure.pass == Some(false));

@@ -15,24 +15,22 @@ pub const STEP: f64 = 2e-3;
 /// The paper's servo cycle (s of the hand). `[GC93]` §6
 pub const SERVO: f64 = 7e-3;
 
-/// Model seconds per second of the hand that a rig can be run with: it takes cycles up to 20 ms.
+/// Allowed model seconds per second of the hand: a rig takes cycles of up to 20 ms.
 pub const TIME_SCALES: (f64, f64) = (0.1, 1.0);
 
-/// How model time goes by while the hand's does.
+/// Speed of model time relative to the hand's time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pace {
-    /// Model seconds per second of the hand.
     time_scale: f64,
 }
 
 impl Pace {
-    /// The paper's own: a step of 2 ms each 7 ms.
+    /// The paper's pace: a step of 2 ms each 7 ms.
     pub const PAPER: Self = Self { time_scale: STEP / SERVO };
-    /// Model time is the hand's: a step of 2 ms each 2 ms.
+    /// Equal times: a step of 2 ms each 2 ms.
     pub const SAME: Self = Self { time_scale: 1.0 };
 
-    /// Returns a pace of `time_scale` model seconds per second of the hand, if it is one of
-    /// [`TIME_SCALES`].
+    /// Returns the pace of `time_scale`, if it is within [`TIME_SCALES`].
     pub fn of(time_scale: f64) -> Option<Self> {
         let (low, high) = TIME_SCALES;
         (low..=high).contains(&time_scale).then_some(Self { time_scale })
@@ -43,53 +41,50 @@ impl Pace {
         self.time_scale
     }
 
-    /// Returns the time from one sample to the next (s of the hand).
+    /// Returns the time between samples (s of the hand).
     pub fn servo(self) -> f64 {
         STEP / self.time_scale
     }
 }
 
-/// What the rig did in a servo cycle, at its end.
+/// State of the rig at the end of a servo cycle.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RigRow {
-    /// Angle of the manipulandum as it was (rad), from where the encoder began to count.
+    /// True angle of the manipulandum (rad), from the zero of the encoder.
     pub angle: f64,
-    /// Its rate per model second (rad/s).
     pub rate: f64,
-    /// Force of the motor (N), up positive.
     pub motor: f64,
     /// Force of the handle on the hand (N), up positive.
     pub hand: f64,
 }
 
-/// A run of the closed loop, and the same gesture in two better ways.
+/// A run of the closed loop, and its gesture stepped in two better ways.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ClosedLoop {
     pub pace: Pace,
     /// The paper's step, which was in the loop.
     pub paper: ModelRun,
-    /// The same samples, held, with located events.
+    /// Same samples, held, with located events.
     pub located: ModelRun,
-    /// The same way of the handle as it was between the samples, with located events.
+    /// True motion of the handle between the samples, with located events.
     pub exact: ModelRun,
-    /// The rig at the start and after each cycle.
     pub rig: Vec<RigRow>,
 }
 
-/// A rig, a hand and a model in one loop.
+/// Rig, hand and model in one loop.
 struct Servo<'a, S> {
     rig: KeyRig,
     path: HandPath<S>,
     pace: Pace,
     model: SampledModel<'a>,
-    /// Force that is commanded (N).
+    /// Commanded force (N).
     force: f64,
-    /// Position at which the encoder began to count (m).
+    /// Position of the encoder's zero (m).
     zero: f64,
 }
 
 impl<'a, S: Fn(f64) -> Motion + Copy> Servo<'a, S> {
-    /// The loop before the hand has come, with the model at rest.
+    /// Returns the loop before the lead-in, with the model at rest.
     fn new(model: &'a SmallModel, pace: Pace, cycles: usize, stroke: S) -> Self {
         let expected =
             located(model, (STEP, cycles), |tick, theta| stroke((tick as f64 + theta) * STEP));
@@ -105,8 +100,7 @@ impl<'a, S: Fn(f64) -> Motion + Copy> Servo<'a, S> {
         Self { rig: KeyRig::new(RIG), path, pace, model: sampled, force, zero: 0.0 }
     }
 
-    /// The hand brings the handle to where it is level, under the force of the model at rest; the
-    /// encoder counts from there.
+    /// Brings the handle to its level under the force of the model at rest, and zeroes the encoder.
     fn lead_in(&mut self) {
         let cycles = (LEAD_IN / self.pace.servo()).ceil();
         let mut cycle = -cycles;
@@ -117,7 +111,7 @@ impl<'a, S: Fn(f64) -> Motion + Copy> Servo<'a, S> {
         self.zero = self.encoder();
     }
 
-    /// One cycle: poll the sensor, integrate a step, check the guards, send the force.
+    /// Runs one cycle: poll the sensor, integrate a step, check the guards, send the force.
     fn cycle(&mut self, number: usize) -> (f64, RigRow) {
         let s = self.angle(self.encoder());
         self.force = self.model.advance(s);
@@ -131,12 +125,12 @@ impl<'a, S: Fn(f64) -> Motion + Copy> Servo<'a, S> {
         self.rig.follow(t, self.pace.servo(), self.force, command);
     }
 
-    /// What the encoder says (m).
+    /// Returns the reading of the encoder (m).
     fn encoder(&self) -> f64 {
         f64::from(self.rig.counts()) * self.rig.quantum()
     }
 
-    /// The angle at a position (m), in rad.
+    /// Returns the angle at a position (m), in rad.
     fn angle(&self, position: f64) -> f64 {
         (position - self.zero) / self.path.lever
     }
@@ -151,7 +145,7 @@ impl<'a, S: Fn(f64) -> Motion + Copy> Servo<'a, S> {
     }
 }
 
-/// Runs the closed loop until the model's time `until` (s), under a hand that is to make `stroke`.
+/// Runs the closed loop until the model's time `until` (s), under a hand that plays `stroke`.
 pub(super) fn closed_loop(
     model: &SmallModel,
     pace: Pace,
@@ -179,7 +173,7 @@ pub(super) fn closed_loop(
     }
 }
 
-/// The angle between the ends of a cycle, and its rate: the cubic with the ends' angles and rates.
+/// Returns angle and rate between the ends of a cycle, by the cubic through both of theirs.
 fn between([from, to]: [RigRow; 2], theta: f64) -> Motion {
     let (x, rest) = (theta, 1.0 - theta);
     let angles = from.angle * rest * rest * (1.0 + 2.0 * x) + to.angle * x * x * (3.0 - 2.0 * x);

@@ -1,14 +1,13 @@
-//! The hand of the experiment, and the rig that it holds.
+//! The hand of the experiment and its rig.
 //!
-//! The rig is [`RigParameters::PAPER`]; how the hand moves is an estimate (E), chosen so that the
-//! story of figure 6 can be told.
+//! The rig is [`RigParameters::PAPER`]. The motion of the hand is an estimate (E), chosen to
+//! reproduce the story of figure 6.
 
 use core::f64::consts::TAU;
 
 use haptics::{FingerParameters, KeyParameters, MotorParameters, MuscleCommand, RigParameters};
 use pode::Motion;
 
-/// The rig of the paper's experiment.
 pub(super) const RIG: RigParameters = RigParameters::PAPER;
 
 /// Displacement of one line of the encoder (m).
@@ -17,19 +16,18 @@ pub(super) const LINE: f64 = RIG.quantum;
 /// Travel of the handle (m).
 pub(super) const TRAVEL: f64 = RIG.key.bottom_stop.position;
 
-/// The parts of the rig.
 const HANDLE: KeyParameters = RIG.key;
 const MOTOR: MotorParameters = RIG.motor;
 const HAND: FingerParameters = RIG.finger;
 
-/// Where the manipulandum is level (m), from the upper stop (E).
+/// Level of the manipulandum (m), from the upper stop (E).
 const LEVEL: f64 = 25.4e-3;
 
-/// How long the hand takes to bring the handle there, and how long it then waits (s of the hand).
+/// Times of the hand's way there, and of its rest after it (s of the hand).
 const APPROACH: f64 = 0.7;
 const WAIT: f64 = 0.8;
 
-/// How long before the model's time 0 the hand begins (s of the hand).
+/// Time of the hand before the model's time 0 (s of the hand).
 pub(super) const LEAD_IN: f64 = APPROACH + WAIT;
 
 /// A constant of rig or hand, for reports.
@@ -38,11 +36,9 @@ pub(super) struct RigValue {
     pub(super) title: &'static str,
     pub(super) value: f64,
     pub(super) unit: &'static str,
-    /// Where it is from.
     pub(super) source: &'static str,
 }
 
-/// Returns the constants of rig and hand with their sources.
 pub(super) fn values() -> Vec<RigValue> {
     const PAPER: &str = "the paper, section 6";
     const ESTIMATE: &str = "estimate";
@@ -64,24 +60,23 @@ pub(super) fn values() -> Vec<RigValue> {
     ]
 }
 
-/// What the muscle of a practised hand commands: the way to the level place, then the stroke, and
-/// before it what its own spring gives way under the force that it expects.
+/// Command of a practised hand: the way to the level, then the stroke, each advanced by the
+/// deflection of its own spring under the expected force.
 #[derive(Clone, Debug)]
 pub(super) struct HandPath<S> {
-    /// The stroke in model time: an angle with its rates (rad).
+    /// Stroke in model time: an angle with its rates (rad).
     pub(super) stroke: S,
-    /// Force that is expected from the model (N), at multiples of `step` from 0 on.
+    /// Force expected from the model (N), at multiples of `step` from 0 on.
     pub(super) expected: Vec<f64>,
     /// Model time between them (s).
     pub(super) step: f64,
-    /// The finger's lever (m).
+    /// Lever of the finger (m).
     pub(super) lever: f64,
-    /// Model seconds per second of the hand.
     pub(super) time_scale: f64,
 }
 
 impl<S: Fn(f64) -> Motion> HandPath<S> {
-    /// The command at `t` (s of the hand), which is 0 where the model's time is.
+    /// Returns the command at `t` (s of the hand), with 0 at the model's 0.
     pub(super) fn command(&self, t: f64) -> MuscleCommand {
         let (way, rate) = approach((t + LEAD_IN) / APPROACH);
         let stroke = (self.stroke)(t * self.time_scale);
@@ -100,8 +95,8 @@ impl<S: Fn(f64) -> Motion> HandPath<S> {
         }
     }
 
-    /// The force that is expected at the model's time `t` (s), in N, and its slope (N/s); before 0
-    /// it is that at 0.
+    /// Returns the expected force at the model's time `t` (s), in N, and its slope (N/s); before 0
+    /// it is constant.
     fn expected(&self, t: f64) -> (f64, f64) {
         let place = (t / self.step).max(0.0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
@@ -116,7 +111,7 @@ impl<S: Fn(f64) -> Motion> HandPath<S> {
     }
 }
 
-/// A smooth way from 0 to 1 while `x` goes there, and its slope.
+/// Returns a smooth step from 0 to 1 over `x` from 0 to 1, and its slope.
 fn approach(x: f64) -> (f64, f64) {
     let x = x.clamp(0.0, 1.0);
     (x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x))

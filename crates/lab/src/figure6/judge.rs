@@ -1,4 +1,4 @@
-//! How wrong a step is: the stroke of the reference, against the reference.
+//! The error of a step on the stroke of the reference.
 
 use instruments::SmallModel;
 use pode::{Energetic as _, Motion};
@@ -10,11 +10,11 @@ use super::model_run::{Mode, ModelRun, RunEvent, mode_name, still};
 use super::sampled::SampledModel;
 use crate::scenario::{ExpectedEvent, Reference, ReferenceSample, Scenario};
 
-/// A way to step a model under a sampled input.
+/// Method of stepping a model under a sampled input.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepKind {
-    /// The paper's: input held, guards looked at once a step.
+    /// The paper's: input held, guards checked once a step.
     Paper,
     /// Input held, events located.
     Held,
@@ -27,11 +27,11 @@ pub enum StepKind {
 }
 
 impl StepKind {
-    /// All of them, from the worst to the best.
+    /// All, from the worst to the best.
     pub const ALL: [Self; 5] =
         [Self::Paper, Self::Held, Self::Linear, Self::Quadratic, Self::Exact];
 
-    /// Returns its name in files.
+    /// Returns the name in files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Paper => "paper",
@@ -42,7 +42,7 @@ impl StepKind {
         }
     }
 
-    /// Returns its name in a legend.
+    /// Returns the name in a legend.
     pub(super) const fn short(self) -> &'static str {
         match self {
             Self::Paper => "the paper's step",
@@ -53,7 +53,7 @@ impl StepKind {
         }
     }
 
-    /// Says what is done, in words.
+    /// Describes the method in words.
     pub const fn title(self) -> &'static str {
         match self {
             Self::Paper => "the paper's step: input held, guards seen once a step",
@@ -65,30 +65,29 @@ impl StepKind {
     }
 }
 
-/// How wrong a run of the reference's stroke is.
+/// Errors of a run of the reference's stroke.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct StepErrors {
     pub kind: StepKind,
-    /// Whether all events come in their order, and no others.
+    /// `true` if all events occur in order, and no others.
     pub is_whole: bool,
-    /// Error of the time of each event that comes in its order (s).
+    /// Time error of each event in order (s).
     pub events: Vec<f64>,
-    /// Largest magnitude of them (s).
+    /// Largest magnitude of `events` (s).
     pub event_largest: f64,
     /// Error of the force on the hand at each sample of the reference: time (s) and error (N).
     #[serde(skip)]
     pub forces: Vec<(f64, f64)>,
     /// Largest error of the force on the hand away from events (N).
     pub force_largest: f64,
-    /// Root mean square of it (N).
+    /// Root mean square of the force's error away from events (N).
     pub force_rms: f64,
-    /// Largest error of the stored energy away from events (J).
     pub energy_largest: f64,
-    /// Largest amount of energy that nobody had put in, or that was lost (J).
+    /// Largest energy generated or lost without work of the hand (J).
     pub energy_made: f64,
 }
 
-/// What is right, as far as runs are compared with it.
+/// Values of the reference with which runs are compared.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Truth {
     /// Model time (s) and guard of each event.
@@ -101,7 +100,6 @@ pub struct Truth {
     samples: Vec<TrueSample>,
 }
 
-/// Force and energy that are right at a time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct TrueSample {
     t: f64,
@@ -109,7 +107,7 @@ struct TrueSample {
     energy: f64,
 }
 
-/// Reads what is right out of the reference of `scenario`.
+/// Reads the true values from the reference of `scenario`.
 pub(super) fn truth(scenario: &impl Scenario<Model = SmallModel>) -> Truth {
     let (model, first, state) = scenario.start();
     let reference: &Reference<SmallModel> = scenario.reference();
@@ -134,7 +132,7 @@ pub(super) fn truth(scenario: &impl Scenario<Model = SmallModel>) -> Truth {
     }
 }
 
-/// Runs the stroke in each way, and compares.
+/// Runs the stroke with each method, and compares.
 pub(super) fn compare(
     scenario: &impl Scenario<Model = SmallModel>,
     truth: &Truth,
@@ -148,7 +146,7 @@ pub(super) fn compare(
     StepKind::ALL.map(judged).into()
 }
 
-/// Steps until `until` (s).
+/// Returns the number of steps until `until` (s).
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
 pub(super) fn steps(until: f64) -> usize {
     (until / STEP).round() as usize
@@ -220,7 +218,7 @@ fn judge(
     }
 }
 
-/// Largest magnitude of `values`, 0 of none.
+/// Returns the largest magnitude of `values`, 0 if there are none.
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |largest, value| value.abs().max(largest))
 }

@@ -1,4 +1,4 @@
-//! The same model with its events located inside the steps.
+//! The model with events located inside the steps.
 
 use instruments::SmallModel;
 use pode::stepper::Rk4;
@@ -6,8 +6,8 @@ use pode::{EnergyAudit, Limits, Motion, RunRecorder, Simulator};
 
 use super::model_run::{ModelRun, RunEvent, mode_name, row};
 
-/// Runs the model from rest over `ticks` of `step` (s) with RK4; `input` is the angle's motion at
-/// a place, 0 ..= 1, in a tick.
+/// Runs the model from rest over `ticks` of `step` (s) with RK4; `input` returns the angle's
+/// motion at a fraction of a tick, 0 ..= 1.
 pub(super) fn located(
     model: &SmallModel,
     (step, ticks): (f64, usize),
@@ -21,7 +21,7 @@ pub(super) fn located(
         let _tick = simulator.advance(step, &|theta: f64| input(tick, theta), &mut watch);
         let (t, s) = ((tick + 1) as f64 * step, input(tick, 1.0).position);
         run.rows.push(row(model, t, (simulator.mode(), simulator.state()), s));
-        // Contacts and string are elastic: what an event changes, nobody put in.
+        // Contacts and string are elastic: no input supplies an event's change of energy.
         run.made = run.made.max((watch.1.residual() + watch.1.jumps).abs());
     }
     let name = |mode| mode_name(model, mode);

@@ -5,16 +5,15 @@
 //!          closed_loop            sampled
 //! ```
 //!
-//! `hand` has the hand that grips, and the rig; `sampled` the paper's step, RK4 with the input
-//! held and guards seen once a step; `closed_loop` all of it, in a time of the hand's that is
-//! slower than the model's or the same; `located` the same model with its events located.
-//! `judge` tells how wrong the paper's step is on the stroke whose events an independent program
-//! knows; `picture` draws, `sheet` writes the report.
+//! `sampled` is the paper's step: RK4 with the input held, guards checked once a step.
+//! `closed_loop` is all of it, with model time slower than the hand's or equal. `located` locates
+//! the events. `judge` measures the error of the paper's step on a stroke with independently
+//! known events.
 //!
-//! What is the paper's: model B and its Table 2, step, servo cycle, method, encoder, travel, and
-//! the story. What is not: the stroke, the rig's masses, frictions and motor, and the hand, which
-//! are estimates with which that story is told. The hand is a practised one: it commands what the
-//! stroke needs under the force that it expects, and feels what is left as it comes.
+//! From the paper: model B and its Table 2, step, servo cycle, method, encoder, travel, story.
+//! Estimates that reproduce the story: the stroke, the rig's masses, frictions and motor, and the
+//! hand. The hand is practised: it commands the stroke under the expected force, and feels the
+//! remaining difference.
 
 mod closed_loop;
 mod hand;

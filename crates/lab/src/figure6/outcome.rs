@@ -1,4 +1,4 @@
-//! The experiment in both readings, and the comparison with the reference.
+//! Both readings of the experiment, and their comparison with the reference.
 
 use instruments::SmallModel;
 use pode::{Guarded as _, Motion};
@@ -9,25 +9,25 @@ use super::judge::{StepErrors, Truth, compare, truth};
 use super::model_run::{ModelRun, RunEvent};
 use crate::scenario::{BadFile, Scenario as _, figure_6};
 
-/// All that is in the report.
+/// Content of the report.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Figure6 {
-    /// Model time is slower than the hand's, as the paper had it.
+    /// Model time is slower than the hand's, as in the paper.
     pub slow_motion: ClosedLoop,
-    /// Model time is the hand's.
+    /// Model time equals the hand's.
     pub real_time: ClosedLoop,
     /// Angle of the hammer at the string (rad).
     pub string: f64,
-    /// What is right under the exact stroke.
+    /// Reference values under the exact stroke.
     pub truth: Truth,
-    /// How wrong each way to step is there.
+    /// Errors of each way to step the exact stroke.
     pub errors: Vec<StepErrors>,
 }
 
-/// Runs the paper's experiment: with `pace`, and with model time that is the hand's.
+/// Runs the paper's experiment twice: with `pace`, and with equal times.
 ///
 /// # Errors
-/// When the reference, which is part of the program, cannot be read.
+/// If the embedded reference cannot be read.
 #[expect(clippy::large_stack_frames, reason = "once for a study")]
 pub fn figure6(pace: Pace) -> Result<Figure6, BadFile> {
     let stroke = figure_6()?;
@@ -44,19 +44,18 @@ pub fn figure6(pace: Pace) -> Result<Figure6, BadFile> {
     })
 }
 
-/// The angle of the hammer at the string (rad).
+/// Returns the angle of the hammer at the string (rad).
 fn string_angle(model: &SmallModel) -> f64 {
     let input = Motion::default();
     let (mode, state) = model.at_rest(&input);
     let string = model.guards(mode).iter().find(|spec| spec.name == STRING);
-    // The guard is the angle that is left.
+    // The guard is the remaining angle.
     string.map_or(f64::NAN, |spec| state[0] + model.guard(mode, spec.id, &state, &input).value)
 }
 
-/// Name of the guard at the string.
 pub(super) const STRING: &str = "string";
 
-/// The report for programs.
+/// Figures of the report, for programs.
 #[derive(Debug, Serialize)]
 pub struct Figure6Summary<'a> {
     readings: [ReadingSummary<'a>; 2],
@@ -64,19 +63,16 @@ pub struct Figure6Summary<'a> {
     errors: &'a [StepErrors],
 }
 
-/// One reading of the experiment.
 #[derive(Debug, Serialize)]
 struct ReadingSummary<'a> {
     name: &'static str,
-    /// Model seconds per second of the hand.
     time_scale: f64,
-    /// From one sample to the next (s of the hand).
+    /// Time between samples (s of the hand).
     servo: f64,
     events: Vec<EventTimes<'a>>,
-    /// Whether located events, and the exact way, come in the same order as the paper's step has
-    /// them.
+    /// `true` if located events, and those of the exact motion, have the order of the paper's step.
     same_sequence: [bool; 2],
-    /// Largest energy that nobody had put in, by the paper's step (J).
+    /// Largest energy that the paper's step generated (J).
     energy_made: f64,
     /// Lowest and highest force of the motor (N).
     motor: (f64, f64),
@@ -84,22 +80,21 @@ struct ReadingSummary<'a> {
     hand: (f64, f64),
 }
 
-/// An event of the paper's step, and when the same gesture has it in better ways.
+/// An event of the paper's step, and its times in two better ways of stepping.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct EventTimes<'a> {
     pub(super) guard: &'a str,
     pub(super) from: &'a str,
     pub(super) to: &'a str,
-    /// Time of the end of the step in which it was seen (s).
+    /// End of the step that detected it (s).
     pub(super) paper: f64,
-    /// Time under the same samples with located events (s), while the order is the same.
+    /// Time of the located event under the same samples (s), while the order is equal.
     pub(super) located: Option<f64>,
-    /// Time under the handle's own way (s), while the order is the same.
+    /// Time under the handle's true motion (s), while the order is equal.
     pub(super) exact: Option<f64>,
 }
 
 impl Figure6 {
-    /// Returns the main figures, for programs.
     pub fn summary(&self) -> Figure6Summary<'_> {
         let readings =
             [("slow-motion", &self.slow_motion), ("real-time", &self.real_time)].map(reading);
@@ -128,7 +123,7 @@ fn reading<'a>((name, it): (&'static str, &'a ClosedLoop)) -> ReadingSummary<'a>
     }
 }
 
-/// The events of the paper's step with their times in the other two ways.
+/// Returns the events of the paper's step with their times in the other two ways.
 pub(super) fn event_times(it: &ClosedLoop) -> Vec<EventTimes<'_>> {
     let times = |run: &ModelRun| -> Vec<f64> {
         run.events.iter().take(common(&it.paper, run)).map(|event| event.t).collect()
@@ -145,9 +140,9 @@ pub(super) fn event_times(it: &ClosedLoop) -> Vec<EventTimes<'_>> {
     it.paper.events.iter().enumerate().map(event).collect()
 }
 
-/// How many first events two runs have in the same order and near each other.
+/// Returns the number of first events that two runs have in equal order and close together.
 fn common(one: &ModelRun, other: &ModelRun) -> usize {
-    /// Farther apart, two are not the same bounce (s).
+    /// Largest distance in time of one bounce in two runs (s).
     const NEAR: f64 = 50e-3;
     let is_same = |(a, b): &(&RunEvent, &RunEvent)| {
         (a.guard, a.to) == (b.guard, b.to) && (a.t - b.t).abs() < NEAR

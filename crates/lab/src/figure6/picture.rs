@@ -1,4 +1,4 @@
-//! The figure: force and guards above, the three angles below, epochs shaded, switches as lines.
+//! The figure: force and guards above, three angles below, epochs shaded, switches as lines.
 
 use super::model_run::{ModelRun, RunEvent, RunRow};
 use super::outcome::STRING;
@@ -8,14 +8,14 @@ use figures::plot::picture::{
     CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel, PictureRule,
 };
 
-/// A switch of the model.
+/// Line of a switch.
 const SWITCH: Stroke = Stroke::new(INK, 1.6);
 /// Width of the curves (pixels).
 const WIDTH: f64 = 1.9;
-/// The mode in which hammer and key are together.
+/// Mode with hammer and key in contact.
 const TOGETHER: &str = "B1";
 
-/// Returns the picture of a run under a title; the string is at the angle `string` (rad).
+/// Draws a run under a title, with the string at the angle `string` (rad).
 pub(super) fn picture(title: &str, run: &ModelRun, string: f64) -> Picture {
     let is_together = |row: &RunRow| row.mode == TOGETHER;
     let force = curve(run, "force F_KU on the hand", 0, |row| Some(row.f_ku));
@@ -59,7 +59,7 @@ pub(super) fn picture(title: &str, run: &ModelRun, string: f64) -> Picture {
     }
 }
 
-/// A curve in stretches over which it has values.
+/// Returns a curve, cut where it has no values.
 fn curve(
     run: &ModelRun,
     name: &str,
@@ -73,14 +73,13 @@ fn curve(
     PictureCurve { stretches, ..PictureCurve::new(name, stroke, CurveLook::Line, Vec::new()) }
 }
 
-/// Lowest and highest value of curves, if there are any.
 fn extent(curves: &[PictureCurve]) -> Option<(f64, f64)> {
     let points = curves.iter().flat_map(|it| it.stretches.iter().flatten());
     let ends = points.map(|point| (point.1, point.1));
     ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
-/// The epochs between switches.
+/// Returns the shaded epochs between switches.
 fn areas(run: &ModelRun) -> Vec<PictureArea> {
     let first = run.rows.first().map_or("", |row| row.mode);
     let switches = run.events.iter().filter(|event| event.from != event.to);
@@ -96,12 +95,12 @@ fn areas(run: &ModelRun) -> Vec<PictureArea> {
     begins.windows(2).map(area).collect()
 }
 
-/// The line of a switch, or the dashed one of a strike.
+/// Returns the line of a switch, dashed for a strike.
 fn rule(event: &RunEvent) -> PictureRule {
     PictureRule { at: event.t, stroke: Stroke { is_dashed: event.from == event.to, ..SWITCH } }
 }
 
-/// Names of switches, with a number below the line, and of strikes.
+/// Returns the names of strikes, and of switches with a number below the line.
 fn labels(run: &ModelRun) -> Vec<(f64, String)> {
     let mut number = 0_u32;
     let label = |event: &RunEvent| {

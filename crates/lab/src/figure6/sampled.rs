@@ -1,5 +1,5 @@
-//! The paper's step: the input is sampled once and held, the method is RK4, and the guards are
-//! looked at once, at the step's end. `[GC93]` §3.1, §6
+//! The paper's step: input sampled once and held, RK4, guards checked once, at the step's end.
+//! `[GC93]` §3.1, §6
 
 use instruments::SmallModel;
 use pode::stepper::{Given, Rk4};
@@ -8,21 +8,20 @@ use pode::{Resets as _, Stepper as _};
 
 use super::model_run::{Mode, ModelRun, ModelState, RunEvent, mode_name, row, still};
 
-/// A model that is stepped as the paper did it.
+/// A model that is stepped as in the paper.
 #[derive(Clone, Debug)]
 pub(super) struct SampledModel<'a> {
     model: &'a SmallModel,
-    /// Length of a step (s).
     step: f64,
     mode: Mode,
     state: ModelState,
-    /// Energy that no input had put in (J).
+    /// Energy that no input supplied (J).
     made: f64,
     run: ModelRun,
 }
 
 impl<'a> SampledModel<'a> {
-    /// The model at rest under s = 0, for steps of `step` (s).
+    /// Returns the model at rest under s = 0, for steps of `step` (s).
     pub(super) fn new(model: &'a SmallModel, step: f64) -> Self {
         let (mode, state) = model.at_rest(&still(0.0));
         let run = ModelRun::new(model, (mode, state), 0.0);
@@ -33,7 +32,7 @@ impl<'a> SampledModel<'a> {
     /// end (N), up positive.
     pub(super) fn advance(&mut self, s: f64) -> f64 {
         let (input, before) = (still(s), (self.mode, self.state));
-        // What the input's jump does is work of the hand; all else keeps the energy.
+        // The input's jump is work of the hand; everything else conserves the energy.
         let energy = self.model.energy(self.mode, &self.state, &input);
         let mut field = Given {
             coords: self.model.coordinates(),
@@ -52,18 +51,16 @@ impl<'a> SampledModel<'a> {
         self.force()
     }
 
-    /// Force on the hand at present (N), up positive.
+    /// Returns the present force on the hand (N), up positive.
     pub(super) fn force(&self) -> f64 {
         self.run.rows.last().map_or(0.0, |row| row.f_ku)
     }
 
-    /// Returns all that happened.
     pub(super) fn finish(self) -> ModelRun {
         self.run
     }
 
-    /// The first guard that is found negative at the end of a step that began in the state
-    /// `before`.
+    /// Returns the first guard that is negative at the end of a step from the state `before`.
     fn broken(&self, before: &ModelState, s: f64) -> Option<GuardSpec> {
         let value = |spec: &GuardSpec, x| self.model.guard(self.mode, spec.id, x, &still(s)).value;
         let is_broken = |spec: &&GuardSpec| {
@@ -74,10 +71,10 @@ impl<'a> SampledModel<'a> {
         guards.filter(is_broken).min_by_key(|spec| spec.priority).copied()
     }
 
-    /// Goes on in the mode and with the speeds that the reset map of `guard` has, from `t` (s) on.
+    /// Continues in the mode and with the speeds of the reset map of `guard`, from `t` (s) on.
     ///
-    /// The angles stay where they are: at the string the paper reversed the sign of a speed and no
-    /// more, though the hammer was beyond it already. `[GC93]` §5.1
+    /// The angles do not change: at the string the paper reversed only the sign of a speed, though
+    /// the hammer was already beyond it. `[GC93]` §5.1
     fn switch(&mut self, guard: GuardSpec, t: f64, s: f64) {
         let reset = self.model.reset(self.mode, guard.id, &self.state, &still(s));
         let [from, to] = [self.mode, reset.mode].map(|mode| mode_name(self.model, mode));

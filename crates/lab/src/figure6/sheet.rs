@@ -1,4 +1,4 @@
-//! The report: the figure in both readings, how wrong the step was, and the same for programs.
+//! The report: the figure in both readings, the step's errors, and all of it for programs.
 
 use std::path::Path;
 
@@ -15,33 +15,33 @@ use figures::plot::color::{CURVES, Stroke};
 use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// What a reader must know before looking at the figure.
+/// Introduction of the page.
 const HOW: &str = "A hand that grips the handle of a simulated rig throws and catches the hammer of \
     model B: hand, encoder, model, motor, handle, and the hand again. The model is stepped as the \
     paper's was: RK4 over 2 ms, the input sampled once and held, guards looked at once at the end \
     of a step. The paper's servo took 7 ms for each step, so the hand worked in slow motion; below \
     it the same gesture with model time that is the hand's.";
 
-/// What the table of errors compares.
+/// Introduction of the table of errors.
 const ERRORS: &str = "The stroke of the reference, without a hand in a loop, against the events and \
     states of an independent program: how wrong is each way to step it with RK4 at 2 ms? Forces and \
     stored energies are compared every 10 ms, where no event is within 5 ms. Energy made is what \
     nobody had put in, or what was lost, at its largest.";
 
-/// What the chart of the loop compares.
+/// Introduction of the chart of the loop.
 const BESIDE: &str = "The first figure's gesture once more: the force under the samples as they were \
     taken, against that under the way of the handle between them. What both have in common is the \
     encoder, whose line is 0.3 N, and the input that is held.";
 
-/// What the paper's text says of its figure.
+/// The paper's description of its figure.
 const STORY: &str = "The paper's text: held still for 0.3 s, thrown, free, caught at 0.9 s, thrown \
     harder so that the string was hit, landed at 1.5 s, bounced several times.";
 
-/// Writes the page, the figure in both readings, the errors as charts, and all of it as CSV and
-/// JSON into `folder`.
+/// Writes the page, the figure in both readings, the errors as charts, and CSV and JSON into
+/// `folder`.
 ///
 /// # Errors
-/// When a file cannot be written; those that could are complete.
+/// If a file cannot be written; files written before are complete.
 pub fn write_figure6(folder: &Path, figure: &Figure6) -> Result<(), DiskError> {
     let readings = [("figure6", &figure.slow_motion), ("figure6-real-time", &figure.real_time)];
     let mut report = Report::new("Figure 6: simulation using model B");
@@ -83,7 +83,7 @@ pub fn write_figure6(folder: &Path, figure: &Figure6) -> Result<(), DiskError> {
     report.write(folder)
 }
 
-/// A table of events: as the paper's step saw them, and as they were.
+/// Returns the table of events: as detected by the paper's step, and as located.
 fn events() -> Table {
     Table::new([
         ("reading", "reading"),
@@ -99,7 +99,7 @@ fn events() -> Table {
 fn event_rows(name: &str, it: &ClosedLoop) -> Vec<Vec<TableCell>> {
     let row = |event: &EventTimes<'_>| {
         let words = [name, event.guard, event.from, event.to].map(TableCell::words);
-        // The clock of the steps has thousandths.
+        // The clock of the steps has a resolution of 1 ms.
         let paper = (1e3 * event.paper).round() / 1e3;
         let times = [Some(paper), event.located, event.exact].map(TableCell::maybe);
         words.into_iter().chain(times).collect()
@@ -140,7 +140,7 @@ fn rig_table() -> Table {
     Table::new(columns).with(hand::values().iter().map(row))
 }
 
-/// Four digits, as short as can be.
+/// Formats four significant digits, as short as possible.
 fn short(value: f64) -> String {
     trimmed(&format!("{value:.4}")).to_owned()
 }
@@ -159,7 +159,7 @@ fn trajectory(it: &ClosedLoop) -> Table {
     Table::new(columns.map(|it| (it, it))).with(it.paper.rows.iter().zip(&it.rig).map(row))
 }
 
-/// The force on the hand, less that under the handle's own way with located events.
+/// Draws the force on the hand, less that under the handle's true motion with located events.
 fn beside(it: &ClosedLoop) -> Picture {
     let ways = [("the paper's step", &it.paper), ("same samples, located", &it.located)];
     let curves = ways.iter().zip(&CURVES[1..]).map(|((name, run), color)| {
@@ -171,10 +171,9 @@ fn beside(it: &ClosedLoop) -> Picture {
     over_time(title, PictureAxis::linear("difference [N]"), curves.collect())
 }
 
-/// Smallest error of a force that is drawn (N).
+/// Smallest drawn error of a force (N).
 const LEAST: f64 = 1e-9;
 
-/// Errors of event times and of forces over time.
 fn error_pictures(figure: &Figure6) -> [Picture; 2] {
     let truth = &figure.truth.events;
     let picture = |title, unit: &str, look, points: &dyn Fn(&StepErrors) -> Vec<(f64, f64)>| {
@@ -190,7 +189,7 @@ fn error_pictures(figure: &Figure6) -> [Picture; 2] {
         }),
         picture("Error of the force on the hand", "error [N]", line, &|it| {
             let errors = it.forces.iter().map(|(t, error)| (*t, error.abs()));
-            // The zero of a start at rest has no logarithm.
+            // The zero at the start, at rest, has no logarithm.
             errors.filter(|it| it.1 > LEAST).collect()
         }),
     ]

@@ -1,32 +1,30 @@
-//! What the data can tell of each parameter, and how well.
+//! Uncertainty of the fitted parameters.
 
 use nalgebra_of_lm::{DMatrix, DVector};
 
-/// A direction counts with the parameters whose share of it is this part of the largest.
+/// Share of a direction's largest parameter from which a parameter belongs to it.
 const SHARE: f64 = 0.3;
 
-/// How far the values are determined by a Jacobian and what remains of the differences.
+/// Uncertainty of values, from a Jacobian and the remaining differences.
 pub(super) struct FitCertainty {
     /// Half of each 95 % interval (the parameter's unit).
     pub(super) halves: Vec<f64>,
     /// Correlation of each parameter with each.
     pub(super) correlations: DMatrix<f64>,
-    /// Of scaled parameters: singular values, least first, and their directions.
+    /// Singular values of the scaled parameters, least first, with their directions.
     directions: Vec<(f64, DVector<f64>)>,
 }
 
-/// The size of the differences that remain, and how many rows they are worth.
+/// Size of the remaining differences, and their number of independent rows.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct RemainingSpread {
-    /// Standard deviation over the noise that was stated or estimated.
+    /// Standard deviation over the stated or estimated noise.
     pub(super) deviation: f64,
-    /// Rows that are independent of each other.
     pub(super) rows: f64,
 }
 
 impl RemainingSpread {
-    /// Of the differences in each stroke, after `fitted` parameters took their share.
-    ///
+    /// Measures the differences of each stroke, less the degrees of freedom of `fitted` parameters.
     /// Neighbours with the correlation r count as (1 - r)/(1 + r) of independent rows.
     pub(super) fn new(strokes: &[&[f64]], fitted: usize) -> Self {
         let products = |lag: usize| {
@@ -43,10 +41,8 @@ impl RemainingSpread {
 }
 
 impl FitCertainty {
-    /// Of parameters of these `sizes`, from the Jacobian of the differences.
-    ///
-    /// The covariance is s²(JᵀJ)⁻¹, from the singular values of the Jacobian with its columns
-    /// scaled by `sizes`, and what the changes `shaken` of the differences would do to the values.
+    /// Computes the covariance s²(JᵀJ)⁻¹ from the singular values of the Jacobian with its columns
+    /// scaled by `sizes`, and adds the effect of the changes `shaken` of the differences.
     pub(super) fn new(
         jacobian: &DMatrix<f64>,
         sizes: &[f64],
@@ -79,12 +75,12 @@ impl FitCertainty {
         }
     }
 
-    /// The parameter that is determined worst, of those with an interval wider than their size:
-    /// its place, and those with which it can be exchanged, the data being no wiser.
+    /// Returns the worst parameter with an interval wider than its size, and those that can replace
+    /// it without a visible change of the data.
     pub(super) fn undetermined(&self, sizes: &[f64]) -> Option<(usize, Vec<usize>)> {
         let width = |at: &usize| self.halves[*at] / sizes[*at];
         let worst = (0..sizes.len()).max_by(|a, b| width(a).total_cmp(&width(b)))?;
-        // NaN is no width that could be trusted.
+        // A width that is NaN cannot be trusted.
         if width(&worst) <= 1.0 {
             return None;
         }
@@ -98,9 +94,9 @@ impl FitCertainty {
     }
 }
 
-/// Student's t of which 95 % lie between -t and t, for so many degrees of freedom.
+/// Returns Student's t, with 95 % between -t and t, for these degrees of freedom.
 ///
-/// Abramowitz & Stegun 26.7.5, right to a part in a hundred from 3 degrees on; of fewer, that of 3.
+/// Abramowitz & Stegun 26.7.5, correct to 1 % from 3 degrees on; fewer count as 3.
 fn student(freedom: f64) -> f64 {
     const Z: f64 = 1.959_964;
     let v = freedom.max(3.0);

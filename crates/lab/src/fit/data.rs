@@ -1,4 +1,4 @@
-//! Measured strokes from CSV files, with every mistake in them.
+//! Reads measured strokes from CSV files, and reports every mistake in them.
 
 use std::fmt;
 use std::path::Path;
@@ -6,29 +6,27 @@ use std::path::Path;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use documents::{choice, quoted, shown};
 
-/// The columns that a file may have; the first may be left out.
+/// Allowed columns; the first is optional.
 const COLUMNS: [&str; 3] = ["time_s", "travel_m", "force_n"];
-/// Mistakes that are told of one file.
+/// Maximum reported mistakes of a file.
 const MOST_MISTAKES: usize = 10;
-/// Fewest rows of a stroke.
+/// Minimum rows of a stroke.
 const FEWEST_ROWS: usize = 5;
-/// So many usual intervals without a row are a gap.
+/// Gap without rows, in median intervals.
 const GAP: f64 = 10.0;
-/// A static curve with a step of this part of its travel has a gap.
+/// Gap of a static curve, as a fraction of its travel.
 const TRAVEL_GAP: f64 = 0.34;
-/// Travel above the key's rest that may be noise (m).
+/// Noise of the travel above the key's rest that is accepted (m).
 const ABOVE_REST: f64 = 0.5e-3;
 /// Least and largest travel of a stroke (m).
 const TRAVELS: (f64, f64) = (0.3e-3, 0.2);
-/// Part of its travel by which a static curve may go the other way.
+/// Fraction of its travel by which a static curve may reverse.
 const BACK: f64 = 0.05;
-/// Shortest way between two rows of a static curve (m).
+/// Shortest distance of two rows of a static curve (m).
 const SHORTEST_WAY: f64 = 1e-6;
 
-/// An instant of a stroke.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct StrokeRow {
-    /// Time (s).
     pub(super) t: f64,
     /// Travel of the key's front (m), down positive.
     pub(super) travel: f64,
@@ -36,35 +34,30 @@ pub(super) struct StrokeRow {
     pub(super) force: f64,
 }
 
-/// A stroke as it was measured.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MeasuredStroke {
-    /// The file's name, for reports.
     pub name: String,
-    /// Whether the file has no times: the key goes down and up at a constant speed.
+    /// `true` if the file has no times: the key goes down and up at a constant speed.
     pub is_static: bool,
     pub(super) rows: Vec<StrokeRow>,
 }
 
 impl MeasuredStroke {
-    /// How many rows it has.
     pub const fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Whether it has no rows, which a stroke that was read never is.
+    /// Returns `true` if it has no rows, which a stroke from a file always has.
     pub const fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 }
 
-/// Something that is wrong with a file of data.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct DataMistake {
     file: String,
-    /// Line of the file, from 1.
     line: Option<u64>,
-    /// What is wrong, and what to do.
+    /// Problem with its remedy.
     what: String,
 }
 
@@ -75,10 +68,8 @@ impl fmt::Display for DataMistake {
     }
 }
 
-/// Reads a stroke; a file without times is taken as a static curve at `speed` (m/s).
-///
-/// # Errors
-/// Every mistake in it, of many the first ones.
+/// Reads a stroke; a file without times is a static curve at `speed` (m/s). Returns the first
+/// mistakes if there are any.
 pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMistake>> {
     let file = shown(path);
     let mut scan = StrokeScan { file, places: [None; 3], rows: Vec::new(), mistakes: Vec::new() };
@@ -95,10 +86,9 @@ pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMi
     scan.finish(name, speed)
 }
 
-/// A file being read.
 struct StrokeScan {
     file: String,
-    /// Which column has time, travel and force.
+    /// Column of time, travel and force.
     places: [Option<usize>; 3],
     /// Line, time, travel and force of each row; a static curve has no times.
     rows: Vec<(u64, [f64; 3])>,
@@ -115,7 +105,7 @@ impl StrokeScan {
             match record {
                 Err(error) => return self.say(None, format!("cannot be read: {error}")),
                 Ok(record) if row == 0 => self.header(&record),
-                // Rows of columns that nobody knows say nothing.
+                // Rows are skipped until all required columns are known.
                 Ok(record) if self.places[1..].iter().all(Option::is_some) => self.row(&record),
                 Ok(_row) => {}
             }
@@ -168,7 +158,7 @@ impl StrokeScan {
         self.rows.push((line, [t, travel, force]));
     }
 
-    /// The number in a column; 0 for the time of a static curve.
+    /// Parses the number in a column; 0 for the time of a static curve.
     fn number(&mut self, record: &StringRecord, line: u64, column: usize) -> Option<f64> {
         let Some(place) = self.places[column] else { return Some(0.0) };
         let (name, text) = (COLUMNS[column], record.get(place).unwrap_or_default());
@@ -184,7 +174,6 @@ impl StrokeScan {
         number
     }
 
-    /// Looks at all rows together.
     fn check(&mut self) {
         if self.rows.len() < FEWEST_ROWS {
             let what =
@@ -231,7 +220,7 @@ impl StrokeScan {
         }
     }
 
-    /// A static curve goes down, and then up.
+    /// Checks that a static curve goes down, and then up.
     fn check_ways(&mut self, most: f64) {
         let top = self.top();
         for (index, pair) in self.rows.clone().windows(2).enumerate() {
@@ -257,13 +246,13 @@ impl StrokeScan {
         }
     }
 
-    /// Place of the row where the key is lowest.
+    /// Returns the index of the key's lowest row.
     fn top(&self) -> usize {
         let deeper = |a: &usize, b: &usize| self.rows[*a].1[1].total_cmp(&self.rows[*b].1[1]);
         (0..self.rows.len()).max_by(deeper).unwrap_or(0)
     }
 
-    /// On the way down the finger is pressed upon.
+    /// Checks that the force presses on the finger on the way down.
     fn check_force(&mut self) {
         let down = &self.rows[..=self.top()];
         let mean = down.iter().map(|row| row.1[2]).sum::<f64>() / down.len() as f64;
@@ -299,8 +288,7 @@ impl StrokeScan {
     }
 }
 
-/// Gives the rows of a static curve their times at `speed` (m/s): down to the row `top` without
-/// going back, and up again.
+/// Sets the times of a static curve at `speed` (m/s): down to the row `top`, and up again.
 fn pace(rows: &mut [StrokeRow], top: usize, speed: f64) {
     let (mut t, mut at) = (0.0, rows[0].travel);
     let lowest = rows[top].travel;
@@ -317,7 +305,6 @@ fn pace(rows: &mut [StrokeRow], top: usize, speed: f64) {
     }
 }
 
-/// The middle one of `values`, 0 of none.
 pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)

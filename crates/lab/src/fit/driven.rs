@@ -1,5 +1,3 @@
-//! A simulated key that follows a measured stroke.
-
 use instruments::LoadedModel;
 
 use super::data::MeasuredStroke;
@@ -8,24 +6,23 @@ use crate::random::SeededRandom;
 use cli::simulate::{InputTable, Reconstruct};
 use figures::action::Opener;
 
-/// Longest tick (s).
 const TICK: f64 = 1e-3;
-/// Longest time in which the key is brought to where a stroke begins (s).
+/// Longest lead-in of a stroke (s).
 const LEAD: f64 = 0.3;
-/// Points of that way.
+/// Points of the lead-in.
 const LEAD_POINTS: u32 = 16;
-/// Least noise of a force that is counted with (N): what a good cell resolves.
+/// Least assumed noise of a force (N): the resolution of a good cell.
 const LEAST_NOISE: f64 = 1e-3;
 
-/// A stroke as a key is driven through it, and what should come out.
+/// A stroke that drives a key, with the forces to compare.
 #[derive(Clone, Debug)]
 pub(super) struct DrivenStroke {
     /// Time (s) and travel (m) of each row, without noise.
     samples: Vec<(f64, f64)>,
-    /// Noise that the travel had (m); zero of a static curve.
+    /// Noise of the travel (m); zero for a static curve.
     travel_noise: f64,
     track: InputTable,
-    /// Times at which the force is compared (s).
+    /// Times of the compared forces (s).
     times: Vec<f64>,
     /// Measured forces (N).
     forces: Vec<f64>,
@@ -34,16 +31,15 @@ pub(super) struct DrivenStroke {
 }
 
 impl DrivenStroke {
-    /// Prepares `stroke`; the noise of its force (N) is estimated where it is not stated.
-    ///
-    /// Noise in the travel is noise in the force where the force is steep: both add up as
-    /// variances (Orear 1982).
+    /// Prepares `stroke`, and estimates the noise of its force (N) if none is stated. Noise in the
+    /// travel becomes noise in the force where the force is steep: both add as variances
+    /// (Orear 1982).
     pub(super) fn new(stroke: &MeasuredStroke, force_noise: Option<f64>) -> Self {
         let rows = &stroke.rows;
         let travels: Vec<_> = rows.iter().map(|row| row.travel).collect();
         let forces: Vec<_> = rows.iter().map(|row| row.force).collect();
         let of_force = force_noise.unwrap_or_else(|| noise(&forces)).max(LEAST_NOISE);
-        // Rows of a static curve stand where they please; their spread is no noise.
+        // Rows of a static curve have arbitrary spacing, so their spread is no noise.
         let of_travel = if stroke.is_static { 0.0 } else { noise(&travels) };
         let slope = |at: usize| {
             let (a, b) = (at.saturating_sub(2), (at + 2).min(rows.len() - 1));
@@ -61,12 +57,12 @@ impl DrivenStroke {
         Self { samples, travel_noise: of_travel, track, times, forces, noises }
     }
 
-    /// Whether its travel has noise to speak of.
+    /// Returns `true` if the travel has significant noise.
     pub(super) fn is_noisy(&self) -> bool {
         self.travel_noise >= EXACT
     }
 
-    /// The same as it would be driven had the noise of the travel been another.
+    /// Returns this stroke with another draw of the travel's noise.
     pub(super) fn shaken(&self, random: &mut SeededRandom) -> Self {
         if !self.is_noisy() {
             return self.clone();
@@ -78,12 +74,12 @@ impl DrivenStroke {
         Self { samples, track, times, ..self.clone() }
     }
 
-    /// Force at each row (N) of a key with these `values`; none where the model fails.
+    /// Returns the force at each row (N) of a key with these `values`; `None` if the model fails.
     pub(super) fn follow(&self, model: &LoadedModel, values: &[f64]) -> Option<Vec<f64>> {
         let mut key = model.visit(Opener { values });
         let mut t = 0.0;
         let found = self.times.iter().map(|end| {
-            // Ticks of one length to the row, none longer than TICK.
+            // Equal ticks to the row, none longer than TICK.
             let ticks = ((end - t) / TICK).ceil();
             let h = (end - t) / ticks.max(1.0);
             while end - t > 0.5 * h {
@@ -95,19 +91,18 @@ impl DrivenStroke {
         found.collect()
     }
 
-    /// Differences of `found` from the measured forces, each over its noise.
+    /// Returns the differences of `found` from the measured forces, each over its noise.
     pub(super) fn differences(&self, found: &[f64]) -> Vec<f64> {
         let rows = found.iter().zip(&self.forces).zip(&self.noises);
         rows.map(|((found, measured), noise)| (found - measured) / noise).collect()
     }
 
-    /// How many rows are compared.
     pub(super) const fn rows(&self) -> usize {
         self.times.len()
     }
 }
 
-/// The way of the key through `samples` (s, m) from rest, and the times of these on it (s).
+/// Returns the key's path through `samples` (s, m) from rest, and their times on it (s).
 fn track(samples: &[(f64, f64)], how: Reconstruct) -> (InputTable, Vec<f64>) {
     let mut all = lead_in(samples);
     let lead = all.len();
@@ -120,10 +115,9 @@ fn track(samples: &[(f64, f64)], how: Reconstruct) -> (InputTable, Vec<f64>) {
     (InputTable::through(&all, how), times)
 }
 
-/// The way from rest to where `samples` (s, m) begin, with their speed at its end, none if they
-/// begin at rest.
-///
-/// A cubic that does not turn back: a speed of more than three times the mean would.
+/// Returns the path from rest to the first of `samples` (s, m), with their speed at its end; empty
+/// if they begin at rest. It is a cubic without reversal: a speed above three times the mean
+/// would reverse.
 fn lead_in(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let (start, travel) = samples[0];
     let (later, further) = samples[(samples.len() - 1).min(3)];

@@ -1,33 +1,31 @@
-//! `letoff lab fit`: a measured action becomes an instrument.
+//! `letoff lab fit`: fits an instrument to a measured action.
 //!
-//! A key of the instrument is driven by position as the measured one went, and the force that
-//! comes out is compared with the measured force. Parameters are changed within their ranges until
-//! the sum of squares of the differences, each over its noise, is least.
+//! The measured motion drives a key of the instrument, and the computed force is compared with the
+//! measured force. Parameters change within their ranges until the sum of the squared differences,
+//! each over its noise, is least.
 //!
-//! `data` reads strokes, `smooth` tells motion from noise, `driven` is a key that follows a
-//! stroke, `task` runs all strokes for any values, `sensitivity` has steps and derivatives, `solve`
-//! the search, `certainty` what the data can tell and how well, `outcome` all of it, `sheet` the
-//! report.
+//! `data` reads strokes, `smooth` removes noise, `driven` is a key that follows a stroke, `task`
+//! runs all strokes for any values, `sensitivity` has steps and derivatives, `solve` the search,
+//! `certainty` the intervals, `outcome` the whole fit, `sheet` the report.
 //!
-//! The travel is measured with noise, too, of which smoothing leaves some; a hammer that rings on its
-//! felt answers it with a force. So the noise is drawn anew a dozen times, smoothed as the data
-//! were, and what each draw would do to the values is part of their covariance.
+//! Smoothing leaves some noise in the travel, and a hammer that rings on its felt responds to it
+//! with a force. So the noise is drawn a dozen times, smoothed like the data, and the effect of
+//! each draw on the values is part of their covariance.
 //!
-//! A search goes downhill from the instrument's values, and where it ends one parameter after the
-//! other is tried some steps away; if that is better, it goes on from there. It may still end in a
-//! place that is not the best: its differences are then several times the noise, which is told.
+//! A search goes downhill from the instrument's values. At its end each parameter is tried some
+//! steps away; if that is better, the search continues from there. It may still end in a local
+//! minimum: the differences are then several times the noise, and the report warns.
 //!
-//! What the intervals take for granted: the differences that remain are noise, Gaussian, and
-//! alike but for their stated sizes; the model is linear in its parameters over an interval. Their
-//! size is that of the differences that remain, neighbours that are alike count as fewer rows
-//! (their correlation from row to row is taken out), and Student's t has the rows that are left. A
-//! model that cannot follow the data has differences that are no noise: its intervals tell how well
-//! the best values are determined, not that they are a real action's.
+//! The intervals assume that the remaining differences are Gaussian noise, alike but for their
+//! stated sizes, and that the model is linear in its parameters over an interval. The size of the
+//! noise is that of the remaining differences. Correlated neighbours count as fewer rows, and
+//! Student's t has the rows that are left. Differences of a model that cannot follow the data are
+//! no noise: its intervals describe the best values, not a real action.
 //!
-//! Let-off, pluck and contacts make the force a function of the parameters that is smooth in pieces
-//! only. So each derivative is taken by central differences over a step that moves the force by
-//! about half of the differences that there are, at least half of their noise, and again over half
-//! that step; how far the two are apart is in the report.
+//! Let-off, pluck and contacts make the force only piecewise smooth in the parameters. So each
+//! derivative is a central difference over a step that moves the force by about half of the
+//! present differences, at least half of their noise, and again over half that step. The report
+//! states the distance of the two.
 
 mod certainty;
 mod data;

@@ -1,4 +1,4 @@
-//! A fit from its first run to its sentences.
+//! Runs a fit, and writes its remarks.
 
 use instruments::Parameter;
 use serde::Serialize;
@@ -9,74 +9,68 @@ use super::sensitivity::{jacobian, steps};
 use super::solve::{scan, solve};
 use super::task::{Differences, FitSubject, FitTask};
 
-/// Searches one after the other, each with steps for where it begins and a look around at its end.
+/// Maximum searches; each computes steps at its start and scans around its end.
 const ROUNDS: usize = 6;
-/// A search that takes less than this part off the sum of squares is the last.
+/// A search that reduces the sum of squares by less than this fraction is the last.
 const WORTH: f64 = 1e-3;
-/// A parameter whose size moves no force by this part of its noise is not felt.
+/// Change of a force, over its noise, below which a parameter has no effect.
 const UNFELT: f64 = 1e-2;
-/// Two derivatives further apart than this part of them are told.
+/// Relative difference of two derivative estimates that triggers a warning.
 const UNSURE: f64 = 0.3;
-/// Remaining differences of more than so many times the noise are told.
+/// Remaining differences, over the noise, that trigger a warning.
 const POOR: f64 = 2.0;
-/// Correlations of this size are told.
+/// Correlation that triggers a warning.
 const CORRELATED: f64 = 0.95;
 
-/// A parameter that was to be fitted.
 #[derive(Clone, Debug, Serialize)]
 pub struct FittedParameter {
     /// Name in files and on the command line.
     pub name: &'static str,
-    /// Name for people, as a technician says it.
+    /// Name in technicians' language.
     pub title: Box<str>,
     /// SI unit; `"1"` for a ratio.
     pub unit: &'static str,
     /// Value before (its unit).
     pub before: f64,
-    /// Value after; as before if the data do not determine it.
+    /// Value after; unchanged if the data do not determine it.
     pub value: f64,
-    /// The 95 % interval, cut to the parameter's range; none if the data do not determine it.
+    /// 95 % interval within the parameter's range; `None` if the data do not determine it.
     pub interval: Option<(f64, f64)>,
-    /// How far apart the derivatives over a step and over half of it are, a part of them.
+    /// Relative difference of the derivatives over a step and over half of it.
     pub derivative_error: Option<f64>,
 }
 
-/// How a stroke came out.
 #[derive(Clone, Debug, Serialize)]
 pub struct FittedStroke {
-    /// The file's name.
     pub name: String,
-    /// Rows that were compared.
     pub rows: usize,
-    /// Noise of the force that was counted with, the middle one of all rows (N).
+    /// Median noise of the force (N).
     pub noise: f64,
     /// Root mean square of the difference before, and after (N).
     pub before: f64,
     pub after: f64,
     #[serde(skip)]
     pub(super) measured: Vec<StrokeRow>,
-    /// Forces with the values after (N).
+    /// Forces with the fitted values (N).
     #[serde(skip)]
     pub(super) forces: Vec<f64>,
 }
 
-/// What a fit gave.
 #[derive(Clone, Debug, Serialize)]
 pub struct FitOutcome {
-    /// Name of the instrument from which it began.
     pub instrument: String,
     pub parameters: Vec<FittedParameter>,
     /// Correlation of each determined parameter with each, in their order.
     pub correlations: Vec<Vec<f64>>,
-    /// What must be known, a sentence each.
+    /// Warnings and notes, a sentence each.
     pub remarks: Vec<String>,
     pub strokes: Vec<FittedStroke>,
 }
 
-/// Fits `subject`; `progress` is called after each stroke that was simulated.
+/// Fits `subject`; `progress` is called after each simulated stroke.
 ///
 /// # Errors
-/// A sentence, if the model fails with the values from which the search begins.
+/// If the model fails with the values from which the search begins.
 pub fn fit(subject: &FitSubject<'_>, progress: &(dyn Fn() + Sync)) -> Result<FitOutcome, String> {
     let task = FitTask::new(subject, progress);
     let start = subject.values.to_vec();
@@ -106,22 +100,21 @@ pub fn fit(subject: &FitSubject<'_>, progress: &(dyn Fn() + Sync)) -> Result<Fit
     })
 }
 
-/// A fit on its way.
 struct Fitting<'a> {
     task: &'a FitTask<'a>,
     start: Vec<f64>,
     values: Vec<f64>,
     now: Differences,
-    /// Places of the parameters that the data may determine.
+    /// Indices of the parameters that the data may determine.
     fitted: Vec<usize>,
-    /// Sentences of those that they do not.
+    /// Sentences on the parameters that they do not determine.
     left: Vec<String>,
 }
 
-/// What is known where a search has ended.
+/// Results at the end of a search.
 struct Known {
     certainty: FitCertainty,
-    /// Of each fitted parameter: how far apart two derivatives are, a part of them.
+    /// Relative difference of two derivatives of each fitted parameter.
     errors: Vec<f64>,
 }
 
@@ -137,13 +130,12 @@ impl<'a> Fitting<'a> {
         &self.task.model.parameters[place]
     }
 
-    /// How a parameter is called in a sentence.
     fn called(&self, place: usize) -> String {
         let Parameter { name, title, .. } = self.parameter(place);
         if *name == &**title { (*name).to_owned() } else { format!("{title} ({name})") }
     }
 
-    /// What an interval is compared with: the value, and the range where the value is zero.
+    /// Returns the scale of an interval: the value, or the range if the value is zero.
     fn size(&self, place: usize) -> f64 {
         let (low, high) = self.task.range(place);
         let value = self.values[place].abs();
@@ -184,8 +176,7 @@ impl<'a> Fitting<'a> {
         }
     }
 
-    /// Gives the parameters that the data do not determine their values back; true if there were
-    /// any.
+    /// Restores the parameters that the data do not determine; returns `true` if there were any.
     fn weed(&mut self, spread: (RemainingSpread, &[Differences])) -> bool {
         let steps = self.steps();
         let mut found = jacobian(self.task, &self.fitted, &self.values, (&steps, 1.0));
@@ -208,7 +199,7 @@ impl<'a> Fitting<'a> {
         self.fitted.len() < count
     }
 
-    /// Why a parameter keeps its value.
+    /// Explains why a parameter keeps its value.
     fn sentence(&self, at: usize, with: &[usize], half: Option<f64>) -> String {
         let place = self.fitted[at];
         let Parameter { unit, .. } = self.parameter(place);
@@ -302,13 +293,12 @@ impl<'a> Fitting<'a> {
     }
 }
 
-/// A value with four digits and its unit.
 pub(super) fn with_unit(value: f64, unit: &str) -> String {
     let digits = four_digits(value);
     if unit == "1" { digits } else { format!("{digits} {unit}") }
 }
 
-/// A number with four digits, without a power of ten if it is short.
+/// Formats a number with four digits, without a power of ten if it is short.
 pub(super) fn four_digits(value: f64) -> String {
     let rounded = format!("{value:.3e}").parse::<f64>().unwrap_or(value);
     let is_short = rounded == 0.0 || (1e-3..1e6).contains(&rounded.abs());

@@ -1,26 +1,25 @@
-//! How the forces change with a parameter.
+//! Change of the forces with a parameter.
 
 use nalgebra_of_lm::DMatrix;
 
 use super::task::{Differences, FitTask};
 
-/// Change of the forces that a step should make, root mean square, as a part of the differences
-/// that there are, or of the noise if that is more.
+/// Wanted change of the forces by a step, root mean square, as a fraction of the present
+/// differences, or of the noise if that is more.
 const WANTED: f64 = 0.5;
-/// Shortest and longest step of a parameter, as parts of its value.
+/// Shortest and longest step of a parameter, as fractions of its value.
 const PARTS: (f64, f64) = (1e-5, 0.05);
-/// Longest step of a parameter that is zero, as a part of its range.
+/// Longest step of a parameter that is zero, as a fraction of its range.
 const LONGEST: f64 = 0.05;
 
-/// Root mean square of the difference of `a` and `b`.
 fn apart(a: &Differences, b: &Differences) -> f64 {
     (a - b).norm() / (a.len() as f64).sqrt()
 }
 
-/// A step of each parameter in `fitted` (its unit) that moves the forces by about half of the
-/// differences that there are `now`, or of the noise: far above what the simulation rounds, wide
-/// enough that a jump moves over a row, and far from the data so wide that a search looks over
-/// jumps instead of ending between two of them.
+/// Returns a step of each parameter in `fitted` (its unit) that moves the forces by about half of
+/// the differences `now`, or of the noise. It is far above the rounding of the simulation, wide
+/// enough that a jump moves over a row, and wide enough far from the data that a search does not
+/// end between two jumps.
 pub(super) fn steps(
     task: &FitTask<'_>,
     fitted: &[usize],
@@ -40,7 +39,7 @@ fn step(task: &FitTask<'_>, place: usize, values: &[f64], now: &Differences) -> 
         task.differences_of(&values).map_or(f64::INFINITY, |it| apart(&it, now))
     };
     let (least, most, mut h) = if value == 0.0 {
-        // Nothing says how large it should be: a tenth of a part in a million million, and up.
+        // Its size is unknown: start with 1e-13 of the range.
         let mut h = 1e-13 * (high - low);
         while h < LONGEST * (high - low) && change(h) < 0.3 * wanted {
             h *= 10.0;
@@ -51,7 +50,7 @@ fn step(task: &FitTask<'_>, place: usize, values: &[f64], now: &Differences) -> 
     };
     for _ in 0..3 {
         let change = change(h);
-        // A model that fails so near by is approached with care.
+        // Approach a failing model slowly.
         let factor = if change.is_finite() { wanted / change.max(1e-9) } else { 0.1 };
         h = (h * factor).clamp(least, most);
         if (0.5..=2.0).contains(&factor) {
@@ -61,11 +60,9 @@ fn step(task: &FitTask<'_>, place: usize, values: &[f64], now: &Differences) -> 
     h.min(0.25 * (high - low))
 }
 
-/// Central differences of the forces over their noise with respect to the parameters in
-/// `fitted`, with steps of `part` of `steps`: a row for each row of the data.
-///
-/// At an end of its range, or beside values with which the model fails, a parameter has a step
-/// to one side only; where it has none its column is zero.
+/// Returns central differences of the forces over their noise with respect to the parameters in
+/// `fitted`, with steps of `part` of `steps`: a row for each row of the data. At an end of its
+/// range, or beside values with which the model fails, a step is one-sided or its column is zero.
 pub(super) fn jacobian(
     task: &FitTask<'_>,
     fitted: &[usize],

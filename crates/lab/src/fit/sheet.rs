@@ -1,4 +1,4 @@
-//! The report of a fit: one page, its charts, and the same for programs.
+//! The report of a fit: one page, its charts, and the results for programs.
 
 use std::path::Path;
 
@@ -8,18 +8,18 @@ use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// Colour of what was measured.
+/// Colour of measured data.
 const DATA: Color = Color(150, 150, 150);
-/// What a reader must know before looking at a value.
+/// Introduction of the page.
 const HOW: &str = "The front of the key is driven as it was measured, and its force is compared. \
     Intervals are of 95 %: they take the differences that remain for noise, whose neighbours may be \
     alike, and the model for linear within them. A parameter without one is not determined.";
 
-/// Writes the page, its charts, the parameters as CSV, and the instrument, a file's name and text
-/// if there is one, into `folder`.
+/// Writes the page, its charts, the parameters as CSV, and the instrument (file name and text), if
+/// any, into `folder`.
 ///
 /// # Errors
-/// When a file cannot be written; those that could are complete.
+/// If a file cannot be written; files written before are complete.
 pub fn write_fit(
     folder: &Path,
     outcome: &FitOutcome,
@@ -72,7 +72,6 @@ fn parameters(outcome: &FitOutcome) -> Table {
     }))
 }
 
-/// The table of correlations, of two parameters or more.
 fn correlations(outcome: &FitOutcome) -> Table {
     let known: Vec<_> = outcome.parameters.iter().filter(|it| it.interval.is_some()).collect();
     let names = known.iter().map(|it| it.name);
@@ -86,7 +85,7 @@ fn correlations(outcome: &FitOutcome) -> Table {
     }))
 }
 
-/// Force against travel with the fit over the data, and what is between them.
+/// Draws force against travel with the fit over the data, and their difference.
 fn pictures(stroke: &FittedStroke) -> [Picture; 2] {
     let rows = || stroke.measured.iter().zip(&stroke.forces);
     let points = |value: fn(f64, f64) -> f64| {

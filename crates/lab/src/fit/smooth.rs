@@ -1,32 +1,29 @@
-//! Motion from noisy travel: local cubics, as wide as the noise asks for.
+//! Removes noise from travel: local cubics, as wide as the noise requires.
 
 use nalgebra_of_lm::{Matrix4, Vector4};
 
 use super::data::median;
 
-/// Half widths of windows that are tried (rows).
+/// Half widths of the windows that are tried (rows).
 const WINDOWS: [usize; 8] = [3, 5, 8, 12, 18, 27, 40, 60];
-/// Travel that is more precise is taken as it is (m).
+/// Noise below which travel is not smoothed (m).
 pub(super) const EXACT: f64 = 1e-8;
-/// What is smoothed away may be so much more than the noise.
+/// Allowed ratio of the removed part to the noise.
 const EXCESS: f64 = 1.05;
 
-/// Standard deviation of the noise in evenly sampled `values`, from their third differences: of
-/// independent noise these have 20 times its variance, and of a smooth motion next to nothing.
-///
-/// By the median, so that corners do not count.
+/// Estimates the standard deviation of the noise in evenly sampled `values` from the median of
+/// their third differences, so that corners do not count. For independent noise these have 20
+/// times its variance, for a smooth motion almost none.
 pub(super) fn noise(values: &[f64]) -> f64 {
-    /// Median of the magnitude of a Gaussian over its standard deviation.
     const MEDIAN: f64 = 0.674_5;
     let third = values.windows(4).map(|it| (it[3] - 3.0 * it[2] + 3.0 * it[1] - it[0]).abs());
     median(third.collect()) / MEDIAN / 20.0_f64.sqrt()
 }
 
-/// `samples` (s, m) without their noise: each on the cubic through its neighbours by weighted least
-/// squares (Cleveland 1979), of the widest window whose cubics leave no more than the noise.
-///
-/// The spline through the result then has accelerations of the motion, not of the noise: weights
-/// that fall to zero take 100 times as much of the noise from them as a window with an edge.
+/// Removes the noise from `samples` (s, m): each lies on the weighted least-squares cubic through
+/// its neighbours (Cleveland 1979), of the widest window that leaves no more than the noise.
+/// Weights that fall to zero remove 100 times as much noise from the spline's accelerations as a
+/// window with an edge.
 pub(super) fn smoothed(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let values: Vec<_> = samples.iter().map(|it| it.1).collect();
     let noise = noise(&values);
@@ -42,7 +39,7 @@ pub(super) fn smoothed(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
         let left = values.len() as f64 * (1.0 - 3.0 / (2.0 * half as f64 + 1.0));
         let deviation = (squares / left).sqrt();
         if half == WINDOWS[0] {
-            // Where both estimates of the noise differ, it is the larger.
+            // Of two estimates of the noise the larger counts.
             most = most.max(EXCESS * deviation);
         } else if deviation > most {
             break;
@@ -52,12 +49,11 @@ pub(super) fn smoothed(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     kept
 }
 
-/// The value at the row `at` of the cubic through the rows at most `half` away.
+/// Returns the value at the row `at` of the cubic through the rows at most `half` away.
 fn local(samples: &[(f64, f64)], at: usize, half: usize) -> f64 {
     let rows = at.saturating_sub(half)..(at + half + 1).min(samples.len());
     let (middle, window) = (samples[at].0, &samples[rows]);
     let farthest = window.iter().map(|it| (it.0 - middle).abs()).fold(f64::MIN_POSITIVE, f64::max);
-    // The farthest row still counts.
     let reach = 1.05 * farthest;
     let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
     for (t, value) in window {
@@ -74,7 +70,7 @@ fn local(samples: &[(f64, f64)], at: usize, half: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// A smooth stroke of 10 mm in 0.1 s at 1 kHz, with noise that is spread evenly.
+    /// Returns a smooth stroke of 10 mm in 0.1 s at 1 kHz, with uniform noise.
     fn stroke(noise: f64) -> Vec<(f64, f64)> {
         let mut state = 1_u64;
         let mut random = || {

@@ -1,4 +1,4 @@
-//! The search for the least sum of squares, by Levenberg and Marquardt's method.
+//! Search for the least sum of squares, by Levenberg and Marquardt's method.
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra_of_lm::{DMatrix, DVector, Dyn, Owned};
@@ -6,28 +6,28 @@ use nalgebra_of_lm::{DMatrix, DVector, Dyn, Owned};
 use super::sensitivity::jacobian;
 use super::task::{Differences, FitTask};
 
-/// Relative change of the sum of squares, and of the parameters, below which it ends.
+/// Relative change of the sum of squares, and of the parameters, that ends the search.
 const TOLERANCE: f64 = 1e-6;
-/// Runs of all strokes for each parameter, at most.
+/// Maximum runs of all strokes per parameter.
 const PATIENCE: usize = 15;
-/// How many steps away a parameter is tried once a search has ended, to both sides.
+/// Distances in steps at which a parameter is tried, on both sides, after a search.
 const AROUND: [f64; 6] = [1.0, 2.0, 3.0, 5.0, 8.0, 12.0];
-/// A difference over its noise where the model fails: worse than any that it gives.
+/// Difference over its noise where the model fails: worse than any computed one.
 const FAILED: f64 = 1e6;
-/// A parameter at an end of its range begins a step's part beside it, where it can move.
+/// Distance in steps from an end of its range at which a parameter starts, so that it can move.
 const BESIDE: f64 = 0.1;
 
-/// A parameter and the variable of the search, which may be any number while the parameter
-/// stays in its range: p = low + (high - low)/(1 + exp(-u)), u = u0 + slope x.
+/// A parameter and its unbounded search variable:
+/// p = low + (high - low)/(1 + exp(-u)), u = u0 + slope x.
 ///
-/// Near an end of the range it is a logarithm, so that what is positive may change by orders.
+/// Near an end of the range it is a logarithm, so a positive value may change by orders.
 #[derive(Clone, Copy, Debug)]
 struct BoundedVariable {
     low: f64,
     high: f64,
-    /// The logit of the parameter's first value.
+    /// Logit of the parameter's first value.
     start: f64,
-    /// Of u for each unit of x: x = 1 is a step of its derivative.
+    /// Change of u per unit of x: x = 1 is a step of its derivative.
     slope: f64,
 }
 
@@ -39,31 +39,29 @@ impl BoundedVariable {
         Self { low, high, start, slope: step * width / ((value - low) * (high - value)) }
     }
 
-    /// The parameter, and its derivative by x.
+    /// Returns the parameter, and its derivative by x.
     fn at(self, x: f64) -> (f64, f64) {
         let u = (self.start + self.slope * x).clamp(-600.0, 600.0);
         let part = 1.0 / (1.0 + (-u).exp());
         let width = self.high - self.low;
-        // The other part is not what 1 - part rounds to.
+        // 1 - part would lose digits.
         let other = 1.0 / (1.0 + u.exp());
         let value = (self.low + width * part).clamp(self.low, self.high);
         (value, self.slope * width * part * other)
     }
 }
 
-/// The search at a place.
 struct FitSearch<'a> {
     task: &'a FitTask<'a>,
     fitted: &'a [usize],
     steps: &'a [f64],
     variables: Vec<BoundedVariable>,
     x: DVector<f64>,
-    /// One value per parameter of the model.
     values: Vec<f64>,
     now: Differences,
 }
 
-/// Values of the least sum of squares near `values`, with the differences there.
+/// Returns the values of the least sum of squares near `values`, with their differences.
 pub(super) fn solve(
     task: &FitTask<'_>,
     fitted: &[usize],
@@ -88,8 +86,8 @@ pub(super) fn solve(
     }
 }
 
-/// The best of values that lie some steps from `values` in one parameter after the other: let-off
-/// that is half a millimetre off has least sums of squares of its own between.
+/// Returns the best values some steps from `values` in one parameter after the other. A let-off
+/// that is 0.5 mm off has local minima on the way.
 pub(super) fn scan(
     task: &FitTask<'_>,
     fitted: &[usize],

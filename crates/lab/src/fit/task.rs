@@ -1,4 +1,4 @@
-//! What is to be fitted, and all strokes for any values.
+//! All strokes of a fit, run for any values.
 
 use instruments::LoadedModel;
 use mechanism::unmet;
@@ -9,31 +9,26 @@ use super::driven::DrivenStroke;
 use crate::random::SeededRandom;
 use figures::parallel::in_parallel;
 
-/// An instrument's key, and the strokes to which it is fitted.
 #[derive(Clone, Copy, Debug)]
 pub struct FitSubject<'a> {
-    /// Name of the instrument, for reports.
     pub name: &'a str,
-    /// The model of the key.
     pub model: &'a LoadedModel,
-    /// Its values, one per parameter, from which the search begins.
+    /// Initial values, one per parameter.
     pub values: &'a [f64],
-    /// Places of the parameters that may change.
+    /// Indices of the parameters that may change.
     pub fitted: &'a [usize],
-    /// The strokes that were measured.
     pub strokes: &'a [MeasuredStroke],
-    /// Standard deviation of the measured forces (N); none if it is to be estimated.
+    /// Standard deviation of the measured forces (N); estimated if `None`.
     pub force_noise: Option<f64>,
 }
 
-/// How often the travel's noise is drawn anew: its part of an interval is then known to a fifth.
+/// Draws of the travel's noise: they give its share of an interval to 20 %.
 const SHAKEN: u64 = 12;
 
-/// The strokes, ready to be followed by a key with any values.
 pub(super) struct FitTask<'a> {
     pub(super) model: &'a LoadedModel,
     pub(super) strokes: Vec<DrivenStroke>,
-    /// Called after each stroke that was simulated.
+    /// Called after each simulated stroke.
     progress: &'a (dyn Fn() + Sync),
 }
 
@@ -47,18 +42,16 @@ impl<'a> FitTask<'a> {
         Self { model: subject.model, strokes, progress }
     }
 
-    /// Range of a parameter.
     pub(super) fn range(&self, place: usize) -> (f64, f64) {
         self.model.parameters[place].range
     }
 
-    /// How many rows are compared.
     pub(super) fn rows(&self) -> usize {
         self.strokes.iter().map(DrivenStroke::rows).sum()
     }
 
-    /// Forces of each stroke (N) for each set of values; none where the model fails or the values
-    /// are none that it allows. On all processors.
+    /// Returns the forces of each stroke (N) for each set of values, computed on all processors;
+    /// `None` where the model fails or rejects the values.
     pub(super) fn forces(&self, sets: &[Vec<f64>]) -> Vec<Option<Vec<Vec<f64>>>> {
         let count = self.strokes.len();
         let jobs: Vec<_> =
@@ -72,7 +65,6 @@ impl<'a> FitTask<'a> {
         done.chunks(count.max(1)).map(|it| it.iter().cloned().collect()).collect()
     }
 
-    /// The differences for each set of values.
     pub(super) fn differences(&self, sets: &[Vec<f64>]) -> Vec<Option<Differences>> {
         let all = |found: Vec<Vec<f64>>| {
             let strokes = self.strokes.iter().zip(&found);
@@ -82,7 +74,7 @@ impl<'a> FitTask<'a> {
         self.forces(sets).into_iter().map(|found| found.map(all)).collect()
     }
 
-    /// Changes of the differences with `values` had the noise of the travel been another, some times.
+    /// Returns changes of the differences with `values` under other draws of the travel's noise.
     pub(super) fn shaken(&self, values: &[f64], now: &Differences) -> Vec<Differences> {
         if !self.strokes.iter().any(DrivenStroke::is_noisy) {
             return Vec::new();
@@ -97,7 +89,6 @@ impl<'a> FitTask<'a> {
         found.into_iter().flatten().map(|it| it - now).collect()
     }
 
-    /// The differences for one set of values.
     pub(super) fn differences_of(&self, values: &[f64]) -> Option<Differences> {
         self.differences(&[values.to_vec()]).pop().flatten()
     }

@@ -6,11 +6,11 @@ use figures::digits::rounded;
 use nalgebra_of_lm::Complex;
 use serde::Serialize;
 
-/// Share of |Z| by which Re Z is below zero for certain: linearisation leaves a millionth.
+/// Negative share of |Z| in Re Z that is significant: linearisation leaves a millionth.
 const CERTAIN: f64 = 1e-4;
 
-/// How many standard errors Re Z is below zero for certain, and the coherence below which a point
-/// is not judged, as its error is not known either.
+/// Standard errors of Re Z that are significant, and the least coherence of a point that is
+/// judged: below it the error is unknown.
 const ERRORS: f64 = 3.0;
 const COHERENT: f64 = 0.5;
 
@@ -20,27 +20,24 @@ pub fn frequencies((low, high): (f64, f64), count: usize) -> Vec<f64> {
     (0..=last).map(|it| low * (high / low).powf(it as f64 / last as f64)).collect()
 }
 
-/// The impedance at one frequency.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct ImpedancePoint {
-    /// Frequency (Hz).
     pub frequency: f64,
     /// Real and imaginary part (N s/m).
     pub real: f64,
     pub imaginary: f64,
-    /// Share γ² of the force's power that the motion explains, 0 to 1.
     pub coherence: f64,
     /// Standard error of each part (N s/m).
     pub error: f64,
 }
 
 impl ImpedancePoint {
-    /// Returns the point of the impedance `z` (N s/m) at `frequency` (Hz), without an error.
+    /// Returns the point of the impedance `z` (N s/m), without an error.
     pub const fn exact(frequency: f64, z: Complex<f64>) -> Self {
         Self { frequency, real: z.re, imaginary: z.im, coherence: 1.0, error: 0.0 }
     }
 
-    /// Returns the same as the mean of `count` measurements with that coherence: its error is
+    /// Returns the point as the mean of `count` measurements with that coherence: its error is
     /// |Z| √((1 − γ²)/(2 γ² n)) (Bendat & Piersol).
     pub fn measured(frequency: f64, z: Complex<f64>, coherence: f64, count: f64) -> Self {
         let share = (1.0 - coherence).max(0.0) / (2.0 * coherence * count);
@@ -48,41 +45,37 @@ impl ImpedancePoint {
         Self { coherence, error, ..Self::exact(frequency, z) }
     }
 
-    /// Returns |Z| (N s/m).
     pub fn magnitude(&self) -> f64 {
         self.real.hypot(self.imaginary)
     }
 
-    /// Returns the angle by which the force leads the velocity (°), −180 to 180.
+    /// Returns the lead of the force over the velocity (°), −180 to 180.
     pub fn phase(&self) -> f64 {
         self.imaginary.atan2(self.real).to_degrees()
     }
 
-    /// Whether Re Z is below zero, by more than its errors.
+    /// Returns `true` if Re Z is significantly below zero.
     pub fn is_active(&self) -> bool {
         let doubt = CERTAIN * self.magnitude() + ERRORS * self.error;
         COHERENT <= self.coherence && self.real < -doubt
     }
 }
 
-/// An impedance over frequency.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct ImpedanceCurve {
-    /// Of what it is.
+    /// Subject of the measurement.
     pub name: String,
-    /// What has to be known of it beside that.
     pub remark: String,
-    /// From the lowest frequency to the highest.
     pub points: Vec<ImpedancePoint>,
 }
 
-/// Frequencies over which Re Z is below zero.
+/// Band of frequencies in which Re Z is below zero.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct ActiveBand {
-    /// From and to (Hz); between two points Re Z is taken as straight.
+    /// Ends (Hz); Re Z is linear between two points.
     pub from: f64,
     pub to: f64,
-    /// The lowest Re Z (N s/m), and where (Hz).
+    /// Lowest Re Z (N s/m), and its frequency (Hz).
     pub lowest: f64,
     pub at: f64,
 }
@@ -98,7 +91,7 @@ impl fmt::Display for ActiveBand {
 }
 
 impl ImpedanceCurve {
-    /// Returns the bands in which it is not passive, from the lowest.
+    /// Returns the bands that are not passive, from the lowest.
     pub fn active_bands(&self) -> Vec<ActiveBand> {
         let mut bands: Vec<ActiveBand> = Vec::new();
         let mut before: Option<&ImpedancePoint> = None;
@@ -120,7 +113,7 @@ impl ImpedanceCurve {
         bands
     }
 
-    /// Says in a sentence where it is passive.
+    /// Describes in a sentence the passive range.
     pub fn verdict(&self) -> String {
         let bands = self.active_bands();
         if bands.is_empty() {
@@ -144,8 +137,8 @@ impl ActiveBand {
     }
 }
 
-/// Where Re Z is zero between two points; at the second where nothing is before it, or one of them
-/// is not known.
+/// Returns the zero of Re Z between two points, or the second if one of them is missing or
+/// unknown.
 fn crossing(before: Option<&ImpedancePoint>, after: &ImpedancePoint) -> f64 {
     match before {
         Some(before) if before.real * after.real < 0.0 => {

@@ -2,17 +2,17 @@
 //!
 //! ```text
 //! curve.rs    Z over frequency, and where it is not passive
-//! mode.rs     of a model that is held in a mode: its linearisation
-//! sampled.rs  of a voice: shaken by a small sinusoid, its force held and late
-//! stroke.rs   of a recorded stroke: cross-spectrum and coherence
-//! picture.rs  the curves as a picture  sheet.rs  CSV, page, figures for programs
+//! mode.rs     linearises a model that is held in a mode
+//! sampled.rs  shakes a voice by a small sinusoid, its force held and late
+//! stroke.rs   analyses a recorded stroke: cross-spectrum and coherence
+//! picture.rs  the curves as a picture    sheet.rs  CSV, page, figures for programs
 //! ```
 //!
 //! The force is the key's on the finger, up positive; the velocity is the finger's, down positive.
 //! A spring has Z = K/(jω), a damper Z = B, a mass Z = jω m. Z is passive at a frequency where
 //! Re Z ≥ 0: there a finger that shakes the key cannot get work out of it. `[GC93]` §2.
 //!
-//! Not here: how a voice is made, how a recording is read, the command line.
+//! Voices, recordings and the command line are not here.
 
 mod curve;
 mod mode;

@@ -1,8 +1,8 @@
-//! A model that is held in one of its modes: the linearisation of its motion and readout.
+//! Linearises motion and readout of a model that is held in one of its modes.
 //!
 //! In a mode x' = f(x, u) and y = r(x, u), with the input u = (s, s', s'', s'''). Slopes at one
-//! place make it y = (d(p) + c (p − A)⁻¹ b(p)) s with b(p) = Σ bₖ pᵏ, and Z = y/(p s), p = jω. What the
-//! mode slaves to the input moves with it and is no state of its own.
+//! point give y = (d(p) + c (p − A)⁻¹ b(p)) s with b(p) = Σ bₖ pᵏ, and Z = y/(p s), p = jω.
+//! Entries that the mode slaves to the input are no states.
 
 use figures::digits::rounded;
 use instruments::{LoadedModel, Playable, Visitor};
@@ -15,48 +15,44 @@ use crate::impedance::sampled::{APPROACH, smooth};
 
 /// Time at rest after the way down (s).
 const REST: f64 = 1.0;
-/// Ticks in which the key is pressed (s).
+/// Tick of the way down (s).
 const TICK: f64 = 1e-3;
 
-/// Part of a value's size by which it is moved for a slope.
+/// Displacement for a slope, as a fraction of a value's size.
 const PART: f64 = 1e-6;
 /// Usual size of a coordinate (m, rad), and of its rates up to the third.
 const SIZES: [f64; 4] = [1e-2, 1.0, 10.0, 1e3];
 
-/// Most steps of Newton to the place where a mode is at rest, and what of the state is no step.
+/// Maximum Newton steps to a mode's rest, and the relative step that ends them.
 const MOST_STEPS: usize = 40;
 const NO_STEP: f64 = 1e-10;
 
-/// What is looked at: a model with values, at a depth of its key.
+/// A model with values, at a depth of its key.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldMode<'a> {
     pub model: &'a LoadedModel,
-    /// One value per parameter.
     pub values: &'a [f64],
-    /// Name of the structural mode; that in which the model rests if none.
+    /// Structural mode; `None` for the mode in which the model rests.
     pub mode: Option<&'a str>,
-    /// Travel of the key's front (m).
     pub depth: f64,
 }
 
 /// Presses the key slowly to its depth, and linearises the model there.
 ///
 /// # Errors
-/// If there is no such mode or the model cannot be followed, in a sentence.
+/// If the mode is unknown or the model fails, in a sentence.
 pub fn linearise(held: &HeldMode<'_>) -> Result<LinearMode, String> {
     held.model.visit(Lineariser(held))
 }
 
-/// A model around one place of one mode.
+/// Linear model around a point of one mode.
 #[derive(Clone, Debug)]
 pub struct LinearMode {
-    /// Name of the mode, with contacts that are closed.
+    /// Name of the mode, with its closed contacts.
     pub mode: String,
-    /// Force on the finger there (N).
     pub force: f64,
-    /// Whether it is a place of rest; else the model is on its way through it.
+    /// `true` if the point is at rest; otherwise the model passes through it.
     pub is_at_rest: bool,
-    /// Input of the model per metre.
     scale: f64,
     a: DMatrix<f64>,
     b: [DVector<f64>; 4],
@@ -65,7 +61,7 @@ pub struct LinearMode {
 }
 
 impl LinearMode {
-    /// Returns the impedance at `frequency` (Hz); none at a resonance without damping.
+    /// Returns the impedance at `frequency` (Hz); `None` at an undamped resonance.
     pub fn at(&self, frequency: f64) -> Option<Complex<f64>> {
         let p = Complex::new(0.0, std::f64::consts::TAU * frequency);
         let mut powers = [Complex::new(1.0, 0.0); 4];
@@ -81,7 +77,7 @@ impl LinearMode {
         (z.re.is_finite() && z.im.is_finite()).then_some(z)
     }
 
-    /// The state per input: (p − A)⁻¹ b(p), with the powers of p.
+    /// Returns the state per input: (p − A)⁻¹ b(p), with the powers of p.
     fn driven(&self, powers: &[Complex<f64>; 4]) -> Option<DVector<Complex<f64>>> {
         let size = self.c.len();
         let input = |row: usize| self.b.iter().zip(powers).map(|(b, it)| it * b[row]).sum();
@@ -90,7 +86,6 @@ impl LinearMode {
         (own - self.a.map(Complex::from)).lu().solve(&driven)
     }
 
-    /// Returns the impedance at `frequencies` (Hz).
     pub fn curve(&self, frequencies: &[f64]) -> ImpedanceCurve {
         let point = |it: &f64| Some(ImpedancePoint::exact(*it, self.at(*it)?));
         let force = rounded(self.force);
@@ -132,7 +127,7 @@ impl Visitor for Lineariser<'_> {
     }
 }
 
-/// Mode and state after the input went slowly to `to` (unit of the input) and stayed; none if the
+/// Returns mode and state after the input went slowly to `to` (its unit) and stayed; `None` if the
 /// model fails.
 fn pressed<M: Playable>(model: M, to: f64) -> Option<(M::Mode, M::State)> {
     let stepper = Any::named("rodas4").unwrap_or_default();
@@ -151,7 +146,7 @@ fn pressed<M: Playable>(model: M, to: f64) -> Option<(M::Mode, M::State)> {
     Some((simulator.mode(), *simulator.state()))
 }
 
-/// A way from 0 to `to` whose speed begins and ends with zero, at `t` (s).
+/// Returns a motion from 0 to `to` at `t` (s), with zero speed at both ends.
 fn approach(to: f64, t: f64) -> Motion {
     let x = (t / APPROACH).clamp(0.0, 1.0);
     let speed = to / APPROACH;
@@ -163,14 +158,13 @@ fn approach(to: f64, t: f64) -> Motion {
     }
 }
 
-/// Entries of the state that `mode` moves by equations.
+/// Returns the indices of the state's entries that `mode` moves by equations.
 fn free_entries<M: Playable>(model: &M, mode: M::Mode) -> Vec<usize> {
     let parts = model.parts(mode);
     let states = 0..model.entry().states.len();
     states.filter(|entry| parts.iter().any(|part| part.has(*entry))).collect()
 }
 
-/// A mode under a constant input.
 struct ModePlace<M: Playable> {
     model: M,
     mode: M::Mode,
@@ -196,7 +190,6 @@ impl<M: Playable> ModePlace<M> {
             (self.readout(&up, &self.input) - self.readout(&down, &self.input)) / (2.0 * size)
         });
         let mut mode = String::new();
-        // Writing to a String cannot fail.
         let _written = self.model.write_mode(self.model.mode_code(self.mode), &mut mode);
         LinearMode {
             mode,
@@ -210,7 +203,7 @@ impl<M: Playable> ModePlace<M> {
         }
     }
 
-    /// Where the motion stands still, in reach of `state` and with no guard fallen; by Newton.
+    /// Searches by Newton a point of rest near `state` with no guard below zero.
     fn rest(&self, state: &M::State) -> Option<M::State> {
         let mut state = *state;
         if self.free.is_empty() {
@@ -235,7 +228,6 @@ impl<M: Playable> ModePlace<M> {
         (is_still && self.holds(&state)).then_some(state)
     }
 
-    /// Whether no guard of the mode is below zero.
     fn holds(&self, state: &M::State) -> bool {
         let watched = self.model.guards(self.mode).iter();
         let mut watched = watched.filter(|it| self.model.is_watched(self.mode, it.id));
@@ -254,7 +246,7 @@ impl<M: Playable> ModePlace<M> {
         DMatrix::from_fn(columns.len(), columns.len(), |row, column| columns[column][row])
     }
 
-    /// How far an entry is moved for a slope, and the states on both sides.
+    /// Returns the displacement of an entry for a slope, and the states on both sides.
     fn beside(&self, state: &M::State, entry: usize) -> (f64, [M::State; 2]) {
         let order = usize::from(entry >= self.model.coordinates());
         let mut sides = [*state; 2];
@@ -265,7 +257,6 @@ impl<M: Playable> ModePlace<M> {
         (size, sides)
     }
 
-    /// Rates of the free entries.
     fn rates(&self, state: &M::State, input: &Motion) -> DVector<f64> {
         let whole = self.model.constrain(self.mode, state, input);
         let mut rates = self.model.derivative(self.mode, &whole, input);
@@ -279,7 +270,6 @@ impl<M: Playable> ModePlace<M> {
     }
 }
 
-/// The rate of that order.
 const fn component(motion: &Motion, order: usize) -> f64 {
     match order {
         0 => motion.position,

@@ -1,4 +1,4 @@
-//! The curves over frequency: |Z|, its phase and Re Z, each band that is not passive shaded.
+//! Draws |Z|, its phase and Re Z over frequency, each band that is not passive shaded.
 
 use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::picture::{
@@ -7,12 +7,11 @@ use figures::plot::picture::{
 
 use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};
 
-/// How much farther Re Z is shown above zero than below, where it is below.
+/// Maximum ratio of the shown Re Z above zero to that below, if any is below.
 const HIGHEST: f64 = 6.0;
-/// How much of a curve's colour its shade has.
+/// Share of a curve's colour in its shade.
 const SHADE: f64 = 0.2;
 
-/// Returns the picture of `curves` under a title.
 pub(crate) fn picture(title: String, curves: &[ImpedanceCurve]) -> Picture {
     let panel = |y: PictureAxis, value: fn(&ImpedancePoint) -> f64| {
         let curve = |(number, it): (usize, &ImpedanceCurve)| {
@@ -37,7 +36,6 @@ pub(crate) fn picture(title: String, curves: &[ImpedanceCurve]) -> Picture {
     Picture { title, columns: 1, size: (780.0, 180.0), panels, ..Picture::default() }
 }
 
-/// The axis over all frequencies.
 fn frequencies(curves: &[ImpedanceCurve]) -> PictureAxis {
     let all = curves.iter().flat_map(|it| &it.points).map(|it| it.frequency);
     let (low, high) = extent(all);
@@ -45,7 +43,7 @@ fn frequencies(curves: &[ImpedanceCurve]) -> PictureAxis {
     PictureAxis::logarithmic("frequency [Hz]").between(ends)
 }
 
-/// The ends of the axis of Re Z: a resonance would hide what is below zero.
+/// Returns the ends of the axis of Re Z: a resonance would hide the negative part.
 fn real_ends(curves: &[ImpedanceCurve]) -> (f64, f64) {
     let real = curves.iter().flat_map(|it| &it.points).map(|it| it.real);
     let (low, highest) = extent(real.chain([0.0]));
@@ -54,13 +52,11 @@ fn real_ends(curves: &[ImpedanceCurve]) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// The least and the greatest of `values`.
 fn extent(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let ends = (f64::INFINITY, f64::NEG_INFINITY);
     values.fold(ends, |(low, high), it| (low.min(it), high.max(it)))
 }
 
-/// The bands of a curve in its colour, thinned with white.
 fn shades(number: usize, curve: &ImpedanceCurve) -> impl Iterator<Item = PictureArea> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 255")]
     let thin = |part: u8| (255.0 - SHADE * (255.0 - f64::from(part))).round() as u8;

@@ -1,9 +1,9 @@
-//! A voice as it is rendered: the key is shaken by a small sinusoid, and its force is held and late.
+//! Shakes a rendered voice by a small sinusoid, with its force held and late.
 //!
-//! At each frequency a new voice is taken slowly to the depth, and then shaken. Least squares of a
-//! constant, a sine and a cosine through the voice's forces give their fundamental at the ticks.
-//! What the finger feels is each force from its delay on, for a period: the fundamental of that is
-//! sinc(ωT/2) exp(−jω(T/2 + delay)) of it. Copies of it beyond half the rate are not counted.
+//! At each frequency a new voice is moved slowly to the depth, and then shaken. Least squares of a
+//! constant, a sine and a cosine give the fundamental of its forces at the ticks. The finger feels
+//! each force from its delay on, for a period: the fundamental of that is
+//! sinc(ωT/2) exp(−jω(T/2 + delay)) of it. Images above half the rate are ignored.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,58 +13,53 @@ use nalgebra_of_lm::{Complex, Matrix3, Vector3};
 
 use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};
 
-/// Highest frequency, as a part of the rate: at the half a sinusoid may be seen in its zeros only.
+/// Highest frequency over the rate: at the half a sinusoid may be sampled at its zeros only.
 const HIGHEST: f64 = 0.45;
 
-/// Time for the way down, and at rest there (s).
+/// Time for the way down, and for the rest there (s).
 pub(crate) const APPROACH: f64 = 0.5;
 const REST: f64 = 2.0;
-/// Least time and fewest cycles until the sinusoid is steady, and of what is measured then.
+/// Minimum time (s) and cycles of settling, and then of measuring.
 const STEADY: (f64, f64) = (0.5, 4.0);
 const MEASURED: (f64, f64) = (1.0, 8.0);
 
-/// Largest acceleration of the key (m/s²), so that nothing is thrown that lies on it.
+/// Largest acceleration of the key (m/s²), so that nothing on it is thrown.
 const GENTLE: f64 = 0.5;
 
-/// How a force comes from its sample to the finger.
+/// Timing of a force between its sample and the finger.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ForceHold {
-    /// For how long it is held (s): a period of the loop.
+    /// Period of the loop, for which it is held (s).
     pub period: f64,
-    /// From its sample until it acts (s).
+    /// Time between its sample and its effect (s).
     pub delay: f64,
 }
 
 impl ForceHold {
-    /// Returns how a loop with these values holds its force.
     pub const fn of(values: &LoopValues) -> Self {
         let (period, delay) = (LoopQuantity::Period, LoopQuantity::Delay);
         Self { period: values.get(period), delay: values.get(delay) }
     }
 
-    /// Returns what is felt at `frequency` (Hz), over what the voice says.
+    /// Returns the felt force at `frequency` (Hz), over that of the voice.
     pub fn at(&self, frequency: f64) -> Complex<f64> {
         let half = PI * frequency * self.period;
         let sinc = if half == 0.0 { 1.0 } else { half.sin() / half };
         Complex::from_polar(sinc, -half - TAU * frequency * self.delay)
     }
 
-    /// Returns the highest frequency (Hz) that is measured.
+    /// Returns the highest measured frequency (Hz).
     pub fn highest(&self) -> f64 {
         HIGHEST / self.period
     }
 }
 
-/// A voice that is shaken.
 #[derive(Clone, Copy)]
 pub struct ShakenVoice<'a> {
-    /// Makes a voice for each frequency.
     pub maker: VoiceMaker<'a>,
-    /// What is made; period and delay are its own.
+    /// Order of the voices, with its own period and delay.
     pub order: VoiceOrder<'a>,
-    /// Travel of the key's front (m).
     pub depth: f64,
-    /// Largest amplitude (m).
     pub amplitude: f64,
 }
 
@@ -75,10 +70,10 @@ impl std::fmt::Debug for ShakenVoice<'_> {
 }
 
 impl ShakenVoice<'_> {
-    /// Returns the impedance at `frequencies` (Hz); `done` is called after each.
+    /// Returns the impedance at `frequencies` (Hz); calls `done` after each.
     ///
     /// # Errors
-    /// If there is no such voice or it fails, in a sentence.
+    /// If a voice cannot be made or fails, in a sentence.
     pub fn curve(
         &self,
         frequencies: &[f64],
@@ -97,7 +92,6 @@ impl ShakenVoice<'_> {
         Ok(ImpedanceCurve { name, remark, points })
     }
 
-    /// The impedance at one frequency (Hz).
     fn at(&self, frequency: f64) -> Result<ImpedancePoint, String> {
         let held = ForceHold::of(self.order.values);
         let omega = TAU * frequency;
@@ -137,18 +131,17 @@ fn answer(voice: &mut dyn TrialVoice, tick: u64, position: f64) -> Result<f64, &
     }
 }
 
-/// From 0 at 0 to 1 at 1, level at both ends.
+/// Returns a smooth step from 0 at 0 to 1 at 1, level at both ends.
 pub(crate) fn smooth(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)
 }
 
-/// Least squares of a constant, a sine and a cosine.
 #[derive(Default)]
 struct Fundamental {
     matrix: Matrix3<f64>,
     moments: Vector3<f64>,
-    /// The first force, from which the others are counted (N), and their squares' sum (N²).
+    /// First force (N), the zero of the others, and the sum of their squares (N²).
     first: Option<f64>,
     squares: f64,
 }
@@ -162,14 +155,14 @@ impl Fundamental {
         self.squares += force * force;
     }
 
-    /// The force's phasor over that of the sine (N), and the share of its power that fits.
+    /// Returns the force's phasor over that of the sine (N), and the share of its power that fits.
     fn gain(&self) -> Option<(Complex<f64>, f64)> {
         let fit = self.matrix.cholesky()?.solve(&self.moments);
         let count = self.matrix[(0, 0)];
         let mean = self.moments[0] / count;
         let power = self.squares - count * mean * mean;
         let rest = self.squares - fit.dot(&self.moments);
-        // A force that does not change is explained, too.
+        // A constant force is explained, too.
         let share = if power > f64::MIN_POSITIVE { 1.0 - rest / power } else { 1.0 };
         Some((Complex::new(fit[1], fit[2]), share.clamp(0.0, 1.0)))
     }

@@ -1,4 +1,4 @@
-//! The report: a table of all points, a picture, and one page; and the figures for programs.
+//! The report: a table of all points, a picture, one page, and the figures for programs.
 
 use std::path::Path;
 
@@ -8,10 +8,10 @@ use serde::Serialize;
 use crate::impedance::curve::{ActiveBand, ImpedanceCurve, ImpedancePoint};
 use crate::impedance::picture::picture;
 
-/// Most rows of a curve on the page.
+/// Maximum rows of a curve on the page.
 const ROWS: usize = 16;
 
-/// What a reader must know before looking at a curve.
+/// Introduction of the page.
 const HOW: &str = "Z = F/v at the key's front: the force on the finger over the finger's velocity. \
     A damper is level at 0°, a spring falls at −90°, a mass rises at +90°. Where Re Z is below zero, \
     shaded, the key is not passive: a finger that shakes it there gets work out of it. \
@@ -20,14 +20,13 @@ const HOW: &str = "Z = F/v at the key's front: the force on the finger over the 
     is a cross-spectrum. Below a coherence of 0.5, and within three standard errors of zero, Re Z is \
     not judged.";
 
-/// The figures of a study, for programs.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct ImpedanceSummary<'a> {
     pub name: &'a str,
     pub curves: Vec<CurveSummary<'a>>,
 }
 
-/// A curve with where it is not passive.
+/// A curve with its bands that are not passive.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct CurveSummary<'a> {
     #[serde(flatten)]
@@ -36,7 +35,6 @@ pub struct CurveSummary<'a> {
 }
 
 impl<'a> ImpedanceSummary<'a> {
-    /// Returns the figures of `curves` under a name.
     pub fn new(name: &'a str, curves: &'a [ImpedanceCurve]) -> Self {
         let summary =
             |curve| CurveSummary { curve, not_passive: ImpedanceCurve::active_bands(curve) };
@@ -44,10 +42,10 @@ impl<'a> ImpedanceSummary<'a> {
     }
 }
 
-/// Writes `curves` into `folder`: impedance.csv, impedance.svg, and a page.
+/// Writes impedance.csv, impedance.svg and a page into `folder`.
 ///
 /// # Errors
-/// When a file cannot be written; those that could are complete.
+/// If a file cannot be written; files written before are complete.
 pub fn write_impedance(
     folder: &Path,
     name: &str,

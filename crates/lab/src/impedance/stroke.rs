@@ -1,10 +1,9 @@
-//! A recorded stroke: the cross-spectrum of motion and force, and their coherence.
+//! Analyses a recorded stroke by the cross-spectrum of motion and force, and their coherence.
 //!
-//! Position and force are differenced first, which leaves their ratio as it is and takes away what
-//! lies still. Segments of four cycles of the lowest frequency, half over each other and each under
-//! a window of Hann, are averaged: F/x = S_xf/S_xx, with the coherence γ² = |S_xf|²/(S_xx S_ff). What
-//! differs from place to place of a stroke is not one impedance, and lowers the coherence as noise
-//! does.
+//! Position and force are differenced first, which keeps their ratio and removes constants.
+//! Segments of four cycles of the lowest frequency, each half over the next and under a Hann
+//! window, are averaged: F/x = S_xf/S_xx, with the coherence γ² = |S_xf|²/(S_xx S_ff). Parts of a
+//! stroke with different impedances lower the coherence, as noise does.
 
 use std::f64::consts::TAU;
 
@@ -14,15 +13,14 @@ use nalgebra_of_lm::Complex;
 use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};
 use crate::impedance::sampled::ForceHold;
 
-/// Cycles of the lowest frequency in a segment: what its window keeps apart.
+/// Cycles of the lowest frequency in a segment: its window separates so many.
 const CYCLES: f64 = 4.0;
-/// Fewest segments: with one all would be coherent.
+/// Minimum segments: with one all would be coherent.
 const SEGMENTS: usize = 4;
 
 /// A key's positions and the forces that were sent for them, tick by tick.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RecordedStroke {
-    /// Of what it is, for reports.
     pub name: String,
     pub held: ForceHold,
     /// Travel of the key's front (m), down positive.
@@ -31,7 +29,6 @@ pub struct RecordedStroke {
     pub force: Vec<f64>,
 }
 
-/// Sums of products of two spectra.
 #[derive(Clone, Copy, Default)]
 struct Powers {
     motion: f64,
@@ -43,7 +40,7 @@ impl RecordedStroke {
     /// Returns the impedance at `frequencies` (Hz), the lowest first.
     ///
     /// # Errors
-    /// If the recording is too short for the lowest or the key lies still, in a sentence.
+    /// If the recording is too short for the lowest or the key does not move, in a sentence.
     pub fn curve(&self, frequencies: &[f64], done: &dyn Fn()) -> Result<ImpedanceCurve, String> {
         let lowest = frequencies.first().copied().unwrap_or(f64::INFINITY);
         let [motion, force] = [&self.position, &self.force].map(|it| differences(it));
@@ -71,7 +68,7 @@ impl RecordedStroke {
         Ok(ImpedanceCurve { name: self.name.clone(), remark, points })
     }
 
-    /// Says from which frequency on the recording is long enough, if from any.
+    /// States the lowest frequency for which the recording is long enough, if any.
     fn too_short(&self, ticks: usize, lowest: f64) -> String {
         let lasts = ticks as f64 * self.held.period;
         let needed = 0.5 * (SEGMENTS as f64 + 1.0) * CYCLES;
@@ -94,7 +91,7 @@ impl RecordedStroke {
 }
 
 impl Powers {
-    /// Enters a segment of both, at a frequency in cycles per sample.
+    /// Adds a segment of both, at a frequency in cycles per sample.
     fn enter(&mut self, [motion, force]: [&[f64]; 2], frequency: f64) {
         let (mut x, mut f) = (Complex::new(0.0, 0.0), Complex::new(0.0, 0.0));
         let length = motion.len() as f64;

@@ -1,4 +1,4 @@
-//! The report: one page with figures and charts, and the same for programs.
+//! The report: one page with figures and charts, and the figures for programs.
 
 use std::path::Path;
 
@@ -11,24 +11,23 @@ use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// Names of the three grands, as they are drawn.
+/// Legends of the three grands.
 const GRANDS: [&str; 3] =
     ["Steinway C, measured", "Yamaha Disklavier, measured", "Bösendorfer, measured"];
-/// Colour of what was measured on grands.
+/// Colour of measured grands.
 const MEASURED: Color = Color(120, 120, 120);
 
-/// What a reader must know before looking at a figure.
+/// Introduction of the page.
 const HOW: &str = "The front of C4 is driven by position, and its force is what comes out. A stroke \
     follows a power of time; its exponent falls with the stroke's duration as the travel times of \
     measured grands with an ideal lever of 5.2 : 1 have it, for a pressed and for a struck touch. \
     Travel begins with the finger. What is beside the limits of an instrument is red; an instrument \
     without limits for a figure has none.";
 
-/// Writes the page, its charts, and the figures as CSV into `folder`, of one instrument or several
-/// beside one another.
+/// Writes the page, its charts, and the figures as CSV for one or more instruments into `folder`.
 ///
 /// # Errors
-/// When a file cannot be written; those that could are complete.
+/// If a file cannot be written; files written before are complete.
 pub fn write_sheet(folder: &Path, examined: &[Examination]) -> Result<(), DiskError> {
     let names: Vec<_> = examined.iter().map(|it| it.name.as_str()).collect();
     let mut report = Report::new(format!("{}, measured", names.join(" and ")));
@@ -43,7 +42,6 @@ pub fn write_sheet(folder: &Path, examined: &[Examination]) -> Result<(), DiskEr
     report.write(folder)
 }
 
-/// A table of all figures of each instrument.
 fn figures(examined: &[Examination]) -> Table {
     let columns = [
         ("instrument", "instrument"),
@@ -70,7 +68,7 @@ fn figures(examined: &[Examination]) -> Table {
     Table::new(columns).with(rows)
 }
 
-/// The pictures that show something, with their names.
+/// Returns the pictures with content, with their names.
 fn pictures(examined: &[Examination]) -> Vec<(&'static str, Picture)> {
     let mut pictures = vec![("force", forces(examined))];
     for (what, name) in StrokeTime::ALL.into_iter().zip(["travel", "key-bottom", "free-flight"]) {
@@ -81,14 +79,13 @@ fn pictures(examined: &[Examination]) -> Vec<(&'static str, Picture)> {
     pictures
 }
 
-/// A colour for each instrument and each of its curves.
 fn color(instrument: usize, curve: usize) -> Color {
     CURVES[(3 * instrument + curve) % CURVES.len()]
 }
 
-/// Force against travel, down and back, of the slow speeds.
+/// Draws force against travel, down and back, at slow speeds.
 fn forces(examined: &[Examination]) -> Picture {
-    /// Faster keys feel their inertia.
+    /// Fastest shown speed (m/s): above it the key's inertia counts.
     const SLOW: f64 = 0.02;
     let mut curves = Vec::new();
     for (instrument, it) in examined.iter().enumerate() {
@@ -107,7 +104,7 @@ fn forces(examined: &[Examination]) -> Picture {
     Picture::of_panel("Force against travel", PicturePanel { x, y, curves, ..Default::default() })
 }
 
-/// A curve in mm and N with as many points as a picture shows; what is on the bed is cut off.
+/// Reduces a curve in mm and N to the points of a picture, without the part on the bed.
 fn thinned(way: &[(f64, f64)]) -> Vec<(f64, f64)> {
     const POINTS: usize = 600;
     const HIGHEST: f64 = 3.0;
@@ -116,7 +113,7 @@ fn thinned(way: &[(f64, f64)]) -> Vec<(f64, f64)> {
     shown.step_by(step).collect()
 }
 
-/// A time against hammer speed, with the three grands.
+/// Draws a time against hammer speed, with the three grands.
 fn times(what: StrokeTime, examined: &[Examination]) -> Picture {
     let mut curves = Vec::new();
     for touch in StrokeTouch::ALL {
@@ -150,7 +147,7 @@ fn times(what: StrokeTime, examined: &[Examination]) -> Picture {
             ("Free flight of the hammer", PictureAxis::logarithmic("time [ms]"))
         }
     };
-    // A hammer that is carried to the string has no flight, and a logarithm no place for it.
+    // A hammer that is carried to the string has no flight, which a logarithmic axis cannot show.
     if time.scale == AxisScale::Logarithmic {
         for stretch in curves.iter_mut().flat_map(|it| &mut it.stretches) {
             stretch.retain(|point| point.1 > 0.01);
@@ -160,7 +157,7 @@ fn times(what: StrokeTime, examined: &[Examination]) -> Picture {
     Picture::of_panel(title, PicturePanel { x, y: vec![time], curves, ..Default::default() })
 }
 
-/// Where the hammer is held after strokes above 1 m/s, on all keys.
+/// Draws the distance of check after strokes above 1 m/s, on all keys.
 fn checks(examined: &[Examination]) -> Picture {
     let mut curves = Vec::new();
     for (instrument, it) in examined.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! A time as people write it.
+//! Formats times for people.
 
 use std::time::SystemTime;
 
@@ -23,7 +23,6 @@ mod tests {
     #[test]
     fn days_are_those_of_the_calendar() {
         let written = |seconds| utc(UNIX_EPOCH + Duration::from_secs(seconds));
-        // By `date -u -d @SECONDS`.
         assert_eq!(written(0), "1970-01-01 00:00 UTC");
         assert_eq!(written(951_827_696), "2000-02-29 12:34 UTC");
     }

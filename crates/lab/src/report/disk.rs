@@ -1,4 +1,4 @@
-//! Files that are complete or not there.
+//! Writes files that are complete or missing.
 
 use std::fs;
 use std::io;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use documents::shown;
 
-/// Which file or folder could not be written, and why.
+/// A file or folder that could not be written, with the cause.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot write {}: {cause}", shown(path))]
 pub struct DiskError {
@@ -14,7 +14,7 @@ pub struct DiskError {
     pub cause: io::Error,
 }
 
-/// Creates `folder`, and looks whether a file can be created in it.
+/// Creates `folder`, and tries to create a file in it.
 pub(super) fn prepare(folder: &Path) -> Result<(), DiskError> {
     let fail = |cause| DiskError { path: folder.to_owned(), cause };
     fs::create_dir_all(folder).map_err(fail)?;
@@ -22,7 +22,7 @@ pub(super) fn prepare(folder: &Path) -> Result<(), DiskError> {
     fs::write(&probe, "").and_then(|()| fs::remove_file(&probe)).map_err(fail)
 }
 
-/// Writes `text` to a file beside `path`, which then takes its place.
+/// Writes `text` to a file beside `path`, and then renames it.
 pub(super) fn write(path: &Path, text: &str) -> Result<(), DiskError> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(".part");

@@ -1,4 +1,4 @@
-//! The comparison that counts: cost at equal error of event times.
+//! The most important comparison: cost at equal error of event times.
 
 use super::page::{Table, TableCell};
 use super::peers::Author;
@@ -19,7 +19,7 @@ pub(super) fn table(report: &StudyReport) -> Table {
     Table::new(titles).with(report.measured.iter().flat_map(|it| rows(report, it)))
 }
 
-/// Our own in ticks, our own offline, and others, as far as there are any.
+/// Returns the rows of our runs in ticks, our offline runs, and others, where they exist.
 fn rows(report: &StudyReport, measured: &MeasuredScenario) -> Vec<Vec<TableCell>> {
     let failed = format!("{} of {}", failures(measured), measured.rows.len());
     let mut rows = vec![row(measured.entry.name, &failed, |it| in_ticks(measured, it))];

@@ -1,23 +1,18 @@
-//! Where a study was measured.
-
 use std::fs;
 
 use serde::Serialize;
 
-/// The machine and the program with which a study was measured.
+/// The machine and the program of a measurement.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Machine {
     pub processor: String,
-    /// Number of processors that the program may use.
     pub processors: usize,
-    /// Operating system and architecture.
     pub system: String,
-    /// The program's version, and whether it was optimised.
+    /// Version and build profile of the program.
     pub program: String,
 }
 
 impl Machine {
-    /// Describes the machine on which this program runs.
     pub fn this() -> Self {
         let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let build = if cfg!(debug_assertions) { "not optimised for release" } else { "release" };
@@ -30,7 +25,6 @@ impl Machine {
     }
 }
 
-/// Returns the processor's name, where the system tells it.
 fn processor() -> Option<String> {
     let info = fs::read_to_string("/proc/cpuinfo").ok()?;
     let named = |key: &str| {

@@ -1,8 +1,7 @@
-//! What was measured, as CSV, SVG and one HTML page.
+//! Writes measurements as CSV, SVG and one HTML page.
 //!
-//! [`Report`] is the page of every study, with its tables and pictures and the files beside it;
-//! [`StudyReport`] that of the accuracy of all methods. Each file is written beside its place and
-//! then moved there, so that none is ever half of one.
+//! [`Report`] is the page of every study; [`StudyReport`] that of the accuracy of all methods.
+//! Each file is written under another name and then renamed, so that no file is incomplete.
 
 mod date;
 mod disk;
@@ -26,47 +25,36 @@ pub use summary::Summary;
 
 use crate::accuracy::MeasuredScenario;
 
-/// Name of the page's file.
 pub const PAGE: &str = "index.html";
 
-/// What a reader must know before looking at a plot.
+/// Introduction of the page.
 const HOW_TO_READ: &str = include_str!("how_to_read.html");
 
-/// What a study has measured so far, and where.
+/// Results of a study so far, with its machine.
 #[derive(Clone, Debug)]
 pub struct StudyReport {
     pub machine: Machine,
-    /// When the study was begun.
     pub date: SystemTime,
     pub measured: Vec<MeasuredScenario>,
-    /// Runs of other codes on some of the same problems.
     pub peers: Vec<Peer>,
 }
 
-/// Creates `folder` and looks whether files can be created there.
-///
-/// # Errors
-/// When they cannot.
+/// Creates `folder`, and tries to create a file in it.
 pub fn prepare(folder: &Path) -> Result<(), DiskError> {
     disk::prepare(folder)
 }
 
-/// Writes `text` to the file at `path`, which is complete or as it was before.
-///
-/// # Errors
-/// When it cannot be written.
+/// Writes `text` to the file at `path`, which is complete or unchanged.
 pub fn write_file(path: &Path, text: &str) -> Result<(), DiskError> {
     disk::write(path, text)
 }
 
 impl StudyReport {
-    /// Writes the table, a picture for each scenario, and the page into `folder`.
-    ///
-    /// It is written anew after each scenario, so that a study that is stopped halfway keeps what
-    /// it has measured.
+    /// Writes the table, a picture for each scenario, and the page into `folder`. Called after each
+    /// scenario, so that an interrupted study keeps its results.
     ///
     /// # Errors
-    /// When a file cannot be written; those that could are complete.
+    /// If a file cannot be written; files written before are complete.
     pub fn write(&self, folder: &Path) -> Result<(), DiskError> {
         let Machine { processor, processors, system, program } = &self.machine;
         let date = date::utc(self.date);
@@ -86,7 +74,7 @@ impl StudyReport {
         report.write(folder)
     }
 
-    /// Adds a scenario: its title, what its reference is, its pictures and its runs.
+    /// Adds a scenario: title, source of its reference, pictures and runs.
     fn add(&self, measured: &MeasuredScenario, ours: &Table, report: &mut Report) {
         let entry = measured.entry;
         report.heading(&format!("{}: {}", entry.name, entry.title));
@@ -103,12 +91,11 @@ impl StudyReport {
         }
     }
 
-    /// Returns the main figures, for a program to read.
+    /// Returns the main figures for programs.
     pub fn summary(&self) -> Summary<'_> {
         Summary::new(self)
     }
 
-    /// The other codes' rows on `problem`.
     fn peers_on(&self, problem: &str) -> Vec<&Peer> {
         self.peers.iter().filter(|peer| peer.problem == problem).collect()
     }

@@ -1,4 +1,4 @@
-//! A report: one page that needs no other file, and the files beside it.
+//! A self-contained HTML page, and the files beside it.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -7,51 +7,47 @@ use super::{DiskError, PAGE, write_file};
 use figures::digits::rounded;
 use figures::plot::picture::Picture;
 
-/// The style sheet of all pages.
 const STYLE: &str = include_str!("style.css");
 
 /// A report of a study.
 #[derive(Clone, Debug)]
 pub struct Report {
     title: String,
-    /// What stands below the title, as HTML.
+    /// Content below the title, as HTML.
     body: String,
-    /// Names and texts of the files beside the page.
     files: Vec<(String, String)>,
 }
 
-/// A table, which is shown on the page, written as CSV, or both.
+/// A table for the page, for CSV, or both.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Table {
-    /// Name of each column in CSV, and its title on the page; empty if it is not shown there.
+    /// CSV name of each column, and its title on the page; empty if it is not shown there.
     columns: Vec<(String, String)>,
     pub rows: Vec<Vec<TableCell>>,
 }
 
-/// A cell of a table.
 #[derive(Clone, PartialEq, Debug)]
 pub enum TableCell {
     Words(String),
-    /// A number: with all its digits in CSV, with four on the page.
+    /// Number: all digits in CSV, four on the page.
     Number(f64),
     Missing,
-    /// Words, or a number, that say that something went wrong.
+    /// Words or a number that report a failure.
     WrongWords(String),
     WrongNumber(f64),
 }
 
 impl TableCell {
-    /// Returns a cell with words.
     pub fn words(words: impl Into<String>) -> Self {
         Self::Words(words.into())
     }
 
-    /// Returns a cell with a number, if there is one.
+    /// Returns a cell with a number, or an empty one.
     pub fn maybe(number: Option<f64>) -> Self {
         number.map_or(Self::Missing, Self::Number)
     }
 
-    /// Returns the cell as text, with its numbers as `number` writes them.
+    /// Returns the cell as text, with numbers formatted by `number`.
     fn text(&self, number: impl Fn(f64) -> String) -> String {
         match self {
             Self::Words(words) | Self::WrongWords(words) => words.clone(),
@@ -70,7 +66,7 @@ impl TableCell {
 }
 
 impl Table {
-    /// Returns a table without rows; each column has a name in CSV and a title on the page.
+    /// Returns a table without rows; columns are pairs of a CSV name and a title on the page.
     pub fn new<N: Into<String>, T: Into<String>>(
         columns: impl IntoIterator<Item = (N, T)>,
     ) -> Self {
@@ -78,7 +74,6 @@ impl Table {
         Self { columns: columns.collect(), rows: Vec::new() }
     }
 
-    /// Returns the table with these rows.
     #[must_use]
     pub fn with<R: Into<Vec<TableCell>>>(mut self, rows: impl IntoIterator<Item = R>) -> Self {
         self.rows.extend(rows.into_iter().map(Into::into));
@@ -94,13 +89,12 @@ impl Table {
             .collect()
     }
 
-    /// The table as HTML, which can be scrolled sideways on its own.
+    /// Returns the table as HTML that scrolls sideways on its own.
     fn html(&self) -> String {
         let mut text = "<div class=\"wide\"><table>\n<tr>".to_owned();
         let is_shown = |it: &usize| !self.columns[*it].1.is_empty();
         let shown: Vec<_> = (0..self.columns.len()).filter(is_shown).collect();
         for column in &shown {
-            // Writing to a String cannot fail.
             let _written = write!(text, "<th>{}</th>", escape(&self.columns[*column].1));
         }
         text += "</tr>\n";
@@ -117,22 +111,21 @@ impl Table {
 }
 
 impl Report {
-    /// Returns a report without anything but its title.
+    /// Returns a report with a title only.
     pub fn new(title: impl Into<String>) -> Self {
         Self { title: title.into(), body: String::new(), files: Vec::new() }
     }
 
-    /// Adds what a reader must know first.
     pub fn introduce(&mut self, text: &str) {
         self.html("p class=\"read\"", text);
     }
 
-    /// Begins a part with a heading.
+    /// Starts a section with a heading.
     pub fn heading(&mut self, text: &str) {
         self.html("h2", text);
     }
 
-    /// Adds a paragraph, whose marks of HTML are made harmless.
+    /// Adds a paragraph of plain text; HTML is escaped.
     pub fn text(&mut self, text: &str) {
         self.html("p", text);
     }
@@ -142,19 +135,18 @@ impl Report {
         let _written = writeln!(self.body, "<{tag}>{}</{end}>", escape(text));
     }
 
-    /// Adds a part that is HTML already.
     pub(super) fn marked_up(&mut self, html: &str) {
         self.body += html;
     }
 
-    /// Adds a table, if it has rows.
+    /// Adds a table, unless it has no rows.
     pub fn table(&mut self, table: &Table) {
         if !table.rows.is_empty() {
             self.body += &table.html();
         }
     }
 
-    /// Adds a table behind a line that opens it.
+    /// Adds a table that is folded under `title`.
     pub fn folded(&mut self, title: &str, table: &Table) {
         let (title, html) = (escape(title), table.html());
         self.body +=
@@ -168,12 +160,12 @@ impl Report {
         self.file(format!("{name}.svg"), svg);
     }
 
-    /// Adds the file `<name>.csv` with a table.
+    /// Adds a table as the file `<name>.csv`.
     pub fn csv(&mut self, name: &str, table: &Table) {
         self.file(format!("{name}.csv"), table.csv());
     }
 
-    /// Adds a file that is written into the folder of the page.
+    /// Adds a file beside the page.
     pub fn file(&mut self, name: impl Into<String>, text: String) {
         self.files.push((name.into(), text));
     }
@@ -181,7 +173,7 @@ impl Report {
     /// Writes the files, and the page last, into `folder`.
     ///
     /// # Errors
-    /// When a file cannot be written; those that could are complete.
+    /// If a file cannot be written; files written before are complete.
     pub fn write(&self, folder: &Path) -> Result<(), DiskError> {
         for (name, text) in &self.files {
             write_file(&folder.join(name), text)?;
@@ -200,12 +192,11 @@ impl Report {
     }
 }
 
-/// Returns `text` with its marks of HTML made harmless.
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Returns `text` as a field of CSV, in quotes if it has to be.
+/// Returns `text` as a field of CSV, quoted if necessary.
 fn field(text: &str) -> String {
     if text.contains([',', '"', '\n']) {
         return format!("\"{}\"", text.replace('"', "\"\""));

@@ -1,4 +1,4 @@
-//! What other codes did on some of the same problems, as `benches/peers` wrote it.
+//! Results of other codes on some of the same problems, written by `benches/peers`.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,46 +9,39 @@ use serde_json::Value;
 
 use super::text;
 
-/// One run of one code, as `benches/peers` measured it.
+/// One run of one code, measured by `benches/peers`.
 #[derive(Clone, PartialEq, Debug, Deserialize, Serialize)]
 pub struct Peer {
-    /// Name of the scenario.
     pub problem: String,
     pub code: String,
     pub version: String,
     pub method: String,
-    /// How it was set: its default, or what its documentation advises.
+    /// Settings: the code's defaults, or its documentation's advice.
     pub setting: String,
-    /// Tolerance, or step (s).
     pub tolerance_or_step: Option<f64>,
-    /// Number of events that the run found.
     pub events: Option<u64>,
-    /// Whether the right events were found in the right order.
+    /// `true` if the right events occurred in the right order.
     pub sequence_ok: bool,
-    /// Largest error of an event's time (s).
     pub event_error_s: Option<f64>,
-    /// Largest error of the state away from events; each entry over its largest magnitude.
+    /// Largest error of the state away from events, each entry over its largest magnitude.
     pub state_error: Option<f64>,
-    /// Evaluations of the right-hand side, in the whole run.
+    /// Evaluations of the right-hand side in the whole run.
     pub rhs: Option<f64>,
-    /// Least time per simulated ms (ns).
     pub ns_per_ms_min: Option<f64>,
-    /// Median time per simulated ms (ns).
     pub ns_per_ms_median: Option<f64>,
     #[serde(default)]
     pub note: Option<String>,
-    /// What went wrong, where the events were not the right ones.
+    /// Failure, if the events were wrong.
     #[serde(default)]
     pub failure: Option<String>,
 }
 
 impl Peer {
-    /// Returns code, method and setting, which make a curve.
+    /// Returns code, method and setting, the identity of a curve.
     pub(super) fn curve(&self) -> String {
         format!("{} {} ({})", self.code, self.method, self.setting)
     }
 
-    /// Returns whose code this is.
     pub(super) fn author(&self) -> Author {
         match self.code.as_str() {
             "pode" => Author::Ours,
@@ -57,23 +50,22 @@ impl Peer {
         }
     }
 
-    /// Writes tolerance or step with the digits that matter.
+    /// Formats tolerance or step with its significant digits.
     pub(super) fn knob(&self) -> String {
         self.tolerance_or_step.map(text::exponent).unwrap_or_default()
     }
 }
 
-/// Whose code was run.
+/// Origin of a code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Author {
     /// `pode`, in the same run as the others.
     Ours,
-    /// Written for this one problem.
     ByHand,
     Others,
 }
 
-/// Why a file of other codes' results cannot be used.
+/// Error of a file of other codes' results.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{}: {what}; give the results.json that benches/peers writes", shown(path))]
 pub struct BadPeers {
@@ -82,9 +74,6 @@ pub struct BadPeers {
 }
 
 /// Reads the rows of a file: a list, or an object with a list called `rows`.
-///
-/// # Errors
-/// When the file cannot be read, or a row is not one of these.
 pub fn read(path: &Path) -> Result<Vec<Peer>, BadPeers> {
     let bad = |what: String| BadPeers { path: path.to_owned(), what };
     let text = fs::read_to_string(path).map_err(|cause| bad(cause.to_string()))?;

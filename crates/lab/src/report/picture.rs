@@ -1,4 +1,4 @@
-//! A scenario's pictures: error against cost, on logarithmic axes.
+//! Draws a scenario's errors against costs, on logarithmic axes.
 //!
 //! ```text
 //!   event error / ns per ms      event error / evaluations     legend
@@ -6,7 +6,7 @@
 //!   event error / ns of a tick without, with one, with the most events, of the worst tick
 //! ```
 //!
-//! And, where other codes were run side by side with ours, the errors of all against cost.
+//! A second picture compares the errors of codes that were run side by side.
 
 use super::peers::{Author, Peer};
 use crate::accuracy::{MeasuredScenario, MethodKind, StudyRow};
@@ -14,12 +14,12 @@ use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::marker::MarkerShape;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// Returns the picture of all methods on a scenario.
+/// Draws all methods on a scenario.
 pub(super) fn methods(measured: &MeasuredScenario) -> Picture {
     picture(title(measured), &OURS, &curves(measured))
 }
 
-/// Returns the picture of all codes that were run side by side on the same problem.
+/// Draws all codes that were run side by side on one problem.
 pub(super) fn peers(measured: &MeasuredScenario, peers: &[&Peer]) -> Picture {
     let title = format!("{}, side by side with other codes", title(measured));
     picture(title, &THEIRS, &peer_curves(peers, measured.until))
@@ -46,7 +46,7 @@ fn picture(title: String, panels: &[Quantities], curves: &[CostErrorCurve]) -> P
     }
 }
 
-/// A curve: runs from the coarsest to the finest.
+/// A curve of runs from the coarsest to the finest.
 #[derive(Clone, Debug)]
 struct CostErrorCurve {
     name: String,
@@ -54,7 +54,7 @@ struct CostErrorCurve {
     points: Vec<CostErrorPoint>,
 }
 
-/// How a curve is drawn; that of another code is dashed.
+/// Style of a curve; curves of other codes are dashed.
 #[derive(Clone, Copy, Debug)]
 struct CurveStyle {
     shape: MarkerShape,
@@ -62,10 +62,9 @@ struct CurveStyle {
 }
 
 const BLACK: Color = Color(0, 0, 0);
-/// The choice by need.
+/// Colour of the choice by need.
 const GREY: Color = Color(125, 125, 125);
 
-/// The curves of our methods.
 fn curves(measured: &MeasuredScenario) -> Vec<CostErrorCurve> {
     let mut curves: Vec<CostErrorCurve> = Vec::new();
     for row in &measured.rows {
@@ -81,7 +80,7 @@ fn curves(measured: &MeasuredScenario) -> Vec<CostErrorCurve> {
     curves
 }
 
-/// The curves of the codes that were run side by side on a problem that ends `until` (s).
+/// Returns the curves of all codes on a problem that ends at `until` (s).
 fn peer_curves(peers: &[&Peer], until: f64) -> Vec<CostErrorCurve> {
     let mut curves: Vec<CostErrorCurve> = Vec::new();
     for peer in peers {
@@ -92,7 +91,7 @@ fn peer_curves(peers: &[&Peer], until: f64) -> Vec<CostErrorCurve> {
             curves.push(CostErrorCurve { name, style: of_peer(peer, peers), points: vec![point] });
         }
     }
-    // Ours lie on top.
+    // Our curves lie on top.
     curves.sort_by_key(|curve| !curve.style.stroke.is_dashed);
     curves
 }
@@ -104,13 +103,13 @@ fn ours(index: usize, kind: MethodKind) -> CurveStyle {
             shape: MarkerShape::ALL[index % MarkerShape::ALL.len()],
             stroke: Stroke::new(CURVES[index % CURVES.len()], 1.6),
         },
-        // What instruments play stands out.
+        // Emphasise the method of instruments.
         MethodKind::Played => broad(BLACK),
         MethodKind::Budgeted => broad(GREY),
     }
 }
 
-/// A colour for each code, a shape for each way of running it; ours is black.
+/// Returns a colour per code and a shape per way of running it; ours is black.
 fn of_peer(peer: &Peer, peers: &[&Peer]) -> CurveStyle {
     let mut codes: Vec<&str> = Vec::new();
     let mut ways: Vec<String> = Vec::new();
@@ -125,7 +124,7 @@ fn of_peer(peer: &Peer, peers: &[&Peer]) -> CurveStyle {
     }
     let code = codes.iter().position(|code| *code == peer.code);
     let way = ways.iter().position(|way| *way == peer.curve()).unwrap_or(0);
-    // Codes that share a colour have other shapes, as far as there are any.
+    // Codes that share a colour have different shapes, as far as there are any.
     let turn = code.map_or(0, |code| code / CURVES.len() * (MarkerShape::ALL.len() / 2));
     let stroke = code.map_or(Stroke::new(BLACK, 2.2), |code| {
         let stroke = Stroke::new(CURVES[code % CURVES.len()], 1.2);
@@ -135,7 +134,7 @@ fn of_peer(peer: &Peer, peers: &[&Peer]) -> CurveStyle {
 }
 
 impl CostErrorCurve {
-    /// Returns the curve of two quantities, in stretches of runs that were right and have both.
+    /// Returns the curve of two quantities, in stretches of right runs that have both.
     fn against(&self, quantities: &Quantities) -> PictureCurve {
         let place = |it: &CostErrorPoint| {
             let (x, y) = ((quantities.x)(it)?, (quantities.y)(it)?);
@@ -151,10 +150,9 @@ impl CostErrorCurve {
     }
 }
 
-/// One run's figures: cost and error, as far as there are any.
+/// Cost and error of one run, as far as they exist.
 #[derive(Clone, Copy, Debug, Default)]
 struct CostErrorPoint {
-    /// Whether the events were the right ones.
     is_right: bool,
     event_error: Option<f64>,
     state_error: Option<f64>,
@@ -184,7 +182,7 @@ impl CostErrorPoint {
         }
     }
 
-    /// The same of another code's run until `until` (s).
+    /// Returns the point of another code's run until `until` (s).
     fn of_peer(peer: &Peer, until: f64) -> Self {
         Self {
             is_right: peer.sequence_ok,
@@ -197,10 +195,9 @@ impl CostErrorPoint {
     }
 }
 
-/// A figure of a run, if it has it.
 type Figure = fn(&CostErrorPoint) -> Option<f64>;
 
-/// What a panel shows: titles and figures of both axes.
+/// Titles and figures of a panel's two axes.
 #[derive(Clone, Copy, Debug)]
 struct Quantities {
     x_title: &'static str,
@@ -217,12 +214,10 @@ const EVENTS: (&str, Figure) = ("error of event times [s]", |point| point.event_
 const STATES: (&str, Figure) =
     ("error of states away from events, of their size", |point| point.state_error);
 
-/// A panel of `y` against `x`.
 const fn panel(y: (&'static str, Figure), x: (&'static str, Figure)) -> Quantities {
     Quantities { x_title: x.0, y_title: y.0, x: x.1, y: y.1 }
 }
 
-/// The panels of our methods, row by row.
 const OURS: [Quantities; 8] = [
     panel(EVENTS, PER_MS),
     panel(EVENTS, EVALUATIONS),
@@ -234,7 +229,6 @@ const OURS: [Quantities; 8] = [
     panel(EVENTS, ("ns of the worst tick", |point| point.worst_tick)),
 ];
 
-/// The panels of other codes.
 const THEIRS: [Quantities; 4] = [
     panel(EVENTS, PER_MS),
     panel(EVENTS, EVALUATIONS),

@@ -1,5 +1,3 @@
-//! The tables of all runs: ours, and other codes'.
-
 use super::page::{Table, TableCell};
 use super::peers::Peer;
 use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
@@ -41,12 +39,10 @@ const OURS: [(&str, &str); 33] = [
     ("reference", ""),
 ];
 
-/// Returns the runs of a scenario.
 pub(super) fn ours(measured: &MeasuredScenario) -> Table {
     Table::new(OURS).with(measured.rows.iter().map(|row| cells(row, measured.entry.source)))
 }
 
-/// Returns the runs of all scenarios.
 pub(super) fn all(tables: Vec<Table>) -> Table {
     Table::new(OURS).with(tables.into_iter().flat_map(|it| it.rows))
 }
@@ -92,7 +88,7 @@ fn cells(row: &StudyRow, source: &str) -> [TableCell; OURS.len()] {
     ]
 }
 
-/// Where the steps come from, in a word.
+/// Returns the source of the steps in one word.
 const fn steps(kind: MethodKind) -> &'static str {
     match kind {
         MethodKind::Fixed => "tick",
@@ -102,7 +98,7 @@ const fn steps(kind: MethodKind) -> &'static str {
     }
 }
 
-/// Verdict, right events, what was expected and found, and what failed.
+/// Returns verdict, number of right events, expected and found event, and failure.
 fn sequence(sequence: &SequenceVerdict) -> [TableCell; 5] {
     const NONE: TableCell = TableCell::Missing;
     let wrong = |it: &str| TableCell::WrongWords(it.to_owned());
@@ -119,7 +115,6 @@ fn sequence(sequence: &SequenceVerdict) -> [TableCell; 5] {
     }
 }
 
-/// Titles of the figures of another code's run.
 const THEIRS: [&str; 13] = [
     "code",
     "version",
@@ -136,7 +131,6 @@ const THEIRS: [&str; 13] = [
     "note",
 ];
 
-/// Returns the runs of other codes on one problem.
 pub(super) fn theirs(peers: &[&Peer]) -> Table {
     let row = |peer: &&Peer| {
         let words = [&peer.code, &peer.version, &peer.method, &peer.setting];

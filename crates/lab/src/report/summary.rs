@@ -1,4 +1,4 @@
-//! The main figures: the cheapest run at each error, and how many runs fail.
+//! The main figures: the cheapest run at each error, and the number of failed runs.
 
 use serde::Serialize;
 
@@ -9,7 +9,7 @@ use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 /// Errors of event times (s) at which speed is compared.
 pub(super) const TARGETS: [f64; 3] = [1e-6, 1e-9, 1e-12];
 
-/// The main figures of a report, for a program to read.
+/// The main figures of a report, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary<'a> {
     machine: &'a Machine,
@@ -21,24 +21,23 @@ pub struct Summary<'a> {
 struct ScenarioSummary {
     name: &'static str,
     runs: usize,
-    /// Runs whose sequence of events was wrong, or that did not end.
+    /// Runs with a wrong sequence of events or without an end.
     failures: usize,
-    /// The cheapest run of ours in ticks, as at a deadline, for each target that one meets.
+    /// Our cheapest run in ticks, as at a deadline, for each target that one meets.
     in_ticks: Vec<Cheapest>,
-    /// The cheapest run of ours with steps by a tolerance, for each target that one meets.
+    /// Our cheapest run with steps by a tolerance, for each target that one meets.
     offline: Vec<Cheapest>,
-    /// The cheapest runs of those done side by side: ours, other people's, written by hand.
+    /// The cheapest runs side by side: ours, other people's, written by hand.
     side_by_side: [Vec<Cheapest>; 3],
 }
 
 /// The cheapest run with an event-time error below a target.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub(super) struct Cheapest {
-    /// Largest error allowed (s).
+    /// Largest allowed error (s).
     pub(super) target_s: f64,
     pub(super) who: String,
     pub(super) setting: String,
-    /// Its error (s).
     pub(super) event_error_s: f64,
     pub(super) ns_per_ms: f64,
 }
@@ -63,19 +62,17 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// Counts the runs whose events were wrong or that did not end.
+/// Counts the runs with wrong events or without an end.
 pub(super) fn failures(measured: &MeasuredScenario) -> usize {
     let wrong = |row: &&StudyRow| row.verdict.sequence != SequenceVerdict::Right;
     measured.rows.iter().filter(wrong).count()
 }
 
-/// Returns our cheapest run in ticks with an event-time error of at most `target` (s).
 pub(super) fn in_ticks(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
     ours(measured, target, |kind| kind != MethodKind::Controlled)
 }
 
-/// Returns our cheapest run with steps by a tolerance and an event-time error of at most
-/// `target` (s).
+/// Returns our cheapest run by a tolerance with an event-time error of at most `target` (s).
 pub(super) fn offline(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
     ours(measured, target, |kind| kind == MethodKind::Controlled)
 }
@@ -97,7 +94,6 @@ fn ours(
     cheapest(measured.rows.iter().filter(|row| is_of(row.method.kind)).filter_map(run))
 }
 
-/// Returns the cheapest run of an author's code among those done side by side.
 pub(super) fn peer(
     report: &StudyReport,
     measured: &MeasuredScenario,

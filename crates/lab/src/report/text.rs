@@ -1,9 +1,9 @@
-//! Numbers and times in sentences and tables.
+//! Formats numbers and times in sentences and tables.
 
 use crate::accuracy::{MethodKind, StudyRow};
 use figures::digits::trimmed;
 
-/// A positive number with two digits, as short as can be; the unit comes from the column.
+/// Formats a positive number with two digits, as short as possible, without its unit.
 pub(super) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -17,13 +17,13 @@ pub(super) fn short(value: f64) -> String {
     }
 }
 
-/// A number with its power of ten, as `1e-9`, with one decimal where it is no power itself.
+/// Formats a number with its power of ten, as `1e-9`, with one decimal if it is not a power.
 pub(super) fn exponent(value: f64) -> String {
     let text = format!("{value:.1e}");
     text.replacen(".0e", "e", 1)
 }
 
-/// A length of time (s) in the unit that suits it.
+/// Formats a time (s) in the unit that suits it.
 pub(crate) fn duration(seconds: f64) -> String {
     let (value, unit) = match seconds {
         ..1e-9 => (seconds * 1e12, "ps"),
@@ -32,11 +32,11 @@ pub(crate) fn duration(seconds: f64) -> String {
         1e-3..1.0 => (seconds * 1e3, "ms"),
         _ => (seconds, "s"),
     };
-    // What the multiplication rounded is no digit of the number.
+    // Digits from the rounding of the multiplication are dropped.
     format!("{} {unit}", trimmed(&format!("{value:.3}")))
 }
 
-/// What makes one run of a series another than the next: step, tolerance or budget.
+/// Returns the variable of a series of runs: step, tolerance or budget.
 pub(super) fn setting(row: &StudyRow) -> String {
     let tolerance = row.setting.tolerance.unwrap_or(0.0);
     match row.method.kind {

@@ -1,6 +1,6 @@
 //! A ball dropped from 1 m, v⁺ = −e v⁻: a Zeno sequence in closed form.
 //!
-//! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), all over at t1 (1 + e)/(1 − e).
+//! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), accumulating at t1 (1 + e)/(1 − e).
 
 use instruments::SmallModel;
 use instruments::{Described as _, ModeCode};
@@ -12,14 +12,13 @@ const G: f64 = 9.81;
 const HEIGHT: f64 = 1.0;
 const MASS: f64 = 1.0;
 
-/// A drop with restitution `e`, run until `until` (s).
+/// A drop with restitution `e` until `until` (s).
 #[derive(Clone, Copy, Debug)]
 struct BallDrop {
     e: f64,
     until: f64,
 }
 
-/// The drop with its answer.
 #[derive(Debug)]
 pub(super) struct BallScenario {
     drop: BallDrop,
@@ -28,36 +27,36 @@ pub(super) struct BallScenario {
     reference: Reference<SmallModel>,
 }
 
-/// As long as the other codes are measured on it: ten impacts.
+/// Returns ten impacts, on which other codes are measured.
 pub(super) fn ten_impacts() -> Result<BallScenario, BadFile> {
     BallDrop { e: 0.8, until: 3.6 }.answered(10, None)
 }
 
-/// Rests from 4.06 s on; the first ten impacts are judged, and when it rests.
+/// Returns a ball that rests from 4.06 s on; its first ten impacts and its rest are judged.
 pub(super) fn rest_08() -> Result<BallScenario, BadFile> {
     let drop = BallDrop { e: 0.8, until: 5.0 };
     drop.answered(10, Some(drop.rests()))
 }
 
-/// Rests from 1.35 s on; after the eighth impact more than six are in one tick of 5 ms.
+/// Returns a ball that rests from 1.35 s on, with more than six impacts in a tick of 5 ms.
 pub(super) fn rest_05() -> Result<BallScenario, BadFile> {
     let drop = BallDrop { e: 0.5, until: 2.0 };
     drop.answered(8, Some(drop.rests()))
 }
 
 impl BallDrop {
-    /// Time of impact `n`, from 1 (s).
+    /// Returns the time of impact `n`, from 1 (s).
     fn impact(self, n: i32) -> f64 {
         let e = self.e;
         (2.0 * HEIGHT / G).sqrt() * (1.0 + 2.0 * e * (1.0 - e.powi(n - 1)) / (1.0 - e))
     }
 
-    /// When all impacts are over (s).
+    /// Returns the end of all impacts (s).
     fn rests(self) -> f64 {
         (2.0 * HEIGHT / G).sqrt() * (1.0 + self.e) / (1.0 - self.e)
     }
 
-    /// Height and speed at `t` (s), and the floor's impulse until then (N·s).
+    /// Returns height and speed at `t` (s), and the floor's impulse until then (N·s).
     fn state(self, t: f64) -> ([f64; 2], f64) {
         let n = (1..MOST).take_while(|n| self.impact(*n) <= t).count();
         let n = i32::try_from(n).unwrap_or(MOST);
@@ -70,12 +69,12 @@ impl BallDrop {
             let speed = (2.0 * G * HEIGHT).sqrt() * self.e.powi(n);
             [since * (speed - 0.5 * G * since), speed - G * since]
         };
-        // All momentum that weight does not explain.
+        // The impulse is the momentum that weight does not explain.
         (state, MASS * (state[1] + G * t))
     }
 
-    /// The scenario, judged on its first impacts, as many as `judged`, and on the time `rests`
-    /// (s), if it comes so far; otherwise there are no other impacts.
+    /// Returns the scenario, judged on its first `judged` impacts and on the time `rests` (s).
+    /// Without `rests` no other impacts are allowed.
     #[expect(clippy::large_stack_frames, reason = "once for a scenario")]
     fn answered(self, judged: i32, rests: Option<f64>) -> Result<BallScenario, BadFile> {
         const NAME: &str = "bouncing-ball";
@@ -100,7 +99,7 @@ impl BallDrop {
     }
 }
 
-/// Impacts that are told apart: e⁹⁹ is 2e-10.
+/// Maximum distinct impacts: e⁹⁹ is 2e-10.
 const MOST: i32 = 100;
 
 impl Scenario for BallScenario {

@@ -1,12 +1,12 @@
 //! Elliptic functions, by the arithmetic-geometric mean. `[AS64]` 16.4, 17.6
 
-/// Complete elliptic integral of the first kind, of the modulus `k` in 0 .. 1.
+/// Returns the complete elliptic integral of the first kind for the modulus `k` in 0 .. 1.
 pub(super) fn quarter_period(k: f64) -> f64 {
     let means = means(k);
     core::f64::consts::FRAC_PI_2 / means.last().map_or(1.0, |mean| mean.a)
 }
 
-/// sn and cn of `u` for the modulus `k`, by descending Landen transformations.
+/// Returns sn and cn of `u` for the modulus `k`, by descending Landen transformations.
 pub(super) fn sn_cn(u: f64, k: f64) -> (f64, f64) {
     let means = means(k);
     let mut phi = means.iter().skip(1).fold(u, |u, _| 2.0 * u) * means.last().map_or(1.0, |m| m.a);
@@ -23,9 +23,9 @@ struct AgmStep {
     c: f64,
 }
 
-/// All steps, from a = 1 on, until they do not change.
+/// Returns all steps from a = 1 until they do not change.
 fn means(k: f64) -> Vec<AgmStep> {
-    /// Convergence is quadratic: more are never needed below k = 1 − ε.
+    /// Convergence is quadratic: below k = 1 − ε no more are needed.
     const MOST: usize = 12;
     let (mut a, mut b) = (1.0, (1.0 - k * k).sqrt());
     let mut means = vec![AgmStep { a, c: k }];

@@ -1,7 +1,7 @@
 //! A head that meets felt, F = k xⁿ (1 + λ v): one Hunt–Crossley contact. `[HC75]`
 //!
-//! With u = 1 + λ v, u − ln u over λ² and k xⁿ⁺¹/(m (n + 1)) have a constant sum, so that the
-//! exit speed does not depend on k. Its times are quadratures: references/hunt_crossley.py.
+//! With u = 1 + λ v, (u − ln u)/λ² and k xⁿ⁺¹/(m (n + 1)) have a constant sum, so the exit speed
+//! does not depend on k. Times are quadratures: references/hunt_crossley.py.
 
 use pode::{
     Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
@@ -12,7 +12,6 @@ use super::{ExpectedEvent, ForceKind as Figure, MS, Plan, Reference, Scenario};
 
 /// Mass of the head (kg).
 const MASS: f64 = 0.01;
-/// Exponent of the felt.
 const POWER: f64 = 1.5;
 /// Loss λ (s/m).
 const LOSS: f64 = 0.6;
@@ -30,7 +29,7 @@ pub(super) struct FeltPenetration {
     depth: f64,
 }
 
-/// What is known of a contact.
+/// Known values of a contact.
 #[derive(Clone, Copy, Debug)]
 struct ContactRecord {
     felt: FeltPenetration,
@@ -41,7 +40,7 @@ struct ContactRecord {
     ticks: &'static [f64],
 }
 
-/// A felt of 1e5 N/m^1.5 at the head.
+/// Returns a felt of 1e5 N/m^1.5.
 pub(super) fn soft() -> FeltScenario {
     const TICKS: &[f64] =
         &[MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS];
@@ -53,7 +52,7 @@ pub(super) fn soft() -> FeltScenario {
     })
 }
 
-/// A felt of 1e7 N/m^1.5 at the head.
+/// Returns a felt of 1e7 N/m^1.5.
 pub(super) fn hard() -> FeltScenario {
     const TICKS: &[f64] =
         &[0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS, 0.001 * MS];
@@ -66,7 +65,7 @@ pub(super) fn hard() -> FeltScenario {
 }
 
 impl Model for FeltPenetration {
-    /// Whether the felt is touched.
+    /// `true` if the felt is touched.
     type Mode = bool;
     type State = [f64; 2];
     type Input = ();
@@ -76,7 +75,7 @@ impl Model for FeltPenetration {
         [x[1], -self.readout(touched, x, &()) / MASS]
     }
 
-    /// The force of the contact (N).
+    /// Returns the force of the contact (N).
     fn readout(&self, touched: bool, x: &[f64; 2], (): &()) -> f64 {
         if touched { self.k * x[0].max(0.0).powf(POWER) * (1.0 + LOSS * x[1]) } else { 0.0 }
     }
@@ -89,14 +88,13 @@ impl Model for FeltPenetration {
         }
     }
 
-    /// A tenth of a radian at the deepest point.
+    /// Returns a tenth of a radian at the deepest point.
     fn longest_step(&self, touched: bool) -> f64 {
         if touched { 0.1 / self.rate() } else { f64::INFINITY }
     }
 }
 
 impl FeltPenetration {
-    /// √(F'(x)/m) at the deepest point (rad/s).
     fn rate(self) -> f64 {
         (POWER * self.k * self.depth.powf(POWER - 1.0) / MASS).sqrt()
     }
@@ -109,7 +107,6 @@ impl Guarded for FeltPenetration {
         if touched { &TOUCHED } else { &[] }
     }
 
-    /// The guards are the penetration and its rate.
     fn guard_bound(
         &self,
         _touched: bool,
@@ -149,7 +146,7 @@ impl Energetic for FeltPenetration {
     }
 }
 
-/// One contact, and the flight after it.
+/// One contact and the flight after it.
 #[derive(Debug)]
 pub(super) struct FeltScenario {
     known: ContactRecord,
@@ -164,7 +161,7 @@ impl FeltScenario {
         let (until, row) = known.span;
         let flight = |t: f64| ([EXIT * (t - exit), EXIT], MASS * (SPEED - EXIT));
         let after = |t: f64| (t > exit).then_some(flight(t));
-        // In contact there is no closed form of time.
+        // The time in contact has no closed form.
         let samples = Reference::<FeltPenetration>::samples((row, until), 0.1 * MS, &[exit], after);
         let reference =
             Reference { events, is_whole: true, rest: None, names: Vec::new(), samples };

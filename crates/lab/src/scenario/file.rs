@@ -1,4 +1,4 @@
-//! Reads the references that other programs have made: a JSON and a CSV file each.
+//! Reads the references of other programs: a JSON and a CSV file each.
 
 use instruments::Described;
 use serde::Deserialize;
@@ -6,10 +6,10 @@ use serde_json::{Map, Value};
 
 use super::{ExpectedEvent, ReferenceSample};
 
-/// Samples are at least this far from every event (s).
+/// Least distance of a sample from every event (s).
 const AWAY: f64 = 0.005;
 
-/// A reference, as text.
+/// A reference as text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReferenceFile {
     pub(super) name: &'static str,
@@ -17,7 +17,7 @@ pub(super) struct ReferenceFile {
     pub(super) csv: &'static str,
 }
 
-/// The reference `$name` in `$folder`, which is part of the program.
+/// Embeds the reference `$name` of `$folder`.
 macro_rules! file {
     ($folder:literal, $name:literal) => {
         $crate::scenario::file::ReferenceFile {
@@ -29,7 +29,6 @@ macro_rules! file {
 }
 pub(super) use file;
 
-/// A reference that cannot be read.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("the reference {name} cannot be read: {what}")]
 pub struct BadFile {
@@ -38,7 +37,7 @@ pub struct BadFile {
 }
 
 impl BadFile {
-    /// What a scenario is made of is not there.
+    /// Reports a missing component of a scenario.
     pub(super) fn missing(name: &'static str, what: &str) -> Self {
         Self { name, what: format!("{what} is missing") }
     }
@@ -50,7 +49,7 @@ impl ReferenceFile {
     }
 }
 
-/// What the JSON says.
+/// Content of the JSON file.
 #[derive(Debug, Deserialize)]
 pub(super) struct ReferenceCase {
     parameters: Map<String, Value>,
@@ -72,7 +71,7 @@ struct ReferenceEvent {
     to: String,
 }
 
-/// Numbers stand as numbers, or as text where they have more digits.
+/// Parses a number, which is text if it has more digits than JSON numbers.
 fn number(value: &Value) -> Option<f64> {
     value.as_f64().or_else(|| value.as_str()?.parse().ok())
 }
@@ -82,7 +81,7 @@ impl ReferenceCase {
         serde_json::from_str(file.json).map_err(|error| file.wrong(error))
     }
 
-    /// `model` with the case's parameters, and its first preset's for the others.
+    /// Returns `model` with the case's parameters; the others are of its first preset.
     pub(super) fn model<M: Described>(&self, model: &M) -> M {
         let entry = model.entry();
         let value = |index: usize, name: &str| {
@@ -95,14 +94,13 @@ impl ReferenceCase {
         model.with_values(&values)
     }
 
-    /// Size, time and width of each term of the input.
+    /// Returns size, time and width of each term of the input.
     pub(super) fn input_terms(&self, file: &ReferenceFile) -> Result<Vec<[f64; 3]>, BadFile> {
         let term = |[a, tc, w]: &[Value; 3]| Some([number(a)?, number(tc)?, number(w)?]);
         let terms: Option<_> = self.input.terms.iter().map(term).collect();
         terms.ok_or_else(|| file.wrong("a term of the input is no number"))
     }
 
-    /// End (s).
     pub(super) fn until(&self, file: &ReferenceFile) -> Result<f64, BadFile> {
         number(&self.t_end).ok_or_else(|| file.wrong("t_end is no number"))
     }
@@ -119,7 +117,7 @@ impl ReferenceCase {
         self.events.iter().map(event).collect()
     }
 
-    /// The rows of the trajectory that are away from the events.
+    /// Returns the rows of the trajectory that are not close to events.
     pub(super) fn samples<M: Described>(
         &self,
         model: &M,
@@ -138,7 +136,6 @@ fn mode<M: Described>(model: &M, file: &ReferenceFile, name: &str) -> Result<M::
     known.map(|(mode, _)| mode).ok_or_else(|| file.wrong(format_args!("no mode {name}")))
 }
 
-/// Rows of the trajectory file.
 struct TrajectoryRows<M: Described>(Vec<ReferenceSample<M::State>>);
 
 impl<M: Described> TrajectoryRows<M> {

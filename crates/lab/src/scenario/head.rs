@@ -1,7 +1,7 @@
 //! A hammer head that falls on a lossless spring: contacts as short as 0.1 ms.
 //!
-//! In contact x'' = −ω² x − g: it lasts 2(π − atan(v ω/g))/ω, the deepest point lies in its
-//! middle, and the head leaves as fast as it came.
+//! In contact x'' = −ω² x − g: it lasts 2(π − atan(v ω/g))/ω, is deepest in its middle, and the
+//! head leaves with its entry speed.
 
 use pode::{
     Enclosure, Energetic, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model,
@@ -13,13 +13,13 @@ use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
 const G: f64 = 9.81;
 /// Mass of the head (kg).
 const MASS: f64 = 0.01;
-/// Speed at which it meets the spring (m/s).
+/// Speed on touching the spring (m/s).
 const SPEED: f64 = 1.0;
 /// End (s), about five contacts.
 const UNTIL: f64 = 1.0;
-/// More bounces than there are until then.
+/// Upper bound of the bounces until the end.
 const MOST_BOUNCES: u32 = 10;
-/// Part of a radian of the contact's oscillation that a step may take.
+/// Longest step in radians of the contact's oscillation.
 const RADIANS: f64 = 0.05;
 
 /// A head that falls on F = −k min(x, 0): height (m) and speed (m/s).
@@ -29,7 +29,7 @@ pub(super) struct FallingHead {
     k: f64,
 }
 
-/// Whether the head is in flight or on the felt.
+/// Flight or contact with the felt.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Mode {
     Flight,
@@ -44,22 +44,21 @@ const CONTACT: [GuardSpec; 2] = [
 ];
 
 impl FallingHead {
-    /// The contact's frequency (rad/s).
+    /// Returns the contact's frequency (rad/s).
     fn omega(self) -> f64 {
         (self.k / MASS).sqrt()
     }
 
-    /// How long a contact lasts (s).
+    /// Returns the duration of a contact (s).
     fn contact(self) -> f64 {
         2.0 * (std::f64::consts::PI - (SPEED * self.omega() / G).atan()) / self.omega()
     }
 
-    /// From one touch to the next (s).
+    /// Returns the time between touches (s).
     fn period(self) -> f64 {
         self.contact() + 2.0 * SPEED / G
     }
 
-    /// Events until the end.
     fn events(self) -> Vec<ExpectedEvent<Self>> {
         let bounce = |n: u32| {
             let at = |t: f64, guard: &str, to| ExpectedEvent {
@@ -76,7 +75,7 @@ impl FallingHead {
         (0..MOST_BOUNCES).flat_map(bounce).take_while(|event| event.t < UNTIL).collect()
     }
 
-    /// Height and speed at `t` (s), and the spring's impulse until then (N·s).
+    /// Returns height and speed at `t` (s), and the spring's impulse until then (N·s).
     fn state(self, t: f64) -> ([f64; 2], f64) {
         let since = t % self.period();
         let state = if since < self.contact() {
@@ -101,7 +100,7 @@ impl Model for FallingHead {
         [x[1], self.readout(mode, x, &()) / MASS - G]
     }
 
-    /// The force of the contact (N).
+    /// Returns the force of the contact (N).
     fn readout(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
         match mode {
             Mode::Flight => 0.0,
@@ -130,7 +129,6 @@ impl Guarded for FallingHead {
         }
     }
 
-    /// The guards are the height and the speed, with either sign.
     fn guard_bound(
         &self,
         _mode: Mode,
@@ -170,14 +168,14 @@ impl Energetic for FallingHead {
     }
 }
 
-/// The head, with its contacts.
+/// The head with its contacts.
 #[derive(Debug)]
 pub(super) struct HeadScenario {
     head: FallingHead,
     reference: Reference<FallingHead>,
 }
 
-/// Builds it with a stiffness of 10 to the `EXPONENT` (N/m).
+/// Builds the scenario with a stiffness of 10 to the `EXPONENT` (N/m).
 pub(super) fn build<const EXPONENT: i32>() -> HeadScenario {
     let head = FallingHead { k: 10_f64.powi(EXPONENT) };
     let events = head.events();
@@ -207,7 +205,7 @@ impl Scenario for HeadScenario {
     }
 }
 
-/// Steps down to 5 µs (s): a contact of 0.1 ms wants them.
+/// Steps down to 5 µs (s), as a contact of 0.1 ms requires.
 const TICKS: &[f64] =
     &[5.0 * MS, 2.5 * MS, MS, 0.5 * MS, 0.2 * MS, 0.1 * MS, 0.05 * MS, 0.02 * MS, 0.005 * MS];
 
@@ -217,7 +215,6 @@ mod tests {
 
     #[test]
     fn contacts_are_those_of_40_digit_arithmetic() {
-        /// Stiffness, contact time, deepest point, period.
         const KNOWN: [[f64; 4]; 3] = [
             [1e3, 0.010_130_725_363_703_42, 0.003_261_898_920_601_624, 0.214_004_323_732_714_6],
             [1e5, 0.000_995_420_820_285_805_5, 0.000_317_210_287_639_522_7, 0.204_869_019_189_297],

@@ -3,19 +3,18 @@
 use pode::Motion;
 use pode::series::add_bell;
 
-/// An input that is a sum of terms, each of a size, a time and a width.
+/// An input that is a sum of terms with size, time and width.
 pub(super) trait TermInput: Copy {
-    /// The input of these (A, tc (s), w (s)), if it has as many of them.
+    /// Returns the input of these (A, tc (s), w (s)), if their number is right.
     fn of(terms: &[[f64; 3]]) -> Option<Self>;
 
-    /// The input at `t` (s).
     fn at(&self, t: f64) -> Motion;
 
-    /// Adds the coefficients of the input at t + dt τ (s) by power of τ to `terms`.
+    /// Adds to `terms` the coefficients of the input at t + dt τ (s) by power of τ.
     fn add_series(&self, time: (f64, f64), terms: &mut [f64]);
 }
 
-/// A, tc (s) and 1/w (1/s) of each term.
+/// Returns A, tc (s) and 1/w (1/s) of each term.
 fn inverted<const N: usize>(terms: &[[f64; 3]]) -> Option<[[f64; 3]; N]> {
     let terms: &[[f64; 3]; N] = terms.try_into().ok()?;
     Some(terms.map(|[a, tc, w]| [a, tc, 1.0 / w]))
@@ -74,7 +73,7 @@ impl<const N: usize> TermInput for Presses<N> {
         motion
     }
 
-    /// With y = tanh z each coefficient of y takes one of 1 − y² before it.
+    /// With y = tanh z each coefficient of y needs one of 1 − y² before it.
     fn add_series(&self, (t, dt): (f64, f64), terms: &mut [f64]) {
         for [a, tc, per_w] in self.0 {
             let mut tanh = vec![((t - tc) * per_w).tanh()];
@@ -102,7 +101,6 @@ mod tests {
     #[track_caller]
     fn check(input: impl TermInput) {
         for t in [0.1, 0.35, 0.5, 0.78] {
-            // A central difference errs by h²/6 of the third derivative, here below 1e5.
             let h = 1e-6;
             let (before, now, after) = (input.at(t - h), input.at(t), input.at(t + h));
             let slope = |of: fn(&Motion) -> f64| (of(&after) - of(&before)) / (2.0 * h);

@@ -1,10 +1,8 @@
 //! Problems with known answers: one file each.
 //!
-//! A scenario is a model, where it starts, its input as an exact function of time, and a
-//! [`Reference`]: the events and states that are right, in closed form or from independent
-//! programs that agree. Models that are no instruments live here, beside their answers.
-//!
-//! To add one, copy `pendulum.rs`, and name it in [`SCENARIOS`].
+//! A scenario is a model, its start, its input as an exact function of time, and a [`Reference`]:
+//! the right events and states, in closed form or from independent programs that agree. Models
+//! that are not instruments are defined here. Copy `pendulum.rs` and list it in [`SCENARIOS`].
 
 mod ball;
 mod elliptic;
@@ -33,17 +31,12 @@ use self::head::HeadScenario;
 use self::pendulum::PendulumScenario;
 use self::stroke::{GrandStroke, RigidStroke, SpringsStroke};
 
-/// Milliseconds (s).
 pub(crate) const MS: f64 = 1e-3;
 
-/// Steps (s) over which a stroke of a key is studied: all divide 5 ms.
+/// Steps of a key's stroke (s): all divide 5 ms.
 const TICKS: &[f64] = &[5.0 * MS, 2.5 * MS, 1.0 * MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS];
 
-/// The stroke of the paper's figure 6 on model B, with what is right.
-///
-/// # Errors
-/// When its reference cannot be read.
-/// Returns the model of the program called `name`, with its type, if it is small.
+/// Returns the built-in model `name` with its type, if it is small.
 fn small(name: &str) -> Option<SmallModel> {
     Library::default().find(name, Path::new("")).ok()?.small()
 }
@@ -64,65 +57,58 @@ pub type ModeOf<S> = <<S as Scenario>::Model as Model>::Mode;
 /// A state of a scenario's model.
 pub type StateOf<S> = <<S as Scenario>::Model as Model>::State;
 
-/// A problem whose answer is known.
+/// A problem with a known answer.
 pub trait Scenario {
     type Model: Studied;
 
-    /// Returns how long the scenario lasts and how it is studied.
     fn plan(&self) -> Plan;
 
-    /// Returns the model, and mode and state at t = 0.
+    /// Returns the model, with mode and state at t = 0.
     fn start(&self) -> (Self::Model, ModeOf<Self>, StateOf<Self>);
 
     /// Returns the exact input at `t` (s).
     fn input(&self, t: f64) -> InputOf<Self>;
 
-    /// Writes the input at t + dt τ (s) as a power series in τ; returns `false` where it has none.
+    /// Writes the input at t + dt τ (s) as a power series in τ; returns `false` if it has none.
     fn input_series(&self, _time: (f64, f64), _out: &mut [InputOf<Self>]) -> bool {
         false
     }
 
-    /// Returns the events and states that are right.
     fn reference(&self) -> &Reference<Self::Model>;
 }
 
-/// How long a scenario lasts, over which steps it is studied, and what is felt.
+/// Duration of a scenario, its steps, and the compared force.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Plan {
-    /// End of the run (s).
     pub until: f64,
-    /// Ticks to run it with (s), the longest first; each divides the time between samples.
+    /// Ticks (s), the longest first; each divides the time between samples.
     pub ticks: &'static [f64],
-    /// Tick (s) for methods that choose their steps themselves.
+    /// Tick (s) for methods that choose their steps.
     pub offline_tick: f64,
-    /// Which figure of the force is compared.
     pub felt: ForceKind,
 }
 
-/// Which force a sample has.
+/// Kind of the force in samples.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ForceKind {
-    /// The readout at that time.
     Readout,
-    /// The readout's integral since the start, impulses included, for contacts that are
-    /// shorter than a tick.
+    /// The readout's integral since the start with impulses, for contacts shorter than a tick.
     Impulse,
 }
 
-/// A scenario by its name.
+/// A scenario with its name.
 #[derive(Clone, Copy, Debug)]
 pub struct ScenarioEntry {
-    /// Name on the command line, and of the plot.
+    /// Name on the command line and of the plot.
     pub name: &'static str,
-    /// What the problem is, in one line.
+    /// Problem in one line.
     pub title: &'static str,
-    /// Where the reference comes from, in one sentence.
+    /// Source of the reference in one sentence.
     pub source: &'static str,
     build: Build,
 }
 
-/// How a scenario of each type is built: from a closed form, or from a reference that is part of
-/// the program.
+/// Constructor of a scenario: from a closed form, or from an embedded reference.
 #[derive(Clone, Copy, Debug)]
 enum Build {
     Ball(fn() -> Result<BallScenario, BadFile>),
@@ -134,19 +120,15 @@ enum Build {
     Grand(fn() -> Result<GrandStroke, BadFile>),
 }
 
-/// Something to be done with a scenario whose type is known by its name only.
+/// An operation on a scenario whose type is known by its name only.
 pub(crate) trait ScenarioVisitor {
     type Output;
 
-    /// Does something with a scenario of its own type.
     fn visit<S: Scenario + 'static>(self, scenario: S) -> Self::Output;
 }
 
 impl ScenarioEntry {
-    /// Builds the scenario and hands it to `visitor`.
-    ///
-    /// # Errors
-    /// When its reference cannot be read.
+    /// Builds the scenario and passes it to `visitor`.
     #[expect(clippy::large_stack_frames, reason = "once for a scenario")]
     pub(crate) fn visit<V: ScenarioVisitor>(&self, visitor: V) -> Result<V::Output, BadFile> {
         Ok(match self.build {
@@ -174,13 +156,12 @@ const fn read(
     ScenarioEntry { name, title, source, build }
 }
 
-/// What is known of the files that were given with the models.
+/// Origin of the references that came with the models.
 const GIVEN: &str = "Reference: three independent integrators, agreeing to 1e-19 s or better.";
-/// What is known of the files of this crate.
+/// Origin of this crate's references.
 const MADE: &str =
     "Reference: Taylor series in 240 bits and extrapolation in 113 bits, agreeing to 1e-23 s.";
 
-/// The scenarios of the study, by name.
 pub const SCENARIOS: &[ScenarioEntry] = &[
     closed("ball", "a ball with restitution 0.8, ten impacts", Build::Ball(ball::ten_impacts)),
     closed("ball-rest-0.8", "the same until it rests: a Zeno sequence", Build::Ball(ball::rest_08)),
@@ -271,7 +252,7 @@ mod tests {
         assert!(names.iter().all(|name| name.chars().all(fits)), "{names:?}");
     }
 
-    /// What is wrong with the ticks: each must divide the run and the times of samples.
+    /// Checks that each tick divides the run and the times of samples.
     struct Misfit;
 
     impl ScenarioVisitor for Misfit {

@@ -1,7 +1,7 @@
 //! A pendulum against a wall at its lowest point: impacts that never accumulate.
 //!
 //! x'' = −ω0² sin x, v⁺ = −e v⁻ at x = 0. Between impacts x = 2 asin(k sn(ω0 τ, k)) with
-//! k = v/(2 ω0), so that each swing lasts 2 K(k)/ω0.
+//! k = v/(2 ω0), so each swing lasts 2 K(k)/ω0.
 
 use pode::EquationKind;
 use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Nature};
@@ -13,9 +13,9 @@ use super::{ExpectedEvent, ForceKind, MS, Plan, Reference, Scenario};
 /// ω0² (1/s²).
 const STIFFNESS: f64 = 9.81;
 const RESTITUTION: f64 = 0.9;
-/// Angle from which it is let go (rad).
+/// Initial angle, at rest (rad).
 const START: f64 = 1.2;
-/// The tenth impact is at 9.899 s.
+/// End (s); the tenth impact is at 9.899 s.
 const UNTIL: f64 = 10.0;
 
 /// Angle (rad) and its rate (rad/s). The readout is the wall's, per unit of inertia.
@@ -40,7 +40,7 @@ impl Model for Pendulum {
         Nature::new(EquationKind::Conservative, STIFFNESS.sqrt())
     }
 
-    /// A tenth of a radian of the smallest swing.
+    /// Returns a tenth of a radian of the smallest swing.
     fn longest_step(&self, (): ()) -> f64 {
         0.1 / STIFFNESS.sqrt()
     }
@@ -52,7 +52,6 @@ impl Guarded for Pendulum {
         &WALL
     }
 
-    /// The guard is the angle.
     fn guard_bound(&self, (): (), _guard: GuardId, over: &Enclosure<[f64; 2], ()>) -> GuardBound {
         over.entry(0)
     }
@@ -79,13 +78,12 @@ impl Energetic for Pendulum {
     }
 }
 
-/// The pendulum, with its impacts.
+/// The pendulum with its impacts.
 #[derive(Debug)]
 pub(super) struct PendulumScenario {
     reference: Reference<Pendulum>,
 }
 
-/// Returns the scenario with its reference.
 pub(super) fn build() -> PendulumScenario {
     let impacts = impacts();
     let event = |(t, _): &(f64, f64)| ExpectedEvent { t: *t, guard: "wall".to_owned(), to: () };
@@ -98,7 +96,7 @@ pub(super) fn build() -> PendulumScenario {
     PendulumScenario { reference }
 }
 
-/// Times (s) of the impacts until the end, and the speeds after them (rad/s).
+/// Returns the times (s) of the impacts until the end, and the speeds after them (rad/s).
 fn impacts() -> Vec<(f64, f64)> {
     let omega = STIFFNESS.sqrt();
     let k = (0.5 * START).sin();
@@ -110,7 +108,7 @@ fn impacts() -> Vec<(f64, f64)> {
     std::iter::successors(Some(first), next).take_while(|(t, _)| *t < UNTIL).collect()
 }
 
-/// Angle and rate at `t` (s), and the wall's impulses until then.
+/// Returns angle and rate at `t` (s), and the wall's impulses until then.
 fn state(impacts: &[(f64, f64)], t: f64) -> ([f64; 2], f64) {
     let omega = STIFFNESS.sqrt();
     let swing = impacts.iter().rfind(|(at, _)| *at <= t);

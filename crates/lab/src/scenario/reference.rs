@@ -1,50 +1,43 @@
-//! What is right: events in their order, and states away from them.
+//! The reference: events in their order, and states away from them.
 
 use pode::Model;
 
-/// An event that must happen.
+/// An event that must occur.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ExpectedEvent<M: Model> {
-    /// Time of the event (s).
     pub t: f64,
     pub guard: String,
     pub to: M::Mode,
 }
 
-/// State and force at one time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ReferenceSample<S> {
-    /// Time of the sample (s).
     pub t: f64,
     pub state: S,
-    /// The force that [`ForceKind`](super::ForceKind) says, in the readout's unit or that times s.
+    /// Force of the kind [`ForceKind`](super::ForceKind), in the readout's unit or that times s.
     pub force: f64,
 }
 
-/// The events and states that are right.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reference<M: Model> {
-    /// The events, in their order.
     pub events: Vec<ExpectedEvent<M>>,
-    /// Whether nothing else happens until the end; otherwise the first events are judged.
+    /// `true` if no other event occurs until the end; otherwise only the first events are judged.
     pub is_whole: bool,
-    /// The last mode and when it is entered (s), where events without number lead to it.
+    /// Last mode and its entry (s), if events without number lead to it.
     pub rest: Option<(f64, M::Mode)>,
-    /// Names of modes; others are called as `Debug` has them.
+    /// Names of modes; for others `Debug` provides them.
     pub names: Vec<(M::Mode, &'static str)>,
-    /// States away from the events.
     pub samples: Vec<ReferenceSample<M::State>>,
 }
 
 impl<M: Model> Reference<M> {
-    /// What people call `mode`.
     pub(crate) fn mode_name(&self, mode: M::Mode) -> String {
         let name = self.names.iter().find(|(known, _)| *known == mode);
         name.map_or_else(|| format!("{mode:?}"), |(_, name)| (*name).to_owned())
     }
 
-    /// Samples every `row` (s) until `until` (s), `away` (s) or more from every time in
-    /// `events` and not at the start; `at` gives state and force, where it knows them.
+    /// Samples every `row` (s) until `until` (s), at least `away` (s) from every time in `events`
+    /// and not at the start; `at` returns state and force, where they are known.
     pub(super) fn samples(
         (row, until): (f64, f64),
         away: f64,

@@ -9,7 +9,6 @@ use super::file::{BadFile, ReferenceCase, ReferenceFile, file};
 use super::input::{Bells, Presses, TermInput};
 use super::{ForceKind, MS, ModeOf, Plan, Reference, Scenario, StateOf};
 
-/// A model under a stroke.
 #[derive(Debug)]
 pub(super) struct StrokeScenario<I> {
     model: SmallModel,
@@ -19,7 +18,7 @@ pub(super) struct StrokeScenario<I> {
     reference: Reference<SmallModel>,
 }
 
-/// Over which ticks a stroke is studied.
+/// Ticks over which a stroke is studied.
 #[derive(Clone, Copy, Debug)]
 struct StrokeTicks {
     ticks: &'static [f64],
@@ -32,7 +31,7 @@ impl StrokeTicks {
 }
 
 impl<I: TermInput> StrokeScenario<I> {
-    /// Reads the case of the model `name` in `file`, whose trajectory has the readout in `column`.
+    /// Reads the case of the model `name` in `file`; `column` of its trajectory is the readout.
     #[expect(clippy::large_stack_frames, reason = "once for a scenario")]
     fn read(
         (name, column): (&str, &str),
@@ -68,7 +67,7 @@ impl<I: TermInput> Scenario for StrokeScenario<I> {
         Plan { until, ticks, offline_tick, felt: ForceKind::Readout }
     }
 
-    /// At rest under s = 0; what a mode slaves to the input, the first tick puts in place.
+    /// Starts at rest under s = 0; the first tick sets the values that a mode slaves to the input.
     fn start(&self) -> (SmallModel, ModeOf<Self>, StateOf<Self>) {
         let (mode, state) = self.model.at_rest(&Motion::default());
         (self.model.clone(), mode, state)
@@ -101,31 +100,28 @@ pub(super) type SpringsStroke = StrokeScenario<Bells<3>>;
 /// Model C under a press and its release.
 pub(super) type GrandStroke = StrokeScenario<Presses<2>>;
 
-/// The trajectories' column of the readout of models A and B.
+/// Column of the readout in the trajectories of models A and B.
 const TORQUE: &str = "T_KU";
 
-/// Returns model A under two throws.
 pub(super) fn two_throws() -> Result<RigidStroke, BadFile> {
     let file = file!("../../../instruments/tests/reference/", "model-a-two-throws");
     StrokeScenario::read(("key-hammer-rigid", TORQUE), &file, StrokeTicks::USUAL)
 }
 
-/// Model B, as the paper has it.
+/// Returns model B, as in the paper.
 pub(super) fn figure_6() -> Result<SpringsStroke, BadFile> {
     springs(&file!("../../../instruments/tests/reference/", "model-b-figure6"), StrokeTicks::USUAL)
 }
 
-/// Model B, 10 times stiffer.
 pub(super) fn stiff_10() -> Result<SpringsStroke, BadFile> {
     springs(&file!("../../../instruments/tests/reference/", "model-b-stiff-10"), StrokeTicks::USUAL)
 }
 
-/// Model B, 100 times stiffer.
 pub(super) fn stiff_100() -> Result<SpringsStroke, BadFile> {
     springs(&file!("../../references/", "model-b-stiff-100"), StrokeTicks::USUAL)
 }
 
-/// Model B, 1e4 times stiffer: 2600 rad/s.
+/// Returns model B, 1e4 times stiffer: 2600 rad/s.
 pub(super) fn stiff_10000() -> Result<SpringsStroke, BadFile> {
     const TICKS: &[f64] =
         &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.02 * MS, 0.01 * MS];
@@ -133,7 +129,7 @@ pub(super) fn stiff_10000() -> Result<SpringsStroke, BadFile> {
     springs(&file!("../../references/", "model-b-stiff-10000"), pace)
 }
 
-/// Model C: a forte, held and released.
+/// Returns model C: a forte, held and released.
 pub(super) fn forte() -> Result<GrandStroke, BadFile> {
     const TICKS: &[f64] =
         &[5.0 * MS, MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS];

@@ -1,36 +1,34 @@
-//! An axis of a map: what is changed, from where to where.
+//! An axis of a map: its variable and its ends.
 
 use super::quantity::{FINGERS, LoopQuantity, LoopValues};
 
-/// Ratio of the ends from which on an axis is logarithmic.
+/// Ratio of the ends from which an axis is logarithmic.
 const DECADE: f64 = 10.0;
 
-/// What an axis changes.
+/// Variable of an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum AxisTarget {
-    /// A quantity of the loop.
     Quantity(LoopQuantity),
-    /// The parameter of the model at this place.
+    /// Index of a parameter of the model.
     Parameter(usize),
 }
 
-/// An axis: what is changed, and between which values.
+/// An axis: its variable, with its ends.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MapAxis {
     pub target: AxisTarget,
     /// Name on the command line, and for people.
     pub name: String,
     pub title: String,
-    /// Unit of its values.
     pub unit: String,
-    /// Unit in pictures, and how many of it are one of the values' unit.
+    /// Unit in pictures, and its number per unit of the values.
     pub shown: (String, f64),
-    /// The ends (in the values' unit).
+    /// Ends (in the values' unit).
     pub ends: (f64, f64),
 }
 
 impl MapAxis {
-    /// Returns the axis of a quantity, between values of it (SI).
+    /// Returns the axis of a quantity, between values (SI).
     pub fn of_quantity(quantity: LoopQuantity, ends: (f64, f64)) -> Self {
         let entry = quantity.entry();
         let (unit, per) = entry.shown;
@@ -44,22 +42,22 @@ impl MapAxis {
         }
     }
 
-    /// Returns whether it has a few names in the place of numbers.
+    /// Returns the names of its values, if they are not numbers.
     pub fn names(&self) -> Option<&'static [&'static str]> {
         (self.target == AxisTarget::Quantity(LoopQuantity::Finger)).then_some(&FINGERS)
     }
 
-    /// Whether equal ways along it are equal ratios: between ends of one sign, a decade apart.
+    /// Returns `true` if it is logarithmic: between ends of one sign, a decade apart.
     pub fn is_logarithmic(&self) -> bool {
         self.ends.0 > 0.0 && self.ends.1 / self.ends.0 >= DECADE
     }
 
-    /// How many cells it has where `wanted` are.
+    /// Returns its number of cells if `wanted` are asked for.
     pub fn cells(&self, wanted: usize) -> usize {
         self.names().map_or(wanted, <[_]>::len)
     }
 
-    /// Returns the value at a part of the axis, 0 to 1.
+    /// Returns the value at a fraction of the axis, 0 to 1.
     pub fn value(&self, part: f64) -> f64 {
         let (low, high) = self.ends;
         if let Some(names) = self.names() {
@@ -73,7 +71,7 @@ impl MapAxis {
         }
     }
 
-    /// Returns which part of the axis is at `value`.
+    /// Returns the fraction of the axis at `value`.
     pub fn part(&self, value: f64) -> f64 {
         let (low, high) = self.ends;
         if let Some(names) = self.names() {
@@ -86,7 +84,7 @@ impl MapAxis {
         }
     }
 
-    /// Returns what is wrong with it, in a sentence.
+    /// Describes an invalid axis in a sentence.
     pub fn mistake(&self) -> Option<String> {
         let (low, high) = self.ends;
         let is_range = low.is_finite() && high.is_finite() && low < high;
@@ -101,16 +99,16 @@ impl MapAxis {
     }
 }
 
-/// Values of a loop and of its model: a place in a map.
+/// Values of a loop and of its model: a point of a map.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LoopPoint {
     pub values: LoopValues,
-    /// One value per parameter of the model; none for a wall.
+    /// One value per parameter of the model; empty for a wall.
     pub parameters: Vec<f64>,
 }
 
 impl LoopPoint {
-    /// Returns this place with another value along `axis`.
+    /// Returns this point with another value along `axis`.
     #[must_use]
     pub fn with(mut self, axis: &MapAxis, value: f64) -> Self {
         match axis.target {

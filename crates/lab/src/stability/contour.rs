@@ -1,6 +1,6 @@
-//! Where a function of two variables is zero: lines from square to square, joined.
+//! Zero lines of a function of two variables, joined from square to square.
 
-/// A place in the unit square.
+/// A point of the unit square.
 pub(super) type MapPlace = (f64, f64);
 
 /// Squares along each side.
@@ -9,8 +9,8 @@ const SQUARES: usize = 96;
 /// Returns the lines in the unit square along which `margin` is zero.
 ///
 /// In each square of a grid the zeros on the edges are joined, interpolated between the corners;
-/// where all four edges have one, the two that are nearest. Neighbours share the place on their
-/// edge to the last bit, by which the pieces are put together.
+/// of four zeros, the two nearest. Neighbours share the zero on their common edge bit for bit, so
+/// the segments can be joined.
 pub(super) fn zero_lines(margin: &dyn Fn(MapPlace) -> f64) -> Vec<Vec<MapPlace>> {
     let at = |place: usize| place as f64 / SQUARES as f64;
     let row = |y: usize| (0..=SQUARES).map(|x| margin((at(x), at(y)))).collect::<Vec<_>>();
@@ -32,7 +32,7 @@ pub(super) fn zero_lines(margin: &dyn Fn(MapPlace) -> f64) -> Vec<Vec<MapPlace>>
     joined(pieces)
 }
 
-/// The pieces of a line within a square with these corners, around it.
+/// Returns the segments of a line within a square with these corners, around it.
 fn pieces_of(corners: &[(MapPlace, f64); 4]) -> Vec<[MapPlace; 2]> {
     let edges = (0..4).filter_map(|it| zero(corners[it], corners[(it + 1) % 4]));
     let zeros: Vec<_> = edges.collect();
@@ -43,9 +43,8 @@ fn pieces_of(corners: &[(MapPlace, f64); 4]) -> Vec<[MapPlace; 2]> {
     }
 }
 
-/// The zero between two corners, if their signs differ.
 fn zero(a: (MapPlace, f64), b: (MapPlace, f64)) -> Option<MapPlace> {
-    // In one order, whichever square asks.
+    // The order must not depend on the square.
     let (a, b) = if a.0 < b.0 { (a, b) } else { (b, a) };
     let differ = (a.1 > 0.0) != (b.1 > 0.0);
     let share = if (a.1 - b.1).is_finite() { a.1 / (a.1 - b.1) } else { 0.5 };
@@ -53,7 +52,7 @@ fn zero(a: (MapPlace, f64), b: (MapPlace, f64)) -> Option<MapPlace> {
     differ.then(|| (between(a.0.0, b.0.0), between(a.0.1, b.0.1)))
 }
 
-/// Puts pieces together that end where another begins.
+/// Joins segments with common ends.
 fn joined(mut pieces: Vec<[MapPlace; 2]>) -> Vec<Vec<MapPlace>> {
     let mut lines = Vec::new();
     while let Some([a, b]) = pieces.pop() {
@@ -69,7 +68,7 @@ fn joined(mut pieces: Vec<[MapPlace; 2]>) -> Vec<Vec<MapPlace>> {
     lines
 }
 
-/// Takes out the piece that has an end at `end`, and returns its other one.
+/// Removes the segment with an end at `end`, and returns its other end.
 fn take_from(pieces: &mut Vec<[MapPlace; 2]>, end: MapPlace) -> Option<MapPlace> {
     let found = pieces.iter().position(|it| it.contains(&end))?;
     let [a, b] = pieces.swap_remove(found);
@@ -87,7 +86,7 @@ mod tests {
         let line = &lines[0];
         assert_eq!(line.first(), line.last());
         for (x, y) in line {
-            // The function is a cone: bent across an edge by 1 / radius times its square over 8.
+            // The function is a cone, bent across an edge by 1 / radius times its square over 8.
             let error = (x - 0.5).hypot(y - 0.5) - 0.3;
             assert!(error.abs() < 1.0 / 0.3 / 8.0 / (SQUARES * SQUARES) as f64, "{error}");
         }

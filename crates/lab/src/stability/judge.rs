@@ -1,41 +1,37 @@
-//! Whether a loop that was knocked comes to rest.
+//! Judges whether a knocked loop comes to rest.
 //!
-//! After the knock come four windows of the same length. In each, the mean square of the key's
-//! velocity says how much its damper takes, and the range of the force how much the loop does.
-//! Nobody is there to put energy in, so both must fall from window to window. What falls is at
-//! rest sooner or later; what grows makes energy; what stays rings for ever. The first window is
-//! left out: the knock is still in it.
+//! Four windows of equal length follow the knock. In each, the mean square of the key's velocity
+//! measures the dissipation of its damper, and the range of the force the activity of the loop.
+//! Without a source of energy both must fall from window to window: falling means rest, growing
+//! means generated energy, constant means ringing. The first window, with the knock, is ignored.
 
 use serde::Serialize;
 
-/// Mean square of a velocity that is none: a micrometre in a second (m²/s²).
+/// Mean square of a velocity that counts as zero: a micrometre in a second (m²/s²).
 const STILL: f64 = 1e-12;
 
-/// Square of a range of forces that no finger feels: a hundredth of a newton (N²).
+/// Square of a force range below perception: a hundredth of a newton (N²).
 const STEADY: f64 = 1e-4;
 
-/// What falls by less than this share from a window to the next stays as it is.
+/// Share by which a value must fall from window to window; less counts as constant.
 const SHARE: f64 = 0.02;
 
-/// How a loop goes on after a knock.
+/// Behaviour of a loop after a knock.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LoopVerdict {
-    /// It comes to rest.
     Rests,
-    /// It goes on for ever, and grows no more.
+    /// Moves for ever without growing.
     Rings,
-    /// Its motion grows, or its voice was muted because it made energy.
+    /// Its motion grows, or its voice was muted because it generated energy.
     MakesEnergy,
-    /// Its model cannot be followed.
     Fails,
 }
 
 impl LoopVerdict {
-    /// Every verdict, the best first.
+    /// All verdicts, the best first.
     pub const ALL: [Self; 4] = [Self::Rests, Self::Rings, Self::MakesEnergy, Self::Fails];
 
-    /// Returns it in words.
     pub const fn title(self) -> &'static str {
         match self {
             Self::Rests => "comes to rest",
@@ -46,10 +42,10 @@ impl LoopVerdict {
     }
 }
 
-/// What was seen in one window.
+/// Measurements of one window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WindowSums {
-    /// Sum of squares of velocity (m²/s²), and of how many.
+    /// Sum of squares of velocity (m²/s²), and their number.
     squares: f64,
     count: f64,
     /// Smallest and largest force (N).
@@ -63,7 +59,7 @@ impl Default for WindowSums {
 }
 
 impl WindowSums {
-    /// Enters a velocity (m/s) and the force (N) on the key.
+    /// Adds a velocity (m/s) and the force (N) on the key.
     pub(super) fn enter(&mut self, velocity: f64, force: f64) {
         self.squares += velocity * velocity;
         self.count += 1.0;
@@ -80,7 +76,6 @@ impl WindowSums {
     }
 }
 
-/// Tells how the loop goes on that was seen in these windows.
 pub(super) fn judge(windows: &[WindowSums; 4]) -> LoopVerdict {
     let motion = windows.map(|it| it.mean_square());
     let force = windows.map(|it| it.force_square());
@@ -98,7 +93,7 @@ enum Trend {
     Grows,
 }
 
-/// How a square develops that is as good as zero at `floor`.
+/// Returns the trend of a square that counts as zero below `floor`.
 fn trend([_, second, third, fourth]: [f64; 4], floor: f64) -> Trend {
     let falls = |from: f64, to: f64| to < (1.0 - SHARE) * from;
     if fourth <= floor || falls(second, third) && falls(third, fourth) {
@@ -114,7 +109,7 @@ fn trend([_, second, third, fourth]: [f64; 4], floor: f64) -> Trend {
 mod tests {
     use super::*;
 
-    /// Windows of 100 samples of a motion that changes by `factor` per sample.
+    /// Returns windows of 100 samples of a motion that changes by `factor` per sample.
     fn windows(factor: f64, force: f64) -> [WindowSums; 4] {
         let mut windows = [WindowSums::default(); 4];
         let mut velocity = 0.1_f64;

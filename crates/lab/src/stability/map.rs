@@ -1,4 +1,4 @@
-//! A map: a loop at every place of a grid, and the boundary between its places.
+//! A map: a loop at every point of a grid, and the boundary of stability.
 
 use std::fmt;
 
@@ -13,20 +13,20 @@ use super::trial::{KeyTravel, LoopKnock, run};
 use super::voice::{TrialVoice, VoiceOrder, wall};
 use figures::parallel::in_parallel;
 
-/// Halvings of the way between a place that is stable and its neighbour that is not.
+/// Bisections between a stable point and its unstable neighbour.
 const HALVINGS: u32 = 10;
 
-/// The same for a theory, which costs next to nothing.
+/// Bisections for a theory, which are cheap.
 const THEORY_HALVINGS: u32 = 40;
 
-/// Places of a column in which a theory's boundary is looked for.
+/// Points of a column at which a theory's boundary is searched.
 const LOOKS: u32 = 400;
 
-/// Makes the voice that is ordered, or says why there is none.
+/// Makes the ordered voice, or returns a sentence of failure.
 pub type VoiceMaker<'a> =
     &'a (dyn Fn(&VoiceOrder<'_>) -> Result<Box<dyn TrialVoice>, String> + Sync);
 
-/// What is put on the key.
+/// Subject on the key.
 #[derive(Clone, Copy)]
 pub enum StabilitySubject<'a> {
     /// A spring and damper that pushes and pulls, on a key that moves freely.
@@ -44,45 +44,43 @@ impl fmt::Debug for StabilitySubject<'_> {
     }
 }
 
-/// What is put on which key, and what of it a map changes.
+/// A subject, its key, and the variables of a map.
 #[derive(Clone, Debug)]
 pub struct StabilityStudy<'a> {
-    /// Its name in the report.
+    /// Name in the report.
     pub name: String,
     pub subject: StabilitySubject<'a>,
-    /// What of the key is no quantity: felts, return spring, largest force.
+    /// Rig of the loop, for all that is no quantity: felts, return spring, largest force.
     pub rig: RigParameters,
-    /// The values of all that is no axis.
+    /// Values of all that is no axis.
     pub base: LoopPoint,
-    /// Names of the model's parameters whose values were chosen, for the report.
+    /// Names of the model's parameters with chosen values, for the report.
     pub chosen: Vec<String>,
     pub axes: [MapAxis; 2],
-    /// Cells along each axis.
     pub cells: usize,
 }
 
-/// The map of one estimator: verdicts of its cells, and the boundary between them.
 #[derive(Clone, Debug)]
 pub struct StabilityMap {
     pub estimator: EstimatorName,
-    /// The verdict of each cell, column by column, from the lowest values.
+    /// Verdict of each cell, column by column, from the lowest values.
     pub columns: Vec<Vec<LoopVerdict>>,
-    /// Along the second axis, where each column goes from stable to unstable or back.
+    /// Positions along the second axis where each column changes stability.
     pub crossings: Vec<Vec<f64>>,
     pub theories: Vec<TheoryLine>,
 }
 
-/// What a theory says of a map.
+/// Boundary of a theory in a map.
 #[derive(Clone, Debug)]
 pub struct TheoryLine {
     pub theory: StabilityTheory,
-    /// Its boundary, in parts of both axes.
+    /// Boundary, in fractions of both axes.
     pub lines: Vec<Vec<MapPlace>>,
-    /// Where it crosses each column.
+    /// Crossings of each column.
     pub crossings: Vec<Vec<f64>>,
 }
 
-/// How many cells of a map had which verdict.
+/// Number of cells per verdict.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 pub struct VerdictCounts {
     pub rests: usize,
@@ -92,7 +90,6 @@ pub struct VerdictCounts {
 }
 
 impl StabilityMap {
-    /// Returns how many cells had which verdict.
     pub fn counts(&self) -> VerdictCounts {
         let count = |verdict| self.columns.iter().flatten().filter(|it| **it == verdict).count();
         VerdictCounts {
@@ -105,29 +102,29 @@ impl StabilityMap {
 }
 
 impl StabilityStudy<'_> {
-    /// Returns how many loops are run for one map at least, for a progress bar.
+    /// Returns the minimum number of loops of one map, for a progress bar.
     pub fn runs(&self) -> usize {
         self.axes.iter().map(|it| it.cells(self.cells)).product()
     }
 
-    /// Returns the place of a cell in the map, or what would be between cells.
+    /// Returns the loop at a point of the map.
     pub fn point(&self, (x, y): MapPlace) -> LoopPoint {
         let [along, up] = &self.axes;
         self.base.clone().with(along, along.value(x)).with(up, up.value(y))
     }
 
-    /// Returns the middle of a cell along the axis of that number, as a part of it.
+    /// Returns the middle of a cell along the axis of that number, as a fraction of it.
     pub fn middle(&self, axis: usize, cell: usize) -> f64 {
         (cell as f64 + 0.5) / self.axes[axis].cells(self.cells) as f64
     }
 
-    /// Returns what is wrong with it, in a sentence each.
+    /// Describes invalid values, in a sentence each.
     pub fn mistakes(&self) -> Vec<String> {
         let mut mistakes: Vec<_> = self.axes.iter().filter_map(MapAxis::mistake).collect();
         if !mistakes.is_empty() {
             return mistakes;
         }
-        // A loop's values are bounded by ranges and by ratios of two of them: corners are worst.
+        // Values are bounded by ranges and by ratios of two of them: corners are worst.
         let corners = [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)];
         mistakes = corners.iter().flat_map(|it| self.point(*it).values.mistakes()).collect();
         mistakes.sort();
@@ -144,7 +141,7 @@ impl StabilityStudy<'_> {
         mistakes
     }
 
-    /// Runs the loop at a place; a voice that cannot be made fails.
+    /// Runs the loop at a point; a voice that cannot be made counts as a failure.
     pub fn verdict(&self, estimator: EstimatorName, point: &LoopPoint) -> LoopVerdict {
         let LoopPoint { values, parameters } = point;
         let order = VoiceOrder { values, estimator, parameters };
@@ -158,8 +155,8 @@ impl StabilityStudy<'_> {
         }
     }
 
-    /// Runs the loop at every place, and between those whose verdicts differ; `done` is called
-    /// after each cell.
+    /// Runs the loop at every point, and between points with different verdicts; calls `done` after
+    /// each cell.
     pub fn measure(&self, estimator: EstimatorName, done: &(dyn Fn() + Sync)) -> StabilityMap {
         let [across, up] = [0, 1].map(|axis| self.axes[axis].cells(self.cells));
         let cells: Vec<_> = (0..across).flat_map(|x| (0..up).map(move |y| (x, y))).collect();
@@ -180,7 +177,7 @@ impl StabilityStudy<'_> {
         StabilityMap { estimator, columns, crossings, theories }
     }
 
-    /// What theory says of the wall, as far as the map has what it needs.
+    /// Returns the theories for which the map has all values.
     fn theories(&self, estimator: EstimatorName) -> Vec<StabilityTheory> {
         let most = self.point((1.0, 1.0)).values;
         let mut theories = theories(estimator);
@@ -188,7 +185,7 @@ impl StabilityStudy<'_> {
         theories
     }
 
-    /// Where a column goes from stable to unstable or back.
+    /// Returns the points at which a column changes stability.
     fn crossings(&self, estimator: EstimatorName, x: usize, column: &[LoopVerdict]) -> Vec<f64> {
         let is_stable = |it: LoopVerdict| it == LoopVerdict::Rests;
         let [x_part, up] = [self.middle(0, x), self.axes[1].cells(self.cells) as f64];
@@ -208,7 +205,6 @@ impl StabilityStudy<'_> {
         found
     }
 
-    /// What a theory says of the map.
     fn line(&self, theory: StabilityTheory) -> TheoryLine {
         let margin = |place: MapPlace| theory.margin(&self.point(place));
         let across = self.axes[0].cells(self.cells);
@@ -217,7 +213,7 @@ impl StabilityStudy<'_> {
         TheoryLine { theory, lines: zero_lines(&margin), crossings }
     }
 
-    /// Where a theory's boundary crosses the column at a part of the first axis.
+    /// Returns the crossings of a theory's boundary and the column at a fraction of the first axis.
     fn theory_crossings(&self, margin: &dyn Fn(MapPlace) -> f64, x: f64) -> Vec<f64> {
         if self.axes[1].names().is_some() {
             return Vec::new();
@@ -238,7 +234,7 @@ impl StabilityStudy<'_> {
     }
 }
 
-/// Where between two ends it is no more as at the low one, after so many halvings of the way.
+/// Bisects between two ends for the first value that is unlike the low end.
 fn between((mut low, mut high): (f64, f64), halvings: u32, is_low: &dyn Fn(f64) -> bool) -> f64 {
     for _ in 0..halvings {
         let middle = 0.5 * (low + high);

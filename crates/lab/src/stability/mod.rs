@@ -1,19 +1,19 @@
 //! Where a closed loop is stable: a wall or an instrument, on a key that is knocked and left alone.
 //!
 //! ```text
-//! quantity.rs  what of a loop can be chosen      axis.rs     what a map changes
+//! quantity.rs  variables of a loop               axis.rs     variables of a map
 //! trial.rs     one loop, knocked once            judge.rs    whether it comes to rest
-//! voice.rs     what answers the key              map.rs      all places of a grid, and between
+//! voice.rs     what answers the key              map.rs      all points of a grid, and between
 //! theory.rs    boundaries of theory              poles.rs    exact poles of key and wall
 //! contour.rs   lines where a margin is zero      picture.rs  a map as a picture
 //! sheet.rs     CSV, page, figures for programs
 //! ```
 //!
-//! The theory is of passivity: a loop is stable whatever passive load is at the key. A key of a
-//! given mass allows more, and the worst load is a mass that goes to zero: then the loop's pole at
+//! The theory is of passivity: a loop is stable under any passive load of the key. A key of a given
+//! mass allows more, and the worst load is a mass that goes to zero: then the loop's pole at
 //! z = -1 lies on b = K T/2 + B, which is Colgate and Schenkel's boundary.
 //!
-//! Not here: how a model's voice is made, which the caller hands in.
+//! The caller makes the voices of models.
 
 mod axis;
 mod contour;

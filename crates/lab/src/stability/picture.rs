@@ -1,4 +1,4 @@
-//! A map as a picture: a colour for each verdict, the measured boundary, and the lines of theory.
+//! Draws a map: a colour for each verdict, the measured boundary, and the lines of theory.
 
 use super::axis::MapAxis;
 use super::judge::LoopVerdict;
@@ -10,7 +10,7 @@ use figures::plot::picture::{
     CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel,
 };
 
-/// Colours of the lines of theory, which differ from those of the verdicts.
+/// Colours of theories, different from those of verdicts.
 const LINES: [Color; 4] =
     [Color(0, 60, 140), Color(140, 30, 120), Color(90, 90, 90), Color(20, 20, 20)];
 
@@ -23,7 +23,7 @@ const fn color(verdict: LoopVerdict) -> Color {
     }
 }
 
-/// Returns the picture of a map of a study, with lines of what is no axis.
+/// Draws a map of a study, with lines on all that is no axis.
 pub(super) fn picture(
     study: &StabilityStudy<'_>,
     map: &StabilityMap,
@@ -57,7 +57,6 @@ pub(super) fn picture(
     Picture { notes: settings, size: (516.0, 386.0), ..Picture::of_panel(title, panel) }
 }
 
-/// Title of an axis with its unit.
 fn axis_title(axis: &MapAxis) -> String {
     match axis.shown.0.as_str() {
         "" | "1" => axis.title.clone(),
@@ -65,9 +64,9 @@ fn axis_title(axis: &MapAxis) -> String {
     }
 }
 
-/// The value at a part of an axis, in the unit in which it is shown.
+/// Returns the value at a fraction of an axis, in its shown unit.
 fn shown(axis: &MapAxis, part: f64) -> f64 {
-    // A name has a whole number in the middle of its cell.
+    // A name has an integer in the middle of its cell.
     axis.names()
         .map_or_else(|| axis.value(part) * axis.shown.1, |names| part * names.len() as f64 - 0.5)
 }
@@ -79,7 +78,7 @@ fn picture_axis(axis: &MapAxis) -> PictureAxis {
     PictureAxis { title: axis_title(axis), scale, ends, names }
 }
 
-/// Each run of cells of one verdict in a column, and the count of all cells with it.
+/// Returns each run of cells of one verdict in a column, and the count of all cells with it.
 fn areas(map: &StabilityMap, [x, y]: [&dyn Fn(f64) -> f64; 2]) -> Vec<PictureArea> {
     let counts = map.counts();
     let name = |verdict: LoopVerdict| {

@@ -1,20 +1,18 @@
-//! The poles of a wall on a key, exact: what a period does to a small motion.
+//! Exact poles of a wall on a key: the map of a small motion over a period.
 //!
-//! Between two ticks the key is a mass with a damper under a constant force, which has a closed
-//! form; so the motion from tick to tick is a matrix, without an error of any integration.
+//! Between two ticks the key is a damped mass under a constant force, which has a closed form. So
+//! the motion from tick to tick is a matrix without an error of integration.
 
 use haptics::SampledWall;
 use nalgebra_of_lm::{DMatrix, Schur};
 
-/// Steps of the QR algorithm before the matrix is given up.
+/// Maximum steps of the QR algorithm.
 const MOST_STEPS: usize = 10_000;
 
 /// Returns the largest modulus of the poles of `wall` on a key of `mass` (kg) and `damping`
-/// (N s/m): below 1 a motion that fits no steps, felts or friction decays. None if they cannot
-/// be found.
-///
-/// The state is position and velocity at the tick, the position before, and the forces that are
-/// still on their way.
+/// (N s/m); `None` if they cannot be found. Below 1 a motion without steps, felts or friction
+/// decays. The state is position and velocity at the tick, the position before, and the forces
+/// that are still on their way.
 pub fn spectral_radius(wall: &SampledWall, mass: f64, damping: f64) -> Option<f64> {
     let tick = TickMap::new(wall, mass, damping);
     let size = 3 + tick.forces();
@@ -31,12 +29,11 @@ pub fn spectral_radius(wall: &SampledWall, mass: f64, damping: f64) -> Option<f6
     Some(schur.complex_eigenvalues().iter().map(|it| it.norm()).fold(0.0, f64::max))
 }
 
-/// What a period does to the state.
+/// Map of the state over a period.
 struct TickMap<'a> {
     wall: &'a SampledWall,
-    /// Whole periods of delay.
     whole: usize,
-    /// While the force before is still held, and from then on.
+    /// Segment of the previous force, and of the next.
     parts: [HeldForce; 2],
 }
 
@@ -44,14 +41,14 @@ impl<'a> TickMap<'a> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative")]
     fn new(wall: &'a SampledWall, mass: f64, damping: f64) -> Self {
         let periods = wall.delay / wall.period;
-        // A delay of whole periods is not a part of one more that rounding leaves.
+        // A delay of whole periods must not become one more by rounding.
         let whole = (periods + 1e-9).floor().max(0.0);
         let part = (periods - whole).max(0.0) * wall.period;
         let held = |time| HeldForce::new(time, mass, damping);
         Self { wall, whole: whole as usize, parts: [held(part), held(wall.period - part)] }
     }
 
-    /// Forces that are on their way at a tick: those of the `whole` + 1 ticks before.
+    /// Returns the number of forces on their way at a tick: those of the `whole` + 1 ticks before.
     const fn forces(&self) -> usize {
         self.whole + 1
     }
@@ -60,7 +57,6 @@ impl<'a> TickMap<'a> {
         let [position, velocity, before] = [state[0], state[1], state[2]];
         let rate = (position - before) / self.wall.period;
         let force = self.wall.stiffness * position + self.wall.damping * rate;
-        // The newest first.
         let mut forces = vec![force];
         forces.extend(&state[3..]);
         let moved = self.parts[0].apply((position, velocity), forces[self.whole + 1]);
@@ -73,16 +69,16 @@ impl<'a> TickMap<'a> {
 /// A mass with a damper for some time under a constant force.
 #[derive(Clone, Copy)]
 struct HeldForce {
-    /// What is left of a velocity.
+    /// Remaining fraction of a velocity.
     kept: f64,
-    /// How far a velocity leads (s).
+    /// Displacement per velocity (s).
     reach: f64,
-    /// Velocity and way that a force makes (s/kg, s²/kg).
+    /// Velocity and displacement per force (s/kg, s²/kg).
     pushed: (f64, f64),
 }
 
 impl HeldForce {
-    /// Below this share of a time constant the exponential is its series (E).
+    /// Share of a time constant below which the exponential is its series (E).
     const SHORT: f64 = 1e-5;
 
     fn new(time: f64, mass: f64, damping: f64) -> Self {
@@ -134,8 +130,8 @@ mod tests {
     fn a_mass_that_goes_to_zero_leaves_the_unit_circle_where_passivity_ends() {
         for (device, damping) in [(0.5, 0.0), (1.0, 0.4), (5.0, 1.0)] {
             let limit = wall(0.0, damping, 0.0).passive_stiffness(device);
-            // A five-hundredth of b T: what is left of the velocity after a period is nothing, and
-            // the way that it still goes is a five-hundredth of the whole.
+            // A five-hundredth of b T: no velocity remains after a period, and the remaining
+            // displacement is a five-hundredth of the whole.
             let mass = 2e-3 * device * T;
             let radius =
                 |share| spectral_radius(&wall(share * limit, damping, 0.0), mass, device).unwrap();

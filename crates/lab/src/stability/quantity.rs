@@ -1,11 +1,10 @@
-//! What of a loop can be chosen, and be an axis of a map.
+//! Variables of a loop, which can be axes of a map.
 
 use haptics::RigParameters;
 
 /// Longest delay of a force (periods).
 pub const LONGEST_DELAY: f64 = 16.0;
 
-/// A figure of a loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LoopQuantity {
     Stiffness,
@@ -21,21 +20,20 @@ pub enum LoopQuantity {
     Finger,
 }
 
-/// What is known of a quantity: names, units, and what it may be.
+/// Names, units and ranges of a quantity.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct QuantityEntry {
     pub quantity: LoopQuantity,
-    /// Name on the command line.
     pub name: &'static str,
-    /// What it is, for people.
+    /// Name in reports and pictures.
     pub title: &'static str,
-    /// SI unit, as it can be typed; empty for a name or a ratio.
+    /// SI unit as typed; empty for a name or a ratio.
     pub unit: &'static str,
-    /// Unit in pictures, and how many of it are one SI unit.
+    /// Unit in pictures, and its number per SI unit.
     pub shown: (&'static str, f64),
-    /// Smallest and largest value (SI).
+    /// Allowed range (SI).
     pub range: (f64, f64),
-    /// An axis that shows something (SI).
+    /// Default axis (SI).
     pub axis: (f64, f64),
 }
 
@@ -44,7 +42,7 @@ use LoopQuantity::{
     Period, Stiffness,
 };
 
-/// Every quantity, at the place of its number.
+/// Every quantity, at the index of its number.
 pub const QUANTITIES: [QuantityEntry; 11] = [
     QuantityEntry {
         quantity: Stiffness,
@@ -147,40 +145,36 @@ pub const QUANTITIES: [QuantityEntry; 11] = [
     },
 ];
 
-/// Fingers by the number that stands for them.
+/// Names of fingers, by their number.
 pub const FINGERS: [&str; 4] = ["none", "limp", "ordinary", "stiff"];
 
-/// Smallest step of an encoder that has steps (m): a key's way fits into its counter.
+/// Smallest step of an encoder (m): a key's travel fits into its counter.
 pub(super) const FINEST_STEP: f64 = 1e-9;
 
 impl LoopQuantity {
-    /// Returns what is known of it.
     pub const fn entry(self) -> &'static QuantityEntry {
         &QUANTITIES[self as usize]
     }
 
-    /// Returns the quantity of a name on the command line, if there is one.
     pub fn named(name: &str) -> Option<Self> {
         QUANTITIES.iter().find(|it| it.name == name).map(|it| it.quantity)
     }
 }
 
-/// A value of every quantity (SI).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LoopValues([f64; QUANTITIES.len()]);
 
 impl LoopValues {
-    /// Returns a wall for which the theory holds: on the key of `rig`, but without friction, motor
-    /// lag, delay or steps of the encoder.
+    /// Returns a wall that meets the theory: the key of `rig` without friction, motor lag, delay or
+    /// encoder steps.
     pub const fn ideal(rig: &RigParameters, period: f64, jerk_density: f64) -> Self {
         let (mass, damping) = (rig.key.mass, rig.key.damping);
         Self([2e3, 0.0, period, 0.0, 0.0, 0.0, mass, damping, 0.0, jerk_density, 0.0])
     }
 
-    /// Returns the loop of a voice on `rig`, as it is, with no finger.
+    /// Returns the loop of a voice on `rig`, with no finger.
     pub fn of_rig(rig: &RigParameters, period: f64, jerk_density: f64) -> Self {
         let mut values = Self::ideal(rig, period, jerk_density);
-        // Without a coupling.
         values.set(Stiffness, 0.0);
         values.set(EncoderStep, rig.quantum);
         values.set(Friction, rig.key.coulomb);
@@ -189,22 +183,19 @@ impl LoopValues {
         values
     }
 
-    /// Returns the value of a quantity (SI).
     pub const fn get(&self, quantity: LoopQuantity) -> f64 {
         self.0[quantity as usize]
     }
 
-    /// Sets the value of a quantity (SI).
     pub const fn set(&mut self, quantity: LoopQuantity, value: f64) {
         self.0[quantity as usize] = value;
     }
 
-    /// Returns what is wrong with them together, in a sentence each.
+    /// Describes invalid combinations, in a sentence each.
     pub fn mistakes(&self) -> Vec<String> {
         let mut mistakes = Vec::new();
         for QuantityEntry { quantity, name, unit, range: (low, high), .. } in QUANTITIES {
             let value = self.get(quantity);
-            // NaN is in no range.
             if !(low..=high).contains(&value) {
                 mistakes.push(format!("{name} must be from {low} to {high} {unit}, not {value}"));
             }

@@ -1,4 +1,4 @@
-//! The report: a table of all cells, one of the boundary, a picture for each map, and one page.
+//! The report: tables of all cells and of the boundary, a picture for each map, and one page.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,21 +13,19 @@ use super::quantity::{FINGERS, LoopQuantity, QUANTITIES};
 use crate::report::{DiskError, Report, Table, TableCell};
 use figures::digits::rounded;
 
-/// Most columns of a map of which the page has the boundary.
+/// Maximum columns with their boundary on the page.
 const ROWS: usize = 16;
 
-/// The figures of a study, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct StabilitySummary {
     pub name: String,
-    /// The values of all that is no axis, by name (SI).
+    /// Values of all that is no axis, by name (SI).
     pub settings: BTreeMap<String, f64>,
     pub x: AxisSummary,
     pub y: AxisSummary,
     pub maps: Vec<MapSummary>,
 }
 
-/// An axis of a study, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct AxisSummary {
     pub name: String,
@@ -38,26 +36,24 @@ pub struct AxisSummary {
     pub logarithmic: bool,
 }
 
-/// The figures of one map, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct MapSummary {
     pub estimator: &'static str,
     pub cells: VerdictCounts,
     pub boundary: Vec<BoundaryRow>,
-    /// How far the measured boundary is from each theory's.
+    /// Distance of the measured boundary from each theory's.
     pub ratios: BTreeMap<&'static str, BoundaryRatio>,
 }
 
-/// Where a column goes from stable to unstable or back, along the second axis.
+/// Change of stability of a column, along the second axis.
 #[derive(Clone, Debug, Serialize)]
 pub struct BoundaryRow {
     pub x: f64,
     pub measured: Vec<f64>,
-    /// The same by each theory.
     pub theory: BTreeMap<&'static str, Vec<f64>>,
 }
 
-/// Measured boundary over that of a theory, of the columns in which both have one.
+/// Ratio of the measured boundary to a theory's, over the columns that have both.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct BoundaryRatio {
     pub columns: usize,
@@ -67,7 +63,6 @@ pub struct BoundaryRatio {
 }
 
 impl StabilitySummary {
-    /// Returns the figures of a study's maps.
     pub fn new(study: &StabilityStudy<'_>, maps: &[StabilityMap]) -> Self {
         let axis = |axis: &MapAxis| AxisSummary {
             name: axis.name.clone(),
@@ -118,7 +113,7 @@ fn ratio(mut all: Vec<f64>) -> Option<BoundaryRatio> {
     Some(BoundaryRatio { columns: all.len(), least, median: all[all.len() / 2], most })
 }
 
-/// Name, value (SI) and unit of each quantity that counts and is no axis.
+/// Returns name, value (SI) and unit of each effective quantity that is no axis.
 fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f64, &'static str)> {
     let is_axis =
         |quantity| study.axes.iter().any(|it| it.target == AxisTarget::Quantity(quantity));
@@ -126,9 +121,8 @@ fn settings(study: &StabilityStudy<'_>) -> impl Iterator<Item = (&'static str, f
     counted.map(|it| (it.name, study.base.values.get(it.quantity), it.unit))
 }
 
-/// The same in lines for people, of what counts for an estimator.
+/// Formats the effective quantities for an estimator in lines.
 fn settings_lines(study: &StabilityStudy<'_>, estimator: EstimatorName) -> Vec<String> {
-    /// Most characters of a line.
     const LONGEST: usize = 130;
     let told = settings(study)
         .filter(|it| it.0 != "jerk-density" || estimator == EstimatorName::Kalman)
@@ -148,7 +142,6 @@ fn settings_lines(study: &StabilityStudy<'_>, estimator: EstimatorName) -> Vec<S
     lines.iter().map(|line| line.join(", ")).collect()
 }
 
-/// A quantity of a loop in words.
 fn setting(name: &str, value: f64) -> String {
     let shown = LoopQuantity::named(name).map(|it| it.entry().shown);
     let (unit, per) = shown.unwrap_or(("", 1.0));
@@ -165,17 +158,17 @@ fn setting(name: &str, value: f64) -> String {
     }
 }
 
-/// What a reader must know before looking at a map.
+/// Introduction of the page.
 const HOW: &str = "Each cell is one closed loop in simulation: the key rests, is knocked once by a \
     weight that is laid on it and taken away, and is left alone. In four windows after that the \
     mean square of its velocity and the range of the force must fall, else it rings for ever or \
     makes energy. The boundary is found between two cells by bisection. A theory of passivity \
     says where every passive load at the key is stable; a key of a given mass alone allows more.";
 
-/// Writes the maps of a study into `folder`: map.csv, boundary.csv, a picture for each, and a page.
+/// Writes map.csv, boundary.csv, a picture for each map, and a page into `folder`.
 ///
 /// # Errors
-/// When a file cannot be written; those that could are complete.
+/// If a file cannot be written; files written before are complete.
 pub fn write_maps(
     folder: &Path,
     study: &StabilityStudy<'_>,
@@ -200,7 +193,7 @@ pub fn write_maps(
     report.write(folder)
 }
 
-/// The name of an axis's column in CSV, and its title.
+/// Returns the CSV name of an axis's column, and its title.
 fn column(axis: &MapAxis) -> (String, String) {
     let unit = axis.unit.replace(['*', '^'], "");
     let titled = |title: &str| match unit.as_str() {
@@ -232,13 +225,13 @@ fn cells(study: &StabilityStudy<'_>, maps: &[StabilityMap]) -> Table {
 
 fn boundary_table(study: &StabilityStudy<'_>) -> Table {
     let [across, up] = [0, 1].map(|axis| column(&study.axes[axis]));
-    // On the page the estimator is the heading.
+    // The page has the estimator in its heading.
     let estimator = ("estimator".to_owned(), String::new());
     Table::new([estimator, across, own_column("boundary"), up])
 }
 
 impl BoundaryRow {
-    /// A row of the table for each place of the boundary, measured and by theory.
+    /// Returns a row of the table for each point of the boundary, measured and by theory.
     fn cells(&self, estimator: &str) -> Vec<Vec<TableCell>> {
         let theory = self.theory.iter().map(|(name, all)| (*name, all));
         let named = std::iter::once(("measured", &self.measured)).chain(theory);

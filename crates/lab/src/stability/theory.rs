@@ -1,4 +1,4 @@
-//! The boundaries that theory draws into a map of a wall.
+//! Theoretical boundaries in a map of a wall.
 
 use haptics::{EstimatorName, RoundedDevice, SampledWall};
 
@@ -6,18 +6,17 @@ use super::axis::LoopPoint;
 use super::poles::spectral_radius;
 use super::quantity::{LoopQuantity, LoopValues};
 
-/// A boundary: above zero inside of it, below zero outside.
+/// Margin of a boundary: above zero inside, below zero outside.
 pub(super) type TheoryMargin = fn(&LoopValues) -> f64;
 
 /// A theory of where a wall is stable.
 #[derive(Clone, Copy, Debug)]
 pub struct StabilityTheory {
-    /// Name in tables and JSON.
     pub name: &'static str,
-    /// What it says, with its source.
+    /// Statement with its source.
     pub title: &'static str,
     margin: TheoryMargin,
-    /// What must be above zero for it to say more than others do.
+    /// Quantity that must be above zero for the theory to differ from others.
     pub(super) needs: Option<LoopQuantity>,
 }
 
@@ -56,20 +55,20 @@ const LINEAR: StabilityTheory = StabilityTheory {
     needs: None,
 };
 
-/// The exact poles of what is linear of the loop, alone on its key.
+/// Exact poles of the loop's linear part, alone on its key.
 const POLES: StabilityTheory = StabilityTheory {
     name: "poles",
     title: "poles of key and wall, exact",
     margin: |values| {
         let [mass, damping] =
             [LoopQuantity::Mass, LoopQuantity::DeviceDamping].map(|it| values.get(it));
-        // A pole that is not found is none that can be drawn.
+        // A missing pole counts as unstable.
         1.0 - spectral_radius(&wall(values), mass, damping).unwrap_or(f64::INFINITY)
     },
     needs: None,
 };
 
-/// Returns what theory says of walls with this estimator.
+/// Returns the theories for walls with this estimator.
 pub(super) fn theories(estimator: EstimatorName) -> Vec<StabilityTheory> {
     match estimator {
         EstimatorName::BackwardDifference => vec![PASSIVE, ROUNDED, LINEAR, POLES],
@@ -81,7 +80,7 @@ pub(super) fn theories(estimator: EstimatorName) -> Vec<StabilityTheory> {
 }
 
 impl StabilityTheory {
-    /// Returns the margin at a place: above zero inside of the boundary.
+    /// Returns the margin at a point: above zero inside the boundary.
     pub fn margin(&self, point: &LoopPoint) -> f64 {
         (self.margin)(&point.values)
     }

@@ -1,10 +1,9 @@
 //! One closed loop, knocked once and then left alone.
 //!
-//! The key, its encoder, its motor and the finger are `haptics::plant`'s. A sample is taken at the
-//! start of each period, its force acts after the delay and is held until the next comes. The
-//! plant's own step is a tenth of the key's time constant m / b, or a four-thousandth of the period
-//! where that is longer: the key is stepped with its damping implicit, so that its velocity is
-//! right there, too.
+//! Key, encoder, motor and finger are `haptics::plant`'s. A sample is read at the start of each
+//! period; its force acts after the delay and is held until the next. The plant's step is a tenth
+//! of the key's time constant m / b, or a four-thousandth of the period if that is longer: the
+//! key's damping is implicit, so its velocity is correct there, too.
 
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -16,28 +15,28 @@ use super::judge::{LoopVerdict, WindowSums, judge};
 use super::quantity::{LoopQuantity, LoopValues};
 use super::voice::{TrialAnswer, TrialVoice};
 
-/// Most steps of the plant in one period, and fewest for a key that moves freely: its steps are of
-/// first order, and place a boundary a half of one too high.
+/// Maximum steps of the plant per period, and minimum for a key that moves freely: its steps are of
+/// first order, and place a boundary half a step too high.
 const MOST_STEPS: f64 = 4000.0;
 const FREE_STEPS: f64 = 200.0;
-/// Fewest of a key between its felts: as many as the host takes at 1 kHz.
+/// Minimum steps of a key between its felts: the host's number at 1 kHz.
 const FELT_STEPS: f64 = 20.0;
 
-/// A key that has gone farther is gone (m).
+/// Displacement beyond which the loop counts as diverged (m).
 const FAR: f64 = 1.0;
 
-/// Depth to which a finger presses, if there is one (m).
+/// Depth of a pressing finger (m).
 const PRESSED: f64 = 5e-3;
 
-/// How much more holds a key at rest than slows it.
+/// Ratio of stiction to kinetic friction.
 const STICTION: f64 = 1.2;
 
-/// A knock, and how long is waited.
+/// A knock, with the waiting times.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct LoopKnock {
-    /// Before the knock (s).
+    /// Rest before the knock (s).
     settle: f64,
-    /// How hard a weight presses (N), and how long (s).
+    /// Force (N) and duration (s) of a weight.
     weight: f64,
     duration: f64,
     /// Length of each of the four windows after it (s).
@@ -45,14 +44,14 @@ pub(super) struct LoopKnock {
 }
 
 impl LoopKnock {
-    /// A tap on a wall: it moves a key by a millimetre or so.
+    /// A tap on a wall: it moves a key by about a millimetre.
     pub(super) const TAP: Self = Self { settle: 0.1, weight: 1.0, duration: 10e-3, window: 0.1 };
 
-    /// A stroke of an action: the key goes to its bed and is let go, and its hammer strikes.
+    /// A stroke of an action: the key reaches its bed and is released, and its hammer strikes.
     pub(super) const STROKE: Self = Self { settle: 0.3, weight: 3.0, duration: 0.3, window: 0.4 };
 
-    /// Ticks of `period` (s) before the knock, of the knock, and of a window: at least a hundred,
-    /// ten and a hundred.
+    /// Returns the ticks of `period` (s) before the knock, of the knock, and of a window: at least
+    /// 100, 10 and 100.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousands")]
     fn ticks(&self, period: f64) -> [u64; 3] {
         let ticks = |time: f64, least: f64| (time / period).ceil().max(least) as u64;
@@ -60,16 +59,14 @@ impl LoopKnock {
     }
 }
 
-/// What a key is, besides the quantities of its loop.
+/// Limits of the key's travel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum KeyTravel {
-    /// It moves freely both ways.
     Free,
-    /// It has its rest and its bed.
+    /// Bounded by rest and bed.
     Felts,
 }
 
-/// A key between its encoder and its motor.
 struct TrialPlant {
     rig: KeyRig,
     finger: Option<Gesture>,
@@ -78,7 +75,7 @@ struct TrialPlant {
     steps: u64,
     delay: u64,
     has_steps: bool,
-    /// Forces on their way, with the step at which they act.
+    /// Delayed forces, with the step at which they act.
     coming: VecDeque<(u64, f64)>,
     force: f64,
     now: u64,
@@ -110,7 +107,7 @@ impl TrialPlant {
         }
     }
 
-    /// What the encoder says (m).
+    /// Returns the reading of the encoder (m).
     fn reading(&self) -> f64 {
         if self.has_steps {
             f64::from(self.rig.counts()) * self.rig.quantum()
@@ -119,7 +116,7 @@ impl TrialPlant {
         }
     }
 
-    /// Lives through a period in which `force` (N) sets out, and shows each step of it.
+    /// Runs a period with `force` (N) sent at its start, and adds each step to `sums`.
     fn advance(&mut self, force: f64, sums: &mut WindowSums) {
         self.coming.push_back((self.now + self.delay, force));
         for _ in 0..self.steps {
@@ -141,7 +138,7 @@ impl TrialPlant {
     }
 }
 
-/// The finger of a number; none for the first.
+/// Returns the finger of a number; `None` for the first.
 fn finger(number: f64) -> Option<FingerParameters> {
     match number {
         ..0.5 => None,
@@ -151,7 +148,6 @@ fn finger(number: f64) -> Option<FingerParameters> {
     }
 }
 
-/// The rig of a loop.
 fn rig(base: &RigParameters, travel: KeyTravel, values: &LoopValues) -> RigParameters {
     let get = |quantity| values.get(quantity);
     let mut rig = *base;
@@ -165,7 +161,7 @@ fn rig(base: &RigParameters, travel: KeyTravel, values: &LoopValues) -> RigParam
     rig.quantum = if step > 0.0 { step } else { base.quantum };
     rig.finger = finger(get(LoopQuantity::Finger)).unwrap_or(base.finger);
     if travel == KeyTravel::Free {
-        // A felt that weighs nothing: a key's position is not bounded, nor is its motor.
+        // A felt without stiffness leaves the key's position unbounded.
         let nothing = Felt { position: 0.0, stiffness: f64::MIN_POSITIVE, damping: 0.0 };
         (rig.key.rest_stop, rig.key.bottom_stop) = (nothing, nothing);
         rig.key.weight = 0.0;
@@ -175,7 +171,7 @@ fn rig(base: &RigParameters, travel: KeyTravel, values: &LoopValues) -> RigParam
     rig
 }
 
-/// Runs a loop with one knock and tells how it goes on.
+/// Runs a loop with one knock and judges it.
 pub(super) fn run(
     (base, travel): (&RigParameters, KeyTravel),
     values: &LoopValues,

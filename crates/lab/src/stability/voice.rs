@@ -1,36 +1,34 @@
-//! What answers the key: a wall, or the voice of a model.
+//! The load of the key: a wall, or the voice of a model.
 
 use haptics::{AnyEstimator, Estimator as _, EstimatorName, EstimatorSettings};
 
 use super::quantity::{FINEST_STEP, LoopQuantity, LoopValues};
 
-/// What answers the key in a loop, tick by tick.
+/// A load of the key in a loop, tick by tick.
 pub trait TrialVoice {
-    /// Returns the answer to a key that reads `position` (m) at `tick`; ticks grow by one.
+    /// Returns the answer to a key at `position` (m) at `tick`; ticks grow by one.
     fn answer(&mut self, tick: u64, position: f64) -> TrialAnswer;
 }
 
-/// What is answered in one tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum TrialAnswer {
-    /// A force on the finger (N), up positive.
+    /// Force on the finger (N), up positive.
     Force(f64),
-    /// The voice was muted because it makes energy.
+    /// Muted because the voice generated energy.
     Muted,
-    /// The model cannot be followed.
     Failed,
 }
 
-/// What a voice is made for.
+/// Parameters of a voice.
 #[derive(Clone, Copy, Debug)]
 pub struct VoiceOrder<'a> {
     pub values: &'a LoopValues,
     pub estimator: EstimatorName,
-    /// One value per parameter of the model; none for a wall.
+    /// One value per parameter of the model; empty for a wall.
     pub parameters: &'a [f64],
 }
 
-/// A wall that pushes and pulls: F = K x + B v of what the estimator says.
+/// A wall that pushes and pulls: F = K x + B v with the estimated motion.
 struct RenderedWall {
     stiffness: f64,
     damping: f64,
@@ -45,13 +43,13 @@ impl TrialVoice for RenderedWall {
     }
 }
 
-/// Returns a wall as it is rendered.
+/// Returns a rendered wall.
 pub fn wall(order: &VoiceOrder<'_>) -> Box<dyn TrialVoice> {
     let get = |quantity| order.values.get(quantity);
     let period = get(LoopQuantity::Period);
     let settings = EstimatorSettings {
         period,
-        // One that has no steps is as good as the finest.
+        // An encoder without steps counts as the finest.
         quantum: get(LoopQuantity::EncoderStep).max(FINEST_STEP),
         jerk_density: get(LoopQuantity::JerkDensity),
         cutoff: EstimatorSettings::KEY_CUTOFF,

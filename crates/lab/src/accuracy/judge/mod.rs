@@ -1,4 +1,4 @@
-//! A run against the reference: the sequence first, then errors that are never mixed.
+//! Compares a run with the reference: first the sequence of events, then the errors.
 
 use pode::{Model, State};
 use serde::Serialize;
@@ -6,12 +6,12 @@ use serde::Serialize;
 use super::observe::{FoundSamples, ObservedRun, SeenEvent};
 use crate::scenario::{ExpectedEvent, Reference, ReferenceSample};
 
-/// How right a run was: its events, and its errors if they were right.
+/// Verdict on a run: its events, and its errors if the events were right.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct RunVerdict {
-    /// Whether all events happened in their order, and no others.
+    /// Comparison of the events with those expected.
     pub sequence: SequenceVerdict,
-    /// Number of events that happened, judged or not.
+    /// Number of events, judged or not.
     pub events: usize,
     /// Largest error of an event's time (s).
     pub event_error: Option<f64>,
@@ -21,34 +21,31 @@ pub struct RunVerdict {
     pub force_error: Option<f64>,
 }
 
-/// Whether the events were the right ones.
+/// Result of comparing the events with the reference.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SequenceVerdict {
     Right,
     Wrong(EventMismatch),
-    /// Why the run did not come to its end.
     Failed(String),
 }
 
-/// Where a sequence of events differs first.
+/// First difference between two sequences of events.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct EventMismatch {
-    /// How many events were right.
+    /// Number of right events before it.
     pub index: usize,
-    /// The event that should have happened then.
     pub expected: String,
     pub found: String,
 }
 
 impl SequenceVerdict {
-    /// Whether the run has errors that can be compared.
+    /// Returns `true` if the run has errors that can be compared.
     pub const fn is_right(&self) -> bool {
         matches!(self, Self::Right)
     }
 }
 
-/// Compares a run with the reference, the sequence of events first.
 pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> RunVerdict {
     let sequence = sequence(reference, observed);
     let is_right = sequence.is_right();
@@ -84,7 +81,6 @@ fn sequence<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> Se
     }
 }
 
-/// Where the events differ first, if they do.
 fn difference<M: Model>(reference: &Reference<M>, seen: &[SeenEvent<M>]) -> Option<EventMismatch> {
     let expected = &reference.events;
     let is_same = |(e, s): &(&ExpectedEvent<M>, &SeenEvent<M>)| e.guard == s.guard && e.to == s.to;
@@ -102,7 +98,7 @@ fn difference<M: Model>(reference: &Reference<M>, seen: &[SeenEvent<M>]) -> Opti
     Some(EventMismatch { index, expected, found })
 }
 
-/// Largest error of a time (s): of the matched events, and of the rest they lead to.
+/// Returns the largest error of a time (s): of the matched events, and of the rest that follows.
 fn event_error<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> f64 {
     let pairs = reference.events.iter().zip(&observed.events);
     let events = pairs.map(|(expected, seen)| (expected.t - seen.t).abs());
@@ -111,7 +107,7 @@ fn event_error<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) ->
     events.chain(rest).fold(0.0, f64::max)
 }
 
-/// Largest error of any entry of the state, over that entry's largest magnitude.
+/// Returns the largest error of any entry of the state, over that entry's largest magnitude.
 fn state_error<S: State>(
     samples: &[ReferenceSample<S>],
     found: &[Option<FoundSamples<S>>],
@@ -135,8 +131,7 @@ fn force_error<S>(
     relative(pairs.filter_map(|(sample, found)| Some((sample.force, found.as_ref()?.1))))
 }
 
-/// Largest difference within the pairs of (right, found), over the largest right one; nothing
-/// if there are no pairs.
+/// Returns the largest difference of the pairs (right, found), over the largest right one.
 fn relative(pairs: impl Iterator<Item = (f64, f64)>) -> Option<f64> {
     let sizes = pairs.map(|(right, found)| ((right - found).abs(), right.abs()));
     let (error, size) = sizes.reduce(|most, it| (most.0.max(it.0), most.1.max(it.1)))?;

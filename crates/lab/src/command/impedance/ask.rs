@@ -1,4 +1,4 @@
-//! What was asked for, once all of it is right.
+//! A valid request for impedances.
 
 use crate::impedance::{
     ForceHold, HeldMode, ImpedanceCurve, RecordedStroke, ShakenVoice, frequencies, linearise,
@@ -18,17 +18,16 @@ use crate::command::stability::quantities::{quantity, range};
 use crate::command::stability::voices::InstrumentVoices;
 use cli::Failure;
 
-/// Depth and largest amplitude if none are given (m), and which amplitudes may be.
+/// Default depth and largest amplitude (m), and the allowed amplitudes.
 const DEPTH: f64 = 6e-3;
 const AMPLITUDE: f64 = 20e-6;
 const AMPLITUDES: (f64, f64) = (1e-9, 1e-3);
-/// Frequencies that may be asked for, and those that are if none are given (Hz).
+/// Allowed and default frequencies (Hz).
 const FREQUENCIES: (f64, f64) = (0.1, 100e3);
 const USUAL: (f64, f64) = (1.0, 400.0);
-/// Lowest frequency of a recording if none is given (Hz): a stroke lasts some tenths of a second.
+/// Default lowest frequency of a recording (Hz): a stroke lasts some tenths of a second.
 const RECORDED: f64 = 10.0;
 
-/// What was asked for.
 pub(super) struct ImpedanceQuestion {
     pub(super) name: String,
     subject: ImpedanceSubject,
@@ -40,7 +39,7 @@ enum ImpedanceSubject {
     Instrument(Box<PressedInstrument>),
 }
 
-/// An instrument's key that is pressed.
+/// Pressed key of an instrument.
 struct PressedInstrument {
     voices: InstrumentVoices,
     parameters: Vec<f64>,
@@ -52,7 +51,7 @@ struct PressedInstrument {
 }
 
 impl ImpedanceQuestion {
-    /// Returns what is asked for, or every mistake in a sentence of its own.
+    /// Returns the request, or a sentence per mistake.
     pub(super) fn new(args: &ImpedanceArgs) -> Result<Self, Vec<String>> {
         let mut mistakes = Vec::new();
         let asked = if args.recording.is_some() {
@@ -68,7 +67,7 @@ impl ImpedanceQuestion {
         }
     }
 
-    /// Returns how many points are measured.
+    /// Returns the number of measured points.
     pub(super) fn runs(&self) -> usize {
         let curves = match &self.subject {
             ImpedanceSubject::Stroke(_) => 1,
@@ -77,7 +76,7 @@ impl ImpedanceQuestion {
         curves * self.frequencies.len()
     }
 
-    /// Measures it; `done` is called after each point.
+    /// Measures all curves; calls `done` after each point.
     pub(super) fn measure(&self, done: &(dyn Fn() + Sync)) -> Result<Vec<ImpedanceCurve>, Failure> {
         match &self.subject {
             ImpedanceSubject::Stroke(it) => {
@@ -173,7 +172,7 @@ fn pressed(args: &ImpedanceArgs, mistakes: &mut Vec<String>) -> Asked {
     let asked =
         PressedInstrument { voices, parameters, values, modes, estimators, depth, amplitude };
     if mistakes.is_empty() {
-        // What a voice refuses is wrong usage, too.
+        // A voice's rejection is a usage error, too.
         let first = asked.estimators.first().copied().unwrap_or(EstimatorName::Kalman);
         mistakes.extend(asked.voices.make(&asked.order(first)).err());
     }
@@ -196,7 +195,7 @@ fn loop_values(args: &ImpedanceArgs, values: &mut LoopValues, mistakes: &mut Vec
     }
 }
 
-/// Names each mode that the model does not have.
+/// Reports each mode that the model does not have.
 fn check_modes(model: &ModelEntry, named: &[String], mistakes: &mut Vec<String>) {
     for name in named {
         let known = || model.modes.iter().map(|it| it.name);
@@ -207,7 +206,7 @@ fn check_modes(model: &ModelEntry, named: &[String], mistakes: &mut Vec<String>)
     }
 }
 
-/// Reads a length (m).
+/// Parses a length (m).
 fn length(option: &str, text: Option<&str>, usual: f64, mistakes: &mut Vec<String>) -> f64 {
     let read = text.map_or(Ok(usual), |text| quantity(text, "m"));
     read.unwrap_or_else(|wrong| {
@@ -216,7 +215,7 @@ fn length(option: &str, text: Option<&str>, usual: f64, mistakes: &mut Vec<Strin
     })
 }
 
-/// The frequencies that are asked for, as far as `held` allows, if anything is known to be held.
+/// Returns the frequencies asked for, within `held` if it is known.
 fn asked_frequencies(
     args: &ImpedanceArgs,
     held: Option<ForceHold>,

@@ -92,7 +92,6 @@ pub struct ImpedanceArgs {
     pub json: bool,
 }
 
-/// Measures what was asked for, and writes its report.
 pub(super) fn run(args: &ImpedanceArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let question = ImpedanceQuestion::new(args);
     let question = question.map_err(|mistakes| Failure::Usage(mistakes.join("\n")))?;
@@ -116,9 +115,9 @@ pub(super) fn run(args: &ImpedanceArgs, out: &mut dyn Write) -> Result<(), Failu
     print_page(args.out.as_deref(), PAGE, out)
 }
 
-/// Tells some points of a curve, and where it is passive.
+/// Prints some points of a curve, and its passive range.
 fn tell(curve: &ImpedanceCurve, out: &mut dyn Write) -> Result<(), Failure> {
-    /// Most rows of a table.
+    /// Maximum rows of a table.
     const ROWS: usize = 12;
     writeln!(out, "\n{} ({})", curve.name, curve.remark)?;
     let titles = ["f [Hz]", "|Z| [N·s/m]", "phase [°]", "Re Z [N·s/m]", "coherence"];

@@ -1,4 +1,4 @@
-//! A key's positions and forces from a recording.
+//! Reads a key's positions and forces from a recording.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -9,10 +9,10 @@ use keyboard::KeyIndex;
 use telemetry::recording::{Recording, Row, rows};
 use telemetry::{Topic, Update};
 
-/// Most ticks that are taken from a recording: a hundred minutes at 1 kHz.
+/// Maximum ticks from a recording: a hundred minutes at 1 kHz.
 const MOST_TICKS: usize = 6_000_000;
 
-/// Reads what `key` did, with forces that act `delay` (s) after their sample.
+/// Reads the stroke of `key`, with forces that act `delay` (s) after their sample.
 pub(super) fn read_stroke(
     path: &Path,
     key: KeyIndex,
@@ -30,7 +30,7 @@ pub(super) fn read_stroke(
     for message in recording.read(0, u64::MAX, &BTreeSet::from([Topic::Block(key.number())])) {
         let message = message.map_err(|error| format!("{error}; `letoff recover` may help"))?;
         let (_, Update::Block(block)) = message else { continue };
-        // Signals are not asked for, so their number is no matter.
+        // Signals are not read, so their number is irrelevant.
         for row in rows(&block, |_revision| 0) {
             enter(&mut stroke, &mut last, &row)?;
         }
@@ -41,7 +41,7 @@ pub(super) fn read_stroke(
     Ok(stroke)
 }
 
-/// Enters a row and the ticks before it that have none: there the key lay still.
+/// Enters a row, and the ticks without a row before it, in which the key was at rest.
 fn enter(stroke: &mut RecordedStroke, last: &mut Option<u64>, row: &Row<'_>) -> Result<(), String> {
     if !(row.position.is_finite() && row.sent.is_finite()) {
         return Ok(());

@@ -1,4 +1,4 @@
-//! What was asked for, once all of it is right.
+//! A valid request for maps of stability.
 
 use std::path::Path;
 
@@ -16,22 +16,21 @@ use super::StabilityArgs;
 use super::quantities::{quantity, range};
 use super::voices::InstrumentVoices;
 
-/// What a wall is called.
+/// Name of the wall.
 const WALL: &str = "wall";
 
-/// Period of a loop if none is given (s).
+/// Default period of a loop (s).
 pub(crate) const PERIOD: f64 = 1e-3;
 
-/// Axes of a wall and of an instrument that has no springs, if none are given.
+/// Default axes of a wall, and of an instrument without springs.
 const WALL_AXES: [&str; 2] = ["stiffness", "damping"];
 const VOICE_AXES: [&str; 2] = ["period", "mass"];
-/// Axes of model B: the coupling spring and the string's, which it was made for.
+/// Default axes of model B: the coupling spring and the string's.
 const SPRINGS: [&str; 2] = ["k1", "k2"];
 
-/// What was asked for.
 pub(super) struct StabilityQuestion {
     name: String,
-    /// Who makes the voices; none for a wall.
+    /// Maker of the voices; `None` for a wall.
     pub(super) voices: Option<InstrumentVoices>,
     pub(super) estimators: Vec<EstimatorName>,
     rig: RigParameters,
@@ -42,7 +41,7 @@ pub(super) struct StabilityQuestion {
 }
 
 impl StabilityQuestion {
-    /// Returns what is asked for, or every mistake in a sentence of its own.
+    /// Returns the request, or a sentence per mistake.
     pub(super) fn new(args: &StabilityArgs) -> Result<Self, Vec<String>> {
         let (name, voices, mut parameters) = subject(args)?;
         let mut mistakes = Vec::new();
@@ -77,13 +76,12 @@ impl StabilityQuestion {
         if !mistakes.is_empty() {
             return Err(mistakes);
         }
-        // A boundary is found from below to above, where names have nothing between them.
+        // A boundary is searched along y, and named values have nothing between them.
         let axes = if y.names().is_some() { [y, x] } else { [x, y] };
         let cells = usize::from(args.cells);
         Ok(Self { name, voices, estimators, rig, base, chosen, axes, cells })
     }
 
-    /// Returns the study of `subject`.
     pub(super) fn study<'a>(&self, subject: StabilitySubject<'a>) -> StabilityStudy<'a> {
         StabilityStudy {
             name: self.name.clone(),
@@ -97,7 +95,7 @@ impl StabilityQuestion {
     }
 }
 
-/// Name of the subject, who makes its voices, and the values of its parameters.
+/// Name of the subject, maker of its voices, and values of its parameters.
 type AskedSubject = (String, Option<InstrumentVoices>, Vec<f64>);
 
 fn subject(args: &StabilityArgs) -> Result<AskedSubject, Vec<String>> {
@@ -108,7 +106,7 @@ fn subject(args: &StabilityArgs) -> Result<AskedSubject, Vec<String>> {
     Ok((name, Some(voices), values))
 }
 
-/// Returns name, voices and parameters of an instrument or model on a key, or every mistake.
+/// Returns name, voices and parameters of an instrument or model on a key, or all mistakes.
 pub(crate) fn voices(
     what: &str,
     key: &str,
@@ -129,14 +127,13 @@ pub(crate) fn voices(
     Ok((name, voices, values))
 }
 
-/// Reads the name of a key.
 pub(crate) fn key_named(name: &str) -> Result<KeyIndex, String> {
     name.parse().map_err(|_no_key| {
         format!("--key {} is no key; give one from A0 to C8, as C4 or F#3", quoted(name))
     })
 }
 
-/// Takes over the values of the loop that are given.
+/// Sets the given values of the loop.
 fn set_values(args: &StabilityArgs, values: &mut LoopValues, mistakes: &mut Vec<String>) {
     let given = [
         (LoopQuantity::Stiffness, &args.stiffness),
@@ -159,7 +156,7 @@ fn set_values(args: &StabilityArgs, values: &mut LoopValues, mistakes: &mut Vec<
     }
 }
 
-/// Takes over what is given of these quantities.
+/// Sets the given values of these quantities.
 pub(crate) fn set_quantities(
     given: &[(LoopQuantity, &Option<String>)],
     values: &mut LoopValues,
@@ -180,7 +177,7 @@ pub(crate) fn set_quantities(
     }
 }
 
-/// Takes over values of the model, each written as name=value; returns those that are right.
+/// Sets values of the model, each given as name=value; returns the valid ones.
 pub(crate) fn set_parameters(
     known: &[Parameter],
     given: &[String],
@@ -197,7 +194,6 @@ pub(crate) fn set_parameters(
     chosen
 }
 
-/// Takes over one value of the model, written as name=value.
 fn set_parameter(known: &[Parameter], text: &str, values: &mut [f64]) -> Result<(), String> {
     let (name, value) = cli::arguments::assignment(text)?;
     let place = known.iter().position(|it| it.name == name);
@@ -220,7 +216,7 @@ fn in_range(parameter: &Parameter, value: f64) -> Result<f64, String> {
     Err(format!("{name} = {value:?} is not from {low} to {high} {unit}"))
 }
 
-/// Returns the estimators that were named; the usual ones if none was.
+/// Returns the named estimators, or the defaults.
 pub(crate) fn estimators(
     named: &[String],
     usual: &[EstimatorName],
@@ -250,7 +246,7 @@ fn usual_axes(model: Option<&ModelEntry>) -> [&'static str; 2] {
     if SPRINGS.iter().all(has) { SPRINGS } else { VOICE_AXES }
 }
 
-/// Reads an axis, as `name` or `name=low..high`.
+/// Parses an axis, `name` or `name=low..high`.
 fn axis(text: &str, model: Option<&ModelEntry>, base: &LoopPoint) -> Result<MapAxis, String> {
     let (name, ends) = match text.split_once('=') {
         Some((name, ends)) => (name.trim(), Some(ends)),
@@ -275,7 +271,7 @@ fn axis(text: &str, model: Option<&ModelEntry>, base: &LoopPoint) -> Result<MapA
     Ok(MapAxis::of_quantity(found, ends))
 }
 
-/// An axis of a parameter: between what is given, or a tenth and ten times of its value.
+/// Returns the axis of a parameter: the given range, or 0.1 to 10 times its value.
 fn of_parameter(
     (place, parameter): (usize, &Parameter),
     value: f64,

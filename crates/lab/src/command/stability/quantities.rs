@@ -1,9 +1,8 @@
-//! Numbers with units, and ranges of them, as they are typed.
+//! Parses numbers and ranges with units.
 
 use documents::quoted;
 
-/// Reads `text` as a number of `unit`: plain, in that unit, or with another of the same kind, as
-/// `1 ms` or `50 gf`.
+/// Parses a number of `unit`: plain, or with any unit of the same kind, as `1 ms` or `50 gf`.
 pub(crate) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
     let text = text.trim();
     let wanted = || if unit.is_empty() { String::new() } else { format!(", as 1.5 {unit}") };
@@ -18,7 +17,7 @@ pub(crate) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
         .ok_or_else(|| format!("{} is no number of {unit}{}", quoted(text), wanted()))
 }
 
-/// Reads `text` as two numbers with `..` between them.
+/// Parses two numbers with `..` between them.
 pub(crate) fn range(text: &str, unit: &str) -> Result<(f64, f64), String> {
     let (low, high) = text
         .split_once("..")

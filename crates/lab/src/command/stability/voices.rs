@@ -10,13 +10,13 @@ use scene::{KeyVoice, Library, Scene};
 use scheduler::motion::KeySample;
 use scheduler::voice::{VoiceFault, VoiceOutput};
 
-/// Rates that a voice can have (Hz), as in scenes.
+/// Allowed rates of a voice (Hz), as in scenes.
 const RATES: (f64, f64) = (100.0, 10_000.0);
 
-/// Step of an encoder without one, for a filter that asks (m).
+/// Encoder step for a filter if the encoder has none (m).
 const FINEST_STEP: f64 = 1e-9;
 
-/// Makes voices of one model, rendered as scenes do it by default.
+/// Makes voices of one model, rendered as scenes do by default.
 #[derive(Debug)]
 pub(crate) struct InstrumentVoices {
     pub(crate) model: Arc<LoadedModel>,
@@ -24,20 +24,19 @@ pub(crate) struct InstrumentVoices {
 }
 
 impl InstrumentVoices {
-    /// Returns a maker of voices of `model`.
     pub(crate) fn new(model: &Arc<LoadedModel>) -> Result<Self, String> {
         let scene = Scene::load(&Library::default(), "springs", &[]);
         let scene = scene.map_err(|wrong| mechanism::rendered(&wrong))?;
         Ok(Self { model: Arc::clone(model), scene })
     }
 
-    /// Returns the key on which its voices play.
+    /// Returns the key of the voices.
     pub(crate) fn rig(&self) -> Result<RigParameters, String> {
         let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
         Ok(builder.rig())
     }
 
-    /// Returns the voice that is ordered, at rest.
+    /// Returns the ordered voice, at rest.
     pub(crate) fn make(&self, order: &VoiceOrder<'_>) -> Result<Box<dyn TrialVoice>, String> {
         let hz = (1.0 / order.values.get(LoopQuantity::Period)).round();
         if !(RATES.0..=RATES.1).contains(&hz) {
@@ -64,7 +63,7 @@ impl InstrumentVoices {
     }
 }
 
-/// A voice that is knocked.
+/// A voice under trial.
 struct TriedVoice {
     voice: AnyVoice,
     turn: VoiceOutput,

@@ -1,5 +1,3 @@
-//! The story of figure 6, and the stated errors of the paper's step.
-
 use super::hand::LINE;
 use super::*;
 
@@ -7,17 +5,16 @@ fn experiment() -> Figure6 {
     figure6(Pace::PAPER).unwrap()
 }
 
-/// The lever of the finger (m): 3 inches for 45°.
 const LEVER: f64 = 76.2e-3 / core::f64::consts::FRAC_PI_4;
 
-/// Asserts that `it` tells what the paper's text does: held still for 0.3 s, thrown, free, caught
-/// near 0.9 s, thrown harder, on the string, landed near 1.5 s, bounced.
+/// Asserts the story of the paper's text: held still for 0.3 s, thrown, free, caught near 0.9 s,
+/// thrown harder, on the string, landed near 1.5 s, bounced.
 #[track_caller]
 fn check_story(it: &ClosedLoop, bounces: usize) {
     let still = it.rig.iter().zip(&it.paper.rows).take_while(|(_, row)| row.t <= 0.3);
     assert!(still.clone().count() > 140);
     for (rig, row) in still {
-        // The encoder begins to count anywhere within a line.
+        // The encoder starts anywhere within a line.
         assert!(rig.angle.abs() < 0.5 * LINE / LEVER && row.s == 0.0, "{rig:?}");
     }
     let seen: Vec<_> = it.paper.events.iter().map(|event| (event.guard, event.t)).collect();
@@ -28,7 +25,7 @@ fn check_story(it: &ClosedLoop, bounces: usize) {
     assert!((seen[4].1 - 1.5).abs() < 0.04, "{seen:?}");
     let landed = guards[5..].iter().filter(|guard| **guard == "land").count();
     assert!(landed >= bounces, "{seen:?}");
-    // The second throw is the harder one: its hammer flies higher.
+    // The second throw is harder: its hammer flies higher.
     let high = |from: f64, to: f64| {
         let rows = it.paper.rows.iter().filter(|row| (from..to).contains(&row.t));
         rows.map(|row| row.hammer).fold(f64::NEG_INFINITY, f64::max)
@@ -50,7 +47,7 @@ fn the_model_is_given_whole_lines_once_a_step_and_the_hand_pulls_too() {
         for (row, rig) in it.paper.rows.iter().skip(1).zip(&it.rig) {
             let lines = row.s * LEVER / LINE;
             assert!((lines - lines.round()).abs() < 1e-9, "{lines} lines");
-            // What was sampled is the position of the step's start, to half a line.
+            // The sample is the position at the step's start, to half a line.
             let error = (row.s - rig.angle) * LEVER;
             assert!(error.abs() < (0.5 + 1e-9) * LINE, "{error} m");
         }
@@ -65,7 +62,7 @@ fn the_model_is_given_whole_lines_once_a_step_and_the_hand_pulls_too() {
 
 #[test]
 fn the_force_rises_by_a_line_of_the_encoder_at_a_time() {
-    // Before anything moves: 6.2 N·m/rad times a line, both at the lever.
+    // At rest: 6.2 N·m/rad times a line, both at the lever.
     let it = experiment().slow_motion;
     let jump = it.paper.rows.windows(2).map(|pair| (pair[1].f_ku - pair[0].f_ku).abs());
     let expected = 6.2 * LINE / (LEVER * LEVER);
@@ -105,7 +102,7 @@ fn errors_are_those_that_an_independent_study_stated() {
     assert!(located.iter().all(|it| it.energy_made < 1e-3 * paper.energy_made));
 }
 
-/// Model B of the `paper` set with its equations written out, with `k2` (N/m) between the two.
+/// Derivative of model B of the `paper` set, written out, with `k2` (N/m) between the two.
 fn derivative(k2: f64, [h, k, hh, kk]: [f64; 4], s: f64) -> [f64; 4] {
     let d = k - h;
     let q4 = (0.4 * d.sin() - 0.05 * h.cos() + 0.1 * h.sin()) / d.cos();

@@ -1,5 +1,3 @@
-//! Fits to strokes whose parameters are known.
-
 use std::path::Path;
 use std::sync::Arc;
 
@@ -13,7 +11,6 @@ use super::driven::DrivenStroke;
 use super::{FitOutcome, FitSubject, FittedParameter, MeasuredStroke, fit, read_stroke};
 use crate::random::SeededRandom;
 
-/// C4.
 const KEY: u8 = 39;
 
 fn model(name: &str, preset: &str) -> (Arc<LoadedModel>, Vec<f64>) {
@@ -28,7 +25,7 @@ fn place(model: &ModelEntry, name: &str) -> usize {
 }
 
 /// Strokes of a key with `changed` parameters: `count` of `depth` (m) and back in 0.4 s, a row each
-/// 2 ms, and the same slower by half.
+/// 2 ms, and the same 1.5 times slower.
 fn played(
     (model, values): (&LoadedModel, &[f64]),
     changed: &[(&str, f64)],
@@ -54,7 +51,7 @@ fn played(
     vec![stroke(0.4), stroke(0.6)]
 }
 
-/// The same strokes with noise of a force cell (N) and of a ruler (m).
+/// Adds noise of a force cell (N) and of a ruler (m).
 fn measured(
     strokes: &[MeasuredStroke],
     seed: u64,
@@ -92,13 +89,12 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
     let strokes = played((&model, &values), &truth, 8e-3);
     let (mut held, mut all) = (0, 0);
     for seed in 0..6 {
-        // A cell of 10 mN and a ruler of 1 µm.
         let found = fitted((&model, &values), &names, &measured(&strokes, seed, (0.01, 1e-6)));
         held += found.parameters.iter().zip(truth).filter(|(it, of)| covers(it, of.1)).count();
         all += truth.len();
         assert!(found.strokes.iter().all(|it| it.after < 0.013), "{:?}", found.strokes);
     }
-    // Of 18 with 95 % each, 14 or fewer are held once in 90 times.
+    // Of 18 with 95 % each, 14 or fewer hold once in 90 trials.
     assert!(held > 14, "{held} of {all} intervals hold the truth");
 }
 
@@ -106,7 +102,7 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
 fn what_has_no_influence_or_a_double_is_named_and_keeps_its_value() {
     let (model, values) = model("key-hammer-springs", "playable");
     let strokes = played((&model, &values), &[("M2", 0.0100)], 8e-3);
-    // The string is not reached, and mass times distance is one moment, whatever the mass.
+    // The string is not reached, and mass times distance is one moment for any mass.
     let names = ["string_angle", "M2", "M1", "cK"];
     let found = fitted((&model, &values), &names, &measured(&strokes, 1, (0.01, 0.0)));
     let told = found.remarks.join("\n");
@@ -126,11 +122,11 @@ fn what_has_no_influence_or_a_double_is_named_and_keeps_its_value() {
 fn published_touch_weights_are_followed_and_their_friction_found() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/fit/published.csv");
     let mut stroke = read_stroke(path.as_ref(), 5e-3).expect("a stroke");
-    // The whole way before the damper, both ways.
+    // Travel before the damper, both ways.
     stroke.rows.retain(|row| (0.8e-3..4.8e-3).contains(&row.travel));
     let (model, values) = model("reduced-grand", "default");
     let found = fitted((&model, &values), &["Wk", "Fc"], &[stroke]);
-    // Weights of 50 and 26 gf are constants, and so is what the model has there.
+    // Weights of 50 and 26 gf are constants, in the data and in the model.
     assert!(found.strokes[0].after < 0.02, "{:?}", found.strokes);
     let friction = &found.parameters[1];
     assert!((friction.value - 0.118).abs() < 0.02, "{friction:?}");

@@ -1,4 +1,4 @@
-//! Impedances beside closed forms, that no line of the product has part in.
+//! Compares impedances with closed forms that share no code with the product.
 
 use std::path::Path;
 
@@ -16,7 +16,6 @@ fn j_omega(frequency: f64) -> Z {
     Complex::new(0.0, TAU * frequency)
 }
 
-/// Values of a model of the program, where these differ from its defaults.
 fn values(model: &instruments::ModelEntry, changed: &[(&str, f64)]) -> Vec<f64> {
     let value = |(place, parameter): (usize, &instruments::Parameter)| {
         let given = changed.iter().find(|it| it.0 == parameter.name);
@@ -57,8 +56,8 @@ fn a_spring_and_a_damper_have_k_over_j_omega_plus_b() {
     }
 }
 
-/// Where the paper's key holds its hammer at the angle `s`: hammer's turn per key's, and the
-/// lever from the slider to the hammer's pivot (m).
+/// Returns the hammer's turn per key's where the paper's key holds its hammer at the angle `s`,
+/// and the lever from the slider to the hammer's pivot (m).
 fn lever(s: f64, l1: f64, l3: f64, l4: f64) -> (f64, f64) {
     let (x, y) = (l1 * s.cos() - l3, l1 * s.sin() - l4);
     // θh = atan2(y, x).
@@ -85,7 +84,7 @@ fn model_a_is_a_mass_with_its_hammer_and_a_smaller_one_without() {
 fn model_b_is_two_springs_and_two_masses_and_in_flight_one_of_each() {
     let (jk, jh, r) = (0.016_25, 0.01, 0.0762 / std::f64::consts::FRAC_PI_4);
     let depth = 6e-3;
-    // Without gravity k2 is not pressed, and the slider stands on the key's line: q4 changes by
+    // Without gravity k2 is not pressed, and the slider lies on the key's line: q4 changes by
     // −q3/cos δ per hammer's angle and L1 per key's.
     let (_, q3) = lever(depth / r, L1, L3, L4);
     let s = depth / r;
@@ -108,7 +107,7 @@ fn model_b_is_two_springs_and_two_masses_and_in_flight_one_of_each() {
     }
 }
 
-/// The impedance of a wall that is sampled, held and late: the backward difference has
+/// Returns the impedance of a sampled, held and late wall: the backward difference has
 /// (1 − exp(−jωT))/T for jω, and the hold sinc(ωT/2) exp(−jωT/2).
 fn sampled_wall((k, b): (f64, f64), (period, delay): (f64, f64), frequency: f64) -> Z {
     let p = j_omega(frequency);
@@ -167,7 +166,7 @@ fn a_held_and_late_spring_is_not_passive_and_has_its_closed_form() {
     }
 }
 
-/// A stroke of a hand: steps of its jerk by a generator of random numbers, smoothed twice.
+/// Simulates a hand: random steps of jerk, smoothed twice.
 fn shaky_positions(count: usize) -> Vec<f64> {
     let (mut seed, mut smooth) = (12_345_u64, [0.0; 2]);
     let mut next = || {
@@ -182,7 +181,6 @@ fn shaky_positions(count: usize) -> Vec<f64> {
     (0..count).map(|_| position()).collect()
 }
 
-/// Forces of a wall for positions that are read once a period (s).
 fn wall_forces(positions: &[f64], (k, b): (f64, f64), period: f64) -> Vec<f64> {
     let rate = |at: usize| at.checked_sub(1).map_or(0.0, |it| positions[at] - positions[it]);
     (0..positions.len()).map(|at| k * positions[at] + b * rate(at) / period).collect()

@@ -1,11 +1,9 @@
-//! Measured boundaries beside theory, and reports.
-
 use haptics::{EstimatorName, RigParameters, SampledWall};
 
 use super::*;
 use figures::parallel::in_parallel;
 
-/// A study of a wall on an ideal key, of which one loop at a time is run.
+/// Returns a study of a wall on an ideal key; one loop at a time is run.
 fn study(values: LoopValues) -> StabilityStudy<'static> {
     let axis = |quantity: LoopQuantity| MapAxis::of_quantity(quantity, quantity.entry().axis);
     StabilityStudy {
@@ -35,8 +33,8 @@ fn verdict(values: LoopValues) -> LoopVerdict {
     study.verdict(EstimatorName::BackwardDifference, &study.base)
 }
 
-/// The stiffness (N/m) at which the loop stops coming to rest, between a stable one and one that
-/// is not, to a hundredth.
+/// Returns the stiffness (N/m) at which the loop stops coming to rest, between a stable and an
+/// unstable one, to 1 %.
 #[track_caller]
 fn stiffest(values: LoopValues, (stable, unstable): (f64, f64)) -> f64 {
     let rests = |stiffness| {
@@ -63,8 +61,8 @@ fn under_the_worst_load_a_wall_is_stable_up_to_colgate_and_schenkels_boundary() 
         let (period, device, damping) = (*period, *device, share * device);
         let wall = SampledWall { stiffness: 0.0, damping, period, delay: 0.0 };
         let theory = wall.passive_stiffness(device);
-        // A mass that is gone within a fiftieth of a period, in steps of a five-hundredth: the worst
-        // there is.
+        // The worst case: a mass that vanishes within a fiftieth of a period, in steps of a
+        // five-hundredth.
         let changes = [
             (LoopQuantity::Mass, 0.02 * device * period),
             (LoopQuantity::DeviceDamping, device),
@@ -95,12 +93,12 @@ fn on_a_key_of_40_g_a_wall_is_stable_up_to_where_its_poles_leave_the_unit_circle
         // The plant's step is a two-hundredth of a period, and of first order.
         assert!((measured / low - 1.0).abs() < 0.02, "{delay} s: {measured}, poles {low}");
         let wall = SampledWall { stiffness: 0.0, damping, period: 1e-3, delay };
-        // What decays by less than 2 % of its energy in 0.1 s counts as ringing: 0.008 N s/m of b.
+        // A decay by less than 2 % of the energy in 0.1 s counts as ringing: 0.008 N s/m of b.
         assert!(0.99 * wall.passive_stiffness(1.0) < measured, "a passive wall is stable");
     }
 }
 
-/// A key whose encoder has steps of 0.1 mm, and damping for a wall of 10 kN/m.
+/// Returns a key with an encoder step of 0.1 mm, and damping for a wall of 10 kN/m.
 fn rough(friction: f64) -> LoopValues {
     with(
         ideal(1e-3),
@@ -162,7 +160,6 @@ fn a_map_is_in_its_files_with_its_axes_units_and_lines() {
     std::fs::remove_dir_all(&folder).unwrap();
 }
 
-/// A spring as a voice.
 struct SpringVoice(f64);
 
 impl TrialVoice for SpringVoice {
@@ -171,7 +168,7 @@ impl TrialVoice for SpringVoice {
     }
 }
 
-/// What a voice does on a key between its felts.
+/// Runs a voice on a key between its felts.
 fn verdict_of(make: VoiceMaker<'_>) -> LoopVerdict {
     let rig = RigParameters::default();
     let mut study = study(LoopValues::of_rig(&rig, 1e-3, 1e5));
@@ -181,14 +178,13 @@ fn verdict_of(make: VoiceMaker<'_>) -> LoopVerdict {
 
 #[test]
 fn a_voice_is_judged_by_the_same_loop() {
-    // 2 (b / T) and what friction adds: a soft spring rests, one of fifty times as much does not.
+    // 2 (b / T) plus friction: a soft spring rests, a fifty times stiffer one does not.
     assert_eq!(verdict_of(&|_| Ok(Box::new(SpringVoice(200.0)))), LoopVerdict::Rests);
     let stiff = verdict_of(&|_| Ok(Box::new(SpringVoice(100e3))));
     assert!(matches!(stiff, LoopVerdict::Rings | LoopVerdict::MakesEnergy), "{stiff:?}");
     assert_eq!(verdict_of(&|_| Err("none".to_owned())), LoopVerdict::Fails);
 }
 
-/// A voice that is muted in its third tick.
 struct Mute;
 
 impl TrialVoice for Mute {

@@ -1,10 +1,10 @@
-//! Hand-made runs: missing and extra events, states that differ, runs cut short.
+//! Judges hand-made runs: missing and extra events, states that differ, runs cut short.
 
 use pode::Motion;
 
 use super::*;
 
-/// A ball whose equations nothing here needs.
+/// A ball without equations.
 #[derive(Clone, Copy, Debug)]
 struct Ball;
 
@@ -47,7 +47,6 @@ fn reference() -> Reference<Ball> {
     }
 }
 
-/// A run that met the reference.
 fn right() -> ObservedRun<Ball> {
     let reference = reference();
     let seen = [("floor", Mode::Flight), ("floor", Mode::Rest), ("lift", Mode::Flight)];
@@ -62,7 +61,6 @@ fn right() -> ObservedRun<Ball> {
     }
 }
 
-/// The index and what was expected and found where the sequence is wrong.
 #[track_caller]
 fn wrong(observed: &ObservedRun<Ball>) -> (usize, String, String) {
     let verdict = judge(&reference(), observed);
