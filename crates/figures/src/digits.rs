@@ -1,11 +1,8 @@
-//! Numbers as people write them.
-
-/// Returns a decimal number without the zeros at its end that say nothing.
+/// Returns a decimal number without trailing zeros.
 pub fn trimmed(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
-/// Returns a number with up to four digits.
 pub fn rounded(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 {

@@ -1,4 +1,4 @@
-//! Figures of one key, computed off the tick: of its action alone, and of the loop that will run.
+//! Figures of one key, computed off the tick: of its action alone, and of its loop.
 //!
 //! | module | figures |
 //! |---|---|
@@ -8,9 +8,9 @@
 //! | [`weight`] | weights of a finger: what moves a key, and what sounds at a velocity |
 //! | [`plot`] | pictures of figures, as SVG |
 //!
-//! Commands, the host and studies ask here, so that each figure is computed in one way.
+//! Commands, the host and studies use these functions, so that each figure is computed in one way.
 //!
-//! Not here: reports, anything of real time, a keyboard of 88 keys at once.
+//! Reports, real time and a keyboard of 88 keys are not here.
 #![forbid(unsafe_code)]
 
 pub mod action;

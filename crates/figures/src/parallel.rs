@@ -1,11 +1,9 @@
-//! Work that is shared among all processors.
-
 use std::sync::Mutex;
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// What `work` makes of each job, in their order.
+/// Applies `work` to all jobs on all processors; returns the results in their order.
 pub fn in_parallel<J: Sync, O: Send>(jobs: &[J], work: &(dyn Fn(&J) -> O + Sync)) -> Vec<O> {
     let next = AtomicUsize::new(0);
     let done = Mutex::new(Vec::new());

@@ -1,4 +1,4 @@
-//! A key with its action, to rehearse strokes on: the very loop that will run later.
+//! A key with its action for rehearsals, in the loop of the running host.
 
 use std::fmt;
 use std::sync::Arc;
@@ -18,13 +18,13 @@ use scheduler::work::TurnLimit;
 
 use engine::voice::{BuildError, RehearsableVoice, VoiceBuilder};
 
-/// Why a key of a scene cannot be rehearsed.
+/// Error in the rehearsal of a scene's key.
 #[derive(Debug, thiserror::Error)]
 pub enum RehearsalError {
-    /// The scene's values make no voice.
+    /// A voice cannot be built from the scene's values.
     #[error(transparent)]
     Voice(#[from] BuildError),
-    /// The simulated keybed refuses the scene's period.
+    /// The simulated keybed rejects the scene's period.
     #[error("the simulated keybed cannot run the scene: {0}")]
     Keybed(#[from] boards::Error),
     /// The pieces need more ticks than [`MAX_REHEARSED_TICKS`].
@@ -37,12 +37,11 @@ pub enum RehearsalError {
     Cancelled,
 }
 
-/// Largest work of a rehearsal: ticks of all keys together, with everything that is tried.
-///
-/// A processor takes some minutes for them; a piece of an hour at 1 kHz needs a third.
+/// Maximum work of a rehearsal: ticks of all keys and trials. A processor takes some minutes for
+/// them; a piece of an hour at 1 kHz needs a third.
 pub const MAX_REHEARSED_TICKS: u64 = 1_000_000_000;
 
-/// The work of a rehearsal, counted by all its keys and their copies.
+/// Ticks of a rehearsal, counted by all its keys and their copies.
 #[derive(Debug)]
 pub struct RehearsalWork {
     left: AtomicU64,
@@ -50,15 +49,12 @@ pub struct RehearsalWork {
 }
 
 impl RehearsalWork {
-    /// Returns the work of at most `ticks`, which ends early once `is_cancelled` is set.
+    /// Returns a budget of `ticks`, which ends early once `is_cancelled` is set.
     pub const fn new(ticks: u64, is_cancelled: Arc<AtomicBool>) -> Self {
         Self { left: AtomicU64::new(ticks), is_cancelled }
     }
 
-    /// Returns whether it was brought to its end.
-    ///
-    /// # Errors
-    /// If it took too long, or was cancelled.
+    /// Returns the error of a rehearsal that took too long or was cancelled.
     pub fn verdict(&self) -> Result<(), RehearsalError> {
         if self.is_cancelled.load(Ordering::Relaxed) {
             Err(RehearsalError::Cancelled)
@@ -69,7 +65,7 @@ impl RehearsalWork {
         }
     }
 
-    /// Counts `ticks`. Returns `true` if any are left.
+    /// Counts `ticks`; returns `true` if any are left.
     fn spend(&self, ticks: u64) -> bool {
         let less = |left: u64| Some(left.saturating_sub(ticks));
         let _before = self.left.fetch_update(Ordering::Relaxed, Ordering::Relaxed, less);
@@ -77,24 +73,24 @@ impl RehearsalWork {
     }
 }
 
-/// Ticks after which a key counts its work.
+/// Ticks between two counts of a key.
 const PACE: u64 = 256;
 
 /// One key of the simulated keybed and its voice, in virtual time.
 ///
-/// Sample, voice, safety and wire are those of the running host, in the same order, so
-/// what was rehearsed happens to the last bit.
+/// Sample, voice, safety and wire are those of the running host in the same order, so rehearsed
+/// output equals played output bit for bit.
 pub struct RehearsedKey {
     key: SimulatedKey,
     slot: Slot<Copied>,
     gate: KeyGate,
     tick: u64,
     period: f64,
-    /// Of the rehearsal that it belongs to.
+    /// Budget of its rehearsal.
     work: Option<Arc<RehearsalWork>>,
 }
 
-/// A boxed voice that can be cloned with its slot.
+/// A boxed voice that can be cloned.
 struct Copied(Box<dyn RehearsableVoice>);
 
 impl Clone for Copied {
@@ -118,7 +114,7 @@ impl Voice for Copied {
 }
 
 impl RehearsedKey {
-    /// A key at rest before tick 0, in ticks of a period and with a slew limit (N/s).
+    /// Returns a key at rest before tick 0, with ticks of a period and a slew limit (N/s).
     pub fn new(
         number: usize,
         key: SimulatedKey,
@@ -135,7 +131,7 @@ impl RehearsedKey {
         }
     }
 
-    /// Counts the ticks of the key, and those of its copies, as `work` from now on.
+    /// Counts the ticks of the key and its copies in `work` from now on.
     pub fn count_by(&mut self, work: Arc<RehearsalWork>) {
         self.work = Some(work);
     }
@@ -143,9 +139,6 @@ impl RehearsedKey {
 
 impl RehearsedKey {
     /// Returns one key of a scene with its voice, on the simulated keybed's rig.
-    ///
-    /// # Errors
-    /// If the voice or the keybed are refused.
     pub fn of_scene(
         builder: &VoiceBuilder<'_>,
         key: usize,
@@ -154,10 +147,7 @@ impl RehearsedKey {
         Self::on_rig(builder, (key, voice), builder.rig())
     }
 
-    /// Returns the same on another rig.
-    ///
-    /// # Errors
-    /// If the voice or the keybed are refused.
+    /// Like [`Self::of_scene`], but on another rig.
     pub fn on_rig(
         builder: &VoiceBuilder<'_>,
         (key, voice): (usize, &KeyVoice),
@@ -169,12 +159,12 @@ impl RehearsedKey {
         Ok(Self::new(key, sim, voice, (period, builder.slew_limit())))
     }
 
-    /// Takes the gestures that are played from now on instead of those before.
+    /// Replaces the gestures from now on.
     pub fn take(&mut self, gestures: Vec<Gesture>) {
         self.key.play(gestures);
     }
 
-    /// Lets a hand press on the key or grip it from now on.
+    /// Applies a hand to the key from now on.
     pub fn press(&mut self, hand: HandCommand) {
         self.key.press(hand);
     }
@@ -189,7 +179,7 @@ impl RehearsedKey {
         self.key.rig().position()
     }
 
-    /// Runs the next tick; returns what the voice did in it.
+    /// Runs the next tick; returns the voice's output.
     pub fn step(&mut self) -> VoiceOutput {
         let mut turn = VoiceOutput::default();
         let sample = self.key.receive(self.tick);
@@ -276,7 +266,6 @@ mod tests {
         let mut counted = counted_by(&work);
         counted.play(&[], 9.0);
         assert!(work.verdict().is_ok());
-        // Thirty years.
         counted.clone().play(&[], 1e9);
         assert!(matches!(work.verdict(), Err(RehearsalError::TooLong)));
         let is_cancelled = Arc::new(AtomicBool::new(true));

@@ -1,5 +1,5 @@
-//! Weights of a finger, found by laying them on a simulated key in its loop: those that move the
-//! key, and the one with which it sounds at a velocity.
+//! Weights that move a key, and that make it sound at a velocity, found on a simulated key in its
+//! loop.
 
 use std::fmt;
 
@@ -15,23 +15,23 @@ use crate::rehearsal::{RehearsalError, RehearsedKey};
 /// Largest weight of a finger (N).
 pub const HEAVIEST: f64 = 50.0;
 
-/// Halvings of the weights between none and the largest: to a twentieth of a millinewton.
+/// Bisections between no weight and the largest: to a twentieth of a millinewton.
 const HALVINGS: u32 = 20;
 
-/// Travels between which touch weights are taken, as parts of the dip: 2 and 4.5 of 10.16 mm.
+/// Travels of touch weights, as fractions of the dip: 2 and 4.5 of 10.16 mm.
 const WEIGHED: [f64; 2] = [0.197, 0.443];
 
-/// Largest weight with which a key is weighed (N).
+/// Largest tried touch weight (N).
 const MOST_WEIGHED: f64 = 10.0;
 
-/// Change of that weight (N/s): a key that falls through takes 0.1 s, 1 gf.
+/// Change of a touch weight (N/s): a key that falls through takes 0.1 s, 1 gf.
 const WEIGHING_RATE: f64 = 0.1;
 
-/// Time in which the key lies still before it is pressed, and in which it is to sound (s).
+/// Rest of the key before the press, and time in which it must sound (s).
 const STILL: f64 = 0.02;
 const SOUNDS: f64 = 1.0;
 
-/// Why no weight gives a velocity.
+/// Error in a search for a weight.
 #[derive(Debug, thiserror::Error)]
 pub enum WeightError {
     #[error("{0} has no voice in this scene")]
@@ -43,18 +43,18 @@ pub enum WeightError {
     TooFast {
         key: KeyIndex,
         wanted: u8,
-        /// The velocity at the largest weight; 0 if the key does not sound at all.
+        /// Velocity at the largest weight; 0 if the key does not sound.
         most: u8,
     },
     #[error(transparent)]
     Rehearsal(#[from] RehearsalError),
 }
 
-/// Returns the smallest weight (N) that, laid on `key` of `scene` at rest, makes it sound at
-/// `velocity` or more.
+/// Returns the smallest weight (N) that makes `key` of `scene`, at rest, sound at `velocity` or
+/// more.
 ///
 /// # Errors
-/// If the key has no voice, or no finger is heavy enough.
+/// If the key has no voice, or the largest weight is too small.
 pub fn weight_for(scene: &Scene, key: KeyIndex, velocity: Velocity) -> Result<f64, WeightError> {
     let builder = VoiceBuilder::new(scene).map_err(RehearsalError::from)?;
     let voice = scene.keys.get(key.index()).and_then(Option::as_ref);
@@ -76,12 +76,12 @@ pub fn weight_for(scene: &Scene, key: KeyIndex, velocity: Velocity) -> Result<f6
     Ok(enough)
 }
 
-/// The weights that a technician would find at the front of a key in its loop.
+/// Touch weights of a technician, at the front of a key in its loop.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TouchWeights {
-    /// The least weight under which the key goes down (N).
+    /// Least weight under which the key goes down (N).
     pub down: f64,
-    /// The largest weight that the key lifts again (N).
+    /// Largest weight that the key lifts (N).
     pub up: f64,
 }
 
@@ -97,12 +97,8 @@ impl fmt::Display for TouchWeights {
 /// Returns the weights that move `key` of `scene`; `None` if 10 N do not move it, or if it is not
 /// lifted again.
 ///
-/// A weight on the key grows by 0.1 N/s until the key passes 4.5 mm of a grand's 10.16 mm, and
-/// shrinks from there until it comes back to 2 mm: before the damper and the let-off, where
-/// technicians measure.
-///
-/// # Errors
-/// If the key has no voice, or cannot be simulated.
+/// The weight grows by 0.1 N/s until the key passes 4.5 mm of a grand's 10.16 mm, and shrinks from
+/// there until it returns to 2 mm: before the damper and the let-off, as technicians measure.
 pub fn touch_weights(scene: &Scene, key: KeyIndex) -> Result<Option<TouchWeights>, WeightError> {
     let builder = VoiceBuilder::new(scene).map_err(RehearsalError::from)?;
     let voice = scene.keys.get(key.index()).and_then(Option::as_ref);
@@ -113,8 +109,8 @@ pub fn touch_weights(scene: &Scene, key: KeyIndex) -> Result<Option<TouchWeights
     Ok(down.zip(up).map(|(down, up)| TouchWeights { down, up }))
 }
 
-/// Changes the weight on a key slowly between two weights (N); returns the weight at which the key
-/// `is_there`.
+/// Changes the weight on a key slowly between two weights (N); returns the weight at which
+/// `is_there` holds.
 fn weighed(
     key: &mut RehearsedKey,
     (from, to): (f64, f64),
@@ -135,7 +131,6 @@ fn weighed(
     }
 }
 
-/// Returns a key that has come to rest.
 fn still(
     builder: &VoiceBuilder<'_>,
     key: KeyIndex,
@@ -148,7 +143,7 @@ fn still(
     Ok(rehearsed)
 }
 
-/// Returns how fast the hammer of `key` strikes under a weight (m/s), if it does.
+/// Returns the speed of the hammer of `key` under a weight (m/s), if it strikes.
 fn hammer_speed(mut key: RehearsedKey, newtons: f64) -> Option<f64> {
     key.press(HandCommand::Weight(newtons));
     let end = key.now() + SOUNDS;
@@ -206,7 +201,7 @@ mod tests {
         };
         let [(soft, dip), (stiff, _)] = [100.0, 200.0].map(&mut weighed);
         let more = [stiff.down - soft.down, stiff.up - soft.up];
-        // The rig's bearing sticks and slips by a tenth of a millimetre: 0.02 N of the stiff spring.
+        // The rig's bearing sticks and slips by 0.1 mm: 0.02 N of the stiff spring.
         for (more, part) in more.into_iter().zip([0.443, 0.197]) {
             assert!((more - 100.0 * part * dip).abs() < 0.02, "{more} N at {part} of the dip");
         }

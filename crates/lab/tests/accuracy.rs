@@ -33,6 +33,7 @@ fn study(scenarios: &[&str], methods: &[&str], effort: Effort) -> Vec<MeasuredSc
     measured
 }
 
+/// Returns the run of `method` with ticks of `tick` (s).
 #[track_caller]
 fn run<'a>(measured: &'a MeasuredScenario, method: &str, tick: f64) -> &'a StudyRow {
     let is_it =

@@ -1,27 +1,27 @@
-//! What a key does after its stroke: how soon it plays again, and how soon it is up.
+//! Repetition and return of a key after its stroke.
 
 use pode::Motion;
 
 use super::drive::{BEYOND_DIP, Drive};
 use super::subject::PianoSubject;
 
-/// Strokes of a repetition that must sound.
+/// Strokes of a repetition that must all sound.
 const STROKES: u32 = 8;
-/// Speed of the stroke before them (m/s).
+/// Speed of the first press (m/s).
 const FIRST: f64 = 0.15;
 /// Length of a tick (s).
 const TICK: f64 = 1e-4;
 
-/// The quickest repetition at which every stroke sounds (1/s), where the key comes up by `part`
+/// Returns the fastest repetition at which every stroke sounds (1/s), with the key rising by `part`
 /// of its travel; 0 if there is none.
 pub(super) fn quickest(subject: &PianoSubject<'_>, key: u8, part: f64) -> f64 {
-    /// Rates that are tried (1/s), in steps of a half.
+    /// Rates that are tried, in halves (1/s).
     const HALVES: std::ops::RangeInclusive<u32> = 4..=50;
     let mut rates = HALVES.rev().map(|halves| 0.5 * f64::from(halves));
     rates.find(|rate| repeats(subject, key, (part, *rate))).unwrap_or(0.0)
 }
 
-/// Whether each press of a repetition gives one strike.
+/// Returns `true` if each press of a repetition gives one strike.
 fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> bool {
     let mut driven = subject.open(key);
     let held = subject.dip(key) + 0.5 * BEYOND_DIP;
@@ -35,7 +35,7 @@ fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> boo
         }
         t += TICK;
     }
-    // One in each period, which begins with the key down.
+    // One strike in each period, which begins with the key down.
     let period = |n: u32| first + (f64::from(n) + 0.5) / rate;
     (0..STROKES).all(|n| {
         let within = period(n)..period(n + 1);
@@ -43,15 +43,14 @@ fn repeats(subject: &PianoSubject<'_>, key: u8, (part, rate): (f64, f64)) -> boo
     })
 }
 
-/// Time from when the finger is gone, with the key down, until it is up to 1 mm (s).
-///
-/// The finger is gone where it takes no force: the key's front is followed.
+/// Returns the time from the finger's release, with the key down, until the key is up to 1 mm (s).
+/// The finger follows the key's front, so that it takes no force.
 pub(super) fn return_time(subject: &PianoSubject<'_>, key: u8) -> Option<f64> {
-    /// Held before (s), and longest return that is waited for (s).
+    /// Hold before (s), and longest awaited return (s).
     const HELD: f64 = 0.3;
     const PATIENCE: f64 = 1.0;
     const UP: f64 = 1e-3;
-    /// Short, since the front is followed one tick late.
+    /// Tick (s), short since the finger follows the front one tick late.
     const SHORT: f64 = 2e-5;
     let mut driven = subject.open(key);
     let held = subject.dip(key) + 0.2 * BEYOND_DIP;

@@ -1,20 +1,20 @@
-//! How a key is driven: the position of its front over time.
+//! Position of a driven key's front over time.
 
 use pode::Motion;
 
-/// Travel at which a stroke has its duration behind it, of a key that travels [`USUAL_DIP`] (m).
+/// Travel that a stroke reaches after its duration, on a key that travels [`USUAL_DIP`] (m).
 const STROKE_DEPTH: f64 = 9.3e-3;
 /// Travel of a grand's key to its bed (m).
 pub(super) const USUAL_DIP: f64 = 10.16e-3;
-/// How far beyond its dip a key is pressed (m): the finger gives way on the bed.
+/// Travel of a pressed key beyond its dip (m): the finger compresses the bed.
 pub(super) const BEYOND_DIP: f64 = 1e-3;
 
-/// How a finger meets the key.
+/// Start of a finger's stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StrokeTouch {
-    /// From the key, which it takes along.
+    /// On the key, moving with it.
     Pressed,
-    /// From above, with a speed already.
+    /// Above the key, at speed already.
     Struck,
 }
 
@@ -28,11 +28,10 @@ impl StrokeTouch {
         }
     }
 
-    /// Exponent of the power law by which a key goes down in `duration` (s).
-    ///
-    /// It is the speed at the end over the mean speed. A lever of 5.2 : 1 gives the hammer speed of
-    /// the measured travel times (Goebl, Bresin & Galembo 2005, mean of the three grands) with these
-    /// exponents; no model has part in them.
+    /// Returns the exponent of the power law by which a key goes down in `duration` (s), which is
+    /// the end speed over the mean speed. On a lever of 5.2 : 1 it gives the hammer speeds of the
+    /// measured travel times (Goebl, Bresin & Galembo 2005, mean of the three grands), without any
+    /// model.
     fn exponent(self, duration: f64) -> f64 {
         match self {
             Self::Pressed => 1.9 * (duration / 92.6e-3).powf(-0.6),
@@ -42,7 +41,7 @@ impl StrokeTouch {
     }
 }
 
-/// A key's front over time (m, down positive), from 0 at 0 s.
+/// Position of a key's front over time (m, down positive), from 0 at 0 s.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Drive {
     /// Down by a power law, then held.
@@ -52,23 +51,22 @@ pub(super) enum Drive {
         exponent: f64,
         /// That depth on this key (m).
         depth: f64,
-        /// Where it is held (m).
+        /// Depth of the hold (m).
         held: f64,
     },
-    /// Down at a constant speed (m/s), back at once, and then up.
+    /// Down at a constant speed (m/s), at once back, and then up.
     Slope { speed: f64, turn: f64 },
-    /// Down to `held` at `speed`, from then on between `held` and `up` (m), `rate` times a second.
+    /// Down to `held` at `speed`, then between `held` and `up` (m), `rate` times a second.
     Repeated { speed: f64, held: f64, up: f64, rate: f64 },
 }
 
 impl Drive {
-    /// A stroke on a key that travels `dip` (m).
+    /// Returns a stroke on a key that travels `dip` (m).
     pub(super) fn stroke(touch: StrokeTouch, duration: f64, dip: f64) -> Self {
         let depth = STROKE_DEPTH * dip / USUAL_DIP;
         Self::Stroke { duration, exponent: touch.exponent(duration), depth, held: dip + BEYOND_DIP }
     }
 
-    /// Position, speed and acceleration at `t` (s).
     pub(super) fn at(&self, t: f64) -> Motion {
         let t = t.max(0.0);
         match *self {
@@ -78,7 +76,7 @@ impl Drive {
                 if position >= held {
                     return still(held);
                 }
-                // A power below 2 has no acceleration at 0, and one of 1 no bend.
+                // A power below 2 has no acceleration at 0, and a power of 1 none at all.
                 let bend = if n > 1.0 && x > 0.0 { (n - 1.0) * x.powf(n - 2.0) } else { 0.0 };
                 let speed = depth * n / duration;
                 let rate = speed * x.powf(n - 1.0);
@@ -113,7 +111,7 @@ impl Drive {
     }
 }
 
-/// Stands at `position` (m).
+/// Returns rest at `position` (m).
 fn still(position: f64) -> Motion {
     Motion { position, ..Motion::default() }
 }

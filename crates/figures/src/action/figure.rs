@@ -1,25 +1,24 @@
-//! Figures: a value, and where it should lie.
+//! Figures: values with their expected ranges.
 
 use serde::Serialize;
 
-/// A measured figure with what is expected of it.
+/// A measured figure with its expected range.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct Figure {
     /// Name in reports, in instrument files, and for programs.
     pub name: &'static str,
-    /// What it is, with its unit.
+    /// Title with its unit.
     pub title: &'static str,
-    /// The value; none where the instrument has no such thing.
+    /// Value; `None` if it does not apply to the instrument.
     pub value: Option<f64>,
-    /// Lowest value that is right, if one is expected.
+    /// Lowest accepted value, if one is expected.
     pub low: Option<f64>,
-    /// Highest value that is right, if one is expected.
+    /// Highest accepted value, if one is expected.
     pub high: Option<f64>,
-    /// Whether the value is there and right; none where nothing is expected.
+    /// `true` if the value exists and is in range; `None` if nothing is expected.
     pub pass: Option<bool>,
 }
 
-/// Names and titles of all figures, in the order of reports.
 pub(super) const NAMES: [(&str, &str); 34] = [
     ("down_weight_0.5mm_s", "down weight at 0.5 mm/s [gf]"),
     ("down_weight_2mm_s", "down weight at 2 mm/s [gf]"),
@@ -57,32 +56,29 @@ pub(super) const NAMES: [(&str, &str); 34] = [
     ("return", "return of the key to 1 mm [ms]"),
 ];
 
-/// Names and titles of the figures of energy.
 pub(super) const ENERGY: [(&str, &str); 2] = [
     ("cycle_work", "least work of the finger over a closed cycle [mJ]"),
     ("energy_residual", "energy made by the integration, of the work [1]"),
 ];
 
-/// The figures that were measured, with what is expected of each.
+/// Measured figures by name.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MeasuredFigures {
     values: Vec<(&'static str, f64)>,
 }
 
 impl MeasuredFigures {
-    /// Notes the value of the figure called `name`.
     pub(super) fn set(&mut self, name: &'static str, value: f64) {
         self.values.push((name, value));
     }
 
-    /// Notes a value, if there is one.
     pub(super) fn maybe(&mut self, name: &'static str, value: Option<f64>) {
         if let Some(value) = value {
             self.set(name, value);
         }
     }
 
-    /// Puts the figures in order, with their limits.
+    /// Returns the figures in the order of reports, with their limits.
     pub(super) fn figures(&self, expected: &[(String, (f64, f64))]) -> Vec<Figure> {
         let figure = |(name, title): (&'static str, &'static str)| {
             let value = self.values.iter().find(|it| it.0 == name).map(|it| it.1);
@@ -101,7 +97,6 @@ impl MeasuredFigures {
     }
 }
 
-/// Every name that a figure can have.
 pub fn figure_names() -> impl Iterator<Item = &'static str> + Clone {
     NAMES.into_iter().chain(ENERGY).map(|(name, _)| name)
 }

@@ -1,4 +1,4 @@
-//! All that is measured of one instrument.
+//! All measurements of one instrument.
 
 use super::again::{quickest, return_time};
 use super::drive::StrokeTouch;
@@ -9,9 +9,9 @@ use super::stroke::{Miss, Stroke, durations, play, softest};
 use super::subject::PianoSubject;
 use crate::parallel::in_parallel;
 
-/// The key that stands for the others, C4.
+/// Key that represents the others, C4.
 const MIDDLE: u8 = 39;
-/// Speeds of the force curves (m/s): four of a hand that weighs a key, and one that plays.
+/// Speeds of the force curves (m/s): four of weighing, and one of playing.
 const SLOPES: [f64; 5] = [0.5e-3, 2e-3, 5e-3, 17e-3, 0.5];
 /// Strokes of each touch on the middle key.
 const STROKES: u32 = 36;
@@ -19,46 +19,43 @@ const STROKES: u32 = 36;
 const DURATIONS: (f64, f64) = (0.4, 6e-3);
 /// Strokes on each of the 88 keys.
 const SWEEP: u32 = 9;
-/// Durations of those (s).
+/// Durations of strokes on each key (s).
 const SWEEP_DURATIONS: (f64, f64) = (0.25, 9e-3);
 /// Force of a gram's weight (N).
 const GF: f64 = 9.806_65e-3;
-/// Travel over which touch weights are taken, of a dip of 10.16 mm: before the damper (m).
+/// Travel of touch weights, of a dip of 10.16 mm: before the damper (m).
 const WEIGHED: (f64, f64) = (2e-3, 4.5e-3);
 
-/// Jobs of an examination: curves, strokes of both touches, a sweep for each key, softest, two
-/// repetitions and the return.
+/// Number of jobs: curves, strokes of both touches, a sweep per key, softest, two repetitions and
+/// the return.
 pub const JOBS: usize = SLOPES.len() + 2 * STROKES as usize + 88 + 4;
 
-/// What was measured of an instrument.
+/// Measurements of an instrument.
 #[derive(Clone, Debug)]
 pub struct Examination {
-    /// Name of the instrument, for reports.
     pub name: String,
-    /// Its figures, in the order of the report.
+    /// Figures in the order of the report.
     pub figures: Vec<Figure>,
     pub dip: f64,
     pub slopes: Vec<ForceCurve>,
     pub strokes: Vec<Stroke>,
-    /// Strokes of each key.
     pub sweep: Vec<(u8, Vec<Stroke>)>,
     /// Strokes that the model could not follow.
     pub failed: usize,
 }
 
 impl Examination {
-    /// How many figures lie outside of their limits.
+    /// Returns the number of figures outside of their limits.
     pub fn missed(&self) -> usize {
         self.figures.iter().filter(|it| it.pass == Some(false)).count()
     }
 
-    /// How many strokes the model failed in.
     pub const fn failed(&self) -> usize {
         self.failed
     }
 }
 
-/// A piece of work, and what it gave.
+/// A job with its result.
 enum Job {
     Slope(f64),
     Stroke(StrokeTouch, f64),
@@ -77,7 +74,7 @@ enum JobOutcome {
     Return(Option<f64>),
 }
 
-/// Measures all of `subject`, with all processors; `progress` is called after each of [`JOBS`].
+/// Measures all of `subject` on all processors; calls `progress` after each of [`JOBS`].
 pub fn examine(subject: &PianoSubject<'_>, progress: &(dyn Fn() + Sync)) -> Examination {
     let strokes = |touch| durations(DURATIONS, STROKES).map(move |it| Job::Stroke(touch, it));
     let mut jobs: Vec<Job> = SLOPES.into_iter().map(Job::Slope).collect();
@@ -158,7 +155,7 @@ impl Examination {
         }
     }
 
-    /// Strokes on the middle key with a touch, from soft to loud.
+    /// Returns the strokes on the middle key with a touch, from soft to loud.
     pub fn strokes_of(&self, touch: StrokeTouch) -> Vec<Stroke> {
         let mut strokes: Vec<_> =
             self.strokes.iter().filter(|it| it.touch == touch).copied().collect();
@@ -167,7 +164,6 @@ impl Examination {
     }
 }
 
-/// Names of the figures of a force curve at one of the four speeds.
 const WEIGHTS: [[&str; 3]; 4] = [
     ["down_weight_0.5mm_s", "up_weight_0.5mm_s", "hump_0.5mm_s"],
     ["down_weight_2mm_s", "up_weight_2mm_s", "hump_2mm_s"],
@@ -175,7 +171,7 @@ const WEIGHTS: [[&str; 3]; 4] = [
     ["down_weight_17mm_s", "up_weight_17mm_s", "hump_17mm_s"],
 ];
 
-/// Touch weights, humps and energy from the force curves.
+/// Sets touch weights, humps and energy from the force curves.
 fn weigh(examination: &Examination, measured: &mut MeasuredFigures) {
     let dip = examination.dip;
     let scale = dip / super::drive::USUAL_DIP;
@@ -192,7 +188,7 @@ fn weigh(examination: &Examination, measured: &mut MeasuredFigures) {
     let middle = with_speed(SLOPES[1]).and_then(|it| it.hump(dip));
     measured.maybe("hump_place", middle.map(|it| 1e3 * it.at));
     measured.maybe("aftertouch", middle.map(|it| 1e3 * (dip - it.at)));
-    // No hump at all is masked, too.
+    // No hump at all counts as masked, too.
     let fast = with_speed(SLOPES[4]);
     let rise = |it: &ForceCurve| it.hump(dip).map_or(0.0, |hump| hump.rise);
     measured.maybe("hump_masked", fast.map(rise));
@@ -202,7 +198,7 @@ fn weigh(examination: &Examination, measured: &mut MeasuredFigures) {
     measured.maybe("energy_residual", residuals.reduce(f64::max));
 }
 
-/// Times of strokes against the three grands, and speeds.
+/// Sets stroke times, compared with the three grands, and speeds.
 fn compare(examination: &Examination, measured: &mut MeasuredFigures) {
     const NAMES: [[&str; 2]; 3] = [
         ["travel_pressed", "travel_struck"],
@@ -230,7 +226,7 @@ fn compare(examination: &Examination, measured: &mut MeasuredFigures) {
     measured.maybe("loudest", speeds.reduce(f64::max));
 }
 
-/// The speed at which the key's bottom goes from after the string to before it (m/s).
+/// Returns the speed above which the key reaches its bottom before the hammer the string (m/s).
 fn zero_of_key_bottom(strokes: &[Stroke]) -> Option<f64> {
     strokes.windows(2).find_map(|pair| {
         let (a, b) = (pair[0].key_bottom?, pair[1].key_bottom?);
@@ -239,7 +235,7 @@ fn zero_of_key_bottom(strokes: &[Stroke]) -> Option<f64> {
     })
 }
 
-/// A quantity of strokes in order of speed, on the line between its neighbours at `speed` (m/s).
+/// Interpolates a quantity of strokes, in order of speed, at `speed` (m/s).
 fn at(strokes: &[Stroke], speed: f64, of: impl Fn(&Stroke) -> Option<f64>) -> Option<f64> {
     strokes.windows(2).find_map(|pair| {
         let (low, high) = (pair[0].speed, pair[1].speed);
@@ -249,9 +245,9 @@ fn at(strokes: &[Stroke], speed: f64, of: impl Fn(&Stroke) -> Option<f64>) -> Op
     })
 }
 
-/// Check and second strikes of all strokes, and travel over the compass.
+/// Sets check and second strikes of all strokes, and travel over the compass.
 fn follow(examination: &Examination, measured: &mut MeasuredFigures) {
-    /// Strokes above this speed must be caught (m/s).
+    /// Speed above which strokes must be caught (m/s).
     const CHECKED_ABOVE: f64 = 1.0;
     let all = || {
         let swept = examination.sweep.iter().flat_map(|(_, strokes)| strokes);

@@ -1,4 +1,4 @@
-//! Three measured grands: times of travel, key bottom and free flight against hammer speed.
+//! Times of travel, key bottom and free flight of three measured grands against hammer speed.
 //!
 //! W. Goebl, R. Bresin, A. Galembo, "Touch and temporal behavior of grand piano actions", J. Acoust.
 //! Soc. Am. 118 (2005): more than 2300 tones on a Steinway C, a Yamaha Disklavier and a Bösendorfer
@@ -16,21 +16,20 @@ impl Fit {
     }
 }
 
-/// Which time of a stroke was taken.
+/// Timed part of a stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StrokeTime {
-    /// From the key's start to the string.
+    /// Time from the key's start to the string.
     Travel,
-    /// From the string to the key's bottom; negative where the bottom comes first.
+    /// Time from the string to the key's bottom; negative if the bottom comes first.
     KeyBottom,
-    /// From the hammer's release to the string.
+    /// Time from the hammer's release to the string.
     FreeFlight,
 }
 
 impl StrokeTime {
     pub const ALL: [Self; 3] = [Self::Travel, Self::KeyBottom, Self::FreeFlight];
 
-    /// The fits of the three grands.
     const fn fits(self, touch: StrokeTouch) -> [Fit; 3] {
         match (self, touch) {
             (Self::Travel, StrokeTouch::Pressed) => {
@@ -58,13 +57,13 @@ impl StrokeTime {
         }
     }
 
-    /// Each of the three grands at a hammer's `speed` (m/s), in s.
+    /// Returns the time of each of the three grands at a hammer's `speed` (m/s), in s.
     pub fn measured(self, touch: StrokeTouch, speed: f64) -> [f64; 3] {
         self.fits(touch).map(|fit| fit.seconds(speed))
     }
 
-    /// How far `seconds` lies outside of what the three grands span, over what is allowed: 15 % of
-    /// the span's nearer end, or 3 ms if that is more. At most 1 is inside.
+    /// Returns the distance of `seconds` from the range of the three grands, over the allowed
+    /// distance: 15 % of the range's nearer end, or 3 ms if that is more. At most 1 is inside.
     pub fn excess(self, touch: StrokeTouch, speed: f64, seconds: f64) -> f64 {
         let measured = self.measured(touch, speed);
         let low = measured.into_iter().fold(f64::INFINITY, f64::min);
@@ -75,7 +74,7 @@ impl StrokeTime {
     }
 }
 
-/// Hammer speeds for which the fits are valid with a touch (m/s).
+/// Returns the hammer speeds for which the fits of a touch are valid (m/s).
 pub const fn speeds(touch: StrokeTouch) -> (f64, f64) {
     match touch {
         StrokeTouch::Pressed => (0.4, 6.0),
@@ -89,7 +88,7 @@ mod tests {
 
     #[test]
     fn the_spans_are_those_of_the_paper() {
-        // Read off its curves: pressed, 1 m/s and 3.3 m/s.
+        // Read from the paper's curves: pressed, 1 m/s and 3.3 m/s.
         let near = |a: f64, b: f64| assert!((1e3 * a - b).abs() < 0.6, "{a} {b}");
         near(StrokeTime::Travel.measured(StrokeTouch::Pressed, 0.99)[0], 99.0);
         near(StrokeTime::KeyBottom.measured(StrokeTouch::Pressed, 3.33)[2], -3.2);

@@ -1,4 +1,4 @@
-//! One key that is driven by position, and what it does.
+//! One key that is driven by position.
 
 use instruments::{ModelEntry, Playable, Visitor};
 use pode::stepper::Any;
@@ -6,56 +6,53 @@ use pode::{
     Advance, EnergyAudit, Event, EventCause, Limits, Motion, Piece, Signal, Simulator, Watch,
 };
 
-/// Method and tolerance of every run: errors stay a thousand times below what is told.
+/// Method and tolerance of every run: errors stay a thousand times below reported digits.
 const METHOD: (&str, f64) = ("tsitouras5", 1e-8);
 
-/// What a key shows at an instant.
+/// State of a key at an instant.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ActionSample {
     /// Time (s).
     pub t: f64,
     /// Travel of the key's front (m).
     pub travel: f64,
-    /// Height of what strikes above its rest (m), if the model tells.
+    /// Height of the hammer above its rest (m), if the model has it.
     pub head: Option<f64>,
-    /// Force of the action on it (N), if the model tells.
+    /// Force of the action on the hammer (N), if the model has it.
     pub push: Option<f64>,
     /// Force on the finger (N), up positive.
     pub force: f64,
 }
 
-/// What strikes meets what sounds.
+/// Contact of hammer and string.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct StringContact {
     /// Time (s).
     pub t: f64,
-    /// Its speed (m/s).
+    /// Speed of the hammer (m/s).
     pub speed: f64,
-    /// Whether it sounds at this speed.
+    /// `true` if the contact sounds.
     pub sounds: bool,
 }
 
 /// A key with its action, driven by position.
 pub trait DrivenKey {
-    /// Advances by `h` (s); `input` is the front's motion in metres at a part of it, 0 to 1.
-    ///
-    /// Returns false where the model fails.
+    /// Advances by `h` (s), with `input` as the front's motion in metres at a fraction of it, 0 to
+    /// 1. Returns `false` if the model fails.
     fn advance(&mut self, h: f64, input: &dyn Fn(f64) -> Motion) -> bool;
 
-    /// What it shows now.
     fn sample(&self) -> ActionSample;
 
-    /// Every strike so far.
     fn strikes(&self) -> &[StringContact];
 
     /// Energy so far (J).
     fn audit(&self) -> EnergyAudit;
 
-    /// Travel at which the damper leaves the string (m).
+    /// Returns the travel at which the damper leaves the string (m).
     fn damper_lift(&self) -> f64;
 }
 
-/// Makes a key at rest with these `values` of its parameters.
+/// Opens a key at rest with these parameter values.
 #[derive(Debug)]
 pub struct Opener<'a> {
     pub values: &'a [f64],
@@ -78,7 +75,7 @@ impl Visitor for Opener<'_> {
     }
 }
 
-/// Where the model's outputs have what is shown.
+/// Indices of the used outputs.
 #[derive(Clone, Copy, Debug)]
 struct OutputPlaces {
     travel: Option<usize>,
@@ -102,9 +99,8 @@ impl OutputPlaces {
 struct SimulatedAction<M: Playable> {
     simulator: Simulator<M, Any>,
     places: OutputPlaces,
-    /// Input of the model per metre.
     scale: f64,
-    /// The model's input at the end of the last tick.
+    /// Input at the end of the last tick.
     input: Motion,
     log: Log,
 }
@@ -156,11 +152,11 @@ impl<M: Playable> DrivenKey for SimulatedAction<M> {
     }
 }
 
-/// Follows a tick while it runs.
+/// Records a tick while it runs.
 struct Log {
     /// Start of the tick (s).
     t: f64,
-    /// Its length (s).
+    /// Length of the tick (s).
     h: f64,
     strikes: Vec<StringContact>,
     audit: EnergyAudit,

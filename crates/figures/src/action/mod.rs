@@ -1,11 +1,11 @@
-//! What a player and a technician would measure of an action.
+//! Measurements of an action as by a player and a technician.
 //!
-//! The key's front is driven by position and its force is what comes out: a comparison by force
-//! flatters any model (Thorin, Boutillon & Lozada 2014).
+//! A position drives the key's front and its force is measured: a comparison by force flatters any
+//! model (Thorin, Boutillon & Lozada 2014).
 //!
-//! `drive` how keys are driven, `key` one key that is, `stroke` what a stroke gives, `slope` force
-//! over travel, `again` repetition and return, `grands` the measured grands, `figure` the figures
-//! with their limits, `gather` all of it for one instrument.
+//! `drive` is the input, `key` a driven key, `stroke` one stroke, `slope` force over travel,
+//! `again` repetition and return, `grands` the measured grands, `figure` figures with limits,
+//! `gather` all of an instrument.
 
 mod again;
 mod drive;

@@ -7,35 +7,35 @@ use super::subject::PianoSubject;
 const STEP: f64 = 5e-6;
 /// Shortest and longest tick (s).
 const TICKS: (f64, f64) = (2e-5, 1e-3);
-/// How far below its dip a key is pressed (m).
+/// Travel of a pressed key beyond its dip (m).
 const BEYOND: f64 = 0.5e-3;
 
-/// A curve of travel (m) and force (N), down positive, and the work of the finger on it.
+/// Force (N) over travel (m), down positive, with the finger's work.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ForceCurve {
     /// Speed of the key (m/s).
     pub speed: f64,
     pub down: Vec<(f64, f64)>,
     pub up: Vec<(f64, f64)>,
-    /// Work over the whole cycle, and what the integration made of it (J).
+    /// Work over the whole cycle, and energy that the integration generated (J).
     pub work: f64,
     pub residual: f64,
 }
 
-/// Where the force has its let-off hump.
+/// The let-off hump of the force.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Hump {
     /// Travel (m).
     pub at: f64,
     /// Force (N).
     pub force: f64,
-    /// What it stands above the greatest force before it, from half travel on (N).
+    /// Height above the greatest force before it, from half travel on (N).
     pub rise: f64,
 }
 
-/// Presses `key` to its bed and lets it up at `speed` (m/s); none where the model fails.
+/// Presses `key` to its bed and lets it up at `speed` (m/s); `None` if the model fails.
 pub(super) fn measure(subject: &PianoSubject<'_>, key: u8, speed: f64) -> Option<ForceCurve> {
-    /// Time at rest after it (s), in which the action settles.
+    /// Rest at the end (s), in which the action settles.
     const AFTER: f64 = 0.3;
     let mut driven = subject.open(key);
     let turn = subject.dip(key) + BEYOND;
@@ -61,19 +61,18 @@ pub(super) fn measure(subject: &PianoSubject<'_>, key: u8, speed: f64) -> Option
 }
 
 impl ForceCurve {
-    /// Mean force (N) between two travels (m) on one way.
+    /// Returns the mean force (N) between two travels (m) on one way.
     pub fn mean(way: &[(f64, f64)], (from, to): (f64, f64)) -> Option<f64> {
         let within = || way.iter().filter(|(at, _)| (from..=to).contains(at));
         let count = within().count();
         (count > 0).then(|| within().map(|(_, force)| force).sum::<f64>() / count as f64)
     }
 
-    /// The highest force before the bed, where it is a maximum of the curve.
+    /// Returns the highest force before the bed, if it is a maximum of the curve.
     pub fn hump(&self, dip: f64) -> Option<Hump> {
         let (from, to) = (0.7 * dip, dip - 0.1e-3);
         let within: Vec<_> = self.down.iter().filter(|(at, _)| (from..=to).contains(at)).collect();
         let highest = (0..within.len()).max_by(|a, b| within[*a].1.total_cmp(&within[*b].1))?;
-        // At an end it is a slope, not a hump.
         if highest == 0 || highest + 1 == within.len() {
             return None;
         }

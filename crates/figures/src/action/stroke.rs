@@ -1,43 +1,43 @@
-//! One stroke: when the hammer meets the string, when the key its bed, and what happens then.
+//! One stroke: the hammer on the string, the key on its bed, and the time after.
 
 use super::drive::{Drive, StrokeTouch};
 use super::grands::StrokeTime;
 use super::key::{ActionSample, StringContact};
 use super::subject::PianoSubject;
 
-/// Length of a tick while the hammer is on its way (s).
+/// Tick while the hammer is on its way (s).
 const FINE: f64 = 5e-5;
-/// Length of a tick while the key is held (s).
+/// Tick while the key is held (s).
 const COARSE: f64 = 5e-4;
-/// How long a key is held after its stroke (s): the hammer has come to rest then.
+/// Hold after a stroke (s), in which the hammer comes to rest.
 const HOLD: f64 = 0.2;
-/// How long a stroke is followed finely after its hammer should have met the string (s).
+/// Time of fine ticks after the expected contact with the string (s).
 const FINELY_AFTER: f64 = 0.03;
 
 /// A stroke that reached the string.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Stroke {
     pub touch: StrokeTouch,
-    /// Time that the key took for most of its way (s), which was asked for.
+    /// Requested duration of most of the key's way (s).
     pub duration: f64,
     /// Speed of the hammer at the string (m/s).
     pub speed: f64,
-    /// From the key's start to the string (s).
+    /// Time from the key's start to the string (s).
     pub travel: f64,
-    /// From the string to the key's bottom (s), where the key got there.
+    /// Time from the string to the key's bottom (s), if the key reached it.
     pub key_bottom: Option<f64>,
-    /// From the hammer's release to the string (s), where the model tells the action's force.
+    /// Time from the hammer's release to the string (s), if the model has the action's force.
     pub free_flight: Option<f64>,
-    /// Height of the hammer below the string with the key held (m), where the model tells.
+    /// Height of the hammer below the string with the key held (m), if the model has it.
     pub checked: Option<f64>,
-    /// Strikes, the first one included.
+    /// Number of strikes with the first.
     pub strikes: usize,
-    /// Greatest speed of the hammer on its way (m/s), where the model tells its height.
+    /// Greatest speed of the hammer on its way (m/s), if the model has its height.
     pub thrown: Option<f64>,
 }
 
 impl Stroke {
-    /// What was timed, if it was.
+    /// Returns a time (s), if it was measured.
     pub fn timed(&self, what: StrokeTime) -> Option<f64> {
         match what {
             StrokeTime::Travel => Some(self.travel),
@@ -46,22 +46,19 @@ impl Stroke {
         }
     }
 
-    /// Free flight times speed (m): where the hammer leaves the action.
+    /// Returns free flight times speed (m): the distance at which the hammer leaves the action.
     pub fn gap(&self) -> Option<f64> {
         self.free_flight.map(|time| time * self.speed)
     }
 }
 
-/// Why a stroke gave nothing.
+/// Reason for a missing stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Miss {
-    /// The hammer did not reach the string.
     Silent,
-    /// The model could not be advanced.
     Failed,
 }
 
-/// Plays one stroke on `key`, and holds it.
 pub(super) fn play(
     subject: &PianoSubject<'_>,
     key: u8,
@@ -99,13 +96,13 @@ pub(super) fn play(
     })
 }
 
-/// What has been seen of a stroke.
+/// Observations of a stroke.
 struct Seen {
     last: ActionSample,
     dip: f64,
-    /// When the key met its bed (s).
+    /// Time at which the key met its bed (s).
     bottom: Option<f64>,
-    /// When the action's force on the hammer ended the last time before the string (s).
+    /// Last end of the action's force on the hammer before the string (s).
     released: Option<f64>,
     /// Greatest speed of the hammer before the string (m/s).
     thrown: Option<f64>,
@@ -139,21 +136,21 @@ impl Seen {
             && pushed > 0.0
             && before.t < strike.t
         {
-            // Pushed at the last look before the string.
+            // Pushed at the last sample before the string.
             self.released = Some(strike.t.min(now.t));
         }
     }
 }
 
-/// Plays strokes from slow to fast, `count` of them between two durations (s).
+/// Returns `count` durations from slow to fast, between two (s).
 pub fn durations((slow, fast): (f64, f64), count: u32) -> impl Iterator<Item = f64> {
     let last = f64::from(count.max(2) - 1);
     (0..count).map(move |i| slow * (fast / slow).powf(f64::from(i) / last))
 }
 
-/// The slowest pressed stroke that reaches the string, by halving; none if none does.
+/// Finds by bisection the slowest pressed stroke that reaches the string, if any does.
 pub(super) fn softest(subject: &PianoSubject<'_>, key: u8) -> Option<Stroke> {
-    /// A key that takes 0.1 s sounds, one that takes 3 s does not.
+    /// Durations (s): a key that takes 0.1 s sounds, one that takes 3 s does not.
     const BRACKET: (f64, f64) = (0.1, 3.0);
     const HALVINGS: u32 = 12;
     let (mut sounds, mut silent) = BRACKET;

@@ -1,33 +1,33 @@
-//! Lines, areas and text at places in pixels.
+//! Draws lines, areas and text at positions in pixels.
 
 use svg::node::element::{Circle, Polygon, Polyline, Rectangle, Text};
 use svg::{Document, Node};
 
 use super::color::{Color, INK, PAPER, Stroke};
 
-/// A place in pixels, from the upper left corner.
+/// A position in pixels, from the upper left corner.
 pub type Pixel = (f64, f64);
 
-/// How text stands to its place; its height is always centred there.
+/// Alignment of text; its height is always centred.
 #[derive(Clone, Copy, Debug)]
 pub enum Anchor {
     Start,
     Middle,
     End,
-    /// Text that begins at its place and runs upward.
+    /// Text that starts at its position and runs upward.
     Rising,
-    /// Text that runs upward and has its middle at its place.
+    /// Text that runs upward, centred on its position.
     Upright,
 }
 
-/// A picture, and what has been drawn of it.
+/// An SVG picture under construction.
 #[derive(Debug)]
 pub struct Canvas {
     document: Document,
 }
 
 impl Canvas {
-    /// Returns an empty picture of a size (pixels), which is never shown wider than its page.
+    /// Returns an empty picture of a size (pixels); it is never wider than its page.
     pub fn new((width, height): Pixel) -> Self {
         let document = Document::new()
             .set("width", width.round())
@@ -42,12 +42,10 @@ impl Canvas {
         canvas
     }
 
-    /// Returns the picture as SVG text.
     pub fn into_svg(self) -> String {
         self.document.to_string() + "\n"
     }
 
-    /// Draws a line through `places`.
     pub fn line(&mut self, places: &[Pixel], stroke: Stroke) {
         /// A dash and a gap (pixels).
         const DASHES: &str = "4.2 2.8";
@@ -57,7 +55,6 @@ impl Canvas {
         self.document.append(line);
     }
 
-    /// Fills the rectangle between two corners.
     pub fn fill(&mut self, [a, b]: [Pixel; 2], color: Color) {
         let rectangle = Rectangle::new()
             .set("x", rounded(a.0.min(b.0)))
@@ -68,7 +65,6 @@ impl Canvas {
         self.document.append(rectangle);
     }
 
-    /// Draws a disc with an edge.
     pub fn circle(&mut self, at: Pixel, radius: f64, fill: Color, edge: Stroke) {
         let mut circle = Circle::new()
             .set("cx", rounded(at.0))
@@ -79,7 +75,6 @@ impl Canvas {
         self.document.append(circle);
     }
 
-    /// Draws a polygon with an edge.
     pub fn polygon(&mut self, corners: &[Pixel], fill: Color, edge: Stroke) {
         let mut polygon = Polygon::new().set("points", points(corners)).set("fill", fill.hex());
         outline(&mut polygon, edge);
@@ -109,7 +104,6 @@ impl Canvas {
     }
 }
 
-/// Gives an element the line around it.
 fn outline(element: &mut impl Node, stroke: Stroke) {
     element.assign("stroke", stroke.color.hex());
     element.assign("stroke-width", stroke.width);
@@ -118,14 +112,13 @@ fn outline(element: &mut impl Node, stroke: Stroke) {
     }
 }
 
-/// Writes places as SVG reads a list of them.
 fn points(places: &[Pixel]) -> String {
     let places: Vec<_> =
         places.iter().map(|(x, y)| format!("{},{}", rounded(*x), rounded(*y))).collect();
     places.join(" ")
 }
 
-/// A hundredth of a pixel is finer than any eye.
+/// Rounds to a hundredth of a pixel, which is invisible.
 fn rounded(pixels: f64) -> f64 {
     (pixels * 100.0).round() / 100.0
 }

@@ -1,5 +1,3 @@
-//! Colours, and the strokes that are drawn with them.
-
 /// A colour: red, green and blue, 0 ..= 255.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Color(pub u8, pub u8, pub u8);
@@ -8,7 +6,7 @@ pub struct Color(pub u8, pub u8, pub u8);
 pub const INK: Color = Color(40, 40, 40);
 pub const PAPER: Color = Color(255, 255, 255);
 
-/// Colours of curves that differ for most eyes, after Okabe and Ito, without the yellow.
+/// Colours of curves that most eyes distinguish, after Okabe and Ito, without the yellow.
 pub const CURVES: [Color; 7] = [
     Color(0, 114, 178),
     Color(213, 94, 0),
@@ -19,7 +17,7 @@ pub const CURVES: [Color; 7] = [
     Color(118, 76, 36),
 ];
 
-/// Colours behind the epochs of a run, by the place of their mode in the model's list.
+/// Colours behind the epochs of a run, by the index of their mode in the model's list.
 pub const MODES: [Color; 5] = [
     Color(253, 236, 205),
     Color(222, 235, 247),
@@ -29,20 +27,20 @@ pub const MODES: [Color; 5] = [
 ];
 
 impl Color {
-    /// Returns the colour as SVG reads it: `#28D0FF`.
+    /// Returns the colour in SVG notation, `#28D0FF`.
     pub fn hex(self) -> String {
         let Self(red, green, blue) = self;
         format!("#{red:02X}{green:02X}{blue:02X}")
     }
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Stroke {
     pub color: Color,
     /// Width of the line (pixels).
     pub width: f64,
-    /// Part of what lies below that the line hides, 0 to 1.
+    /// Opacity, 0 to 1.
     pub opacity: f64,
     pub is_dashed: bool,
 }
@@ -53,7 +51,7 @@ impl Stroke {
         Self { color, width, opacity: 1.0, is_dashed: false }
     }
 
-    /// Returns the same line, through which what lies below is seen.
+    /// Returns the stroke with another opacity.
     #[must_use]
     pub const fn faint(self, opacity: f64) -> Self {
         Self { opacity, ..self }

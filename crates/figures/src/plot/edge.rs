@@ -1,4 +1,4 @@
-//! An axis at a side of its panel: a grid across the panel, a line, ticks and numbers.
+//! An axis at a side of its panel, with grid, ticks and numbers.
 
 use super::axis::Axis;
 use super::canvas::{Anchor, Canvas, Pixel};
@@ -8,16 +8,15 @@ use super::color::{INK, Stroke};
 const TEXT: f64 = 11.5;
 /// Length of a tick (pixels).
 const TICK: f64 = 4.0;
-/// From an axis to the middle of the numbers below it (pixels).
+/// Distance from an axis to the middle of the numbers below it (pixels).
 const BELOW: f64 = 13.0;
-/// From an axis to the numbers beside it (pixels).
+/// Distance from an axis to the numbers beside it (pixels).
 const BESIDE: f64 = 7.0;
-/// The line of an axis, and its ticks.
 const LINE: Stroke = Stroke::new(INK, 0.75);
-/// Lines of the grid, through which shades are seen.
+/// Line of the grid, transparent over shades.
 const GRID: Stroke = Stroke::new(INK, 0.75).faint(0.15);
 
-/// The side of a panel at which an axis stands.
+/// Side of a panel with an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PanelSide {
     Left,
@@ -25,19 +24,18 @@ pub enum PanelSide {
     Below,
 }
 
-/// An axis at a side of its panel.
+/// An axis at one side of a panel.
 #[derive(Clone, Copy, Debug)]
 pub struct PanelEdge<'a> {
     pub axis: &'a Axis,
     pub side: PanelSide,
     /// Upper left and lower right corner of the panel.
     pub panel: [Pixel; 2],
-    /// About how many numbers the axis has.
+    /// Approximate number of labels.
     pub wanted: f64,
 }
 
 impl PanelEdge<'_> {
-    /// Draws the lines of the grid across the panel.
     pub fn draw_grid(&self, canvas: &mut Canvas) {
         let [(left, top), (right, bottom)] = self.panel;
         for line in self.axis.lines(self.wanted) {
@@ -50,7 +48,6 @@ impl PanelEdge<'_> {
         }
     }
 
-    /// Draws the axis with its ticks and numbers.
     pub fn draw_axis(&self, canvas: &mut Canvas) {
         let [(left, top), (right, bottom)] = self.panel;
         let ends = match self.side {
@@ -66,7 +63,7 @@ impl PanelEdge<'_> {
         }
     }
 
-    /// Draws the tick at a place along the axis, and the number beside it.
+    /// Draws the tick at a position on the axis, and the number beside it.
     fn draw_number(&self, canvas: &mut Canvas, at: f64, number: &str) {
         let [(left, _), (right, bottom)] = self.panel;
         let (tick, text, anchor) = match self.side {

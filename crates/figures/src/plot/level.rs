@@ -1,9 +1,9 @@
-//! How curves of different units share a panel: two axes with their zeros level.
+//! Aligns the zeros of two axes of different units.
 
-/// Room above and below the curves, as a part of their range.
+/// Room above and below the curves, as a fraction of their range.
 const ROOM: f64 = 0.06;
 
-/// Returns the ends of an axis for each of `extents`, so that all have their zero at one height.
+/// Returns the ends of an axis for each of `extents`, with all zeros at one height.
 pub fn level<const N: usize>(extents: [Option<(f64, f64)>; N]) -> [(f64, f64); N] {
     let sizes = extents.map(|extent| extent.map_or(0.0, |(low, high)| low.abs().max(high.abs())));
     let (mut below, mut above) = (0.0_f64, 0.0_f64);
@@ -29,7 +29,7 @@ pub fn level<const N: usize>(extents: [Option<(f64, f64)>; N]) -> [(f64, f64); N
 mod tests {
     use super::*;
 
-    /// Where zero is in a range, 0 to 1.
+    /// Returns the position of zero in a range, 0 to 1.
     fn zero((low, high): (f64, f64)) -> f64 {
         -low / (high - low)
     }

@@ -1,9 +1,9 @@
-//! Marks of points: shapes that differ beside colours.
+//! Marks of points, which differ in shape as well as colour.
 
 use super::canvas::{Canvas, Pixel};
 use super::color::{Color, PAPER, Stroke};
 
-/// The shape of a mark.
+/// Shape of a mark.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MarkerShape {
     Circle,
@@ -17,7 +17,7 @@ pub enum MarkerShape {
 }
 
 impl MarkerShape {
-    /// Eight, beside seven colours: that makes 56 pairs.
+    /// All eight; with seven colours they make 56 pairs.
     pub const ALL: [Self; 8] = [
         Self::Circle,
         Self::Square,
@@ -29,7 +29,7 @@ impl MarkerShape {
         Self::Tall,
     ];
 
-    /// Returns its corners around the origin, in half widths; none for a circle.
+    /// Returns the corners around the origin, in half widths; none for a circle.
     const fn corners(self) -> &'static [Pixel] {
         match self {
             Self::Circle => &[],
@@ -50,7 +50,7 @@ const SIZE: f64 = 3.2;
 /// Width of a mark's edge (pixels).
 const EDGE: f64 = 1.2;
 
-/// Draws a mark of a curve; that of a dashed one is hollow.
+/// Draws a mark of a curve, hollow if its line is dashed.
 pub(super) fn draw(canvas: &mut Canvas, at: Pixel, shape: MarkerShape, stroke: Stroke) {
     let Stroke { color, is_dashed, .. } = stroke;
     let (fill, edge) = (if is_dashed { PAPER } else { color }, Stroke::new(color, EDGE));
@@ -63,7 +63,6 @@ pub(super) fn draw(canvas: &mut Canvas, at: Pixel, shape: MarkerShape, stroke: S
     }
 }
 
-/// Draws the cross of a failure.
 pub(super) fn draw_failure(canvas: &mut Canvas, (x, y): Pixel, color: Color) {
     let (r, stroke) = (SIZE, Stroke::new(color, 1.6));
     canvas.line(&[(x - r, y - r), (x + r, y + r)], stroke);

@@ -1,9 +1,8 @@
-//! Pictures as SVG text, for every study that draws one.
+//! Pictures as SVG text.
 //!
-//! [`picture`] is what studies make: panels of curves, areas and rules, with a legend. Below it,
-//! [`axis`] has linear and logarithmic axes with their round numbers, [`edge`] an axis at a side of
-//! its panel, [`level`] two axes with one zero, [`marker`] marks of points, [`color`] the colours
-//! that pictures share, and [`canvas`] lines, areas and text at places in pixels.
+//! Studies build a [`picture`]: panels of curves, areas and rules, with a legend. It uses [`axis`]
+//! for round numbers, [`edge`] for an axis at a side of its panel, [`level`] for two axes with one
+//! zero, [`marker`], [`color`] and [`canvas`].
 
 pub mod axis;
 pub mod canvas;

@@ -7,7 +7,7 @@
 //!              x title
 //! ```
 //!
-//! Panels of one column share the axis across, which stands below the last one.
+//! Panels of one column share the x axis below the last.
 
 use std::ops::Range;
 
@@ -22,128 +22,120 @@ const CORNER: Pixel = (92.0, 44.0);
 /// Width of an axis beside a panel, and height of one below it (pixels).
 const BESIDE: f64 = 76.0;
 const BELOW: f64 = 58.0;
-/// Between panels of one column, and between rows of several (pixels).
+/// Gaps between panels of one column, and between rows of several (pixels).
 const GAP: f64 = 12.0;
 const ROW_GAP: f64 = 22.0;
-/// Height of the strip in which failures are marked (pixels).
+/// Height of the strip with marks of failures (pixels).
 const STRIP: f64 = 18.0;
-/// Colour of that strip.
+/// Colour of the strip with failures.
 const WRONG: Color = Color(251, 232, 228);
-/// Width of the legend, and from one of its rows to the next (pixels).
+/// Width of the legend, and height of its rows (pixels).
 const LEGEND: f64 = 316.0;
 const ROW: f64 = 19.0;
 /// Width of a sample in the legend (pixels).
 const SAMPLE: f64 = 28.0;
-/// Longest name in the legend (characters); the end of a longer one is left out.
+/// Maximum length of a name in the legend (characters); the rest is cut.
 const LONGEST: usize = 44;
 /// Sizes of text (pixels).
 const TITLE: f64 = 15.0;
 const TEXT: f64 = 12.0;
 const SMALL: f64 = 11.0;
-/// Height of a letter of the labels above the panels, and the least distance of two (pixels).
+/// Width of a letter of the labels above the panels, and their least distance (pixels).
 const LETTER: f64 = 5.8;
 const APART: f64 = 14.0;
-/// From one number of an axis to the next, across and up, about (pixels).
+/// Approximate distances of an axis's numbers, across and up (pixels).
 const NUMBERS: [f64; 2] = [66.0, 36.0];
-/// From the label of a rule to its line.
+/// Line from a rule's label to the rule.
 const LEADER: Stroke = Stroke::new(INK, 0.5);
-/// Where values are zero.
+/// Line at the value zero.
 const ZERO: Stroke = Stroke::new(INK, 0.75).faint(0.6);
 
-/// Panels, row by row, and what stands above them.
+/// Panels row by row, with a title.
 #[derive(Clone, Debug, Default)]
 pub struct Picture {
     pub title: String,
-    /// Lines below the title.
     pub notes: Vec<String>,
-    /// Number of panels in a row; those of a single column share the axis across.
+    /// Panels in a row; those of a single column share the x axis.
     pub columns: usize,
     /// Width and height of a panel (pixels).
     pub size: Pixel,
     pub panels: Vec<PicturePanel>,
-    /// Lines down all panels of a single column.
+    /// Lines across all panels of a single column.
     pub rules: Vec<PictureRule>,
-    /// Places across with the words above them, in order.
+    /// Labels at x positions above the panels, in order.
     pub labels: Vec<(f64, String)>,
 }
 
-/// One pair of axes, and what is drawn between them, from below.
+/// A pair of axes, with content in drawing order.
 #[derive(Clone, Debug, Default)]
 pub struct PicturePanel {
     pub x: PictureAxis,
-    /// The axis on the left and, if there are two, that on the right.
+    /// Left axis and optional right axis.
     pub y: Vec<PictureAxis>,
     pub areas: Vec<PictureArea>,
     pub curves: Vec<PictureCurve>,
-    /// Values of the left axis with the words at their line.
+    /// Labelled values of the left axis.
     pub levels: Vec<(f64, String)>,
 }
 
-/// An axis of a panel.
 #[derive(Clone, Debug, Default)]
 pub struct PictureAxis {
     pub title: String,
     pub scale: AxisScale,
-    /// The values at its ends; those of the curves with some room if there are none.
+    /// Values at its ends; if `None`, those of the curves with some room.
     pub ends: Option<(f64, f64)>,
-    /// Names of the values 0, 1 and so on, in place of numbers.
+    /// Names of the values 0, 1 and so on, instead of numbers.
     pub names: Vec<String>,
 }
 
-/// A coloured part of a panel.
+/// A coloured area of a panel.
 #[derive(Clone, Debug)]
 pub struct PictureArea {
     pub x: (f64, f64),
-    /// Its ends on the left axis; the whole height if there are none.
+    /// Ends on the left axis; the whole height if `None`.
     pub y: Option<(f64, f64)>,
     pub color: Color,
-    /// Name in the legend, and the words in the area itself where there is room.
+    /// Name in the legend, and in the area itself if there is room.
     pub name: String,
     pub text: String,
 }
 
-/// A line down the panels.
+/// A vertical line across the panels.
 #[derive(Clone, Copy, Debug)]
 pub struct PictureRule {
     pub at: f64,
     pub stroke: Stroke,
 }
 
-/// A curve of a panel.
 #[derive(Clone, Debug)]
 pub struct PictureCurve {
     pub name: String,
     pub stroke: Stroke,
     pub look: CurveLook,
-    /// Number of its axis: 0 on the left, 1 on the right.
+    /// Number of its axis: 0 is left, 1 is right.
     pub axis: usize,
     pub stretches: Vec<Vec<Pixel>>,
-    /// Places across of runs that failed, marked above the panel.
+    /// X positions of failed runs, marked above the panel.
     pub failures: Vec<f64>,
 }
 
-/// How the points of a curve are shown.
+/// Style of a curve's points.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CurveLook {
     Line,
-    /// A line with a mark at each point.
     Marked(MarkerShape),
-    /// Marks without a line between them.
     Marks(MarkerShape),
 }
 
 impl PictureAxis {
-    /// Returns a linear axis over its curves.
     pub fn linear(title: impl Into<String>) -> Self {
         Self { title: title.into(), ..Self::default() }
     }
 
-    /// Returns a logarithmic axis over its curves.
     pub fn logarithmic(title: impl Into<String>) -> Self {
         Self { scale: AxisScale::Logarithmic, ..Self::linear(title) }
     }
 
-    /// Returns the axis between two values.
     #[must_use]
     pub fn between(self, ends: (f64, f64)) -> Self {
         Self { ends: Some(ends), ..self }
@@ -160,7 +152,6 @@ impl PictureAxis {
 }
 
 impl PictureCurve {
-    /// Returns a curve through `points` on the left axis.
     pub fn new(
         name: impl Into<String>,
         stroke: Stroke,
@@ -185,7 +176,7 @@ impl PictureCurve {
     fn draw(&self, canvas: &mut Canvas, drawn: &DrawnPanel<'_>) {
         let [(_, top), (_, bottom)] = drawn.corners;
         let y = &drawn.y[self.axis.min(drawn.y.len() - 1)];
-        // What is beyond the panel is cut at its edge.
+        // Clip values beyond the panel at its edge.
         let place = |(x, value): &Pixel| (drawn.x.place(*x), y.place(*value).clamp(top, bottom));
         for stretch in &self.stretches {
             let places: Vec<_> = stretch.iter().map(place).collect();
@@ -203,19 +194,19 @@ impl PictureCurve {
     }
 }
 
-/// A panel with its places.
+/// A panel with its position.
 struct DrawnPanel<'a> {
     panel: &'a PicturePanel,
     corners: [Pixel; 2],
     x: Axis,
     y: Vec<Axis>,
-    /// `true` if its axis across has numbers and a title.
+    /// `true` if its x axis has numbers and a title.
     has_feet: bool,
-    /// `true` if failures are marked above it.
+    /// `true` if it has a strip with failures.
     has_strip: bool,
 }
 
-/// A row of the legend: a sample of an area, or of a curve, and its name.
+/// A row of the legend: a sample and its name.
 enum LegendRow<'a> {
     Area(&'a PictureArea),
     Curve(&'a PictureCurve),
@@ -249,18 +240,16 @@ impl LegendRow<'_> {
 }
 
 impl Picture {
-    /// Returns a picture of one panel.
     pub fn of_panel(title: impl Into<String>, panel: PicturePanel) -> Self {
         let (title, panels) = (title.into(), vec![panel]);
         Self { title, columns: 1, size: (500.0, 284.0), panels, ..Self::default() }
     }
 
-    /// Returns whether any curve has a point.
+    /// Returns `true` if any curve has a point.
     pub fn has_points(&self) -> bool {
         self.panels.iter().flat_map(|it| &it.curves).any(|it| it.points().next().is_some())
     }
 
-    /// Draws the picture as SVG text.
     pub fn svg(&self) -> String {
         let drawn: Vec<_> = (0..self.panels.len()).map(|number| self.place(number)).collect();
         let corner = drawn.last().map_or(CORNER, |it| it.corners[1]);
@@ -320,7 +309,7 @@ impl Picture {
         DrawnPanel { panel, corners: [(left, top), (right, bottom)], x, y, has_feet, has_strip }
     }
 
-    /// Returns each name once, beside the panel that has it first if there is one column.
+    /// Returns each name once, in one column beside the first panel that has it.
     fn legend<'a>(&self, drawn: &[DrawnPanel<'a>], left: f64) -> Vec<(Pixel, LegendRow<'a>)> {
         let first = drawn.first().map_or(0.0, |it| it.corners[0].1);
         let named = drawn.iter().flat_map(|it| {
@@ -339,7 +328,7 @@ impl Picture {
         rows
     }
 
-    /// Draws the rules down to `bottom`, and the labels apart from each other.
+    /// Draws the rules down to `bottom`, and their labels without overlap.
     fn draw_rules(&self, canvas: &mut Canvas, first: &DrawnPanel<'_>, bottom: f64) {
         let top = first.corners[0].1;
         for rule in &self.rules {
@@ -375,7 +364,7 @@ impl DrawnPanel<'_> {
         }
     }
 
-    /// Fills an area between whole pixels, so that no seam is seen between two.
+    /// Fills an area between whole pixels, so that neighbours have no visible seam.
     fn draw_area(&self, canvas: &mut Canvas, area: &PictureArea) {
         let [(_, top), (_, bottom)] = self.corners;
         let [left, right] = [area.x.0, area.x.1].map(|x| self.x.place(x).round());
@@ -383,7 +372,7 @@ impl DrawnPanel<'_> {
             Some((low, high)) => (self.y[0].place(high).round(), self.y[0].place(low).round()),
             None => (top, bottom),
         };
-        // An area of one value can be seen, too.
+        // An area of one value must be visible.
         canvas.fill([(left, top), (right.max(left + 1.0), bottom)], area.color);
         let width = 0.62 * TEXT * area.text.chars().count() as f64;
         if width + 8.0 < right - left {
@@ -427,7 +416,6 @@ impl DrawnPanel<'_> {
     }
 }
 
-/// Draws an axis with its numbers, or with the names of its values.
 fn draw_numbers(canvas: &mut Canvas, axis: &PictureAxis, edge: &PanelEdge<'_>) {
     if axis.names.is_empty() {
         return edge.draw_axis(canvas);
@@ -444,7 +432,6 @@ fn draw_numbers(canvas: &mut Canvas, axis: &PictureAxis, edge: &PanelEdge<'_>) {
     }
 }
 
-/// Returns the ends of `values` with a little room at both.
 fn roomy(values: impl Iterator<Item = f64>) -> Range<f64> {
     let values = values.filter(|it| it.is_finite());
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {

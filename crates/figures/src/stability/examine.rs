@@ -1,5 +1,3 @@
-//! Trials of a whole scene.
-
 use std::fmt;
 
 use keyboard::{KeyIndex, KeyRange};
@@ -10,45 +8,44 @@ use super::trial::{UnstableTrial, first_unstable};
 use crate::rehearsal::RehearsalError;
 use crate::weight::{TouchWeights, WeightError, touch_weights};
 
-/// Keys of a range that are tried: instruments are graded evenly over the compass.
+/// Tried keys of a range: instruments are graded evenly over the compass.
 const TRIED: u8 = 5;
 
-/// Gains of the force that are tried beyond the scene's own.
+/// Tried gains of the force beyond the scene's own.
 const GAINS: [f64; 8] = [1.1, 1.25, 1.4, 1.6, 2.0, 2.5, 3.2, 4.0];
 
-/// What trials say of the keys of one range.
+/// Stability of the keys of one range.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RangeStability {
     pub keys: KeyRange,
-    /// The model that they play.
+    /// Model of the keys.
     pub model: &'static str,
-    /// The first key that is not stable; none if all that were tried are.
+    /// First unstable key; `None` if all tried ones are stable.
     pub unstable: Option<UnstableKey>,
-    /// How many times its force a key may have and is still stable, as far as it was tried; none
-    /// where nobody asked, or where it is not stable.
+    /// Largest tried gain of the force that is stable; `None` if not measured or unstable.
     pub gain_margin: Option<f64>,
-    /// The weights of the key in the middle of the range; none where nobody asked.
+    /// Weights of the key in the middle of the range; `None` if not measured.
     pub weights: Option<TouchWeights>,
 }
 
-/// A key that is not stable, and what would make it so.
+/// An unstable key with its remedy.
 #[derive(Clone, PartialEq, Debug)]
 pub struct UnstableKey {
     pub key: KeyIndex,
     pub model: &'static str,
-    /// What the key does that shows it.
+    /// Symptom of the key.
     pub does: &'static str,
-    /// The finger under which it does so.
+    /// Finger of the trial.
     pub finger: &'static str,
     pub tick_hz: u32,
-    /// The rig's delay in that trial (s).
+    /// Delay of the rig in the trial (s).
     pub delay: f64,
-    /// The nearest settings with which it is stable.
+    /// Nearest settings that are stable.
     pub remedy: Option<Remedy>,
 }
 
 impl UnstableKey {
-    /// Returns what is wrong, without the remedy.
+    /// Describes the problem without the remedy.
     pub fn what(&self) -> String {
         let Self { key, model, does, finger, tick_hz, delay, .. } = self;
         let delay = if 0.0 < *delay {
@@ -59,7 +56,6 @@ impl UnstableKey {
         format!("{key} with {model} {does} under {finger} finger at {tick_hz} Hz{delay}")
     }
 
-    /// Returns what to do about it.
     pub fn help(&self) -> String {
         match &self.remedy {
             Some(remedy) => {
@@ -94,26 +90,17 @@ impl fmt::Display for RangeStability {
 }
 
 /// Tries some keys of every range of `scene`.
-///
-/// # Errors
-/// If voices or the keybed are refused.
 pub fn examine(scene: &Scene) -> Result<Vec<RangeStability>, RehearsalError> {
     ranges(scene).into_iter().map(|keys| examine_keys(scene, keys)).collect()
 }
 
-/// Tries the same keys; returns a sentence on each range that is not stable.
-///
-/// # Errors
-/// If voices or the keybed are refused.
+/// Tries some keys of every range; returns a sentence on each unstable range.
 pub fn instabilities(scene: &Scene) -> Result<Vec<String>, RehearsalError> {
     let unstable = examine(scene)?.into_iter().filter_map(|it| it.unstable);
     Ok(unstable.map(|it| it.to_string()).collect())
 }
 
 /// Tries some keys of a range, which all have a voice of one model.
-///
-/// # Errors
-/// If voices or the keybed are refused.
 pub fn examine_keys(scene: &Scene, keys: KeyRange) -> Result<RangeStability, RehearsalError> {
     let voices: Vec<_> = tried(keys).filter_map(|key| Some((key, voice(scene, key)?))).collect();
     let model = voices.first().map_or("", |(_key, voice)| voice.model.name);
@@ -134,9 +121,6 @@ pub fn examine_keys(scene: &Scene, keys: KeyRange) -> Result<RangeStability, Reh
 
 impl RangeStability {
     /// Adds the gain margin and the weights of the key in the middle of the range.
-    ///
-    /// # Errors
-    /// If voices or the keybed are refused.
     pub fn with_figures(mut self, scene: &Scene) -> Result<Self, WeightError> {
         let Some(key) = KeyIndex::new(self.keys.first().number() + len(self.keys) / 2) else {
             return Ok(self);
@@ -163,7 +147,6 @@ fn voice(scene: &Scene, key: KeyIndex) -> Option<&KeyVoice> {
     scene.keys.get(key.index())?.as_ref()
 }
 
-/// Ranges of neighbouring keys that play one model.
 fn ranges(scene: &Scene) -> Vec<KeyRange> {
     let model = |key: KeyIndex| voice(scene, key).map(|it| it.model.name);
     let mut ranges: Vec<KeyRange> = Vec::new();
@@ -181,7 +164,7 @@ fn ranges(scene: &Scene) -> Vec<KeyRange> {
     ranges
 }
 
-/// The keys that are tried of `keys`, first and last among them.
+/// Returns the keys to try, with the first and the last.
 fn tried(keys: KeyRange) -> impl Iterator<Item = KeyIndex> {
     let (start, steps) = (keys.first().number(), len(keys) - 1);
     let parts = TRIED.min(len(keys));
@@ -190,7 +173,6 @@ fn tried(keys: KeyRange) -> impl Iterator<Item = KeyIndex> {
     places.filter_map(move |place| KeyIndex::new(start + u8::try_from(place).ok()?))
 }
 
-/// How many keys there are in a range.
 const fn len(keys: KeyRange) -> u8 {
     keys.last().number() - keys.first().number() + 1
 }

@@ -1,9 +1,8 @@
-//! Whether the keys of a scene are stable in their loop, found out before anybody is at them.
+//! Tests the stability of a scene's keys in their loop, before anyone plays.
 //!
-//! A trial (`trial`) plays one key of the scene on its rig, with the very loop that will run:
-//! estimator, model, limits, wire, motor, key, and each corner of what fingers do. `examine` tries
-//! some keys of each range, and looks for the nearest settings with which those are stable that are
-//! not.
+//! A trial (`trial`) plays one key on its rig with the loop of the running host (estimator, model,
+//! limits, wire, motor, key) under extreme fingers. `examine` tries some keys of each range, and
+//! searches the nearest stable settings for unstable ones.
 
 mod examine;
 mod remedy;

@@ -1,5 +1,3 @@
-//! The nearest settings with which a key is stable.
-
 use std::fmt;
 
 use haptics::EstimatorName;
@@ -12,10 +10,9 @@ use crate::rehearsal::RehearsalError;
 /// Rates that boards can keep (Hz).
 const RATES: [u32; 6] = [250, 500, 1000, 2000, 4000, 10_000];
 
-/// Densities of jerk from a slow filter to a quick one (m²/s⁵).
+/// Densities of jerk, from a slow filter to a fast one (m²/s⁵).
 const DENSITIES: [f64; 5] = [10.0, 300.0, 1e4, 1e5, 1e6];
 
-/// Settings that make keys stable.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Remedy {
     pub tick_hz: Option<u32>,
@@ -33,14 +30,14 @@ impl fmt::Display for Remedy {
     }
 }
 
-/// Returns the settings nearest to those of `scene` with which all of `voices` are stable: the same
-/// rate with another filter, or the next faster rate; `key` is the one that is not stable now.
+/// Returns the settings nearest to those of `scene` with which all of `voices` are stable: another
+/// filter, or the next faster rates. `key` is the unstable one.
 pub(super) fn nearest(
     scene: &Scene,
     voices: &[(KeyIndex, &KeyVoice)],
     key: KeyIndex,
 ) -> Result<Option<Remedy>, RehearsalError> {
-    // The worst first: most candidates are out by it.
+    // Try the unstable key first: it rejects most candidates.
     let mut voices = voices.to_vec();
     voices.sort_by_key(|it| it.0 != key);
     for remedy in candidates(scene) {
@@ -55,7 +52,7 @@ pub(super) fn nearest(
     Ok(None)
 }
 
-/// Other settings, the nearest first.
+/// Returns other settings, the nearest first.
 fn candidates(scene: &Scene) -> Vec<Remedy> {
     let is_controlled = scene.render.passivity == PassivityMode::Control;
     let control = (!is_controlled).then_some(Remedy {

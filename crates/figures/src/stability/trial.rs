@@ -1,4 +1,4 @@
-//! One key under one finger: is its loop stable while it is played, and quiet afterwards?
+//! One key under one finger: stable while played, and quiet afterwards.
 
 use engine::voice::VoiceBuilder;
 use haptics::plant::{Gesture, Touch};
@@ -9,21 +9,21 @@ use scheduler::voice::VoiceFault;
 
 use crate::rehearsal::{RehearsalError, RehearsedKey};
 
-/// What shows that a key's loop is not stable.
+/// Symptom of an unstable loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Instability {
-    /// Its voice fails while somebody plays it.
+    /// Its voice fails during play.
     Fault(VoiceFault),
-    /// It sounds with nobody at it.
+    /// It sounds without a finger.
     Untouched,
-    /// It sounds again and again while a finger holds it.
+    /// It sounds repeatedly under a finger that holds it.
     Chatters,
-    /// Its motor goes on shaking it when the finger is gone.
+    /// Its motor shakes it after the finger left.
     Shakes,
 }
 
 impl Instability {
-    /// Returns what the key does, as the end of a sentence that begins with its name.
+    /// Returns the end of a sentence that begins with the key's name.
     pub(super) const fn what(self) -> &'static str {
         match self {
             Self::Fault(VoiceFault::MakesEnergy) => "makes energy",
@@ -35,25 +35,24 @@ impl Instability {
     }
 }
 
-/// A trial in which a key is not stable.
+/// A trial with an unstable key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct UnstableTrial {
     pub(super) key: KeyIndex,
-    /// Name of the finger.
     pub(super) finger: &'static str,
     /// Delay of the rig (s).
     pub(super) delay: f64,
     pub(super) instability: Instability,
 }
 
-/// The corners of what fingers do, with their names.
+/// Extreme fingers, with their names.
 const FINGERS: [(&str, FingerParameters); 3] = [
     ("an ordinary", FingerParameters::ORDINARY),
     ("a stiff", FingerParameters::STIFF),
     ("a limp", FingerParameters::LIMP),
 ];
 
-/// Time before the first stroke, in which nobody is there (s).
+/// Time without a finger before the first stroke (s).
 const UNTOUCHED: f64 = 0.1;
 
 /// Strokes of a trial: start and release (s), speed (m/s), touch.
@@ -63,26 +62,23 @@ const STROKES: [(f64, f64, f64, Touch); 3] = [
     (0.8, 0.95, 2.5, Touch::Struck),
 ];
 
-/// Parts of the rig's delay at which a key is tried.
+/// Tried delays, as fractions of the rig's.
 const DELAYS: [f64; 3] = [1.0, 0.5, 0.0];
 
 /// Length of a trial (s).
 const LENGTH: f64 = 1.6;
 
-/// The end of a trial, in two halves of which a key is compared (s).
+/// End of a trial, compared in two halves (s).
 const QUIET: f64 = 0.3;
 
-/// Strikes of one stroke beyond which it is a chatter: a pendulum on a cart bounces that often.
+/// Maximum strikes of one stroke: a pendulum on a cart bounces that often.
 const CHATTER: usize = 6;
 
-/// Tries `voices` of a scene; returns the first trial in which a key is not stable.
+/// Tries `voices` of a scene; returns the first trial with an unstable key.
 ///
 /// A link delays some samples less than others, so shorter delays than the rig's are tried too. A
 /// loop that shakes without a delay and is quiet with one has a limit cycle whose phase happens to
 /// fit: on the link it shakes.
-///
-/// # Errors
-/// If a voice or the keybed are refused.
 pub(super) fn first_unstable(
     scene: &Scene,
     voices: &[(KeyIndex, &KeyVoice)],
@@ -101,8 +97,8 @@ pub(super) fn first_unstable(
     Ok(None)
 }
 
-/// Tries all fingers on a key, or the hand if one grips it; returns the name of the first under
-/// which the key is not stable, and what shows it.
+/// Tries all fingers on a key, or the hand if one grips it; returns the first finger under which
+/// the key is unstable, with the symptom.
 fn worst(
     builder: &VoiceBuilder<'_>,
     key: (usize, &KeyVoice),
@@ -122,7 +118,7 @@ fn worst(
     Ok(None)
 }
 
-/// Plays the strokes on a key with a way of `dip` (m).
+/// Plays the strokes on a key with a dip of `dip` (m).
 fn play(mut key: RehearsedKey, dip: f64) -> Option<Instability> {
     let hold = Gesture::hold_of(dip);
     let gesture = |(start, release, speed, touch)| Gesture {
@@ -143,19 +139,19 @@ fn play(mut key: RehearsedKey, dip: f64) -> Option<Instability> {
     seen.shakes(dip).then_some(Instability::Shakes)
 }
 
-/// What was seen of a key since its trial began.
+/// Observations of a key in a trial.
 #[derive(Clone, Copy, Debug, Default)]
 struct TrialLog {
-    /// Strikes since the stroke that is or was played last began.
+    /// Strikes since the start of the latest stroke.
     strikes: usize,
     stroke: usize,
-    /// How the key moved in both halves of the trial's end.
+    /// Motion of the key in both halves of the trial's end.
     end: [Swing; 2],
     position: f64,
 }
 
 impl TrialLog {
-    /// Goes on by a tick; returns what shows that the key is not stable.
+    /// Advances by a tick; returns a symptom of instability.
     fn tick(&mut self, key: &mut RehearsedKey) -> Option<Instability> {
         let now = key.now();
         let turn = key.step();
@@ -176,8 +172,7 @@ impl TrialLog {
         fault.or(alone).or(chatters)
     }
 
-    /// Tells whether a key with a way of `dip` (m) went to and fro at the end, and that does not die
-    /// away.
+    /// Returns `true` if a key with a dip of `dip` (m) swung at the end without decay.
     fn shakes(&self, dip: f64) -> bool {
         let [first, second] = self.end.map(|it| it.to_and_fro() / dip);
         Swing::SHAKING < second || Swing::grows(first, second)

@@ -9,6 +9,7 @@ use crate::scenario::{ForceKind, Plan, Scenario, StateOf, Studied};
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct SeenEvent<M: Model> {
+    /// Time of the event (s).
     pub(super) t: f64,
     pub(super) guard: &'static str,
     pub(super) to: M::Mode,

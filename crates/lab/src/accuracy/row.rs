@@ -39,6 +39,7 @@ pub struct EvaluationCounts {
 }
 
 impl EvaluationCounts {
+    /// Returns the counts of ticks of `tick` (s).
     pub(super) fn new<S: Scenario>(work: &[Work], tick: f64) -> Self {
         let ms = work.len() as f64 * tick * 1e3;
         let sum = |count: fn(&Work) -> u32| -> u64 {

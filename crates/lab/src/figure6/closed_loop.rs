@@ -52,7 +52,9 @@ impl Pace {
 pub struct RigRow {
     /// True angle of the manipulandum (rad), from the zero of the encoder.
     pub angle: f64,
+    /// Its rate per model second (rad/s).
     pub rate: f64,
+    /// Force of the motor (N), up positive.
     pub motor: f64,
     /// Force of the handle on the hand (N), up positive.
     pub hand: f64,

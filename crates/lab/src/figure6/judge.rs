@@ -82,6 +82,7 @@ pub struct StepErrors {
     pub force_largest: f64,
     /// Root mean square of the force's error away from events (N).
     pub force_rms: f64,
+    /// Largest error of the stored energy away from events (J).
     pub energy_largest: f64,
     /// Largest energy generated or lost without work of the hand (J).
     pub energy_made: f64,

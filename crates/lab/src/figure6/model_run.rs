@@ -17,7 +17,9 @@ pub struct RunRow {
     pub mode: &'static str,
     /// Input angle of the manipulandum (rad).
     pub s: f64,
+    /// Angle of the key (rad).
     pub key: f64,
+    /// Angle of the hammer (rad).
     pub hammer: f64,
     /// Force of the key on the hand, at the finger's lever, up positive (N).
     pub f_ku: f64,
@@ -25,6 +27,7 @@ pub struct RunRow {
     pub f_kh: f64,
     /// Gap between hammer and key (m); below 0 in contact.
     pub gap: f64,
+    /// Stored energy (J).
     pub energy: f64,
 }
 

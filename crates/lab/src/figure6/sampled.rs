@@ -12,6 +12,7 @@ use super::model_run::{Mode, ModelRun, ModelState, RunEvent, mode_name, row, sti
 #[derive(Clone, Debug)]
 pub(super) struct SampledModel<'a> {
     model: &'a SmallModel,
+    /// Length of a step (s).
     step: f64,
     mode: Mode,
     state: ModelState,

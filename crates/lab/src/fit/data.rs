@@ -27,6 +27,7 @@ const SHORTEST_WAY: f64 = 1e-6;
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct StrokeRow {
+    /// Time (s).
     pub(super) t: f64,
     /// Travel of the key's front (m), down positive.
     pub(super) travel: f64,

@@ -6,6 +6,7 @@ use crate::random::SeededRandom;
 use cli::simulate::{InputTable, Reconstruct};
 use figures::action::Opener;
 
+/// Longest tick (s).
 const TICK: f64 = 1e-3;
 /// Longest lead-in of a stroke (s).
 const LEAD: f64 = 0.3;

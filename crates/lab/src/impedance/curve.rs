@@ -22,6 +22,7 @@ pub fn frequencies((low, high): (f64, f64), count: usize) -> Vec<f64> {
 
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct ImpedancePoint {
+    /// Frequency (Hz).
     pub frequency: f64,
     /// Real and imaginary part (N s/m).
     pub real: f64,
@@ -32,7 +33,7 @@ pub struct ImpedancePoint {
 }
 
 impl ImpedancePoint {
-    /// Returns the point of the impedance `z` (N s/m), without an error.
+    /// Returns the point of `z` (N s/m) at `frequency` (Hz), without an error.
     pub const fn exact(frequency: f64, z: Complex<f64>) -> Self {
         Self { frequency, real: z.re, imaginary: z.im, coherence: 1.0, error: 0.0 }
     }
@@ -45,6 +46,7 @@ impl ImpedancePoint {
         Self { coherence, error, ..Self::exact(frequency, z) }
     }
 
+    /// Returns |Z| (N s/m).
     pub fn magnitude(&self) -> f64 {
         self.real.hypot(self.imaginary)
     }

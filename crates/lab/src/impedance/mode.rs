@@ -34,6 +34,7 @@ pub struct HeldMode<'a> {
     pub values: &'a [f64],
     /// Structural mode; `None` for the mode in which the model rests.
     pub mode: Option<&'a str>,
+    /// Travel of the key's front (m).
     pub depth: f64,
 }
 
@@ -50,6 +51,7 @@ pub fn linearise(held: &HeldMode<'_>) -> Result<LinearMode, String> {
 pub struct LinearMode {
     /// Name of the mode, with its closed contacts.
     pub mode: String,
+    /// Force on the finger there (N).
     pub force: f64,
     /// `true` if the point is at rest; otherwise the model passes through it.
     pub is_at_rest: bool,
@@ -86,6 +88,7 @@ impl LinearMode {
         (own - self.a.map(Complex::from)).lu().solve(&driven)
     }
 
+    /// Returns the impedance at `frequencies` (Hz).
     pub fn curve(&self, frequencies: &[f64]) -> ImpedanceCurve {
         let point = |it: &f64| Some(ImpedancePoint::exact(*it, self.at(*it)?));
         let force = rounded(self.force);

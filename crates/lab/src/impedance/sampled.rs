@@ -59,7 +59,9 @@ pub struct ShakenVoice<'a> {
     pub maker: VoiceMaker<'a>,
     /// Order of the voices, with its own period and delay.
     pub order: VoiceOrder<'a>,
+    /// Travel of the key's front (m).
     pub depth: f64,
+    /// Largest amplitude (m).
     pub amplitude: f64,
 }
 
@@ -92,6 +94,7 @@ impl ShakenVoice<'_> {
         Ok(ImpedanceCurve { name, remark, points })
     }
 
+    /// Measures the impedance at one frequency (Hz).
     fn at(&self, frequency: f64) -> Result<ImpedancePoint, String> {
         let held = ForceHold::of(self.order.values);
         let omega = TAU * frequency;

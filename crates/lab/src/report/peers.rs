@@ -18,6 +18,7 @@ pub struct Peer {
     pub method: String,
     /// Settings: the code's defaults, or its documentation's advice.
     pub setting: String,
+    /// Tolerance, or step (s).
     pub tolerance_or_step: Option<f64>,
     pub events: Option<u64>,
     /// `true` if the right events occurred in the right order.

@@ -68,6 +68,7 @@ pub(super) fn failures(measured: &MeasuredScenario) -> usize {
     measured.rows.iter().filter(wrong).count()
 }
 
+/// Returns our cheapest run in ticks with an event-time error of at most `target` (s).
 pub(super) fn in_ticks(measured: &MeasuredScenario, target: f64) -> Option<Cheapest> {
     ours(measured, target, |kind| kind != MethodKind::Controlled)
 }

@@ -95,6 +95,7 @@ impl Model for FeltPenetration {
 }
 
 impl FeltPenetration {
+    /// Returns √(F'(x)/m) at the deepest point (rad/s).
     fn rate(self) -> f64 {
         (POWER * self.k * self.depth.powf(POWER - 1.0) / MASS).sqrt()
     }

@@ -101,6 +101,7 @@ impl ReferenceCase {
         terms.ok_or_else(|| file.wrong("a term of the input is no number"))
     }
 
+    /// Returns the end (s).
     pub(super) fn until(&self, file: &ReferenceFile) -> Result<f64, BadFile> {
         number(&self.t_end).ok_or_else(|| file.wrong("t_end is no number"))
     }

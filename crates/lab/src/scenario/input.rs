@@ -8,6 +8,7 @@ pub(super) trait TermInput: Copy {
     /// Returns the input of these (A, tc (s), w (s)), if their number is right.
     fn of(terms: &[[f64; 3]]) -> Option<Self>;
 
+    /// Returns the input at `t` (s).
     fn at(&self, t: f64) -> Motion;
 
     /// Adds to `terms` the coefficients of the input at t + dt τ (s) by power of τ.

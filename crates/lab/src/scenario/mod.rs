@@ -31,6 +31,7 @@ use self::head::HeadScenario;
 use self::pendulum::PendulumScenario;
 use self::stroke::{GrandStroke, RigidStroke, SpringsStroke};
 
+/// Milliseconds (s).
 pub(crate) const MS: f64 = 1e-3;
 
 /// Steps of a key's stroke (s): all divide 5 ms.
@@ -80,6 +81,7 @@ pub trait Scenario {
 /// Duration of a scenario, its steps, and the compared force.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Plan {
+    /// End of the run (s).
     pub until: f64,
     /// Ticks (s), the longest first; each divides the time between samples.
     pub ticks: &'static [f64],

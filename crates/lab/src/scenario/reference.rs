@@ -5,6 +5,7 @@ use pode::Model;
 /// An event that must occur.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ExpectedEvent<M: Model> {
+    /// Time of the event (s).
     pub t: f64,
     pub guard: String,
     pub to: M::Mode,
@@ -12,6 +13,7 @@ pub struct ExpectedEvent<M: Model> {
 
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ReferenceSample<S> {
+    /// Time of the sample (s).
     pub t: f64,
     pub state: S,
     /// Force of the kind [`ForceKind`](super::ForceKind), in the readout's unit or that times s.

@@ -161,6 +161,7 @@ impl LoopQuantity {
     }
 }
 
+/// A value of every quantity (SI).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LoopValues([f64; QUANTITIES.len()]);
 
@@ -183,10 +184,12 @@ impl LoopValues {
         values
     }
 
+    /// Returns the value of a quantity (SI).
     pub const fn get(&self, quantity: LoopQuantity) -> f64 {
         self.0[quantity as usize]
     }
 
+    /// Sets the value of a quantity (SI).
     pub const fn set(&mut self, quantity: LoopQuantity, value: f64) {
         self.0[quantity as usize] = value;
     }

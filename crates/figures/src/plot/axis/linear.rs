@@ -1,15 +1,13 @@
-//! The round numbers of a linear axis.
-
 use crate::digits::trimmed;
 
-/// Below this part of a range, what is left of zero is rounding.
+/// Fraction of a range below which a remainder of zero is rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Returns multiples of 1, 2 or 5 times a power of ten from `low` to `high`, at most about
-/// `wanted` of them, each with its number.
+/// `wanted`, each with its number.
 pub(super) fn ticks((low, high): (f64, f64), wanted: f64) -> Vec<(f64, Option<String>)> {
     let size = high - low;
-    // The length of the widest range is no number: its half is.
+    // The length of the widest range overflows, its half does not.
     let least = (0.5 * high - 0.5 * low) / wanted * 2.0;
     let power = 10_f64.powf(least.log10().floor());
     let steps = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power);
@@ -21,7 +19,7 @@ pub(super) fn ticks((low, high): (f64, f64), wanted: f64) -> Vec<(f64, Option<St
     values.map(|value| (value, Some(number(value, size)))).collect()
 }
 
-/// Writes `value` with the digits that an axis over a range of `size` needs.
+/// Formats `value` with the digits that an axis over a range of `size` needs.
 fn number(value: f64, size: f64) -> String {
     let value = if value.abs() < ROUNDING * size { 0.0 } else { value };
     if !(1e-3..1e5).contains(&size) {

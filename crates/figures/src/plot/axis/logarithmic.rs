@@ -1,18 +1,15 @@
-//! The round numbers of a logarithmic axis.
-
-/// Below this an error is as good as none.
+/// Error below which a curve is at zero.
 const FLOOR: f64 = 1e-17;
-/// Room at both ends, as a part of the axis.
+/// Room at both ends, as a fraction of the axis.
 const ROOM: f64 = 0.05;
-/// Room at both ends at least (decades).
+/// Least room at both ends (decades).
 const LEAST_ROOM: f64 = 0.15;
 
-/// Returns the decimal logarithm of a value that is not negative.
 pub(super) fn log(value: f64) -> f64 {
     value.max(FLOOR).log10()
 }
 
-/// Returns the logarithms of the ends of an axis over all of `values`, with room at both ends.
+/// Returns the logarithms of the ends of an axis over `values`, with room.
 pub(super) fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let logs = values.map(log).filter(|log| log.is_finite());
     let ends = logs
@@ -22,7 +19,7 @@ pub(super) fn ends(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (low - room, high + room)
 }
 
-/// Returns the values of the grid between two logarithms, about `wanted` of them with a number.
+/// Returns the grid's values between two logarithms, about `wanted` of them with a number.
 pub(super) fn ticks((low, high): (f64, f64), wanted: f64) -> Vec<(f64, Option<String>)> {
     let decades = high - low;
     let every = (decades / wanted).ceil().max(1.0);
@@ -43,7 +40,7 @@ pub(super) fn ticks((low, high): (f64, f64), wanted: f64) -> Vec<(f64, Option<St
     numbers.filter_map(tick).collect()
 }
 
-/// Writes a power of ten, or a few of them, as people do.
+/// Formats a digit times a power of ten, as people write it.
 fn number(digit: f64, power: f64) -> String {
     if (0.0..=3.0).contains(&power) {
         let value = digit * 10_f64.powf(power);

@@ -1,21 +1,21 @@
-//! An axis: where a value is, and the round numbers at which a grid has its lines.
+//! An axis: positions of values, and round numbers of the grid.
 
 mod linear;
 mod logarithmic;
 
 use std::ops::Range;
 
-/// A linear or logarithmic axis from one place to another.
+/// A linear or logarithmic axis between two positions.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Axis {
     scale: AxisScale,
-    /// The values at both ends; of a logarithmic axis their decimal logarithms.
+    /// Values at both ends, as decimal logarithms for a logarithmic axis.
     ends: (f64, f64),
-    /// The places of both ends (pixels).
+    /// Positions of both ends (pixels).
     places: (f64, f64),
 }
 
-/// How values lie along an axis.
+/// Scale of an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum AxisScale {
     #[default]
@@ -26,37 +26,36 @@ pub enum AxisScale {
 /// A line of the grid.
 #[derive(Clone, PartialEq, Debug)]
 pub struct GridLine {
-    /// Where the line crosses its axis (pixels).
+    /// Position on the axis (pixels).
     pub place: f64,
-    /// The number beside the line; between two numbers of a long axis there are lines without.
+    /// Number beside the line; a long axis has lines without.
     pub label: Option<String>,
 }
 
 impl Axis {
-    /// Returns a linear axis over `range` between two places.
     pub const fn linear(range: &Range<f64>, places: (f64, f64)) -> Self {
         Self { scale: AxisScale::Linear, ends: (range.start, range.end), places }
     }
 
-    /// Returns a logarithmic axis over all of `values`, with room at both ends; over one decade
-    /// around 1 if there are none.
+    /// Returns a logarithmic axis over `values` with room at both ends; over one decade around 1 if
+    /// there are none.
     pub fn logarithmic(values: impl Iterator<Item = f64>, places: (f64, f64)) -> Self {
         Self { scale: AxisScale::Logarithmic, ends: logarithmic::ends(values), places }
     }
 
-    /// Returns a logarithmic axis over `range` of values above zero, without room at its ends.
+    /// Returns a logarithmic axis over `range` of values above zero, without room.
     pub fn decades(range: &Range<f64>, places: (f64, f64)) -> Self {
         let ends = (logarithmic::log(range.start), logarithmic::log(range.end));
         Self { scale: AxisScale::Logarithmic, ends, places }
     }
 
-    /// Returns where `value` is (pixels).
+    /// Returns the position of `value` (pixels).
     pub fn place(&self, value: f64) -> f64 {
         let (value, (low, high)) = match self.scale {
             AxisScale::Linear => (value, self.ends),
             AxisScale::Logarithmic => (logarithmic::log(value), self.ends),
         };
-        // Halves, as the length of the widest range is no number.
+        // The length of the widest range overflows, its half does not.
         let part = (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low);
         self.places.0 + part * (self.places.1 - self.places.0)
     }

@@ -5,6 +5,7 @@ fn experiment() -> Figure6 {
     figure6(Pace::PAPER).unwrap()
 }
 
+/// Lever of the finger (m): 3 inches for 45°.
 const LEVER: f64 = 76.2e-3 / core::f64::consts::FRAC_PI_4;
 
 /// Asserts the story of the paper's text: held still for 0.3 s, thrown, free, caught near 0.9 s,
