@@ -1,33 +1,33 @@
-//! The device's own inertia, friction and weight, taken off what the finger feels.
+//! Compensation of the device's own inertia, friction and weight.
 
 use crate::estimate::KeyMotion;
 use crate::plant::KeyParameters;
 
-/// Speed at which half of the dry friction is taken off (m/s): below it, the estimate's noise would
-/// turn the force to and fro.
+/// Speed at which half of the dry friction is compensated (m/s): below it, the noise of the
+/// estimate would reverse the force.
 const SLIDING: f64 = 5e-3;
 
-/// A force that takes part of a key's own mechanics off what its finger feels.
+/// A force that cancels part of a key's own mechanics.
 ///
 /// The finger moves the key's mass against its friction, damping and weight as well as the action.
-/// What is taken off comes from the motor, by an estimate that is late: it makes energy wherever
-/// the estimate is wrong, and the loop is stable with a smaller action.
+/// The motor compensates by an estimate that is late: it generates energy where the estimate is
+/// wrong, and the loop is stable with a smaller action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeviceCompensation {
     key: KeyParameters,
-    /// Parts of its inertia, and of its friction, damping and weight.
+    /// Compensated fractions of inertia, and of friction, damping and weight.
     inertia: f64,
     losses: f64,
 }
 
 impl DeviceCompensation {
-    /// Takes the part `inertia` off the mass of `key`, and the part `losses` off its dry friction,
+    /// Compensates the fraction `inertia` of the mass of `key`, and `losses` of its dry friction,
     /// damping and weight, each `0 ..= 1`.
     pub const fn new(key: KeyParameters, inertia: f64, losses: f64) -> Self {
         Self { key, inertia, losses }
     }
 
-    /// Returns the force on the finger, up positive, for a key that moves so \[N\].
+    /// Returns the force on the finger, up positive, for a motion of the key (N).
     ///
     /// # Real-time
     /// A dozen operations.
@@ -51,7 +51,7 @@ mod tests {
         let motion = KeyMotion { position: 3e-3, velocity: 2.0, acceleration: -7.0 };
         let force = DeviceCompensation::new(key, 1.0, 1.0).force(&motion);
         let resistance = key.mass * -7.0 + key.damping * 2.0 + key.coulomb + key.weight;
-        // Of the dry friction, what is missing at 2 m/s.
+        // The missing share of the dry friction at 2 m/s.
         assert!((force + resistance).abs() < key.coulomb * SLIDING / 2.0, "{force}");
         assert!(DeviceCompensation::new(key, 0.0, 0.0).force(&motion).abs() < f64::EPSILON);
     }

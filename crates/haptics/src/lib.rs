@@ -1,15 +1,15 @@
-//! What the hand feels, seen from both sides of the key.
+//! The feel of a key, from both sides of it.
 //!
-//! [`estimate`] turns quantised positions into motion, [`limits`] is the last gate a force
-//! passes, [`passivity`] tells a key that makes energy and keeps one from it, [`swing`] one that
-//! shakes, [`stability`] how stiff a sampled wall may be, and [`plant`] is the other side: a simulated key with its encoder, its motor and a finger,
-//! for running without hardware and for rehearsing a performance.
+//! [`estimate`] computes motion from quantised positions, [`limits`] is the last gate of a force,
+//! [`passivity`] detects and prevents generated energy, [`swing`] detects shaking, [`stability`]
+//! bounds the stiffness of a sampled wall. [`plant`] is the other side: a simulated key with
+//! encoder, motor and finger, for running without hardware and for rehearsals.
 //!
 //! **Signs.** A position is the displacement of the key's front (m), *down positive*, zero
 //! at rest. A force is what the finger feels (N), *up positive*: it decreases the position.
 //!
 //! **Time.** No clock is read here; model time `t` and steps `h` (s) are arguments. Nothing
-//! allocates, and every loop has a bound, so everything but the constructors is for the tick.
+//! allocates and every loop has a bound, so everything but the constructors is for the tick.
 //! All state is `Copy`: a snapshot is an assignment, and a replay from it gives the same bits.
 //!
 //! | word | meaning |

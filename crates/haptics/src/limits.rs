@@ -1,9 +1,9 @@
-//! The last gate before a motor: what is not finite, too large or too sudden stops here.
+//! The last gate before a motor: it stops forces that are not finite, too large or too sudden.
 
 use core::error::Error;
 use core::fmt;
 
-/// Why a gate could not be built; carries the refused value.
+/// An invalid limit of a gate, with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LimitError {
     /// The force limit (N) is not finite and positive.
@@ -27,24 +27,24 @@ impl fmt::Display for LimitError {
 
 impl Error for LimitError {}
 
-/// A force that passed the gate, and what the gate had to do.
+/// A force that passed the gate, with the gate's interventions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Gated {
     /// Force that may be sent (N); always finite and within the limit.
     pub force: f64,
-    /// Whether the wanted force was a finite number; if not, zero was wanted instead.
+    /// `true` if the wanted force was finite; otherwise zero replaced it.
     pub finite: bool,
-    /// Whether the wanted force exceeded the limit.
+    /// `true` if the wanted force exceeded the limit.
     pub limited: bool,
-    /// Whether the force is still on its way because of the slew limit.
+    /// `true` if the slew limit still holds the force back.
     pub slewed: bool,
 }
 
-/// Limits a force in size and slew, and lets no NaN or infinity pass.
+/// Limits a force in size and slew, and rejects NaN and infinity.
 ///
-/// The way from any force to any other is a ramp at the slew limit; a wanted force that is
-/// not finite is answered by the ramp to zero.
+/// Forces change by ramps at the slew limit; a wanted force that is not finite causes the ramp to
+/// zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ForceGate {
     limit: f64,
@@ -56,7 +56,6 @@ impl ForceGate {
     /// Creates a gate at zero force.
     ///
     /// # Errors
-    ///
     /// If `limit_newtons` (N) or `slew_newtons_per_s` (N/s) is not finite and positive.
     pub fn new(limit_newtons: f64, slew_newtons_per_s: f64) -> Result<Self, LimitError> {
         if !is_limit(limit_newtons) {
@@ -73,16 +72,14 @@ impl ForceGate {
         self.limit
     }
 
-    /// Returns the force nearest to `force` (N) that is allowed one `period` (s) later.
-    ///
-    /// A period that is not positive and finite allows no change at all.
+    /// Returns the force nearest to `force` (N) that is allowed one `period` (s) later. A period
+    /// that is not positive and finite allows no change.
     ///
     /// # Real-time
-    ///
     /// A dozen operations; never fails, never panics.
     pub fn apply(&mut self, force: f64, period: f64) -> Gated {
         let finite = force.is_finite();
-        // `f64::clamp` hands NaN through, so finiteness comes first.
+        // `f64::clamp` passes NaN through, so check finiteness first.
         let wanted = if finite { force } else { 0.0 };
         let target = wanted.clamp(-self.limit, self.limit);
         let change = target - self.force;
@@ -96,12 +93,12 @@ impl ForceGate {
         self.force
     }
 
-    /// Goes on from `force` (N), which was sent in place of what passed: nearer to zero.
+    /// Continues from `force` (N), which was sent instead and is nearer to zero.
     pub const fn go_on_from(&mut self, force: f64) {
         self.force = force;
     }
 
-    /// Largest change within `period` (s), in newtons.
+    /// Returns the largest change within `period` (s), in newtons.
     fn reach(&self, period: f64) -> f64 {
         if period.is_finite() && 0.0 < period { self.slew * period } else { 0.0 }
     }
@@ -112,7 +109,6 @@ impl ForceGate {
     }
 }
 
-/// Whether a limit can be kept.
 fn is_limit(value: f64) -> bool {
     value.is_finite() && 0.0 < value
 }
@@ -122,7 +118,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// A gate of 20 N and 5000 N/s.
+    /// Returns a gate of 20 N and 5000 N/s.
     fn gate() -> ForceGate {
         ForceGate::new(20.0, 5000.0).unwrap()
     }

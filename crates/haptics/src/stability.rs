@@ -1,16 +1,16 @@
-//! How stiff and how damped a sampled wall may be: the theory that measured loops are held against.
+//! Bounds on the stiffness and damping of a sampled wall: the theory for measured loops.
 //!
-//! A wall answers the key's position with a force F = K x + B v, worked out once a period from a
-//! sample and held until the next. Held and late, it gives back more energy than it took, and the
-//! device's own damping or friction has to take the rest. What is told here is passivity: then the
-//! loop is stable whatever passive hand or load is at the key. A given hand may allow more.
+//! A wall answers the key's position with a force F = K x + B v, computed once a period from a
+//! sample and held until the next. Held and late, it returns more energy than it absorbed, and the
+//! device's own damping or friction must dissipate the rest. These bounds are of passivity: the
+//! loop is stable under any passive hand or load. A given hand may allow more.
 
 use core::f64::consts::PI;
 
-/// Frequencies at which a supremum is looked for: 64 to a wave at 64 periods' delay.
+/// Number of frequencies in the search for a supremum: 64 to a wave at 64 periods' delay.
 const FREQUENCIES: u32 = 4096;
 
-/// A wall as it is rendered: sampled, held, and late.
+/// A rendered wall: sampled, held, and late.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SampledWall {
     /// Stiffness K (N/m).
@@ -19,19 +19,19 @@ pub struct SampledWall {
     pub damping: f64,
     /// Period T of the loop (s).
     pub period: f64,
-    /// Time from a sample until its force acts (s), beyond the hold.
+    /// Time between a sample and its force (s), beyond the hold.
     pub delay: f64,
 }
 
 impl SampledWall {
-    /// Returns the damping of the device (N s/m) above which the wall is passive: K (T/2 + d) + |B|.
+    /// Returns the damping of the device (N s/m) above which the wall is passive: K (T/2 + d) +
+    /// |B|.
     ///
     /// Without delay it is exact, from `[CS97]`: the supremum of [`Self::demand`], at half the
-    /// sampling rate for B above zero and at standstill for B below. With a delay of whole
-    /// periods it is enough: of the demand's two terms, sin((n + 1/2) θ) / sin(θ/2) is Dirichlet's
-    /// kernel, which is largest, 2 n + 1, at θ = 0, and -cos((n + 1) θ) is at most 1. The first
-    /// alone is also needed, whatever the delay, because a slow motion finds it; `[HA14]` has
-    /// both boundaries with delay.
+    /// sampling rate for B above zero and at standstill for B below. With a delay of whole periods
+    /// it suffices: of the demand's two terms, sin((n + 1/2) θ) / sin(θ/2) is Dirichlet's kernel,
+    /// largest, 2 n + 1, at θ = 0, and -cos((n + 1) θ) is at most 1. The first alone is also needed
+    /// for any delay, because a slow motion reaches it; `[HA14]` has both boundaries with delay.
     pub fn passive_damping(&self) -> f64 {
         let Self { stiffness, damping, period, delay } = *self;
         stiffness * (0.5 * period + delay) + damping.abs()
@@ -55,11 +55,11 @@ impl SampledWall {
         0.5 * self.stiffness * self.period * spring - self.damping * ((n + 1.0) * theta).cos()
     }
 
-    /// Returns the largest demand over all frequencies (N s/m): the damping that is needed and
-    /// enough, with the delay rounded to whole periods.
+    /// Returns the largest demand over all frequencies (N s/m), the necessary and sufficient
+    /// damping, with the delay rounded to whole periods.
     ///
     /// # Real-time
-    /// Not for the tick: looks at 4096 frequencies.
+    /// Not for the tick: evaluates 4096 frequencies.
     pub fn largest_demand(&self) -> f64 {
         // At θ = 0 the kernel is a limit.
         let still = 0.5 * self.stiffness * self.period * (2.0 * self.whole_periods() + 1.0);
@@ -67,17 +67,17 @@ impl SampledWall {
         angles.map(|theta| self.demand(theta)).fold(still - self.damping, f64::max)
     }
 
-    /// Returns the stiffness (N/m) up to which the loop is stable with nobody there, about, on a
+    /// Returns the approximate stiffness (N/m) up to which the loop is stable without a hand, on a
     /// device with `damping` (N s/m): (b + B) / (T/2 + d).
     ///
-    /// The linear condition of `[GS09]`: for a device whose mass is large, b T / m and B T / m much
-    /// less than 1, and delays of few periods.
+    /// The linear condition of `[GS09]`: for a device of large mass, b T / m and B T / m much less
+    /// than 1, and delays of few periods.
     pub fn linear_stiffness(&self, damping: f64) -> f64 {
         (damping + self.damping) / (0.5 * self.period + self.delay)
     }
 
-    /// Returns the mass (kg) up to which a mass is passive without delay on a device with `damping`
-    /// (N s/m), rendered by second differences each `period` (s): b T / 2.
+    /// Returns the mass (kg) up to which a rendered mass without delay is passive on a device with
+    /// `damping` (N s/m), rendered by second differences each `period` (s): b T / 2.
     ///
     /// The criterion of `[CS97]` with H(z) = M ((z − 1) / (T z))² demands
     /// −(2 M / T) sin(θ/2) sin(3 θ/2), which is largest, 2 M / T, at half the sampling rate.
@@ -105,9 +105,9 @@ impl RoundedDevice {
     /// Returns the largest stiffness (N/m) of a wall without damping that is passive at `period`
     /// (s): the lesser of 2 b / T and 2 f / Δ.
     ///
-    /// `[AO05]`: over one period with the displacement δ a held spring makes at most K δ²/2, which
-    /// damping takes if b ≥ K T/2, and K Δ |δ|/2 because its position is rounded, which friction
-    /// takes if f ≥ K Δ/2.
+    /// `[AO05]`: over one period with the displacement δ a held spring generates at most K δ²/2,
+    /// which damping dissipates if b ≥ K T/2, and K Δ |δ|/2 as its position is rounded, which
+    /// friction dissipates if f ≥ K Δ/2.
     pub fn passive_stiffness(&self, period: f64) -> f64 {
         let held = 2.0 * self.damping / period;
         if self.quantum > 0.0 { held.min(2.0 * self.coulomb / self.quantum) } else { held }
@@ -126,12 +126,11 @@ mod tests {
         SampledWall { stiffness, damping, period: T, delay: f64::from(periods) * T }
     }
 
-    /// Product of two complex numbers, real and imaginary part.
     fn product((a, b): (f64, f64), (c, d): (f64, f64)) -> (f64, f64) {
         (a * c - b * d, a * d + b * c)
     }
 
-    /// The criterion as it stands in the paper, in complex numbers, at the angle `theta`.
+    /// Returns the paper's criterion, in complex numbers, at the angle `theta`.
     fn criterion(wall: &SampledWall, theta: f64) -> f64 {
         let back = (theta.cos(), -theta.sin());
         let difference = (1.0 - back.0, -back.1);
@@ -145,7 +144,7 @@ mod tests {
         0.5 * wall.period / (1.0 - theta.cos()) * product(difference, h).0
     }
 
-    /// Its supremum on a grid that is none of the product's.
+    /// Returns its supremum on a grid that differs from the product's.
     fn supremum(wall: &SampledWall) -> f64 {
         let angles = (1..=3001).map(|it| PI * f64::from(it) / 3001.0);
         angles.map(|theta| criterion(wall, theta)).fold(f64::NEG_INFINITY, f64::max)
@@ -216,14 +215,14 @@ mod tests {
         assert!(none.passive_stiffness(device) < 0.0);
     }
 
-    /// Energy that a wall of `stiffness` makes on the way through `samples` (m), less what a
-    /// device takes: above zero if it is not passive. The way ends where it began.
+    /// Returns the energy that a wall of `stiffness` generates on the closed path `samples` (m),
+    /// less the device's dissipation: above zero if it is not passive.
     fn made(stiffness: f64, device: &RoundedDevice, samples: &[f64]) -> f64 {
         let next = samples.iter().cycle().skip(1);
         let steps = samples.iter().zip(next).map(|(from, to)| {
             let way = to - from;
             let read = (from / device.quantum).round() * device.quantum;
-            // Least loss on that way within a period: at a steady speed.
+            // Least loss on that path within a period: at a constant speed.
             let lost = device.damping * way * way / T + device.coulomb * way.abs();
             -stiffness * read * way - lost
         });

@@ -1,6 +1,6 @@
-//! How a key goes to and fro, and from when on it shakes.
+//! Oscillation of a key, and the limit of shaking.
 
-/// Ways of a key, up and down (m).
+/// Travel of a key, up and down (m).
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Swing {
     up: f64,
@@ -8,27 +8,27 @@ pub struct Swing {
 }
 
 impl Swing {
-    /// Way to and fro of a key that shakes, in 0.15 s, as a part of its dip: the paper's springs,
-    /// which have no damper, move a key of 10 mm by 2.4 for as long as their hammer hops, and loops
-    /// that make energy by 5.5 and more.
+    /// Oscillation of a shaking key in 0.15 s, as a fraction of its dip. The paper's springs,
+    /// without a damper, move a key of 10 mm by 2.4 while their hammer hops; loops that generate
+    /// energy move it by 5.5 and more.
     pub const SHAKING: f64 = 0.4;
 
-    /// The same of a key that begins to, and how much more it is than in the 0.15 s before.
+    /// Oscillation of a key that starts to shake, and its ratio to that in the previous 0.15 s.
     const GROWING: (f64, f64) = (0.15, 1.25);
 
-    /// Adds a way (m), down positive.
+    /// Adds a displacement (m), down positive.
     pub const fn add(&mut self, way: f64) {
         self.down += way.max(0.0);
         self.up -= way.min(0.0);
     }
 
-    /// Returns the way to and fro (m): a key that is on its way up has none.
+    /// Returns the oscillation (m): a key on its way up has none.
     pub const fn to_and_fro(self) -> f64 {
         2.0 * self.up.min(self.down)
     }
 
-    /// Returns whether a key begins to shake that went to and fro by `now`, and by `before` in the
-    /// time before, both as parts of its dip.
+    /// Returns `true` if a key starts to shake, with the oscillations `now` and `before` as
+    /// fractions of its dip.
     pub fn grows(before: f64, now: f64) -> bool {
         let (least, times) = Self::GROWING;
         least.max(times * before) < now

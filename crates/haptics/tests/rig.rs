@@ -1,5 +1,3 @@
-//! One key under a finger and a motor: what happens in playing, tick by tick.
-
 use core::f64::consts::TAU;
 
 use haptics::{
@@ -10,7 +8,6 @@ use proptest::prelude::*;
 /// Period of the tick (s).
 const PERIOD: f64 = 1e-3;
 
-/// A gesture that starts at 10 ms.
 fn gesture(touch: Touch, speed: f64, release: f64) -> Gesture {
     Gesture { start: 0.01, release, touch, speed, ..Gesture::USUAL }
 }
@@ -26,7 +23,6 @@ fn run(rig: &mut KeyRig, from: u32, to: u32, force: f64, gesture: Option<&Gestur
 fn without_a_finger_an_upward_force_keeps_the_key_at_its_rest() {
     let mut rig = KeyRig::new(RigParameters::default());
     run(&mut rig, 0, 200, 0.5, None);
-    // 0.5 N ± stiction on a felt of 60 kN/m.
     assert!((-0.62 / 6e4..=-0.38 / 6e4).contains(&rig.position()), "{}", rig.position());
     assert!(rig.is_still());
 }
@@ -55,7 +51,7 @@ fn a_held_key_lies_on_its_bottom_under_two_newtons() {
     run(&mut rig, 0, 800, 0.5, Some(&gesture(Touch::Pressed, 0.3, 2.0)));
     assert!(rig.velocity() == 0.0);
     assert!((10.16e-3..10.20e-3).contains(&rig.position()), "{}", rig.position());
-    // Muscle and pulp in series, from the hold depth to where the key lies.
+    // Muscle and pulp in series, from the hold depth to the key's position.
     let series = 1.0 / (1.0 / 400.0 + 1.0 / 4000.0);
     let expected = series * (Gesture::HOLD - rig.position());
     assert!((rig.finger_force() - expected).abs() < 1e-6, "{}", rig.finger_force());
@@ -75,7 +71,7 @@ fn a_finger_that_lifts_fast_leaves_the_key_behind() {
     assert!(rig.is_still() && rig.position() < 0.0);
 }
 
-/// How long the key takes from its bottom to 1 mm below its rest under `force` (N) (s).
+/// Returns the time of the key from its bottom to 1 mm below its rest under `force` (N) (s).
 fn return_time(force: f64) -> f64 {
     let mut rig = KeyRig::new(RigParameters::default());
     let press = Gesture { lift: 0.01, ..gesture(Touch::Pressed, 0.3, 0.5) };
@@ -96,7 +92,7 @@ fn return_time(force: f64) -> f64 {
 
 #[test]
 fn a_key_that_is_let_go_returns_nearly_as_fast_as_a_grand_s() {
-    // Measured on grands: 35 ms, with 0.2 N at least that push back.
+    // Measured on grands: 35 ms, under a return force of at least 0.2 N.
     for (force, time) in [(0.2, 0.050), (0.35, 0.042), (0.5, 0.037)] {
         let found = return_time(force);
         assert!((0.03..time).contains(&found), "{found} s under {force} N");
@@ -127,7 +123,6 @@ fn another_gesture_is_another_finger() {
     run(&mut rig, 300, 301, 0.5, Some(&next));
     assert!(rig.finger_force() == 0.0 && rig.velocity() < 0.0, "{rig:?}");
     run(&mut rig, 301, 1000, 0.5, Some(&next));
-    // Released live, and away 50 ms later.
     assert!(rig.finger_force() > 1.0);
     let released = Gesture { release: 1.0, ..next };
     run(&mut rig, 1000, 1051, 0.5, Some(&released));
@@ -136,7 +131,7 @@ fn another_gesture_is_another_finger() {
     assert!(rig.is_still());
 }
 
-/// Speed of a key of `mass` (kg) that passes 9 mm, where an action lets off (m/s).
+/// Returns the speed of a key of `mass` (kg) at 9 mm, where an action lets off (m/s).
 fn speed_at_let_off(mass: f64, touch: Touch, speed: f64) -> f64 {
     let ordinary = RigParameters::default();
     // An action loses as much by itself, and lifts its key.
@@ -153,7 +148,7 @@ fn speed_at_let_off(mass: f64, touch: Touch, speed: f64) -> f64 {
     0.0
 }
 
-/// Asserts that the key is faster the faster the gesture, from `slowest` to 3 m/s.
+/// Asserts that a faster gesture gives a faster key, from `slowest` to 3 m/s.
 #[track_caller]
 fn check_rising(mass: f64, touch: Touch, slowest: f64) {
     let speeds = (0..=60).map(|i| slowest * (3.0 / slowest).powf(f64::from(i) / 60.0));
@@ -250,10 +245,9 @@ fn a_hand_that_grips_leads_the_key_along_a_path_both_ways() {
         }
         (astray, pulled)
     };
-    // The motor pulls down by 1 N, the return spring up by 0.3 N; friction and damping, 0.13 N, are
-    // with one in turn. On muscle and pulp in series the key is behind by what is left.
+    // The motor pulls down by 1 N, the return spring up by 0.3 N; friction and damping, 0.13 N,
+    // help one in turn. The key lags by the remaining force over muscle and pulp in series.
     let (astray, pulled) = led(grips);
     assert!(astray < 0.85 / 981.0 && pulled < -0.5, "{astray} m, {pulled} N");
-    // A finger that lies on it follows it to the bottom and never pulls.
     assert!(led(FingerParameters::STIFF).1 >= 0.0);
 }

@@ -2,31 +2,26 @@
 
 use super::{Estimator, KeyMotion, assert_positive};
 
-/// Most samples of a window.
+/// Maximum samples of a window.
 const LONGEST: usize = 16;
 
-/// First-order adaptive window: quick while the key is fast, smooth while it is slow.
+/// First-order adaptive window: fast while the key is fast, smooth while it is slow.
 ///
 /// Velocity is the slope from the newest sample to the oldest whose line passes all samples between
 /// them within a count of the encoder. Acceleration is the change of that velocity over the window.
-///
-/// # References
-///
 /// The end-fit filter of `[JHC00]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AdaptiveWindow {
-    /// Way of one count (m).
+    /// Displacement of one count (m).
     quantum: f64,
-    /// The newest samples, the newest first.
+    /// Newest samples, the newest first.
     past: [TimedPosition; LONGEST],
-    /// How many of them there are.
     len: usize,
 }
 
-/// A position and what was made of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct TimedPosition {
-    /// How long before the newest sample it was taken (s).
+    /// Time before the newest sample (s).
     ago: f64,
     position: f64,
     velocity: f64,
@@ -36,7 +31,6 @@ impl AdaptiveWindow {
     /// Creates an estimator at rest at zero for positions that are rounded to `quantum` (m).
     ///
     /// # Panics
-    ///
     /// Unless `quantum` is finite and positive.
     pub fn new(quantum: f64) -> Self {
         assert_positive(quantum, "quantum");
@@ -90,7 +84,7 @@ mod tests {
     const H: f64 = 1e-3;
     const COUNT: f64 = 10e-6;
 
-    /// Velocities of ticks 40 to 60 of a key that moves at `speed` (m/s), on counts.
+    /// Returns the velocities of ticks 40 to 60 of a key at `speed` (m/s), on counts.
     fn velocities(speed: f64) -> Vec<f64> {
         let mut estimator = AdaptiveWindow::new(COUNT);
         let counted = |tick: u32| (speed * f64::from(tick) * H / COUNT).round() * COUNT;
@@ -102,7 +96,7 @@ mod tests {
     fn a_slow_key_is_known_within_two_counts_of_a_whole_window() {
         for speed in [3e-3, 17e-3, 90e-3, 0.7] {
             let worst = velocities(speed).iter().fold(0.0_f64, |worst, it| worst.max(it - speed));
-            // Each end is off by half a count; backward differences are by up to 10 mm/s.
+            // Each end errs by half a count; backward differences err by up to 10 mm/s.
             assert!(worst <= COUNT / (15.0 * H) * 1.001, "{speed} m/s: {worst}");
         }
     }
@@ -114,7 +108,7 @@ mod tests {
         for tick in 1..100_u32 {
             let t = f64::from(tick) * H;
             let motion = estimator.update(0.5 * 100.0 * t * t, H);
-            // A parabola leaves its chord of n periods by a count where a (n h / 2)^2 / 2 is one.
+            // A parabola leaves its chord of n periods by a count where (n h / 2)^2 / 2 is one.
             let window = 2.0 * (2.0 * COUNT / 100.0_f64).sqrt();
             let lag = 100.0 * t - motion.velocity;
             assert!(lag <= 100.0 * (0.5 * window + H), "tick {tick}: {lag}");

@@ -2,20 +2,16 @@
 
 use super::{Estimator, KeyMotion, assert_positive};
 
-/// First and second backward difference.
+/// First and second backward difference. The rig of `[GC93]` §6 used this estimator.
 ///
 /// No lag beyond half a period, but one count of an encoder moves the velocity by
 /// quantum / period and the acceleration by quantum / period².
-///
-/// # References
-///
-/// `[GC93]` §6, whose rig this estimator served.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BackwardDifference {
     period: f64,
     position: f64,
     velocity: f64,
-    /// Between the last two samples (s).
+    /// Time between the last two samples (s).
     elapsed: f64,
 }
 
@@ -23,7 +19,6 @@ impl BackwardDifference {
     /// Creates an estimator at rest at zero, for one sample each `period` (s).
     ///
     /// # Panics
-    ///
     /// Unless `period` is finite and positive.
     pub fn new(period: f64) -> Self {
         assert_positive(period, "period");
@@ -34,7 +29,7 @@ impl BackwardDifference {
 impl Estimator for BackwardDifference {
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
         let velocity = (position - self.position) / elapsed;
-        // Each velocity is that in the middle of its interval.
+        // Each velocity belongs to the middle of its interval.
         let acceleration = (velocity - self.velocity) / (0.5 * (self.elapsed + elapsed));
         self.position = position;
         self.velocity = velocity;

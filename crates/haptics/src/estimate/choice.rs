@@ -1,25 +1,23 @@
-//! One of the estimators, chosen by name.
-
 use super::Levant;
 use super::{AdaptiveWindow, BackwardDifference, Estimator, FilteredDifference, Kalman, KeyMotion};
 
-/// The estimators among which scenes and commands choose.
+/// Estimators that scenes and commands choose by name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum EstimatorName {
-    /// A Kalman filter of position, velocity and acceleration.
+    /// Kalman filter of position, velocity and acceleration.
     Kalman,
     /// Differences of the newest positions.
     BackwardDifference,
     /// Differences behind a low pass.
     FilteredDifference,
-    /// Differences over as many positions as lie on a line.
+    /// Differences over the positions that lie on a line.
     AdaptiveWindow,
-    /// Velocity and acceleration that slide along the positions, for keys of bounded jerk.
+    /// Sliding-mode differentiator, for keys of bounded jerk.
     Levant,
 }
 
 impl EstimatorName {
-    /// Every estimator, the usual one first.
+    /// Every estimator, the default first.
     pub const ALL: [Self; 5] = [
         Self::Kalman,
         Self::BackwardDifference,
@@ -28,7 +26,7 @@ impl EstimatorName {
         Self::Levant,
     ];
 
-    /// Returns its name in scenes and on the command line.
+    /// Returns the name in scenes and on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Kalman => "kalman",
@@ -40,23 +38,23 @@ impl EstimatorName {
     }
 }
 
-/// Constants of estimators; each takes those that it needs.
+/// Constants of estimators; each uses those that it needs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct EstimatorSettings {
-    /// Time between two samples that are neither late nor early (s).
+    /// Regular time between samples (s).
     pub period: f64,
-    /// Way of one count (m).
+    /// Displacement of one count (m).
     pub quantum: f64,
     /// Power density of the key's jerk (m²/s⁵), see [`Kalman::new`].
     pub jerk_density: f64,
-    /// Of the low pass (Hz), see [`FilteredDifference::new`].
+    /// Cutoff of the low pass (Hz), see [`FilteredDifference::new`].
     pub cutoff: f64,
     /// Largest jerk (m/s³), see [`Levant::new`].
     pub jerk_limit: f64,
 }
 
 impl EstimatorSettings {
-    /// Cutoff below which a finger moves a key (Hz).
+    /// Highest frequency of a finger's motion (Hz).
     pub const KEY_CUTOFF: f64 = 100.0;
 
     /// Jerk of a key that is struck (m/s³): 100 m/s² within 5 ms (estimate).
@@ -77,7 +75,6 @@ impl AnyEstimator {
     /// Creates the estimator called `name`, at rest at zero.
     ///
     /// # Panics
-    ///
     /// Unless all constants that it needs are finite and positive.
     pub fn new(name: EstimatorName, settings: &EstimatorSettings) -> Self {
         let EstimatorSettings { period, quantum, jerk_density, cutoff, jerk_limit } = *settings;
@@ -96,7 +93,7 @@ impl AnyEstimator {
 }
 
 impl AnyEstimator {
-    /// Returns the same for samples whose speed is measured in steps of `step` (m/s).
+    /// Sets the steps of measured speeds to `step` (m/s).
     #[must_use]
     pub fn with_measured_speed(self, step: f64) -> Self {
         if let Self::Kalman(it) = self { Self::Kalman(it.with_measured_speed(step)) } else { self }

@@ -1,17 +1,15 @@
-//! A differentiator with a low pass of second order.
-
 use super::{Estimator, KeyMotion, assert_positive};
 
-/// Velocity and acceleration of the key behind a critically damped low pass.
+/// Velocity and acceleration of the key behind a critically damped low pass of second order.
 ///
-/// The low pass runs in continuous time between samples, which are joined by straight lines; so
-/// samples that come late or early are worth what they are. Velocity lags by 2 / (2π cutoff).
+/// The low pass runs in continuous time between samples, which are joined by straight lines, so
+/// late and early samples have their right weight. Velocity lags by 2 / (2π cutoff).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilteredDifference {
     /// 2π times the cutoff (rad/s).
     corner: f64,
     measured: f64,
-    /// Filtered less measured position (m).
+    /// Filtered minus measured position (m).
     offset: f64,
     /// Filtered velocity (m/s).
     velocity: f64,
@@ -21,7 +19,6 @@ impl FilteredDifference {
     /// Creates an estimator at rest at zero, whose low pass has `cutoff` (Hz).
     ///
     /// # Panics
-    ///
     /// Unless `cutoff` is finite and positive.
     pub fn new(cutoff: f64) -> Self {
         assert_positive(cutoff, "cutoff");
@@ -34,7 +31,7 @@ impl Estimator for FilteredDifference {
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion {
         let w = self.corner;
         let rate = (position - self.measured) / elapsed;
-        // It ends on a line that is 2 / w late, and goes there critically damped.
+        // It converges, critically damped, to a line that is 2 / w late.
         let late = 2.0 * rate / w;
         let (away, drift) = (self.offset + late, self.velocity - rate);
         let slope = drift + w * away;

@@ -1,62 +1,55 @@
 //! A constant-acceleration Kalman filter.
 //!
-//! As long as samples come once a period it has its steady gain, which is found at construction:
-//! an update is three predictions and three corrections. A sample that comes sooner or later is
-//! worth less or more, so the covariance is followed from there until it is steady again; with
-//! the steady gain the filter would be unstable where every third sample is late.
+//! With one sample per period the filter has a steady gain, found at construction: an update is
+//! three predictions and three corrections. An early or late sample has another weight, so the
+//! covariance is followed until it is steady again; the steady gain would be unstable where every
+//! third sample is late.
 
 use nalgebra::Matrix3;
 
 use super::{Estimator, KeyMotion, assert_positive};
 
-/// Riccati iterations before the gain is taken as it is.
-///
-/// Convergence takes about ten times the filter's memory, in samples; this bound is only
-/// reached by filters that remember more than ten thousand samples.
+/// Maximum Riccati iterations. Convergence takes about ten times the filter's memory, in samples,
+/// so only a memory of more than ten thousand samples reaches it.
 const MAX_ITERATIONS: usize = 200_000;
 
 /// Relative change of the gain that counts as converged: some hundred roundings.
 const CONVERGED: f64 = 1e-14;
 
-/// Relative difference to the steady gain that is none.
+/// Relative difference to the steady gain that counts as none.
 const STEADY: f64 = 1e-9;
 
-/// Longest time between two samples that is told apart, in periods: its covariance says already
-/// that nothing is known but the new position.
+/// Maximum distinguished time between samples, in periods: the covariance then contains only the
+/// new position.
 const FORGOTTEN: f64 = 1e4;
 
-/// Variance of rounding to one unit: of an even distribution over it.
+/// Variance of a uniform rounding to one unit.
 const ROUNDING: f64 = 1.0 / 12.0;
 
-/// Share of a quantum, as displacement per period, below which motion counts as rest.
-///
-/// A millionth of a count per period cannot be told from rest by any encoder.
+/// Displacement per period, as a share of a quantum, below which motion counts as rest: no encoder
+/// can distinguish a millionth of a count.
 const REST: f64 = 1e-6;
 
 /// Kalman filter of a point driven by white jerk.
 ///
-/// State: position, velocity, acceleration. The measurement's variance is that of a
-/// uniformly distributed rounding, quantum²/12. The position is kept as the difference to
-/// the latest measurement, so a key that rests is estimated at exactly its measured place
-/// with exactly zero velocity.
-///
-/// # References
-///
-/// `[BLK01]` §6.2.3 (white jerk, discretised) and §5.2.5 (steady state).
+/// State: position, velocity, acceleration. The measurement's variance is that of a uniformly
+/// distributed rounding, quantum²/12. The position is kept as the difference to the latest
+/// measurement, so a resting key is estimated at exactly its measured position with exactly zero
+/// velocity. `[BLK01]` §6.2.3 (white jerk, discretised) and §5.2.5 (steady state).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kalman {
     period: f64,
     /// Displacement per period (m) below which motion is rest.
     rest: f64,
-    /// Corrections when samples come regularly.
+    /// Corrections for regular samples.
     gains: KalmanGains,
     /// q T⁵ / Δ².
     ratio: f64,
-    /// Variance of the rounding of measured speeds, in units of quantum and period, if there are any.
+    /// Variance of a measured speed's rounding, in units of quantum and period.
     speed_variance: Option<f64>,
-    /// Covariance after a correction when samples come regularly, in units of quantum and period.
+    /// Covariance after a correction for regular samples, in units of quantum and period.
     steady: Matrix3<f64>,
-    /// The same now, if it is not that.
+    /// Current covariance if it differs from `steady`, after irregular samples.
     unsteady: Option<Matrix3<f64>>,
     measured: f64,
     /// Estimated minus measured position (m).
@@ -68,9 +61,9 @@ pub struct Kalman {
 /// Corrections of position, velocity and acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct KalmanGains {
-    /// Per metre by which the position differs from what was expected (1, 1/s, 1/s²).
+    /// Per metre of the position's innovation (1, 1/s, 1/s²).
     position: [f64; 3],
-    /// Per metre a second by which a measured speed does, after that (s, 1, 1/s).
+    /// Per m/s of a measured speed's innovation, applied after `position` (s, 1, 1/s).
     speed: Option<[f64; 3]>,
 }
 
@@ -80,12 +73,11 @@ impl Kalman {
 
     /// Creates a filter at rest at zero. Not for the tick: iterates the Riccati recursion.
     ///
-    /// One sample each `period` (s), rounded to `quantum` (m); `jerk_density` is the power
-    /// spectral density of the jerk that drives the key (m²/s⁵), larger for a faster and
-    /// noisier estimate ([`Self::KEY_JERK_DENSITY`] is a start).
+    /// Samples come each `period` (s), rounded to `quantum` (m). `jerk_density` is the power
+    /// spectral density of the jerk that drives the key (m²/s⁵), larger for a faster and noisier
+    /// estimate ([`Self::KEY_JERK_DENSITY`] is a start).
     ///
     /// # Panics
-    ///
     /// Unless all three are finite and positive.
     pub fn new(period: f64, quantum: f64, jerk_density: f64) -> Self {
         assert_positive(period, "period");
@@ -108,11 +100,10 @@ impl Kalman {
         }
     }
 
-    /// Returns the same for samples whose speed is measured too, rounded to `step` (m/s). Not for
-    /// the tick.
+    /// Returns a filter for samples with a measured speed, rounded to `step` (m/s). Not for the
+    /// tick.
     ///
     /// # Panics
-    ///
     /// Unless `step` is finite and positive.
     #[must_use]
     pub fn with_measured_speed(self, step: f64) -> Self {
@@ -128,8 +119,8 @@ impl Kalman {
         self.gains.position
     }
 
-    /// Returns the gains for a sample `elapsed` (s) after the last one, and whether its speed was
-    /// measured.
+    /// Returns the gains for a sample `elapsed` (s) after the last, with a measured speed if
+    /// `speed_variance` is given.
     #[inline]
     fn next_gains(&mut self, elapsed: f64, speed_variance: Option<f64>) -> KalmanGains {
         let periods = (elapsed / self.period).min(FORGOTTEN);
@@ -140,8 +131,7 @@ impl Kalman {
         self.unsteady_gains(periods, speed_variance)
     }
 
-    /// Returns the gains for a sample this many `periods` after the last one, and follows the
-    /// covariance.
+    /// Returns the gains for a sample `periods` after the last, and updates the covariance.
     #[inline(never)]
     fn unsteady_gains(&mut self, periods: f64, speed_variance: Option<f64>) -> KalmanGains {
         let before = self.unsteady.as_ref().unwrap_or(&self.steady);
@@ -153,10 +143,10 @@ impl Kalman {
         gains
     }
 
-    /// Goes on to a sample, whose speed was measured or not.
+    /// Advances to a sample with or without a measured speed.
     #[inline]
     fn follow(&mut self, position: f64, velocity: Option<f64>, elapsed: f64) -> KeyMotion {
-        // A speed whose steps nobody told has no weight.
+        // A speed with unknown steps has no weight.
         let measured = velocity.zip(self.speed_variance);
         let gains = self.next_gains(elapsed, measured.map(|it| it.1));
         self.predict(position, elapsed);
@@ -172,7 +162,7 @@ impl Kalman {
         }
     }
 
-    /// Moves the state to the next sample, `h` (s) later, whose position is `measured` (m).
+    /// Predicts the state `h` (s) later, relative to the `measured` position (m).
     #[inline]
     fn predict(&mut self, measured: f64, h: f64) {
         self.offset += h * (self.velocity + 0.5 * h * self.acceleration);
@@ -181,7 +171,7 @@ impl Kalman {
         self.measured = measured;
     }
 
-    /// Draws the state towards a measurement that differs by `innovation` from what was expected.
+    /// Corrects the state by the `innovation` of a measurement.
     #[inline]
     fn correct(&mut self, [position, velocity, acceleration]: [f64; 3], innovation: f64) {
         self.offset += position * innovation;
@@ -222,14 +212,13 @@ impl Estimator for Kalman {
     }
 }
 
-/// Whether a sample came one period after the last one.
 #[inline]
 fn is_regular(periods: f64) -> bool {
     (periods - 1.0).abs() < STEADY
 }
 
 impl KalmanGains {
-    /// Returns the same in seconds, of gains in units of the period `h` (s).
+    /// Converts gains from units of the period `h` (s) to seconds.
     fn per_seconds(self, h: f64) -> Self {
         let [position, velocity, acceleration] = self.position;
         Self {
@@ -240,8 +229,7 @@ impl KalmanGains {
         }
     }
 
-    /// Returns the largest relative difference to `other`; infinite where one of them has a gain
-    /// that the other has not.
+    /// Returns the largest relative difference to `other`; infinite if only one has gains on speed.
     fn difference(&self, other: &Self) -> f64 {
         let of = |a: &[f64; 3], b: &[f64; 3]| {
             let relative = a.iter().zip(b).map(|(a, b)| (a - b).abs() / b.abs());
@@ -260,12 +248,11 @@ impl KalmanGains {
     }
 }
 
-/// Returns the steady gains (per second), and the covariance after a correction, in units of quantum
-/// and period `h` (s).
+/// Iterates prediction and correction; returns the steady gains (per second), and the covariance
+/// after a correction, in units of quantum and period `h` (s).
 ///
 /// In these units the filter has two parameters: `ratio` = q T⁵ / Δ², jerk density against
-/// rounding, and the variance of measured speeds. Iterates prediction and correction of the
-/// covariance.
+/// rounding, and the variance of measured speeds.
 fn steady_gains(ratio: f64, speed_variance: Option<f64>, h: f64) -> (KalmanGains, Matrix3<f64>) {
     let start = Matrix3::identity() + ratio * white_jerk(1.0);
     let (mut gains, mut after) = corrected(&start, speed_variance);
@@ -280,14 +267,14 @@ fn steady_gains(ratio: f64, speed_variance: Option<f64>, h: f64) -> (KalmanGains
     (gains.per_seconds(h), after)
 }
 
-/// Covariance before the sample that comes `t` periods after one with the covariance `after`.
+/// Returns the covariance `t` periods after one with the covariance `after`.
 fn predicted(after: &Matrix3<f64>, ratio: f64, t: f64) -> Matrix3<f64> {
     let transition = Matrix3::new(1.0, t, 0.5 * t * t, 0.0, 1.0, t, 0.0, 0.0, 1.0);
     let next = transition * after * transition.transpose() + ratio * white_jerk(t);
     0.5 * (next + next.transpose())
 }
 
-/// Covariance that unit white jerk adds over `t` periods.
+/// Returns the covariance that unit white jerk adds over `t` periods.
 fn white_jerk(t: f64) -> Matrix3<f64> {
     let [t1, t2, t3, t4, t5] = [t, t * t, t * t * t, t.powi(4), t.powi(5)];
     Matrix3::new(
@@ -303,8 +290,8 @@ fn white_jerk(t: f64) -> Matrix3<f64> {
     )
 }
 
-/// Optimal gains on a measured position, rounded to one unit, and then on a speed with this
-/// variance, if one is measured; and the covariance after both.
+/// Returns the optimal gains on a position that is rounded to one unit, and then on a speed with
+/// this variance, if one is measured; and the covariance after both.
 fn corrected(predicted: &Matrix3<f64>, speed_variance: Option<f64>) -> (KalmanGains, Matrix3<f64>) {
     let (position, after) = measured(predicted, 0, ROUNDING);
     let Some(variance) = speed_variance else {
@@ -314,8 +301,8 @@ fn corrected(predicted: &Matrix3<f64>, speed_variance: Option<f64>) -> (KalmanGa
     (KalmanGains { position, speed: Some(speed) }, after)
 }
 
-/// Optimal gain on a measurement of entry `row` of the state with this `variance`, and the covariance
-/// after it.
+/// Returns the optimal gain on a measurement of entry `row` of the state with this `variance`, and
+/// the covariance after it.
 fn measured(before: &Matrix3<f64>, row: usize, variance: f64) -> ([f64; 3], Matrix3<f64>) {
     let gain = before.column(row) / (before[(row, row)] + variance);
     let looked_at = Matrix3::identity().row(row).into_owned();
@@ -329,28 +316,26 @@ mod tests {
 
     type Square = [[f64; 3]; 3];
 
-    /// Product of two matrices.
     fn product(a: &Square, b: &Square) -> Square {
         let entry = |i: usize, j: usize| (0..3).map(|k| a[i][k] * b[k][j]).sum();
         core::array::from_fn(|i| core::array::from_fn(|j| entry(i, j)))
     }
 
-    /// Transposed matrix.
     fn transposed(a: &Square) -> Square {
         core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]))
     }
 
-    /// Sum of two matrices, the second scaled.
     fn sum(a: &Square, scale: f64, b: &Square) -> Square {
         core::array::from_fn(|i| core::array::from_fn(|j| a[i][j] + scale * b[i][j]))
     }
 
-    /// The steady gain again: SI units, plain arrays, Joseph's form, a fixed long iteration.
+    /// Computes the steady gain in SI units, plain arrays, Joseph's form, by a fixed long
+    /// iteration.
     fn joseph_gain(period: f64, quantum: f64, jerk_density: f64) -> [f64; 3] {
         let (t, r) = (period, quantum * quantum / 12.0);
         let f = [[1.0, t, t * t / 2.0], [0.0, 1.0, t], [0.0, 0.0, 1.0]];
-        // Integral of the impulse response's outer product, by Gauss-Legendre of order 6,
-        // exact for its polynomials of degree 4.
+        // Integral of the impulse response's outer product, by Gauss-Legendre of order 6, exact for
+        // polynomials of degree 4.
         let mut q = [[0.0; 3]; 3];
         for (node, weight) in [(-0.6_f64.sqrt(), 5.0), (0.0, 8.0), (0.6_f64.sqrt(), 5.0)] {
             let s = t * (1.0 + node) / 2.0;
@@ -385,7 +370,7 @@ mod tests {
         }
     }
 
-    /// Root mean square velocity error (m/s) on a sine of 5 mm at 2 Hz, counted in 10 µm.
+    /// Returns the rms velocity error (m/s) on a sine of 5 mm at 2 Hz, in counts of 10 µm.
     fn velocity_error(mut estimator: impl Estimator) -> f64 {
         let (quantum, omega) = (1e-5, core::f64::consts::TAU * 2.0);
         let mut sum = 0.0;
@@ -412,7 +397,7 @@ mod tests {
 
     #[test]
     fn measured_speeds_have_the_gain_of_the_information_filter() {
-        // The inverse covariances of both measurements add up: no gain is in that sum.
+        // The inverse covariances of both measurements add up, without any gain.
         let (ratio, variance) = (0.1, 0.003);
         let (_gains, after) = steady_gains(ratio, Some(variance), 1.0);
         let before = predicted(&after, ratio, 1.0);
@@ -423,8 +408,8 @@ mod tests {
         assert!((wanted - after).abs().max() < 1e-12 * wanted.abs().max(), "{wanted} {after}");
     }
 
-    /// Root mean square error of the acceleration (m/s²) on a sine of 5 mm at 5 Hz, counted in
-    /// 0.1 mm, whose motion `update` estimates of a position and a speed in steps of 0.2 mm/s.
+    /// Returns the root mean square error of the acceleration (m/s²) on a sine of 5 mm at 5 Hz, in
+    /// counts of 0.1 mm, with `update` fed a position and a speed in steps of 0.2 mm/s.
     fn acceleration_error(mut update: impl FnMut(f64, f64) -> KeyMotion) -> f64 {
         let omega = core::f64::consts::TAU * 5.0;
         let mut error = |tick: u32| {
@@ -472,7 +457,7 @@ mod tests {
             estimator.update(f64::from(tick) * 5e-4, 1e-3);
         }
         let rest = 0.012_345_678;
-        // Its memory is a few samples; a thousand are forever.
+        // Its memory is a few samples.
         for _ in 0..1000 {
             estimator.update(rest, 1e-3);
         }
@@ -502,7 +487,7 @@ mod tests {
         let mut estimator = Kalman::new(1e-3, 1e-6, Kalman::KEY_JERK_DENSITY);
         let (mut t, mut motion) = (0.0, KeyMotion::at_rest(0.0));
         for n in 0..2000_u32 {
-            // Between a third of a period and three periods after each other.
+            // Intervals between a third of a period and three periods.
             let elapsed = 1e-3 * (0.3 + 2.7 * f64::from(n * 7919 % 101) / 101.0);
             t += elapsed;
             motion = estimator.update(0.5 * 3.0 * t * t, elapsed);

@@ -1,21 +1,17 @@
-//! The robust exact differentiator of second order.
-
 use super::{Estimator, KeyMotion, assert_positive};
 
-/// Gains of the differentiator, of its innovation's powers 2/3, 1/3 and 0 (1).
+/// Gains on the innovation's powers 2/3, 1/3 and 0 (1).
 const GAINS: [f64; 3] = [2.0, 2.12, 1.1];
 
-/// Newton steps for the innovation: it is found to rounding after five where it is at all.
+/// Newton steps for the innovation: five converge to rounding if it exists.
 const NEWTON_STEPS: usize = 8;
 
-/// Sliding-mode differentiator: exact for a key whose jerk is bounded, after a finite time.
+/// Robust exact sliding-mode differentiator of second order: exact for a key of bounded jerk after
+/// a finite time.
 ///
-/// The step is implicit, so that it does not chatter however slow the samples are: an innovation
-/// that the last power alone can explain is taken as it is.
-///
-/// # References
-///
-/// `[Lev03]` (gains of second order), `[CL19]` (the implicit step).
+/// The step is implicit, so it does not chatter at any sample rate: an innovation that the last
+/// power alone can explain is used as it is. `[Lev03]` (gains of second order), `[CL19]` (the
+/// implicit step).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Levant {
     /// Largest jerk of the key (m/s³).
@@ -24,10 +20,9 @@ pub struct Levant {
 }
 
 impl Levant {
-    /// Creates an estimator at rest at zero, of a key with a jerk of at most `jerk_limit` (m/s³).
+    /// Creates an estimator at rest at zero, for a key with a jerk of at most `jerk_limit` (m/s³).
     ///
     /// # Panics
-    ///
     /// Unless `jerk_limit` is finite and positive.
     pub fn new(jerk_limit: f64) -> Self {
         assert_positive(jerk_limit, "jerk limit");
@@ -42,7 +37,7 @@ impl Estimator for Levant {
         let ahead = x + h * (velocity + h * acceleration) - position;
         let per_third = self.jerk.cbrt();
         let third = h * per_third;
-        // What each power may move the position by, for an innovation of a cube of 1.
+        // Displacement by each power, for an innovation with the cube root 1.
         let moves = [GAINS[0] * third, GAINS[1] * third * third, GAINS[2] * third.powi(3)];
         let root = cube_root_of_rest(ahead.abs(), moves);
         let sign = if 0.0 < root { ahead.signum() } else { ahead / moves[2] };

@@ -1,8 +1,8 @@
-//! From quantised positions to position, velocity and acceleration.
+//! Estimates position, velocity and acceleration from quantised positions.
 //!
-//! An estimator sees positions and how long after each other they were taken, which is a period
-//! unless some were lost, late or skipped. It takes every position at its word, and every speed that
-//! a board measures: what the key does after the newest sample is the caller's business.
+//! An estimator receives positions and the times between them, which are a period unless samples
+//! were lost, late or skipped. It trusts every position and every measured speed. Extrapolation
+//! beyond the newest sample is the caller's task.
 
 mod adaptive_window;
 mod backward_difference;
@@ -36,7 +36,7 @@ impl KeyMotion {
         Self { position, velocity: 0.0, acceleration: 0.0 }
     }
 
-    /// Returns the motion `t` (s) later if the acceleration stays.
+    /// Returns the motion `t` (s) later under constant acceleration.
     #[must_use]
     pub fn after(&self, t: f64) -> Self {
         let Self { position, velocity, acceleration } = *self;
@@ -48,18 +48,15 @@ impl KeyMotion {
     }
 }
 
-/// Estimates motion from positions, one per period if all goes well.
 pub trait Estimator {
-    /// Takes the next measured position (m), finite, taken `elapsed` (s) after the one before,
-    /// above 0; returns the motion at that sample.
+    /// Accepts the next measured position (m), finite, `elapsed` (s), above 0, after the previous
+    /// one; returns the motion at that sample.
     ///
     /// # Real-time
-    ///
     /// A bounded number of operations; no allocation.
     fn update(&mut self, position: f64, elapsed: f64) -> KeyMotion;
 
-    /// Takes the next position with the speed (m/s) that was measured there, as [`Self::update`]
-    /// takes a position alone.
+    /// Like [`Self::update`], but with the speed (m/s) that was measured at the position.
     fn update_with_speed(&mut self, position: f64, velocity: f64, elapsed: f64) -> KeyMotion {
         KeyMotion { velocity, ..self.update(position, elapsed) }
     }
@@ -68,10 +65,9 @@ pub trait Estimator {
     fn reset(&mut self, position: f64);
 }
 
-/// Refuses a constant that no estimator can work with.
+/// Rejects an invalid constant.
 ///
 /// # Panics
-///
 /// Unless `value` is finite and positive: a bug in the caller's set-up.
 #[track_caller]
 fn assert_positive(value: f64, name: &str) {

@@ -1,63 +1,60 @@
-//! A limit on forces that keeps a key passive, tick by tick.
+//! Limits forces so that a key stays passive, tick by tick.
 
 /// Largest acceleration of a key's front (m/s²): that of a hard blow on a key of 50 g.
 const ACCELERATION: f64 = 300.0;
 
-/// Most ticks by which a force may be late.
+/// Maximum delay of a force in ticks.
 const MOST_LATE: usize = 8;
 
-/// What a tick leaves of what sampling made before it: as little as lets a loud stroke, of which the
-/// force limit makes energy, go on undisturbed; loops that begin to shake make some in every tick.
+/// Fraction of the estimated sampling energy kept per tick. It is low enough that a force-limited
+/// loud stroke does not trigger the controller; shaking loops generate energy in every tick.
 const KEPT: f64 = 0.75;
 
-/// Keeps account of the energy that a key and its action exchange, and forces within what it allows.
+/// Audits the energy that a key and its action exchange, and limits forces to it.
 ///
-/// An action takes what it stores and loses by its equations; its motor takes from the hand force
-/// times way, of a force that is held and late. The difference is made or lost by sampling. The
-/// *credit* is what the hand may get: what it gave and did not get back, but no more than the
-/// action stores and the tank holds, less what sampling made in the newest ticks. A force that is
-/// held over a tick gives energy to the hand if the key moves along with it. How far it can move is
-/// bounded: by what it moved in the tick before and the largest acceleration, and by the key's
-/// ends. So the largest force is known of which not even the longest way gives back more than there
-/// is, and a larger one is cut to it: over any way at all the hand gets no more than the tank
-/// beyond what it gave, if the key keeps within that acceleration and the motor renders what it is
-/// told in time.
+/// An action absorbs the energy that it stores and dissipates by its equations; its motor absorbs
+/// force times displacement from the hand, with a force that is held and late. Sampling generates
+/// or loses the difference. The *credit* is the energy that the hand may get: its input that was
+/// not returned, but no more than the action stores and the tank holds, less the sampling energy of
+/// the newest ticks. A force held over a tick gives energy to the hand if the key moves along with
+/// it. That motion is bounded by the motion in the previous tick and the largest acceleration, and
+/// by the key's ends. So the largest force is known that cannot return more than the credit, and a
+/// larger one is cut to it. Over any motion the hand gets no more than its input and the tank, if
+/// the key keeps within that acceleration and the motor renders each force in time.
 ///
 /// A spring that begins slowly needs the tank: a small one makes its first millimetre soft.
 ///
-/// # References
-///
-/// The controller of `[HR02]`, that takes energy out after it was made; here it is not made. The
+/// The controller of `[HR02]` dissipates energy after it was generated; this one prevents it. The
 /// tank is that of `[FSR11]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassivityController {
-    /// Energy that may be given back beyond what is stored \[J\].
+    /// Energy that may be returned beyond the stored energy (J).
     tank: f64,
-    /// Way of the key from its rest to its bottom \[m\].
+    /// Travel of the key from its rest to its bottom (m).
     dip: f64,
-    /// Way that a tick's motion can differ from that of the tick before \[m\].
+    /// Largest difference of a tick's motion from the previous tick's (m).
     reach: f64,
-    /// What the hand gave and did not get back, as far as it is stored \[J\].
+    /// Input of the hand that was not returned, as far as it is stored (J).
     credit: f64,
-    /// What sampling made in the newest ticks \[J\].
+    /// Energy that sampling generated in the newest ticks (J).
     made: f64,
-    /// What the action stores beyond its rest \[J\].
+    /// Energy that the action stores beyond its rest (J).
     stored: f64,
-    /// What it took in the last tick \[J\].
+    /// Energy that the action absorbed in the last tick (J).
     taken: f64,
-    /// The last tick, and the position at its start \[m\].
+    /// Last tick, and the position at its start (m).
     last: Option<(u64, f64)>,
-    /// Forces of the newest ticks \[N\], the newest first.
+    /// Forces of the newest ticks (N), the newest first.
     forces: [f64; MOST_LATE + 1],
-    /// Ticks after which a force acts.
+    /// Delay of a force in ticks.
     late: usize,
-    /// Way in the tick before \[m\].
+    /// Motion in the previous tick (m).
     moved: f64,
 }
 
 impl PassivityController {
-    /// Creates a controller of ticks of `period` \[s\] for a key with a way of `dip` \[m\], that
-    /// may give back `tank` \[J\] more than its action stores.
+    /// Creates a controller of ticks of `period` (s) for a key with a travel of `dip` (m), that may
+    /// return `tank` (J) more than its action stores.
     pub const fn new(tank: f64, dip: f64, period: f64) -> Self {
         Self {
             tank,
@@ -74,14 +71,13 @@ impl PassivityController {
         }
     }
 
-    /// Returns the same for forces that act `late` ticks after they were sent; eight at
-    /// most are counted.
+    /// Sets the delay of forces, in ticks after they were sent; at most eight are counted.
     #[must_use]
     pub fn with_delay(self, late: usize) -> Self {
         Self { late: late.min(MOST_LATE), ..self }
     }
 
-    /// Goes on to `tick`, when the key is at `position` \[m\]: counts the work of the last force.
+    /// Advances to `tick`, with the key at `position` (m): adds the work of the last force.
     ///
     /// # Real-time
     /// A dozen operations.
@@ -95,14 +91,14 @@ impl PassivityController {
         }
     }
 
-    /// Returns the force nearest to `force` \[N\] that may be held over `tick`, at whose start the
-    /// key is at `position` \[m\], as told to [`Self::follow`].
+    /// Returns the force nearest to `force` (N) that may be held over `tick`, with the key at
+    /// `position` (m) at its start, as passed to [`Self::follow`].
     ///
     /// # Real-time
     /// A dozen operations.
     #[must_use]
     pub fn limit(&mut self, tick: u64, position: f64, force: f64) -> f64 {
-        // Up is positive for forces, down for positions: along with the force is the other way.
+        // Forces are positive up, positions down: motion along the force has the other sign.
         let (way, end) =
             if 0.0 < force { (-self.moved, position) } else { (self.moved, self.dip - position) };
         let longest = (way + self.reach).clamp(0.0, end.max(0.0));
@@ -115,21 +111,21 @@ impl PassivityController {
         limited
     }
 
-    /// Notes that the action, in this tick, stores `stored` \[J\] more than before and loses
-    /// `lost` \[J\] by its own equations.
+    /// Records that the action stored `stored` (J) and dissipated `lost` (J) by its own equations
+    /// in this tick.
     pub const fn take(&mut self, stored: f64, lost: f64) {
-        // What an action makes by itself is no loss of less than nothing.
+        // Energy that an action generates is no negative loss.
         self.taken = stored + lost.max(0.0);
         self.stored += stored;
     }
 
-    /// Forgets all that was seen: another action, another finger, or a gap.
+    /// Resets after a change of action or finger, or after a gap.
     pub const fn reset(&mut self) {
         let Self { tank, dip, late, reach, .. } = *self;
         *self = Self { reach, late, ..Self::new(tank, dip, 0.0) };
     }
 
-    /// Returns the energy that the hand may get now \[J\].
+    /// Returns the energy that the hand may get now (J).
     pub const fn credit(&self) -> f64 {
         self.credit.min(self.tank + self.stored - self.made)
     }
@@ -142,7 +138,7 @@ mod tests {
     const H: f64 = 1e-3;
     const DIP: f64 = 10e-3;
 
-    /// Of 3000 sums of up to 0.25 J.
+    /// Rounding (J) of 3000 sums of up to 0.25 J.
     const ROUNDING: f64 = 1e-13;
 
     fn controller(tank: f64) -> PassivityController {
@@ -153,8 +149,7 @@ mod tests {
     type Action = (f64, f64);
 
     /// Moves a key down by 8 mm and up again in each of three seconds, on a spring with a damper;
-    /// returns the energy that came back in all \[J\], less what the damper took, and the largest
-    /// cut of a force \[N\].
+    /// returns the returned energy (J), less the damper's loss, and the largest cut of a force (N).
     fn cycles(controller: &mut PassivityController, (stiffness, damping): Action) -> [f64; 2] {
         let (mut back, mut cut) = (0.0, 0.0_f64);
         let mut last = (0.0, 0.0);
@@ -181,7 +176,7 @@ mod tests {
         let made = 3.0 * 0.5 * 800.0 * H * 16e-6 * core::f64::consts::TAU * core::f64::consts::PI;
         let [back, cut] = cycles(&mut controller(10.0), (800.0, 0.0));
         assert!((back / made - 1.0).abs() < 0.02 && cut == 0.0, "{back} J of {made}");
-        // K r^2 / 2, with the way r that a key at rest may go, lets it begin.
+        // K r^2 / 2, with the possible motion r of a key at rest, lets it begin.
         let [back, cut] = cycles(&mut controller(36e-6), (800.0, 0.0));
         assert!(back <= 36e-6 + ROUNDING, "{back} J");
         assert!(cut < 0.7, "a spring of 6.4 N is cut by {cut} N near its end at most");

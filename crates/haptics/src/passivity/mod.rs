@@ -1,7 +1,5 @@
-//! Whether a key gives back more energy than a hand put into it, and a force that does not.
-//!
-//! The observer tells a key that made too much, which is a fault. The controller is stricter and
-//! comes before it: it lets no force be sent that could give back more than there is.
+//! Detects and prevents a key that returns more energy than the hand put in. The observer reports
+//! excess energy as a fault. The controller is stricter: it limits each force before it is sent.
 
 mod controller;
 mod observer;

@@ -1,23 +1,22 @@
-//! Whether a key gives back more energy than a hand put into it.
+//! Detects a key that returns more energy than the hand put in.
 
-/// What a voice may give back of the energy that it took, and how fast it may give more.
+/// Bound on the energy that a voice may return.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyBound {
-    /// Energy that an action may store and return \[J\].
+    /// Energy that an action may store and return (J).
     pub stored: f64,
-    /// Power that sampling and rounding may add without being felt \[W\].
+    /// Power that sampling and rounding may add unfelt (W).
     pub leak: f64,
 }
 
 impl EnergyBound {
-    /// Power that sampling and rounding may make at a key \[W\].
-    ///
-    /// Instruments that come to rest make less than 5 mW for as long as they are played
-    /// (measured, 500 Hz to 10 kHz); the slowest loop that did not makes 30 mW.
+    /// Power of sampling and rounding at a key (W). Instruments that come to rest generate less
+    /// than 5 mW while played (measured, 500 Hz to 10 kHz); the slowest loop that did not generates
+    /// 30 mW.
     const LEAK: f64 = 20e-3;
 
-    /// The bound of a key whose force is at most `limit` \[N\]: what that does over the whole `dip`
-    /// \[m\] of the key's front.
+    /// Returns the bound of a key whose force is at most `limit` (N): that force over the whole
+    /// `dip` (m) of the key's front.
     pub fn of_force_limit(limit: f64, dip: f64) -> Self {
         Self { stored: limit * dip, leak: Self::LEAK }
     }
@@ -25,62 +24,58 @@ impl EnergyBound {
 
 /// Adds up the energy that flows through a key's port, force held and position sampled.
 ///
-/// Between two samples the force is constant, so its work is exact whatever the key did in
-/// between: force times displacement. The largest fall of that sum since any earlier time is
-/// what the voice gave back; a passive action never gives back more than it stores, whoever
-/// or whatever moves the key. Without a finger the motor alone moves it, and what a loop of
-/// estimator, model and motor makes shows here.
-///
-/// # References
+/// Between two samples the force is constant, so its work is exactly force times displacement.
+/// The largest fall of that sum since any earlier time is the returned energy. A passive action
+/// never returns more than it stores, whatever moves the key. Without a finger the motor alone
+/// moves it, and the sum shows the energy that a loop of estimator, model and motor generates.
 ///
 /// The observer of `[HR02]`, for one port, without the controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PassivityObserver {
-    /// Energy that may be given back \[J\].
+    /// Energy that may be returned (J).
     stored: f64,
-    /// Energy that may be made in a tick \[J\].
+    /// Energy that may be generated in a tick (J).
     leak: f64,
-    /// Fall of the sum below its highest value, less the leak \[J\].
+    /// Fall of the sum below its highest value, less the leak (J).
     returned: f64,
-    /// The last tick, and position \[m\] and force \[N\] from then on.
+    /// Last tick, with its position (m) and force (N).
     last: Option<(u64, f64, f64)>,
 }
 
 impl PassivityObserver {
-    /// Creates an observer of ticks of `period` \[s\] that has seen nothing yet.
+    /// Creates an observer of ticks of `period` (s).
     pub const fn new(bound: EnergyBound, period: f64) -> Self {
         Self { stored: bound.stored, leak: bound.leak * period, returned: 0.0, last: None }
     }
 
-    /// Returns whether all energy that was given back until `tick`, when the key is at
-    /// `position` \[m\], can have been put in before.
+    /// Returns `true` if all energy that was returned until `tick`, with the key at `position` (m),
+    /// can have been put in before.
     ///
-    /// Counts the work since the tick before, if [`Self::hold`] told its force; nothing is known
-    /// of the force in ticks that were skipped.
+    /// Adds the work since the previous tick, if [`Self::hold`] recorded its force; the force in
+    /// skipped ticks is unknown.
     ///
     /// # Real-time
-    ///
     /// Six operations.
     pub fn is_passive(&mut self, tick: u64, position: f64) -> bool {
         if let Some((_, before, force)) = self.last.filter(|(last, ..)| last + 1 == tick) {
-            // Up is positive for forces, down for positions: work on the voice.
+            // Forces are positive up and positions down: work on the voice.
             let supplied = force * (position - before);
             self.returned = (self.returned - supplied - self.leak).max(0.0);
         }
         self.returned <= self.stored
     }
 
-    /// Notes that `force` \[N\] is held over `tick`, at whose start the key is at `position` \[m\].
+    /// Records that `force` (N) is held over `tick`, with the key at `position` (m) at its start.
     pub const fn hold(&mut self, tick: u64, position: f64, force: f64) {
         self.last = Some((tick, position, force));
     }
 
-    /// Forgets all that was seen: another action, another finger, or a gap.
+    /// Resets after a change of action or finger, or after a gap.
     pub const fn reset(&mut self) {
         (self.returned, self.last) = (0.0, None);
     }
 
-    /// Energy given back beyond what was put in since \[J\].
+    /// Returns the energy returned beyond the input (J).
     pub const fn returned(&self) -> f64 {
         self.returned
     }
@@ -92,12 +87,12 @@ mod tests {
 
     const H: f64 = 1e-3;
 
-    /// An observer that lets no energy be made, but lets `stored` \[J\] come back.
+    /// Returns an observer without a leak that lets `stored` (J) return.
     fn observer(stored: f64) -> PassivityObserver {
         PassivityObserver::new(EnergyBound { stored, leak: 0.0 }, H)
     }
 
-    /// 3 Hz, 5 mm to both sides of 5 mm.
+    /// Returns a position of 3 Hz, 5 mm to both sides of 5 mm.
     fn swinging(tick: u64) -> f64 {
         5e-3 - 5e-3 * (OMEGA * tick as f64 * H).cos()
     }
@@ -113,8 +108,8 @@ mod tests {
             assert!(observer.is_passive(tick, x));
             observer.hold(tick, x, STIFFNESS * x);
         }
-        // Held over H, it is late by H / 2 and gives back K H / 2 times the integral of v^2,
-        // which is A^2 W pi in each of three periods. Rounded up for what it stores at the end.
+        // Held over H, it is late by H / 2 and returns K H / 2 times the integral of v^2, which is
+        // A^2 W pi in each of three periods. Rounded up for the energy stored at the end.
         let per_period = 0.5 * STIFFNESS * H * 25e-6 * OMEGA * core::f64::consts::PI;
         let returned = observer.returned();
         let stored = 0.5 * STIFFNESS * 1e-4;
@@ -131,7 +126,7 @@ mod tests {
             observer.hold(tick, x, 0.5 * (x - last) / H);
             last = x;
         }
-        // It turns round within one tick, and that is all it is late.
+        // It reverses within one tick, its only delay.
         assert!(observer.returned() < 1e-5, "{} J", observer.returned());
     }
 
@@ -139,7 +134,6 @@ mod tests {
     fn a_key_that_its_motor_bangs_is_caught_within_a_stroke() {
         let mut observer = PassivityObserver::new(EnergyBound::of_force_limit(25.0, 10e-3), H);
         let mut position = 0.0;
-        // 25 N along with the motion: 10 Hz over 10 mm.
         let caught = (0..2000).find(|&tick| {
             let is_passive = observer.is_passive(tick, position);
             let down = tick / 50 % 2 == 0;
@@ -147,7 +141,7 @@ mod tests {
             position += if down { 0.2e-3 } else { -0.2e-3 };
             !is_passive
         });
-        // 0.25 J are there after the first stroke down, the leak is 2.5 mJ by then.
+        // 0.25 J are stored after the first stroke down; the leak is then 2.5 mJ.
         assert!(caught.is_some_and(|tick| tick <= 52), "{caught:?}");
     }
 

@@ -1,4 +1,4 @@
-//! The encoder: a position becomes a whole number of counts.
+//! Encoder: rounds a position to counts.
 
 /// An encoder with a fixed displacement per count.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,6 @@ impl Encoder {
     /// Creates an encoder with `quantum` (m) per count.
     ///
     /// # Panics
-    ///
     /// Unless `quantum` is finite and positive: a bug in the caller's set-up.
     pub fn new(quantum: f64) -> Self {
         assert!(quantum.is_finite() && 0.0 < quantum, "quantum must be positive, got {quantum}");
@@ -22,9 +21,8 @@ impl Encoder {
         self.quantum
     }
 
-    /// Returns the count nearest to `position` (m); stops at the ends of `i32`.
-    ///
-    /// Rounds rather than floors, so that [`Self::position`] has no bias.
+    /// Returns the count nearest to `position` (m); stops at the ends of `i32`. Rounding, not
+    /// flooring, keeps [`Self::position`] free of bias.
     pub fn counts(&self, position: f64) -> i32 {
         #[expect(clippy::cast_possible_truncation, reason = "saturation is the contract")]
         let counts = (position / self.quantum).round() as i32;

@@ -3,7 +3,7 @@
 /// One felt of a key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt {
-    /// Key position at which it is touched (m).
+    /// Key position at first contact (m).
     pub position: f64,
     /// Stiffness (N/m).
     pub stiffness: f64,
@@ -11,7 +11,7 @@ pub struct Felt {
     pub damping: f64,
 }
 
-/// The side of the key on which a felt lies.
+/// Side of the key with the felt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum FeltSide {
     /// Touched by a key that is up; pushes it down.
@@ -21,7 +21,6 @@ pub(super) enum FeltSide {
 }
 
 impl FeltSide {
-    /// Direction into the felt, down positive.
     const fn sign(self) -> f64 {
         match self {
             Self::Rest => -1.0,
@@ -30,12 +29,12 @@ impl FeltSide {
     }
 }
 
-/// What a felt does over one substep, as a function of the velocity at its end.
+/// Force of a felt over one substep, as a function of the velocity at its end.
 ///
-/// With the compression `d` at the start and the velocity `w` into the felt at the end, it
-/// pushes back with max(0, k (d + h w) + c w): spring at the end of the substep, damper only
-/// if it is compressed already. Being the gradient of a convex energy taken at the end, it
-/// can take energy from the key but never give more than it stored.
+/// With the compression `d` at the start and the velocity `w` into the felt at the end, it pushes
+/// back with max(0, k (d + h w) + c w): spring at the end of the substep, damper only if it is
+/// already compressed. As the gradient of a convex energy at the end, it can take energy from the
+/// key but never returns more than it stored.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Resistance {
     sign: f64,
@@ -46,7 +45,7 @@ pub(super) struct Resistance {
 }
 
 impl Felt {
-    /// Resistance to a key at `position` (m) over `h` (s).
+    /// Returns the resistance to a key at `position` (m) over `h` (s).
     pub(super) fn resistance(&self, side: FeltSide, position: f64, h: f64) -> Resistance {
         let sign = side.sign();
         let depth = sign * (position - self.position);
@@ -56,16 +55,15 @@ impl Felt {
 }
 
 impl Resistance {
-    /// Force on a key that does not move (N), down positive.
+    /// Returns the force on a key at rest (N), down positive.
     pub(super) fn holding(&self) -> f64 {
         -self.sign * self.preload.max(0.0)
     }
 
-    /// Velocity `v` that solves inertia · v = impulse + h · push(v), in (m/s).
+    /// Returns the velocity `v` that solves inertia · v = impulse + h · push(v), in (m/s).
     ///
-    /// `inertia` (kg) includes what else resists the velocity, `impulse` (N s) is everything
-    /// that does not depend on it. The right side never rises with `v`, so there is exactly
-    /// one solution: with the felt or without it.
+    /// `inertia` (kg) includes other resistances to the velocity, `impulse` (N s) all that does not
+    /// depend on it. The right side never rises with `v`, so there is exactly one solution.
     pub(super) fn solve(&self, inertia: f64, impulse: f64, h: f64) -> f64 {
         let free = impulse / inertia;
         if self.preload + self.slope * self.sign * free <= 0.0 {

@@ -2,37 +2,36 @@
 
 use super::gesture::MuscleCommand;
 
-/// Height of a finger that is away (m): well above any key.
+/// Height of an absent finger (m): well above any key.
 const AWAY: f64 = 20e-3;
 
-/// Commanded speeds from which a finger braces itself, and at which it is as stiff as it gets (m/s).
+/// Commanded speeds at which a finger starts to stiffen, and is stiffest (m/s).
 const BRACED: (f64, f64) = (3.0, 6.0);
 
-/// How many times as stiff, and as damped, a braced finger is: the stiff corner of what fingers do.
+/// Ratio of stiffness and damping of a braced finger: the stiff corner of fingers.
 const BRACED_STIFFNESS: f64 = 1300.0 / 400.0;
 const BRACED_DAMPING: f64 = 7.0 / 4.0;
 
-/// How a finger holds its key.
+/// Grasp of a finger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Grasp {
-    /// It lies on the key: it pushes and never pulls.
+    /// Lies on the key: pushes and never pulls.
     Pushes,
-    /// It holds the key on both sides, as the hand in the paper's experiment did: it pushes and
-    /// pulls. `[GC93]` §6
+    /// Holds the key on both sides, as the hand in the paper's experiment: pushes and pulls.
+    /// `[GC93]` §6
     Grips,
 }
 
-/// What a hand does to a key while no gesture is played on it.
+/// Action of a hand on a key between gestures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HandCommand {
-    /// It lies on the key with so much (N); with 0 it is away.
+    /// Lies on the key with a force (N); 0 is away.
     Weight(f64),
-    /// It grips the key and leads it to this depth, as a part of the key's dip.
+    /// Grips the key and leads it to this depth, as a fraction of the key's dip.
     Grip(f64),
 }
 
 impl HandCommand {
-    /// The hand is away.
     pub const AWAY: Self = Self::Weight(0.0);
 }
 
@@ -49,12 +48,11 @@ pub struct FingerParameters {
     pub pulp_stiffness: f64,
     /// Damping of the pulp (N s/m).
     pub pulp_damping: f64,
-    /// Whether it can pull, too.
     pub grasp: Grasp,
 }
 
 impl FingerParameters {
-    /// An ordinary finger; an estimate, ± 50 %, the pulp too.
+    /// Ordinary finger; an estimate, ± 50 %, the pulp too.
     pub const ORDINARY: Self = Self {
         mass: 6e-3,
         damping: 4.0,
@@ -64,10 +62,10 @@ impl FingerParameters {
         grasp: Grasp::Pushes,
     };
 
-    /// The stiff corner of what fingers do; an estimate.
+    /// Stiff corner of fingers; an estimate.
     pub const STIFF: Self = Self { damping: 7.0, stiffness: 1300.0, ..Self::ORDINARY };
 
-    /// A hand and forearm that hold a handle between thumb and fingers; an estimate.
+    /// Hand and forearm that hold a handle between thumb and fingers; an estimate.
     pub const GRIP: Self = Self {
         mass: 0.2,
         damping: 30.0,
@@ -77,14 +75,13 @@ impl FingerParameters {
         grasp: Grasp::Grips,
     };
 
-    /// The limp corner of what fingers do; an estimate.
+    /// Limp corner of fingers; an estimate.
     pub const LIMP: Self = Self { damping: 0.3, stiffness: 20.0, ..Self::ORDINARY };
 
-    /// Returns the finger that plays at `speed` (m/s): up to 3 m/s this one, from there on ever
-    /// stiffer, up to 3.25 times as stiff at 6 m/s: in forte the arm stands behind it.
+    /// Returns the finger at `speed` (m/s): unchanged up to 3 m/s, then stiffer, up to 3.25 times
+    /// at 6 m/s: in forte the arm stiffens it.
     ///
     /// # Real-time
-    ///
     /// No division, no loop.
     #[must_use]
     pub fn braced(self, speed: f64) -> Self {
@@ -104,12 +101,12 @@ impl Default for FingerParameters {
     }
 }
 
-/// A fingertip: where it is and how fast it moves, down positive.
+/// State of a fingertip, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finger {
-    /// What it is when it plays no louder than it does with ease.
+    /// Parameters of the unbraced finger.
     parameters: FingerParameters,
-    /// What it is now.
+    /// Parameters at the present bracing.
     braced: FingerParameters,
     position: f64,
     velocity: f64,
@@ -136,22 +133,19 @@ impl Finger {
         self.velocity
     }
 
-    /// Moves the finger to where it is commanded, at the commanded velocity, braced for a gesture
-    /// at `speed` (m/s).
+    /// Moves the finger to the commanded state, braced for a gesture at `speed` (m/s).
     pub(super) fn place(&mut self, command: MuscleCommand, speed: f64) {
         self.braced = self.parameters.braced(speed);
         self.position = command.position;
         self.velocity = command.velocity;
     }
 
-    /// Moves the finger away, to rest.
     pub(super) const fn leave(&mut self) {
         *self = Self::new(self.parameters);
     }
 
-    /// Returns the contact force with a key that is at `position` (m) and moves with
-    /// `velocity` (m/s), in newtons: up on the finger, down on the key, negative only where the
-    /// finger grips and pulls the key up.
+    /// Returns the contact force (N) with a key at `position` (m) and `velocity` (m/s): up on the
+    /// finger, down on the key, negative only where the finger grips and pulls the key up.
     pub fn contact(&self, position: f64, velocity: f64) -> f64 {
         let FingerParameters { pulp_stiffness, pulp_damping, grasp, .. } = self.braced;
         let depth = self.position - position;
@@ -166,14 +160,12 @@ impl Finger {
         }
     }
 
-    /// Advances by one substep `h` (s) towards the commanded `position` (m) and `velocity`
-    /// (m/s), against the `contact` force (N).
+    /// Advances by one substep `h` (s) towards the commanded `position` (m) and `velocity` (m/s),
+    /// against the `contact` force (N).
     ///
-    /// Semi-implicit Euler with the muscle taken at the end of the substep, so any stiffness
-    /// is stable.
+    /// Semi-implicit Euler with the muscle at the end of the substep, stable for any stiffness.
     ///
     /// # Real-time
-    ///
     /// One division; no loop.
     pub fn step(&mut self, position: f64, velocity: f64, contact: f64, h: f64) {
         let FingerParameters { mass, damping, stiffness, .. } = self.braced;

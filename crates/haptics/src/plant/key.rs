@@ -15,13 +15,13 @@ pub struct KeyParameters {
     pub stiction: f64,
     /// Constant load (N), up positive: above zero the unpowered key rises to its rest.
     pub weight: f64,
-    /// Felt on which the key rests when it is up.
+    /// Felt under the raised key.
     pub rest_stop: Felt,
     /// Felt that ends the dip.
     pub bottom_stop: Felt,
 }
 
-/// A key's front: where it is and how fast it moves, down positive.
+/// State of a key's front, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KeyFront {
     parameters: KeyParameters,
@@ -33,7 +33,6 @@ impl KeyFront {
     /// Creates a key at rest, touching its rest felt.
     pub const fn new(parameters: KeyParameters) -> Self {
         let KeyParameters { rest_stop, weight, .. } = parameters;
-        // A return spring presses it into the felt.
         let depth = weight.max(0.0) / rest_stop.stiffness;
         Self::placed(parameters, rest_stop.position - depth, 0.0)
     }
@@ -43,7 +42,7 @@ impl KeyFront {
         Self { parameters, position, velocity }
     }
 
-    /// Returns the way from rest to bottom (m).
+    /// Returns the travel from rest to bottom (m).
     pub const fn dip(&self) -> f64 {
         self.parameters.bottom_stop.position
     }
@@ -60,24 +59,23 @@ impl KeyFront {
 
     /// Advances by one substep `h` (s) under the outer `force` (N), up positive.
     ///
-    /// Semi-implicit Euler, order 1: forces at the old position, damping and felts at the
-    /// new velocity, then the position with the new velocity. Mechanical energy, felts
-    /// included, never grows without an outer force, whatever `h`.
+    /// Semi-implicit Euler, order 1: forces at the old position, damping and felts at the new
+    /// velocity, then the position with the new velocity. Mechanical energy, felts included, never
+    /// grows without an outer force, for any `h`.
     ///
     /// # Real-time
-    ///
     /// Two divisions; no loop.
     pub fn step(&mut self, force: f64, h: f64) {
         self.velocity = self.next_velocity(force, h);
         self.position += h * self.velocity;
     }
 
-    /// Whether the key is stuck and stays so under the outer `force` (N), up positive.
+    /// Returns `true` if the key is stuck and stays so under the outer `force` (N), up positive.
     pub fn holds(&self, force: f64) -> bool {
         self.velocity == 0.0 && self.breakaway(force).is_none()
     }
 
-    /// Velocity after a substep (m/s); zero if friction catches the key.
+    /// Returns the velocity after a substep (m/s); zero if friction catches the key.
     fn next_velocity(&self, force: f64, h: f64) -> f64 {
         let direction = if self.velocity == 0.0 {
             match self.breakaway(force) {
@@ -92,14 +90,14 @@ impl KeyFront {
         if 0.0 < velocity * direction { velocity } else { 0.0 }
     }
 
-    /// Direction in which a key at rest starts to move, down positive, if it does.
+    /// Returns the direction in which a key at rest starts to move, down positive, if it does.
     fn breakaway(&self, force: f64) -> Option<f64> {
         let net = self.resistance(0.0).holding() - force - self.parameters.weight;
         let grip = self.parameters.stiction.max(self.parameters.coulomb);
         (grip < net.abs()).then(|| net.signum())
     }
 
-    /// Velocity after a substep in which friction acts against `direction` (m/s).
+    /// Returns the velocity after a substep in which friction acts against `direction` (m/s).
     fn sliding_velocity(&self, force: f64, direction: f64, h: f64) -> f64 {
         let constants = &self.parameters;
         let push = -(force + constants.weight + direction * constants.coulomb);
@@ -108,7 +106,7 @@ impl KeyFront {
         self.resistance(h).solve(inertia, momentum + h * push, h)
     }
 
-    /// Resistance of the nearer felt over `h` (s).
+    /// Returns the resistance of the nearer felt over `h` (s).
     fn resistance(&self, h: f64) -> Resistance {
         let KeyParameters { rest_stop, bottom_stop, .. } = &self.parameters;
         if self.position - rest_stop.position < bottom_stop.position - self.position {
@@ -125,7 +123,7 @@ mod tests {
 
     const H: f64 = 5e-5;
 
-    /// A key of 50 g between undamped felts, without any friction.
+    /// Returns a key of 50 g between undamped felts, without friction.
     fn free_key() -> KeyParameters {
         let felt = |position| Felt { position, stiffness: 6e4, damping: 0.0 };
         KeyParameters {
@@ -139,12 +137,12 @@ mod tests {
         }
     }
 
-    /// The same with 0.10 N of friction and 0.12 N of stiction.
+    /// Returns a free key with 0.10 N of friction and 0.12 N of stiction.
     fn rough_key() -> KeyParameters {
         KeyParameters { coulomb: 0.10, stiction: 0.12, ..free_key() }
     }
 
-    /// Kinetic energy, felts and load together (J).
+    /// Returns the energy of motion, felts and load (J).
     fn energy(key: &KeyFront) -> f64 {
         let constants = &key.parameters;
         let high = (constants.rest_stop.position - key.position).max(0.0);
@@ -184,7 +182,7 @@ mod tests {
             key.step(0.0, H);
         }
         let path = 0.05 * speed * speed / (2.0 * 0.10);
-        // Order 1: off by half a substep at the initial speed, and stopped within one.
+        // Order 1: errs by half a substep at the initial speed, and stops within one.
         assert!(key.holds(0.0));
         assert!((key.position() - 0.001 - path).abs() < speed * H, "{}", key.position());
     }
@@ -219,7 +217,6 @@ mod tests {
         check_energy(loaded, 0.0, 200);
     }
 
-    /// Asserts that the energy falls from substep to substep, up to its rounding.
     #[track_caller]
     fn check_energy(parameters: KeyParameters, speed: f64, steps: u32) {
         let mut key = KeyFront::placed(parameters, 0.005, speed);
@@ -244,7 +241,7 @@ mod tests {
             }
         }
         let half_period = core::f64::consts::PI * (0.05_f64 / 6e4).sqrt();
-        // The key comes back after 0.1 s. Order 1: entry and exit are each a substep unsure.
+        // The key returns after 0.1 s. Order 1: entry and exit each err by a substep.
         assert!((contact - half_period).abs() < 2.0 * h, "{contact}, expected {half_period}");
     }
 }

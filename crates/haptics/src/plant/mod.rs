@@ -1,8 +1,8 @@
 //! The other side of the wire: a simulated key, and a finger that plays it.
 //!
-//! One file per part, [`KeyRig`] puts them together. Every part steps by a given time and
-//! keeps its whole state in itself, so a copy of a rig is a rehearsal of its future.
-//! What is not here: any action. The feel of the key comes from outside, as a force.
+//! One file per component; [`KeyRig`] combines them. Every component steps by a given time and
+//! holds its whole state, so a copy of a rig is a rehearsal of its future. No action is here: the
+//! feel of the key comes from outside, as a force.
 
 mod encoder;
 mod felt;

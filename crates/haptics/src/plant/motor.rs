@@ -1,9 +1,9 @@
-//! The motor and its amplifier: a held command becomes a force, late and rounded off.
+//! The motor and its amplifier: a held command becomes a delayed, smoothed force.
 
 /// Longest delay of a command, in substeps: 8 ms at 50 µs, two ticks at 250 Hz.
 pub const MAX_DELAY_STEPS: usize = 160;
 
-/// Distance to the command (N) at which the lag is over: far below what any drive resolves.
+/// Distance to the command (N) at which the lag ends: far below the resolution of any drive.
 const SETTLED: f64 = 1e-9;
 
 /// Constants of a motor.
@@ -28,14 +28,14 @@ pub struct Motor {
 }
 
 impl Motor {
-    /// Creates a motor at zero force. A longer delay than [`MAX_DELAY_STEPS`] is cut to it.
+    /// Creates a motor at zero force. A delay above [`MAX_DELAY_STEPS`] is cut to it.
     pub fn new(parameters: MotorParameters) -> Self {
         let line = DelayLine::new(parameters.delay_steps.min(MAX_DELAY_STEPS));
         let lag = Lag { bandwidth: parameters.bandwidth, h: 0.0, share: 0.0 };
         Self { parameters, command: 0.0, line, lag, force: 0.0 }
     }
 
-    /// Sets the force to hold from now on (N), up positive; saturates, and takes NaN as zero.
+    /// Sets the force to hold from now on (N), up positive; saturates, and treats NaN as zero.
     pub fn command(&mut self, newtons: f64) {
         let finite = if newtons.is_nan() { 0.0 } else { newtons };
         let command = finite.clamp(-self.parameters.limit, self.parameters.limit);
@@ -45,12 +45,10 @@ impl Motor {
         }
     }
 
-    /// Advances by `dt` (s) and returns the force on the key at its end (N), up positive.
-    ///
-    /// The lag is solved exactly, so the step response does not depend on `dt`.
+    /// Advances by `dt` (s) and returns the force on the key at its end (N), up positive. The lag
+    /// is solved exactly, so the step response does not depend on `dt`.
     ///
     /// # Real-time
-    ///
     /// No loop; one exponential when `dt` differs from the last one.
     pub fn step(&mut self, dt: f64) -> f64 {
         let target = self.line.pass(self.command);
@@ -65,7 +63,7 @@ impl Motor {
         self.force
     }
 
-    /// Whether steps change nothing until another command comes.
+    /// Returns `true` if steps change nothing until the next command.
     pub fn is_settled(&self) -> bool {
         self.line.pending == 0 && self.command - self.force == 0.0
     }
@@ -78,12 +76,12 @@ struct Lag {
     bandwidth: f64,
     /// Step of `share` (s).
     h: f64,
-    /// Part of the gap that is closed within `h`.
+    /// Fraction of the gap that is closed within `h`.
     share: f64,
 }
 
 impl Lag {
-    /// Part of the gap that is closed within `h` (s).
+    /// Returns the fraction of the gap that is closed within `h` (s).
     fn share(&mut self, h: f64) -> f64 {
         if h - self.h != 0.0 {
             self.h = h;
@@ -93,28 +91,27 @@ impl Lag {
     }
 }
 
-/// Commands on their way, one place for each substep of delay.
+/// Delayed commands, one entry for each substep of delay.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct DelayLine {
     places: [f64; MAX_DELAY_STEPS],
     length: usize,
     next: usize,
-    /// Steps until all places hold the present command.
+    /// Steps until all entries hold the present command.
     pending: usize,
 }
 
 impl DelayLine {
-    /// A line of `length` steps, all zero.
     const fn new(length: usize) -> Self {
         Self { places: [0.0; MAX_DELAY_STEPS], length, next: 0, pending: 0 }
     }
 
-    /// Takes note that the command has changed.
+    /// Records a change of the command.
     const fn disturb(&mut self) {
         self.pending = self.length;
     }
 
-    /// Puts `command` in and returns what was put in `length` steps ago.
+    /// Inserts `command` and returns the one of `length` steps ago.
     fn pass(&mut self, command: f64) -> f64 {
         if self.pending == 0 {
             return command;
@@ -133,12 +130,10 @@ mod tests {
     const H: f64 = 5e-5;
     const BANDWIDTH: f64 = 6283.0;
 
-    /// A motor of 30 N with a delay in substeps.
     fn motor(delay_steps: usize) -> Motor {
         Motor::new(MotorParameters { limit: 30.0, bandwidth: BANDWIDTH, delay_steps })
     }
 
-    /// Steps `motor` a number of times.
     fn run(motor: &mut Motor, steps: u32) {
         for _ in 0..steps {
             motor.step(H);

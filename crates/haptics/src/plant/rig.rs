@@ -10,7 +10,7 @@ use super::motor::{Motor, MotorParameters};
 /// Longest substep (s): a hundredth of the fastest oscillation's period, 45 g on a felt.
 pub const MAX_SUBSTEP: f64 = 50e-6;
 
-/// Most substeps of one tick: ticks up to 20 ms keep to [`MAX_SUBSTEP`].
+/// Maximum substeps of a tick: ticks up to 20 ms keep to [`MAX_SUBSTEP`].
 pub const MAX_SUBSTEPS: u32 = 400;
 
 /// Slack against rounding when a tick is a whole number of substeps.
@@ -27,10 +27,9 @@ pub struct RigParameters {
 }
 
 impl RigParameters {
-    /// The rig of the paper's section 6: an encoder of 50 lines an inch, about 3 inches for 45
-    /// degrees, voice coils, a hand that holds the key "on both top and bottom". `[GC93]`
-    ///
-    /// The rest is estimated (E).
+    /// Rig of the paper's section 6: an encoder of 50 lines an inch, about 3 inches for 45 degrees,
+    /// voice coils, a hand that holds the key "on both top and bottom". `[GC93]` The rest is
+    /// estimated (E).
     pub const PAPER: Self = Self {
         // E: a coil, its carriage and a grip on linear bearings.
         key: KeyParameters {
@@ -76,13 +75,13 @@ impl Default for RigParameters {
                 // S: a real key's friction is 0.118 N; ours should not add more.
                 coulomb: 0.10,
                 stiction: 0.12,
-                // E: a return spring, as every keyboard has one. Under 0.2, 0.35 and 0.5 N of the
-                // motor the key comes up, from its bottom to 1 mm below its rest, in 49, 41 and
-                // 36 ms, where a real one takes 30 to 45 (S: 35); under the grands' models, whose
-                // moving mass it has to lift too, in 75 to 120. With 0.4 N it takes a tenth less,
-                // but the paper's undamped springs then strike with nobody at the keys.
+                // E: a return spring, as in every keyboard. Under 0.2, 0.35 and 0.5 N of the motor
+                // the key rises, from its bottom to 1 mm below its rest, in 49, 41 and 36 ms; a
+                // real one takes 30 to 45 (S: 35). Under the grands' models, with their moving
+                // mass, it takes 75 to 120. With 0.4 N it takes a tenth less, but the paper's
+                // undamped springs then strike with no finger at the keys.
                 weight: 0.3,
-                // Where the return spring leaves the key at 0.
+                // Position 0 under the return spring.
                 rest_stop: felt(0.3 / 60e3),
                 // S: key dip 9.9–10.7 mm.
                 bottom_stop: felt(10.16e-3),
@@ -102,16 +101,15 @@ impl Default for RigParameters {
     }
 }
 
-/// What leads the finger.
+/// Source of the finger's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Playing {
-    /// Nothing: it is away.
     Nothing,
-    /// A gesture, by its start (s).
+    /// A gesture with its start (s).
     Gesture(f64),
-    /// A path of its own.
+    /// A path of time.
     Path,
-    /// The hand that holds the key, see [`KeyRig::hold`].
+    /// Hand that holds the key, see [`KeyRig::hold`].
     Hand,
 }
 
@@ -122,14 +120,14 @@ pub struct KeyRig {
     encoder: Encoder,
     motor: Motor,
     finger: Finger,
-    /// What the finger is made of when no hand is there.
+    /// Parameters of the finger without a hand.
     own: FingerParameters,
-    /// Where a hand holds the key (m).
+    /// Target of a hand (m).
     held: Option<f64>,
     playing: Playing,
     /// Force between finger and key (N).
     contact: f64,
-    /// How hard a weight lies on the key's front besides (N).
+    /// Force of a weight on the key's front (N).
     weight: f64,
 }
 
@@ -137,7 +135,6 @@ impl KeyRig {
     /// Creates a rig at rest: key up, no force, no finger.
     ///
     /// # Panics
-    ///
     /// Unless the encoder's quantum is finite and positive.
     pub fn new(parameters: RigParameters) -> Self {
         Self {
@@ -153,16 +150,16 @@ impl KeyRig {
         }
     }
 
-    /// Advances by one tick, from `t` to `t + h` (s), with `force` (N) commanded throughout.
+    /// Advances by one tick, from `t` to `t + h` (s), with `force` (N) on the finger, up positive,
+    /// commanded throughout.
     ///
-    /// `force` is up positive, on the finger. The finger is there while `gesture` is given
-    /// and active; one with another start is another finger, placed where that gesture has
-    /// it. `h` must be finite and positive; other values only set the force.
+    /// The finger is present while `gesture` is given and active; a gesture with another start
+    /// places a new finger at its command. `h` must be finite and positive; other values only set
+    /// the force.
     ///
     /// # Real-time
-    ///
-    /// A number of substeps that depends on `h` only: one per [`MAX_SUBSTEP`] or part of it,
-    /// at most [`MAX_SUBSTEPS`].
+    /// A number of substeps that depends on `h` only: one per [`MAX_SUBSTEP`] or part of it, at
+    /// most [`MAX_SUBSTEPS`].
     pub fn advance(&mut self, t: f64, h: f64, force: f64, gesture: Option<&Gesture>) {
         self.tick((t, h), force, |rig, t, h| match (rig.held, gesture) {
             (Some(place), _) => rig.lead_hand(h, place),
@@ -171,9 +168,8 @@ impl KeyRig {
         });
     }
 
-    /// Holds the key from now on with a hand that grips it where it is and leads it to `place`
-    /// (m, down positive), up to twice the dip from its rest; no gesture is played meanwhile.
-    /// Without a place, or with one that is no number, it lets go.
+    /// Grips the key with a hand from now on and leads it to `place` (m, down positive), up to
+    /// twice the dip from its rest, without gestures. Without a finite `place` the hand lets go.
     fn hold(&mut self, place: Option<f64>) {
         let most = 2.0 * self.dip();
         let place = place.filter(|it| it.is_finite()).map(|it| it.clamp(-most, most));
@@ -186,18 +182,16 @@ impl KeyRig {
         self.held = place;
     }
 
-    /// Advances by one tick as [`Self::advance`] does, under a finger whose muscle is commanded by
-    /// `path`, a function of time (s); who held the key by something else before lets go, and this
-    /// finger is placed where the path is.
+    /// Like [`Self::advance`], but with the muscle commanded by `path`, a function of time (s). Any
+    /// other finger lets go, and this finger is placed on the path.
     ///
     /// # Real-time
-    ///
-    /// As [`Self::advance`], with two calls of `path` for each substep at most.
+    /// As [`Self::advance`], with at most two calls of `path` per substep.
     pub fn follow(&mut self, t: f64, h: f64, force: f64, path: impl Fn(f64) -> MuscleCommand) {
         self.tick((t, h), force, |rig, t, h| rig.lead(t, h, &path));
     }
 
-    /// Lets a hand do this from now on instead of what it did before.
+    /// Replaces the hand's command from now on.
     pub fn command(&mut self, hand: HandCommand) {
         let (newtons, place) = match hand {
             HandCommand::Weight(newtons) => (newtons, None),
@@ -207,13 +201,13 @@ impl KeyRig {
         self.hold(place);
     }
 
-    /// Lays a weight on the key's front from now on, which presses with `newtons` wherever the
-    /// key goes; 0 takes it away, and so does what is no force.
+    /// Lays a weight on the key's front, which presses with `newtons` at any position; 0, and any
+    /// invalid force, removes it.
     pub fn lay(&mut self, newtons: f64) {
         self.weight = if newtons.is_finite() { newtons.max(0.0) } else { 0.0 };
     }
 
-    /// Returns what the encoder reports.
+    /// Returns the reading of the encoder.
     pub fn counts(&self) -> i32 {
         self.encoder.counts(self.key.position())
     }
@@ -223,7 +217,7 @@ impl KeyRig {
         self.encoder.quantum()
     }
 
-    /// Returns the way of the key's front from rest to bottom (m).
+    /// Returns the travel of the key's front from rest to bottom (m).
     pub const fn dip(&self) -> f64 {
         self.key.dip()
     }
@@ -243,16 +237,13 @@ impl KeyRig {
         self.motor.force()
     }
 
-    /// Returns the force of the key on the finger (N), up positive; negative only where the finger
-    /// grips.
+    /// Returns the force of the key on the finger (N), up positive; negative only in a grip.
     pub const fn finger_force(&self) -> f64 {
         self.contact
     }
 
-    /// Whether nothing moves: key stuck, motor settled, no finger.
-    ///
-    /// Then [`Self::advance`] with the same force and no active gesture changes nothing, and
-    /// may be left out.
+    /// Returns `true` if nothing moves: key stuck, motor settled, no finger. Then [`Self::advance`]
+    /// with the same force and no active gesture changes nothing, and may be skipped.
     pub fn is_still(&self) -> bool {
         self.playing == Playing::Nothing
             && self.held.is_none()
@@ -260,7 +251,7 @@ impl KeyRig {
             && self.key.holds(self.motor.force() - self.weight)
     }
 
-    /// One tick from `t` that lasts `h` (s): `touch` moves the finger over each substep, and
+    /// Runs one tick from `t` that lasts `h` (s): `touch` moves the finger over each substep, and
     /// returns the contact force during it (N).
     fn tick(&mut self, (t, h): (f64, f64), force: f64, touch: impl Fn(&mut Self, f64, f64) -> f64) {
         self.motor.command(force);
@@ -277,7 +268,7 @@ impl KeyRig {
         }
     }
 
-    /// Moves the finger along its gesture; returns the contact force during it (N).
+    /// Moves the finger along its gesture; returns the contact force (N).
     fn play(&mut self, t: f64, h: f64, gesture: &Gesture) -> f64 {
         let is_here =
             matches!(self.playing, Playing::Gesture(start) if start - gesture.start == 0.0);
@@ -288,7 +279,7 @@ impl KeyRig {
         self.press(h, gesture.command(t + h))
     }
 
-    /// Moves the finger along its path; returns the contact force during it (N).
+    /// Moves the finger along its path; returns the contact force (N).
     fn lead(&mut self, t: f64, h: f64, path: impl Fn(f64) -> MuscleCommand) -> f64 {
         if self.playing != Playing::Path {
             self.playing = Playing::Path;
@@ -297,7 +288,7 @@ impl KeyRig {
         self.press(h, path(t + h))
     }
 
-    /// Moves the hand towards `place` (m); returns the force between it and the key (N).
+    /// Moves the hand towards `place` (m); returns the force on the key (N).
     fn lead_hand(&mut self, h: f64, place: f64) -> f64 {
         if self.playing != Playing::Hand {
             self.playing = Playing::Hand;
@@ -307,15 +298,14 @@ impl KeyRig {
         self.press(h, MuscleCommand { position: place, velocity: 0.0 })
     }
 
-    /// Moves the finger over `h` (s), to where it is commanded at its end; returns the contact
-    /// force during it (N).
+    /// Moves the finger over `h` (s) to its command at the end; returns the contact force (N).
     fn press(&mut self, h: f64, command: MuscleCommand) -> f64 {
         let contact = self.finger.contact(self.key.position(), self.key.velocity());
         self.finger.step(command.position, command.velocity, contact, h);
         contact
     }
 
-    /// Takes the finger away; returns the contact force of none (N).
+    /// Removes the finger; returns its contact force, 0 (N).
     fn rest(&mut self) -> f64 {
         if self.playing != Playing::Nothing {
             self.playing = Playing::Nothing;
@@ -325,7 +315,7 @@ impl KeyRig {
     }
 }
 
-/// Substeps of a tick of `h` (s), in `1 ..= MAX_SUBSTEPS`.
+/// Returns the substeps of a tick of `h` (s), in `1 ..= MAX_SUBSTEPS`.
 fn substeps(h: f64) -> u32 {
     let wanted = (h / MAX_SUBSTEP - SUBSTEP_SLACK).ceil().clamp(1.0, f64::from(MAX_SUBSTEPS));
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped above")]
@@ -370,7 +360,7 @@ mod tests {
         };
         let up = live(&mut rig, 0.0);
         rig.hold(Some(4e-3));
-        // The muscle gives way by the force over its stiffness, and the pulp by as much of its own.
+        // Muscle and pulp each give way by the force over their stiffness.
         let FingerParameters { stiffness, pulp_stiffness, .. } = FingerParameters::GRIP;
         let parameters = RigParameters::default().key;
         for force in [3.0, -3.0] {

@@ -1,8 +1,6 @@
-//! Smooth ways from 0 to 1: what gestures are stitched from.
-//!
-//! Each takes any real argument and stays at its end values outside `0 ..= 1`.
+//! Smooth steps from 0 to 1 for gestures, constant outside `0 ..= 1`.
 
-/// Cubic way from 0 to 1 with zero slope at both ends.
+/// Cubic step with zero slope at both ends.
 pub(super) fn cubic(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)
@@ -14,7 +12,7 @@ pub(super) fn cubic_integral(x: f64) -> f64 {
     x * x * x * (1.0 - 0.5 * x)
 }
 
-/// Quintic way from 0 to 1 with zero slope and curvature at both ends.
+/// Quintic step with zero slope and curvature at both ends.
 pub(super) fn quintic(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * x * (10.0 + x * (6.0 * x - 15.0))

@@ -1,4 +1,4 @@
-/// Error below which a curve is at zero.
+/// Smallest value on an axis: an error below it is as good as none.
 const FLOOR: f64 = 1e-17;
 /// Room at both ends, as a fraction of the axis.
 const ROOM: f64 = 0.05;

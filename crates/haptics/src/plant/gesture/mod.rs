@@ -1,4 +1,4 @@
-//! A gesture: what a finger's muscle commands during one stroke, as a function of time.
+//! A gesture: the command of a finger's muscle during one stroke, as a function of time.
 
 mod stroke;
 
@@ -7,48 +7,46 @@ pub use stroke::MuscleCommand;
 use super::smooth::{quintic, quintic_slope};
 use stroke::StrokeProfile;
 
-/// Times that lifting may take (s): faster is no finger, and slower none that lets go.
+/// Range of the lifting time of a finger (s).
 const LIFTS: (f64, f64) = (10e-3, 1.0);
 
-/// How a finger meets the key.
+/// Start of a finger's stroke.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Touch {
-    /// The finger rests on the key and presses it from there.
     Pressed,
     /// The finger comes from above and meets the key at full speed.
     ///
     /// Meant for speeds above 0.1 m/s. The impact sets finger and action swinging; in a slower
-    /// stroke the swing's phase, not the speed alone, decides how fast the hammer gets.
+    /// stroke the phase of that swing also decides the hammer's speed.
     Struck,
 }
 
 /// One stroke of one finger and its release.
 ///
-/// Position and velocity are commands: the finger follows them as its stiffness allows. Both
-/// are continuous, acceleration too, whenever the release comes; and until the release a
-/// faster gesture is never behind a slower one on its way down.
+/// Position and velocity are commands: the finger follows them as its stiffness allows. Both and
+/// the acceleration are continuous for any release; until the release a faster gesture is never
+/// behind a slower one on its way down.
 ///
-/// Times share the origin of the `t` they are asked with. `release` may be infinite while it
-/// is not known, and then be set to any time not yet passed, `lift` with it.
+/// Times share the origin of `t`. An unknown `release` is infinite, and may later be set, with
+/// `lift`, to any time not yet passed.
 ///
-/// A finger that must play its key again soon is not lifted to the end: the next gesture takes
-/// over at its own start, from the depth to which the key has risen by then.
+/// A finger that must soon play its key again is not fully lifted: the next gesture takes over at
+/// its start, from the depth to which the key has risen by then.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gesture {
-    /// Time at which the finger starts to move (s).
+    /// Start of the finger's motion (s).
     pub start: f64,
-    /// Time at which it starts to lift (s); before `start` counts as `start`.
+    /// Start of the lift (s); before `start` counts as `start`.
     pub release: f64,
-    /// How it meets the key.
     pub touch: Touch,
-    /// Depth at which a pressed finger starts (m), down positive: where its key is then.
+    /// Depth of the key at which a pressed finger starts (m), down positive.
     pub from: f64,
     /// Commanded speed on the way down (m/s), meant for `0.02 ..= 3`, and to 8 from a stiffer
     /// finger: see [`FingerParameters::braced`](super::FingerParameters::braced).
     pub speed: f64,
     /// Commanded depth while the key is held (m), down positive; see [`Self::HOLD`].
     pub hold: f64,
-    /// Time from the release until the finger is lifted (s), meant for `0.01 ..= 1`.
+    /// Duration of the lift (s), meant for `0.01 ..= 1`.
     pub lift: f64,
 }
 
@@ -56,14 +54,14 @@ impl Gesture {
     /// Hold depth for the default key and finger (m): dip and 2 N at 400 N/m.
     pub const HOLD: f64 = Self::hold_of(10.16e-3);
 
-    /// Height above the key to which a finger is lifted (m) (estimate).
+    /// Height above the key after the lift (m) (estimate).
     pub const LIFT_HEIGHT: f64 = 10e-3;
 
-    /// Usual time that lifting takes (s) (estimate).
+    /// Default duration of the lift (s) (estimate).
     pub const LIFT: f64 = 50e-3;
 
-    /// A press of middling speed at time 0 that is never released, with the usual depths and the
-    /// usual lift: what other gestures differ from.
+    /// A press of medium speed at time 0 without release, with default depths and lift; the
+    /// template of other gestures.
     pub const USUAL: Self = Self {
         start: 0.0,
         release: f64::INFINITY,
@@ -74,7 +72,7 @@ impl Gesture {
         lift: Self::LIFT,
     };
 
-    /// Returns the depth to which the default finger holds a key with a way of `dip` (m).
+    /// Returns the depth of the default finger's hold on a key with a travel of `dip` (m).
     pub const fn hold_of(dip: f64) -> f64 {
         dip + stroke::PUSH
     }
@@ -82,7 +80,6 @@ impl Gesture {
     /// Returns the commanded position at `t` (s), in metres, down positive.
     ///
     /// # Real-time
-    ///
     /// Some ten divisions; no loop.
     pub fn position(&self, t: f64) -> f64 {
         self.command(t).position
@@ -91,46 +88,44 @@ impl Gesture {
     /// Returns the commanded velocity at `t` (s), the position's derivative (m/s).
     ///
     /// # Real-time
-    ///
     /// As [`Self::position`].
     pub fn velocity(&self, t: f64) -> f64 {
         self.command(t).velocity
     }
 
-    /// Returns the time at which the unhindered finger passes the key's rest position (s).
-    ///
-    /// The start if pressed; later if struck. The release is left out of account.
+    /// Returns the time at which the unhindered finger passes the key's rest position (s): the
+    /// start if pressed, later if struck. The release is ignored.
     pub fn arrival(&self) -> f64 {
         self.start + StrokeProfile::of(self).arrival()
     }
 
     /// Returns the time from its start at which the unhindered finger passes `depth` (s), which
-    /// lies between where it gains its full speed and where it is held (m).
+    /// lies between its full speed and its hold (m).
     pub fn passes(&self, depth: f64) -> f64 {
         StrokeProfile::of(self).passes(depth)
     }
 
-    /// Returns the time from which the finger is gone (s).
+    /// Returns the end of the finger's presence (s).
     pub fn end(&self) -> f64 {
         self.lift_off() + self.lift_time()
     }
 
-    /// Whether there is a finger at `t` (s), in `[start, end)`.
+    /// Returns `true` if there is a finger at `t` (s), in `[start, end)`.
     pub fn is_active(&self, t: f64) -> bool {
         self.start <= t && t < self.end()
     }
 
-    /// Time at which the finger starts to lift (s).
+    /// Returns the start of the lift (s).
     const fn lift_off(&self) -> f64 {
         self.release.max(self.start)
     }
 
-    /// Time that lifting takes (s), as a finger can.
+    /// Returns the duration of the lift (s), within a finger's range.
     const fn lift_time(&self) -> f64 {
         self.lift.max(LIFTS.0).min(LIFTS.1)
     }
 
-    /// Position and velocity at `t` (s): the stroke, blended into the lifted finger.
+    /// Returns position and velocity at `t` (s): the stroke, blended into the lifted finger.
     pub(super) fn command(&self, t: f64) -> MuscleCommand {
         let down = StrokeProfile::of(self).command(t - self.start);
         let lift_time = self.lift_time();
@@ -149,12 +144,12 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// A gesture that starts at 1 s and is never released.
+    /// Returns a gesture that starts at 1 s and is never released.
     fn endless(touch: Touch, speed: f64) -> Gesture {
         Gesture { start: 1.0, touch, speed, ..Gesture::USUAL }
     }
 
-    /// Speeds of musical strokes, slow to fast (m/s).
+    /// Returns speeds of musical strokes, slow to fast (m/s).
     fn speeds() -> impl Iterator<Item = f64> {
         (0..=50).map(|i| 0.02 * 150.0_f64.powf(f64::from(i) / 50.0))
     }
@@ -169,7 +164,7 @@ mod tests {
             gesture.position(at.unwrap())
         };
         let (rest, half) = (full(0.0), full(5e-3));
-        // Half of the way to the hold depth, less by the square of what is left of the way.
+        // Half of the way to the hold depth, less by the square of the remaining way.
         assert!((rest - 7.58e-3).abs() < 1e-5, "{rest}");
         let part = 1.0 - 5.0 / 10.16;
         assert!((half - (5e-3 + 7.58e-3 * part * part)).abs() < 1e-5, "{half}");
@@ -206,7 +201,6 @@ mod tests {
         }
     }
 
-    /// Asserts that `fast` is ahead of `slow` until it has reached its peak.
     #[track_caller]
     fn check_ahead(slow: &Gesture, fast: &Gesture) {
         let commands =
@@ -236,7 +230,7 @@ mod tests {
         assert!((command.position + 0.01).abs() < 1e-15 && command.velocity == 0.0);
     }
 
-    /// Any gesture that a pianist may think of, and some that none does.
+    /// Generates plausible and some implausible gestures.
     fn any_gesture() -> impl Strategy<Value = Gesture> {
         let touch = prop_oneof![Just(Touch::Pressed), Just(Touch::Struck)];
         let slow_to_fast = (-3.9..1.1_f64).prop_map(f64::exp);
@@ -264,8 +258,8 @@ mod tests {
             let step = 1e-6;
             let slope = (gesture.position(t + step) - gesture.position(t - step)) / (2.0 * step);
             // Jerk is below 12 · 3 m/s / (0.26 ms)², of a finger that starts deep: 6e8 m/s³, which
-            // bends the slope by 1e-4 m/s; time rounded at 10 s is off by 1e-15 s, times
-            // 4 m/s, over the step: 1e-8 m/s.
+            // bends the slope by 1e-4 m/s; time rounded at 10 s errs by 1e-15 s, times 4 m/s, over
+            // the step: 1e-8 m/s.
             let error = (slope - gesture.velocity(t)).abs();
             prop_assert!(error < 1.2e-4, "{error} at {t}");
         }

@@ -9,38 +9,36 @@
 //!   peak ─ ─ ─ ╰──────────╯ dwell       the deeper the faster: the push of a loud tone
 //! ```
 //!
-//! Until it settles, a faster stroke is at no time behind a slower one, so whatever it
-//! pushes is no slower for it.
+//! Until it settles, a faster stroke is never behind a slower one, so it never pushes more slowly.
 
 use super::{Gesture, Touch};
 use crate::plant::smooth::{cubic, cubic_integral, quintic, quintic_slope};
 
-/// Speeds that a stroke keeps to (m/s): slower never arrives, faster is no finger.
+/// Range of a stroke's speed (m/s): slower never arrives, faster is no finger.
 const SPEEDS: (f64, f64) = (1e-3, 20.0);
 
-/// Shallowest hold depth (m), so that a stroke always has a way to go.
+/// Minimum hold depth (m), so that a stroke always has a way to go.
 const MIN_HOLD: f64 = 1e-3;
 
-/// How much deeper than its key's bottom a finger is held (m): 2 N at 400 N/m.
+/// Depth of a held finger beyond its key's bottom (m): 2 N at 400 N/m.
 pub(super) const PUSH: f64 = 2.0 / 400.0;
 
-/// Least part of the usual run-up, for a finger that starts deep. The run-up shrinks with the
-/// square of the way: who plays again from half-way down has no time for more.
+/// Least fraction of the default run-up. The run-up shrinks with the square of the way, as a
+/// repetition from half-way down has no time for more.
 const LEAST_RUN_UP: f64 = 0.1;
 
-/// Deepest start, as a part of the hold depth: there must be a way to go.
+/// Deepest start, as a fraction of the hold depth: there must be a way to go.
 const DEEPEST: f64 = 0.6;
 
 /// Height above the key from which a struck gesture starts (m) (estimate).
 const STRIKE_HEIGHT: f64 = 20e-3;
 
-/// Part of the way to the hold depth within which a pressed gesture gains its speed.
-///
-/// It takes most of the way to let-off: a sudden start would set finger and action swinging,
-/// and the tone would depend on the phase of that rather than on the speed.
+/// Fraction of the way to the hold depth in which a pressed gesture gains its speed. It takes most
+/// of the way to let-off: a sudden start would set finger and action swinging, and the tone would
+/// depend on the phase of that swing rather than on the speed.
 const PRESSED_RUN_UP: f64 = 0.5;
 
-/// Part of the way to the key within which a struck gesture gains its speed.
+/// Fraction of the way to the key in which a struck gesture gains its speed.
 const STRUCK_RUN_UP: f64 = 0.75;
 
 /// Overshoot of an infinitely fast stroke (m): 20 N at 400 N/m.
@@ -55,7 +53,7 @@ const DWELL: f64 = 20e-3;
 /// Time from the peak to the hold depth (s).
 const SETTLE: f64 = 80e-3;
 
-/// What a muscle commands at one instant, down positive.
+/// Command of a muscle at one instant, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MuscleCommand {
     /// Position (m).
@@ -64,7 +62,7 @@ pub struct MuscleCommand {
     pub velocity: f64,
 }
 
-/// One way down: its depths (m) and how long each part of it takes (s).
+/// One way down: its depths (m) and the durations of its segments (s).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StrokeProfile {
     from: f64,
@@ -77,18 +75,17 @@ pub(super) struct StrokeProfile {
 }
 
 impl StrokeProfile {
-    /// The way down that `gesture` means.
     pub(super) fn of(gesture: &Gesture) -> Self {
         let speed = gesture.speed.max(SPEEDS.0).min(SPEEDS.1);
         let hold = gesture.hold.max(MIN_HOLD);
         let from = gesture.from.max(0.0).min(DEEPEST * hold);
-        // What is left of the way to the key's bottom.
+        // Remaining fraction of the way to the key's bottom.
         let part = 1.0 - from / (hold - PUSH).max(MIN_HOLD);
         let (from, run_up) = match gesture.touch {
             Touch::Pressed => (from, PRESSED_RUN_UP * hold * (part * part).max(LEAST_RUN_UP)),
             Touch::Struck => (-STRIKE_HEIGHT, STRUCK_RUN_UP * STRIKE_HEIGHT),
         };
-        // Its mean speed is half of the full one.
+        // The mean speed is half of the full speed.
         let run_up = 2.0 * run_up / speed;
         let overshoot = OVERSHOOT * speed / (speed + OVERSHOOT_SPEED);
         Self {
@@ -102,17 +99,17 @@ impl StrokeProfile {
         }
     }
 
-    /// Time after its start at which the stroke passes the key's rest position (s).
+    /// Returns the time after the start at which the stroke passes the key's rest position (s).
     pub(super) fn arrival(&self) -> f64 {
         if self.from < 0.0 { 0.5 * self.run_up - self.from / self.speed } else { 0.0 }
     }
 
-    /// Time after its start at which the stroke, at full speed by then, passes `depth` (s).
+    /// Returns the time after the start at which the stroke passes `depth` (s) at full speed.
     pub(super) fn passes(&self, depth: f64) -> f64 {
         0.5 * self.run_up + (depth - self.from) / self.speed
     }
 
-    /// Command at `elapsed` (s) after the start.
+    /// Returns the command at `elapsed` (s) after the start.
     pub(super) fn command(&self, elapsed: f64) -> MuscleCommand {
         let cruising = elapsed - self.run_up;
         let braking = cruising - self.cruise;
@@ -128,7 +125,7 @@ impl StrokeProfile {
         }
     }
 
-    /// Command at the part `x` of the run-up.
+    /// Returns the command at the fraction `x` of the run-up.
     fn running_up(&self, x: f64) -> MuscleCommand {
         MuscleCommand {
             position: self.from + self.speed * self.run_up * cubic_integral(x),
@@ -136,13 +133,13 @@ impl StrokeProfile {
         }
     }
 
-    /// Command `elapsed` (s) after full speed.
+    /// Returns the command `elapsed` (s) after full speed.
     fn cruising(&self, elapsed: f64) -> MuscleCommand {
         let position = self.from + self.speed * (0.5 * self.run_up + elapsed);
         MuscleCommand { position, velocity: self.speed }
     }
 
-    /// Command at the part `x` of the brake.
+    /// Returns the command at the fraction `x` of the brake.
     fn braking(&self, x: f64) -> MuscleCommand {
         MuscleCommand {
             position: self.hold + self.speed * self.brake * (x - cubic_integral(x)),
@@ -150,7 +147,7 @@ impl StrokeProfile {
         }
     }
 
-    /// Command at the part `x` of the way back, from the peak to the hold depth.
+    /// Returns the command at the fraction `x` of the way from the peak to the hold depth.
     fn settling(&self, x: f64) -> MuscleCommand {
         MuscleCommand {
             position: self.hold + self.overshoot * (1.0 - quintic(x)),
