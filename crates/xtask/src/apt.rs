@@ -1,4 +1,4 @@
-//! Installing what is missing on Debian and Ubuntu; saying what to install elsewhere.
+//! Installs missing packages on Debian and Ubuntu, or names what to install elsewhere.
 
 use std::process::Command;
 
@@ -6,13 +6,10 @@ use crate::command;
 use crate::error::Error;
 use crate::needs::{self, has_program, succeeds};
 
-/// Waits for another package manager this long before giving up.
+/// Wait for another package manager before giving up (s).
 const LOCK_TIMEOUT: &str = "DPkg::Lock::Timeout=120";
 
-/// Installs what the build needs and this system lacks; does nothing if nothing is lacking.
-///
-/// # Errors
-/// Names what to install by hand, or the command that failed.
+/// Installs what the build needs and this system lacks.
 pub(crate) fn install_missing() -> Result<(), Error> {
     let needs = needs::missing();
     if needs.is_empty() {
@@ -27,16 +24,13 @@ pub(crate) fn install_missing() -> Result<(), Error> {
     confirm()
 }
 
-/// Installs `packages`; reads the package lists anew only if that is needed.
-///
-/// # Errors
-/// Says why packages cannot be installed here, or which command failed.
+/// Installs `packages`; updates the package lists only if necessary.
 pub(crate) fn install(packages: &[&str]) -> Result<(), Error> {
     let prefix = prefix().map_err(|because| Error::unobtainable(packages.join(" "), because))?;
     let mut arguments = vec!["install", "--yes", "--no-install-recommends"];
     arguments.extend(packages);
     if packages.iter().all(|package| is_known(package)) {
-        // Known, but perhaps by a list that is older than the archive: then once more.
+        // The lists may be older than the archive: update them and try again.
         if command::run(&mut apt_get(prefix, &arguments)).is_ok() {
             return Ok(());
         }
@@ -46,23 +40,18 @@ pub(crate) fn install(packages: &[&str]) -> Result<(), Error> {
     command::run(&mut apt_get(prefix, &arguments))
 }
 
-/// Reads the package lists anew.
-///
-/// # Errors
-/// Says why that is impossible here, or which command failed.
 pub(crate) fn update() -> Result<(), Error> {
     let prefix = prefix().map_err(|it| Error::unobtainable("the lists of packages", it))?;
     command::run(&mut apt_get(prefix, &["update"]))
 }
 
-/// Checks that nothing is lacking any more.
 fn confirm() -> Result<(), Error> {
     let needs = needs::missing();
     let because = "installing its packages has not brought it";
     if needs.is_empty() { Ok(()) } else { Err(Error::Missing { needs, because }) }
 }
 
-/// What stands before `apt-get`, or why it cannot be used.
+/// Returns the words before `apt-get`, or the reason why it cannot be used.
 fn prefix() -> Result<&'static [&'static str], &'static str> {
     if !has_program("apt-get") {
         Err("there is no apt-get here")
@@ -79,12 +68,12 @@ fn is_root() -> bool {
     Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout.trim_ascii() == b"0")
 }
 
-/// Whether the package lists offer `package`.
+/// Returns `true` if the package lists offer `package`.
 fn is_known(package: &str) -> bool {
     succeeds("apt-cache", &["show", "--no-all-versions", package])
 }
 
-/// `apt-get` that never asks.
+/// Returns `apt-get` without questions.
 fn apt_get(prefix: &[&str], arguments: &[&str]) -> Command {
     let fixed = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "-q", "-o", LOCK_TIMEOUT];
     let mut all = prefix.iter().chain(&fixed).chain(arguments);

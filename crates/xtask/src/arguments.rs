@@ -1,4 +1,4 @@
-//! From the command line to a task.
+//! Parses the command line.
 
 use std::ffi::OsString;
 
@@ -10,7 +10,6 @@ use crate::guest_boards::CheckScope;
 use crate::peers::PeerOptions;
 use crate::test::TestScope;
 
-/// What `cargo xtask help` prints.
 pub(crate) const USAGE: &str = "\
 Chores of this workspace.
 
@@ -72,11 +71,11 @@ Chores of this workspace.
 Example: cargo xtask demo -- --duration 5
 ";
 
-/// The target of each tool in the folder `tests/`, as cargo's arguments.
+/// Cargo's arguments for the target of each tool in the folder `tests/`.
 const SOAK: &[&str] = &["--package", "soak"];
 const CERTIFICATES: &[&str] = &["--package", "letoff", "--example", "certificates"];
 
-/// What was asked for.
+/// A task of the command line.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Task {
     Demo {
@@ -84,37 +83,27 @@ pub(crate) enum Task {
         forwarded: Vec<OsString>,
     },
     Test(TestScope),
-    /// Make a Debian package of all that is installed.
     Dist {
-        /// With which cargo builds the programs.
         profile: String,
     },
-    /// Try a package's service in a guest.
     GuestService {
-        /// With which cargo builds the programs.
         profile: String,
     },
-    /// Play to real MIDI ports in a guest.
     GuestMidi,
-    /// Play boards over real drivers in a guest.
     GuestBoards(CheckScope),
     /// Compare derived equations with SymPy's, and motions with `MuJoCo`'s.
     Oracle,
-    /// Measure latencies, and compare them with what they were.
+    /// Measure latencies, and compare them with the baseline.
     Bench(BaselineUse),
-    /// Measure other people's solvers beside ours.
     Peers(PeerOptions),
-    /// Give damaged files to the program.
     Fuzz(FuzzOptions),
-    /// Count the lines of Rust, and hold them to the allowance.
+    /// Count the lines of Rust, and compare them with the allowance.
     Size,
-    /// Run the tool that cargo builds from this target, with these arguments.
+    /// Run the tool of this cargo target with these arguments.
     Tool(&'static [&'static str], Vec<OsString>),
-    /// Say what there is.
     Help,
 }
 
-/// Reads the arguments that follow the program's name.
 pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
     let Some(name) = arguments.next() else { return Ok(Task::Help) };
     let task = match name.to_str() {
@@ -154,7 +143,6 @@ pub(crate) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Tas
     }
 }
 
-/// Reads what follows `demo`.
 fn demo(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
     match arguments.next() {
         None => Ok(Task::Demo { forwarded: Vec::new() }),
@@ -164,7 +152,7 @@ fn demo(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
     }
 }
 
-/// Reads the profile of a task that builds; `usual` if there is none.
+/// Parses the profile of a task that builds; `usual` is the default.
 fn with_profile(
     mut arguments: impl Iterator<Item = OsString>,
     usual: &str,
@@ -213,7 +201,6 @@ fn test(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
     arguments.next().map_or(Ok(Task::Test(scope)), |argument| Err(refused(&argument)))
 }
 
-/// Reads what follows `peers`.
 fn peers(mut arguments: impl Iterator<Item = OsString>) -> Result<Task, Error> {
     let mut options = PeerOptions::default();
     while let Some(argument) = arguments.next() {

@@ -1,4 +1,4 @@
-//! Other programs: how they are shown, run, and become us.
+//! Prints, runs and becomes other programs.
 
 use std::env;
 use std::ffi::OsStr;
@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use crate::error::Error;
 
-/// The cargo that started us with `arguments`, to be run at the workspace's root.
+/// Returns the cargo that started us, to run `arguments` at the workspace's root.
 pub(crate) fn cargo<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Command {
     let program = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(program);
@@ -20,29 +20,26 @@ pub(crate) fn cargo<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> 
     command
 }
 
-/// Whether cargo set this for us: build scripts of others look at it, and would run again.
+/// Returns `true` if cargo set this for us: build scripts that read it would run again.
 fn is_of_our_build(name: &OsStr) -> bool {
     name.to_str()
         .is_some_and(|name| name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST_"))
 }
 
-/// The workspace's root: two folders above this crate.
+/// Returns the workspace's root, two folders above this crate.
 pub(crate) fn root() -> &'static Path {
     let ours = Path::new(env!("CARGO_MANIFEST_DIR"));
     ours.ancestors().nth(2).unwrap_or(ours)
 }
 
-/// The folder that cargo builds into, which is ours two levels up: `target/debug/xtask`.
-///
-/// # Errors
-/// If this program lies elsewhere.
+/// Returns the folder that cargo builds into, two levels above us: `target/debug/xtask`.
 pub(crate) fn target() -> Result<PathBuf, Error> {
     let ours = env::current_exe().map_err(|cause| Error::file("this program", cause))?;
     let target = ours.ancestors().nth(2).map(PathBuf::from);
     target.ok_or_else(|| Error::unobtainable("cargo's target folder", "this program was moved"))
 }
 
-/// The command as it would be typed; a program's folder is left out.
+/// Returns the command as typed, without the program's folder.
 pub(crate) fn words(command: &Command) -> String {
     let program = Path::new(command.get_program());
     let name = program.file_stem().unwrap_or(program.as_os_str());
@@ -51,10 +48,7 @@ pub(crate) fn words(command: &Command) -> String {
     all.join(" ")
 }
 
-/// Shows the command, then runs it to its end.
-///
-/// # Errors
-/// Names the command if it cannot be started or ends without success.
+/// Prints and runs the command.
 pub(crate) fn run(command: &mut Command) -> Result<(), Error> {
     println!("$ {}", words(command));
     match command.status() {
@@ -64,10 +58,7 @@ pub(crate) fn run(command: &mut Command) -> Result<(), Error> {
     }
 }
 
-/// What the command prints, without the white space around it; what it complains of is shown.
-///
-/// # Errors
-/// Names the command if it cannot be started or ends without success.
+/// Returns the trimmed output of the command; its errors are printed.
 pub(crate) fn answer(command: &mut Command) -> Result<String, Error> {
     let output = command.stderr(Stdio::inherit()).output();
     let output = output.map_err(|cause| Error::NotStarted { command: words(command), cause })?;
@@ -79,9 +70,6 @@ pub(crate) fn answer(command: &mut Command) -> Result<String, Error> {
 }
 
 /// Replaces this process, so that signals and the exit code are the command's own.
-///
-/// # Errors
-/// Names the command if it cannot be started.
 #[cfg(unix)]
 pub(crate) fn become_command(command: &mut Command) -> Result<(), Error> {
     use std::os::unix::process::CommandExt as _;
@@ -90,7 +78,7 @@ pub(crate) fn become_command(command: &mut Command) -> Result<(), Error> {
     Err(Error::NotStarted { command: words(command), cause })
 }
 
-/// Runs the command to its end: the next best where no process can be replaced.
+/// Runs the command to its end, where no process can be replaced.
 #[cfg(not(unix))]
 pub(crate) fn become_command(command: &mut Command) -> Result<(), Error> {
     run(command)

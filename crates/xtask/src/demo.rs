@@ -6,13 +6,10 @@ use crate::apt;
 use crate::command::{self, cargo};
 use crate::error::Error;
 
-/// How long it plays unless told otherwise (s).
+/// Default duration (s).
 const DURATION: &str = "30";
 
 /// Installs what is missing, builds, and becomes `letoff run`.
-///
-/// # Errors
-/// Says what is missing, or which command failed.
 pub(crate) fn play(forwarded: Vec<OsString>) -> Result<(), Error> {
     apt::install_missing()?;
     println!("building the host, in release mode; the first time takes a few minutes");
@@ -22,7 +19,7 @@ pub(crate) fn play(forwarded: Vec<OsString>) -> Result<(), Error> {
     command::become_command(&mut cargo(ours.into_iter().chain(arguments)))
 }
 
-/// Arguments of `letoff`: ours, then the user's, of which a duration replaces ours.
+/// Returns our arguments of `letoff`, then the user's; a duration of theirs replaces ours.
 fn letoff_arguments(forwarded: Vec<OsString>) -> Vec<OsString> {
     let sets_duration = |argument: &OsString| {
         argument == "--duration" || argument.as_encoded_bytes().starts_with(b"--duration=")

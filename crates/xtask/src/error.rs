@@ -1,4 +1,4 @@
-//! Why a chore was not done, in one sentence saying what to do.
+//! Errors of chores, each a sentence with a remedy.
 
 use std::fmt;
 use std::io;
@@ -7,18 +7,17 @@ use std::process::ExitCode;
 
 use crate::needs::{self, Need};
 
-/// Why a chore was not done.
+/// Error of a chore.
 #[derive(Debug)]
 pub(crate) enum Error {
     /// An argument is not understood.
     Argument(String),
-    /// Something is missing that is not installed from here.
+    /// A missing program that is not installed from here.
     Missing {
         needs: Vec<Need>,
-        /// Why it is not installed from here.
         because: &'static str,
     },
-    /// Something else that a chore needs cannot be had.
+    /// Another thing that a chore needs and cannot get.
     Unobtainable { what: String, because: String },
     /// A file or folder could not be read or written.
     File { path: PathBuf, cause: io::Error },
@@ -26,7 +25,7 @@ pub(crate) enum Error {
     Slower(Vec<String>),
     /// Checks in the guest failed, or were not made.
     Guest(String),
-    /// The program did not stand damaged files, which are kept in `folder`.
+    /// Runs with damaged files failed; the files are kept in `folder`.
     Fuzz { failed: usize, folder: PathBuf },
     /// A command could not be started.
     NotStarted { command: String, cause: io::Error },
@@ -35,17 +34,17 @@ pub(crate) enum Error {
 }
 
 impl Error {
-    /// Why `what` cannot be had.
+    /// Reports that `what` cannot be had.
     pub(crate) fn unobtainable(what: impl Into<String>, because: impl Into<String>) -> Self {
         Self::Unobtainable { what: what.into(), because: because.into() }
     }
 
-    /// What became of the file or folder at `path`.
+    /// Reports a failed access to the file or folder at `path`.
     pub(crate) fn file(path: impl Into<PathBuf>, cause: io::Error) -> Self {
         Self::File { path: path.into(), cause }
     }
 
-    /// 2 for a wrong argument, 1 for everything else, as with `letoff`.
+    /// Returns 2 for a wrong argument, 1 for everything else, as `letoff` does.
     pub(crate) fn exit_code(&self) -> ExitCode {
         if matches!(self, Self::Argument(_)) { ExitCode::from(2) } else { ExitCode::FAILURE }
     }

@@ -1,11 +1,11 @@
-//! Files and folders, with errors that name them.
+//! File operations whose errors name the path.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
 
-/// Makes `folder` anew and empty.
+/// Creates `folder`, or empties it.
 pub(crate) fn empty(folder: &Path) -> Result<(), Error> {
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(|cause| Error::file(folder, cause))?;
@@ -13,12 +13,12 @@ pub(crate) fn empty(folder: &Path) -> Result<(), Error> {
     make(folder)
 }
 
-/// Makes `folder` and those above it.
+/// Creates `folder` and its parents.
 pub(crate) fn make(folder: &Path) -> Result<(), Error> {
     fs::create_dir_all(folder).map_err(|cause| Error::file(folder, cause))
 }
 
-/// Copies `from`, or what it links to.
+/// Copies `from`, or the target of its link.
 pub(crate) fn copy(from: &Path, to: &Path) -> Result<(), Error> {
     fs::copy(from, to).map(drop).map_err(|cause| Error::file(from, cause))
 }
@@ -31,7 +31,7 @@ pub(crate) fn read(path: &Path) -> Result<String, Error> {
     fs::read_to_string(path).map_err(|cause| Error::file(path, cause))
 }
 
-/// What lies in `folder`, in order of name.
+/// Lists `folder` in order of name.
 pub(crate) fn list(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let entries = fs::read_dir(folder).map_err(|cause| Error::file(folder, cause))?;
     let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();

@@ -1,10 +1,7 @@
-//! Chores: install what is missing, play the demo, run every test, play to real MIDI ports
-//! and boards over real drivers, make a package and try its service, measure other people's
-//! solvers beside ours and what became slower, compare derived equations with other people's, give
-//! damaged files to the program, and run the tools of `tests/`.
+//! Chores of the workspace; `cargo xtask help` lists them.
 //!
-//! `cargo xtask help` lists them. Nothing here is part of the product, and nothing here
-//! needs a system library: it must run on the machine on which they are still missing.
+//! Nothing here is part of the product, and nothing here needs a system library: xtask must run on
+//! a machine on which they are still missing.
 #![forbid(unsafe_code)]
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a command for people")]
 

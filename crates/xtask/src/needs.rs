@@ -1,28 +1,25 @@
-//! What the build takes from the system, and whether it is there.
+//! System libraries and tools that the build needs.
 
 use std::env;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Something that the build takes from the system.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Need {
     Compiler,
-    /// Tells `alsa-sys` where the library is.
+    /// Finds the library for `alsa-sys`.
     PkgConfig,
-    /// MIDI ports on Linux.
     Alsa,
 }
 
 impl Need {
-    /// All of them; macOS and Windows bring their own MIDI.
+    /// All needs; macOS and Windows have their own MIDI.
     const ALL: &[Self] = if cfg!(target_os = "linux") {
         &[Self::Compiler, Self::PkgConfig, Self::Alsa]
     } else {
         &[]
     };
 
-    /// What it is, for people on any system.
     pub(crate) const fn description(self) -> &'static str {
         match self {
             Self::Compiler => "a C compiler called cc",
@@ -31,7 +28,6 @@ impl Need {
         }
     }
 
-    /// Debian's and Ubuntu's packages for it.
     const fn packages(self) -> &'static [&'static str] {
         match self {
             Self::Compiler => &["gcc", "libc6-dev"],
@@ -40,7 +36,6 @@ impl Need {
         }
     }
 
-    /// Whether this system has it.
     fn is_met(self) -> bool {
         match self {
             Self::Compiler => has_program("cc"),
@@ -53,28 +48,25 @@ impl Need {
     }
 }
 
-/// What this system lacks.
 pub(crate) fn missing() -> Vec<Need> {
     missing_by(Need::is_met)
 }
 
-/// What is lacking by the answers of `is_met`.
 fn missing_by(is_met: impl Fn(Need) -> bool) -> Vec<Need> {
     Need::ALL.iter().copied().filter(|need| !is_met(*need)).collect()
 }
 
-/// Debian's and Ubuntu's packages for `needs`.
 pub(crate) fn packages(needs: &[Need]) -> Vec<&'static str> {
     needs.iter().flat_map(|need| need.packages()).copied().collect()
 }
 
-/// Whether `name` is somewhere on the path.
+/// Returns `true` if `name` is on the path.
 pub(crate) fn has_program(name: &str) -> bool {
     let path = env::var_os("PATH").unwrap_or_default();
     env::split_paths(&path).any(|folder| folder.join(name).is_file())
 }
 
-/// Whether the program ends with success; what it prints is discarded.
+/// Returns `true` if the program succeeds; its output is discarded.
 pub(crate) fn succeeds(program: &str, arguments: &[&str]) -> bool {
     let mut command = Command::new(program);
     command.args(arguments).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());

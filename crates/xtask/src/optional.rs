@@ -1,6 +1,5 @@
-//! What some tests need and the build does not: tools of emulated machines, a tracer, and a target.
-//!
-//! Tests that miss something of it are skipped, and say so.
+//! Tools for some tests: emulators, a tracer, and a target. Tests without them are skipped, and
+//! report it.
 
 use std::process::Command;
 
@@ -10,20 +9,19 @@ use crate::guest_boards;
 use crate::needs::has_program;
 use crate::tools::{self, Tool};
 
-/// For firmware on an emulated microcontroller.
+/// Tools for firmware on an emulated microcontroller.
 const FIRMWARE: [Tool; 3] = [
     ("qemu-system-arm", "qemu-system-arm"),
     ("arm-none-eabi-gcc", "gcc-arm-none-eabi"),
     ("/usr/include/newlib/newlib.h", "libnewlib-arm-none-eabi"),
 ];
 
-/// For the system calls of a tick.
+/// Tool for the system calls of a tick.
 const TRACER: [Tool; 1] = [("strace", "strace")];
 
-/// The target of those microcontrollers.
 const TARGET: &str = "thumbv7m-none-eabi";
 
-/// Installs it as far as that is possible, and says what is not.
+/// Installs what is possible, and reports the rest.
 pub(crate) fn install() {
     if !cfg!(target_os = "linux") {
         return;
@@ -36,7 +34,6 @@ pub(crate) fn install() {
         }
     }
     if has_program("rustup") {
-        // Quick if it is there.
         let mut add = Command::new("rustup");
         if command::run(add.args(["target", "add", TARGET])).is_err() {
             println!("the tests for {TARGET} are skipped");
@@ -44,7 +41,7 @@ pub(crate) fn install() {
     }
 }
 
-/// What is missing, for one call of apt.
+/// Returns the missing packages, for one call of apt.
 fn packages(is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
     tools::packages(&[&FIRMWARE, &TRACER, &tools::MAKERS, &guest_boards::PROGRAMS], is_there)
 }

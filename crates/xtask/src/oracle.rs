@@ -1,4 +1,4 @@
-//! Derived equations of motion beside those of other programs, which are installed for it.
+//! Compares derived equations of motion with those of other programs, which are installed first.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -8,30 +8,23 @@ use crate::error::Error;
 use crate::peers;
 use crate::stage::Done;
 
-/// Where the tests of `kane` look for a Python with SymPy and `MuJoCo`.
+/// Variable with a Python with SymPy and `MuJoCo`, for the tests of `mechanism::kane`.
 const PYTHON: &str = "LETOFF_ORACLE_PYTHON";
 
-/// How many random mechanisms they compare.
+/// Variable with the number of random mechanisms.
 const COUNT: &str = "LETOFF_ORACLE_MECHANISMS";
 
-/// What the Python needs, from the workspace's root.
+/// Requirements of the Python, from the workspace's root.
 const REQUIREMENTS: &str = "crates/mechanism/tests/kane/oracle/requirements.txt";
 
-/// How many random mechanisms a short run compares: those of two and three bodies among them.
+/// Random mechanisms of a short run, among them those of two and three bodies.
 const SHORT: &str = "6";
 
-/// Compares all mechanisms and motions.
-///
-/// # Errors
-/// Says what could not be installed, or that the equations or motions are others.
 pub(crate) fn run() -> Result<(), Error> {
     command::run(&mut compare(&python()?))
 }
 
-/// Compares fewer random mechanisms; skipped where the other programs cannot be had.
-///
-/// # Errors
-/// Says that the equations or motions are others.
+/// Compares fewer random mechanisms; skipped if the other programs cannot be installed.
 pub(crate) fn short() -> Result<Done, Error> {
     match python() {
         Ok(python) => command::run(compare(&python).env(COUNT, SHORT)).map(|()| Done::All),
@@ -39,15 +32,14 @@ pub(crate) fn short() -> Result<Done, Error> {
     }
 }
 
-/// A Python with SymPy and `MuJoCo`.
 fn python() -> Result<PathBuf, Error> {
     let work = root().join("target/oracle");
     std::fs::create_dir_all(&work).map_err(|cause| Error::file(&work, cause))?;
     peers::python_with(&work, &root().join(REQUIREMENTS))
 }
 
-/// The tests that ask for it, which are in `kane`. The whole workspace is selected, since for one
-/// package alone Cargo builds what it needs once more, with other features.
+/// Returns the tests of `mechanism::kane` that need it. They select the whole workspace: for one
+/// package alone Cargo would build dependencies again with other features.
 fn compare(python: &PathBuf) -> Command {
     let mut command =
         cargo(["test", "--workspace", "--test", "all", "oracle", "--", "--nocapture"]);

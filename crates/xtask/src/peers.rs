@@ -1,5 +1,5 @@
-//! The peers bench: installs what other people's solvers need, builds, and runs all side by
-//! side. What cannot be had is skipped, and the report says so.
+//! The peers bench: installs other people's solvers, builds, and runs all side by side. Missing
+//! peers are skipped, and the report names them.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -10,22 +10,18 @@ use crate::command;
 use crate::error::Error;
 use crate::needs::succeeds;
 
-/// Where the bench is, from the workspace's root.
+/// Folder of the bench, from the workspace's root.
 const BENCH: &str = "benches/peers";
 
-/// What was asked for.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(crate) struct PeerOptions {
-    /// Only to see that everything runs.
+    /// `true` to see only that everything runs.
     pub(crate) quick: bool,
-    /// Where the report goes; the committed one if nothing is said, unless it is quick.
+    /// Folder of the report; by default the committed one, unless `quick`.
     pub(crate) out: Option<PathBuf>,
 }
 
-/// Installs what is missing, builds, and runs the bench.
-///
-/// # Errors
-/// Says which command failed; a peer that cannot be had is no error.
+/// Installs what is missing, builds, and runs the bench; a missing peer is no error.
 pub(crate) fn run(options: &PeerOptions) -> Result<(), Error> {
     apt::install_missing()?;
     let root = command::root();
@@ -55,18 +51,17 @@ pub(crate) fn run(options: &PeerOptions) -> Result<(), Error> {
     command::run(&mut command::cargo(build.chain(arguments)))
 }
 
-/// The folder of the report.
 fn out(root: &Path, options: &PeerOptions) -> PathBuf {
     let here = || std::env::current_dir().unwrap_or_else(|_| root.to_path_buf());
     match &options.out {
-        // As it was typed, for the bench runs elsewhere.
+        // As typed, since the bench runs elsewhere.
         Some(out) => here().join(out),
         None if options.quick => root.join("target/peers/results"),
         None => root.join(BENCH).join("results"),
     }
 }
 
-/// The program around SUNDIALS CVODE.
+/// Builds the program around SUNDIALS CVODE.
 fn cvode(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     const LIBRARIES: [&str; 6] = [
         "-lsundials_cvode",
@@ -86,7 +81,7 @@ fn cvode(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     Ok(program)
 }
 
-/// The system's Python with Siconos, which PyPI does not have.
+/// Returns the system's Python with Siconos, which PyPI does not have.
 fn siconos() -> Result<PathBuf, Error> {
     const PYTHON: &str = "/usr/bin/python3";
     if !succeeds(PYTHON, &["-c", "import siconos.kernel"]) {
@@ -95,15 +90,12 @@ fn siconos() -> Result<PathBuf, Error> {
     Ok(PYTHON.into())
 }
 
-/// A Python with the peers of PyPI, in the versions that the bench names.
+/// Returns a Python with the peers of PyPI, in the bench's versions.
 fn python(root: &Path, work: &Path) -> Result<PathBuf, Error> {
     python_with(work, &root.join(BENCH).join("external/requirements.txt"))
 }
 
-/// A Python of its own in `work`, with what the file `requirements` names.
-///
-/// # Errors
-/// Names the command that failed.
+/// Creates a Python environment in `work` with the packages of the file `requirements`.
 pub(crate) fn python_with(work: &Path, requirements: &Path) -> Result<PathBuf, Error> {
     let environment = work.join("venv");
     let python = environment.join("bin/python");

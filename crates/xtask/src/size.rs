@@ -1,7 +1,7 @@
 //! The size of the project: lines of Rust, crates, the largest structs and the widest traits.
 //!
-//! Every line of a tracked `.rs` counts, as rustfmt leaves it. Product is all outside `tests/`,
-//! `benches/`, `examples/` and `fuzz/`, without inline test modules.
+//! Every line of a tracked `.rs` counts, as rustfmt leaves it. Product is everything outside
+//! `tests/`, `benches/`, `examples/` and `fuzz/`, without inline test modules.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -13,23 +13,23 @@ use crate::command::root;
 use crate::error::Error;
 use crate::files;
 
-/// Folders of what is no product, wherever they are.
+/// Folders that are not product, anywhere.
 const OTHER: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
 
-/// The largest structs and traits that are shown.
+/// Number of structs and traits to print.
 const SHOWN: usize = 10;
 
-/// The file of the lines that the project may have.
+/// File with the allowed number of lines.
 const ALLOWANCE: &str = "tests/size.toml";
 
-/// Lines of Rust by what they are for.
+/// Lines of Rust by purpose.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 struct RustLines {
     product: usize,
     all: usize,
 }
 
-/// A struct or trait, with how many fields or methods it has.
+/// A struct or trait, with its number of fields or methods.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 struct CountedItem {
     members: usize,
@@ -37,28 +37,21 @@ struct CountedItem {
     file: String,
 }
 
-/// The lines of the project and of its parts.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 struct ProjectSize {
     lines: RustLines,
-    /// Product lines by crate.
     crates: BTreeMap<String, usize>,
     structs: Vec<CountedItem>,
     traits: Vec<CountedItem>,
 }
 
-/// Prints the size of the project.
-///
-/// # Errors
-/// Files that cannot be listed or read.
 pub(crate) fn print() -> Result<(), Error> {
     let report = count()?.report(allowance()?);
-    // Who reads no further, as `head`, has seen enough.
+    // A reader such as `head` may close early.
     let _closed = io::stdout().write_all(report.as_bytes());
     Ok(())
 }
 
-/// Returns the lines that the project may have.
 fn allowance() -> Result<RustLines, Error> {
     let text = files::read(&root().join(ALLOWANCE))?;
     let value = |name: &str| {
@@ -71,7 +64,6 @@ fn allowance() -> Result<RustLines, Error> {
     Ok(RustLines { product: value("product")?, all: value("all")? })
 }
 
-/// Counts all tracked files.
 fn count() -> Result<ProjectSize, Error> {
     let mut command = Command::new("git");
     command.args(["ls-files", "*.rs"]).current_dir(root());
@@ -82,7 +74,7 @@ fn count() -> Result<ProjectSize, Error> {
     }
     let mut size = ProjectSize::default();
     for path in String::from_utf8_lossy(&listed.stdout).lines() {
-        // One that is deleted and not committed yet is none.
+        // A file may be deleted and not yet committed.
         if root().join(path).exists() {
             size.add(path, &files::read(&root().join(path))?);
         }
@@ -135,7 +127,7 @@ impl ProjectSize {
     }
 }
 
-/// Returns the lines of a file, without inline modules that are compiled for tests only.
+/// Returns the lines of a file, without inline modules for tests.
 fn product_lines(text: &str) -> Vec<&str> {
     let mut lines = Vec::new();
     let mut rest = text.lines().peekable();
@@ -151,20 +143,20 @@ fn product_lines(text: &str) -> Vec<&str> {
             continue;
         };
         let end = format!("{}}}", indentation(opening));
-        // As rustfmt leaves it, the module ends with the first brace as far in as it begins.
+        // In rustfmt's form the module ends with the first brace at its own indentation.
         rest.by_ref().find(|line| *line == end);
     }
     lines
 }
 
-/// Whether a line says that what follows is compiled for tests only.
+/// Returns `true` if the next item is compiled for tests only.
 fn is_for_tests(line: &str) -> bool {
     let mut words = line.split(|it: char| !it.is_alphanumeric());
     let names_tests = words.any(|word| word == "test") && !line.contains("not(test)");
     line.trim_start().starts_with("#[cfg(") && names_tests
 }
 
-/// Whether a line is an attribute or a comment of what follows it.
+/// Returns `true` for an attribute or a comment of the next item.
 fn is_about_next(line: &str) -> bool {
     line.trim_start().starts_with("#[") || line.trim_start().starts_with("//")
 }
@@ -177,7 +169,7 @@ fn indentation(line: &str) -> &str {
     line.split_at(line.len() - line.trim_start().len()).0
 }
 
-/// Returns name and members of each item that begins with `keyword`, over several lines.
+/// Returns name and members of each multi-line item that begins with `keyword`.
 fn items<'a>(
     lines: &'a [&'a str],
     keyword: &'a str,
@@ -193,13 +185,13 @@ fn items<'a>(
         let end = format!("{}}}", indentation(line));
         let inside = format!("{}    ", indentation(line));
         let body = lines.get(at + 1..)?.iter().take_while(|line| **line != end);
-        // Of this item, and not of what is in its members.
+        // Members of this item only, without their own content.
         let own = body.filter_map(|line| line.strip_prefix(&inside));
         Some((name, own.filter(|line| is_member(line)).count()))
     })
 }
 
-/// Whether a line in a struct, without its indentation, begins a field.
+/// Returns `true` if a line in a struct, without its indentation, begins a field.
 fn is_field(line: &str) -> bool {
     let name = line.trim_start_matches("pub(crate) ").trim_start_matches("pub(super) ");
     let name = name.trim_start_matches("pub ").split(':').next().unwrap_or_default();
@@ -208,7 +200,7 @@ fn is_field(line: &str) -> bool {
         && name.chars().all(|it| it.is_alphanumeric() || it == '_')
 }
 
-/// Whether a line in a trait, without its indentation, begins a method.
+/// Returns `true` if a line in a trait, without its indentation, begins a method.
 fn is_method(line: &str) -> bool {
     ["fn ", "const fn ", "unsafe fn ", "async fn "].iter().any(|start| line.starts_with(start))
 }

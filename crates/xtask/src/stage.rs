@@ -1,4 +1,4 @@
-//! Stages: what is run one after the other, timed, and summed up at the end.
+//! Runs stages one after the other, times them, and prints a summary.
 
 use std::fmt;
 use std::process::Command;
@@ -7,33 +7,30 @@ use std::time::{Duration, Instant};
 use crate::command;
 use crate::error::Error;
 
-/// One part of a chore.
 #[derive(Debug)]
 pub(crate) struct Stage {
-    /// What it shows, in a few words.
+    /// Purpose in a few words.
     pub name: &'static str,
     pub work: StageWork,
-    /// Why it cannot be run here, if that is known before.
+    /// Reason to skip it, if known before.
     pub skipped: Option<&'static str>,
 }
 
-/// What a stage runs.
 #[derive(Debug)]
 pub(crate) enum StageWork {
     Command(Command),
-    /// Something of ours, which may find out that it cannot be done here.
+    /// A function of ours, which may skip itself.
     Chore(fn() -> Result<Done, Error>),
 }
 
-/// What a chore came to that did not fail.
+/// Outcome of a chore without failure.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum Done {
     All,
-    /// Nothing was, for this reason.
+    /// Skipped, with the reason.
     Skipped(String),
 }
 
-/// How a stage ended.
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum StageOutcome {
     Passed,
@@ -51,17 +48,13 @@ impl fmt::Display for StageOutcome {
     }
 }
 
-/// A line of the summary.
 struct SummaryLine {
     name: &'static str,
     outcome: StageOutcome,
     took: Duration,
 }
 
-/// Runs the stages up to the first that fails, and prints a summary in any case.
-///
-/// # Errors
-/// Names the command that failed.
+/// Runs the stages up to the first failure, and prints a summary in any case.
 pub(crate) fn run_all(stages: Vec<Stage>) -> Result<(), Error> {
     let mut lines = Vec::new();
     let mut result = Ok(());
@@ -85,7 +78,7 @@ pub(crate) fn run_all(stages: Vec<Stage>) -> Result<(), Error> {
     result
 }
 
-/// Runs one stage, and says how long it took.
+/// Runs one stage, and prints its time.
 fn run(stage: &mut Stage) -> Result<Done, Error> {
     println!("\n== {}", stage.name);
     let start = Instant::now();
@@ -97,7 +90,6 @@ fn run(stage: &mut Stage) -> Result<Done, Error> {
     result
 }
 
-/// One line a stage: time, name, outcome.
 fn summary(lines: &[SummaryLine]) -> String {
     let width = lines.iter().map(|line| line.name.chars().count()).max().unwrap_or_default();
     let row = |line: &SummaryLine| {

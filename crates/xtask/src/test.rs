@@ -1,4 +1,4 @@
-//! Every test, in stages, the quick proofs first; emulated machines on their own.
+//! Runs all tests in stages, fast proofs first; emulated machines separately.
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -14,50 +14,43 @@ use crate::optional;
 use crate::oracle;
 use crate::stage::{self, Stage, StageWork};
 
-/// Where proptest looks for the seed of its cases.
+/// Variable with proptest's seed.
 const SEED_NAME: &str = "PROPTEST_RNG_SEED";
 
-/// The cases of property tests are the same in each run here, so that a failure is a change's
-/// own; `cargo test` draws others each time, and whoever sets the variable chooses.
+/// Seed of property tests: equal cases in each run, so that a failure belongs to the change. `cargo
+/// test` draws other cases; the variable overrides the seed.
 const SEED: &str = "1994";
 
-/// Where tests look for the program before they build it: it is built with them.
+/// Variable with the program for tests, which is built with them.
 const PROGRAM: &str = "LETOFF_PROGRAM";
 
-/// The crates of the tick, which must do without the standard library.
+/// Crates of the tick, which must build without the standard library.
 const NO_STD: [&str; 4] = ["pode", "instruments", "scheduler", "firmware-protocol"];
 
-/// A target on which there is no standard library to fall back to.
+/// A target without the standard library.
 const BARE_TARGET: &str = "thumbv7em-none-eabihf";
 
-/// Why the bare target's stage was skipped.
 const NOT_INSTALLED: &str = "the target is not installed (rustup target add thumbv7em-none-eabihf)";
 
-/// Tells tests whether machines are emulated: `none` skips those that would.
+/// Variable with the emulated machines of tests: `none` skips them.
 const MACHINES: &str = "LETOFF_MACHINES";
 
-/// The tests of firmware on an emulated microcontroller.
+/// Tests of firmware on an emulated microcontroller.
 const FIRMWARE: [&str; 3] = ["--workspace", "--test=firmware", "--test=mcu"];
 
-/// The tests of the host with such firmware, by their files and names.
+/// Tests of the host with such firmware, by their files and names.
 const WITH_FIRMWARE: [&str; 5] =
     ["--workspace", "--test=boards", "--", "cortex::", "conformance::the_reference_firmware"];
 
 /// The tests that are run.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum TestScope {
-    /// All that need no emulated machine.
     ThisMachine,
-    /// Those that need one.
     EmulatedMachines,
     /// Those of one crate whose names contain one of `filters`, or all.
     Crate { name: String, filters: Vec<OsString> },
 }
 
-/// Installs what is missing and runs the tests of `scope`.
-///
-/// # Errors
-/// Says what is missing, or which command failed.
 pub(crate) fn run(scope: TestScope) -> Result<(), Error> {
     apt::install_missing()?;
     optional::install();
@@ -98,11 +91,11 @@ fn cargo_stage(name: &'static str, arguments: &[&str], program: &Path) -> Stage 
     Stage { name, work: StageWork::Command(command), skipped: None }
 }
 
-/// The stages without emulated machines, for tests of `program`; `no_bare_target` says why the one
-/// for the bare target is skipped, if it is.
+/// Returns the stages without emulated machines, for tests of `program`; `no_bare_target` is the
+/// reason to skip the stage for the bare target.
 ///
-/// What is built for one stage is there for the next: they all select the whole workspace, since
-/// Cargo compiles dependencies once for each set of features that is asked of them.
+/// All stages select the whole workspace, since Cargo compiles dependencies once per set of
+/// features: later stages reuse the build.
 fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
     let stage = |name, arguments: &[&str]| {
         let mut stage = cargo_stage(name, arguments, program);
@@ -117,8 +110,8 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
             skipped: no_bare_target,
             ..stage("the same on bare metal", &no_std(&["--target", BARE_TARGET]))
         },
-        // Every failing test is shown, not only the first crate's. Outside `cargo bench` each
-        // bench runs once.
+        // Show every failing test, not only the first crate's. Outside `cargo bench` each bench
+        // runs once.
         stage("tests, examples and benches", &test(&["--workspace", "--all-targets"])),
         stage("examples in the documentation", &test(&["--workspace", "--doc"])),
         Stage {
@@ -129,7 +122,7 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
     ]
 }
 
-/// The stages with emulated machines, for tests of `program`.
+/// Returns the stages with emulated machines, for tests of `program`.
 fn machines(program: &Path) -> Vec<Stage> {
     let chore = |name, chore| Stage { name, work: StageWork::Chore(chore), skipped: None };
     vec![
@@ -145,7 +138,7 @@ fn machines(program: &Path) -> Vec<Stage> {
     ]
 }
 
-/// Arguments that check the crates of the tick without the standard library.
+/// Returns arguments that check the crates of the tick without the standard library.
 fn no_std<'a>(more: &[&'a str]) -> Vec<&'a str> {
     let packages = NO_STD.iter().flat_map(|package| ["--package", package]);
     ["check", "--no-default-features"].into_iter().chain(packages).chain(more.to_vec()).collect()
@@ -155,7 +148,7 @@ fn test<'a>(which: &[&'a str]) -> Vec<&'a str> {
     ["test", "--no-fail-fast"].iter().chain(which).copied().collect()
 }
 
-/// Whether the compiler has the bare target's `core`.
+/// Returns `true` if the compiler has the bare target's `core`.
 fn has_bare_target() -> bool {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output =

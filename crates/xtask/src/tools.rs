@@ -1,4 +1,4 @@
-//! The programs that make the guest, or run in it.
+//! Programs that build the guest, or run in it.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use crate::apt;
 use crate::error::Error;
 
-/// A program, or the path of a file, and Debian's and Ubuntu's package for it.
+/// A program or file path, with its package in Debian and Ubuntu.
 pub(crate) type Tool = (&'static str, &'static str);
 
-/// What makes every guest.
+/// Programs for every guest.
 pub(crate) const MAKERS: [Tool; 6] = [
     ("qemu-system-x86_64", "qemu-system-x86"),
     ("busybox", "busybox-static"),
@@ -19,13 +19,9 @@ pub(crate) const MAKERS: [Tool; 6] = [
     ("ldd", "libc-bin"),
 ];
 
-/// Folders of programs that are not on everybody's path.
+/// Folders of programs that may be missing on the path.
 const SYSTEM: [&str; 2] = ["/usr/sbin", "/sbin"];
 
-/// Installs what is missing of `wanted`.
-///
-/// # Errors
-/// Says what cannot be had, and why.
 pub(crate) fn ensure(wanted: &[&[Tool]]) -> Result<(), Error> {
     let packages = packages(wanted, |program| find(program).is_some());
     if packages.is_empty() {
@@ -41,7 +37,7 @@ pub(crate) fn ensure(wanted: &[&[Tool]]) -> Result<(), Error> {
     }
 }
 
-/// The packages of the programs that are not there, each once.
+/// Returns the packages of the missing programs, each once.
 pub(crate) fn packages(tools: &[&[Tool]], is_there: impl Fn(&str) -> bool) -> Vec<&'static str> {
     let missing = tools.iter().copied().flatten().filter(|(program, _)| !is_there(program));
     let mut packages: Vec<_> = missing.map(|(_, package)| *package).collect();
@@ -50,15 +46,10 @@ pub(crate) fn packages(tools: &[&[Tool]], is_there: impl Fn(&str) -> bool) -> Ve
     packages
 }
 
-/// Where `program` is.
-///
-/// # Errors
-/// If it is nowhere.
 pub(crate) fn path(program: &str) -> Result<PathBuf, Error> {
     find(program).ok_or_else(|| Error::unobtainable(program, "it is not installed"))
 }
 
-/// Where `program` is, if it is anywhere.
 pub(crate) fn find(program: &str) -> Option<PathBuf> {
     let path = env::var_os("PATH").unwrap_or_default();
     let folders = env::split_paths(&path).chain(SYSTEM.map(PathBuf::from));

@@ -1,4 +1,4 @@
-//! What benches took, as multiples of the calibration, in a file; and which became slower.
+//! Results of benches in a file, as multiples of the calibration; and the benches that got slower.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -7,12 +7,12 @@ use std::path::Path;
 
 use crate::error::Error;
 
-/// The lower quartile, the middle and the upper quartile of all rounds.
+/// Lower quartile, median and upper quartile of all rounds.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct RoundRange([f64; 3]);
 
 impl RoundRange {
-    /// Returns the range of `rounds`, of which there is one at least.
+    /// Returns the range of `rounds`, which must not be empty.
     pub(super) fn of(mut rounds: Vec<f64>) -> Self {
         rounds.sort_by(f64::total_cmp);
         let at = |index: usize| rounds.get(index).copied().unwrap_or(f64::NAN);
@@ -24,25 +24,25 @@ impl RoundRange {
         self.0[1]
     }
 
-    /// The upper quartile over the lower one.
+    /// Returns the upper quartile over the lower one.
     const fn noise(self) -> f64 {
         self.0[2] / self.0[0]
     }
 }
 
-/// What benches took on a machine.
+/// Results of benches on a machine.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct BenchBaseline {
     pub(super) machine: String,
     pub(super) ranges: BTreeMap<String, RoundRange>,
 }
 
-/// How much longer a bench takes than it did, and how much of that may be noise.
+/// Slowdown of a bench, with its noise.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct BenchChange {
-    /// The middle of all rounds over that of the baseline.
+    /// Median of all rounds over that of the baseline.
     factor: f64,
-    /// The noise of both: that of the baseline times that of now.
+    /// Noise of the baseline times the present noise.
     noise: f64,
 }
 
@@ -57,10 +57,6 @@ impl BenchChange {
 }
 
 impl BenchBaseline {
-    /// Reads the file at `path`.
-    ///
-    /// # Errors
-    /// If it is not there, or not as it is written here.
     pub(super) fn read(path: &Path) -> Result<Self, Error> {
         let text = fs::read_to_string(path).map_err(|cause| Error::file(path, cause))?;
         Self::of_text(&text).ok_or_else(|| {
@@ -82,7 +78,7 @@ impl BenchBaseline {
         Some(Self { machine, ranges: lines.map(range).collect::<Option<_>>()? })
     }
 
-    /// How a bench that is in both has changed; nothing is told from another machine.
+    /// Returns the change of a bench that is in both; `None` between machines.
     fn change(&self, now: &Self, name: &str) -> Option<BenchChange> {
         let (before, after) = (self.ranges.get(name)?, now.ranges.get(name)?);
         let factor = after.middle() / before.middle();
@@ -90,13 +86,13 @@ impl BenchBaseline {
         (self.machine == now.machine).then_some(change)
     }
 
-    /// The benches that became slower than the noise.
+    /// Returns the benches that got slower by more than the noise.
     pub(super) fn slower(&self, now: &Self) -> Vec<String> {
         let is_slower = |name: &&String| self.change(now, name).is_some_and(BenchChange::is_slower);
         now.ranges.keys().filter(is_slower).cloned().collect()
     }
 
-    /// A line for each bench of both, and the rule.
+    /// Formats a line for each common bench, and the rule.
     pub(super) fn table(&self, now: &Self) -> String {
         let shown = |range: Option<&RoundRange>| {
             range.map_or_else(|| "-".to_owned(), |it| format!("{:.5}", it.middle()))
@@ -191,7 +187,7 @@ mod tests {
 
     #[test]
     fn slower_is_what_the_rounds_of_both_do_not_explain() {
-        // Both have a noise of a tenth: from 1.21 on it is more.
+        // Both have a noise of 10 %: changes above 1.21 exceed it.
         let before =
             baseline("x", &[("a", [1.0, 1.05, 1.1]), ("b", [1.0, 1.05, 1.1]), ("c", [2.0; 3])]);
         let now = [("a", [1.20, 1.26, 1.32]), ("b", [1.22, 1.28, 1.342]), ("d", [1.0; 3])];

@@ -1,10 +1,9 @@
-//! Latency benches, compared with what they took when a baseline was written.
+//! Latency benches, compared with a baseline.
 //!
-//! A time says nothing without its machine, so each is kept as a multiple of a loop of arithmetic
-//! that the same process measured a moment before (`calibration` in `benches/setting`). Programs
-//! take turns over several rounds, so that what disturbs the machine for a while disturbs all of
-//! them a little; of each round the fastest sample counts, and how far the middle half of the rounds
-//! differs is the noise.
+//! A time is meaningless without its machine, so each is stored as a multiple of a loop of
+//! arithmetic that the same process has just measured (`calibration` in `benches/setting`).
+//! Programs alternate over several rounds, so that a disturbance hits all of them a little. The
+//! fastest sample of each round counts; the spread of the middle half of the rounds is the noise.
 
 mod baseline;
 mod sample;
@@ -21,32 +20,28 @@ use baseline::{BenchBaseline, RoundRange};
 /// Codec, strike to MIDI, a whole tick by activity, and one key from sample to force by model.
 const PROGRAMS: [&str; 4] = ["frame_codec", "strike_to_midi", "tick_88_voices", "voices"];
 
-/// Times that each program is run.
 const ROUNDS: usize = 9;
 
-/// Short measurements: rounds make up for it.
+/// Short measurements, which the number of rounds compensates.
 const SHORT: &str = "--warm-up-time 0.1 --measurement-time 0.3 --sample-size 20 --nresamples 1001 \
                      --noplot --quiet";
 
-/// The loop of which all others are multiples.
+/// Loop that is the unit of all others.
 const CALIBRATION: &str = "calibration";
 
-/// The file with the baseline, from the workspace's root.
+/// Path of the baseline, from the workspace's root.
 const BASELINE: &str = "benches/baseline.toml";
 
-/// What to do with what was measured.
+/// Use of the measurements.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum BaselineUse {
-    /// Say what became slower.
+    /// Report the benches that got slower.
     Compare,
-    /// Keep it as the baseline.
+    /// Store as the baseline.
     Write,
 }
 
-/// Measures, and compares or keeps.
-///
-/// # Errors
-/// Names what became slower, or says what failed.
+/// Measures, and compares with or writes the baseline.
 pub(crate) fn measure(usage: BaselineUse) -> Result<(), Error> {
     let path = root().join(BASELINE);
     let before = match usage {
@@ -66,7 +61,7 @@ pub(crate) fn measure(usage: BaselineUse) -> Result<(), Error> {
     if slower.is_empty() { Ok(()) } else { Err(Error::Slower(slower)) }
 }
 
-/// What each bench took over all rounds, as multiples of the calibration.
+/// Returns the range of each bench over all rounds, as multiples of the calibration.
 fn ranges() -> Result<BTreeMap<String, RoundRange>, Error> {
     let home = target()?.join("latency");
     let mut rounds = BTreeMap::<String, Vec<f64>>::new();
@@ -81,7 +76,7 @@ fn ranges() -> Result<BTreeMap<String, RoundRange>, Error> {
     Ok(rounds.into_iter().map(|(name, rounds)| (name, RoundRange::of(rounds))).collect())
 }
 
-/// Runs `program` once, and returns each of its benches as a multiple of the calibration.
+/// Runs `program` once, and returns its benches as multiples of the calibration.
 fn round_of(program: &str, home: &Path) -> Result<Vec<(String, f64)>, Error> {
     if home.exists() {
         fs::remove_dir_all(home).map_err(|cause| Error::file(home, cause))?;
@@ -95,7 +90,7 @@ fn round_of(program: &str, home: &Path) -> Result<Vec<(String, f64)>, Error> {
     Ok(times.into_iter().map(|(name, time)| (name, time / unit)).collect())
 }
 
-/// The processors' name and how many there are: multiples of another machine are not comparable.
+/// Returns name and number of processors: multiples of different machines are not comparable.
 fn machine() -> String {
     let about = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let names = about.lines().filter_map(|line| line.strip_prefix("model name")?.split_once(": "));

@@ -1,4 +1,4 @@
-//! What criterion leaves behind of a bench: its samples, as JSON of one known form.
+//! Reads criterion's samples of a bench, JSON of one known form.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -6,16 +6,13 @@ use std::path::Path;
 
 use crate::error::Error;
 
-/// The fastest sample of each bench under `home` (ns for an iteration).
-///
-/// # Errors
-/// Names the file or folder that cannot be read.
+/// Returns the fastest sample of each bench under `home` (ns per iteration).
 pub(super) fn fastest_of(home: &Path) -> Result<BTreeMap<String, f64>, Error> {
     let mut all = BTreeMap::new();
     for bench in fs::read_dir(home).map_err(|cause| Error::file(home, cause))? {
         let bench = bench.map_err(|cause| Error::file(home, cause))?;
         let path = bench.path().join("new/sample.json");
-        // A folder of criterion's own, as that of its report.
+        // Criterion's other folders, as that of its report.
         let Ok(text) = fs::read_to_string(&path) else { continue };
         let time = fastest(&text).ok_or_else(|| {
             Error::unobtainable(path.display().to_string(), "it is not as criterion writes it")
@@ -25,14 +22,13 @@ pub(super) fn fastest_of(home: &Path) -> Result<BTreeMap<String, f64>, Error> {
     Ok(all)
 }
 
-/// The least time of an iteration in `text`, a `sample.json`.
+/// Returns the least time of an iteration in `text`, a `sample.json`.
 fn fastest(text: &str) -> Option<f64> {
     let (iterations, times) = (numbers(text, "iters")?, numbers(text, "times")?);
     let each = times.iter().zip(&iterations).map(|(time, n)| time / n);
     each.filter(|time| time.is_finite()).reduce(f64::min)
 }
 
-/// The list of numbers called `name`.
 fn numbers(text: &str, name: &str) -> Option<Vec<f64>> {
     let (_, behind) = text.split_once(&format!("\"{name}\":["))?;
     let (list, _) = behind.split_once(']')?;

@@ -1,4 +1,4 @@
-//! What dpkg wants to know of the package.
+//! The control data of the Debian package.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -7,32 +7,29 @@ use crate::command;
 use crate::error::Error;
 use crate::files;
 
-/// Name and address of whoever is asked about the package.
 const MAINTAINER: &str = "The Letoff authors <letoff@users.noreply.github.com>";
 
-/// Libraries that the window opens by name when it runs, which no tool sees in the program: a
-/// machine on a stage has no display, and needs none of them.
+/// Libraries that the window loads by name at run time, so no tool finds them in the program.
+/// Machines on a stage have no display, and do not need them.
 const FOR_THE_WINDOW: &str = "libegl1, libgl1, libwayland-client0, libwayland-egl1, libx11-6, \
                               libx11-xcb1, libxcursor1, libxi6, libxkbcommon0, libxkbcommon-x11-0";
 
-/// A source package, as far as `dpkg-shlibdeps` looks at it.
+/// Minimal source package for `dpkg-shlibdeps`.
 const STUB: &str = "Source: letoff\n\nPackage: letoff\nArchitecture: any\n";
 
-/// The package's version: that of the workspace.
 pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// What distinguishes one package from another.
+/// Facts that differ between packages.
 pub(super) struct PackageFacts {
     /// Debian's name of the processor, as `amd64`.
     pub architecture: String,
-    /// What the programs are linked with, as dpkg writes it.
+    /// Linked packages, in dpkg's form.
     pub depends: String,
-    /// What it takes on the disk (KiB).
+    /// Size on the disk (KiB).
     pub installed_size: u64,
 }
 
 impl PackageFacts {
-    /// The content of the package's control file.
     pub(super) fn control(&self) -> String {
         let Self { architecture, depends, installed_size } = self;
         format!(
@@ -59,33 +56,26 @@ impl PackageFacts {
         )
     }
 
-    /// The name of the package's file.
     pub(super) fn file_name(&self) -> String {
         format!("letoff_{VERSION}_{}.deb", self.architecture)
     }
 }
 
-/// The changelog in Debian's form, of a package made at `date`, as RFC 5322 writes it.
+/// Returns the changelog in Debian's form, for a `date` as in RFC 5322.
 pub(super) fn changelog(date: &str) -> String {
     format!(
         "letoff ({VERSION}) stable; urgency=medium\n\n  * The first packages.\n\n -- {MAINTAINER}  {date}\n"
     )
 }
 
-/// Debian's name of this machine's processor.
-///
-/// # Errors
-/// If dpkg does not say.
+/// Returns Debian's name of this machine's processor.
 pub(super) fn architecture() -> Result<String, Error> {
     command::answer(Command::new("dpkg").arg("--print-architecture"))
 }
 
-/// What `programs` are linked with, as packages with their versions.
+/// Returns the packages that `programs` are linked with, with their versions.
 ///
-/// `dpkg-shlibdeps` looks for a source package, of which there is none: `folder` has a stub.
-///
-/// # Errors
-/// Names the file or the command.
+/// `dpkg-shlibdeps` needs a source package: `folder` gets a stub.
 pub(super) fn linked_packages(folder: &Path, programs: &[PathBuf]) -> Result<String, Error> {
     files::empty(&folder.join("debian"))?;
     files::write(&folder.join("debian/control"), STUB)?;
@@ -96,7 +86,7 @@ pub(super) fn linked_packages(folder: &Path, programs: &[PathBuf]) -> Result<Str
     })
 }
 
-/// The packages in what `dpkg-shlibdeps -O` prints.
+/// Parses the output of `dpkg-shlibdeps -O`.
 fn depends(said: &str) -> Option<&str> {
     said.lines().find_map(|line| line.strip_prefix("shlibs:Depends=")).filter(|it| !it.is_empty())
 }
@@ -112,7 +102,6 @@ mod tests {
         let control = facts.control();
         assert!(control.lines().all(|line| !line.trim().is_empty()), "{control}");
         assert!(control.contains("\nDepends: libasound2 (>= 1.0.16), libc6 (>= 2.34), systemd"));
-        // A description's lines begin with a space, and nothing else follows them.
         let (_, description) = control.split_once("\nDescription: ").unwrap();
         assert!(description.lines().skip(1).all(|line| line.starts_with(' ')), "{control}");
         assert_eq!(facts.file_name(), format!("letoff_{VERSION}_amd64.deb"));

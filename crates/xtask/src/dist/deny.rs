@@ -1,13 +1,10 @@
-//! `deny.toml`, which states whose work may be linked; `cargo deny` reads the same file.
+//! Reads `deny.toml`, the rules for linked crates, also for `cargo deny`.
 
 use crate::command::root;
 use crate::error::Error;
 use crate::files;
 
-/// Returns the texts in quotes of each line of the list called `key`.
-///
-/// # Errors
-/// If the file cannot be read, or has no list of that name.
+/// Returns the quoted texts of each line of the list called `key`.
 pub(super) fn list(key: &str) -> Result<Vec<Vec<String>>, Error> {
     let path = root().join("deny.toml");
     let text = files::read(&path)?;
@@ -24,7 +21,7 @@ mod tests {
     use super::*;
     use crate::command::{self, cargo};
 
-    /// What builds a Debian package: each crate with its versions.
+    /// Returns the crates of a Debian package with their versions.
     fn built() -> Vec<String> {
         let target = ["--target", "x86_64-unknown-linux-gnu"];
         let all = ["tree", "--locked", "--offline", "--workspace", "--edges", "no-dev"];

@@ -1,4 +1,4 @@
-//! Whose work is linked into the programs, under which licences, and their texts.
+//! The crates linked into the programs, with their licences and texts.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,13 +8,12 @@ use crate::command::{self, cargo};
 use crate::error::Error;
 use crate::files;
 
-/// How the names of files begin that have such a text, in small letters.
+/// Prefixes of file names with such texts, in lower case.
 const NAMES: [&str; 6] = ["license", "licence", "copying", "copyright", "notice", "unlicense"];
 
-/// Folders of a crate that may have such files: its root, and those that people give them.
+/// Folders of a crate that may have such files.
 const FOLDERS: [&str; 4] = ["", "license", "licenses", "fonts"];
 
-/// The head of the file.
 const HEAD: &str = "\
 The programs of this package contain, besides Letoff itself, the crates of this list, and the
 standard library of Rust (MIT OR Apache-2.0, The Rust Project Contributors). The licences follow
@@ -25,19 +24,18 @@ The source text of each crate, of those under MPL-2.0 too, is at its address.
 
 ";
 
-/// A crate that is linked.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 struct LinkedCrate {
     name: String,
     version: String,
-    /// Its licence, as an SPDX expression.
+    /// SPDX expression of the licence.
     licence: String,
-    /// Where its source text is.
+    /// Address of the source text.
     address: String,
 }
 
 impl LinkedCrate {
-    /// Reads a line of `cargo tree`; crates of ours have a path, and are not others' work.
+    /// Parses a line of `cargo tree`; our crates have a path, and return `None`.
     fn parse(line: &str) -> Option<Self> {
         let mut columns = line.trim_end_matches(" (*)").split('|').map(str::trim);
         let (name, version) = columns.next()?.split_once(" v")?;
@@ -48,16 +46,13 @@ impl LinkedCrate {
         Some(Self { name: name.to_owned(), version: version.to_owned(), licence, address })
     }
 
-    /// The folder in which cargo keeps it.
     fn folder_name(&self) -> String {
         format!("{}-{}", self.name, self.version)
     }
 }
 
-/// The list of all that is linked and the texts of its licences.
-///
-/// # Errors
-/// Names the command, the file, or the crate whose licence does not allow to link it.
+/// Returns the list of all linked crates with the texts of their licences; fails if a licence
+/// forbids to link its crate.
 pub(super) fn third_party() -> Result<String, Error> {
     let crates = linked()?;
     let accepted = accepted()?;
@@ -87,7 +82,6 @@ pub(super) fn third_party() -> Result<String, Error> {
     Ok(parts.concat())
 }
 
-/// The crates that are linked into both programs on this machine.
 fn linked() -> Result<Vec<LinkedCrate>, Error> {
     let said = command::answer(&mut cargo([
         "tree",
@@ -109,19 +103,19 @@ fn linked() -> Result<Vec<LinkedCrate>, Error> {
     Ok(crates)
 }
 
-/// Returns the licences that the programs may be linked under.
+/// Returns the licences of `deny.toml`.
 fn accepted() -> Result<Vec<String>, Error> {
     Ok(deny::list("allow")?.into_iter().flatten().collect())
 }
 
-/// Whether each part of the expression can be met by a licence that is accepted.
+/// Returns `true` if an accepted licence meets each part of the expression.
 fn is_accepted(expression: &str, accepted: &[String]) -> bool {
     let plain = expression.replace(['(', ')'], "").replace('/', " OR ");
     let is_known = |licence: &str| accepted.iter().any(|it| it == licence.trim());
     plain.split(" AND ").all(|part| part.split(" OR ").any(is_known))
 }
 
-/// The folders of all crates by their names, from what `cargo metadata` prints.
+/// Returns the folders of all crates by name, from the output of `cargo metadata`.
 fn folders(metadata: &str) -> BTreeMap<String, PathBuf> {
     let manifests = metadata.split("\"manifest_path\":\"").skip(1);
     let paths = manifests.filter_map(|rest| Path::new(rest.split('"').next()?).parent());
@@ -130,7 +124,7 @@ fn folders(metadata: &str) -> BTreeMap<String, PathBuf> {
     named.collect()
 }
 
-/// The files of a crate that have texts of licences.
+/// Returns the files of a crate with texts of licences.
 fn texts_in(folder: &Path) -> Vec<PathBuf> {
     let all = FOLDERS.iter().filter_map(|name| files::list(&folder.join(name)).ok()).flatten();
     let has_text = |path: &PathBuf| {

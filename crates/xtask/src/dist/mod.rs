@@ -16,10 +16,10 @@ use crate::files;
 use crate::tools::{self, Tool};
 use control::PackageFacts;
 
-/// The profile of packages: optimised across crates.
+/// Profile of packages: optimised across crates.
 pub(crate) const PROFILE: &str = "dist";
 
-/// What makes a package.
+/// Tools that build a package.
 const MAKERS: [Tool; 6] = [
     ("dpkg-deb", "dpkg"),
     ("dpkg-shlibdeps", "dpkg-dev"),
@@ -29,13 +29,9 @@ const MAKERS: [Tool; 6] = [
     ("strip", "binutils"),
 ];
 
-/// The programs of the package.
 const PROGRAMS: [&str; 3] = ["letoff", "letoff-dashboard", "letoff-lab"];
 
-/// Builds the programs with `profile`, makes a package of them, and says where it is.
-///
-/// # Errors
-/// Says what is missing, or which command failed.
+/// Builds the programs with `profile`, packs them, and prints the package's path.
 pub(crate) fn run(profile: &str) -> Result<(), Error> {
     let package = make(profile)?;
     if tools::find("lintian").is_some() {
@@ -48,10 +44,7 @@ pub(crate) fn run(profile: &str) -> Result<(), Error> {
     Ok(())
 }
 
-/// Builds the programs with `profile`, makes a package of them, and returns its file.
-///
-/// # Errors
-/// Says what is missing, or which command failed.
+/// Builds the programs with `profile`, packs them, and returns the package's path.
 pub(crate) fn make(profile: &str) -> Result<PathBuf, Error> {
     apt::install_missing()?;
     tools::ensure(&[&MAKERS])?;
@@ -66,12 +59,11 @@ pub(crate) fn make(profile: &str) -> Result<PathBuf, Error> {
     pack(&folder, &root)
 }
 
-/// The folder beneath `target` into which cargo builds with `profile`.
+/// Returns the folder in `target` for `profile`.
 fn folder_of(profile: &str) -> &str {
     if profile == "dev" { "debug" } else { profile }
 }
 
-/// Makes the package of what lies beneath `root`.
 fn pack(folder: &Path, root: &Path) -> Result<PathBuf, Error> {
     let programs = PROGRAMS.map(|name| root.join("usr/bin").join(name));
     let facts = PackageFacts {
@@ -88,7 +80,7 @@ fn pack(folder: &Path, root: &Path) -> Result<PathBuf, Error> {
     Ok(package)
 }
 
-/// What the files beneath `root` take on the disk (KiB).
+/// Returns the size of the files below `root` (KiB).
 fn size(root: &Path) -> Result<u64, Error> {
     let said = command::answer(Command::new("du").args(["-k", "-s", "--apparent-size"]).arg(root))?;
     let size = said.split_whitespace().next().and_then(|it| it.parse().ok());

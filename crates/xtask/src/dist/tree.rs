@@ -1,4 +1,4 @@
-//! What lies where in the package.
+//! Layout of the package.
 
 use std::path::Path;
 use std::process::Command;
@@ -8,8 +8,8 @@ use crate::command;
 use crate::error::Error;
 use crate::files;
 
-/// Files that are copied as they are, and where they go; documents keep their places beside each
-/// other, so that their links lead on.
+/// Copied files with their destinations. Documents keep their relative places, so that their links
+/// work.
 const COPIES: [(&str, &str); 5] = [
     ("configs/service/letoff.service", "usr/lib/systemd/system/letoff.service"),
     ("configs/service/letoff.sysusers", "usr/lib/sysusers.d/letoff.conf"),
@@ -18,7 +18,6 @@ const COPIES: [(&str, &str); 5] = [
     ("configs/service/can.network", "usr/share/doc/letoff/examples/80-can.network"),
 ];
 
-/// Documents, which keep their places beside each other.
 const DOCUMENTS: [&str; 20] = [
     "README.md",
     "ARCHITECTURE.md",
@@ -42,14 +41,13 @@ const DOCUMENTS: [&str; 20] = [
     "firmware-protocol/README.md",
 ];
 
-/// Folders of examples to start from.
 const EXAMPLES: [&str; 3] = ["instruments", "models", "scenes"];
 
-/// Folders with C that makers of boards compile.
+/// Folders with C sources for makers of boards.
 const C_SOURCES: [&str; 3] =
     ["firmware-protocol/c", "firmware-protocol/c/firmware", "firmware-protocol/c/rig"];
 
-/// What dpkg runs when the package comes and goes, and the files that are the administrator's.
+/// Scripts of dpkg, and the list of the administrator's files.
 const CONTROL: [(&str, &str); 4] = [
     ("postinst", include_str!("postinst.sh")),
     ("prerm", include_str!("prerm.sh")),
@@ -57,7 +55,7 @@ const CONTROL: [(&str, &str); 4] = [
     ("conffiles", "/etc/security/limits.d/letoff.conf\n"),
 ];
 
-/// Packs what policy wants packed, lets everybody read, and notes the sums.
+/// Compresses files as policy requires, makes them readable, and writes the checksums.
 const FINISH: &str = "\
 find usr/share/man usr/share/doc/letoff -type f \\( -name '*.1' -o -name changelog \\
     -o -name THIRD-PARTY \\) -exec gzip -9n {} +
@@ -66,13 +64,10 @@ chmod 755 DEBIAN/postinst DEBIAN/prerm DEBIAN/postrm usr/bin/*
 find usr -type f -exec md5sum {} + | LC_ALL=C sort -k 2 >DEBIAN/md5sums
 ";
 
-/// Puts the package's files beneath `root`, with the programs of the folder `built`.
-///
-/// # Errors
-/// Names the file or the command.
+/// Writes the package's files below `root`, with the programs of the folder `built`.
 pub(super) fn make(root: &Path, built: &Path) -> Result<(), Error> {
     files::empty(root)?;
-    // For the scene, calibrations and instruments, of which there are none yet.
+    // For the scene, calibrations and instruments, which do not exist yet.
     files::make(&root.join("etc/letoff"))?;
     for (from, to) in COPIES {
         copy(&command::root().join(from), &root.join(to))?;
@@ -96,7 +91,7 @@ pub(super) fn make(root: &Path, built: &Path) -> Result<(), Error> {
     command::answer(Command::new("sh").args(["-e", "-c", FINISH]).current_dir(root)).map(drop)
 }
 
-/// Copies what is wanted of the folder `from`, without its subfolders.
+/// Copies the wanted files of the folder `from`, without its subfolders.
 fn copy_files(from: &Path, to: &Path, is_wanted: fn(&Path) -> bool) -> Result<(), Error> {
     for path in files::list(from)?.iter().filter(|it| is_wanted(it)) {
         copy(path, &to.join(path.file_name().unwrap_or_default()))?;
@@ -104,13 +99,13 @@ fn copy_files(from: &Path, to: &Path, is_wanted: fn(&Path) -> bool) -> Result<()
     Ok(())
 }
 
-/// Returns `true` for the files that a build starts from; a developer's folder has its results too.
+/// Returns `true` for sources; a developer's folder also has results.
 fn is_c_source(path: &Path) -> bool {
     let end = path.extension().and_then(|it| it.to_str());
     matches!(end, Some("c" | "h" | "ld" | "md"))
 }
 
-/// Adds the programs, without symbols, with the manual that they write themselves.
+/// Adds the programs, without symbols, with their own manual.
 fn add_programs(root: &Path, built: &Path) -> Result<(), Error> {
     for name in PROGRAMS {
         let program = root.join("usr/bin").join(name);
@@ -134,7 +129,7 @@ fn add_programs(root: &Path, built: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Where a page or a completion belongs that is written into `page`.
+/// Returns the install path of a man page or completion file.
 fn place_of(page: &Path) -> Option<String> {
     let name = page.file_name()?.to_str()?;
     if let Some(zsh) = name.strip_prefix('_') {
@@ -156,7 +151,7 @@ fn add_documents(folder: &Path) -> Result<(), Error> {
     write(&folder.join("changelog"), control::changelog(&date("%cD")?))
 }
 
-/// The file `copyright`, with `mit`, the text of our own licence.
+/// Returns the file `copyright`, with `mit`, the text of our own licence.
 fn copyright(mit: &str) -> String {
     let holder = mit.lines().find_map(|line| line.strip_prefix("Copyright (c) "));
     let (_, text) = mit.split_once("\n\n").unwrap_or(("", mit));
@@ -180,10 +175,7 @@ fn copyright(mit: &str) -> String {
     )
 }
 
-/// When the newest commit was made, so that the same sources make the same package.
-///
-/// # Errors
-/// Names the command.
+/// Returns the time of the newest commit, so that equal sources make equal packages.
 pub(super) fn date(format: &str) -> Result<String, Error> {
     let format = format!("--format={format}");
     let mut git = Command::new("git");

@@ -1,4 +1,4 @@
-//! The kinds of files that `letoff` reads, good ones of each, and the commands that read them.
+//! Kinds of files that `letoff` reads, with good files and the commands that read them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,26 +8,23 @@ use crate::command::{self, root};
 use crate::error::Error;
 use crate::files;
 
-/// A kind of file.
 pub(super) struct FuzzKind {
     pub(super) name: &'static str,
-    /// Ending of the names of such files.
+    /// Ending of the file names.
     pub(super) ending: &'static str,
-    /// Commands that read one, called FILE; a damaged file is given to one of them.
+    /// Commands that read a file called FILE; each damaged file is given to one of them.
     pub(super) commands: &'static [&'static str],
     good: GoodFiles,
 }
 
-/// Where good files come from.
+/// Source of good files.
 enum GoodFiles {
-    /// All of a folder with the kind's ending, below the root of the workspace.
+    /// All files of a folder with the kind's ending, below the workspace's root.
     Folder(&'static str),
     Text(&'static str),
-    /// The columns `t,s` of a stroke.
     Stroke,
-    /// Recorded by the program.
     Recording,
-    /// That of a simulated board, which is started.
+    /// Calibration of a simulated board, which is started.
     Calibration,
 }
 
@@ -37,7 +34,7 @@ const PLAY_LIST: &str = "[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-spri
 const TOKENS: &str = "# who may do what\nviewer 0123456789abcdef0123\ntuner 0123456789abcdef4567\n\n\
     owner 0123456789abcdef89ab\n";
 
-/// What `letoff calibrate` wrote of a simulated board with the keys A0 to B0.
+/// Calibration by `letoff calibrate` of a simulated board with the keys A0 to B0.
 const CALIBRATION: &str = r#"
 board = "53494d000000"
 made = "2026-11-27 12:37 UTC"
@@ -69,7 +66,6 @@ friction = 0.12119235000000109
 gain = 1.0
 "#;
 
-/// Every kind of file that the program reads.
 pub(super) const KINDS: [FuzzKind; 10] = [
     FuzzKind {
         name: "scenes",
@@ -138,10 +134,10 @@ pub(super) const KINDS: [FuzzKind; 10] = [
     },
 ];
 
-/// A kind that is tried: its good files, and what must live meanwhile.
+/// A kind with its good files, and processes that must live meanwhile.
 pub(super) struct PreparedKind {
     pub(super) good: Vec<Vec<u8>>,
-    /// The only path at which the program looks for such files, if there is one.
+    /// The only path at which the program reads such files, if there is one.
     pub(super) place: Option<PathBuf>,
     board: Option<Child>,
 }
@@ -204,7 +200,7 @@ fn in_folder(program: &Path, folder: &Path) -> Command {
     command
 }
 
-/// The rows of a key that goes down by 10 mm in 50 ms.
+/// Returns the rows of a key that goes down by 10 mm in 50 ms.
 fn stroke() -> String {
     let row = |n: u32| {
         let t = f64::from(n) * 1e-3;

@@ -1,5 +1,5 @@
-//! Damaged files of every kind, given to the program: it answers in time, with an exit code that is
-//! documented, and does not panic.
+//! Gives damaged files of every kind to the program: it must end in time, with a documented exit
+//! code, and without a panic.
 
 mod kinds;
 mod mutate;
@@ -16,20 +16,18 @@ use kinds::{FuzzKind, KINDS, PreparedKind};
 use mutate::{FuzzRandom, mutated};
 use trial::FuzzTrial;
 
-/// What `cargo xtask fuzz` takes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct FuzzOptions {
-    /// Damaged files of each kind.
     pub(crate) mutations: u64,
-    /// The only kind that is tried; all kinds if it is missing.
+    /// Only kind to try; `None` tries all.
     pub(crate) kind: Option<String>,
     pub(crate) seed: u64,
-    /// The program; it is built if none is named.
+    /// Program to test; built if `None`.
     pub(crate) program: Option<PathBuf>,
 }
 
 impl FuzzOptions {
-    /// Reads what follows `fuzz`; nothing if help is asked for.
+    /// Parses the words after `fuzz`; `None` asks for help.
     pub(crate) fn parse(arguments: impl Iterator<Item = OsString>) -> Result<Option<Self>, Error> {
         let mut it = Self { mutations: 1000, kind: None, seed: 1994, program: None };
         let mut arguments = arguments.map(|it| it.to_string_lossy().into_owned());
@@ -51,10 +49,9 @@ impl FuzzOptions {
     }
 }
 
-/// What was found with one kind.
 #[derive(Default)]
 struct KindReport {
-    /// Runs that ended with 0, 1 and 2.
+    /// Numbers of runs that ended with 0, 1 and 2.
     codes: [u64; 3],
     /// Longest processor time (s).
     slowest: f64,
@@ -62,7 +59,6 @@ struct KindReport {
 }
 
 impl KindReport {
-    /// Returns a line of the table.
     fn line(&self, kind: &FuzzKind) -> String {
         let Self { codes: [done, failed, refused], slowest, failures } = self;
         let (name, failures) = (kind.name, failures.len());
@@ -70,10 +66,7 @@ impl KindReport {
     }
 }
 
-/// Gives damaged files to the program, prints what became of them, and keeps those that failed.
-///
-/// # Errors
-/// If the program cannot be built, a good file cannot be made, or a run failed.
+/// Gives damaged files to the program, prints the results, and keeps failing files.
 pub(crate) fn run(options: &FuzzOptions) -> Result<(), Error> {
     let program = options.program.clone().map_or_else(build, Ok)?;
     let folder = target()?.join("fuzz");
@@ -94,7 +87,7 @@ pub(crate) fn run(options: &FuzzOptions) -> Result<(), Error> {
     if failed == 0 { Ok(()) } else { Err(Error::Fuzz { failed, folder }) }
 }
 
-/// Builds the program as people have it.
+/// Builds the program in its release profile.
 fn build() -> Result<PathBuf, Error> {
     command::run(&mut cargo(["build", "--release", "--package", "cli", "--bin", "letoff"]))?;
     Ok(target()?.join("release/letoff"))
@@ -111,7 +104,7 @@ fn try_kind(
     let prepared = kind.prepare(&program, folder)?;
     let mut report = KindReport::default();
     for number in 0..options.mutations {
-        // A number of its own for each kind and file: one that failed is made again alone.
+        // Each kind and file has its own seed, so that a failure can be reproduced alone.
         let place =
             kind.name.bytes().fold(number, |all, byte| all.wrapping_mul(31) + u64::from(byte));
         let mut random = FuzzRandom(options.seed.wrapping_add(place << 20));
@@ -136,7 +129,7 @@ fn try_kind(
     Ok(report)
 }
 
-/// Gives one damaged file to the program; returns what became of it, and what was typed.
+/// Gives one damaged file to the program; returns the result with the command line.
 fn try_file(
     kind: &FuzzKind,
     (prepared, number): (&PreparedKind, u64),

@@ -1,6 +1,6 @@
-//! Damage to good files, the same for the same seed.
+//! Damages good files, reproducibly by seed.
 
-/// Numbers where readers break: 0, the ends of integers and of floating point, and no numbers.
+/// Numbers on which readers fail: 0, the ends of integers and of floating point, and no numbers.
 const EXTREMES: [&str; 12] = [
     "0",
     "-1",
@@ -16,16 +16,16 @@ const EXTREMES: [&str; 12] = [
     "inf",
 ];
 
-/// Lengths and counts of binary formats where readers break.
+/// Lengths and counts on which readers of binary formats fail.
 const EXTREME_WORDS: [u32; 4] = [0, 1, 0x7FFF_FFFF, 0xFFFF_FFFF];
 
-/// Deepest nesting and most repetitions that are inserted.
+/// Maximum nesting and repetitions.
 const DEEPEST: usize = 5000;
 
-/// Bytes that count as near an end of a file.
+/// Distance from an end of a file that counts as near (bytes).
 const NEAR: usize = 1000;
 
-/// A generator of numbers: `SplitMix64`.
+/// Generator `SplitMix64`.
 pub(super) struct FuzzRandom(pub(super) u64);
 
 impl FuzzRandom {
@@ -37,7 +37,6 @@ impl FuzzRandom {
         z ^ (z >> 31)
     }
 
-    /// Returns a number below `end`; 0 if there is none.
     pub(super) fn below(&mut self, end: usize) -> usize {
         usize::try_from(self.next() % (end.max(1) as u64)).unwrap_or(0)
     }
@@ -46,8 +45,8 @@ impl FuzzRandom {
         all.get(self.below(all.len()))
     }
 
-    /// Returns a place in a file of `len` bytes: two of three are near one of its ends, where the
-    /// heads and tables of binary formats are.
+    /// Returns a position in a file of `len` bytes: two of three are near an end, where binary
+    /// formats have heads and tables.
     fn place(&mut self, len: usize) -> usize {
         match self.below(3) {
             0 => self.below(len.min(NEAR)),
@@ -56,14 +55,14 @@ impl FuzzRandom {
         }
     }
 
-    /// Returns a piece of up to `longest` bytes of `bytes`, as start and end.
+    /// Returns a range of up to `longest` bytes of `bytes`.
     fn piece(&mut self, bytes: &[u8], longest: usize) -> (usize, usize) {
         let start = self.below(bytes.len() + 1);
         (start, (start + self.below(longest + 1)).min(bytes.len()))
     }
 }
 
-/// Returns one of the `good` files with one to three damages; most have one.
+/// Returns one of the `good` files with one to three damages, mostly one.
 pub(super) fn mutated(random: &mut FuzzRandom, good: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = random.pick(good).cloned().unwrap_or_default();
     for _ in 0..=random.pick(&[0, 0, 0, 1, 2]).copied().unwrap_or(0) {
@@ -100,7 +99,6 @@ fn damage(random: &mut FuzzRandom, bytes: &mut Vec<u8>, good: &[Vec<u8>]) {
     }
 }
 
-/// Inverts one bit of one to eight bytes.
 fn flip(random: &mut FuzzRandom, bytes: &mut [u8]) {
     for _ in 0..=random.below(8) {
         let at = random.place(bytes.len());
@@ -110,7 +108,6 @@ fn flip(random: &mut FuzzRandom, bytes: &mut [u8]) {
     }
 }
 
-/// Replaces the first number at or after a place by an extreme.
 fn replace_number(random: &mut FuzzRandom, bytes: &mut Vec<u8>) {
     let from = random.below(bytes.len());
     let Some(start) = (from..bytes.len()).find(|at| bytes[*at].is_ascii_digit()) else { return };
@@ -122,7 +119,6 @@ fn replace_number(random: &mut FuzzRandom, bytes: &mut Vec<u8>) {
     drop(bytes.splice(start..end, extreme.bytes()));
 }
 
-/// Repeats a line, seldom thousands of times.
 fn repeat_line(random: &mut FuzzRandom, bytes: &mut Vec<u8>) {
     let at = random.below(bytes.len());
     let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);

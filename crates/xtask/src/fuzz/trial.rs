@@ -4,25 +4,24 @@ use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Most memory that the program may ask for (KiB).
+/// Memory limit of the program (KiB).
 const MEMORY: &str = "3000000";
 
-/// Processor time after which the system ends the program (s).
+/// Limit of the processor time (s), enforced by the system.
 const CPU: &str = "20";
 
-/// Time after which a program is ended that waits for something (s).
+/// Limit of the time (s), for a program that waits.
 const PATIENCE: &str = "120";
 
-/// Longest processor time that an answer may take (s).
+/// Longest processor time of a passing run (s).
 const SLOW: f64 = 5.0;
 
-/// Runs the program, then prints the processor time of all children, as POSIX has it.
+/// Runs the program, then prints the processor time of all children in POSIX form.
 const SCRIPT: &str = "\
 ulimit -v \"$1\"; ulimit -t \"$2\"; ulimit -c 0
 timeout -s KILL \"$3\" \"$0\" \"${@:4}\" >/dev/null
 code=$?; times; exit $code";
 
-/// What became of a run.
 pub(super) struct FuzzTrial {
     pub(super) code: Option<i32>,
     /// Processor time of the program (s).
@@ -31,7 +30,6 @@ pub(super) struct FuzzTrial {
 }
 
 impl FuzzTrial {
-    /// Runs `program` with `arguments` in `folder`.
     pub(super) fn run(program: &Path, folder: &Path, arguments: &[String]) -> io::Result<Self> {
         let mut shell = Command::new("bash");
         shell.args(["-c", SCRIPT]).arg(program).args([MEMORY, CPU, PATIENCE]).args(arguments);
@@ -46,7 +44,7 @@ impl FuzzTrial {
         })
     }
 
-    /// Returns what is wrong with the run, if anything is.
+    /// Describes the failure of the run, if any.
     pub(super) fn failure(&self) -> Option<String> {
         let aloud = ["panicked at", "overflowed its stack", "memory allocation of"];
         let code = self.code.unwrap_or(-1);
@@ -64,7 +62,7 @@ impl FuzzTrial {
     }
 }
 
-/// Reads a line of `times`, "0m0.120s 0m0.030s": the sum (s).
+/// Parses a line of `times`, "0m0.120s 0m0.030s", as the sum (s).
 fn seconds(line: &str) -> f64 {
     let one = |time: &str| {
         let (minutes, seconds) = time.strip_suffix('s')?.split_once('m')?;

@@ -1,4 +1,4 @@
-//! The guest's file system: one program of ours, a few of others, and the kernel's modules.
+//! The guest's file system: our program, a few others, and the kernel's modules.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -15,10 +15,7 @@ use crate::tools;
 const FOLDERS: [&str; 9] =
     ["bin", "dev", "modules", "new", "proc", "sys", "this", "tmp", "written"];
 
-/// Makes the file system beneath `folder`, and returns the file that QEMU loads.
-///
-/// # Errors
-/// Names the file or the command.
+/// Builds the file system below `folder`, and returns the file for QEMU.
 pub(super) fn make(
     folder: &Path,
     guest: &GuestCheck,
@@ -36,7 +33,7 @@ pub(super) fn make(
     } else {
         programs.push(letoff.to_owned());
     }
-    // systemd has all of this machine's.
+    // systemd uses this machine's files.
     if guest.system == GuestSystem::Busybox {
         for (name, _package) in guest.programs {
             programs.push(tools::path(name)?);
@@ -59,15 +56,15 @@ pub(super) fn make(
     Ok(initrd)
 }
 
-/// Copies the programs, and the libraries they are linked with to the same places.
+/// Copies the programs and their libraries to the same paths.
 fn install(programs: &[PathBuf], root: &Path) -> Result<(), Error> {
     let mut needed = BTreeSet::new();
     for program in programs {
         let copy = root.join("bin").join(program.file_name().unwrap_or_default());
         files::copy(program, &copy)?;
-        // The guest's memory is small; where nothing can strip, it is just large enough.
+        // The guest's memory is small; without strip it just suffices.
         needs::succeeds("strip", &["--strip-debug", &copy.to_string_lossy()]);
-        // A static program makes ldd fail, and needs nothing.
+        // ldd fails on a static program, which needs no library.
         let output = Command::new("ldd").arg(program).output();
         let output = output.map_err(|cause| Error::file("ldd", cause))?;
         needed.extend(libraries(&String::from_utf8_lossy(&output.stdout)));
@@ -78,19 +75,19 @@ fn install(programs: &[PathBuf], root: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// Copies the file at the absolute `path` to the same place beneath `root`.
+/// Copies the file at the absolute `path` to the same place below `root`.
 fn copy(path: &Path, root: &Path) -> Result<(), Error> {
     let place = root.join(path.strip_prefix("/").unwrap_or(path));
     files::make(place.parent().unwrap_or(root))?;
     files::copy(path, &place)
 }
 
-/// The paths in what `ldd` prints.
+/// Parses the paths in the output of `ldd`.
 fn libraries(ldd: &str) -> Vec<PathBuf> {
     ldd.split_whitespace().filter(|word| word.starts_with('/')).map(PathBuf::from).collect()
 }
 
-/// Copies the modules, unpacked, and writes the order in which to load them.
+/// Copies the modules, unpacked, and writes their load order.
 fn add_modules(modules: &[&str], kernel: &Kernel, to: &Path) -> Result<(), Error> {
     let dependencies = files::read(&kernel.modules.join("modules.dep"))?;
     let mut order = String::new();
@@ -103,7 +100,7 @@ fn add_modules(modules: &[&str], kernel: &Kernel, to: &Path) -> Result<(), Error
     files::write(&to.join("order"), order)
 }
 
-/// Copies a module; newer distributions have them compressed.
+/// Copies a module; newer distributions compress them.
 fn unpack(from: &Path, to: &Path) -> Result<(), Error> {
     let program = match from.extension().and_then(|extension| extension.to_str()) {
         Some("xz") => "xz",
@@ -121,14 +118,13 @@ fn unpack(from: &Path, to: &Path) -> Result<(), Error> {
     }
 }
 
-/// A module that is loaded.
 #[derive(PartialEq, Eq, Debug)]
 struct Load<'a> {
     path: &'a str,
     parameters: &'a str,
 }
 
-/// All `modules` that are wanted, each after those it needs itself.
+/// Returns all wanted `modules`, each after its dependencies.
 fn load_order<'a>(modules: &[&'a str], modules_dep: &'a str) -> Result<Vec<Load<'a>>, Error> {
     let mut order: Vec<Load<'a>> = Vec::new();
     for wanted in modules {
@@ -141,7 +137,7 @@ fn load_order<'a>(modules: &[&'a str], modules_dep: &'a str) -> Result<Vec<Load<
             let what = format!("the module {wanted}");
             Error::unobtainable(what, "the kernel's packages have none")
         })?;
-        // What is needed first stands last.
+        // Dependencies are listed in reverse order.
         let needed = needed.split_whitespace().rev().map(|path| Load { path, parameters: "" });
         for load in needed.chain([Load { path, parameters }]) {
             if order.iter().all(|it| it.path != load.path) {
@@ -152,7 +148,6 @@ fn load_order<'a>(modules: &[&'a str], modules_dep: &'a str) -> Result<Vec<Load<
     Ok(order)
 }
 
-/// The name of the module in the file at `path`.
 fn module(path: &str) -> String {
     let file = path.rsplit('/').next().unwrap_or(path);
     file.split(".ko").next().unwrap_or(file).replace('_', "-")

@@ -1,4 +1,4 @@
-//! A kernel of the distribution, downloaded and unpacked, not installed.
+//! Downloads and unpacks a kernel of the distribution, without installing it.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,20 +12,16 @@ use crate::tools;
 /// Packages that depend on the newest kernel: Debian's, Ubuntu's.
 const NEWEST: [&str; 2] = ["linux-image-amd64", "linux-image-generic"];
 
-/// How the packages begin that a kernel consists of.
+/// Prefixes of a kernel's packages.
 const PARTS: [&str; 3] = ["linux-image-", "linux-modules-", "linux-binary-"];
 
-/// A kernel of the distribution, unpacked.
 pub(super) struct Kernel {
     pub image: PathBuf,
-    /// The folder of its modules, with `modules.dep`.
+    /// Folder of its modules, with `modules.dep`.
     pub modules: PathBuf,
 }
 
-/// The newest kernel of the distribution, unpacked beneath `folder`, unless it is there already.
-///
-/// # Errors
-/// Says what cannot be had, and why.
+/// Returns the newest kernel of the distribution, unpacked below `folder` if necessary.
 pub(super) fn obtain(folder: &Path) -> Result<Kernel, Error> {
     let packages = packages()?;
     let name = packages.first().map_or("kernel", String::as_str);
@@ -39,7 +35,7 @@ pub(super) fn obtain(folder: &Path) -> Result<Kernel, Error> {
     find(&unpacked)
 }
 
-/// The packages of the newest kernel; the package lists are read once if there are none.
+/// Returns the packages of the newest kernel; updates the package lists once if there are none.
 fn packages() -> Result<Vec<String>, Error> {
     let known = known_packages();
     if !known.is_empty() {
@@ -63,20 +59,19 @@ fn known_packages() -> Vec<String> {
     packages
 }
 
-/// The parts of a kernel on which `package` depends.
+/// Returns the kernel packages on which `package` depends.
 fn dependencies(package: &str) -> Vec<String> {
     let output = Command::new("apt-cache").args(["depends", package]).output();
     output.map_or_else(|_no_apt| Vec::new(), |it| parts(&String::from_utf8_lossy(&it.stdout)))
 }
 
-/// The parts of a kernel in what `apt-cache depends` prints.
+/// Parses kernel packages in the output of `apt-cache depends`.
 fn parts(depends: &str) -> Vec<String> {
     let names = depends.lines().filter_map(|line| line.trim().strip_prefix("Depends: "));
     let is_part = |name: &&str| PARTS.iter().any(|part| name.starts_with(part));
     names.filter(is_part).map(str::to_owned).collect()
 }
 
-/// Downloads `packages` and unpacks them into `folder`.
 fn download(folder: &Path, packages: &[String]) -> Result<(), Error> {
     let fetch = || {
         let mut command = Command::new("apt-get");
@@ -91,7 +86,7 @@ fn download(folder: &Path, packages: &[String]) -> Result<(), Error> {
         command::run(Command::new("dpkg-deb").arg("-x").args([package.as_path(), folder]))?;
         std::fs::remove_file(&package).map_err(|cause| Error::file(&package, cause))?;
     }
-    // Newer releases have everything beneath /usr, where depmod does not look.
+    // Newer releases have everything below /usr, where depmod does not look.
     if !folder.join("lib").exists() {
         link(folder)?;
     }
@@ -111,7 +106,7 @@ fn link(_folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The kernel that was unpacked into `folder`.
+/// Finds the kernel that was unpacked into `folder`.
 fn find(folder: &Path) -> Result<Kernel, Error> {
     let images = files::list(&folder.join("boot"))?.into_iter();
     let is_image = |path: &PathBuf| {
@@ -122,7 +117,7 @@ fn find(folder: &Path) -> Result<Kernel, Error> {
     Ok(Kernel { image, modules: modules(folder)? })
 }
 
-/// The folder of the only version's modules.
+/// Returns the folder of the only version's modules.
 fn modules(folder: &Path) -> Result<PathBuf, Error> {
     let versions = files::list(&folder.join("lib/modules"))?;
     let none = || Error::unobtainable("the kernel's modules", "its package has none");

@@ -1,4 +1,4 @@
-//! Virtual machines: booted, listened to, and ended when their time is over.
+//! Boots virtual machines, reads their consoles, and ends them after their time.
 
 use std::io::{BufRead as _, BufReader};
 use std::path::Path;
@@ -12,37 +12,32 @@ use super::verdict::HeardNotes;
 use crate::command;
 use crate::error::Error;
 
-/// How long all guests may say nothing, however long they may take.
+/// Maximum silence of all guests, at any total time.
 const SILENCE_LIMIT: Duration = Duration::from_mins(3);
 
-/// Emulated throughout, as build servers have no virtualisation.
-///
-/// A q35 and not the quicker microvm: that has timers of 4 ms only, and a tick needs better ones.
+/// QEMU with emulation, as build servers have no virtualisation. A q35, as the faster microvm only
+/// has timers of 4 ms, and a tick needs better ones.
 const QEMU: &str = "-accel tcg -machine q35 -smp 1 -m 1024 -nodefaults \
                     -display none -monitor none -serial stdio -no-reboot";
 
 const KERNEL_ARGUMENTS: &str = "console=ttyS0 panic=-1 quiet reboot=t";
 
-/// The emulated machine that is booted.
 pub(super) struct VirtualMachine<'a> {
     pub kernel: &'a Path,
     pub initrd: &'a Path,
     pub system: GuestSystem,
-    /// Which part of the checks it goes through.
+    /// Part of the checks that it runs.
     pub part: &'static str,
 }
 
-/// A line of a console, and whose it is.
+/// A line of a console, with its guest.
 pub(super) struct ConsoleLine {
     part: &'static str,
     text: String,
 }
 
 impl VirtualMachine<'_> {
-    /// Boots; the lines of its console are sent to `console`, which is closed at its end.
-    ///
-    /// # Errors
-    /// If QEMU does not start.
+    /// Boots; sends console lines to `console`, which is closed at the end.
     pub(super) fn boot(&self, console: Sender<ConsoleLine>) -> Result<QemuGuard, Error> {
         let mut command = self.command();
         println!("$ {}", command::words(&command));
@@ -59,26 +54,24 @@ impl VirtualMachine<'_> {
         let arguments = QEMU.split_whitespace().chain(self.system.machine().split_whitespace());
         command.args(arguments);
         command.arg("-kernel").arg(self.kernel).arg("-initrd").arg(self.initrd);
-        // What the kernel does not know is a variable of the first program's.
+        // Arguments unknown to the kernel become variables of the first program.
         command.arg("-append").arg(format!("{KERNEL_ARGUMENTS} part={}", self.part));
         command.stdin(Stdio::null()).stdout(Stdio::piped());
         command
     }
 }
 
-/// Ends QEMU with its owner.
 pub(super) struct QemuGuard(Child);
 
 impl Drop for QemuGuard {
     fn drop(&mut self) {
-        // Both fail only if it has ended already.
+        // Both fail only if QEMU has already ended.
         if self.0.kill().is_ok() {
             drop(self.0.wait());
         }
     }
 }
 
-/// Sends on the lines of a console, as they come.
 fn read(output: ChildStdout, part: &'static str, console: Sender<ConsoleLine>) {
     thread::spawn(move || {
         for line in BufReader::new(output).split(b'\n').map_while(Result::ok) {
@@ -90,7 +83,7 @@ fn read(output: ChildStdout, part: &'static str, console: Sender<ConsoleLine>) {
     });
 }
 
-/// Shows all lines of `n_guests`, and judges by them; ends with the last guest or at the limits of
+/// Prints all lines of `n_guests`, and judges by them; ends with the last guest or at the limits of
 /// time.
 pub(super) fn listen(
     lines: &Receiver<ConsoleLine>,

@@ -1,10 +1,9 @@
 //! A virtual machine with a Debian or Ubuntu kernel, in which `letoff` is checked against real
 //! drivers, or as a service.
 //!
-//! Containers and build servers have neither a sequencer nor a CAN bus, and a kernel's modules
-//! cannot be loaded into them. In a guest they can: its only program is `init.sh`, which loads
-//! the modules and goes through what a [`GuestCheck`] checks. Nothing of the machine is changed but
-//! for a few packages.
+//! Containers and build servers have no sequencer or CAN bus, and cannot load a kernel's modules. A
+//! guest can: its only program `init.sh` loads the modules and runs the checks of a [`GuestCheck`].
+//! The machine is unchanged but for a few packages.
 
 mod image;
 mod kernel;
@@ -28,49 +27,45 @@ use machine::VirtualMachine;
 pub(crate) use system::GuestSystem;
 use verdict::HeardNotes;
 
-/// Four keys of a grand: as many as an emulated processor computes in time.
+/// Four keys of a grand, within reach of an emulated processor.
 pub(crate) const SCENE: &str = include_str!("scene.toml");
 
-/// What is checked in a guest.
+/// A set of checks in a guest.
 pub(crate) struct GuestCheck {
-    /// Name of the folder in which it is put together.
+    /// Name of its build folder.
     pub name: &'static str,
-    /// What it plays on, in a few words.
+    /// Devices that it plays on, in a few words.
     pub plays_on: &'static str,
-    /// What runs beside the checks.
     pub system: GuestSystem,
-    /// Modules with their parameters, each with those it needs loaded before.
+    /// Modules with their parameters; their dependencies are loaded first.
     pub modules: &'static [&'static str],
-    /// Programs of this machine that run in the guest, beside busybox.
+    /// Programs of this machine for the guest, beside busybox.
     pub programs: &'static [Tool],
-    /// Files of this machine that stand in the guest at the same place.
+    /// Files of this machine, at the same path in the guest.
     pub copies: &'static [&'static str],
-    /// Other programs in the guest, by path.
     pub more: Vec<PathBuf>,
-    /// Files of the guest: path beneath its root, and content.
+    /// Files of the guest: path from its root, and content.
     pub files: Vec<(&'static str, Vec<u8>)>,
-    /// Parts of the checks, each in an emulated machine of its own beside the others; in the guest,
-    /// `$part` says which.
+    /// Parts of the checks, each in its own emulated machine; `$part` in the guest.
     pub parts: &'static [&'static str],
-    /// How long everything may take.
+    /// Maximum time of all checks.
     pub time_limit: Duration,
-    /// Which `letoff` plays.
+    /// The build of `letoff` under test.
     pub program: TriedProgram,
 }
 
-/// Which build of `letoff` is tried in a guest.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum TriedProgram {
-    /// The one that the tests have built: it is optimised, and checks its arithmetic.
+    /// Optimised build of the tests, with checked arithmetic.
     OfTheTests,
-    /// The one that users run, which is built first.
+    /// Release build, which is built first.
     Release,
-    /// A package, `letoff.deb` in the guest, of programs that are built with this profile.
+    /// A package, `letoff.deb` in the guest, built with this profile.
     Packaged(String),
 }
 
 impl TriedProgram {
-    /// Its path below the folder `target`, built if need be.
+    /// Returns its path below the folder `target`, and builds it if necessary.
     fn obtain(&self, target: &Path) -> Result<PathBuf, Error> {
         match self {
             Self::OfTheTests => Ok(target.join("debug/letoff")),
@@ -85,12 +80,8 @@ impl TriedProgram {
 }
 
 impl GuestCheck {
-    /// Obtains a kernel and tools, builds `letoff`, boots, and judges.
-    ///
-    /// What cannot be obtained is no error: the run is skipped, and says why.
-    ///
-    /// # Errors
-    /// Says what is missing for the build, which command failed, or which check did.
+    /// Obtains a kernel and tools, builds `letoff`, boots, and judges. Skips the run, with the
+    /// reason, if something cannot be obtained.
     pub(crate) fn run(&self) -> Result<Done, Error> {
         let target = target()?;
         let folder = target.join("guest");
@@ -108,7 +99,7 @@ impl GuestCheck {
         heard.into_result().map(|()| Done::All)
     }
 
-    /// Boots a machine for each part, and returns what all of them said.
+    /// Boots a machine for each part, and returns all results.
     fn boot(&self, kernel: &Path, initrd: &Path) -> Result<HeardNotes, Error> {
         let (console, lines) = mpsc::channel();
         let machine = |&part| VirtualMachine { kernel, initrd, system: self.system, part };
@@ -118,7 +109,6 @@ impl GuestCheck {
         Ok(machine::listen(&lines, running.len(), self.time_limit))
     }
 
-    /// Everything that comes from elsewhere.
     fn obtain(&self, folder: &Path) -> Result<Kernel, Error> {
         if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
             return Err(Error::unobtainable("a guest", "it needs a Debian or Ubuntu on x86_64"));
@@ -127,7 +117,6 @@ impl GuestCheck {
         kernel::obtain(folder)
     }
 
-    /// Says so that nobody takes it for a pass.
     fn skipped(&self, error: &Error) -> String {
         let bar = "=".repeat(72);
         format!("\n{bar}\nSKIPPED: nothing was played on {}\n{error}\n{bar}\n", self.plays_on)

@@ -1,35 +1,34 @@
-//! The piece that is played in the guest, as a Standard MIDI File.
+//! The piece for the guest, as a Standard MIDI File.
 
-/// Ticks per quarter note: at 120 quarters a minute, as files without a tempo mean, 1 ms each.
+/// Ticks per quarter note: at the default 120 quarters a minute, 1 ms each.
 const TICKS_PER_QUARTER: u16 = 500;
 
-/// The chord that is held while everything else happens.
+/// Chord that is held throughout.
 const CHORD: [u8; 3] = [60, 64, 67];
 
-/// The note that is repeated above it.
+/// Note that is repeated above the chord.
 const REPEATED: u8 = 72;
 
-/// When the chord is struck (ms); there is time before it to connect a listener.
+/// Start of the chord (ms), after time to connect a listener.
 const START: u32 = 2_000;
 
-/// When everything ends (ms).
+/// End of the piece (ms).
 const END: u32 = 20_000;
 
-/// Time between two repetitions, of which a note lasts the first half (ms).
+/// Time between two repetitions, with a note in the first half (ms).
 const INTERVAL: u32 = 500;
 
 const NOTE_OFF: u8 = 0x80;
 const NOTE_ON: u8 = 0x90;
 
-/// A note begins or ends.
 struct PieceEvent {
-    /// When (ms).
+    /// Time in the piece (ms).
     at: u32,
     status: u8,
     note: u8,
 }
 
-/// A chord that is held for 18 s, and a note that is repeated twice a second.
+/// Returns a chord held for 18 s, and a note repeated twice a second.
 pub(crate) fn file() -> Vec<u8> {
     let mut track = Vec::new();
     let mut now = 0;
@@ -47,7 +46,6 @@ pub(crate) fn file() -> Vec<u8> {
     file
 }
 
-/// All events in order of time.
 fn events() -> Vec<PieceEvent> {
     let note = |from, to, note| {
         [
@@ -90,7 +88,6 @@ mod tests {
         let file = file();
         let head = b"MThd\0\0\0\x06\0\0\0\x01\x01\xF4MTrk";
         assert_eq!(&file[..head.len()], head);
-        // The length of the track, then 2000 ms and the first note.
         let length = u32::try_from(file.len() - head.len() - 4).unwrap();
         assert_eq!(file[head.len()..head.len() + 4], length.to_be_bytes());
         assert_eq!(file[head.len() + 4..head.len() + 9], [0x8F, 0x50, 0x90, 60, 70]);

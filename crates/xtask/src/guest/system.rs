@@ -1,16 +1,15 @@
-//! What runs in a guest beside the checks, and the machine that it needs.
+//! The system of a guest.
 
-/// The system of a guest.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum GuestSystem {
-    /// Busybox, on files that are in the guest's memory.
+    /// Busybox with files in the guest's memory.
     Busybox,
-    /// systemd, on the files of this machine, which it reads; what it writes stays in its memory.
+    /// systemd with read access to the files of this machine; writes stay in memory.
     Systemd,
 }
 
 impl GuestSystem {
-    /// The script that is the first program of the guest.
+    /// Returns the script that is the guest's first program.
     pub(super) const fn init(self) -> &'static str {
         match self {
             Self::Busybox => include_str!("init.sh"),
@@ -18,11 +17,11 @@ impl GuestSystem {
         }
     }
 
-    /// QEMU's arguments beyond those of every guest.
+    /// Returns QEMU's arguments beyond the common ones.
     ///
-    /// Time in the guest is what its processor has executed, 1 ns an instruction, or has waited for:
-    /// a busy machine makes the guest slow and not late. Where everything is in its memory nothing
-    /// really waits; files of this machine are waited for, and so must be all else.
+    /// Guest time is executed instructions, 1 ns each, and waiting: a busy machine makes the guest
+    /// slow but not late. With everything in memory nothing really waits; reading files of this
+    /// machine does, and so must everything else.
     pub(super) const fn machine(self) -> &'static str {
         match self {
             Self::Busybox => "-icount shift=0,sleep=off",

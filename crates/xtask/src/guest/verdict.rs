@@ -4,23 +4,21 @@ use std::fmt;
 
 use crate::error::Error;
 
-/// What was heard so far.
+/// Results of the checks so far.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct HeardNotes {
     n_passed: usize,
-    /// Those that failed, as the guest put it.
+    /// Failed checks, in the guest's words.
     failed: Vec<String>,
-    /// How many guests have not yet said that they are done.
+    /// Guests that have not reported their end.
     n_unfinished: usize,
 }
 
 impl HeardNotes {
-    /// Nothing yet, of `n_guests`.
     pub(super) const fn of(n_guests: usize) -> Self {
         Self { n_passed: 0, failed: Vec::new(), n_unfinished: n_guests }
     }
 
-    /// Takes a line of the console into account.
     pub(super) fn hear(&mut self, line: &str) {
         if line.starts_with("CHECK passed ") {
             self.n_passed += 1;
@@ -31,8 +29,7 @@ impl HeardNotes {
         }
     }
 
-    /// # Errors
-    /// If a check failed, or not all were made.
+    /// Fails if a check failed, or not all were made.
     pub(super) fn into_result(self) -> Result<(), Error> {
         if self.n_unfinished == 0 && self.failed.is_empty() && 0 < self.n_passed {
             Ok(())

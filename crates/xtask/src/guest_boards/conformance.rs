@@ -1,12 +1,12 @@
-//! The hardware crate's own tests of links, to be run on a real interface.
+//! The boards crate's own tests of links, for a real interface.
 
 use std::path::PathBuf;
 
 use crate::command::{self, cargo};
 
-/// Builds the tests; nothing if that fails, which the guest says.
+/// Builds the tests; `None` if that fails, which the guest reports.
 pub(super) fn program() -> Option<PathBuf> {
-    // Of the whole workspace, as in the tests: it is there already.
+    // Select the whole workspace as the tests do, so that nothing is compiled again.
     let arguments = ["--workspace", "--test", "conformance", "--no-run"];
     let mut command = cargo(["test", "--quiet", "--message-format=json"]);
     command.args(arguments).stderr(std::process::Stdio::inherit());
@@ -16,7 +16,7 @@ pub(super) fn program() -> Option<PathBuf> {
     executable(&messages).map(PathBuf::from)
 }
 
-/// The path of the program in cargo's messages, of which each is a line.
+/// Parses the path of the program from cargo's messages, one per line.
 fn executable(messages: &str) -> Option<&str> {
     const BEFORE: &str = "\"executable\":\"";
     let its = |line: &&str| line.contains("\"name\":\"conformance\"") && line.contains(BEFORE);

@@ -1,8 +1,6 @@
-//! Plays and breaks boards over real drivers in a guest: CAN FD through `vcan`, USB through
-//! gadgets on `dummy_hcd`; what must hold is written in the scripts beside.
-//!
-//! Time in the guest is what its processor executes: a busy machine makes it slow and not
-//! late, so what is counted there is true anywhere.
+//! Plays and breaks boards over real drivers in a guest: CAN FD through `vcan`, USB through gadgets
+//! on `dummy_hcd`. The scripts contain the expectations. Guest time is executed instructions: a
+//! busy machine makes the guest slow but not late, so its counts hold anywhere.
 
 mod conformance;
 
@@ -11,7 +9,7 @@ use std::time::Duration;
 use crate::guest::{GuestCheck, GuestSystem, SCENE, TriedProgram, piece};
 use crate::tools::Tool;
 
-/// What sets buses up, disturbs them, and reads reports.
+/// Tools that set up and disturb buses, and read reports.
 pub(crate) const PROGRAMS: [Tool; 7] = [
     ("ip", "iproute2"),
     ("tc", "iproute2"),
@@ -22,20 +20,20 @@ pub(crate) const PROGRAMS: [Tool; 7] = [
     ("jq", "jq"),
 ];
 
-/// CAN whose queue can lose, delay and refuse frames; eight USB ports with a device on each.
+/// CAN with a queue that can lose, delay and reject frames; eight USB ports with a device on each.
 const MODULES: [&str; 7] =
     ["can-raw", "vcan echo=1", "sch-netem", "sch-tbf", "usb-f-acm", "dummy-hcd num=8", "cdc-acm"];
 
-/// How much is checked.
+/// Extent of the checks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum CheckScope {
-    /// What every change is checked by.
+    /// Checks of every change.
     Short,
-    /// Everything, and for longer.
+    /// All checks, for longer.
     Full,
 }
 
-/// The guest with eight boards, on which `program` plays.
+/// Returns the guest with eight boards, on which `program` plays.
 pub(crate) fn guest(form: CheckScope, program: TriedProgram) -> GuestCheck {
     let (word, minutes) = match form {
         CheckScope::Short => ("short", 15),

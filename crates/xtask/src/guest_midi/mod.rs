@@ -1,14 +1,13 @@
-//! Plays to real ALSA ports in a guest; what must be heard there is written in `checks.sh`.
+//! Plays to real ALSA ports in a guest; `checks.sh` contains the expectations.
 
 use std::time::Duration;
 
 use crate::guest::{GuestCheck, GuestSystem, SCENE, TriedProgram, piece};
 use crate::tools::Tool;
 
-/// Programs that listen to MIDI in the guest.
 const PROGRAMS: [Tool; 2] = [("aseqdump", "alsa-utils"), ("aconnect", "alsa-utils")];
 
-/// The guest with the sequencer, four virtual cables, and Midi Through.
+/// Returns the guest with the sequencer, four virtual cables, and Midi Through.
 pub(crate) fn guest(program: TriedProgram) -> GuestCheck {
     GuestCheck {
         name: "midi",
@@ -16,7 +15,7 @@ pub(crate) fn guest(program: TriedProgram) -> GuestCheck {
         system: GuestSystem::Busybox,
         modules: &["snd-seq", "snd-virmidi", "snd-seq-dummy"],
         programs: &PROGRAMS,
-        // What alsa-lib reads before it opens anything.
+        // alsa-lib reads this first.
         copies: &["/usr/share/alsa/alsa.conf"],
         more: Vec::new(),
         files: vec![

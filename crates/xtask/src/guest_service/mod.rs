@@ -1,12 +1,11 @@
-//! Installs the package under a real systemd in a guest, and lets the service go through what
-//! befalls one; what must hold is written in `checks.sh`.
+//! Installs the package under a real systemd in a guest, and exercises the service; `checks.sh`
+//! contains the expectations.
 
 use std::time::Duration;
 
 use crate::guest::{GuestCheck, GuestSystem, TriedProgram};
 use crate::tools::Tool;
 
-/// What the guest finds among this machine's files.
 const PROGRAMS: [Tool; 5] = [
     ("/lib/systemd/systemd", "systemd"),
     ("/lib/systemd/systemd-udevd", "udev"),
@@ -15,11 +14,11 @@ const PROGRAMS: [Tool; 5] = [
     ("ip", "iproute2"),
 ];
 
-/// This machine's files, CAN, and a serial port of FTDI's.
+/// Modules for this machine's files, CAN, and an FTDI serial port.
 const MODULES: [&str; 8] =
     ["virtio-pci", "9pnet-virtio", "9p", "overlay", "can-raw", "vcan", "xhci-pci", "ftdi-sio"];
 
-/// The guest in which a package of programs is installed that are built with `profile`.
+/// Returns the guest that installs a package of programs built with `profile`.
 pub(crate) fn guest(profile: &str) -> GuestCheck {
     GuestCheck {
         name: "service",
