@@ -1,11 +1,11 @@
-//! Tells the program from which commit it is built: `LETOFF_COMMIT` if that is set, as it is where
-//! packages are made from an archive, or else what git says; without either there is none.
+//! Sets `LETOFF_COMMIT`, the commit of the build: the variable itself if set, as for packages that
+//! are built from an archive, or else git's answer; otherwise none.
 
 use std::process::Command;
 
 fn main() {
     println!("cargo::rerun-if-env-changed=LETOFF_COMMIT");
-    // It grows with each commit and with each change of branch.
+    // The log grows with each commit and with each change of branch.
     if let Some(log) = git(&["rev-parse", "--git-path", "logs/HEAD"])
         && std::path::Path::new(&log).exists()
     {
@@ -19,7 +19,7 @@ fn main() {
     }
 }
 
-/// Returns what git prints, if it is there and this is a repository.
+/// Returns git's output, in a repository with git.
 fn git(arguments: &[&str]) -> Option<String> {
     let output = Command::new("git").args(arguments).output().ok()?;
     let text = String::from_utf8(output.stdout).ok().filter(|_| output.status.success())?;

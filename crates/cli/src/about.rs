@@ -1,4 +1,4 @@
-//! Which program this is, and the fields by which its JSON reports say so.
+//! The version of the program, and the header of its JSON reports.
 
 use std::io::{self, Write};
 use std::sync::OnceLock;
@@ -9,18 +9,17 @@ use time::format_description::well_known::Rfc3339;
 
 use super::Failure;
 
-/// The number of the format of JSON reports: it grows when a field goes or means something else.
+/// Version of the JSON reports: it grows when a field is removed or changes its meaning.
 const FORMAT: u32 = 1;
 
-/// When the command started.
 static STARTED: OnceLock<OffsetDateTime> = OnceLock::new();
 
-/// Notes that the command starts.
+/// Records the start of the command.
 pub fn start() {
     STARTED.get_or_init(OffsetDateTime::now_utc);
 }
 
-/// Returns the program's version, with the commit from which it was built if that is known.
+/// Returns the program's version, with the commit of its build if known.
 pub fn version() -> &'static str {
     static VERSION: OnceLock<String> = OnceLock::new();
     VERSION.get_or_init(|| match option_env!("LETOFF_BUILT_FROM") {
@@ -29,18 +28,17 @@ pub fn version() -> &'static str {
     })
 }
 
-/// Returns `at` as programs and people read it, to the second.
+/// Formats `at` in UTC, to the second.
 pub fn utc(at: OffsetDateTime) -> String {
     at.replace_nanosecond(0).unwrap_or(at).format(&Rfc3339).unwrap_or_default()
 }
 
-/// The fields that each JSON report has beside its own.
+/// Common fields of all JSON reports.
 #[derive(Clone, Debug, Serialize)]
 pub struct ReportHeader {
     format: u32,
-    /// The version of the program that made it.
     version: &'static str,
-    /// When the command started (UTC).
+    /// Start of the command (UTC).
     started: String,
 }
 
@@ -52,7 +50,7 @@ impl ReportHeader {
         Self { format: FORMAT, version: version(), started }
     }
 
-    /// Returns its fields, for a report that another crate writes.
+    /// Returns the fields, for a report that another crate writes.
     pub fn fields(&self) -> serde_json::Map<String, serde_json::Value> {
         match serde_json::to_value(self) {
             Ok(serde_json::Value::Object(fields)) => fields,
@@ -61,7 +59,6 @@ impl ReportHeader {
     }
 }
 
-/// A report below its header.
 #[derive(Serialize)]
 struct HeadedReport<'a, T> {
     #[serde(flatten)]
@@ -70,12 +67,12 @@ struct HeadedReport<'a, T> {
     report: &'a T,
 }
 
-/// Prints a report, which is a structure with fields, as JSON.
+/// Prints a report, which must be a structure with fields, as JSON with its header.
 pub fn print_report(report: &impl Serialize, out: &mut dyn Write) -> Result<(), Failure> {
     print_json(&HeadedReport { header: ReportHeader::new(), report }, out)
 }
 
-/// Prints `value` as JSON: lists, and what is no report of something that was done.
+/// Prints `value` as JSON without a header, for lists and states.
 pub fn print_json(value: &impl Serialize, out: &mut dyn Write) -> Result<(), Failure> {
     serde_json::to_writer_pretty(&mut *out, value).map_err(io::Error::from)?;
     Ok(writeln!(out)?)

@@ -2,12 +2,11 @@
 
 use firmware_protocol::key::KeyIndex;
 
-/// The help of `--link`.
 pub const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
                                can:INTERFACE, classic-can:INTERFACE, or 'rig:PROGRAM ARGUMENTS' \
                                for a program that lives boards in virtual time; once for each";
 
-/// Reads a length of time (s), above 0.
+/// Parses a duration (s), above 0.
 pub fn seconds(text: &str) -> Result<f64, String> {
     match number(text)? {
         seconds if seconds > 0.0 => Ok(seconds),
@@ -15,7 +14,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads a ratio, above 0.
+/// Parses a ratio above 0.
 pub fn ratio(text: &str) -> Result<f64, String> {
     match number(text)? {
         ratio if ratio > 0.0 => Ok(ratio),
@@ -23,7 +22,7 @@ pub fn ratio(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads a share, 0 to 1.
+/// Parses a share, 0 to 1.
 pub fn share(text: &str) -> Result<f64, String> {
     match number(text)? {
         share if (0.0..=1.0).contains(&share) => Ok(share),
@@ -31,7 +30,7 @@ pub fn share(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Reads a size (B), as `500MB` or `1.5GiB`.
+/// Parses a size (B), as `500MB` or `1.5GiB`.
 pub fn bytes(text: &str) -> Result<u64, String> {
     const UNITS: [(&str, u64); 7] = [
         ("KiB", 1 << 10),
@@ -59,20 +58,20 @@ pub fn bytes(text: &str) -> Result<u64, String> {
     Ok(bytes as u64)
 }
 
-/// Reads a finite number.
+/// Parses a finite number.
 pub fn number(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| number.is_finite());
     number.ok_or_else(|| format!("`{text}` is not a number: write digits, as 1.5"))
 }
 
-/// Reads a name and its value.
+/// Parses `name=value` into its parts.
 pub fn assignment(text: &str) -> Result<(String, String), String> {
     let (name, value) =
         text.split_once('=').ok_or_else(|| format!("`{text}` has no `=`: write name=value"))?;
     Ok((name.trim().to_owned(), value.trim().to_owned()))
 }
 
-/// Reads a key, as C4 or as its MIDI number.
+/// Parses a key, as C4 or as its MIDI number.
 pub fn note(text: &str) -> Result<KeyIndex, String> {
     text.parse().map_err(|_error| {
         format!("`{text}` is no key: give a note from A0 to C8, or a MIDI number from 21 to 108")

@@ -5,7 +5,7 @@ use std::io::Write;
 use super::Failure;
 use host::control::{Reply, Request, send_to_host};
 
-/// Asks; a refusal becomes what `refused` makes of it.
+/// Sends `request`; `refused` converts a rejection.
 pub(super) fn ask(
     request: &Request,
     refused: fn(String) -> Failure,

@@ -1,4 +1,4 @@
-//! The main thread while a run plays: signals, the live line, news, and the service manager.
+//! The main thread during a run: signals, the live line, news, and the service manager.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,7 +16,7 @@ use super::service::{self, ServiceNotifier};
 use super::signals::{RunSignal, Signals};
 use host::control::RunHandle;
 
-/// What the main thread looks after while a run plays.
+/// Duties of the main thread during a run.
 pub(super) struct RunAttendant<'a> {
     pub(super) signals: Signals,
     pub(super) notifier: ServiceNotifier,
@@ -25,18 +25,17 @@ pub(super) struct RunAttendant<'a> {
     pub(super) log: &'a StderrLog,
     pub(super) counters: Arc<LiveCounters>,
     pub(super) line: StatusLine,
-    /// Lines for the log, once the first tick is over.
+    /// Lines for the log, after the first tick.
     pub(super) news: Vec<String>,
-    /// Set where the run is to end.
     pub(super) stop: Arc<AtomicBool>,
-    /// The file of the scene that plays, if it has one.
+    /// File of the scene, if it has one.
     pub(super) file: Option<SceneFile>,
-    /// Whether the file is to be read again as soon as the run can be changed.
+    /// `true` if the file must be read again as soon as the run can be changed.
     pub(super) is_reload_due: bool,
 }
 
 impl RunAttendant<'_> {
-    /// Looks after it until `running` is over, and returns what came of that.
+    /// Attends to the run until `running` ends, and returns its result.
     pub(super) async fn until_over<T>(
         &mut self,
         mut running: JoinHandle<T>,

@@ -1,4 +1,4 @@
-//! `letoff check FILE`: is this scene, instrument or description of a model right?
+//! `letoff check FILE`: checks a scene, an instrument or a description of a model.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -23,7 +23,7 @@ pub struct CheckArgs {
     pub json: bool,
 }
 
-/// Checks every file; fails if one is wrong.
+/// Checks all files; fails if one is invalid.
 pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut wrong = Vec::new();
     for file in &args.files {

@@ -1,4 +1,4 @@
-//! Programs that this one starts and ends.
+//! Starts and ends other programs.
 
 use std::io;
 use std::os::unix::process::CommandExt as _;
@@ -11,8 +11,8 @@ use rustix::process::{Pid, Signal, kill_process};
 use super::Failure;
 use super::signals::Signals;
 
-/// Returns the program of ours called `name`, which `package` makes: beside this one, or where
-/// programs are looked for.
+/// Returns the path of our program `name`, which `package` builds: beside this program, or on the
+/// path.
 pub(super) fn program_beside(name: &str, package: &str) -> Result<PathBuf, Failure> {
     let name = format!("{name}{}", std::env::consts::EXE_SUFFIX);
     let beside = std::env::current_exe().ok().map(|own| own.with_file_name(&name));
@@ -34,22 +34,22 @@ pub(super) fn become_program(command: &mut Command) -> Result<(), Failure> {
     Err(Failure::Running(format!("{program} cannot be started: {error}")))
 }
 
-/// Time between two looks whether a program has ended.
+/// Interval between checks for a program's end.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Looks at a program that loses nothing before it is killed: five seconds.
+/// Checks before a program that loses nothing is killed: five seconds.
 const LOOKS: u32 = 100;
 
-/// The way in which a program is ended.
+/// Method of ending a program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum EndMode {
-    /// It is asked, and killed if it does not end in time, since it loses nothing.
+    /// Terminate, and kill it if it does not end in time, since it loses nothing.
     Brief,
-    /// It is asked as by Ctrl-C, and waited for: forces fade and notes end.
+    /// Interrupt as by Ctrl-C, and wait: forces fade and notes end.
     Patient,
 }
 
-/// A program that ends when this is dropped, if it has not before.
+/// A program that ends when this value is dropped, unless it ended before.
 #[derive(Debug)]
 pub(super) struct ChildProgram {
     child: Child,
@@ -57,21 +57,19 @@ pub(super) struct ChildProgram {
 }
 
 impl ChildProgram {
-    /// Starts `command`.
     pub(super) fn start(command: &mut Command, end_mode: EndMode) -> io::Result<Self> {
         Ok(Self { child: command.spawn()?, end_mode })
     }
 
-    /// Returns its exit status, if it has ended.
     pub(super) fn ended(&mut self) -> io::Result<Option<ExitStatus>> {
         self.child.try_wait()
     }
 
-    /// Waits until it has ended, and how; nothing if this program is to end before.
+    /// Waits for its exit status; `None` if this program must end first.
     pub(super) async fn end(&mut self, signals: &mut Signals) -> io::Result<Option<ExitStatus>> {
         let mut looks = tokio::time::interval(LOOK);
         loop {
-            // Ctrl-C is for both, and then nothing went wrong with the other.
+            // Ctrl-C reaches both, and is no failure of the other.
             if signals.come_before(&mut looks).await {
                 return Ok(None);
             }
@@ -81,18 +79,18 @@ impl ChildProgram {
         }
     }
 
-    /// Returns whether it runs; until it was seen to end, its number is not used again.
+    /// Returns `true` while it runs; its process id is not reused before.
     fn is_there(&mut self) -> bool {
         matches!(self.child.try_wait(), Ok(None))
     }
 
     fn tell(&self, signal: Signal) {
         let id = i32::try_from(self.child.id()).ok().and_then(Pid::from_raw);
-        // One that is gone is as good.
+        // The process may have exited.
         let _gone = id.map(|id| kill_process(id, signal));
     }
 
-    /// Returns whether it ends in time.
+    /// Returns `true` if it ends in time.
     fn goes(&mut self) -> bool {
         for _ in 0..LOOKS {
             if !self.is_there() {

@@ -1,4 +1,4 @@
-//! `letoff dash`: the window, which is a program of its own beside this one.
+//! `letoff dash`: starts the window, a separate program beside this one.
 
 use std::io::{self, IsTerminal as _, Write};
 use std::path::PathBuf;
@@ -36,23 +36,21 @@ pub struct DashArgs {
     pub fingerprint: Option<String>,
 }
 
-/// The name of the window's program.
 const PROGRAM: &str = "letoff-dashboard";
 
-/// Longest time until a host runs: it may have a piece to rehearse.
+/// Maximum wait for a host, which may have a piece to rehearse.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Time between two looks whether it does.
+/// Interval between checks for the host.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// The stream or recording that a window shows.
+/// Stream or recording for a window.
 #[derive(Clone, PartialEq, Eq, Debug)]
 struct DashTarget {
-    /// An address or a recording.
     target: String,
-    /// The token for the host.
+    /// Token for the host.
     token: Option<String>,
-    /// The fingerprint of its certificate.
+    /// Fingerprint of the host's certificate.
     fingerprint: Option<String>,
 }
 
@@ -64,7 +62,7 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let program = program_beside(PROGRAM, "dashboard")?;
     let place = wanted(args, out)?;
     runtime()?.block_on(async {
-        // Before anything is started: nothing of it is left behind.
+        // Catch signals before anything is started, so that nothing is left behind.
         let mut signals = Signals::new().map_err(system)?;
         let (host, place) = match place {
             Some(place) => (None, place),
@@ -74,13 +72,13 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
             },
         };
         let shown = show(place.window(program), &mut signals).await;
-        // Ends with the window.
+        // The host ends with the window.
         drop(host);
         shown
     })
 }
 
-/// Prints where other people's viewers find the host that runs here.
+/// Prints the address of the running host for other viewers.
 fn print(out: &mut dyn Write) -> Result<(), Failure> {
     let place = whereabouts();
     let DashTarget { target, token, fingerprint } = place.map_err(|absent| match absent {
@@ -94,7 +92,7 @@ fn print(out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Returns the stream or recording that the window shows; none if a host is to be started for it.
+/// Returns the target of the window; `None` if a host must be started for it.
 fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Failure> {
     if let Some(target) = &args.target {
         let (target, fingerprint) = (target.clone(), args.fingerprint.clone());
@@ -111,8 +109,7 @@ fn wanted(args: &DashArgs, out: &mut dyn Write) -> Result<Option<DashTarget>, Fa
 }
 
 impl DashTarget {
-    /// Returns the stream that a host names: its fingerprint, if it has one, stands behind a
-    /// `#`.
+    /// Returns the stream of a host's address, with the fingerprint, if any, after `#`.
     fn said(address: &str, token: Option<String>) -> Self {
         let (target, fingerprint) = match address.split_once('#') {
             Some((target, fingerprint)) => (target, Some(fingerprint.to_owned())),
@@ -121,7 +118,7 @@ impl DashTarget {
         Self { target: target.to_owned(), token, fingerprint }
     }
 
-    /// Returns the command that opens a window onto it.
+    /// Returns the command that opens a window on the target.
     fn window(self, program: PathBuf) -> Command {
         let mut window = Command::new(program);
         window.arg(self.target);
@@ -136,17 +133,16 @@ impl DashTarget {
     }
 }
 
-/// The reason why there is no stream.
+/// Reason for a missing stream.
 enum Absent {
-    /// No host runs here.
     Nobody(String),
-    /// One runs, and still tries its keys.
+    /// A host runs, and still tries its keys.
     Starting(String),
-    /// One runs, and streams nothing.
+    /// A host runs without a stream.
     Refused(String),
 }
 
-/// Returns the stream of the host that runs here, with its token.
+/// Returns the stream of the running host, with its token.
 fn whereabouts() -> Result<DashTarget, Absent> {
     match send(&socket_path(), &Request::Where {}) {
         Ok(Ok(Reply::Where { address, token })) => Ok(DashTarget::said(&address, token)),
@@ -160,7 +156,6 @@ fn whereabouts() -> Result<DashTarget, Absent> {
     }
 }
 
-/// Asks at the terminal.
 fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
     if !io::stdin().is_terminal() {
         return Ok(false);
@@ -172,8 +167,8 @@ fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
     Ok(matches!(line.trim(), "" | "y" | "Y" | "yes"))
 }
 
-/// Starts a host on the simulated keybed, which only the window plays, and waits until it
-/// answers; nothing if a signal came before.
+/// Starts a host on the simulated keybed, which only the window plays, and waits for its stream;
+/// `None` after a signal.
 async fn start(signals: &mut Signals) -> Result<Option<(ChildProgram, DashTarget)>, Failure> {
     let failed = |error| Failure::Running(format!("the host cannot be started: {error}"));
     let own = std::env::current_exe().map_err(failed)?;
@@ -191,13 +186,13 @@ async fn start(signals: &mut Signals) -> Result<Option<(ChildProgram, DashTarget
             return Ok(Some((host, place)));
         }
         if let Some(status) = host.ended().map_err(failed)? {
-            // It has said why.
+            // The host has printed its failure.
             return Err(Failure::Running(format!("the host that was started ended: {status}")));
         }
     }
 }
 
-/// Returns the stream of the host that was started, if it answers by now.
+/// Returns the stream of the started host, once it answers.
 fn look(deadline: Instant) -> Result<Option<DashTarget>, Failure> {
     match whereabouts() {
         Ok(place) => Ok(Some(place)),
@@ -214,7 +209,7 @@ async fn show(mut window: Command, signals: &mut Signals) -> Result<(), Failure>
     let mut window = ChildProgram::start(&mut window, EndMode::Brief).map_err(failed)?;
     match window.end(signals).await.map_err(system)? {
         Some(status) if !status.success() => {
-            // It has said why.
+            // The window has printed its failure.
             Err(Failure::Running(format!("the window ended: {status}")))
         }
         Some(_) | None => Ok(()),

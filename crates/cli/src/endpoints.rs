@@ -15,7 +15,6 @@ use host::control::{
 use host::session::RunSession;
 use scene::{LinksConfig, Scene};
 
-/// The control socket and the stream of a running command.
 #[derive(Debug, Default)]
 pub(super) struct Endpoints {
     clients: Clients,
@@ -23,22 +22,22 @@ pub(super) struct Endpoints {
     requests: Option<Arc<RequestHandler>>,
 }
 
-/// A stream that is served.
+/// A stream with its server.
 #[derive(Debug)]
 struct ServedStream {
     publisher: Publisher,
     closer: Closer,
-    /// Its address, in a sentence.
+    /// Its address in a sentence.
     news: String,
     serving: JoinHandle<std::io::Result<()>>,
 }
 
 impl Endpoints {
-    /// Answers requests to a host that will run `scene`, before anything is rehearsed; `clients` are
-    /// those of the control socket, which `starting` has answered so far.
+    /// Answers requests to a host that will run `scene`, before any rehearsal; `clients` are those
+    /// of the control socket, which `starting` has answered so far.
     ///
     /// # Errors
-    /// If the stream that was asked for cannot be had.
+    /// If the requested stream cannot be opened.
     pub(super) fn open(
         scene: &Scene,
         starting: &StartingHost,
@@ -47,34 +46,27 @@ impl Endpoints {
     ) -> Result<Self, Failure> {
         let folders = wanted.map(|it| it.folders.clone()).unwrap_or_default();
         let stream = wanted.map(ListeningStream::open).transpose()?.flatten();
-        // A client that asks for the stream's address waits until there is one.
+        // A client that asks for the stream's address waits until it exists.
         let address = stream.as_ref().map(|it| it.address.clone());
         let requests = starting.begin(scene.clone(), folders, address);
         let stream = stream.map(|it| it.serve(&requests));
         Ok(Self { clients, stream, requests: Some(requests) })
     }
 
-    /// Watches the descriptions that play, until what is returned is dropped.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
+    /// Watches the descriptions of the voices, until the result is dropped.
     pub(super) fn watch(&self) -> Result<Option<RepeatedLook>, Failure> {
         let requests = self.requests.as_ref().map(Arc::clone);
         requests.map(watch_descriptions).transpose().map_err(system)
     }
 
-    /// Gives keys at rest a lower fidelity while a tick has more work than time, until what is
-    /// returned is dropped.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
+    /// Lowers the fidelity of resting keys while a tick has more work than time, until the result
+    /// is dropped.
     pub(super) fn watch_load(&self) -> Result<Option<RepeatedLook>, Failure> {
         let requests = self.requests.as_ref().map(Arc::clone);
         requests.map(follow_load).transpose().map_err(system)
     }
 
-    /// Listens for program changes, until what is returned is dropped; says so where that cannot
-    /// be.
+    /// Listens for program changes, until the result is dropped; logs a failure.
     pub(super) fn hear_programs(&self) -> Option<ProgramListener> {
         let started = ProgramListener::start(self.requests.as_ref()?);
         started.unwrap_or_else(|why| {
@@ -83,7 +75,6 @@ impl Endpoints {
         })
     }
 
-    /// Returns what answers requests, if anything does.
     pub(super) fn requests(&self) -> Option<Arc<RequestHandler>> {
         self.requests.as_ref().map(Arc::clone)
     }
@@ -95,7 +86,7 @@ impl Endpoints {
         }
     }
 
-    /// Returns the messages at the beginning of the run.
+    /// Returns the messages at the start of the run.
     pub(super) fn news(&self, scene: &Scene, session: &RunSession) -> Vec<String> {
         let (name, hz, n_voices) = (&scene.name, session.tick_hz(), session.n_voices());
         let keys = match &scene.links {
@@ -108,10 +99,10 @@ impl Endpoints {
         [Some(plays), streams].into_iter().flatten().collect()
     }
 
-    /// Waits until all clients have their answer, tells clients of the stream `why` it is over, and
-    /// closes it.
+    /// Waits until all clients have their answer, sends `why` to those of the stream, and closes
+    /// it.
     pub(super) async fn leave(self, why: &str) {
-        /// Longer than a stream takes to close.
+        /// Upper bound of the time to close a stream.
         const GRACE: Duration = Duration::from_secs(4);
         let stream = async {
             if let Some(stream) = self.stream {
@@ -123,12 +114,12 @@ impl Endpoints {
     }
 }
 
-/// Whether commands reach this process.
+/// Reachability of this process for commands.
 #[derive(Debug, Default)]
 pub(super) struct Reach {
-    /// Why `dash` and other commands do not, in a sentence.
+    /// Reason why `dash` and other commands cannot reach it, in a sentence.
     notice: Option<String>,
-    /// Why not even `letoff stop` does, in a sentence.
+    /// Reason why not even `letoff stop` can, in a sentence.
     unstoppable: Option<String>,
 }
 
@@ -139,20 +130,20 @@ impl Reach {
         self.unstoppable.clone().map_or(Ok(()), |why| Err(Failure::Running(why)))
     }
 
-    /// Like [`Self::check`], but lets simulated keys play where nothing could stop them.
+    /// Like [`Self::check`], but allows simulated keys without a stop.
     pub(super) fn check_for(&self, links: &LinksConfig) -> Result<(), Failure> {
         let checked = self.check();
         if *links == LinksConfig::Simulated { Ok(()) } else { checked }
     }
 }
 
-/// Serves this user's control socket by `answers`, and stops by the name of this process.
+/// Serves this user's control socket with `answers`, and stops by the name of this process.
 pub(super) fn listen<A: Answers>(answers: &Arc<A>) -> (Clients, Reach) {
     let clients = Clients::default();
     let path = socket_path();
-    // A second host, or a machine without a place for sockets, runs all the same.
+    // A second host, or a machine without a folder for sockets, runs nevertheless.
     let answer = |server| {
-        // Ends with the runtime, and takes the socket with it.
+        // The task ends with the runtime, and removes the socket.
         tokio::spawn(serve(server, Arc::clone(answers), clients.clone()));
     };
     let by_path = ControlServer::listen(&path).map(answer).err();
@@ -170,7 +161,7 @@ pub(super) fn listen<A: Answers>(answers: &Arc<A>) -> (Clients, Reach) {
     (clients, Reach { notice, unstoppable })
 }
 
-/// A stream that listens and is not served yet.
+/// A listening stream that is not served yet.
 struct ListeningStream {
     server: StreamServer,
     address: StreamAddress,

@@ -1,4 +1,4 @@
-//! `letoff instruments`: what there is to play.
+//! `letoff instruments`: lists instruments and models.
 
 use std::io::Write;
 use std::path::Path;
@@ -54,7 +54,7 @@ struct InstrumentListing {
 struct ModelInfo {
     name: &'static str,
     summary: String,
-    /// The file of its description; null of one that is part of the program.
+    /// File of its description; null for a built-in one.
     file: Option<String>,
     input: SignalInfo,
     states: Vec<SignalInfo>,
@@ -176,9 +176,8 @@ pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Fai
     Ok(())
 }
 
-/// Asks the running host to switch.
 fn switch(instrument: &str, keys: Option<String>, out: &mut dyn Write) -> Result<(), Failure> {
-    // The host may stand in another folder.
+    // The host may have another working folder.
     let path = std::fs::canonicalize(instrument).map(|path| path.to_string_lossy().into_owned());
     let instrument = path.unwrap_or_else(|_no_file| instrument.to_owned());
     ask::ask(&Request::UseInstrument { instrument, keys }, Failure::Usage, out)
@@ -215,7 +214,7 @@ fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints what moves in a mode, and where its guards lead.
+/// Prints the coordinates of a mode, and the targets of its guards.
 fn print_mode(mode: &ModeInfo, out: &mut dyn Write) -> Result<(), Failure> {
     let ModeInfo { name, n, m, p, guards } = mode;
     let degrees = counted(*p, "degree of freedom", "degrees of freedom");

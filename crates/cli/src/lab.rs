@@ -1,4 +1,4 @@
-//! `letoff lab`: the studies, which are a program of their own beside this one.
+//! `letoff lab`: starts the studies, a separate program beside this one.
 
 use std::ffi::OsString;
 use std::process::Command;
@@ -16,7 +16,6 @@ pub struct LabArgs {
     pub arguments: Vec<OsString>,
 }
 
-/// Becomes `letoff-lab`.
 pub(super) fn run(args: &LabArgs) -> Result<(), Failure> {
     let mut lab = Command::new(program_beside("letoff-lab", "lab")?);
     become_program(lab.args(&args.arguments))

@@ -1,5 +1,4 @@
-//! The commands: `letoff run`, `dash`, `record`, `replay`, `recover`, `board`, `simulate`, `check`, `plan`, `devices`, `calibrate`,
-//! `instruments`, `model`, `set`, `press`, `status`, `stop`, `lab`; and `manual`, which is for packages.
+//! The commands of `letoff`; [`Command`] lists them.
 //!
 //! Exit codes: 0 done, 1 something failed while running (a voice or a model, too), 2 wrong usage or
 //! file, 3 no host runs (of `status`), 101 a panic, which is a bug.
@@ -109,18 +108,17 @@ pub enum Command {
     MidiGuardian(midi_guardian::MidiGuardianArgs),
 }
 
-/// The failure of a command.
 #[derive(Debug)]
 pub enum Failure {
-    /// Something failed while running: exit code 1.
+    /// Failure during a run: exit code 1.
     Running(String),
-    /// Wrong usage or a wrong file: exit code 2.
+    /// Wrong usage or invalid file: exit code 2.
     Usage(String),
-    /// No host runs that could be asked: exit code 3.
+    /// No host to ask: exit code 3.
     NoHost(String),
-    /// A thread panicked, which is a bug: exit code 101, as that of every program in Rust.
+    /// Panic of a thread, which is a bug: exit code 101, as of every Rust program.
     Panicked(String),
-    /// The reader closed the output, as `head` does: no failure at all.
+    /// The reader closed the output, as `head` does: no failure.
     Unread,
 }
 
@@ -131,7 +129,7 @@ impl Failure {
         ))
     }
 
-    /// Reports the failure on stderr and returns the exit code.
+    /// Prints the failure on stderr and returns the exit code.
     fn tell(self) -> ExitCode {
         let (code, text) = match self {
             Self::Unread => return ExitCode::SUCCESS,
@@ -145,8 +143,8 @@ impl Failure {
     }
 }
 
-/// Converts errors of the output, which every command writes with `?`; other errors of the system
-/// are named where they occur.
+/// Converts errors of the output, which commands write with `?`; other errors of the system are
+/// named where they occur.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {
@@ -156,13 +154,12 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Returns the failure of a request to the system that any program would see.
+/// Returns the failure of a system call that any program would see.
 #[expect(clippy::needless_pass_by_value, reason = "fits map_err")]
 fn system(error: io::Error) -> Failure {
     Failure::system(&error)
 }
 
-/// Runs the command and returns its exit code.
 pub fn run(letoff: &Letoff) -> ExitCode {
     finish(|out| {
         let done = dispatch(&letoff.command, out);
@@ -173,7 +170,7 @@ pub fn run(letoff: &Letoff) -> ExitCode {
     })
 }
 
-/// Runs a program on stdout, reports how it failed, and returns its exit code.
+/// Runs a program on stdout, prints its failure, and returns the exit code.
 pub fn finish(program: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> ExitCode {
     about::start();
     let mut out = io::stdout().lock();
@@ -183,16 +180,15 @@ pub fn finish(program: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Ex
 
 /// Runs `program` on a thread called `name`, with a stack that does not depend on the shell.
 pub fn main_thread(name: &str, program: impl FnOnce() -> ExitCode + Send + 'static) -> ExitCode {
-    /// Stack of the thread (B).
     const STACK: usize = 8 << 20;
     match thread::Builder::new().name(name.to_owned()).stack_size(STACK).spawn(program) {
-        // A panic was reported where it happened.
+        // A panic is reported where it happens.
         Ok(running) => running.join().unwrap_or(ExitCode::from(101)),
         Err(error) => Failure::system(&error).tell(),
     }
 }
 
-/// Reports that models are interpreted, if they are: ticks have less room then.
+/// Warns if models are interpreted: ticks have less room then.
 fn report_interpretation() {
     if let Some(reason) = mechanism::interpreted() {
         let text =
@@ -201,7 +197,6 @@ fn report_interpretation() {
     }
 }
 
-/// Writes a message to stderr.
 fn tell(text: &str) {
     log::tell_as(Level::Info, text);
 }

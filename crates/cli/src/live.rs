@@ -1,7 +1,7 @@
-//! Progress of what takes long: the rehearsal, a run, keys that are measured.
+//! Progress of long work: the rehearsal, a run, the measurement of keys.
 //!
-//! Drawn on stderr, and only when a person sees it: a pipe gets the report, and a line every few
-//! seconds while a performance is rehearsed, and one for each key that is measured.
+//! Drawn on stderr at a terminal. Other readers get the report, a line every few seconds of a
+//! rehearsal, and one for each measured key.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
@@ -14,25 +14,24 @@ use super::tell;
 use host::adapters::observer::LiveCounters;
 use host::session::{PianistProgress, RunSession};
 
-/// Time between two updates of the line.
+/// Interval of updates of the line.
 pub(super) const REFRESH: Duration = Duration::from_millis(200);
 
-/// Time between two lines about a rehearsal where there is no terminal to draw on.
+/// Interval of lines about a rehearsal without a terminal.
 const LINE_EVERY: Duration = Duration::from_secs(3);
 
-/// Whether a rehearsal is told of line by line where there is no terminal.
+/// Printing of a rehearsal's progress without a terminal.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ProgressLines {
     Told,
     Quiet,
 }
 
-/// The rehearsal of a performance.
 #[derive(Clone, Debug)]
 pub(super) struct RehearsalProgress {
     bar: ProgressBar,
     lines: ProgressLines,
-    /// Lines that were told.
+    /// Number of printed lines.
     n_lines: Arc<AtomicU64>,
 }
 
@@ -43,7 +42,7 @@ impl RehearsalProgress {
         Self { bar, lines, n_lines: Arc::default() }
     }
 
-    /// Shows how far it has come; called by the threads that rehearse.
+    /// Shows the progress; called by the threads that rehearse.
     pub(super) fn show(&self, progress: PianistProgress) {
         let PianistProgress { done, total } = progress;
         self.bar.set_length(total as u64);
@@ -53,7 +52,7 @@ impl RehearsalProgress {
         }
     }
 
-    /// Whether the time of the next line has come; only one thread is told so.
+    /// Returns `true` to one thread when the next line is due.
     fn is_line_due(&self) -> bool {
         let told = self.n_lines.load(Relaxed);
         let due = LINE_EVERY.as_secs() * (told + 1) <= self.bar.elapsed().as_secs();
@@ -65,17 +64,17 @@ impl RehearsalProgress {
     }
 }
 
-/// One line about a running host.
+/// Live line of a running host.
 #[derive(Debug)]
 pub(super) struct StatusLine {
     bar: ProgressBar,
     tick_hz: f64,
-    /// Ticks after which a play list begins again, if it does.
+    /// Ticks of a pass of a repeated play list.
     pass: Option<u64>,
 }
 
 impl StatusLine {
-    /// Returns the line of a run; without an end it shows no bar.
+    /// Returns the line of a run; without an end it has no bar.
     pub(super) fn new(session: &RunSession) -> Self {
         let ticks = session.ticks();
         let bar = ticks.map_or_else(ProgressBar::no_length, ProgressBar::new);
@@ -84,7 +83,7 @@ impl StatusLine {
         Self { bar: bar.with_style(style(template)), tick_hz, pass: session.pass() }
     }
 
-    /// Shows time, active keys, tick load, misses, notes, and the pass of a list that repeats.
+    /// Shows time, active keys, tick load, misses, notes, and the pass of a repeated list.
     pub(super) fn show(&self, counters: &LiveCounters) {
         let ticks = counters.ticks.load(Relaxed);
         let load = counters.work_ns.load(Relaxed) as f64 * self.tick_hz * 1e-7;
@@ -104,13 +103,12 @@ impl StatusLine {
         self.bar.finish_and_clear();
     }
 
-    /// Returns the line as a progress bar.
     pub(super) fn bar(&self) -> ProgressBar {
         self.bar.clone()
     }
 }
 
-/// Keys that are measured one after the other.
+/// Progress of keys that are measured one after the other.
 #[derive(Debug)]
 pub(super) struct KeyProgress(ProgressBar);
 
@@ -120,7 +118,7 @@ impl KeyProgress {
         Self(ProgressBar::new(n as u64).with_style(style))
     }
 
-    /// Shows what is measured now; where there is no terminal, in a line of its own.
+    /// Shows the present key; without a terminal, in its own line.
     pub(super) fn show(&self, what: &str) {
         self.0.set_message(what.to_owned());
         if self.0.is_hidden() {
@@ -129,7 +127,6 @@ impl KeyProgress {
         }
     }
 
-    /// Counts a key as done.
     pub(super) fn next(&self) {
         self.0.inc(1);
     }
@@ -138,13 +135,13 @@ impl KeyProgress {
         self.0.finish_and_clear();
     }
 
-    /// Returns the bar, which is put aside while somebody is asked.
+    /// Returns the bar, which is hidden during a question.
     pub(super) const fn bar(&self) -> &ProgressBar {
         &self.0
     }
 }
 
-/// Returns the style of `template`; the plain bar, if the template were wrong.
+/// Returns the style of `template`, or the plain bar if the template is invalid.
 fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).unwrap_or_else(|_broken| ProgressStyle::default_bar())
 }

@@ -1,4 +1,4 @@
-//! The host's log: lines on stderr, written by a thread of its own.
+//! The host's log: lines on stderr, written by a separate thread.
 //!
 //! A person reads `letoff: TEXT`, journald a level before each line, and programs JSON.
 
@@ -16,26 +16,25 @@ use time::OffsetDateTime;
 
 use super::about;
 
-/// How lines are written.
+/// Format of the log's lines.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum LogFormat {
     Plain,
-    /// With the level before each line, as journald takes it.
+    /// Level before each line, for journald.
     Journal,
-    /// An object for each line.
+    /// One object per line.
     Json,
 }
 
-/// How this process writes.
 static FORMAT: OnceLock<LogFormat> = OnceLock::new();
 
 impl LogFormat {
-    /// Lets this process write so, if it has written nothing yet.
+    /// Chooses the format of this process, unless it has written already.
     pub(super) fn choose(self) {
         let _first = FORMAT.set(self);
     }
 
-    /// Returns how it writes: for journald if that reads stderr.
+    /// Returns the format: journald's if that reads stderr.
     fn chosen() -> Self {
         *FORMAT.get_or_init(|| {
             let stream = std::env::var("JOURNAL_STREAM").ok();
@@ -45,7 +44,7 @@ impl LogFormat {
         })
     }
 
-    /// Returns `text` as it is written, without the last line's end.
+    /// Formats `text`, without the last line's end.
     fn written(self, level: Level, text: &str) -> String {
         match self {
             Self::Plain => format!("letoff: {text}"),
@@ -72,28 +71,25 @@ impl LogFormat {
     }
 }
 
-/// Writes a message to stderr.
 pub(super) fn tell_as(level: Level, text: &str) {
-    // A closed stderr has no reader.
     let _unheard = writeln!(io::stderr(), "{}", LogFormat::chosen().written(level, text));
 }
 
-/// Lines that may wait for a terminal or a journal that is slow; more are left out and counted.
+/// Maximum lines that wait for a slow terminal or journal; more are dropped and counted.
 const WAITING: usize = 256;
 
 /// Writes lines until it is dropped.
 ///
-/// A pipe without a reader blocks the thread that writes into it: that is this one, and never the
-/// one that waits for signals.
+/// A pipe without a reader blocks the writing thread: that is this one, never the one that waits
+/// for signals.
 #[derive(Debug)]
 pub(super) struct StderrLog {
     lines: Option<SyncSender<(Level, String)>>,
     shared: Arc<LogState>,
-    /// Closed when all is written.
+    /// Closed after the last line.
     written: Receiver<()>,
 }
 
-/// Hands lines to the log.
 #[derive(Clone, Debug)]
 pub(super) struct LogLines {
     lines: Option<SyncSender<(Level, String)>>,
@@ -102,21 +98,17 @@ pub(super) struct LogLines {
 
 #[derive(Debug, Default)]
 struct LogState {
-    /// The bar that is drawn at the end of the terminal.
+    /// Bar at the end of the terminal.
     bar: Mutex<Option<ProgressBar>>,
     left_out: std::sync::atomic::AtomicU64,
 }
 
 impl StderrLog {
-    /// Returns a log that writes nothing.
     pub(super) fn quiet() -> Self {
         Self { lines: None, shared: Arc::default(), written: mpsc::channel().1 }
     }
 
-    /// Begins to write.
-    ///
-    /// # Errors
-    /// If the system gives no thread.
+    /// Starts the writing thread.
     pub(super) fn start() -> io::Result<Self> {
         let shared = Arc::new(LogState::default());
         let (ended, written) = mpsc::channel();
@@ -129,7 +121,7 @@ impl StderrLog {
         Ok(Self { lines: Some(lines), shared, written })
     }
 
-    /// Returns a way to hand it lines from any thread.
+    /// Returns a sender of lines for any thread.
     pub(super) fn lines(&self) -> LogLines {
         LogLines { lines: self.lines.clone(), shared: Arc::clone(&self.shared) }
     }
@@ -146,7 +138,7 @@ impl StderrLog {
 }
 
 impl LogLines {
-    /// Hands over a line; never waits.
+    /// Sends a line; never waits.
     pub(super) fn say(&self, level: Level, text: String) {
         use std::sync::atomic::Ordering::Relaxed;
         let Some(lines) = &self.lines else { return };
@@ -159,7 +151,7 @@ impl LogLines {
 impl Drop for StderrLog {
     /// Waits until all lines are written, for a limited time if stderr has no reader.
     fn drop(&mut self) {
-        /// Longer than a terminal takes.
+        /// Upper bound of a terminal's time.
         const GRACE: Duration = Duration::from_millis(500);
         self.lines = None;
         let _closed = self.written.recv_timeout(GRACE);

@@ -9,7 +9,6 @@ use documents::shown;
 
 use super::{Failure, Letoff};
 
-/// The shells whose completions are written.
 const SHELLS: [Shell; 3] = [Shell::Bash, Shell::Zsh, Shell::Fish];
 
 /// What `letoff manual` takes.
@@ -22,15 +21,11 @@ pub struct ManualArgs {
     pub folder: PathBuf,
 }
 
-/// Writes all of it.
 pub(super) fn run(args: &ManualArgs) -> Result<(), Failure> {
     write::<Letoff>("letoff", &args.folder)
 }
 
-/// Writes the man pages of the program called `name` and what completes its arguments.
-///
-/// # Errors
-/// If `folder` cannot be written to.
+/// Writes the man pages and completions of the program called `name` into `folder`.
 pub fn write<P: CommandFactory>(name: &str, folder: &Path) -> Result<(), Failure> {
     let try_write = || {
         std::fs::create_dir_all(folder)?;
@@ -49,7 +44,7 @@ pub fn write<P: CommandFactory>(name: &str, folder: &Path) -> Result<(), Failure
 mod tests {
     use super::*;
 
-    /// The names of all commands that people see, as `lab-accuracy`, with their long options.
+    /// Returns the visible commands, as `lab-accuracy`, with their long options.
     fn commands(command: &clap::Command, name: &str) -> Vec<(String, Vec<String>)> {
         let visible = command.get_subcommands().filter(|it| !it.is_hide_set());
         let below = visible.flat_map(|it| commands(it, &format!("{name}-{}", it.get_name())));

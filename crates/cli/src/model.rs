@@ -1,4 +1,4 @@
-//! `letoff model`: what is derived from a description, as equations, and a first file.
+//! `letoff model`: derives equations from a description, or writes a first one.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -78,7 +78,6 @@ pub struct LoadArgs {
     pub keys: Option<String>,
 }
 
-/// Does what was asked with a description.
 pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> {
     match &args.command {
         ModelCommand::Derive(args) => print_equations(args, out),
@@ -87,7 +86,7 @@ pub(super) fn run(args: &ModelArgs, out: &mut dyn Write) -> Result<(), Failure> 
     }
 }
 
-/// Asks the running host, which may stand in another folder.
+/// Asks the running host, which may have another working folder.
 fn load(args: &LoadArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let path = std::path::absolute(&args.file).unwrap_or_else(|_unknown| args.file.clone());
     let description = path.to_string_lossy().into_owned();

@@ -1,4 +1,4 @@
-//! `letoff plan SCENE`: can the links carry it?
+//! `letoff plan SCENE`: checks whether the links can carry the scene.
 
 use std::io::Write;
 
@@ -31,11 +31,10 @@ pub struct PlanArgs {
     pub json: bool,
 }
 
-/// The plan of one link.
 #[derive(Debug, Serialize)]
 struct PlanRow {
     link: String,
-    /// Its medium; none if that is not known or takes no time.
+    /// Medium; `None` if unknown or without transmission time.
     medium: Option<String>,
     planned: Option<Planned>,
     sentences: Vec<String>,
@@ -48,29 +47,28 @@ struct Planned {
     samples: &'static str,
     forces: &'static str,
     hz: f64,
-    /// Share of its time, at worst.
+    /// Worst-case share of its time.
     load: f64,
-    /// The highest rate with these packings.
+    /// Highest rate with these packings.
     most_hz: f64,
-    /// The time until the last force frame, at worst.
+    /// Worst-case time until the last force frame.
     force_response_us: Option<f64>,
-    /// The time that the most urgent frame waits for one that is on its way, at worst.
+    /// Worst-case time that the most urgent frame waits for a frame in transmission.
     blocking_us: f64,
     verdict: &'static str,
     proposal: Proposed,
 }
 
-/// The limits of a link.
 #[derive(Debug, Serialize)]
 struct Proposed {
     samples: &'static str,
     forces: &'static str,
     hz: f64,
-    /// Links like this one that the wanted rate takes with these packings.
+    /// Number of such links for the wanted rate with these packings.
     links: Option<usize>,
 }
 
-/// Prints the plan of every link; fails if one is refused, or if keys are not stable at this rate.
+/// Prints the plan of every link; fails if one is overloaded, or if keys are unstable at this rate.
 pub(super) fn run(args: &PlanArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let (scene, boards) = args.target.boards()?;
     let plans = planning::assumed(&boards, scene.tick_hz);
@@ -136,7 +134,7 @@ fn proposal(plan: &BusPlan, links: Option<usize>) -> Proposed {
     }
 }
 
-/// Returns what the link can carry at best, in a sentence.
+/// Describes the best use of the link in a sentence.
 fn proposed(plan: &BusPlan) -> String {
     let packing = |plan: &BusPlan| {
         let (samples, forces) = (name(&SAMPLES, plan.samples), name(&FORCES, plan.forces));
@@ -162,12 +160,11 @@ fn proposed(plan: &BusPlan) -> String {
     }
 }
 
-/// Returns what a scene calls a packing.
+/// Returns a packing's name in scenes.
 fn name<T: PartialEq + Copy>(names: &[(&'static str, T)], wanted: T) -> &'static str {
     names.iter().find(|(_, it)| *it == wanted).map_or("", |(name, _)| name)
 }
 
-// Both lists have every packing.
 const _: () = assert!(SAMPLES.len() == SamplePacking::ALL.len());
 const _: () = assert!(FORCES.len() == ForcePacking::ALL.len());
 

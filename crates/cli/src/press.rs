@@ -1,4 +1,4 @@
-//! `letoff press KEY`: a simulated key of the running host, pressed as long as this command runs.
+//! `letoff press KEY`: presses a simulated key of the running host while this command runs.
 
 use std::io::Write;
 use std::os::unix::net::UnixStream;
@@ -39,10 +39,9 @@ pub struct PressArgs {
     pub length: Option<f64>,
 }
 
-/// Presses the key and waits.
 pub(super) fn run(args: &PressArgs, out: &mut dyn Write) -> Result<(), Failure> {
     runtime()?.block_on(async {
-        // Before anything is pressed: a signal ends the command in good order.
+        // Catch signals before the press, so that the command always ends it.
         let signals = Signals::new().map_err(system)?;
         let newtons = match args.velocity {
             Some(velocity) => weight(args.key, velocity)?,
@@ -59,7 +58,7 @@ pub(super) fn run(args: &PressArgs, out: &mut dyn Write) -> Result<(), Failure> 
     })
 }
 
-/// Returns the weight (N) under which `key` sounds at `velocity`, as the host plays it now.
+/// Returns the weight (N) under which `key` sounds at `velocity` in the running host.
 fn weight(key: KeyIndex, velocity: Velocity) -> Result<f64, Failure> {
     let answer = send_to_host(&Request::Scene {});
     let answer = answer.map_err(|error| Failure::Running(error.to_string()))?;
@@ -98,13 +97,11 @@ async fn wait(
     }
 }
 
-/// Reads a velocity of MIDI.
 fn velocity(text: &str) -> Result<Velocity, String> {
     let velocity = text.parse().ok().and_then(Velocity::new);
     velocity.ok_or_else(|| format!("`{text}` is no velocity: give 1 to 127"))
 }
 
-/// Reads a key's name or MIDI number.
 fn key(text: &str) -> Result<KeyIndex, String> {
     let numbered = text.parse().ok().and_then(KeyIndex::from_midi);
     let named = || text.parse().ok();

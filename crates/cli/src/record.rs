@@ -1,4 +1,4 @@
-//! `letoff record FILE [SCENE]`: the host, with everything that it does in a file.
+//! `letoff record FILE [SCENE]`: runs the host and records everything.
 
 use std::io::Write;
 use std::path::PathBuf;
@@ -23,7 +23,6 @@ pub struct RecordArgs {
     pub run: RunArgs,
 }
 
-/// Runs the host and records it.
 pub(super) fn run(args: &RecordArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let record = Some(args.file.clone());
     run::run(&RunArgs { record, ..args.run.clone() }, out)

@@ -1,4 +1,4 @@
-//! Options of recordings, of a run's own and of those that clients begin.
+//! Options of recordings by a run and by clients.
 
 use std::time::Duration;
 
@@ -30,7 +30,7 @@ impl RecordingArgs {
         let longest = self.max_duration.map(Duration::try_from_secs_f64);
         RecordingLimits {
             largest_file: self.max_size,
-            // What is too long for a clock has no end.
+            // A time too long for a clock has no end.
             longest_file: longest.and_then(Result::ok),
             largest_total: self.max_total,
             lowest_free: self.min_free,
@@ -38,7 +38,7 @@ impl RecordingArgs {
     }
 }
 
-/// Reads the size of a file that is not too small for a recording (B).
+/// Parses a file size (B) that is large enough for a recording.
 fn file_size(text: &str) -> Result<u64, String> {
     match bytes(text)? {
         size if size >= RecordingLimits::LEAST_FILE => Ok(size),

@@ -1,4 +1,4 @@
-//! `letoff recover FILE`: a recording that breaks off, made whole in another file.
+//! `letoff recover FILE`: copies the readable part of a truncated recording.
 
 use std::fs;
 use std::io::Write;
@@ -32,22 +32,20 @@ pub struct RecoverArgs {
     pub json: bool,
 }
 
-/// The messages that were saved, as JSON.
+/// Saved messages, as JSON.
 #[derive(Debug, Serialize)]
 struct Saved {
     file: String,
     messages: u64,
-    /// The time from the first to the last of them (s).
+    /// Time from the first to the last message (s).
     seconds: f64,
-    /// At the old file's end, and of no use (B).
+    /// Unusable rest at the old file's end (B).
     cut_bytes: u64,
-    /// Pieces that are damaged, up to a second each.
+    /// Damaged pieces, up to a second each.
     damaged: u64,
-    /// The damages, a sentence each.
     wrong: Vec<String>,
 }
 
-/// Saves what can be read of a recording.
 pub(super) fn run(args: &RecoverArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let into = args.into.clone().unwrap_or_else(|| beside(&args.file, "-recovered"));
     let recovered = if args.overwrite {
@@ -59,7 +57,7 @@ pub(super) fn run(args: &RecoverArgs, out: &mut dyn Write) -> Result<(), Failure
     if args.json { print_report(&saved, out) } else { print(&saved, &args.file, out) }
 }
 
-/// `take1-recovered.mcap` of `take1.mcap`.
+/// Returns `take1-recovered.mcap` for `take1.mcap`.
 fn beside(file: &Path, suffix: &str) -> PathBuf {
     let mut name = file.file_stem().unwrap_or_default().to_owned();
     name.push(suffix);
@@ -68,10 +66,10 @@ fn beside(file: &Path, suffix: &str) -> PathBuf {
     file.with_file_name(name)
 }
 
-/// Puts what can be read of `file` in the place of `into`, whatever is there: even `file` itself,
-/// which is gone only when the new one is complete and on the disk.
+/// Writes the readable part of `file` to `into`, which may exist and may be `file` itself: it is
+/// replaced only when the new file is complete and on the disk.
 fn replace(file: &Path, into: &Path) -> Result<Recovered, Failure> {
-    // A name of this process's: what a killed one has left is not in the way.
+    // The name contains the process id, so the rest of a killed process does not interfere.
     let unfinished = beside(into, &format!("-unfinished-{}", std::process::id()));
     let recovered = recover(file, &unfinished).map_err(|error| failure(&error))?;
     fs::rename(&unfinished, into).map_err(|error| {
@@ -117,7 +115,7 @@ impl Saved {
         }
     }
 
-    /// Returns what was lost; nothing if everything was saved.
+    /// Describes the losses; empty if there are none.
     fn losses(&self) -> Vec<String> {
         let pieces = match self.damaged {
             0 => None,

@@ -1,5 +1,5 @@
-//! The scene's file: read when the host begins and again at SIGHUP, and the copy of it that was
-//! last accepted, for a host that is started again after a crash.
+//! The scene's file, read at the start and at SIGHUP, and the copy of its last accepted version for
+//! a restart after a crash.
 
 use std::fs;
 use std::io::{self, IsTerminal as _};
@@ -17,21 +17,21 @@ use super::tell;
 use host::control::RequestHandler;
 use scene::{Library, Override, Scene};
 
-/// The file of a scene, and the changes that the command line makes to it.
+/// File of a scene, with the command line's overrides.
 #[derive(Clone, Debug)]
 pub(super) struct SceneFile {
     path: PathBuf,
     overrides: Vec<Override>,
     library: Library,
-    /// File with the text that was last accepted, if one is kept.
+    /// File with the last accepted text, if it is kept.
     last: Option<PathBuf>,
-    /// Held while the scene is read, so that the last reading is the one that stays.
+    /// Held while the scene is read, so that the last reading wins.
     turn: Arc<Mutex<()>>,
 }
 
 impl SceneFile {
     /// Returns the file of the scene that was typed with `overrides`, with its last text in `last`;
-    /// `None` for a scene that is part of the program.
+    /// `None` for a built-in scene.
     pub(super) fn of(typed: &str, overrides: Vec<Override>, last: Option<PathBuf>) -> Option<Self> {
         let exists = Path::new(typed).is_file() || last.as_deref().is_some_and(Path::is_file);
         let is_file = exists && !scene::scenes().any(|it| it == typed);
@@ -40,8 +40,7 @@ impl SceneFile {
         is_file.then_some(Self { path, overrides, library, last, turn })
     }
 
-    /// Returns the scene for a host that begins, with its text: the one that the host before a crash
-    /// had accepted, or else that in the file.
+    /// Returns the initial scene with its text: that accepted before a crash, or that of the file.
     pub(super) fn begin(&self) -> Result<(Scene, String), String> {
         let Some(last) = self.last.as_ref().filter(|last| last.is_file()) else {
             return self.read();
@@ -60,8 +59,8 @@ impl SceneFile {
         self.scene(text)
     }
 
-    /// Keeps `text`, which was accepted, for a host that is started again after a crash: that host
-    /// depends on no file that is being edited.
+    /// Stores `text`, which was accepted, for a restart after a crash, which then depends on no
+    /// file that is being edited.
     pub(super) fn keep(&self, text: &str) {
         let Some(last) = &self.last else { return };
         let part = last.with_extension("part");
@@ -81,7 +80,7 @@ impl SceneFile {
         scene.map(|scene| (scene, text)).map_err(|wrong| wrong.to_string())
     }
 
-    /// Reads the file again and applies what can change live; `log` reports the result.
+    /// Reads the file again and applies the live changes; `log` reports the result.
     pub(super) async fn reload(self, requests: Arc<RequestHandler>, log: LogLines) {
         let _turn = Arc::clone(&self.turn).lock_owned().await;
         service::reloading();
@@ -93,10 +92,9 @@ impl SceneFile {
             self.keep(&text);
             Ok(said)
         };
-        // Voices are built: not on the thread that receives signals.
+        // Voices are built here, so not on the thread that receives signals.
         let done = tokio::task::spawn_blocking(read).await;
         match done.unwrap_or_else(|panic| Err(panic.to_string())) {
-            // The log reports it as any other change.
             Ok(text) => service::reloaded(&text),
             Err(text) => {
                 service::reloaded(&text);
@@ -106,8 +104,8 @@ impl SceneFile {
     }
 }
 
-/// Returns the meaning of a hang-up to a run: the scene of a `file` is read again, but a terminal
-/// that is closed ends the run in it.
+/// Returns the meaning of a hang-up to a run: reload for a scene with a `file`, but the end if a
+/// terminal closes.
 pub(super) fn meaning(file: Option<&SceneFile>) -> HangUp {
     let has_terminal = io::stdin().is_terminal() || io::stderr().is_terminal();
     match file {

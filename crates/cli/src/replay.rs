@@ -1,4 +1,4 @@
-//! `letoff replay FILE`: a recording, replayed and compared, or exported.
+//! `letoff replay FILE`: replays and compares a recording, or exports it.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -31,7 +31,6 @@ pub struct ReplayArgs {
     pub json: bool,
 }
 
-/// Replays a recording, or exports it.
 pub(super) fn run(args: &ReplayArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let usage = |error: &dyn std::fmt::Display| Failure::Usage(error.to_string());
     let recording = Recording::open(&args.file).map_err(|error| usage(&error))?;

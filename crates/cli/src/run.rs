@@ -96,7 +96,7 @@ impl RunArgs {
         self.scene_option.as_deref().unwrap_or(&self.target.scene)
     }
 
-    /// Everything that overrides the scene, the named options last.
+    /// Returns all overrides of the scene, the named options last.
     fn overrides(&self) -> Vec<Override> {
         let named = [
             ("--performance", "pianist.performance", &self.performance),
@@ -110,11 +110,11 @@ impl RunArgs {
     }
 }
 
-/// Runs the host and prints its report. A host that ends without a failure forgets its last scene:
+/// Runs the host and prints its report. After an end without a failure the last scene is deleted:
 /// the next start is no restart after a crash.
 pub(super) fn run(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure> {
     perform_and_report(args, out)?;
-    // It is missing if no scene was accepted.
+    // The file is missing if no scene was accepted.
     let _missing = args.last_scene.as_ref().map(fs::remove_file);
     Ok(())
 }
@@ -149,10 +149,10 @@ fn perform_and_report(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure
     }
 }
 
-/// Returns whether the models did what they should.
+/// Fails if a model failed.
 ///
-/// A run that `letoff stop` ended has done what it was asked, whatever came before: an exit code
-/// of failure would have the service manager start it again, forces and all.
+/// A run that `letoff stop` ended succeeds in any case: after a failure the service manager would
+/// restart it with its forces.
 fn without_faults(report: &RunReport) -> Result<(), Failure> {
     if report.faults == 0 {
         return Ok(());
@@ -169,12 +169,11 @@ fn without_faults(report: &RunReport) -> Result<(), Failure> {
     Err(Failure::Running(text))
 }
 
-/// Rehearses, runs until the end or a signal, and reports; nothing if it was stopped before it
-/// began.
+/// Rehearses, runs until the end or a signal, and reports; `None` if stopped before it began.
 fn perform(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunReport>>, Failure> {
     let runtime = runtime()?;
     let ended = runtime.block_on(host(options, args));
-    // What still rehearses or loads a description is not waited for: no board is armed any more.
+    // Do not wait for rehearsals or loading: no board is armed any more.
     runtime.shutdown_background();
     ended
 }
@@ -192,7 +191,7 @@ async fn host(options: RunOptions, args: &RunArgs) -> Result<Option<Box<RunRepor
     Box::pin(play(begun, *tried, options, args)).await
 }
 
-/// A host that hears signals and a stop, and has tried nothing yet.
+/// A host that receives signals and stops, before its trials.
 struct BegunHost {
     signals: Signals,
     log: StderrLog,
@@ -200,7 +199,7 @@ struct BegunHost {
     starting: Arc<StartingHost>,
     clients: Clients,
     reach: Reach,
-    /// The scene's file, if it can be read again.
+    /// File of the scene, if it can be read again.
     file: Option<SceneFile>,
 }
 
@@ -214,7 +213,6 @@ impl BegunHost {
         let handle = Arc::new(run_handle(options));
         handle.status.prepare(args.scene());
         let starting = Arc::new(StartingHost::new(Arc::clone(&handle)));
-        // A run in virtual time takes no requests.
         let (clients, reach) = if options.virtual_time {
             (Clients::default(), Reach::default())
         } else {
@@ -269,7 +267,7 @@ async fn play(
         log: &log,
         counters: session.counters(),
         line,
-        // In virtual time the run may be over before anybody looks: the log would differ.
+        // In virtual time the run may end before a message is logged: the log would differ.
         news: if options.virtual_time { Vec::new() } else { endpoints.news(scene, &session) },
         stop,
         file,
@@ -288,17 +286,17 @@ async fn play(
     Ok(Some(report))
 }
 
-/// What is run: keys that were found, and are stable if they are simulated.
+/// A tried run: keys that were found, and are stable if simulated.
 struct TriedRun {
     found: FoundKeys,
-    /// What keys got that leave their fidelity to this machine.
+    /// Chosen fidelity of keys that leave it to this machine.
     fidelity: Vec<ChosenFidelity>,
     stream: Option<streaming::WantedStream>,
 }
 
 impl TriedRun {
-    /// Reads the scene that `args` name, from `file` if it has one, and finds its keys. Chooses
-    /// their fidelity where ticks are run in real time. Arms no board.
+    /// Reads the scene of `args`, from `file` if it has one, and finds its keys. Chooses their
+    /// fidelity for ticks in real time. Arms no board.
     fn of(args: &RunArgs, file: Option<&SceneFile>, options: RunOptions) -> Result<Self, Failure> {
         let (scene, text) = match file {
             Some(file) => file.begin().map(|(scene, text)| (scene, Some(text))),
@@ -315,11 +313,11 @@ impl TriedRun {
         for chosen in &fidelity {
             tell(&chosen.to_string());
         }
-        // Those on boards are tried with the delay of their links when the run is prepared.
+        // Keys on boards are tried with the delay of their links when the run is prepared.
         if scene.links == LinksConfig::Simulated {
             refuse_unstable(scene)?;
         }
-        // A mistake is told before anything is rehearsed or recorded.
+        // Report mistakes before any rehearsal or recording.
         let mut stream = args.stream.wanted(&scene.name, state_folder()).map_err(Failure::Usage)?;
         if let Some(stream) = &mut stream {
             stream.folders.limits = args.recordings.limits();
@@ -331,24 +329,23 @@ impl TriedRun {
     }
 }
 
-/// Returns the handle of a run; one in real time has its MIDI port held by a guardian.
+/// Returns the handle of a run; in real time a guardian holds its MIDI port.
 fn run_handle(options: RunOptions) -> RunHandle {
     if options.virtual_time { RunHandle::default() } else { RunHandle::guarded_at(guardian_path()) }
 }
 
-/// Returns whether the keys of `scene` are on boards.
 const fn has_boards(scene: &Scene) -> bool {
     matches!(scene.links, LinksConfig::Boards(_))
 }
 
-/// Returns the log of a run: in virtual time one that writes if there are boards, since nothing
-/// else has news there.
+/// Returns the log of a run: in virtual time it writes only if there are boards, the only source of
+/// news there.
 fn log_with_boards(log: StderrLog, scene: &Scene, args: &RunArgs) -> Result<StderrLog, Failure> {
     let is_wanted = args.virtual_time && has_boards(scene) && !args.quiet;
     if is_wanted { StderrLog::start().map_err(system) } else { Ok(log) }
 }
 
-/// Logs the events of the run; in real time also keeps the last seconds for when a voice fails, and
+/// Logs the events of the run; in real time also keeps the last seconds for a voice's failure, and
 /// notes the state of the run.
 fn observe(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog) {
     if !args.virtual_time || has_boards(scene) {
@@ -364,11 +361,10 @@ fn observe(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog)
     session.observe(Box::new(StatusSink::new(status)));
 }
 
-/// The reason that clients get when the host was stopped.
+/// Reason for clients of a stopped host.
 const STOPPED: &str = "the host was stopped: no board renders a force until it is started anew";
 
-/// Prepares the run, and prints notices about its keys; nothing if a stop or a signal comes before
-/// it is ready.
+/// Prepares the run, and prints notices about its keys; `None` if a stop or a signal comes first.
 async fn prepare(
     found: FoundKeys,
     options: RunOptions,
@@ -393,14 +389,13 @@ async fn prepare(
     Ok(prepared)
 }
 
-/// Records the whole run, if that is asked for.
 fn record(handle: &RunHandle, args: &RunArgs) -> Result<Option<RecordingHandle>, Failure> {
     let limits = args.recordings.limits();
     let recording = args.record.as_deref().map(|file| handle.record_run(file, limits));
     recording.transpose().map_err(Failure::Usage)
 }
 
-/// Keeps the last seconds for when a voice fails, in the folder `wanted` unless that is `none`.
+/// Keeps the last seconds for a voice's failure, in the folder `wanted` unless that is `none`.
 fn keep_black_box(session: &RunSession, wanted: Option<&Path>) {
     let folder = match wanted {
         Some(folder) if folder == Path::new("none") => None,
@@ -412,8 +407,8 @@ fn keep_black_box(session: &RunSession, wanted: Option<&Path>) {
     }
 }
 
-/// Returns the user's own folder for what programs leave behind, or one among temporary files;
-/// none if another user has made that one.
+/// Returns the user's own folder for state files, or one among temporary files; `None` if another
+/// user has made that one.
 fn state_folder() -> Option<PathBuf> {
     streaming::own_state_folder().or_else(|| temporary_folder().ok())
 }

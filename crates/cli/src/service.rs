@@ -1,4 +1,4 @@
-//! What a service manager is told: readiness, a status line, and that ticks are run in time.
+//! Messages to a service manager: readiness, a status line, and a watchdog for timely ticks.
 
 use std::pin::pin;
 use std::sync::Arc;
@@ -8,20 +8,19 @@ use host::control::RunHandle;
 use sd_notify::{NotifyState, notify, watchdog_enabled};
 use telemetry::HostState;
 
-/// Time between two looks at what has changed.
+/// Interval between checks for changes.
 const LOOK: Duration = Duration::from_secs(1);
 
-/// Longest time without news of a rehearsal before a start counts as failed (us).
+/// Maximum time of a rehearsal without progress before a start counts as failed (us).
 const REHEARSAL_US: u32 = 60_000_000;
 
-/// Tells the service manager that started this process, if one did.
-///
-/// It is off the tick: the main thread calls it between two looks at its counters.
+/// Notifies the service manager that started this process, if any. Off the tick: the main thread
+/// calls it between two checks of its counters.
 #[derive(Debug)]
 pub(super) struct ServiceNotifier {
     handle: Arc<RunHandle>,
     tick_watch: TickWatch,
-    /// Time between two signs of life, where they are asked for.
+    /// Interval of watchdog messages, if requested.
     feeding: Option<Duration>,
     fed: Instant,
     looked: Option<Instant>,
@@ -30,9 +29,9 @@ pub(super) struct ServiceNotifier {
 }
 
 impl ServiceNotifier {
-    /// Tells of the run behind `handle` from now on.
+    /// Reports on the run behind `handle` from now on.
     pub(super) fn new(handle: Arc<RunHandle>) -> Self {
-        // Three times in the time that is allowed: one look at a busy moment is no end.
+        // Three messages in the allowed time: one busy moment does not end the service.
         let feeding = watchdog_enabled().map(|longest| longest / 3);
         Self {
             handle,
@@ -45,7 +44,7 @@ impl ServiceNotifier {
         }
     }
 
-    /// Does `work`, and tells meanwhile how far it is.
+    /// Does `work`, and reports its progress.
     pub(super) async fn beside<T>(&mut self, work: impl Future<Output = T>) -> T {
         let mut work = pin!(work);
         let mut looks = tokio::time::interval(LOOK);
@@ -57,7 +56,7 @@ impl ServiceNotifier {
         }
     }
 
-    /// Tells what is new at `now`; `missed` counts ticks that were late or never run.
+    /// Reports changes at `now`; `missed` counts ticks that were late or never run.
     pub(super) fn attend(&mut self, now: Instant, ticks: u64, missed: u64) {
         if !self.is_ready && 0 < ticks {
             self.is_ready = true;
@@ -77,7 +76,7 @@ impl ServiceNotifier {
         }
     }
 
-    /// Tells what the run does, if it is something new.
+    /// Reports the run's state if it changed.
     fn tell_status(&mut self) {
         let status = self.handle.status.read();
         let line = status.line();
@@ -93,41 +92,37 @@ impl ServiceNotifier {
     }
 }
 
-/// Tells that the run ends.
 pub(super) fn stopping() {
     say(&[NotifyState::Stopping, NotifyState::Status("forces fade, notes end")]);
 }
 
-/// Tells that the scene is read again.
 pub(super) fn reloading() {
     if let Ok(now) = NotifyState::monotonic_usec_now() {
         say(&[NotifyState::Reloading, now]);
     }
 }
 
-/// Tells that the scene was read again, and what came of it.
 pub(super) fn reloaded(text: &str) {
     let line = text.lines().next().unwrap_or_default();
     say(&[NotifyState::Ready, NotifyState::Status(line)]);
 }
 
 fn say(states: &[NotifyState<'_>]) {
-    // A manager that does not listen is none of ours.
     let _unheard = notify(states);
 }
 
-/// Says whether ticks were run in time since the last look.
+/// Detects whether ticks ran in time since the last check.
 #[derive(Debug, Default)]
 struct TickWatch {
     ticks: u64,
     missed: u64,
 }
 
-/// Of so many ticks one may be late or left out.
+/// Allowed share of late or missed ticks: one in this many.
 const MISSED_ONE_IN: u64 = 10;
 
 impl TickWatch {
-    /// Returns whether ticks went on since the last look, and at most one in ten was missed.
+    /// Returns `true` if ticks advanced since the last check, and at most one in ten was missed.
     const fn look(&mut self, ticks: u64, missed: u64) -> bool {
         let passed = ticks.saturating_sub(self.ticks);
         let late = missed.saturating_sub(self.missed);

@@ -1,4 +1,4 @@
-//! `letoff set`: other settings of `[render]` while the host plays.
+//! `letoff set`: changes settings of `[render]` in the running host.
 
 use std::io::Write;
 
@@ -16,7 +16,6 @@ pub struct SetArgs {
     settings: Vec<(String, String)>,
 }
 
-/// Asks the running host to compute its voices by other settings.
 pub(super) fn run(args: &SetArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let setting = |(name, value): &(String, String)| RenderSetting {
         name: name.clone(),

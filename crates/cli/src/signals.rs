@@ -10,40 +10,37 @@ use tokio::runtime::Runtime;
 
 use super::{Failure, system};
 
-/// What a hang-up (SIGHUP) means.
+/// Meaning of a hang-up (SIGHUP).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum HangUp {
-    /// The end, as of a terminal that is closed.
+    /// End, as when a terminal is closed.
     Ends,
-    /// The scene is to be read again.
     Reloads,
 }
 
-/// A signal to a run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum RunSignal {
     End,
     Reload,
 }
 
-/// The signals that end a run well: all notes off, forces down, then the report.
+/// Signals that end a run in order: all notes off, forces down, then the report.
 pub(super) struct Signals {
     hang_up_means: HangUp,
     interrupt: tokio::signal::unix::Signal,
     terminate: tokio::signal::unix::Signal,
     hang_up: tokio::signal::unix::Signal,
-    /// A file has become larger than `RLIMIT_FSIZE` allows, which would end the process if nobody
-    /// listened: who writes the file is told so by its error.
+    /// A file exceeds `RLIMIT_FSIZE`. Without a listener the signal would end the process; the
+    /// writer of the file gets an error.
     _file_too_large: tokio::signal::unix::Signal,
 }
 
 impl Signals {
-    /// Listens from now on.
     pub(super) fn new() -> io::Result<Self> {
         Self::with(HangUp::Ends)
     }
 
-    /// Returns the same where a hang-up means what `hang_up_means` says.
+    /// Like [`Self::new`], with a meaning of a hang-up.
     pub(super) fn with(hang_up_means: HangUp) -> io::Result<Self> {
         use tokio::signal::unix::{SignalKind, signal};
         Ok(Self {
@@ -55,7 +52,7 @@ impl Signals {
         })
     }
 
-    /// Waits for the next of `looks`; says whether a signal came first.
+    /// Waits for the next of `looks`; returns `true` if a signal came first.
     pub(super) async fn come_before(&mut self, looks: &mut tokio::time::Interval) -> bool {
         tokio::select! {
             biased;
@@ -64,11 +61,8 @@ impl Signals {
         }
     }
 
-    /// Does `work`, which arms no board, on a thread of its own; nothing comes of it if an
-    /// emergency stop, which is answered here, or a signal comes before it is done.
-    ///
-    /// # Errors
-    /// If `work` panicked.
+    /// Does `work`, which arms no board, on its own thread; discards it if a signal or an emergency
+    /// stop, which is answered here, comes first.
     pub(super) async fn unless_stopped<T: Send + 'static>(
         &mut self,
         emergency: &EmergencyStop,
@@ -88,7 +82,7 @@ impl Signals {
         done.map(Some).map_err(|panic| Failure::Running(panic.to_string()))
     }
 
-    /// Waits for the next signal to end; one to read the scene again waits.
+    /// Waits for the next signal to end; a reload stays pending.
     pub(super) async fn next(&mut self) {
         tokio::select! {
             _ = self.interrupt.recv() => {}
@@ -97,7 +91,7 @@ impl Signals {
         }
     }
 
-    /// Waits for the next signal to a run that plays.
+    /// Waits for the next signal to a running host.
     pub(super) async fn next_of_run(&mut self) -> RunSignal {
         tokio::select! {
             _ = self.interrupt.recv() => RunSignal::End,
@@ -113,21 +107,20 @@ impl Signals {
 /// Returns the runtime of a command that runs until it is stopped.
 ///
 /// # Errors
-/// If the system gives it too few threads or descriptors: the runtime panics where it finds none
-/// later.
+/// If threads or descriptors are too few: the runtime would panic later.
 pub(super) fn runtime() -> Result<Runtime, Failure> {
     check_limits().map_err(system)?;
     tokio::runtime::Builder::new_current_thread().enable_all().build().map_err(system)
 }
 
-/// Asks once for the descriptors and threads that a command which runs takes.
+/// Allocates once the descriptors and threads of a running command.
 fn check_limits() -> io::Result<()> {
-    /// Pairs of descriptors: a host with a stream, and one client, has 14.
+    /// Pairs of descriptors: a host with a stream and one client has 14.
     const PAIRS: usize = 8;
     /// Threads beside this one.
     const THREADS: usize = 4;
     let _pairs = (0..PAIRS).map(|_| UnixStream::pair()).collect::<io::Result<Vec<_>>>()?;
-    // All are there at once: each waits until what holds it is dropped.
+    // All exist at once: each waits until its lock is dropped.
     let mut threads = Vec::new();
     for _ in 0..THREADS {
         let (held, end) = std::sync::mpsc::channel::<()>();

@@ -1,4 +1,4 @@
-//! Refuses scenes whose keys would not be stable.
+//! Rejects scenes with unstable keys.
 
 use std::path::Path;
 
@@ -8,14 +8,14 @@ use scene::{Library, Scene};
 
 use super::Failure;
 
-/// Tries the keys of `scene`, and refuses it with a sentence for each range that is not stable.
+/// Tries the keys of `scene`; fails with a sentence for each unstable range.
 pub(super) fn refuse_unstable(scene: &Scene) -> Result<(), Failure> {
     let unstable = instabilities(scene).map_err(|error| Failure::Usage(error.to_string()))?;
     if unstable.is_empty() { Ok(()) } else { Err(Failure::Usage(unstable.join("\nletoff: "))) }
 }
 
-/// Tries the keys of the scene in `file`, which is a good one; returns what was found of each range,
-/// with its margin, or what is wrong.
+/// Tries the keys of the valid scene in `file`; returns the results of each range with its margin,
+/// or the mistakes.
 pub(super) fn check_stability(file: &Path) -> Result<Vec<RangeStability>, Diagnostics> {
     let scene = Scene::load(&Library::default(), &file.to_string_lossy(), &[])?;
     let wrong = |message: String, help: String| Diagnostic {

@@ -1,4 +1,4 @@
-//! `letoff status`: what the running host does, and how it goes.
+//! `letoff status`: prints the state of the running host.
 
 use std::io::Write;
 
@@ -22,7 +22,6 @@ pub struct StatusArgs {
     pub json: bool,
 }
 
-/// Asks the host and prints what it says.
 pub(super) fn run(args: &StatusArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let answer = send_to_host(&Request::Status {}).map_err(|error| {
         let is_nobody = matches!(error, ControlError::NoHost { .. });
@@ -52,7 +51,6 @@ pub(super) fn run(args: &StatusArgs, out: &mut dyn Write) -> Result<(), Failure>
     Ok(())
 }
 
-/// Returns what a person reads.
 fn text(status: &HostStatus) -> String {
     let HostStatus { process, deadlines, midi, clients, faults, .. } = status;
     let since = i64::try_from(status.since).ok();

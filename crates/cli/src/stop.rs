@@ -1,11 +1,11 @@
-//! `letoff stop`: no force on any key, at once.
+//! `letoff stop`: removes all forces at once.
 
 use std::io::Write;
 
 use super::{Failure, tell};
 use host::control::{AskedHost, Reply, hosts_elsewhere, stop_hosts};
 
-/// Stops all hosts of this user, and with them every board.
+/// Stops all hosts of this user with their boards.
 pub(super) fn run(out: &mut dyn Write) -> Result<(), Failure> {
     let stopped = report(&stop_hosts(), out);
     for pid in hosts_elsewhere() {
@@ -16,7 +16,6 @@ pub(super) fn run(out: &mut dyn Write) -> Result<(), Failure> {
     stopped
 }
 
-/// Prints what became of each host.
 fn report(asked: &[AskedHost], out: &mut dyn Write) -> Result<(), Failure> {
     let mut failures = Vec::new();
     for AskedHost { name, answer } in asked {

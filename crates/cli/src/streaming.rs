@@ -45,25 +45,21 @@ pub struct StreamArgs {
     pub instruments: Option<PathBuf>,
 }
 
-/// The address that Foxglove's own viewers try first.
+/// Address that Foxglove's own viewers try first.
 const DEFAULT: &str = "127.0.0.1:8765";
 
-/// The stream that the options ask for.
 #[derive(Debug)]
 pub(super) struct WantedStream {
     settings: ServerSettings,
-    /// The folders in which clients may name files.
+    /// Folders in which clients may name files.
     pub(super) folders: Folders,
-    /// It is the default, and not asked for by an option.
+    /// `true` for the default, without an option.
     is_usual: bool,
 }
 
 impl StreamArgs {
-    /// Returns the stream that the options ask for, if any; `folder` keeps a certificate of our
-    /// own, and without one it is another one in each run.
-    ///
-    /// # Errors
-    /// What is wrong with them, in a sentence.
+    /// Returns the requested stream, if any; `folder` keeps our own certificate, which otherwise
+    /// differs in each run.
     pub(super) fn wanted(
         &self,
         name: &str,
@@ -87,7 +83,7 @@ impl StreamArgs {
         };
         settings.check().map_err(|error| error.to_string())?;
         if settings.tokens.is_empty() && !self.insecure {
-            // Every user of this machine reaches its loopback.
+            // Every user of this machine can reach its loopback.
             settings.tokens.push(Token::random(Role::Owner).map_err(|error| error.to_string())?);
         }
         let is_usual = self.listen.is_none() && self.tokens.is_none() && self.tls.is_none();
@@ -106,7 +102,7 @@ impl StreamArgs {
     }
 }
 
-/// Returns the user's own folder for what programs leave behind, if the user has a home.
+/// Returns the user's own folder for state files, if the user has a home.
 pub(super) fn own_state_folder() -> Option<PathBuf> {
     let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/state"));
     let state = std::env::var_os("XDG_STATE_HOME").map(PathBuf::from).or_else(home)?;
@@ -114,14 +110,14 @@ pub(super) fn own_state_folder() -> Option<PathBuf> {
 }
 
 impl WantedStream {
-    /// Listens; nothing if it cannot and no option asks for it.
+    /// Listens; `None` if it cannot and no option asks for it.
     ///
     /// # Errors
-    /// Why it cannot, in a sentence; an address that is taken or not there yet may be free later.
+    /// A sentence with the cause; an address that is taken or not there yet may be free later.
     pub(super) fn listen(&self) -> Result<Option<StreamServer>, Failure> {
         let Self { settings, is_usual, .. } = self;
         let listened = match StreamServer::listen(settings.clone()) {
-            // Another host has the usual port; who looks for this one asks it.
+            // Another host has the default port; clients ask this one for its port.
             Err(error) if error.kind() == io::ErrorKind::AddrInUse && *is_usual => {
                 let address = SocketAddr::new(settings.address.ip(), 0);
                 StreamServer::listen(ServerSettings { address, ..settings.clone() })
@@ -129,7 +125,7 @@ impl WantedStream {
             listened => listened,
         };
         match listened {
-            // A machine without a network plays all the same.
+            // A machine without a network plays nevertheless.
             Err(error) if *is_usual => {
                 tell(&format!("nothing is streamed: {error}"));
                 Ok(None)
@@ -147,7 +143,6 @@ impl WantedStream {
         }
     }
 
-    /// Returns where it streams, in a sentence.
     pub(super) fn news(&self, url: &str) -> String {
         let wanted = self.settings.address;
         if self.is_usual && !url.ends_with(&wanted.to_string()) {

@@ -22,19 +22,17 @@ pub struct SceneTarget {
 }
 
 impl SceneTarget {
-    /// Everything that overrides the scene, single values last.
+    /// Returns all overrides of the scene, single values last.
     pub(super) fn overrides(&self) -> Vec<Override> {
         let set = self.set.iter().cloned().map(Override::from);
         link_overrides(&self.links).into_iter().chain(set).collect()
     }
 
-    /// Reads the scene with what overrides it.
     pub(super) fn load(&self) -> Result<Scene, Failure> {
         Scene::load_as_typed(&Library::default(), &self.scene, &self.overrides())
             .map_err(|diagnostics| Failure::Usage(diagnostics.to_string()))
     }
 
-    /// Returns the scene, and its boards.
     pub(super) fn boards(&self) -> Result<(Scene, Boards), Failure> {
         let scene = self.load()?;
         let boards = match &scene.links {

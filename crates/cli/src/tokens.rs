@@ -10,19 +10,18 @@ use telemetry::stream::server::Token;
 
 use super::tell;
 
-/// Longest file (bytes).
 const LONGEST: u64 = 1 << 16;
 
-/// The bits of a file's mode by which others may read or write.
+/// Bits of a file's mode by which others may read or write.
 const OTHERS: u32 = 0o006;
 
-/// Most mistakes that one message names.
+/// Maximum mistakes in one message.
 const MOST_TOLD: usize = 10;
 
-/// Reads who may do what; says so if others on this machine may read it too, or even write.
+/// Reads the rights of clients; warns if others on this machine may read or write the file.
 ///
 /// # Errors
-/// All that is wrong with it, in a sentence without a secret.
+/// All mistakes in a sentence without a secret.
 pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
     let wrong = |what: &str| format!("{}: {what}", shown(file));
     let (text, mode) = text(file).map_err(|error| wrong(&error.to_string()))?;
@@ -39,7 +38,7 @@ pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
     Ok(tokens)
 }
 
-/// Returns what is in the file, and who may read it.
+/// Returns the text and mode of the file.
 fn text(file: &Path) -> io::Result<(String, u32)> {
     let opened = documents::open_input(file)?;
     let mode = opened.metadata()?.permissions().mode();
@@ -67,13 +66,13 @@ fn parse(text: &str) -> Result<Vec<Token>, String> {
         return Err(wrong.join("; "));
     }
     if tokens.is_empty() {
-        // Without tokens every client would be an owner, which a named file is meant to prevent.
+        // Without tokens every client would be an owner, which a named file must prevent.
         return Err("nobody is named in it: write lines as `owner SECRET`".to_owned());
     }
     Ok(tokens)
 }
 
-/// Returns the token that `line` is, if its secret is not one of those `before`.
+/// Parses `line` as a token; its secret must differ from those `before`.
 fn token(line: &str, before: &[Token]) -> Result<Token, &'static str> {
     let (role, secret) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
     let role = [Role::Viewer, Role::Tuner, Role::Owner].into_iter().find(|it| it.name() == role);
@@ -96,7 +95,7 @@ fn token(line: &str, before: &[Token]) -> Result<Token, &'static str> {
 mod tests {
     use super::*;
 
-    /// What makes a secret long enough.
+    /// Padding to the minimum length of a secret.
     const REST: &str = "-0123456789abcdef";
 
     #[test]

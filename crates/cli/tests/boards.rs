@@ -1,4 +1,4 @@
-//! The commands that speak with boards, against simulated ones behind pseudo-terminals.
+//! The commands for boards, against simulated ones behind pseudo-terminals.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -38,10 +38,8 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// A folder of its own for the files of one test.
 fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    // Those of an earlier run may lie there.
     let _absent = std::fs::remove_dir_all(&folder);
     folder
 }
@@ -106,7 +104,7 @@ fn a_board_is_calibrated_into_a_file_and_the_file_is_not_lost() {
             assert!((10.15e-3..10.20e-3).contains(&key.travel()), "{key:?}");
             assert!((0.10..0.14).contains(&key.friction), "{key:?}");
         }
-        // Without a terminal to ask at, the command overwrites nothing.
+        // Without a terminal for a question, the command overwrites nothing.
         let said = watched(watch, &calibrate);
         let err = text(&said.stderr);
         assert_eq!(said.status.code(), Some(2), "{err}");
@@ -132,7 +130,7 @@ fn what_a_key_renders_is_said_beside_the_theory_and_no_file_is_written() {
         assert_eq!(found["key"], "G3");
         let spring = &found["objects"][0];
         assert!(spring["object"] == "spring" && spring["unit"] == "N/m", "{found}");
-        // Of 1 N·s/m at 1 kHz without delay, by the theory: 2 kN/m, and this link has some.
+        // By theory 2 kN/m for 1 N·s/m at 1 kHz without delay; this link has some.
         assert!(spring["passive"].as_f64().is_some_and(|it| it < 2e3), "{found}");
         assert!(!folder.exists());
         for (wrong, advice) in [
@@ -367,7 +365,7 @@ fn all_links_that_cannot_be_opened_are_said_at_once() {
     }
 }
 
-/// Starts `letoff` in `folder`; what it complains of is in the file `complaints`.
+/// Starts `letoff` in `folder`, with stderr in the file `complaints`.
 fn start(folder: &Folder, arguments: &[&str]) -> Child {
     let mut command = folder.command(Path::new(env!("CARGO_BIN_EXE_letoff")), arguments);
     command.stdout(Stdio::null()).stderr(File::create(folder.join("complaints")).expect("a file"));
@@ -409,7 +407,7 @@ fn calibration_is_stopped_as_a_run_is() {
             let calibrate = ["calibrate", "--link", &link, "--folder", &files];
             let mut calibrate = watch.guard(start(&folder, &calibrate));
             eventually("a socket", || folder.socket().exists().then_some(()));
-            // Forces go out from here on; how far it is by then does not matter.
+            // Forces are sent from here on; the progress until then does not matter.
             eventually("it is armed", || board.is_armed().then_some(()));
             match signal {
                 None => {
@@ -418,7 +416,7 @@ fn calibration_is_stopped_as_a_run_is() {
                     assert!(out.starts_with("stopped: 1 of 1 boards"), "{out}");
                 }
                 Some(signal) => {
-                    // The first of two keys is measured, and kept.
+                    // The first of two keys is measured and stored.
                     let is_half = || folder.read("complaints").contains("1 of 2 keys done");
                     eventually("a key", || is_half().then_some(()));
                     let id = i32::try_from(calibrate.id()).ok().and_then(Pid::from_raw);

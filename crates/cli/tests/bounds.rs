@@ -12,7 +12,7 @@ use host::control::{Answers, Clients, ControlServer, Reply, Request, serve};
 
 use crate::typed::Folder;
 
-/// Longest time for what takes a moment.
+/// Maximum time of a short operation.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Runs the command with `arguments` under a `limit` of the shell's.
@@ -56,7 +56,7 @@ fn a_length_that_a_recording_only_declares_takes_no_memory() {
 #[test]
 fn a_piece_of_many_years_is_refused_before_it_is_rehearsed() {
     let folder = Folder::new("years");
-    // One tick a quarter, the slowest tempo, and a note behind the longest pause of all.
+    // One tick per quarter, the slowest tempo, and a note after the longest pause.
     let track = [
         &[0, 0xff, 0x51, 3, 0xff, 0xff, 0xff][..],
         &[0xff, 0xff, 0xff, 0x7f, 0x90, 60, 64],

@@ -1,4 +1,4 @@
-//! What tests of hosts share: an end to each, and simulated boards behind pseudo-terminals.
+//! Common parts of tests of hosts: an end to each, and simulated boards behind pseudo-terminals.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use scheduler::time::Nanos;
 
 use crate::machine_time::{Task, WaitWatch};
 
-/// Time between two looks whether a board is armed.
+/// Interval between checks whether a board is armed.
 const LOOK: Nanos = Nanos::from_millis(10);
 
 /// A simulated board behind a port.
@@ -30,7 +30,7 @@ pub(crate) struct Board {
 }
 
 impl Board {
-    /// Sets one of this make going, on a thread that is watched.
+    /// Starts a board of this make, on a watched thread.
     pub(crate) fn start(make: BoardMake, watch: &WaitWatch) -> Self {
         let placed = place(make.id, &WireEndpoint::Pty).expect("a pseudo-terminal");
         let port = placed.address.name().into();
@@ -54,17 +54,16 @@ impl Board {
         Self { port, uid: Uid(make.uid()), stop, is_armed, thread: Some(thread) }
     }
 
-    /// Whether it renders forces.
+    /// Returns `true` while the board renders forces.
     pub(crate) fn is_armed(&self) -> bool {
         self.is_armed.load(Ordering::Acquire)
     }
 
-    /// What a command takes for its link.
     pub(crate) fn link(&self) -> String {
         format!("serial:{}", self.port.display())
     }
 
-    /// Stops it; returns what it has become.
+    /// Stops the board; returns its final state.
     pub(crate) fn stop(mut self) -> BoardProcess {
         self.stop.store(true, Ordering::Release);
         self.thread.take().expect("it lives").join().expect("it lives well")
@@ -77,13 +76,11 @@ impl Drop for Board {
     }
 }
 
-/// A make of the standard compass.
 pub(crate) fn make(number: u8, n_keys: usize) -> BoardMake {
     let id = BoardId::new(number).expect("a board");
     BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
 }
 
-/// Runs `session` while `look` looks; returns its report.
 pub(crate) fn run_while(session: RunSession, look: impl FnOnce()) -> RunReport {
     let stop = AtomicBool::new(false);
     std::thread::scope(|scope| {
@@ -95,7 +92,6 @@ pub(crate) fn run_while(session: RunSession, look: impl FnOnce()) -> RunReport {
     })
 }
 
-/// Ends the host also where a test fails.
 struct Stop<'a>(&'a AtomicBool);
 
 impl Drop for Stop<'_> {

@@ -19,7 +19,6 @@ use telemetry::request::Change;
 
 use crate::common::run_while;
 
-/// Runs a host without a pianist, and `clients` beside it; returns its report.
 fn beside_a_host(name: &str, clients: impl FnOnce(&Path)) -> RunReport {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene =
@@ -48,7 +47,7 @@ fn request(instrument: &str, keys: Option<&str>) -> Request {
     Request::UseInstrument { instrument: instrument.to_owned(), keys: keys.map(str::to_owned) }
 }
 
-/// Asks until the host runs; it needs some milliseconds for its first tick.
+/// Asks until the host runs, which takes some milliseconds until its first tick.
 fn ask(path: &Path, request: &Request) -> Result<String, String> {
     loop {
         match send(path, request).expect("an answer") {
@@ -67,10 +66,10 @@ fn ask(path: &Path, request: &Request) -> Result<String, String> {
     }
 }
 
-/// Sends `line` as it is and returns what comes back.
+/// Sends `line` unchanged and returns the answer.
 fn say(path: &Path, line: &[u8]) -> String {
     let mut stream = UnixStream::connect(path).expect("a host");
-    // A host that has heard enough may close before all is said.
+    // A host may close before it has read all.
     let _heard_enough = stream.write_all(line);
     let mut reply = String::new();
     let _closed = BufReader::new(stream).read_line(&mut reply);
@@ -141,17 +140,16 @@ fn a_second_host_does_not_take_the_socket_and_an_old_one_is_replaced() {
     assert!(ControlServer::listen(&path).is_err(), "two hosts listen at one place");
     drop(first);
     assert!(matches!(send(&path, &request("x", None)), Err(ControlError::NoHost { .. })));
-    // As after SIGKILL: the file is there, nobody listens.
+    // As after SIGKILL: the file exists without a listener.
     drop(UnixListener::bind(&path).expect("a left-over"));
     assert!(ControlServer::listen(&path).is_ok());
 }
 
-/// A runtime in which a socket is listened at.
 fn runtime() -> tokio::runtime::Runtime {
     tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime")
 }
 
-/// Why nobody may listen at `path`.
+/// Returns the reason why `path` cannot be listened at.
 fn refused(path: &Path) -> String {
     ControlServer::listen(path).expect_err("it is refused").to_string()
 }
@@ -170,7 +168,7 @@ fn what_is_no_socket_of_this_user_s_is_left_alone() {
     assert!(refused(&path).contains("no socket"), "{}", refused(&path));
     assert_eq!(fs::read_to_string(&file).expect("the file"), "a year's work");
     fs::remove_file(&path).expect("the link");
-    // Nor is what somebody put there meanwhile taken away at the end.
+    // Another file at the path is not removed at the end, either.
     let server = ControlServer::listen(&path).expect("a socket");
     let mode = fs::metadata(&path).expect("a socket").permissions().mode();
     assert_eq!(mode & 0o777, 0o600);

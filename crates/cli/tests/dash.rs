@@ -1,4 +1,4 @@
-//! `letoff dash` and what it starts: a window, of which a script takes the place, and a host.
+//! `letoff dash` and its programs: a window, replaced by a script, and a host.
 
 use std::fs::Permissions;
 use std::os::unix::fs::PermissionsExt as _;
@@ -9,7 +9,7 @@ use rustix::process::{Pid, Signal, kill_process, test_kill_process};
 
 use crate::typed::{Folder, eventually};
 
-/// Says what it was given and who it is, and stays open.
+/// Prints its arguments and process id, and stays open.
 const STAYS: &str = "#!/bin/sh
 echo \"$@\" >said
 echo \"token $LETOFF_TOKEN\" >>said
@@ -18,14 +18,12 @@ mv number.new number
 exec sleep 600
 ";
 
-/// Starts `letoff` with `arguments`; its window is the script `window`.
-///
-/// A script that is being written cannot be run, and whoever is started meanwhile would hold it
-/// open: one after the other.
+/// Starts `letoff` with `arguments`; its window is the script `window`. Serialised: a script that
+/// is open for writing cannot be run, and a process that starts meanwhile would hold it open.
 fn start(folder: &Folder, window: &str, arguments: &[&str]) -> Child {
     static ONE: Mutex<()> = Mutex::new(());
     let _alone = ONE.lock().unwrap_or_else(PoisonError::into_inner);
-    // It looks for its window beside itself.
+    // It finds its window beside itself.
     let letoff = folder.join("letoff");
     if !letoff.exists() {
         let built = env!("CARGO_BIN_EXE_letoff");
@@ -40,7 +38,6 @@ fn start(folder: &Folder, window: &str, arguments: &[&str]) -> Child {
     command.spawn().expect("a process")
 }
 
-/// The window's process, once it is open.
 fn window(folder: &Folder) -> Pid {
     let number = eventually("a window", || std::fs::read_to_string(folder.join("number")).ok());
     Pid::from_raw(number.trim().parse().expect("a number")).expect("a process")
@@ -51,7 +48,6 @@ fn signal(child: &Child, signal: Signal) {
     kill_process(id, signal).expect("it is there");
 }
 
-/// How a command ended, and its complaints.
 fn end(child: Child) -> (ExitStatus, String) {
     let output = child.wait_with_output().expect("it ends");
     (output.status, String::from_utf8_lossy(&output.stderr).into_owned())
@@ -82,7 +78,7 @@ fn a_signal_ends_the_host_that_was_started_for_the_window() {
     let (status, err) = end(dash);
     assert_eq!(status.code(), Some(0), "{err}");
     assert!(test_kill_process(window).is_err(), "the window is still there");
-    // Only a host that ends well takes it away.
+    // Only an orderly end removes the socket.
     assert!(!folder.socket().exists(), "the host is still there, or was killed");
 }
 

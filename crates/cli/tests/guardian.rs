@@ -1,5 +1,5 @@
-//! Hosts that are killed, stopped and started again, and what a synthesizer hears of it: real
-//! processes, and the bytes of a cable in a FIFO.
+//! Hosts that are killed, stopped and started again, and the bytes that a synthesizer receives
+//! meanwhile: real processes, and a cable in a FIFO.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, OpenOptions};
@@ -14,7 +14,7 @@ use rustix::process::{Pid, Signal, kill_process};
 
 use crate::typed::{Folder, cable, eventually};
 
-/// An octave, so that the piece beside it is rehearsed at once.
+/// An octave, so that its piece is rehearsed at once.
 const SCENE: &str = r#"
 tick_hz = 1000
 [[keys]]
@@ -26,11 +26,10 @@ kind = "simulated"
 performance = "piece.mid"
 "#;
 
-/// The chord that is held, and the note that is repeated above it.
 const CHORD: [u8; 3] = [60, 64, 67];
 const REPEATED: u8 = 72;
 
-/// A chord and the pedal that are held for 100 s, and a note that is repeated twice a second.
+/// Writes a chord and the pedal, held for 100 s, and a note that is repeated twice a second.
 fn write_piece(path: PathBuf) {
     let mut piece = Smf::new(path);
     let mut send = |ms: u32, bytes: [u8; 3]| {
@@ -51,13 +50,13 @@ fn write_piece(path: PathBuf) {
     piece.finish().expect("a file");
 }
 
-/// What a synthesizer at the other end of a FIFO hears.
+/// Notes that a synthesizer at the other end of a FIFO received.
 #[derive(Default)]
 struct Heard {
     messages: Vec<[u8; 3]>,
     sounding: BTreeSet<u8>,
     pedal: u8,
-    /// Note-offs of notes that were silent, though no one before it had to make sure.
+    /// Note-offs of silent notes that no restart explains.
     unasked: usize,
 }
 
@@ -85,7 +84,7 @@ impl Heard {
     }
 }
 
-/// A folder with a scene, a FIFO, and a thread that listens to it.
+/// A folder with a scene, a FIFO, and a thread that reads it.
 struct Stand {
     folder: Folder,
     heard: Arc<Mutex<Heard>>,
@@ -119,13 +118,13 @@ impl Stand {
         self.heard.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits until something is so of what was heard.
+    /// Waits until `is_so` holds of the received notes.
     #[track_caller]
     fn hears(&self, what: &str, is_so: impl Fn(&Heard) -> bool) {
         eventually(what, || is_so(&self.heard()).then_some(()));
     }
 
-    /// The guardians of hosts of this folder, by their process numbers.
+    /// Returns the process ids of the guardians of this folder's hosts.
     fn guardians(&self) -> Vec<i32> {
         let path = self.folder.join("socket.midi").display().to_string();
         let is_one = |words: &[String]| {
@@ -158,7 +157,7 @@ fn listen(mut cable: File, heard: &Mutex<Heard>) {
     }
 }
 
-/// All processes with the words that started them.
+/// Returns all processes with their arguments.
 fn processes() -> Vec<(i32, Vec<String>)> {
     let entries = fs::read_dir("/proc").expect("/proc").filter_map(Result::ok);
     let process = |path: PathBuf| {
@@ -170,7 +169,6 @@ fn processes() -> Vec<(i32, Vec<String>)> {
     entries.filter_map(|entry| process(entry.path())).collect()
 }
 
-/// A host that is killed if its test fails.
 struct Host<'a> {
     child: Child,
     stand: &'a Stand,
@@ -181,12 +179,11 @@ impl Host<'_> {
         kill_process(Pid::from_child(&self.child), signal).expect("it is there");
     }
 
-    /// Waits for its end; returns its exit code.
     fn end(mut self) -> Option<i32> {
         self.child.wait().expect("it is ours").code()
     }
 
-    /// Ends it as a user does, and asserts that all is silent and nobody is left.
+    /// Ends it as a user does, and asserts silence and no left-over process.
     #[track_caller]
     fn ends_well(self) {
         let stand = self.stand;
@@ -204,7 +201,7 @@ impl Drop for Host<'_> {
             let _gone = self.child.kill();
             let _ended = self.child.wait();
         }
-        // One that is stopped hears nothing else.
+        // A stopped process receives nothing else.
         for guardian in self.stand.guardians() {
             let _gone = kill(guardian, Signal::KILL);
         }
@@ -253,7 +250,7 @@ fn a_host_that_is_stopped_has_its_notes_ended_and_goes_on_without_a_stuck_one() 
     assert!(stand.complaints().contains("gave no sign for 0.5 s"), "{}", stand.complaints());
 }
 
-/// Has `signal` sent to the guardian while a chord is held, and asserts that another one ends it.
+/// Sends `signal` to the guardian while a chord is held, and asserts that another one ends it.
 #[track_caller]
 fn check_replaced(name: &str, signal: Signal) {
     let stand = Stand::new(name);
@@ -284,10 +281,10 @@ fn a_guardian_that_hangs_is_replaced_note_offs_first() {
     check_replaced("guardian-hangs", Signal::STOP);
 }
 
-/// Signals that reach the host and its guardian, and whether the host's comes first.
+/// Signals to the host and its guardian, and `true` if the host's comes first.
 type Deaths = (Option<Signal>, Option<Signal>, bool);
 
-/// Every subset of host and guardian, every signal, both orders.
+/// Returns every subset of host and guardian, every signal, both orders.
 fn deaths() -> Vec<Deaths> {
     let signals = [None, Some(Signal::KILL), Some(Signal::STOP), Some(Signal::TERM)];
     let pairs = signals.iter().flat_map(|host| signals.iter().map(move |it| (*host, *it)));
@@ -300,8 +297,8 @@ fn deaths() -> Vec<Deaths> {
     all.filter(is_one).collect()
 }
 
-/// Has `deaths` come upon a host and a guardian that hold a chord and the pedal, and asserts that
-/// both end, at the latest when the next host opens the port.
+/// Applies `deaths` to a host and a guardian that hold a chord and the pedal, and asserts that both
+/// end, at the latest when the next host opens the port.
 fn check_ended(name: &str, deaths: Deaths) {
     let (host_signal, guardian_signal, host_first) = deaths;
     let stand = Stand::new(name);
@@ -317,7 +314,7 @@ fn check_ended(name: &str, deaths: Deaths) {
         reach_guardian();
         reach_host();
     }
-    // A host that lives plays on, with its pedal.
+    // A surviving host continues to play, with its pedal.
     let has_ended = || {
         let heard = &stand.heard().messages[heard..];
         let ends = CHORD.iter().all(|note| heard.contains(&[0x80, *note, 64]));
@@ -363,7 +360,6 @@ fn what_another_host_holds_at_the_same_port_is_not_ended() {
     host.ends_well();
 }
 
-/// Arguments of a host that keeps its scene.
 const KEPT: [&str; 4] = ["--last-scene", "last.toml", "--black-box", "none"];
 
 #[test]
@@ -385,13 +381,13 @@ fn a_host_that_was_killed_plays_the_scene_that_was_accepted_last() {
     host.child.kill().expect("it is there");
     stand.hears("silence", Heard::is_silent);
     drop(host.child.wait());
-    // The same command line again, as a service manager types it.
+    // The same command line again, as from a service manager.
     host = stand.start(&KEPT);
     stand.hears("the chord again", Heard::holds_the_chord);
     let said = stand.complaints();
     assert!(said.contains("last.toml has the scene that it played"), "{said}");
     assert!(stand.folder.read("last.toml").ends_with("# accepted\n"));
-    // Once the file is right again it is read, with the overrides of the command line.
+    // The corrected file is read with the overrides of the command line.
     accepts(&host, "# right again\n");
     host.ends_well();
     assert!(!stand.folder.join("last.toml").exists(), "a good end forgets the scene");

@@ -1,16 +1,16 @@
-//! Models where no machine code can be made: in a process whose memory may never be executable.
+//! Models without machine code: in a process whose memory may never be executable.
 #![expect(clippy::expect_used, reason = "a test that cannot go on fails")]
 
 use std::io::Write as _;
 use std::process::{Command, Output};
 
-/// Denies the process all memory that becomes executable later, and runs the rest of its arguments.
+/// Denies the process all memory that becomes executable later, and runs its other arguments.
 const DENIED: &str = "import ctypes, os, sys
 PR_SET_MDWE, PR_MDWE_REFUSE_EXEC_GAIN = 65, 1
 if ctypes.CDLL(None).prctl(PR_SET_MDWE, PR_MDWE_REFUSE_EXEC_GAIN, 0, 0, 0): sys.exit(99)
 os.execv(sys.argv[1], sys.argv[1:])";
 
-/// The energy, work and end of half a second of model C, pressed.
+/// Prints energy, work and end of half a second of model C, pressed.
 const STROKE: [&str; 8] = [
     "simulate",
     "reduced-grand",

@@ -1,4 +1,4 @@
-//! What is seen of lines and boards while a host runs, and the light of one of them.
+//! The messages about lines and boards while a host runs, and the light of a board.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
@@ -14,10 +14,9 @@ use telemetry::{Links, Topic, Update};
 use crate::common::{Board, make, run_while};
 use crate::machine_time::{WaitWatch, with_time};
 
-/// Long enough for any machine: it only ends what has failed.
+/// Maximum wait, for any machine: it only ends failed tests.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Passes messages on.
 struct Ear(Sender<Update>);
 
 impl MessageSink for Ear {
@@ -30,7 +29,7 @@ impl MessageSink for Ear {
     }
 }
 
-/// Runs a host that nobody plays on these links, or on simulated keys if there are none.
+/// Runs an idle host on these links, or on simulated keys if there are none.
 fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Update>)) {
     let parsed: Vec<_> = links.iter().map(|it| Address::parse(it).expect("a link")).collect();
     let silent = Override::from(("pianist.performance".to_owned(), "none".to_owned()));
@@ -44,7 +43,7 @@ fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Updat
     run_while(session, || look(&handle, &told));
 }
 
-/// The next message about links of which `is_it` holds.
+/// Returns the next message about links with `is_it`.
 fn links(told: &Receiver<Update>, is_it: impl Fn(&Links) -> bool) -> Links {
     loop {
         if let Update::Links(it) = told.recv_timeout(PATIENCE).expect("links in time")
@@ -55,7 +54,7 @@ fn links(told: &Receiver<Update>, is_it: impl Fn(&Links) -> bool) -> Links {
     }
 }
 
-/// Waits until this is told of a board or a line.
+/// Waits for this message about a board or a line.
 fn told_until(told: &Receiver<Update>, sentence: &str) {
     let is_it = |update: &Update| matches!(update, Update::Event(it) if it.kind() == Kind::Board && it.text == sentence);
     while !is_it(&told.recv_timeout(PATIENCE).expect("an event in time")) {}
@@ -88,7 +87,7 @@ fn check_boards(watch: &WaitWatch) {
         let before = seen.boards[1].samples;
         links(told, |it| before + 1_500 < it.boards[1].samples && is_well(&it.boards[1]));
 
-        // What becomes of a board is told; a busy machine may tell of the other one too.
+        // A busy machine may also report on the other board.
         assert_eq!((three.stop().lights(), handle.emergency.is_asked()), (0, false));
         let port = &seen.lines[0].name;
         told_until(told, &format!("{port} is down now"));

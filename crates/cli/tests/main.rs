@@ -1,4 +1,4 @@
-//! The `letoff` command, as it is typed, and hosts that it starts.
+//! The `letoff` command with the hosts that it starts.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod boards;

@@ -1,8 +1,8 @@
-//! `letoff record`, `letoff replay`, `letoff recover` and `letoff dash`, as they are typed.
+//! `letoff record`, `letoff replay`, `letoff recover` and `letoff dash` on files.
 
 use crate::typed::Folder;
 
-/// A recording of three seconds, in which the piece begins.
+/// Makes a recording of three seconds, in which the piece begins.
 fn recorded(folder: &Folder) {
     let arguments = ["record", "a.mcap", "--virtual-time", "--duration", "3"];
     let (code, _out, err) = folder.letoff(&arguments);
@@ -80,7 +80,6 @@ fn a_file_that_may_not_grow_ends_its_recording_and_not_the_run() {
     assert!(err.contains("a.mcap cannot be written any further, and ends here: "), "{err}");
     let report: serde_json::Value = serde_json::from_str(&out).expect("JSON");
     assert_eq!(report["ticks"], 3000, "the run went on: {report}");
-    // What was written is read, and made whole.
     let (code, _out, err) = folder.letoff(&["recover", "a.mcap"]);
     assert_eq!(code, Some(0), "{err}");
 }
@@ -97,7 +96,7 @@ fn what_is_no_recording_is_refused_in_a_sentence() {
     }
 }
 
-/// Records `a.mcap`, and makes `cut.mcap` of its first half.
+/// Records `a.mcap`, and copies its first half to `cut.mcap`.
 fn cut(folder: &Folder) {
     recorded(folder);
     let whole = std::fs::read(folder.join("a.mcap")).expect("a recording");
@@ -119,7 +118,7 @@ fn a_recording_that_was_cut_is_recovered_beside_it() {
     assert!(lines[2].starts_with("  lost: ") && lines[2].contains(" bytes at the end"), "{out}");
     assert_eq!(std::fs::read(folder.join("cut.mcap")).expect("the old one"), before);
 
-    // It is whole, and says what the cut one says.
+    // The recovered file is complete, with the messages of the cut one.
     let ticks = |file| {
         let (_code, out, err) = folder.letoff(&["replay", file, "--json"]);
         assert_eq!(err.contains("breaks off"), file == "cut.mcap", "{err}");
@@ -159,10 +158,8 @@ fn a_whole_recording_is_copied_and_nothing_is_lost() {
     assert_eq!(code, Some(0), "{err}");
 }
 
-/// Does damage to the bytes of a recording.
 type Damage = fn(&mut Vec<u8>);
 
-/// Names of damaged recordings, and what is done to a whole one.
 const DAMAGES: [(&str, Damage); 3] = [
     ("bit", |bytes| {
         let middle = bytes.len() / 2;
@@ -208,7 +205,7 @@ fn what_was_recovered_is_replayed_as_what_it_was_recovered_from() {
             assert!(was.1.contains(" ticks, the same so far: "), "{}", was.1);
             assert!(was.1.contains(&format!("`letoff recover {old}`")), "{}", was.1);
         }
-        // Tables are made of both, up to the hole and behind it.
+        // Tables contain both parts, before and after the hole.
         for file in [&old, &new] {
             let csv = format!("{file}-csv");
             let (code, _out, err) = folder.letoff(&["replay", file, "--export", &csv]);
@@ -230,7 +227,7 @@ fn only_what_is_named_is_overwritten_by_what_was_recovered() {
     }
     folder.refuses(&["recover", "cut.mcap", "--into", "no/b.mcap"], 2, &["no/b.mcap"]);
     assert_eq!(std::fs::read(folder.join("cut.mcap")).expect("the old one"), before);
-    // Told so, it takes even the old one's place, and leaves nothing else behind.
+    // With the option it even replaces the old file, and leaves nothing else behind.
     let over = ["recover", "cut.mcap", "--into", "cut.mcap", "--overwrite"];
     let (code, _out, err) = folder.letoff(&over);
     assert_eq!(code, Some(0), "{err}");

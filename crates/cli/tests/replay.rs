@@ -1,4 +1,4 @@
-//! A run is recorded, and run again from its recording: the same to the last bit.
+//! Records a run, and replays it bit by bit.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
@@ -13,26 +13,22 @@ use telemetry::request::{Change, RenderSetting};
 
 use crate::typed::eventually;
 
-/// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("letoff-replay-{}-{name}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     folder
 }
 
-/// All kinds of models, and a piece.
 fn scene() -> Scene {
     let piece = ("pianist.performance".to_owned(), "beethoven-ode-to-joy".to_owned());
     Scene::load(&scene::Library::default(), "mixed", &[piece])
         .unwrap_or_else(|wrong| unreachable!("{wrong}"))
 }
 
-/// Begins to record the whole of `session` into `file`.
 fn begin(session: &RunSession, file: &Path) -> Recorded {
     session.handle().record_run(file, RecordingLimits::default()).expect("a new file")
 }
 
-/// Runs `scene` and records it into `file`.
 fn record(scene: &Scene, options: RunOptions, file: &Path) {
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
     let recording = begin(&session, file);
@@ -40,7 +36,7 @@ fn record(scene: &Scene, options: RunOptions, file: &Path) {
     assert_eq!(recording.report().trouble, None);
 }
 
-/// What the recording says, message by message.
+/// Returns all messages of the recording.
 fn messages(file: &Path) -> Vec<Result<Update, String>> {
     let recording = Recording::open(file).expect("a recording");
     assert!(recording.tear().is_none());
@@ -51,7 +47,7 @@ fn again(file: &Path) -> Result<Replayed, ReplayError> {
     replay(messages(file).into_iter(), |_| {})
 }
 
-/// The piece begins after two.
+/// Length of a run, with a piece from 2 s on.
 const FOUR_SECONDS: RunOptions = RunOptions { duration: Some(4.0), virtual_time: true };
 
 #[test]
@@ -114,7 +110,7 @@ fn a_replay_ends_at_a_hole_which_is_no_difference() {
     for (part, more) in [3, 5, 7].into_iter().flat_map(|part| (0..4).map(move |it| (part, it))) {
         let from = all.len() * part / 8 + more;
         let mut rest = all.clone();
-        // A quarter of a second, as a damaged chunk takes it out.
+        // A quarter of a second, like a damaged chunk.
         rest.splice(from..from + all.len() / 16, [Err("it is damaged".to_owned())]);
         let replayed = replay(rest.into_iter(), |_| {}).expect("a replay");
         assert_eq!(replayed.first_difference, None, "{part}, {more}");
@@ -123,7 +119,7 @@ fn a_replay_ends_at_a_hole_which_is_no_difference() {
         assert_eq!(replayed.incomplete_from, Some(replayed.ticks));
         assert_eq!(replayed.recorded, replayed.ticks, "nothing behind the hole is read");
     }
-    // Damage behind the last tick takes nothing away.
+    // Damage after the last tick removes nothing.
     let end = all.into_iter().chain([Err("it is damaged".to_owned())]);
     let replayed = replay(end, |_| {}).expect("a replay");
     assert_eq!((replayed.first_difference, replayed.incomplete_from), (None, None));
@@ -150,8 +146,8 @@ fn a_changed_bit_is_found_where_it_is() {
     assert!(first.text.contains("sent force"), "{first}");
 }
 
-/// A key whose first turn needs a thousand steps, in real time: where it is cut off depends on what
-/// its work costs on this machine.
+/// A key whose first turn needs a thousand steps, in real time: the cut depends on the speed of
+/// this machine.
 #[test]
 fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
     let file = folder("cut-off").join("a.mcap");
@@ -199,7 +195,7 @@ fn values_and_instruments_that_change_in_a_run_change_in_its_replay() {
     assert_eq!(replayed.first_difference, None);
 }
 
-/// A run in real time in which keys are pressed, retuned and replaced.
+/// Records a run in real time in which keys are pressed, retuned and replaced.
 fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
     use host::control::{Folders, Request, RequestHandler};
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
@@ -228,10 +224,9 @@ fn tuned(scene: &Scene, options: RunOptions, file: &Path) {
     });
 }
 
-/// Keys that are held while settings change.
 const HELD: std::ops::Range<u8> = 39..44;
 
-/// A run in real time, of a scene without a pianist, whose settings change while keys are held.
+/// Records a run in real time, without a pianist, whose settings change while keys are held.
 fn changed_settings(scene: &Scene, file: &Path) {
     use host::control::{Folders, Reply, Request, RequestHandler};
     let session = RunSession::prepare(scene, RunOptions::default(), &|_| {}).expect("a session");
@@ -298,7 +293,7 @@ fn settings_that_change_while_keys_are_held_sound_no_note_and_make_no_step_of_fo
     };
     let strikes: Vec<_> = messages.iter().filter_map(strike).collect();
     assert_eq!(strikes.len(), HELD.len(), "each key was struck once");
-    // From then on a finger holds each key: what changes is blended in over 20 ms.
+    // From then on a finger holds each key: changes are blended in over 20 ms.
     let held = strikes.into_iter().max().expect("a strike") + 500;
     let mut last = [None::<f64>; 88];
     let mut voices = std::collections::BTreeSet::new();
@@ -319,7 +314,7 @@ fn settings_that_change_while_keys_are_held_sound_no_note_and_make_no_step_of_fo
     assert_eq!(replayed.first_difference, None);
 }
 
-/// Keys that are played in a run whose ticks may take as much as some of them need.
+/// Played keys of a run whose ticks may take as long as some of them need.
 const PLAYED: std::ops::Range<u8> = 30..50;
 
 #[test]
@@ -353,7 +348,7 @@ fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_lo
         let mut newtons = 12.0;
         eventually("60 keys with a lower fidelity", || {
             newtons = 12.0 - newtons;
-            // It may not be running yet.
+            // The host may not be running yet.
             let _early = press(newtons);
             std::thread::sleep(std::time::Duration::from_millis(25));
             (60 <= lowered().len()).then_some(())

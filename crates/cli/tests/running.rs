@@ -1,4 +1,4 @@
-//! A host that runs as a process of its own until it is dropped.
+//! A host in its own process, until it is dropped.
 
 use std::fs::File;
 use std::path::Path;
@@ -12,15 +12,15 @@ use crate::typed::{Folder, eventually};
 pub(crate) struct Host<'a> {
     folder: &'a Folder,
     pub(crate) child: Child,
-    /// Where it streams, if it does.
+    /// Address of its stream, if any.
     address: Option<String>,
-    /// The secret that it tells its own user.
+    /// Secret for its own user.
     pub(crate) token: Option<String>,
 }
 
 impl<'a> Host<'a> {
-    /// Starts one on simulated keys that nobody plays, with more `arguments` and an `environment`,
-    /// and waits until it answers.
+    /// Starts an idle host on simulated keys, with more `arguments` and an `environment`, and waits
+    /// until it answers.
     pub(crate) fn start(
         folder: &'a Folder,
         arguments: &[&str],
@@ -31,7 +31,7 @@ impl<'a> Host<'a> {
         Self::start_scene(folder, "springs", &[arguments, listen].concat(), environment)
     }
 
-    /// The same with a `scene` of one's own.
+    /// Like [`Self::start`], with another `scene`.
     pub(crate) fn start_scene(
         folder: &'a Folder,
         scene: &str,
@@ -54,7 +54,7 @@ impl<'a> Host<'a> {
         host
     }
 
-    /// Starts `letoff` with `arguments`, and waits for nothing.
+    /// Starts `letoff` with `arguments`, without waiting.
     pub(crate) fn spawn(
         folder: &'a Folder,
         arguments: &[&str],
@@ -72,7 +72,7 @@ impl<'a> Host<'a> {
         self.address.clone().expect("a stream")
     }
 
-    /// The scene as it sounds now.
+    /// Returns the scene as it sounds now.
     pub(crate) fn scene(&self) -> String {
         match send(&self.folder.socket(), &Request::Scene {}) {
             Ok(Ok(Reply::Scene { toml })) => toml,
@@ -91,7 +91,6 @@ impl Drop for Host<'_> {
     }
 }
 
-/// Sends a signal to a process that is there.
 pub(crate) fn signal(child: &Child, signal: Signal) {
     let id = i32::try_from(child.id()).ok().and_then(Pid::from_raw).expect("a process");
     kill_process(id, signal).expect("it is there");

@@ -1,5 +1,5 @@
-//! The host as a service: what it says of itself, what it tells a service manager, how its scene
-//! is read again, and its metrics; with real processes.
+//! The host as a service: status, notifications of a service manager, reloads of its scene, and
+//! metrics; with real processes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read as _, Write as _};
@@ -22,7 +22,7 @@ fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")
 }
 
-/// What `letoff status --json` says, once the host plays.
+/// Returns the output of `letoff status --json`, once the host plays.
 fn playing(folder: &Folder) -> Value {
     eventually("a host that plays", || {
         let (code, out, _err) = folder.letoff(&["status", "--json"]);
@@ -128,7 +128,7 @@ fn a_host_says_that_it_rehearses() {
     drop(host);
 }
 
-/// How deep key 39 was at the deepest in the last thirtieth of a second (m).
+/// Returns the deepest position of key 39 in the last thirtieth of a second (m).
 fn depth(client: &mut Client) -> f32 {
     eventually("an overview", || match client.next()? {
         Arrival::Update { update, .. } => {
@@ -156,7 +156,6 @@ fn a_key_is_pressed_as_long_as_the_command_runs_and_let_go_if_it_is_killed() {
     let mut press = folder.command(letoff, &["press", "C4", "--force", "8"]);
     let mut press = press.stdout(std::process::Stdio::null()).spawn().expect("a process");
     deep(client);
-    // Other commands are answered meanwhile.
     playing(&folder);
     press.kill().expect("it runs");
     press.wait().expect("it ends");
@@ -178,7 +177,7 @@ fn a_key_is_pressed_as_long_as_the_command_runs_and_let_go_if_it_is_killed() {
     assert!(code == Some(2) && err.contains("0 to 50 N"), "{err}");
 }
 
-/// A scene of one's own, with `values` of its keys and `more` in it.
+/// Returns a scene with `values` of its keys and `more` in it.
 fn scene(values: &str, more: &str) -> String {
     format!(
         "tick_hz = 1000\n{more}\n[[keys]]\nrange = \"A0..C8\"\ninstrument = \"grand-springs\"\n\
@@ -208,7 +207,7 @@ fn at_sighup_the_scene_is_read_again_and_a_wrong_one_changes_nothing() {
     assert!(now.contains("9.5") && now.contains("passivity = \"control\""), "{now}");
     hang_up(scene("parameters = { g = 9.25 }", "[render]\npassivity = \"control\""));
     eventually("the new value", || host.scene().contains("9.25").then_some(()));
-    // What needs a new start is refused as a whole.
+    // Changes that need a restart are rejected as a whole.
     hang_up(scene("parameters = { g = 8.0 }", "lanes = 1\n[render]\nforce_limit = \"20 N\""));
     logged("the scene was not taken, since lanes, force_limit or slew_limit cannot change");
     hang_up(scene("parameters = { gg = 8.0, k2 = -1.0 }", ""));
@@ -230,7 +229,7 @@ fn without_a_scene_of_its_own_a_hang_up_ends_the_host() {
     assert!(host.child.wait().expect("it ends").success());
 }
 
-/// The answer to a request in HTTP: its status, its header fields and its text.
+/// Returns the HTTP answer: status, header fields and text.
 fn http(address: &str, request: &str) -> (u16, String, String) {
     let mut stream = TcpStream::connect(address).expect("a connection");
     stream.set_read_timeout(Some(Duration::from_mins(1))).expect("a time limit");
@@ -242,10 +241,10 @@ fn http(address: &str, request: &str) -> (u16, String, String) {
     (status, head.to_owned(), text.to_owned())
 }
 
-/// A family of figures: its type, and its samples by their labels.
+/// A family of figures: its type, and its samples by label.
 type Family = (String, BTreeMap<String, f64>);
 
-/// Reads the text format of Prometheus as its description has it, and nothing else.
+/// Parses the text format of Prometheus strictly.
 fn families(text: &str) -> BTreeMap<String, Family> {
     assert!(text.ends_with('\n'), "the last line ends");
     let mut families = BTreeMap::<String, Family>::new();
@@ -336,11 +335,11 @@ fn who_may_read_the_metrics_and_what_other_plain_requests_get() {
     let (status, _head, text) = ask("HEAD", "/metrics", "");
     assert_eq!((status, text.as_str()), (200, ""));
     assert_eq!(http(&address, "what\r\n\r\n").0, 400);
-    // A page is let in only if it is listed, whatever it knows.
+    // A page is accepted only if it is listed, for any secret.
     let page = "Origin: https://evil.example\r\n";
     assert_eq!(ask("GET", "/metrics", page).0, 403);
     assert_eq!(ask("GET", &format!("/metrics?token={token}"), page).0, 403);
-    // Nor does one whose name was made to lead here.
+    // A page with a rebound name is rejected, too.
     let rebound = |path: &str| {
         http(&address, &format!("GET {path} HTTP/1.1\r\nHost: evil.example\r\n\r\n")).0
     };
@@ -405,7 +404,7 @@ fn the_unit_is_right_and_exposes_little() {
     assert!(level < 2.5, "{said}");
 }
 
-/// Starts that fail, and their exit codes: 1 if waiting can heal it, 2 if it stands in files.
+/// Failing starts with their exit codes: 1 if waiting can help, 2 if files are wrong.
 #[test]
 fn the_exit_code_says_whether_waiting_can_heal() {
     let folder = Folder::new("exit-codes");

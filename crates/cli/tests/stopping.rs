@@ -1,4 +1,4 @@
-//! `letoff stop` beside several hosts, in whatever state they are.
+//! `letoff stop` beside several hosts in any state.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,6 @@ use rustix::process::{Pid, Signal, kill_process};
 
 use crate::typed::{Folder, eventually};
 
-/// A host that is killed if its test fails.
 struct Host(Child);
 
 impl Host {
@@ -20,13 +19,12 @@ impl Host {
         Self(command.spawn().expect("a process"))
     }
 
-    /// Whether the system lists the name by which it hears stops.
+    /// Returns `true` if the system lists the name at which it receives stops.
     fn is_listening(&self) -> bool {
         let name = format!("@letoff/{}/{}", rustix::process::getuid().as_raw(), self.0.id());
         fs::read_to_string("/proc/net/unix").expect("a list").lines().any(|it| it.ends_with(&name))
     }
 
-    /// Waits for its end; returns its exit code.
     fn end(mut self) -> Option<i32> {
         eventually("it ends", || self.0.try_wait().expect("it is ours")).code()
     }
@@ -43,7 +41,7 @@ impl Drop for Host {
 fn every_host_is_stopped_and_one_that_hangs_is_named() {
     let folder = Folder::new("stop-all");
     let plays = ["springs", "--performance", "none"];
-    // The second one finds the first one at their socket.
+    // The second host finds the first at their socket.
     let playing = [Host::start(&folder, &plays), Host::start(&folder, &plays)];
     let hanging = Host::start(&folder, &plays);
     for host in playing.iter().chain([&hanging]) {
@@ -56,7 +54,6 @@ fn every_host_is_stopped_and_one_that_hangs_is_named() {
     assert_eq!(code, Some(1), "{out}{err}");
     let named = |host: &Host| out.contains(&format!("host {}: stopped", host.0.id()));
     assert!(playing.iter().chain([&rehearsing]).all(named), "{out}{err}");
-    // Hosts of other tests are named too.
     let of_ours = err.lines().filter(|line| !line.contains("plays on"));
     assert_eq!(of_ours.count(), 1, "{err}");
     let pid = hanging.0.id();
@@ -67,7 +64,7 @@ fn every_host_is_stopped_and_one_that_hangs_is_named() {
     }
 }
 
-/// In a network of its own, where no other test's host hears it.
+/// Uses its own network, where no other test's host receives it.
 #[test]
 fn hosts_at_other_sockets_are_stopped_too() {
     let folder = Folder::new("stop-elsewhere");

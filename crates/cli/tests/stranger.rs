@@ -1,4 +1,4 @@
-//! A client of the stream that talks as it pleases, as other people's viewers and web pages do.
+//! A client of the stream without our library, as other people's viewers and web pages.
 #![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
 
 use std::net::TcpStream;
@@ -12,14 +12,14 @@ use telemetry::{Request, Topic};
 use tokio_tungstenite::tungstenite::client::{ClientRequestBuilder, client_with_config};
 use tokio_tungstenite::tungstenite::{Error, HandshakeError, Message, WebSocket};
 
-/// Long enough for any machine: it only ends what has failed.
+/// Maximum wait, for any machine: it only ends failed tests.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 pub(crate) struct Stranger(WebSocket<TcpStream>);
 
 impl Stranger {
-    /// Comes in at `url`, as `ws://127.0.0.1:8765`, with more headers; or the status of the
-    /// refusal.
+    /// Connects to `url`, as `ws://127.0.0.1:8765`, with more headers; or returns the status of the
+    /// rejection.
     pub(crate) fn knock(url: &str, headers: &[(&str, &str)]) -> Result<Self, u16> {
         let address = url.strip_prefix("ws://").expect("an address");
         let stream = TcpStream::connect(address).expect("a connection");
@@ -41,7 +41,7 @@ impl Stranger {
         self.0.send(Message::text(text)).expect("it is sent");
     }
 
-    /// The next text that `found` takes.
+    /// Returns the next text that `found` accepts.
     pub(crate) fn hear<T>(&mut self, found: impl Fn(FromServer) -> Option<T>) -> T {
         loop {
             if let Message::Text(text) = self.0.read().expect("a message")
@@ -52,7 +52,6 @@ impl Stranger {
         }
     }
 
-    /// Follows the overview until it comes.
     pub(crate) fn watch(&mut self) {
         let subscription = Subscription { id: 1, channel_id: channel_id(Topic::Overview) };
         self.say(&FromClient::Subscribe { subscriptions: vec![subscription] });
@@ -64,7 +63,6 @@ impl Stranger {
         });
     }
 
-    /// Reads the values of all parameters.
     pub(crate) fn read_values(&mut self) {
         self.say(&FromClient::GetParameters { parameter_names: vec![], id: Some("get".into()) });
         self.hear(|said| match said {
@@ -73,8 +71,8 @@ impl Stranger {
         });
     }
 
-    /// What becomes of `request`, whether its service is advertised or not; nothing if the stream
-    /// has none for it.
+    /// Returns the result of `request`, even if its service is not advertised; `None` if there is
+    /// no service for it.
     pub(crate) fn ask(&mut self, request: &Request) -> Option<Result<(), String>> {
         if let Request::Set { changes } = request {
             let parameters = changes.iter().map(|it| ParameterValue::new(it.name(), it.value));
@@ -90,7 +88,7 @@ impl Stranger {
         Some(self.hear_message(answer))
     }
 
-    /// The next message that `found` takes.
+    /// Returns the next message that `found` accepts.
     fn hear_message<T>(&mut self, found: impl Fn(&Message) -> Option<T>) -> T {
         loop {
             if let Some(found) = found(&self.0.read().expect("a message")) {
@@ -100,7 +98,7 @@ impl Stranger {
     }
 }
 
-/// What became of a request, if this is its answer.
+/// Returns the result of a request, if this is its answer.
 fn answer(message: &Message) -> Option<Result<(), String>> {
     match message {
         Message::Binary(bytes) => {

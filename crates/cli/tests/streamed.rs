@@ -1,4 +1,4 @@
-//! A host and a client of its stream: seen, tuned, pressed.
+//! A host and a client of its stream: overview, tuning, presses.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -15,11 +15,11 @@ use telemetry::{Arrival, Request, Source as _, Topic, Update, event};
 use crate::common::run_while;
 use crate::stranger::Stranger;
 
-/// Long enough for any machine: it only ends what has failed.
+/// Maximum wait, for any machine: it only ends failed tests.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Runs a host on simulated keys that nobody plays, and `clients` of its stream, who get its
-/// address, and what the control socket asks.
+/// Runs an idle host on simulated keys, with `clients` of its stream, who get its address and the
+/// control socket's handler.
 fn beside_a_host(clients: impl FnOnce(&str, &RequestHandler)) {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene =
@@ -43,7 +43,7 @@ fn beside_a_host(clients: impl FnOnce(&str, &RequestHandler)) {
     run_while(session, || clients(&address, &requests));
 }
 
-/// Waits for what `wanted` finds.
+/// Waits until `wanted` finds its result.
 fn wait<T>(client: &mut Client, mut wanted: impl FnMut(Arrival) -> Option<T>) -> T {
     let end = Instant::now() + PATIENCE;
     while Instant::now() < end {
@@ -78,7 +78,6 @@ fn a_client_sees_presses_and_tunes_a_key() {
         let model = model.expect("the model that plays");
         let k2 = model.parameters.iter().position(|it| it.name == "k2").expect("a spring");
 
-        // Pressed hard, the hammer strikes.
         client.ask(Request::Press { key: 39, newtons: 12.0 });
         let strike = wait(client, |arrival| {
             let Update::Event(it) = update(arrival)? else { return None };
@@ -87,7 +86,7 @@ fn a_client_sees_presses_and_tunes_a_key() {
         assert_eq!(strike.key, 39);
         client.ask(Request::Press { key: 39, newtons: 0.0 });
 
-        // A value that is set is what the key is played by, and its rows say so.
+        // A set value is used for the key, and its rows report it.
         let change = |value| Change { key: 39, parameter: "k2".into(), value };
         let ticket = client.ask(Request::Set { changes: vec![change(20_000.5)] });
         let (mut revision, mut is_answered) = (None, false);
@@ -110,7 +109,7 @@ fn a_client_sees_presses_and_tunes_a_key() {
         });
         assert!(deepest.is_finite());
 
-        // What is no value is refused, and changes nothing.
+        // An invalid value is rejected, and changes nothing.
         let ticket = client.ask(Request::Set { changes: vec![change(-1.0), change(9e99)] });
         let refused = wait(client, |arrival| {
             let Arrival::Reply { ticket: of, result } = arrival else { return None };
@@ -120,7 +119,7 @@ fn a_client_sees_presses_and_tunes_a_key() {
     });
 }
 
-/// A client that follows all parameters, and is heard already.
+/// Connects a client that follows all parameters.
 fn follower(address: &str) -> Stranger {
     let mut follower = Stranger::knock(address, &[]).unwrap_or_else(|it| unreachable!("{it}"));
     let parameter_names = Vec::new();
@@ -129,7 +128,6 @@ fn follower(address: &str) -> Stranger {
     follower
 }
 
-/// A parameter's value.
 fn get(client: &mut Stranger, name: &str) -> f64 {
     let parameter_names = vec![name.to_owned()];
     client.say(&FromClient::GetParameters { parameter_names, id: Some("now".into()) });
@@ -137,14 +135,14 @@ fn get(client: &mut Stranger, name: &str) -> f64 {
     values.first().expect("the parameter").1
 }
 
-/// The values that `message` tells, if it is called so; updates have no name.
+/// Returns the values in `message`, if it has this name; updates have none.
 fn values(message: FromServer, called: Option<&str>) -> Option<Vec<(String, f64)>> {
     let FromServer::ParameterValues { parameters, id, .. } = message else { return None };
     let value = |it: ParameterValue| (it.name, it.value.as_f64().unwrap_or(f64::NAN));
     (id.as_deref() == called).then(|| parameters.into_iter().map(value).collect())
 }
 
-/// What `client` is told until `last` has its value, and that.
+/// Collects the values sent to `client`, up to the `last`.
 fn told_until(client: &mut Stranger, last: (&str, f64)) -> Vec<(String, f64)> {
     let mut told = Vec::new();
     while !told.iter().any(|(name, value): &(String, f64)| (name.as_str(), *value) == last) {
@@ -153,7 +151,7 @@ fn told_until(client: &mut Stranger, last: (&str, f64)) -> Vec<(String, f64)> {
     told
 }
 
-/// Asks as the control socket does, and again while the host does not run yet.
+/// Asks like the control socket, and repeats until the host runs.
 fn ask(requests: &RequestHandler, request: &Request) {
     let end = Instant::now() + PATIENCE;
     while let Err(why) = requests.answer(request, "letoff") {
@@ -170,25 +168,24 @@ fn tune(key: u8, parameter: &str, value: f64) -> Request {
 fn each_change_is_told_once_whoever_made_it() {
     beside_a_host(|address, requests| {
         let (mut one, mut other) = (follower(address), follower(address));
-        // What plays at the beginning is told before this.
+        // The initial values are sent before this.
         ask(requests, &tune(38, "g", 9.5));
         told_until(&mut one, ("/key/38/g", 9.5));
         told_until(&mut other, ("/key/38/g", 9.5));
 
-        // By a client of the stream, who gets an answer beside what all are told.
+        // By a client of the stream, who gets an answer beside the broadcast.
         let parameters = vec![ParameterValue::new("/key/39/k2", 20_000.5)];
         one.say(&FromClient::SetParameters { parameters, id: Some("x".into()) });
         for client in [&mut one, &mut other] {
             let told = told_until(client, ("/key/39/k2", 20_000.5));
             assert_eq!(told, [("/key/39/k2".to_owned(), 20_000.5)]);
         }
-        // By the control socket: only what is another value now, and nothing more of key 39.
+        // By the control socket: only changed values, and nothing more of key 39.
         ask(requests, &tune(40, "g", 8.5));
         for client in [&mut one, &mut other] {
             let told = told_until(client, ("/key/40/g", 8.5));
             assert_eq!(told, [("/key/40/g".to_owned(), 8.5)]);
         }
-        // And by another instrument.
         let (instrument, keys) = ("grand-reduced".to_owned(), Some("41".to_owned()));
         ask(requests, &Request::UseInstrument { instrument, keys });
         ask(requests, &tune(42, "g", 8.5));
@@ -207,7 +204,6 @@ fn a_key_comes_up_when_the_client_that_pressed_it_goes() {
         let (mut presses, mut watches) =
             (Client::connect(dial(), None), Client::connect(dial(), None));
         watches.follow(&BTreeSet::from([Topic::Block(39)]));
-        // Not before it runs.
         wait(&mut watches, update);
         presses.ask(Request::Press { key: 39, newtons: 3.0 });
         let is_at = |arrival, there: &dyn Fn(f64) -> bool| {

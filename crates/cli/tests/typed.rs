@@ -1,4 +1,4 @@
-//! `letoff` as it is typed, in a folder of the test's own.
+//! `letoff` in a folder of the test's own.
 
 use std::fs::File;
 use std::ops::Deref;
@@ -8,10 +8,10 @@ use std::time::{Duration, Instant};
 
 use rustix::fs::{CWD, FileType, Mode, mknodat};
 
-/// Long enough for any machine: it only ends what has failed.
+/// Maximum wait, for any machine: it only ends failed tests.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// A folder of one test's own, gone after it.
+/// A folder of one test, deleted after it.
 pub(crate) struct Folder(PathBuf);
 
 impl Folder {
@@ -22,7 +22,7 @@ impl Folder {
         Self(folder)
     }
 
-    /// The same among temporary files, where every user of the machine may look.
+    /// Creates the folder among temporary files, where every user of the machine has access.
     pub(crate) fn shared(name: &str) -> Self {
         use std::os::unix::fs::PermissionsExt as _;
         let folder = std::env::temp_dir().join(format!("letoff-{}-{name}", std::process::id()));
@@ -32,19 +32,18 @@ impl Folder {
         Self(folder)
     }
 
-    /// Writes a file, and says where it is.
+    /// Writes a file, and returns its path.
     pub(crate) fn write(&self, name: &str, text: impl AsRef<[u8]>) -> PathBuf {
         let path = self.join(name);
         std::fs::write(&path, text).expect("a file");
         path
     }
 
-    /// What is in a file, as text.
     pub(crate) fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.join(name)).expect("a file")
     }
 
-    /// `program` with `arguments`: nobody else's host, window or home.
+    /// Returns `program` with `arguments`, without access to other hosts, windows or homes.
     pub(crate) fn command(&self, program: &Path, arguments: &[&str]) -> Command {
         let mut command = Command::new(program);
         command.args(arguments).current_dir(&self.0).stdin(Stdio::null());
@@ -54,12 +53,12 @@ impl Folder {
         command
     }
 
-    /// Where a host listens that is started here.
+    /// Returns the socket of a host that is started here.
     pub(crate) fn socket(&self) -> PathBuf {
         self.join("socket")
     }
 
-    /// What `letoff` said: its exit code, output and complaints.
+    /// Runs `letoff`; returns its exit code, output and errors.
     pub(crate) fn letoff(&self, arguments: &[&str]) -> (Option<i32>, String, String) {
         let mut command = self.command(Path::new(env!("CARGO_BIN_EXE_letoff")), arguments);
         let output = command.output().expect("a process");
@@ -67,7 +66,7 @@ impl Folder {
         (output.status.code(), text(&output.stdout), text(&output.stderr))
     }
 
-    /// Asserts that `letoff` ends with `code` and without output, in one sentence that has `words`.
+    /// Asserts that `letoff` ends with `code` and without output, in one sentence with `words`.
     #[track_caller]
     pub(crate) fn refuses(&self, arguments: &[&str], code: i32, words: &[&str]) {
         let (ended, out, err) = self.letoff(arguments);
@@ -89,19 +88,18 @@ impl Deref for Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        // What is left behind lies in the target folder.
         let _left = std::fs::remove_dir_all(&self.0);
     }
 }
 
-/// A cable at `path`, which takes what is sent: open for writing, too, since a writer that dies is no
-/// end.
+/// Creates a cable at `path`, which accepts all bytes: also open for writing, since the death of a
+/// writer must not end it.
 pub(crate) fn cable(path: &Path) -> File {
     mknodat(CWD, path, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).expect("a FIFO");
     File::options().read(true).write(true).open(path).expect("both ends")
 }
 
-/// Waits until there is what `found` looks for.
+/// Waits until `found` returns a result.
 #[track_caller]
 pub(crate) fn eventually<T>(what: &str, mut found: impl FnMut() -> Option<T>) -> T {
     let begun = Instant::now();

@@ -15,6 +15,7 @@ pub(crate) enum Error {
     /// A missing program that is not installed from here.
     Missing {
         needs: Vec<Need>,
+        /// Reason not to install it.
         because: &'static str,
     },
     /// Another thing that a chore needs and cannot get.

@@ -17,12 +17,12 @@ use crate::target::SceneTarget;
 use host::connected_boards::{PATIENCE_US, calibration, clock, folder, open_all, unmeasured};
 use scene::{Boards, Scene};
 
-/// Exchanges a second: more would load slow buses, and say no more.
+/// Exchange rate (Hz): more would load slow buses without more information.
 pub(super) const HZ: u32 = 500;
-/// Forces are valid for as long as they can be: the system may be late (ms).
+/// Longest validity of forces (ms), since the system may be late.
 const VALID_MS: u8 = firmware_protocol::acyclic::arm::LONGEST_VALID_MS;
 
-/// A board that is measured, and its file.
+/// A board under measurement, with its file.
 #[derive(Clone, Debug)]
 pub(super) struct MeasuredBoard {
     pub(super) found: FoundBoard,
@@ -30,13 +30,13 @@ pub(super) struct MeasuredBoard {
     pub(super) file: PathBuf,
 }
 
-/// Boards that are meant, and not armed yet.
+/// Selected boards that are not armed yet.
 pub(super) struct Ready {
     pub(super) boards: Vec<MeasuredBoard>,
     pub(super) keybed: Keybed<Calibrated>,
 }
 
-/// A key that is measured, whose board is not armed yet.
+/// A selected key whose board is not armed yet.
 pub(super) struct ReadyKey {
     pub(super) scene: Scene,
     pub(super) found: FoundBoard,
@@ -45,7 +45,7 @@ pub(super) struct ReadyKey {
     pub(super) keybed: Keybed<Calibrated>,
 }
 
-/// Finds the boards that are meant, until the operator has agreed to the files.
+/// Finds the selected boards, and asks the operator about their files.
 pub(super) fn find(
     target: &SceneTarget,
     only: Option<u8>,
@@ -74,8 +74,7 @@ pub(super) fn find(
     Ok(Ready { boards, keybed })
 }
 
-/// Finds the board whose key is measured, of those that are meant: the first, or the one that has
-/// `key`; how its keys read is known.
+/// Finds the first selected board, or the one that has `key`, and reads how its keys are encoded.
 pub(super) fn find_key(
     target: &SceneTarget,
     only: Option<u8>,
@@ -104,7 +103,7 @@ pub(super) fn find_key(
     Ok(ReadyKey { scene, found, name, key, keybed })
 }
 
-/// Opens the links, and finds the boards on them, `only` the one with this number.
+/// Opens the links, and identifies the boards on them; with `only`, the board of this number.
 fn identified(asked: &Boards, only: Option<u8>) -> Result<Keybed<Identified>, Failure> {
     let clock = clock(&asked.buses);
     let lines = open_all(&asked.buses, &clock).map_err(Failure::Running)?;
@@ -118,7 +117,7 @@ fn identified(asked: &Boards, only: Option<u8>) -> Result<Keybed<Identified>, Fa
     }
 }
 
-/// Says that no board has `what`.
+/// Reports that no board has `what`.
 fn nobody(asked: &Boards, what: &str) -> Failure {
     let links: Vec<_> =
         asked.buses.iter().map(|bus| format!("--link {}", bus.address.typed())).collect();
@@ -128,7 +127,7 @@ fn nobody(asked: &Boards, what: &str) -> Failure {
     ))
 }
 
-/// Arms `keybed`, whose measurements end as `endings` say, to exchange `hz` times a second.
+/// Arms `keybed` with an exchange rate of `hz`; `endings` stop its measurements.
 pub(super) fn arm(
     keybed: Keybed<Calibrated>,
     hz: u32,

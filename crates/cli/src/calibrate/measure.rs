@@ -1,5 +1,3 @@
-//! Measures all keys of all boards, one after the other.
-
 use boards::calibrate::{Bench, CalibrationFault, Ending, Rested, calibrated};
 use boards::calibration::KeyCalibration;
 use boards::keybed::{Armed, Keybed};
@@ -12,10 +10,9 @@ use super::operator::Operator;
 use super::write::{CalibrationRecord, MeasureOutcome};
 use crate::live::KeyProgress;
 
-/// Times that a key is measured again which was interrupted.
+/// Maximum repetitions of an interrupted measurement.
 const TRIES: usize = 3;
 
-/// The reason why a key has no measurement.
 enum KeyFailure {
     Fault(CalibrationFault),
     Stopped,
@@ -27,8 +24,8 @@ impl From<CalibrationFault> for KeyFailure {
     }
 }
 
-/// Measures all keys, and records those of each board at once, until it is stopped; returns the
-/// boards without forces, and how they were stopped if they were.
+/// Measures all keys and stores each board at once, until a stop; returns the boards without
+/// forces, and the kind of stop, if any.
 pub(super) fn all(
     boards: &[MeasuredBoard],
     mut bench: Box<Bench>,
@@ -40,7 +37,7 @@ pub(super) fn all(
     for board in boards {
         let outcome = self::board(board, &mut bench, grams, &progress);
         let is_over = outcome.is_stopped;
-        // A disk may take its time, and boards that hear nothing meanwhile would trip.
+        // A disk may be slow, and boards that receive nothing meanwhile would trip.
         std::thread::scope(|scope| {
             let writer = scope.spawn(|| record.keep(board, outcome));
             bench.wait(|| writer.is_finished());
@@ -54,13 +51,12 @@ pub(super) fn all(
     (bench.release(), ending)
 }
 
-/// Returns the keys of a board.
 fn keys(board: &MeasuredBoard) -> Vec<KeyIndex> {
     let keys = board.found.keys();
     (keys.first..keys.first.saturating_add(keys.n)).map_while(KeyIndex::new).collect()
 }
 
-/// Measures the keys of one board, until it is stopped.
+/// Measures the keys of one board, until a stop.
 fn board(
     board: &MeasuredBoard,
     bench: &mut Bench,
@@ -96,7 +92,7 @@ fn board(
     outcome
 }
 
-/// Measures one key that rests there.
+/// Measures one resting key.
 fn key(
     board: &MeasuredBoard,
     bench: &mut Bench,
@@ -122,7 +118,7 @@ fn key(
     Ok(calibrated(&board.found.nominal(), rested, &travelled, gain))
 }
 
-/// Measures again what was interrupted.
+/// Repeats an interrupted measurement.
 pub(super) fn again<T>(
     mut measure: impl FnMut() -> Result<T, CalibrationFault>,
 ) -> Result<T, CalibrationFault> {

@@ -1,8 +1,8 @@
-//! `letoff calibrate`: how the keys of boards read and push, measured and written down.
+//! `letoff calibrate`: measures how the keys of boards read and push.
 //!
-//! The keys move by themselves: down with 1.5 N at most, and up again, one after the other; with
-//! a weight, once more with twice its force and 0.5 N at most. With `--range` one key renders a
-//! spring, a dashpot and a mass with 8 N at most.
+//! The keys move one after the other: down with 1.5 N at most, and up again; with a weight, once
+//! more with twice its force and 0.5 N at most. With `--range` one key renders a spring, a dashpot
+//! and a mass with 8 N at most.
 
 mod bring_up;
 mod measure;
@@ -88,17 +88,17 @@ fn grams(text: &str) -> Result<f64, String> {
     }
 }
 
-/// The ways in which measurements are stopped from outside.
+/// External stops of measurements.
 #[derive(Clone, Default)]
 struct Endings {
     /// `letoff stop`: the boards render no force from then on, and stay stopped.
     emergency: Arc<EmergencyStop>,
-    /// A signal: the push is taken back, and the boards are disarmed.
+    /// A signal: the push is withdrawn, and the boards are disarmed.
     is_over: Arc<AtomicBool>,
 }
 
 impl Endings {
-    /// Returns whether measurements end; an emergency stop is done here.
+    /// Returns the end of the measurements, if any; performs an emergency stop.
     fn look(&self, keybed: &mut Keybed<Armed>) -> Option<Ending> {
         if self.emergency.is_asked() {
             self.emergency.answer(stop_all(keybed));
@@ -108,7 +108,6 @@ impl Endings {
     }
 }
 
-/// Measures, writes, and prints a table.
 pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if args.range {
         return range::run(args, out);
@@ -123,7 +122,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
         let mut record = CalibrationRecord::default();
         let bench = bring_up::arm(keybed, bring_up::HZ, endings)?;
         match measure::all(&boards, bench, weight, &mut record) {
-            // Boards that were stopped are left alone.
+            // Stopped boards are left alone.
             (_stopped, Some(Ending::AtOnce)) => {}
             (keybed, Some(Ending::Gently) | None) => record.tell(keybed),
         }
@@ -138,7 +137,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }
 
-/// Does `find`, which arms no board, and `measure` with what it found, on threads that signals and
+/// Runs `find`, which arms no board, and `measure` with its result, on threads that signals and
 /// `letoff stop` end.
 fn attended<F: Send + 'static, M: Send + 'static>(
     find: impl FnOnce() -> Result<F, Failure> + Send + 'static,
@@ -146,14 +145,14 @@ fn attended<F: Send + 'static, M: Send + 'static>(
 ) -> Result<M, Failure> {
     let runtime = runtime()?;
     let Some(measured) = runtime.block_on(measured(find, measure))? else {
-        // The blocked thread is not waited for: no board is armed.
+        // Do not wait for the blocked thread: no board is armed.
         runtime.shutdown_background();
         return Err(Failure::Running("stopped before any board was armed".into()));
     };
     Ok(measured)
 }
 
-/// The same; nothing if it was stopped before any board was armed.
+/// Like [`attended`]; returns `None` if stopped before any board was armed.
 async fn measured<F: Send + 'static, M: Send + 'static>(
     find: impl FnOnce() -> Result<F, Failure> + Send + 'static,
     measure: impl FnOnce(F, &Endings) -> Result<M, Failure> + Send + 'static,

@@ -9,7 +9,7 @@ use documents::shown;
 use super::CalibrateArgs;
 use crate::Failure;
 
-/// The operator, if the program runs at a terminal.
+/// The operator, if there is a terminal.
 #[derive(Debug)]
 pub(super) struct Operator {
     is_there: bool,
@@ -17,12 +17,11 @@ pub(super) struct Operator {
 }
 
 impl Operator {
-    /// Returns the operator who gave `args`.
     pub(super) fn new(args: &CalibrateArgs) -> Self {
         Self { is_there: io::stdin().is_terminal(), agrees: args.yes }
     }
 
-    /// Refuses `what` without a terminal.
+    /// Rejects `what` without a terminal.
     pub(super) fn must_be_there(&self, what: &str) -> Result<(), Failure> {
         if self.is_there {
             return Ok(());
@@ -30,7 +29,7 @@ impl Operator {
         Err(Failure::Usage(format!("{what} needs somebody at a terminal; leave it out here")))
     }
 
-    /// Asks whether files may be overwritten that are there.
+    /// Asks whether existing files may be overwritten.
     pub(super) fn may_overwrite(&self, files: &[PathBuf]) -> Result<(), Failure> {
         if files.is_empty() || self.agrees {
             return Ok(());
@@ -43,7 +42,7 @@ impl Operator {
         }
         tell(&format!("overwrite {names}? [y/N] "));
         let mut answer = String::new();
-        // What cannot be read agrees to nothing.
+        // An unreadable answer is no consent.
         match io::stdin().lock().read_line(&mut answer).map(|_len| answer.trim()) {
             Ok("y" | "Y" | "yes") => Ok(()),
             Ok(_) | Err(_) => {
@@ -52,26 +51,24 @@ impl Operator {
         }
     }
 
-    /// Asks for something to be done, and keeps the boards armed until it is; says whether to go
-    /// on, which it does not if it was stopped meanwhile.
+    /// Asks for an action, and keeps the boards armed until it is done; returns `false` if stopped
+    /// meanwhile.
     pub(super) fn wait_for(bench: &mut Bench, what: &str) -> bool {
         tell(&format!("{what}, then press Enter (Ctrl-D stops) "));
-        // It ends with the line, or with the program.
+        // The thread ends with the line, or with the program.
         let reader = std::thread::spawn(|| is_line(&mut io::stdin().lock()));
         bench.wait(|| reader.is_finished());
         reader.is_finished() && reader.join().unwrap_or(false)
     }
 }
 
-/// Reads a line; none where the input ends.
+/// Reads a line; `false` at the end of the input.
 fn is_line(input: &mut impl BufRead) -> bool {
     input.read_line(&mut String::new()).is_ok_and(|len| 0 < len)
 }
 
-/// Writes a message to the operator.
 fn tell(text: &str) {
     let mut stderr = io::stderr();
-    // A closed stderr has no reader.
     let _unheard = write!(stderr, "{text}").and_then(|()| stderr.flush());
 }
 

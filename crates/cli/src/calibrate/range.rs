@@ -1,4 +1,4 @@
-//! `letoff calibrate --range`: what a rig can render.
+//! `letoff calibrate --range`: the range of values that a rig can render.
 
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -20,7 +20,7 @@ use super::measure::again;
 use super::{CalibrateArgs, Endings, attended};
 use crate::{Failure, print_report};
 
-/// What was found of a key.
+/// Results for a key.
 #[derive(Debug, Serialize)]
 struct RangeReport {
     key: String,
@@ -30,23 +30,23 @@ struct RangeReport {
     travel_mm: f64,
     friction_n: f64,
     objects: Vec<ObjectRow>,
-    /// The rig of the theory: what the scene says of it, and the link as it was met (N s/m, ms).
+    /// Rig of the theory: the scene's values, and the measured link (N s/m, ms).
     damping: f64,
     delay_ms: f64,
     model_b: Vec<ModelRow>,
 }
 
-/// What was found of an object, in SI units.
+/// Results for an object, in SI units.
 #[derive(Debug, Serialize)]
 struct ObjectRow {
     object: &'static str,
     unit: &'static str,
-    /// The largest value with which the key came to rest, if it did with any.
+    /// Largest value with which the key came to rest, if any.
     renders: Option<f64>,
-    /// What the key did with the next one.
+    /// Motion of the key with the next value.
     then: &'static str,
     at: Option<f64>,
-    /// Up to which it is passive, by the theory.
+    /// Largest passive value by the theory.
     passive: f64,
 }
 
@@ -55,13 +55,13 @@ struct ObjectRow {
 struct ModelRow {
     parameter: &'static str,
     unit: &'static str,
-    /// What the preset of a key's size has.
+    /// Value of the preset for the key.
     has: f64,
-    /// How stiff it may be.
+    /// Largest stiffness that the rig renders.
     renders: Option<f64>,
 }
 
-/// Raises the objects on the key that `args` mean, and says what it can render.
+/// Raises the objects on the key that `args` select, and prints the results.
 pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let (target, only, folder) = (args.target.clone(), args.board, args.folder.clone());
     let key = args.key;
@@ -69,7 +69,6 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     if args.json { print_report(&report, out) } else { print(&report, out) }
 }
 
-/// Arms the board, measures its key, and disarms it.
 fn measure(ready: ReadyKey, endings: &Endings) -> Result<RangeReport, Failure> {
     let ReadyKey { scene, found, name, key, keybed } = ready;
     let mut bench = bring_up::arm(keybed, scene.tick_hz, endings)?;
@@ -95,7 +94,7 @@ fn measure(ready: ReadyKey, endings: &Endings) -> Result<RangeReport, Failure> {
     Ok(report)
 }
 
-/// Measures one key: its way (m), its trip, and what it renders.
+/// Measures one key: its travel (m), its trip, and its range.
 fn key(
     bench: &mut Bench,
     key: KeyIndex,
@@ -105,7 +104,7 @@ fn key(
     let travelled = again(|| bench.trip(key, &rested))?;
     let mut ranges = Vec::new();
     for object in RangedObject::ALL {
-        // What an interrupted one has found is not what the rig can do.
+        // Discard the results of an interrupted measurement.
         ranges.push(again(|| {
             bench.range(key, RangeMeasurement::new(object, *terms, &rested, &travelled))
         })?);
@@ -113,8 +112,8 @@ fn key(
     Ok(((travelled.bottom - rested.position, travelled), ranges))
 }
 
-/// Returns what was found beside what theory says of the scene's rig, behind a link with this round
-/// `trip` (s).
+/// Returns the results beside the theory of the scene's rig, behind a link with this round `trip`
+/// (s).
 fn report(scene: &Scene, trip: f64, key: KeyIndex, ranges: &[RangeFound]) -> RangeReport {
     let rig = &scene.rig;
     let period = 1.0 / f64::from(scene.tick_hz);
@@ -149,8 +148,8 @@ fn report(scene: &Scene, trip: f64, key: KeyIndex, ranges: &[RangeFound]) -> Ran
     }
 }
 
-/// Returns how stiff the springs of model B may be where the front may be as stiff as `front` (N/m):
-/// each as if the other, and the key between them, were rigid, which is the stiffest case.
+/// Returns the largest stiffness of model B's springs for a front of stiffness `front` (N/m): each
+/// with the other spring and the key between them rigid, the stiffest case.
 fn model_b(key: KeyIndex, front: Option<f64>) -> Vec<ModelRow> {
     let Ok(model) = Library::default().find("key-hammer-springs", Path::new("")) else {
         return Vec::new();
@@ -173,7 +172,7 @@ fn model_b(key: KeyIndex, front: Option<f64>) -> Vec<ModelRow> {
     vec![row("k1", "N·m/rad", torsion), row("k2", "N/m", torsion / (slider * slider))]
 }
 
-/// Prints a table and what it means.
+/// Prints a table with its explanation.
 fn print(report: &RangeReport, out: &mut dyn Write) -> Result<(), Failure> {
     let RangeReport { key, board, tick_hz, estimator, travel_mm, friction_n, .. } = report;
     writeln!(
@@ -209,7 +208,7 @@ fn print(report: &RangeReport, out: &mut dyn Write) -> Result<(), Failure> {
     )?)
 }
 
-/// Returns a value with three digits and its unit.
+/// Formats a value with three digits and its unit.
 fn shown(value: Option<f64>, unit: &str) -> String {
     let Some(value) = value else { return "none".to_owned() };
     let (value, unit) = if unit == "kg" { (1e3 * value, "g") } else { (value, unit) };

@@ -7,7 +7,6 @@ use documents::shown;
 use super::write::{MeasuredKeyRow, Written};
 use crate::Failure;
 
-/// Prints a table for each board.
 pub(super) fn print(boards: &[Written], out: &mut dyn Write) -> Result<(), Failure> {
     for Written { link, number, uid, file, keys } in boards {
         writeln!(out, "board {number} on {link} ({uid}), in {}", shown(file))?;

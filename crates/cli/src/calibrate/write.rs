@@ -17,11 +17,10 @@ use time::macros::format_description;
 
 use super::bring_up::MeasuredBoard;
 
-/// How a file says when it was made.
+/// Format of the date in files.
 const MADE: &[BorrowedFormatItem<'_>] =
     format_description!("[year]-[month]-[day] [hour]:[minute] UTC");
 
-/// A board whose file was written.
 #[derive(Debug, Serialize)]
 pub(super) struct Written {
     pub(super) link: String,
@@ -31,7 +30,6 @@ pub(super) struct Written {
     pub(super) keys: Vec<MeasuredKeyRow>,
 }
 
-/// The measurements of one key.
 #[derive(Debug, Serialize)]
 pub(super) struct MeasuredKeyRow {
     pub(super) key: String,
@@ -42,14 +40,13 @@ pub(super) struct MeasuredKeyRow {
     pub(super) gain: f64,
 }
 
-/// The outcome for the keys of one board.
+/// Results for the keys of one board.
 #[derive(Debug, Default)]
 pub(super) struct MeasureOutcome {
-    /// All of them, in the order of slots; none where one was not measured.
+    /// All keys, in the order of slots; `None` for one that was not measured.
     pub(super) keys: Vec<(KeyIndex, Option<KeyCalibration>)>,
-    /// The faults of those that could not be measured.
+    /// Faults of the others.
     pub(super) refusals: Vec<Refusal>,
-    /// Whether the measurements were stopped.
     pub(super) is_stopped: bool,
 }
 
@@ -58,13 +55,13 @@ pub(super) struct MeasureOutcome {
 pub(super) struct CalibrationRecord {
     pub(super) written: Vec<Written>,
     pub(super) wrong: Vec<String>,
-    /// The records that boards have to be sent.
+    /// Records to send to boards.
     untold: Vec<(MeasuredBoard, Vec<KeyCalibration>)>,
 }
 
 impl CalibrationRecord {
-    /// Writes the measurements of a board into its file, or beside it if keys are wanting that were
-    /// never measured, and records why they are.
+    /// Writes a board's measurements into its file, or beside it if keys were never measured, and
+    /// records the reasons.
     pub(super) fn keep(&mut self, board: &MeasuredBoard, outcome: MeasureOutcome) {
         let MeasureOutcome { keys, refusals, is_stopped } = outcome;
         self.wrong.extend(refusals.iter().map(ToString::to_string));
@@ -100,13 +97,14 @@ impl CalibrationRecord {
             ));
         }
         if self.write(board, &board.file, &measured, &merged) {
-            // What is whole now is in the file; one that stays is overwritten the next time.
+            // The file now contains all of it; a remaining partial file is overwritten the next
+            // time.
             let _gone = std::fs::remove_file(file::partial(&board.file));
             self.untold.push((board.clone(), all));
         }
     }
 
-    /// Writes the keys of a board that are known into `path`, and tells whether it could.
+    /// Writes the known keys of a board into `path`; returns `true` on success.
     fn write(
         &mut self,
         board: &MeasuredBoard,
@@ -128,7 +126,7 @@ impl CalibrationRecord {
         true
     }
 
-    /// Tells the boards what they keep themselves, once nothing is measured any more.
+    /// Sends the boards their records, after all measurements.
     pub(super) fn tell(&mut self, mut keybed: Keybed<Armed>) {
         for (board, keys) in std::mem::take(&mut self.untold) {
             if let Err(refusal) = tell(&board, &keys, &mut keybed) {
@@ -151,17 +149,17 @@ impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
     }
 }
 
-/// Returns what was measured before of the `n` keys of a board: what stands in its file, or else what
-/// was kept beside it.
+/// Returns the earlier measurements of the `n` keys of a board, from its file or the partial one
+/// beside it.
 fn before(board: &MeasuredBoard, n: usize) -> Vec<Option<KeyCalibration>> {
     let (uid, path) = (board.found.uid(), &board.file);
-    // What cannot be read is replaced; the old file is kept as .bak.
+    // An unreadable file is replaced; the old file is kept as .bak.
     let whole = file::load(path, uid, n).ok().flatten();
     let known = whole.or_else(|| file::load_partial(&file::partial(path), uid, n).ok().flatten());
     known.map_or_else(|| vec![None; n], |sheet| sheet.keys.as_slice().to_vec())
 }
 
-/// Returns the file of a board of whose keys so much is known.
+/// Returns the file of a board with these known keys.
 fn sheet(board: &MeasuredBoard, keys: &[Option<KeyCalibration>]) -> file::CalibrationSheet {
     file::CalibrationSheet {
         uid: board.found.uid(),
@@ -171,7 +169,7 @@ fn sheet(board: &MeasuredBoard, keys: &[Option<KeyCalibration>]) -> file::Calibr
     }
 }
 
-/// Tells a board what it keeps of its keys' calibration; one may keep nothing of it.
+/// Sends a board its keys' calibration; some boards store nothing of it.
 fn tell(
     board: &MeasuredBoard,
     keys: &[KeyCalibration],

@@ -1,5 +1,3 @@
-//! What `letoff simulate` can be asked for.
-
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
@@ -118,7 +116,6 @@ pub struct SimulateArgs {
     pub header: serde_json::Map<String, serde_json::Value>,
 }
 
-/// C4, the key that stands for the others.
 const MIDDLE_C: u8 = 39;
 
 /// How a sampled input goes on between its samples; outside them the end values hold.

@@ -1,4 +1,4 @@
-//! From arguments to what is run: everything that can be wrong is found before a tick.
+//! Checks arguments completely before the first tick.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,27 +12,25 @@ use super::error::SimulateMistake;
 use super::input::InputSignal;
 use crate::simulate::studied_method::StudiedMethod;
 
-/// More ticks than this are a slip of the exponent: a day's work at least.
+/// Maximum ticks: a day's work at least, so more is a slip of the exponent.
 const MOST_TICKS: f64 = 1e11;
-/// A rest shorter than this part of a tick is rounding, not a tick.
+/// Share of a tick below which a remainder is rounding.
 const CRUMB: f64 = 1e-9;
-/// Finest and coarsest location of events, as a fraction of a tick.
 const TOLERANCES: (f64, f64) = (1e-16, 0.5);
-/// The highest key, C8.
 const LAST_KEY: u8 = 87;
 
-/// The tick (s) for which `by-need` chooses, whatever the step: a shorter step that checks a result
-/// is taken by the same method.
+/// Tick (s) for the choice of `by-need`, for any step: a shorter step that checks a result uses the
+/// same method.
 const USUAL_TICK: f64 = 1e-3;
 
-/// The method called for, with its tolerance; RK4 where there is a mistake.
+/// Returns the method with its tolerance; RK4 after a mistake.
 fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> StudiedMethod {
     let Some(method) = StudiedMethod::named(&args.method) else {
         let known: Vec<_> = StudiedMethod::names().collect();
         mistakes.push(SimulateMistake::unknown("method", &args.method, &known));
         return StudiedMethod::default();
     };
-    // `by-need` has a budget even where nobody said how precise it should be.
+    // `by-need` has a budget even without a tolerance.
     let is_by_need = matches!(method, StudiedMethod::OneOfMany(Any::ByNeed(_)));
     let by_default = is_by_need.then_some(ByNeed::BUDGET);
     let Some(tolerance) = args.tolerance.or(by_default) else { return method };
@@ -45,18 +43,17 @@ fn method(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) -> StudiedMe
     })
 }
 
-/// Ticks from 0 to `until`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct TickClock {
     /// Length of a tick (s).
     pub(super) step: f64,
     /// End of the last tick (s).
     pub(super) until: f64,
-    /// Number of ticks, of which the last may be shorter.
+    /// Number of ticks; the last may be shorter.
     pub(super) ticks: u64,
-    /// The method, as precise as was asked for.
+    /// Method with its tolerance.
     pub(super) method: StudiedMethod,
-    /// What a tick may cost, and how finely events are located.
+    /// Limits of a tick, and the tolerance of events.
     pub(super) limits: Limits,
 }
 
@@ -85,13 +82,13 @@ impl TickClock {
         Self { step, until, ticks: ticks as u64, method: method(args, mistakes), limits }
     }
 
-    /// Length of tick `tick` (s).
+    /// Returns the length of tick `tick` (s).
     pub(super) fn length(&self, tick: u64) -> f64 {
         if tick + 1 < self.ticks { self.step } else { self.until - tick as f64 * self.step }
     }
 
-    /// The instant `theta` of tick `tick` (s); one tick's end is the next one's start to
-    /// the last bit.
+    /// Returns the instant `theta` of tick `tick` (s); one tick's end equals the next one's start
+    /// bit for bit.
     pub(super) fn time(&self, tick: u64, theta: f64) -> f64 {
         if tick + 1 < self.ticks {
             return (tick as f64 + theta) * self.step;
@@ -101,7 +98,7 @@ impl TickClock {
     }
 }
 
-/// Checks what does not depend on the model: the key, and that no file is used twice.
+/// Checks all that does not depend on the model: the key, and that no file is used twice.
 pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) {
     if args.key > LAST_KEY {
         check_range("--key", args.key.into(), (0.0, LAST_KEY.into()), "(A0 to C8)", mistakes);
@@ -124,8 +121,7 @@ pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) {
     }
 }
 
-/// Whether both paths lead to one regular file, there already or not; devices may be
-/// named twice.
+/// Returns `true` if both paths lead to one regular file, existing or not; devices may be repeated.
 fn is_same_file(a: &Path, b: &Path) -> bool {
     let place = |path: &Path| {
         fs::canonicalize(path).ok().or_else(|| {
@@ -158,7 +154,7 @@ fn check_range(
     }
 }
 
-/// A model, and how it starts.
+/// A model with its initial state.
 #[derive(Debug)]
 pub(super) struct Start<M: Described> {
     pub(super) model: M,
@@ -167,7 +163,7 @@ pub(super) struct Start<M: Described> {
 }
 
 impl<M: Playable> Start<M> {
-    /// The model with its parameters, at rest except for what is given otherwise.
+    /// Returns the model with its parameters, at rest except for given values.
     pub(super) fn check(
         model: &M,
         args: &SimulateArgs,
@@ -199,7 +195,7 @@ impl<M: Playable> Start<M> {
     }
 }
 
-/// One value per parameter: the preset's, then those of `--set`; `None` without a preset.
+/// Returns one value per parameter: the preset's, then those of `--set`; `None` without a preset.
 fn parameters(
     entry: &ModelEntry,
     args: &SimulateArgs,
@@ -214,7 +210,7 @@ fn parameters(
                 let known: Vec<_> = presets.iter().map(|preset| preset.name).collect();
                 mistakes.push(SimulateMistake::unknown("preset", name, &known));
             }
-            // What else is wrong is found with the default.
+            // Use the default to find other mistakes.
             found.or_else(|| presets.first())
         }
     }?;
@@ -227,14 +223,13 @@ fn parameters(
         check_range(&format!("parameter `{name}`"), value, *range, unit, mistakes);
         values[index] = value;
     }
-    // A model is only built of values in their ranges.
     if mistakes.len() > before {
         values = preset.values(key);
     }
     Some(values)
 }
 
-/// `name=value` pairs as (index of the name, value); what is wrong goes to `mistakes`.
+/// Parses `name=value` pairs as (index of the name, value); adds to `mistakes`.
 fn named_values(
     option: &'static str,
     what: &'static str,
@@ -267,7 +262,6 @@ fn named_values(
     values
 }
 
-/// `state` with the entries of `given` in place of its own.
 fn with_entries<M: Described>(mut state: M::State, given: &[(usize, f64)]) -> M::State {
     let entries = state.as_mut();
     for (index, value) in given {

@@ -1,4 +1,4 @@
-//! Tick after tick, followed by the energy audit and the files.
+//! Runs all ticks, with the energy audit and the files.
 
 use instruments::{Described, Playable};
 use pode::stepper::{Any, ByNeed, Choice};
@@ -13,7 +13,7 @@ use super::output::OutputFiles;
 use super::summary::{Capped, RunCounts, RunFailure, SimulationReport};
 use crate::simulate::studied_method::{MethodVisitor, StudiedMethod};
 
-/// Runs a model with the method of the clock, and says what `by-need` takes.
+/// Runs a model with the method of the clock, and reports the choices of `by-need`.
 pub(super) fn run<M: Playable>(
     start: &Start<M>,
     plan: (&TickClock, &InputSignal),
@@ -28,21 +28,21 @@ pub(super) fn run<M: Playable>(
     })
 }
 
-/// Modes with equations that `method` hands on to another, by its name.
+/// Returns modes with equations that `method` delegates to another, by its name.
 fn handed_on<M: Playable>(method: &StudiedMethod, model: &M) -> Vec<(&'static str, &'static str)> {
     let moves = model.modes().filter(|(mode, _)| !model.parts(*mode).is_empty());
     let taken = moves.map(|(mode, name)| (name, method.name_in(&model.nature(mode))));
     taken.filter(|(_, taken)| *taken != method.name()).collect()
 }
 
-/// What is taken in each mode, by its name.
+/// Returns the choice in each mode, by its name.
 fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static str, Choice)> {
     let choice =
         |mode: M::Mode| by_need.choice(&model.nature(mode), model.longest_step(mode).min(step));
     model.modes().map(|(mode, name)| (name, choice(mode))).collect()
 }
 
-/// A simulation whose method is known by its name only.
+/// A simulation with a method that is known by its name only.
 struct Driving<'a, M: Playable> {
     start: &'a Start<M>,
     plan: (&'a TickClock, &'a InputSignal),
@@ -101,7 +101,7 @@ fn drive<M: Playable, T: Stepper>(
     Ok(SimulationReport { held: input.held(clock.until), ..report })
 }
 
-/// The input over one tick, with its bounds.
+/// Input over one tick, with its bounds.
 struct TickSignal<'a> {
     clock: &'a TickClock,
     input: &'a InputSignal,
@@ -124,22 +124,22 @@ impl Signal<Motion> for TickSignal<'_> {
     }
 }
 
-/// Whether the input was finite where a tick failed.
+/// Returns `true` if the input was finite where a tick failed.
 fn is_driven(clock: &TickClock, input: &InputSignal, tick: u64) -> bool {
-    /// Near every place where some method looks in a tick without events.
+    /// Number of points, close to every evaluation of any method in a tick without events.
     const PLACES: u32 = 64;
     let mut places = (0..=PLACES).map(|n| f64::from(n) / f64::from(PLACES));
     places.all(|theta| is_finite(&input.at(clock.time(tick, theta))))
 }
 
-/// Follows a tick while it runs: audits its energy, and hands on its pieces and events.
+/// Audits the energy of a tick, and forwards its pieces and events.
 struct Follower<'a, M: Described> {
     model: M,
     clock: &'a TickClock,
     audit: EnergyAudit,
-    /// The last instant known to be good: t (s), mode, state.
+    /// Last good instant: t (s), mode, state.
     last: (f64, M::Mode, M::State),
-    /// Impacts taken in one move short of their sequence's end, and sequences taken to it.
+    /// Impacts in one move short of their sequence's end, and sequences to their end.
     closed_form: (f64, u64),
     files: &'a mut OutputFiles,
 }
@@ -166,7 +166,6 @@ impl<M: Described> Watch<M> for Follower<'_, M> {
     }
 }
 
-/// Counts over all ticks.
 #[derive(Clone, Copy, Default)]
 struct RunTally {
     counts: RunCounts,
@@ -197,7 +196,6 @@ impl RunTally {
             Advance::Capped(Cap::Cascade) => *cascade += 1,
             Advance::Capped(Cap::Guards) => *guards += 1,
             Advance::Capped(Cap::Pieces) => *pieces += 1,
-            // A simulation has all the time that it needs.
             Advance::Capped(Cap::Work(_)) | Advance::Completed | Advance::Faulty(_) => {}
         }
     }

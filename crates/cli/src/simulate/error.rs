@@ -1,4 +1,4 @@
-//! What `letoff simulate` can refuse or run into, in sentences that a user reads.
+//! Errors of `letoff simulate`, in sentences for users.
 
 use std::fmt::Write as _;
 use std::io;
@@ -8,24 +8,23 @@ use super::input::InputMistake;
 use documents::{nearest, shown};
 use mechanism::MissingModel;
 
-/// Why a simulation did not come to its end.
+/// Error of a simulation.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulateError {
-    /// Wrong usage or file: every mistake that was found; nothing was run.
+    /// Wrong usage or invalid file, with every mistake; nothing was run.
     #[error("{}", lines(.0))]
     Usage(Vec<SimulateMistake>),
-    /// The model failed while running; the files hold everything up to there.
+    /// The model failed; the files contain everything before.
     #[error("{model} failed after t = {t:?} s in mode {mode}: {why}")]
     Fault {
         model: &'static str,
-        /// The last instant with a finite state (s).
+        /// Last instant with a finite state (s).
         t: f64,
         mode: String,
-        /// What failed, and what to do.
         why: &'static str,
     },
-    /// Ticks reached a declared maximum and held their state; the files hold everything.
+    /// Ticks reached a declared maximum and held their state; the files are complete.
     #[error(
         "{model} reached a maximum in {capped} of {ticks} ticks ({kinds}) and held its state for \
          the rest of each, so what comes after the first of them is not the model's motion: take \
@@ -35,12 +34,10 @@ pub enum SimulateError {
         model: &'static str,
         capped: u64,
         ticks: u64,
-        /// Which maxima, and how often.
+        /// Reached maxima with their counts.
         kinds: String,
-        /// Whether a tolerance was asked for.
         tolerance: bool,
     },
-    /// A file could not be written to its end.
     #[error("cannot write {}: {cause}; make room there or choose another file", shown(path))]
     Write { path: PathBuf, cause: csv::Error },
     /// The summary could not be written; the files are complete.
@@ -49,7 +46,7 @@ pub enum SimulateError {
 }
 
 impl SimulateError {
-    /// The command's exit code: 1 failed while running, 2 wrong usage or file.
+    /// Returns the exit code: 1 for a failure during the run, 2 for wrong usage or files.
     pub const fn exit_code(&self) -> u8 {
         match self {
             Self::Fault { .. } | Self::Capped { .. } | Self::Write { .. } | Self::Summary(_) => 1,
@@ -58,44 +55,38 @@ impl SimulateError {
     }
 }
 
-/// One mistake in the arguments or in the input file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulateMistake {
-    /// There is no such model, or its description has mistakes.
+    /// The model is unknown, or its description has mistakes.
     #[error("{}", .0.rendered())]
     Model(MissingModel),
-    /// Values of parameters that do not go together.
+    /// Values of parameters that do not fit together.
     #[error("{model} needs {condition}, which does not hold: choose other parameters")]
     Unmet {
         model: &'static str,
-        /// As the description writes it.
+        /// Condition as in the description.
         condition: String,
     },
-    /// A name that is not among those that there are.
     #[error("there is no {what} `{name}`{}; there are {}", suggestion(name, known), known.join(", "))]
     Unknown {
-        /// What the name should be of: `mode`, `parameter`, …
+        /// Kind of the name: `mode`, `parameter`, …
         what: &'static str,
         name: String,
         known: Vec<&'static str>,
     },
-    /// Not of the form name=value.
     #[error("`{option} {text}` must be NAME=VALUE")]
     NotNameValue { option: &'static str, text: String },
-    /// A value that is not a finite number.
     #[error("`{option} {name}={text}`: `{text}` is not a finite number")]
     NotANumber {
         option: &'static str,
-        /// The name before the `=`.
+        /// Name before the `=`.
         name: String,
-        /// What stands after it.
+        /// Text after the `=`.
         text: String,
     },
-    /// The same name twice.
     #[error("`{option} {name}` is given twice")]
     Twice { option: &'static str, name: String },
-    /// A value outside its range.
     #[error(
         "{what} = {} is out of range: {} to {}{}",
         short(*value), short(*low), short(*high), after_number(unit)
@@ -108,28 +99,26 @@ pub enum SimulateMistake {
         /// Unit of all three; `1` for a ratio.
         unit: &'static str,
     },
-    /// A tolerance for a method that cannot heed one.
+    /// A tolerance for a method without error control.
     #[error("--tolerance is not for {method}, which has no say in its steps; it is for {}", known.join(", "))]
     NoTolerance {
         method: String,
-        /// Those that heed one.
+        /// Methods with error control.
         known: Vec<&'static str>,
     },
-    /// A time that is not a length of time.
+    /// A time that is not positive and finite.
     #[error("{option} = {value:?}: it must be a positive, finite number of seconds")]
     NotADuration { option: &'static str, value: f64 },
     /// More ticks than can be computed in a day.
     #[error("--until / --step are {ticks:e} ticks, more than {most:e}: take a longer --step")]
     TooManyTicks { ticks: f64, most: f64 },
-    /// The model does not start anywhere.
+    /// A model without an initial mode.
     #[error("the model is not at rest anywhere at t = 0: give --initial for every state")]
     NoStart,
     #[error(transparent)]
     Input(#[from] InputMistake),
-    /// Two files are the same.
     #[error("{first} and {second} are the same file, {}", shown(path))]
     SameFile { first: &'static str, second: &'static str, path: PathBuf },
-    /// A file cannot be created.
     #[error("cannot create {}: {cause}", shown(path))]
     Create { path: PathBuf, cause: io::Error },
 }
@@ -140,12 +129,10 @@ impl SimulateMistake {
     }
 }
 
-/// One mistake per line.
 fn lines(mistakes: &[SimulateMistake]) -> String {
     let mut text = String::new();
     for (index, mistake) in mistakes.iter().enumerate() {
         let separator = if index == 0 { "" } else { "\n" };
-        // Writing to a String cannot fail.
         let _written = write!(text, "{separator}{mistake}");
     }
     text
@@ -155,13 +142,13 @@ fn suggestion(name: &str, known: &[&'static str]) -> String {
     nearest(name, known).map_or_else(String::new, |near| format!(" (did you mean `{near}`?)"))
 }
 
-/// A number as people write it: 88, not 88.0.
+/// Formats a number as people write it: 88, not 88.0.
 fn short(number: f64) -> String {
     let text = format!("{number:?}");
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
-/// The unit behind a number; a ratio has none.
+/// Returns the unit after a number; a ratio has none.
 fn after_number(unit: &str) -> String {
     if unit == "1" { String::new() } else { format!(" {unit}") }
 }

@@ -1,9 +1,8 @@
 //! `letoff simulate`: one key, offline, from a model's name to two tables and a summary.
 //!
-//! In the order of a run: `args` what can be asked for, `check` from arguments to a
-//! plan with every mistake at once, `input` s(t) with its derivatives, `drive` tick
-//! after tick, `output` the tables, `plot` the picture, `summary` what is printed, `error` what can go
-//! wrong. Not here: anything of real time; this clock is an argument.
+//! In the order of a run: `args`, `check` (arguments to a plan, with every mistake at once),
+//! `input` (s(t) with its derivatives), `drive` (all ticks), `output` (the tables), `plot`,
+//! `summary`, `error`. Real time is not here; time is an argument.
 
 mod args;
 mod check;
@@ -33,8 +32,8 @@ use self::input::{HeldInput, InputSignal};
 use self::output::OutputFiles;
 pub use self::studied_method::{MethodVisitor, StudiedMethod};
 
-/// Simulates what `args` ask for; the summary goes to `out`, and what must be known of the input
-/// beforehand to `note`.
+/// Simulates as `args` ask; writes the summary to `out`, and warnings on the input to `note`
+/// beforehand.
 ///
 /// # Errors
 /// [`SimulateError::Usage`] with every mistake before anything is run or written; the
@@ -61,7 +60,7 @@ pub fn run(
     model.visit(job)
 }
 
-/// What remains to be done once the model's type is known.
+/// Work that needs the model's type.
 struct SimulationJob<'a> {
     args: &'a SimulateArgs,
     clock: TickClock,
@@ -91,7 +90,7 @@ impl Visitor for SimulationJob<'_> {
     }
 }
 
-/// What is said of an input whose rows do not last for the whole run.
+/// Warns of an input whose rows do not cover the whole run.
 fn held_note(held: &[HeldInput]) -> Option<String> {
     let told = |it: &HeldInput| format!("s = {:?} from {:?} s to {:?} s", it.s, it.from, it.to);
     let told: Vec<_> = held.iter().map(told).collect();

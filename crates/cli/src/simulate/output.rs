@@ -1,8 +1,8 @@
 //! The files: the trajectory, a row per tick, the events, and the plot.
 //!
-//! Numbers are the shortest that come back to the same bits; an event's t has 17 digits.
-//! A guard's column is `guard_<name>`, so that it never meets a state or an output; an
-//! output that is called like an earlier column is `output_<name>`.
+//! Numbers are the shortest with the same bits; an event's t has 17 digits. A guard's column is
+//! `guard_<name>`, so it never equals a state or an output; an output with the name of an earlier
+//! column is `output_<name>`.
 
 use std::fmt::Write as _;
 use std::fs::File;
@@ -20,30 +20,28 @@ use super::plot::Plot;
 /// Columns of the readout's slopes by s and by s'.
 const SLOPES: [&str; 2] = ["readout_per_s", "readout_per_s_dot"];
 
-/// Columns of the energy audit since the start (J): what is stored more than then is supplied
+/// Columns of the energy audit since the start (J): the increase of the stored energy is supplied
 /// − dissipated + jumps + sampling + integration.
 const ENERGIES: [&str; 6] =
     ["E_supplied", "E_dissipated", "E_jumps", "E_sampling", "E_integration", "E_stored"];
 
-/// Room for rows before they are written to the disk (bytes).
+/// Size of the write buffer (bytes).
 const BUFFER: usize = 1 << 16;
 
-/// The files that were asked for.
 #[derive(Debug)]
 pub(super) struct OutputFiles {
     trajectory: Option<CsvFile>,
     events: Option<CsvFile>,
     plot: Option<Plot>,
-    /// The guards of all modes, in the order of their columns.
+    /// Guards of all modes, in the order of their columns.
     guards: Vec<&'static str>,
-    /// Room for a row's outputs.
     outputs: Vec<f64>,
-    /// The first failure to write an event: a tick cannot return it.
+    /// First failure to write an event, which a tick cannot return.
     failure: Option<SimulateError>,
 }
 
 impl OutputFiles {
-    /// Creates the files, the tables with their headers, or returns why each cannot be created.
+    /// Creates the files, with headers for tables, or returns why each cannot be created.
     pub(super) fn create<M: Playable>(
         args: &SimulateArgs,
         start: &Start<M>,
@@ -94,7 +92,7 @@ impl OutputFiles {
         sheet.end()
     }
 
-    /// Follows a piece that lasts from `start` to `end` (s).
+    /// Follows a piece from `start` to `end` (s).
     pub(super) fn piece<M: Described, S: Signal<Motion>>(
         &mut self,
         model: &M,
@@ -130,14 +128,13 @@ impl OutputFiles {
         }
     }
 
-    /// Returns the first failure to write an event.
     pub(super) fn check(&mut self) -> Result<(), SimulateError> {
         self.failure.take().map_or(Ok(()), Err)
     }
 
-    /// Writes what is left, and the plot.
+    /// Flushes the tables, and writes the plot.
     pub(super) fn finish(self) -> Result<(), SimulateError> {
-        // All are tried: what one cannot take is no reason to lose the others.
+        // Try all: one failure is no reason to lose the others.
         let plotted = self.plot.map_or(Ok(()), Plot::finish);
         let [first, second] =
             [self.trajectory, self.events].map(|sheet| sheet.map(CsvFile::finish));
@@ -145,13 +142,13 @@ impl OutputFiles {
     }
 }
 
-/// The entries of `state` that the model has names for; a described model may have room for more.
+/// Returns the named entries of `state`; a described model may have room for more.
 fn known<'a, M: Described>(model: &M, state: &'a M::State) -> &'a [f64] {
     let entries = state.entries();
     entries.get(..model.entry().states.len()).unwrap_or(entries)
 }
 
-/// The names of all modes' guards, in the order in which the modes first have them.
+/// Returns the names of all modes' guards, in the order of first use.
 fn guard_names<M: Described>(model: &M) -> Vec<&'static str> {
     let mut names = Vec::new();
     for GuardSpec { name, .. } in model.modes().flat_map(|(mode, _)| model.guards(mode)) {
@@ -185,9 +182,9 @@ fn event_header<M: Described>(model: &M) -> Vec<String> {
     header
 }
 
-/// `t` (s) without an exponent, with 17 significant digits.
+/// Formats `t` (s) without an exponent, with 17 significant digits.
 fn seventeen_digits(t: f64) -> String {
-    /// More would only be zeros: nothing is located to 1e-30 s.
+    /// Maximum decimals: nothing is located to 1e-30 s.
     const MOST: i32 = 30;
     if t == 0.0 {
         return "0.0".to_owned();
@@ -198,7 +195,6 @@ fn seventeen_digits(t: f64) -> String {
     format!("{t:.decimals$}")
 }
 
-/// A CSV file, written row by row.
 #[derive(Debug)]
 struct CsvFile {
     path: PathBuf,
@@ -223,7 +219,6 @@ impl CsvFile {
 
     fn number(&mut self, number: f64) {
         self.digits.clear();
-        // Writing to a String cannot fail.
         let _written = write!(self.digits, "{number:?}");
         self.record.push_field(&self.digits);
     }
@@ -234,7 +229,6 @@ impl CsvFile {
         }
     }
 
-    /// Ends the present row of the file.
     fn end(&mut self) -> Result<(), SimulateError> {
         let written = self.writer.write_record(&self.record);
         self.record.clear();

@@ -1,23 +1,23 @@
-//! Any method by its name, Taylor's included, which knows the series of a model.
+//! Any method by its name, with Taylor's, which needs the series of a model.
 
 use pode::stepper::{Any, Taylor, Tolerance};
 use pode::{Nature, Stepper as _};
 
-/// A method of which simulations are made.
+/// A method of simulations.
 ///
-/// Taylor's stands apart from [`Any`]: it carries whole expansions, for which the voices of a
-/// keyboard have no room.
+/// Taylor's is not part of [`Any`]: it holds whole expansions, for which a keyboard's voices have
+/// no room.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum StudiedMethod {
     OneOfMany(Any),
     Taylor(Taylor),
 }
 
-/// Does something with a method of its own type.
+/// An operation on a method of its own type.
 pub trait MethodVisitor {
     type Output;
 
-    /// Does it with the stepper of a method.
+    /// Applies the operation to the stepper of a method.
     fn visit<T: pode::Stepper>(self, stepper: T) -> Self::Output;
 }
 
@@ -28,12 +28,12 @@ impl Default for StudiedMethod {
 }
 
 impl StudiedMethod {
-    /// Names of all methods.
+    /// Returns the names of all methods.
     pub fn names() -> impl Iterator<Item = &'static str> + Clone {
         Any::NAMES.iter().copied().chain([Taylor::NAME])
     }
 
-    /// Names of the methods that heed a tolerance.
+    /// Returns the names of the methods with error control.
     pub fn tolerant() -> impl Iterator<Item = &'static str> + Clone {
         Any::TOLERANT.iter().copied().chain([Taylor::NAME])
     }
@@ -53,7 +53,7 @@ impl StudiedMethod {
         }
     }
 
-    /// Returns the name of the method that is taken in a mode of this `nature`.
+    /// Returns the name of the method for a mode of this `nature`.
     pub fn name_in(&self, nature: &Nature) -> &'static str {
         match self {
             Self::OneOfMany(method) => method.name_in(nature),
@@ -69,8 +69,7 @@ impl StudiedMethod {
         }
     }
 
-    /// Returns the method as precise as `tolerance` says, in ticks of `tick` (s); `None` for one
-    /// that has no say in its error.
+    /// Sets the `tolerance`, for ticks of `tick` (s); `None` for a method without error control.
     pub fn with_tolerance(self, tolerance: f64, tick: f64) -> Option<Self> {
         Some(match self {
             Self::OneOfMany(method) => Self::OneOfMany(method.with_tolerance(tolerance, tick)?),
@@ -78,7 +77,7 @@ impl StudiedMethod {
         })
     }
 
-    /// Does something with the method.
+    /// Applies `visitor` to the method.
     pub fn visit<V: MethodVisitor>(self, visitor: V) -> V::Output {
         match self {
             Self::OneOfMany(method) => visitor.visit(method),

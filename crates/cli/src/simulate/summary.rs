@@ -1,4 +1,4 @@
-//! What a simulation gave: for a program as one JSON object, for people as a few lines.
+//! Summary of a simulation: one JSON object for a program, a few lines for people.
 
 use std::io::{self, Write};
 
@@ -12,34 +12,33 @@ use super::args::SimulateArgs;
 use super::error::SimulateError;
 use super::input::HeldInput;
 
-/// Everything that is told of a run.
 #[derive(Debug)]
 pub(super) struct SimulationReport {
     pub(super) model: &'static str,
     pub(super) method: &'static str,
     /// Length of a tick (s).
     pub(super) step: f64,
-    /// The end that was asked for (s).
+    /// Requested end (s).
     pub(super) until: f64,
     pub(super) counts: RunCounts,
     pub(super) capped: Capped,
-    /// The end that was reached (s).
+    /// Reached end (s).
     pub(super) t: f64,
     pub(super) mode: String,
-    /// What `by-need` takes in each mode; empty with any other method.
+    /// Choice of `by-need` in each mode; empty with any other method.
     pub(super) choices: Vec<(&'static str, Choice)>,
-    /// Modes that the method hands on, each with the name of the method that takes it.
+    /// Modes that the method delegates, each with the name of the other method.
     pub(super) handed_on: Vec<(&'static str, &'static str)>,
-    /// How far an event moved a coordinate onto a constraint, at most.
+    /// Largest move of a coordinate onto a constraint by an event.
     pub(super) projection: f64,
     pub(super) state: Vec<(&'static str, f64)>,
     pub(super) audit: EnergyAudit,
-    /// Where the rows of the input end before the run does: its end value holds there.
+    /// Times of held end values, where the rows of the input end before the run.
     pub(super) held: Vec<HeldInput>,
     pub(super) failure: Option<RunFailure>,
 }
 
-/// Work of all ticks; independent of the machine.
+/// Work of all ticks, equal on every machine.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
 pub(super) struct RunCounts {
     pub(super) ticks: u64,
@@ -48,32 +47,31 @@ pub(super) struct RunCounts {
     pub(super) events: u64,
     /// Events whose reset map left its own guard below zero or falling.
     pub(super) ineffective_events: u64,
-    /// Impacts that were taken in closed form, many in one move, short of the sequence's end.
+    /// Impacts in closed form, many in one move, short of the sequence's end.
     pub(super) impacts_in_closed_form: f64,
-    /// Sequences of impacts that were taken in closed form to where they come to rest.
+    /// Sequences of impacts in closed form to their rest.
     pub(super) settled: u64,
     pub(super) verdicts: Verdicts,
 }
 
-/// Steps by whether a root of a guard can have been missed on the orbit as it was computed.
+/// Steps by the chance that they missed a root of a guard on the computed orbit.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
 pub(super) struct Verdicts {
     pub(super) certain: u64,
     pub(super) unknown: u64,
 }
 
-/// Evaluations of a model in all ticks.
 #[derive(Clone, Copy, Default, Debug, Serialize)]
 pub(super) struct ModelEvaluations {
     pub(super) derivatives: u64,
-    /// Rates of the state's entries in these.
+    /// Rates of single entries of the state in these.
     pub(super) rates: u64,
     pub(super) jacobians: u64,
     pub(super) guards: u64,
     pub(super) readouts: u64,
 }
 
-/// Ticks that reached a declared maximum, and held their state from there on.
+/// Ticks that reached a declared maximum, and then held their state.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Debug, Serialize)]
 pub(super) struct Capped {
     pub(super) events: u64,
@@ -83,7 +81,7 @@ pub(super) struct Capped {
 }
 
 impl Capped {
-    /// The maxima that were reached, and how often, for people.
+    /// Formats the reached maxima with their counts for people.
     fn told(&self) -> String {
         let Self { events, cascade, guards, pieces } = *self;
         let limits = Limits::default();
@@ -99,7 +97,6 @@ impl Capped {
         occurred.collect::<Vec<_>>().join(", ")
     }
 
-    /// Kinds with their counts, those that occurred.
     fn occurred(&self) -> Vec<(&'static str, u64)> {
         let Self { events, cascade, guards, pieces } = *self;
         let all =
@@ -108,7 +105,7 @@ impl Capped {
     }
 }
 
-/// Why a run failed.
+/// Cause of a failed run.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum RunFailure {
     /// The input, or a derivative of it, was not finite.
@@ -120,7 +117,6 @@ pub(super) enum RunFailure {
 }
 
 impl RunFailure {
-    /// One word for a program.
     const fn kind(self) -> &'static str {
         match self {
             Self::Input => "input",
@@ -133,7 +129,7 @@ impl RunFailure {
         }
     }
 
-    /// What failed and what to do, for people.
+    /// Describes failure and remedy for people.
     const fn sentence(self) -> &'static str {
         match self {
             Self::Input => "the input s or a derivative of it is not finite there",
@@ -157,11 +153,11 @@ impl RunFailure {
     }
 }
 
-/// Share of the energy that went through by which an audit may be wrong without a word.
+/// Error of the audit, as a share of the energy that went through, that triggers a warning.
 const MOST_ENERGY_ERROR: f64 = 0.01;
 
 impl SimulationReport {
-    /// The command's result once everything is written.
+    /// Returns the command's result once everything is written.
     pub(super) fn into_result(self, args: &SimulateArgs) -> Result<(), SimulateError> {
         let Self { model, t, mode, .. } = self;
         let capped = self.capped.occurred();
@@ -178,7 +174,7 @@ impl SimulationReport {
         }
     }
 
-    /// `completed`, `capped: events 3, guards 1` or `fault: state`.
+    /// Returns `completed`, `capped: events 3, guards 1` or `fault: state`.
     fn outcome(&self) -> String {
         let capped = self.capped.occurred();
         match self.failure {
@@ -219,7 +215,7 @@ impl SimulationReport {
         })
     }
 
-    /// Lines about what a reader might not expect.
+    /// Describes unexpected results in lines.
     fn remarks(&self) -> String {
         let mut lines: Vec<_> = self
             .handed_on
@@ -257,7 +253,7 @@ impl SimulationReport {
         lines.concat()
     }
 
-    /// What the method made or took, as a share of the energy that went through.
+    /// Returns the method's energy error, as a share of the energy that went through.
     fn energy_error(&self) -> f64 {
         let EnergyAudit { supplied, dissipated, jumps, sampling, integration, stored, .. } =
             self.audit;
@@ -298,19 +294,18 @@ impl SimulationReport {
     }
 }
 
-/// `events 3, guards 1`
+/// Formats `events 3, guards 1`
 fn list(capped: &[(&'static str, u64)]) -> String {
     let counts: Vec<_> = capped.iter().map(|(kind, ticks)| format!("{kind} {ticks}")).collect();
     counts.join(", ")
 }
 
-/// What is taken in a mode, for a program; an error or a step without limit is null.
+/// Returns the choice in a mode for a program; an error or a step without limit is null.
 fn choice_json((mode, choice): &(&'static str, Choice)) -> Value {
     let Choice { method, step, error } = *choice;
     json!({ "mode": mode, "method": method.name(), "step": step, "error_per_radian": error })
 }
 
-/// The same for people.
 fn choice_text((mode, choice): &(&'static str, Choice)) -> String {
     let Choice { method, step, error } = *choice;
     format!(
@@ -319,7 +314,6 @@ fn choice_text((mode, choice): &(&'static str, Choice)) -> String {
     )
 }
 
-/// Prints the report as `args` ask for.
 pub(super) fn write(
     report: &SimulationReport,
     args: &SimulateArgs,

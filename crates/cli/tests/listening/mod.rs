@@ -1,5 +1,4 @@
-//! To whom a host streams: `--listen`, `--tokens`, `--tls`, `--origin` and `--insecure`, as they
-//! are typed.
+//! The clients of a stream: `--listen`, `--tokens`, `--tls`, `--origin` and `--insecure`.
 
 mod roles;
 
@@ -20,29 +19,28 @@ use telemetry::{Arrival, ConnectionState, Source as _};
 use crate::stranger::Stranger;
 use crate::typed::{Folder, cable, eventually};
 
-/// Secrets that are as long as they have to be.
+/// Secrets of the minimum length.
 const VIEWER: &str = "see-0123456789abcdef";
 const TUNER: &str = "tune-0123456789abcdef";
 const OWNER: &str = "own-0123456789abcdef";
 
-/// A host on simulated keys that nobody plays, until it is dropped.
+/// An idle host on simulated keys, until it is dropped.
 struct Host<'a> {
     folder: &'a Folder,
     child: Child,
-    /// Where it streams, with what stands behind the address.
+    /// Address of its stream, with the fingerprint.
     address: String,
-    /// The secret that it tells its own user.
+    /// Secret for its own user.
     token: Option<String>,
 }
 
 impl<'a> Host<'a> {
-    /// Starts one with `arguments`, and waits until it answers.
+    /// Starts a host with `arguments`, and waits until it answers.
     fn start(folder: &'a Folder, arguments: &[&str]) -> Self {
         let silent = ["run", "springs", "--performance", "none", "--midi", "none"];
         Self::run(folder, &[&silent[..], &["--black-box", "none"], arguments].concat())
     }
 
-    /// Starts the one that is typed.
     fn run(folder: &'a Folder, arguments: &[&str]) -> Self {
         let letoff = Path::new(env!("CARGO_BIN_EXE_letoff"));
         let mut command = folder.command(letoff, arguments);
@@ -61,12 +59,11 @@ impl<'a> Host<'a> {
         Self { folder, child, address, token }
     }
 
-    /// What it has complained of so far.
     fn complaints(&self) -> String {
         self.folder.read("complaints")
     }
 
-    /// The scene as it sounds now.
+    /// Returns the scene as it sounds now.
     fn scene(&self) -> String {
         match send(&self.folder.socket(), &Request::Scene {}) {
             Ok(Ok(Reply::Scene { toml })) => toml,
@@ -88,39 +85,36 @@ impl Drop for Host<'_> {
     }
 }
 
-/// A file of tokens that only this user reads.
+/// Writes a file of tokens that only this user can read.
 fn tokens(folder: &Folder, text: &str) {
     let file = folder.write("tokens", text);
     std::fs::set_permissions(file, Permissions::from_mode(0o600)).expect("a file");
 }
 
-/// How a client stands when it is in or turned away.
+/// Waits for the state of an accepted or rejected client.
 fn standing(client: &Client) -> ConnectionState {
     eventually("a standing", || {
         Some(client.standing()).filter(|it| *it != ConnectionState::Connecting)
     })
 }
 
-/// Why somebody is not let in.
 fn refusal(dial: Dial) -> String {
     let standing = standing(&Client::connect(dial, None));
     let ConnectionState::Refused(why) = standing else { unreachable!("{standing:?}") };
     why
 }
 
-/// A client that is in.
 fn connected(dial: Dial) -> Client {
     let mut client = Client::connect(dial, None);
     eventually("a connection", || (client.next() == Some(Arrival::Anew)).then_some(()));
     client
 }
 
-/// What becomes of `request`, once the host runs.
+/// Returns the reply to `request`, once the host runs.
 fn asked(client: &mut Client, request: &Request) -> Result<Reply, String> {
     let mut ticket = client.ask(request.clone());
     eventually("an answer", || match client.next()? {
         Arrival::Reply { ticket: of, result } if of == ticket => {
-            // It listens before its first tick.
             let is_early = result.as_ref().is_err_and(|why| why.contains("not running yet"));
             if is_early {
                 ticket = client.ask(request.clone());
@@ -131,7 +125,7 @@ fn asked(client: &mut Client, request: &Request) -> Result<Reply, String> {
     })
 }
 
-/// What becomes of setting a value of key 39, once the host runs.
+/// Sets a value of key 39, once the host runs.
 fn set(dial: Dial) -> Result<(), String> {
     let changes = vec![Change { key: 39, parameter: "k2".into(), value: 900.0 }];
     asked(&mut connected(dial), &Request::Set { changes }).map(drop)
@@ -144,7 +138,7 @@ fn beyond_this_machine_only_with_tokens_and_tls() {
     let folder = Folder::new("beyond");
     tokens(&folder, &format!("owner {OWNER}\n"));
     let refused = |options: &[&str], words: &[&str]| {
-        // Not even a recording is begun.
+        // Not even a recording is started.
         let run = ["run", "springs", "--record", "a.mcap", "--duration", "1"];
         folder.refuses(&[&run[..], options].concat(), 2, words);
         assert!(!folder.join("a.mcap").exists(), "{options:?}");
@@ -184,7 +178,7 @@ fn all_mistakes_of_a_file_of_tokens_are_told_at_once() {
     folder.refuses(&run, 2, &words);
     let (_code, _out, err) = folder.letoff(&run);
     assert!(!err.contains("aaaa") && !err.contains("bb&bb"), "a secret is shown: {err}");
-    // Or everybody would be an owner.
+    // Otherwise every client would be an owner.
     tokens(&folder, "# nobody yet\n");
     folder.refuses(&run, 2, &["tokens: nobody is named", "`owner SECRET`"]);
     tokens(&folder, &"owner x\n".repeat(10_000));
@@ -219,7 +213,7 @@ fn a_token_says_what_somebody_may_do() {
     let refused = set(host.dial(Some(VIEWER))).expect_err("a viewer only watches");
     assert!(refused.contains("a viewer may not"), "{refused}");
     assert_eq!(set(host.dial(Some(TUNER))), Ok(()));
-    // Whoever may use the socket is the owner.
+    // A user of the socket is the owner.
     assert_eq!(host.token.as_deref(), Some(OWNER));
     assert_eq!(set(host.dial(host.token.as_deref())), Ok(()));
 }
@@ -244,7 +238,6 @@ fn only_pages_that_are_named_may_connect() {
     }
 }
 
-/// The fingerprint that a host has printed.
 fn printed(complaints: &str) -> Fingerprint {
     let rest = complaints.split("certificate is ").nth(1).expect("a certificate");
     let text: String = rest.chars().take_while(|it| it.is_ascii_hexdigit() || *it == ':').collect();
@@ -267,7 +260,7 @@ fn the_fingerprint_that_is_printed_is_the_certificate_s() {
         assert!(refusal(dial(None)).contains("needs the fingerprint"));
         pin
     };
-    // Tomorrow it is the same.
+    // The fingerprint survives a restart.
     let host = Host::start(&folder, &everywhere);
     assert_eq!(printed(&host.complaints()), first);
 }
@@ -284,7 +277,7 @@ fn a_certificate_that_cannot_be_had_is_refused_in_a_sentence() {
     refused("cert.pem", &["--tls cert.pem", "CHAIN.pem,KEY.pem", "self-made"]);
     refused("nothing.pem,key.pem", &["nothing.pem cannot be read"]);
     refused("cert.pem,key.pem", &["certificate"]);
-    // Its folder cannot be made.
+    // The folder for the certificate cannot be created.
     folder.write(".local", "a file");
     refused("self-made", &["cannot be kept in", ".local/state/letoff"]);
 }
@@ -333,7 +326,7 @@ fn whoever_watches_may_stop_and_hears_what_was_done_before_the_stream_ends() {
     let other = connected(host.dial(Some(OWNER)));
     let reply = asked(&mut viewer, &Request::Stop {});
     let Ok(Reply::Stopped { told, boards, .. }) = reply else { unreachable!("{reply:?}") };
-    // By either way it is said how many; before the first tick none was armed.
+    // Both ways report the number; before the first tick no board was armed.
     assert!(told == boards && (boards == 8 || boards == 0), "{told} of {boards}");
     for client in [&viewer, &other] {
         let why = eventually("the end", || {
@@ -367,7 +360,7 @@ fn a_stop_while_a_piece_is_rehearsed_is_heard_at_once_and_nothing_is_played() {
 #[test]
 fn a_stop_is_heard_while_keys_are_tried() {
     let folder = Folder::new("stop-earlier");
-    // The default scene's keys are tried for longer than it takes to ask.
+    // The default scene's keys are tried for longer than a request takes.
     let run = ["run", "--listen", "none"];
     let mut host = folder.command(Path::new(env!("CARGO_BIN_EXE_letoff")), &run);
     host.stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -388,19 +381,19 @@ fn an_address_that_is_taken_may_be_free_later() {
     let address = taken.local_addr().expect("an address").to_string();
     let run = ["run", "springs", "--performance", "none", "--midi", "none", "--listen", &address];
     folder.refuses(&run, 1, &["cannot listen", &address]);
-    // Whoever names the usual address means it; it may be taken already.
+    // An explicit default address must be free; it may be taken already.
     let _taken = std::net::TcpListener::bind("127.0.0.1:8765");
     let usual = [&run[..6], &["--listen", "127.0.0.1:8765"]].concat();
     folder.refuses(&usual, 1, &["cannot listen", "127.0.0.1:8765"]);
 }
 
-/// The least of all users.
+/// User id of `nobody`.
 const NOBODY: u32 = 65_534;
 
-/// Says to the process of [`the_other_user`] where the host is that it is to try.
+/// Variable with the host that the process of [`the_other_user`] attacks.
 const VICTIM: &str = "LETOFF_TEST_VICTIM";
 
-/// What another user of the machine tries, in a process of their own; nothing in any other.
+/// Acts as another user of the machine in a separate process; does nothing in other processes.
 #[test]
 fn the_other_user() {
     let Ok(victims) = std::env::var(VICTIM) else { return };
@@ -410,7 +403,7 @@ fn the_other_user() {
         let (address, socket) = victim.split_once(' ').expect("an address and a socket");
         try_to_get_at(address, Path::new(socket));
     }
-    // In the place where root's host would listen without a runtime folder.
+    // The folder where root's host would listen without a runtime folder.
     let folder = Path::new(tmp).join("letoff-0");
     std::fs::create_dir(&folder).expect("the sticky folder is everybody's");
     std::fs::set_permissions(&folder, Permissions::from_mode(0o777)).expect("a folder");
@@ -421,7 +414,7 @@ fn the_other_user() {
         listener
     };
     let (host, _guardian) = (listen("letoff.sock"), listen("letoff.sock.midi"));
-    // And in one where it would keep what it leaves behind, its certificate's key too.
+    // The folder where it would keep its state, with its certificate's key.
     std::fs::create_dir(Path::new(tmp).join("letoff")).expect("a folder");
     std::fs::write(Path::new(tmp).join("tried"), "").expect("a file");
     for stream in host.incoming() {
@@ -433,8 +426,8 @@ fn the_other_user() {
     }
 }
 
-/// Nothing is read, recorded, changed or stopped by the `socket`, the stream at `address` or the
-/// socket of the MIDI guardian.
+/// Asserts that the `socket`, the stream at `address` and the socket of the MIDI guardian let
+/// nothing be read, recorded, changed or stopped.
 fn try_to_get_at(address: &str, socket: &Path) {
     for request in [Request::Where {}, Request::Stop {}, Request::Record { file: None }] {
         let refused = send(socket, &request).expect_err("another user's host");
@@ -443,7 +436,7 @@ fn try_to_get_at(address: &str, socket: &Path) {
     let mut guardian = socket.as_os_str().to_owned();
     guardian.push(".midi");
     let refused = UnixStream::connect(guardian).expect_err("another user's guardian").kind();
-    // A host that rehearses has none yet.
+    // A host that rehearses has no guardian yet.
     assert!(matches!(refused, ErrorKind::PermissionDenied | ErrorKind::NotFound), "{refused}");
     for token in [None, Some(""), Some("owner"), Some(OWNER)] {
         let token = token.map(str::to_owned);
@@ -480,14 +473,14 @@ fn another_user_of_this_machine_reads_writes_changes_and_stops_nothing() {
     other.args(["--exact", "listening::the_other_user", "--nocapture"]).env(VICTIM, victims);
     other.current_dir(&tmp).uid(NOBODY).gid(NOBODY).stdin(Stdio::null());
     other.stdout(Stdio::null()).stderr(File::create(folder.join("tried")).expect("a file"));
-    // The copy is busy for a moment if another test starts a process meanwhile.
+    // The copy is busy while another test starts a process.
     let mut other = eventually("another user", || other.spawn().ok());
     eventually("all is tried", || {
         let ended = other.try_wait().expect("a process");
         assert!(ended.is_none(), "it got through: {}", folder.read("tried"));
         tmp.join("tried").exists().then_some(())
     });
-    // Root does not believe them, and listens nowhere where they could answer.
+    // Root does not trust these folders, and listens nowhere where they could answer.
     let letoff = |arguments: &[&str]| {
         let mut command = folder.command(Path::new(env!("CARGO_BIN_EXE_letoff")), arguments);
         command.env_remove("LETOFF_SOCKET").env_remove("XDG_RUNTIME_DIR").env("TMPDIR", &tmp);
@@ -508,7 +501,7 @@ fn another_user_of_this_machine_reads_writes_changes_and_stops_nothing() {
     other.kill().and_then(|()| other.wait()).expect("it ends");
     let heard = std::fs::read_to_string(tmp.join("heard")).unwrap_or_default();
     assert_eq!(heard, "", "not even a request was told to them");
-    // Both hosts are as they were, and their own user does all of it.
+    // Both hosts are unchanged, and their own user may do everything.
     assert!(send(&rehearsing.folder.socket(), &Request::Stop {}).is_ok_and(|it| it.is_ok()));
     let mut owner = connected(host.dial(host.token.as_deref()));
     let changes = vec![Change { key: 39, parameter: "k2".into(), value: 901.0 }];

@@ -1,4 +1,4 @@
-//! The table of roles in the host's README, tried cell by cell on a real host.
+//! Compares the table of roles in the host's manual, cell by cell, with a real host.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read as _, Write as _};
@@ -11,10 +11,9 @@ use super::{Host, LOOPBACK, OWNER, TUNER, VIEWER, tokens};
 use crate::stranger::Stranger;
 use crate::typed::{Folder, eventually};
 
-/// The README with the table.
 const README: &str = include_str!("../../../host/MANUAL.md");
 
-/// The columns of the table, and the token of each that has one.
+/// Columns of the table, each with its token.
 const COLUMNS: [(&str, Option<&str>); 5] = [
     ("no token", None),
     ("`viewer`", Some(VIEWER)),
@@ -23,16 +22,15 @@ const COLUMNS: [(&str, Option<&str>); 5] = [
     (SOCKET, None),
 ];
 
-/// The column of the user's own commands.
 const SOCKET: &str = "control socket";
 
-/// A host of one key, so that every change is tried at once.
+/// A host of one key, so that every change is fast.
 const SCENE: &str = r#"
 keys = [{ range = "C4", instrument = "grand-springs" }]
 midi.output = "none"
 "#;
 
-/// What a client may ask for; the stop last, which ends the host.
+/// Returns all requests of clients; the last one stops the host.
 fn requests() -> Vec<Request> {
     let changes = vec![Change { key: 39, parameter: "k2".into(), value: 901.0 }];
     let passivity = RenderSetting { name: "render.passivity".into(), value: "control".into() };
@@ -53,12 +51,12 @@ fn requests() -> Vec<Request> {
     ]
 }
 
-/// The name of a request, as it stands in its JSON.
+/// Returns the name of a request in its JSON.
 fn name(request: &Request) -> String {
     serde_json::to_value(request).expect("JSON")["service"].as_str().expect("a name").to_owned()
 }
 
-/// The names of all requests that there are, which the refusal of another one lists.
+/// Returns the names of all requests, as listed in the error on an unknown one.
 fn all_names() -> BTreeSet<String> {
     let refusal = serde_json::from_str::<Request>(r#"{"service":"?"}"#).expect_err("no request");
     let refusal = refusal.to_string();
@@ -66,19 +64,19 @@ fn all_names() -> BTreeSet<String> {
     listed.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
-/// One cell: whether the operation is allowed.
+/// Returns one cell: `yes` if the operation is allowed.
 fn cell(request: &Request, answer: Option<Result<(), String>>) -> &'static str {
     match answer {
         None => "–",
         Some(Ok(())) => "yes",
         Some(Err(why)) if why.contains("may not do this") => "no",
-        // There is no board and no such file: whoever hears this may ask.
+        // There is no board and no such file: this error means that the client may ask.
         Some(Err(_)) if matches!(request, Request::Identify { .. } | Request::Load { .. }) => "yes",
         Some(Err(why)) => unreachable!("{request:?}: {why}"),
     }
 }
 
-/// The answer to `request` once the host runs, which listens before.
+/// Returns the answer to `request` once the host runs; it listens before.
 fn once_it_runs<T>(
     mut ask: impl FnMut() -> Option<Result<T, String>>,
 ) -> Option<Result<(), String>> {
@@ -92,7 +90,7 @@ fn once_it_runs<T>(
     .map(|answer| answer.map(drop))
 }
 
-/// The status of the answer to a request for the metrics.
+/// Returns the status of a request for the metrics.
 fn metrics(address: &str, host: &str, token: Option<&str>) -> &'static str {
     let mut stream = TcpStream::connect(address).expect("a connection");
     let query = token.map(|token| format!("?token={token}")).unwrap_or_default();
@@ -106,7 +104,7 @@ fn metrics(address: &str, host: &str, token: Option<&str>) -> &'static str {
     }
 }
 
-/// One column: what each operation is to somebody with this `token`, or at the socket.
+/// Returns one column: the rights with this `token`, or at the socket.
 fn column(
     host: &mut Host<'_>,
     name_of: &str,
@@ -151,7 +149,7 @@ fn column(
         }
         cells.insert(name(&request), cell);
     }
-    // The host waits for a client that has not left, to hear that it ends.
+    // The host waits for connected clients to receive its end.
     drop(client);
     let may_record = cells["record"] == "yes" && !is_socket;
     assert_eq!(host.folder.join("takes/take.mcap").exists(), may_record, "{name_of}");
@@ -161,7 +159,7 @@ fn column(
     cells
 }
 
-/// The table of the README: its columns, and the cells of each operation.
+/// Parses the table of the manual: its columns, and the cells of each operation.
 fn written() -> (Vec<String>, BTreeMap<String, Vec<String>>) {
     let cells = |line: &str| -> Vec<String> {
         line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()

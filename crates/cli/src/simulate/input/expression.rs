@@ -1,4 +1,4 @@
-//! An input given as a formula of t, exact with its first three derivatives, and bounded.
+//! An input as a formula of t, exact with its first three derivatives, and bounded.
 
 use std::cell::Cell;
 use std::f64::consts::{E, PI, TAU};
@@ -13,26 +13,24 @@ use super::interval::{Interval, enclose};
 use super::series::FormulaSeries;
 use super::{InputMistake, NAME, is_finite};
 
-/// The symbol of t, and its argument.
+/// Symbol and argument of t.
 const TIME: (Place, Argument) = (Place::Extra(0), Argument::Extra(0));
 
-/// Work on the graph beyond which nothing is derived once more: a derivative of n factors has n
-/// products of them.
+/// Maximum work on the graph before the next derivative: a derivative of n factors has n products
+/// of them.
 const MAX_WORK: u64 = 30_000;
 
 /// s(t) and its rates.
 #[derive(Debug)]
 pub(in super::super) struct Expression {
-    /// Computes s and its first three derivatives.
     tape: Tape,
-    /// Computes the power series of s.
     series: Option<FormulaSeries>,
-    /// The last t and its motion: stages, guards and readouts share their instants.
+    /// Last t with its motion: stages, guards and readouts share their instants.
     last: Cell<(f64, Motion)>,
 }
 
 impl Expression {
-    /// Reads `text`, which begins with `name` and `=`.
+    /// Parses `text`, which begins with `name` and `=`.
     pub(super) fn read(text: &str, name: &str) -> Result<Self, Vec<InputMistake>> {
         if name != NAME {
             return Err(vec![InputMistake::Name { name: name.to_owned() }]);
@@ -55,7 +53,7 @@ impl Expression {
         if is_driven { Ok(expression) } else { Err(vec![InputMistake::NotFinite]) }
     }
 
-    /// s and its rates at `t` (s).
+    /// Returns s and its rates at `t` (s).
     pub(super) fn at(&self, t: f64) -> Motion {
         let (last, motion) = self.last.get();
         if last.to_bits() == t.to_bits() {
@@ -69,13 +67,13 @@ impl Expression {
         motion
     }
 
-    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` where it has none.
+    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` if it has none.
     pub(super) fn series(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
         self.series.as_ref().is_some_and(|series| series.write(t, span, out))
     }
 
-    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` if one of them jumps,
-    /// or is not defined or not finite, within that time.
+    /// Returns the largest magnitudes of s and its rates from `from` to `to` (s); `None` if one of
+    /// them jumps, is undefined or is not finite there.
     pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
         let ranges = enclose(&self.tape, Interval::new(from, to));
         let most = |order: usize| {
@@ -86,7 +84,7 @@ impl Expression {
     }
 }
 
-/// Returns the program of `formula` and its first three derivatives; none if that is too much work.
+/// Compiles `formula` and its first three derivatives; `None` if that is too much work.
 fn derived(formula: &str) -> Result<Option<Tape>, Vec<TextError>> {
     let parsed = mechanism::formulas::parse(formula, Form::Value).map_err(|error| vec![error])?;
     let mut graph = Graph::new();
@@ -110,7 +108,7 @@ fn derived(formula: &str) -> Result<Option<Tape>, Vec<TextError>> {
     Ok(tape.filter(|_tape| graph.given_up().is_none()))
 }
 
-/// The names in a formula: t and some constants.
+/// Names in a formula: t and some constants.
 struct InputNames;
 
 impl NameScope for InputNames {
@@ -157,9 +155,8 @@ impl NameScope for InputNames {
 mod tests {
     use super::*;
 
-    /// Checks s, s', s'', s''' of `text` at `t` against closed forms.
-    ///
-    /// Error model: a few roundings per operation, at the size of the largest term.
+    /// Checks s, s', s'', s''' of `text` at `t` against closed forms; allows a few roundings per
+    /// operation, at the size of the largest term.
     #[track_caller]
     fn check(text: &str, t: f64, expected: [f64; 4]) {
         let s = Expression::read(text, "s").expect("an expression").at(t);
@@ -252,7 +249,7 @@ mod tests {
         check("s=atanh(t)", t, [t.atanh(), atanh[0], atanh[1], atanh[2]]);
     }
 
-    /// Expressions with where they begin (s), and how they move.
+    /// Expressions with their starts (s).
     const MOVES: [(&str, f64); 12] = [
         ("0.1*sin(2*pi*3*t)", 0.0),
         ("1.2*exp(-((t-0.35)/0.01)^2)", 0.3),
@@ -268,7 +265,7 @@ mod tests {
         ("2^t+log2(1+t)", 0.0),
     ];
 
-    /// Checks the bound of `expression` over 3 ms from `from` (s) against 41 places in it.
+    /// Checks the bound of `expression` over 3 ms from `from` (s) at 41 points.
     #[track_caller]
     fn check_bound(expression: &Expression, from: f64) {
         let width = 0.003;
@@ -311,7 +308,7 @@ mod tests {
     #[test]
     fn a_time_with_a_pole_has_no_bound() {
         for text in ["1/(t-0.5)", "tan(pi*t)", "sqrt(t-0.5)", "ln(t-0.5)", "tanh(1/(t-0.5))"] {
-            // Where it begins it has to be finite; these are, with t² for the shifted t.
+            // It has to be finite at its start; these are, with t² for the shifted t.
             let text = format!("s={}", text.replace("(t-0.5)", "(0.25-t^2)"));
             let expression = Expression::read(&text, "s").expect("an expression");
             assert!(expression.bound(0.49, 0.51).is_none(), "{text}");

@@ -1,9 +1,8 @@
-//! Ranges of numbers, and the range of a tape's values over a range of arguments. `[MKC09]`
+//! Interval arithmetic: the range of a tape's values over a range of arguments. `[MKC09]`
 //!
-//! A result contains all that the same arithmetic on `f64` gives for any numbers of the operands,
-//! and all that exact arithmetic gives: each bound is moved outwards by what rounding can have
-//! moved it inwards. A result that is undefined for some number of an operand is undefined, and so
-//! is one that jumps within it.
+//! A result contains the results of `f64` and of exact arithmetic for any numbers of the operands:
+//! each bound is moved outwards by the possible rounding. A result that is undefined for, or jumps
+//! at, some number of an operand is undefined.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -11,17 +10,17 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use mechanism::expressions::graph::{BinaryFunction, UnaryFunction};
 use mechanism::expressions::tape::{Instruction, Tape, TapeSlot};
 
-/// Beyond this the turning points of a wave are not known (rad).
+/// Largest angle with known turning points of a wave (rad).
 const MAX_ANGLE: f64 = 1e12;
 
-/// All numbers from `lo` to `hi`; undefined if these are not numbers.
+/// All numbers from `lo` to `hi`; undefined if these are NaN.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct Interval {
     lo: f64,
     hi: f64,
 }
 
-/// Returns the ranges of the outputs of `tape` where each of its arguments is in `argument`.
+/// Returns the ranges of the outputs of `tape` with each argument in `argument`.
 pub(super) fn enclose(tape: &Tape, argument: Interval) -> Vec<Interval> {
     let mut values: Vec<Interval> = Vec::with_capacity(tape.instructions.len());
     for instruction in &tape.instructions {
@@ -48,19 +47,18 @@ pub(super) fn enclose(tape: &Tape, argument: Interval) -> Vec<Interval> {
     tape.outputs.iter().map(|slot| values[slot.index()]).collect()
 }
 
-/// Moves `lo` and `hi` apart by `units` in the last place.
 fn outwards(lo: f64, hi: f64, units: usize) -> Interval {
     let lo = (0..units).fold(lo, |lo, _unit| lo.next_down());
     let hi = (0..units).fold(hi, |hi, _unit| hi.next_up());
     Interval::new(lo, hi)
 }
 
-/// The range of results of a function: a library errs by one unit or two, four are allowed for.
+/// Returns a function's range of results: a library errs by one or two units, this allows four.
 fn around(values: [f64; 4]) -> Interval {
     spread(values, 4)
 }
 
-/// From the smallest of `values` to the largest; undefined if one is not a number.
+/// Returns the range of `values`; undefined if one is NaN.
 fn spread(values: [f64; 4], units: usize) -> Interval {
     if values.iter().any(|it| it.is_nan()) {
         return Interval::UNDEFINED;
@@ -72,7 +70,6 @@ fn spread(values: [f64; 4], units: usize) -> Interval {
 impl Interval {
     const UNDEFINED: Self = Self { lo: f64::NAN, hi: f64::NAN };
 
-    /// Returns the numbers from `lo` to `hi`.
     pub(super) fn new(lo: f64, hi: f64) -> Self {
         if lo <= hi { Self { lo, hi } } else { Self::UNDEFINED }
     }
@@ -85,29 +82,28 @@ impl Interval {
         self.lo <= value && value <= self.hi
     }
 
-    /// Returns the largest magnitude in it; infinite or not a number if there is none.
+    /// Returns the largest magnitude; infinite or NaN if there is none.
     pub(super) fn magnitude(self) -> f64 {
         if self.is_undefined() { f64::NAN } else { self.lo.abs().max(self.hi.abs()) }
     }
 
-    /// The range of magnitudes.
     fn magnitudes(self) -> Self {
         let least = if self.contains(0.0) { 0.0 } else { self.lo.abs().min(self.hi.abs()) };
         Self::new(least, self.magnitude())
     }
 
-    /// Keeps to the values that a function can have.
+    /// Clips to the values that a function can have.
     fn within(self, least: f64, most: f64) -> Self {
         if self.is_undefined() { self } else { Self::new(self.lo.max(least), self.hi.min(most)) }
     }
 
-    /// The range of results at all pairs of ends: `[MKC09]` eq. 2.23 and 2.24.
+    /// Returns the results at all pairs of ends: `[MKC09]` eq. 2.23 and 2.24.
     fn corners(self, other: Self, of: impl Fn(f64, f64) -> f64) -> [f64; 4] {
         let (a, b) = (self, other);
         [of(a.lo, b.lo), of(a.lo, b.hi), of(a.hi, b.lo), of(a.hi, b.hi)]
     }
 
-    /// A function that rises or falls all over its domain, from `least` to `most`.
+    /// Returns the range of a monotonic function with values from `least` to `most`.
     fn monotonic(self, function: UnaryFunction, [least, most]: [f64; 2]) -> Self {
         if self.lo >= least && self.hi <= most {
             let (a, b) = (function.of(self.lo), function.of(self.hi));
@@ -141,7 +137,7 @@ impl Interval {
         }
     }
 
-    /// A wave of size 1 with a maximum at `top` (rad).
+    /// Returns the range of a wave of size 1 with a maximum at `top` (rad).
     fn wave(self, function: UnaryFunction, top: f64) -> Self {
         let (a, b) = (function.of(self.lo), function.of(self.hi));
         let least = if self.may_contain(top + PI, TAU) { -1.0 } else { a };
@@ -151,7 +147,7 @@ impl Interval {
 
     /// Returns `true` if `at` plus a multiple of `period` may lie in it.
     fn may_contain(self, at: f64, period: f64) -> bool {
-        /// Rounding of the multiple, at the largest angle that is accepted.
+        /// Rounding of the multiple, at the largest accepted angle.
         const SLACK: f64 = 1e-3;
         if self.is_undefined() || self.magnitude() > MAX_ANGLE {
             return true;
@@ -165,7 +161,7 @@ impl Interval {
     fn binary(self, function: BinaryFunction, other: Self) -> Self {
         let at_corners = |a: Self, b: Self| around(a.corners(b, |a, b| function.of(a, b)));
         match function {
-            // Written atan2(y, x): the angle is cut where y is 0 and x is negative.
+            // Written atan2(y, x): the angle has a cut where y is 0 and x is negative.
             BinaryFunction::Atan2 if other.lo > 0.0 || !self.contains(0.0) => {
                 at_corners(self, other)
             }
@@ -181,7 +177,7 @@ impl Interval {
         }
     }
 
-    /// Powers: whole ones of any base, others of a base that is not negative.
+    /// Returns powers: integer ones of any base, others of a base that is not negative.
     fn power(self, exponent: Self) -> Self {
         let Self { lo: n, hi } = exponent;
         if n >= hi && n.fract() == 0.0 {
@@ -260,7 +256,7 @@ mod tests {
             assert!(found.contains(y), "{y} is not in {found:?}");
             (it.0.min(y), it.1.max(y))
         });
-        // Between 1,001 places a smooth function turns by a millionth of its range.
+        // Between 1,001 points a smooth function turns by a millionth of its range.
         let slack = 1e-5 * (most - least) + 1e-14 * (1.0 + most.abs());
         assert!(found.lo >= least - slack && found.hi <= most + slack, "{found:?} {least} {most}");
     }

@@ -1,17 +1,13 @@
-//! What can be wrong with an input, in sentences.
-
 use std::path::PathBuf;
 
 use documents::shown;
 
-/// One mistake in an input.
+/// A mistake in an input.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum InputMistake {
-    /// Another input than s.
     #[error("--input {name}=…: the model's input is called `s`")]
     Name { name: String },
-    /// The expression cannot be read.
     #[error("--input, column {column}: {problem}")]
     Spelling {
         /// Character of the argument, from 1.
@@ -20,13 +16,11 @@ pub enum InputMistake {
     },
     #[error("--input: the expression and its three derivatives are too long; give a CSV file")]
     TooLong,
-    /// The expression is infinite or undefined where it starts.
+    /// The expression is infinite or undefined at its start.
     #[error("--input: s or one of its first three derivatives is not finite at t = 0")]
     NotFinite,
-    /// The file cannot be read.
     #[error("cannot read {}: {cause}", shown(path))]
     Read { path: PathBuf, cause: csv::Error },
-    /// Something in the file is wrong.
     #[error("{}, line {line}, column {column}: {problem}", shown(path))]
     Cell {
         path: PathBuf,
@@ -36,14 +30,13 @@ pub enum InputMistake {
         column: usize,
         problem: String,
     },
-    /// The number of further mistakes in the same file.
+    /// Number of further mistakes in the same file.
     #[error("{}: {more} more mistakes", shown(path))]
     More {
         path: PathBuf,
         /// Mistakes that are not shown.
         more: usize,
     },
-    /// A reconstruction without samples.
     #[error("--reconstruct is for an --input from a CSV file")]
     NothingToReconstruct,
     #[error("{} has {rows} rows: an input needs at least 2", shown(path))]

@@ -14,10 +14,9 @@ pub use self::mistake::InputMistake;
 pub use self::table::InputTable;
 use super::args::SimulateArgs;
 
-/// The input's name: the only one that every model has.
 const NAME: &str = "s";
 
-/// Where s comes from.
+/// Source of the input s(t).
 #[derive(Debug)]
 pub(super) enum InputSignal {
     Rest,
@@ -26,7 +25,7 @@ pub(super) enum InputSignal {
 }
 
 impl InputSignal {
-    /// Reads what `--input` and `--reconstruct` say; every mistake goes to `mistakes`.
+    /// Reads `--input` and `--reconstruct`; adds to `mistakes`.
     pub(super) fn read(args: &SimulateArgs, mistakes: &mut Vec<InputMistake>) -> Self {
         let mut note = |found: Vec<InputMistake>| {
             mistakes.extend(found);
@@ -53,7 +52,7 @@ impl InputSignal {
         input
     }
 
-    /// s and its rates at `t` (s).
+    /// Returns s and its rates at `t` (s).
     pub(super) fn at(&self, t: f64) -> Motion {
         match self {
             Self::Rest => Motion::default(),
@@ -62,7 +61,7 @@ impl InputSignal {
         }
     }
 
-    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` where it has none.
+    /// Writes s at `t` + `span` τ (s) as a power series in τ; returns `false` if it has none.
     pub(super) fn series(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
         match self {
             Self::Rest => {
@@ -74,7 +73,7 @@ impl InputSignal {
         }
     }
 
-    /// Where an end value holds in a run until `until` (s).
+    /// Returns the times of held end values in a run until `until` (s).
     pub(super) fn held(&self, until: f64) -> Vec<HeldInput> {
         match self {
             Self::Rest | Self::Expression(_) => Vec::new(),
@@ -82,8 +81,7 @@ impl InputSignal {
         }
     }
 
-    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` where they are not
-    /// known.
+    /// Returns the largest magnitudes of s and its rates from `from` to `to` (s), where known.
     pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
         match self {
             Self::Rest => Some(Motion::default()),
@@ -93,22 +91,21 @@ impl InputSignal {
     }
 }
 
-/// A time over which an end value of the input's rows holds, since there are no rows.
+/// A time outside of the input's rows, over which an end value holds.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub(super) struct HeldInput {
-    /// Where it begins (s).
+    /// Start (s).
     pub(super) from: f64,
-    /// Where it ends (s).
+    /// End (s).
     pub(super) to: f64,
     pub(super) s: f64,
 }
 
-/// Whether a motion can drive a model.
 pub(super) fn is_finite(s: &Motion) -> bool {
     [s.position, s.rate, s.acceleration, s.jerk].iter().all(|entry| entry.is_finite())
 }
 
-/// The name in `name=…`; a path that has a `=` can be given as `./path`.
+/// Returns the name in `name=…`; a path with a `=` can be given as `./path`.
 fn name_before_equals(text: &str) -> Option<&str> {
     let (name, _) = text.split_once('=')?;
     let name = name.trim();

@@ -12,7 +12,7 @@ const OUTPUTS: usize = 2;
 pub(super) struct FormulaSeries(SeriesTapes);
 
 impl FormulaSeries {
-    /// Returns the series of the first output of `tape`, which is a function of its only argument.
+    /// Returns the series of the first output of `tape`, a function of its only argument.
     pub(super) fn new(tape: &Tape) -> Option<Self> {
         let along = |instruction: &Instruction| {
             let is_time = matches!(instruction, Instruction::Argument(_));
@@ -25,12 +25,12 @@ impl FormulaSeries {
         Some(Self(Recursion::new(&Tape { instructions, outputs }, 1).tapes()))
     }
 
-    /// Writes the formula at `t` + `span` τ as a power series in τ, as far as `out` goes; returns
-    /// `false` if a coefficient is not finite, or the formula may change its form before τ = 1, by a
-    /// branch or as a bell that was not seen from afar.
+    /// Writes the formula at `t` + `span` τ as a power series in τ into `out`; returns `false` if a
+    /// coefficient is not finite, or the formula may change its form before τ = 1, by a branch or
+    /// as an unseen bell.
     pub(super) fn write(&self, t: f64, span: f64, out: &mut [Motion]) -> bool {
         let mut series = SeriesCoefficients::new(&self.0, &[], &[t]);
-        // What each condition is at the start, less all that it may change.
+        // Value of each condition at the start, less its largest change.
         let conditions = series.values().iter().skip(OUTPUTS);
         let mut margins: Vec<f64> = conditions.map(|it| it.abs()).collect();
         let time = |k: usize| if k == 1 { span } else { 0.0 };

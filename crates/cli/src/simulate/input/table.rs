@@ -1,8 +1,7 @@
 //! An input given as samples, reconstructed between them.
 //!
-//! Each interval becomes one cubic s(t) = c0 + d (c1 + d (c2 + d c3)), d = t − ti, so
-//! that rates are exact derivatives of what is reconstructed. Outside the table the end
-//! values hold, at rest.
+//! Each interval is one cubic s(t) = c0 + d (c1 + d (c2 + d c3)), d = t − ti, so its rates are
+//! exact derivatives. Outside the table the end values hold, at rest.
 
 use std::path::Path;
 
@@ -13,10 +12,9 @@ use pode::Motion;
 use super::super::args::Reconstruct;
 use super::{HeldInput, InputMistake, NAME};
 
-/// Mistakes that are shown of one file.
 const MOST_MISTAKES: usize = 10;
 
-/// Samples of s with what goes on between them.
+/// Samples of s with their reconstruction.
 #[derive(Clone, PartialEq, Debug)]
 pub struct InputTable {
     /// Start (s) and coefficients of each interval.
@@ -28,7 +26,7 @@ pub struct InputTable {
 }
 
 impl InputTable {
-    /// Reads a CSV file with the header `t,s`; every mistake in it comes back.
+    /// Reads a CSV file with the header `t,s`; returns every mistake in it.
     pub(super) fn read(path: &Path, how: Reconstruct) -> Result<Self, Vec<InputMistake>> {
         let fail = |cause| vec![InputMistake::Read { path: path.to_owned(), cause }];
         let mut reader = ReaderBuilder::new()
@@ -44,7 +42,7 @@ impl InputTable {
         Ok(Self::through(&scan.finish()?, how))
     }
 
-    /// Through `samples` (t, s), at least two with increasing t.
+    /// Reconstructs `samples` (t, s), at least two with increasing t.
     pub fn through(samples: &[(f64, f64)], how: Reconstruct) -> Self {
         let knots = Knots::new(samples);
         let mut pieces: Vec<_> = match how {
@@ -59,13 +57,13 @@ impl InputTable {
         Self { pieces, ends, samples: samples.iter().map(|(t, _)| *t).collect() }
     }
 
-    /// s and its rates at `t` (s).
+    /// Returns s and its rates at `t` (s).
     pub fn at(&self, t: f64) -> Motion {
         let (start, piece) = self.piece_at(t);
         motion(piece, t - start)
     }
 
-    /// Where an end value holds in a run from 0 to `until` (s), but for a rounding.
+    /// Returns the times of held end values in a run from 0 to `until` (s), but for a rounding.
     pub(super) fn held(&self, until: f64) -> Vec<HeldInput> {
         let [(first, start), (last, end)] = self.ends;
         let before = HeldInput { from: 0.0, to: first.min(until), s: start };
@@ -74,7 +72,7 @@ impl InputTable {
         [before, after].into_iter().filter(lasts).collect()
     }
 
-    /// The interval that holds at `t` (s): its start (s) and coefficients.
+    /// Returns the interval at `t` (s): its start (s) and coefficients.
     fn piece_at(&self, t: f64) -> (f64, [f64; 4]) {
         let [first, last] = self.ends;
         let held = |(start, position)| (start, [position, 0.0, 0.0, 0.0]);
@@ -88,10 +86,8 @@ impl InputTable {
         self.pieces.get(next.saturating_sub(1)).copied().unwrap_or_else(|| held((t, f64::NAN)))
     }
 
-    /// Largest magnitudes of s and its rates from `from` to `to` (s); `None` where a sample lies
-    /// between them.
-    ///
-    /// What jumps at one of the two, where a sample is, has a rate without a bound.
+    /// Returns the largest magnitudes of s and its rates from `from` to `to` (s); `None` if a
+    /// sample is between. A quantity that jumps at an end has a rate without a bound.
     pub(super) fn bound(&self, from: f64, to: f64) -> Option<Motion> {
         let crumb = CRUMB * (to - from);
         let later = self.samples.partition_point(|t| *t <= from + crumb);
@@ -109,7 +105,7 @@ impl InputTable {
 }
 
 impl InputTable {
-    /// The size of the terms of a motion up to `d` (s) into the interval before the sample
+    /// Returns the size of the terms of a motion up to `d` (s) into the interval before the sample
     /// `later`: an interval's rates are differences over its length.
     fn size(&self, later: usize, piece: [f64; 4], d: f64) -> Motion {
         let size = motion(piece.map(f64::abs), d);
@@ -120,10 +116,10 @@ impl InputTable {
     }
 }
 
-/// A sample so near to the end of a time, as a part of it, is at its end but for rounding.
+/// Share of a time within which a sample at its end differs by rounding only.
 const CRUMB: f64 = 1e-9;
 
-/// The motion `d` (s) after the start of an interval.
+/// Returns the motion `d` (s) after the start of an interval.
 const fn motion([c0, c1, c2, c3]: [f64; 4], d: f64) -> Motion {
     Motion {
         position: c0 + d * (c1 + d * (c2 + d * c3)),
@@ -133,7 +129,7 @@ const fn motion([c0, c1, c2, c3]: [f64; 4], d: f64) -> Motion {
     }
 }
 
-/// Which entries of a motion are not continuous at an instant.
+/// Discontinuous entries of a motion at an instant.
 struct Jump {
     position: bool,
     rate: bool,
@@ -141,7 +137,7 @@ struct Jump {
 }
 
 impl Jump {
-    /// Between the two sides `a` and `b`, whose terms are of the size `size`.
+    /// Compares the two sides `a` and `b`, with terms of the size `size`.
     fn between(a: &Motion, b: &Motion, size: &Motion) -> Self {
         let jumps = |a: f64, b: f64, size: f64| (a - b).abs() > 16.0 * f64::EPSILON * size;
         Self {
@@ -151,7 +147,7 @@ impl Jump {
         }
     }
 
-    /// The bounds `most` with this jump in them.
+    /// Adds this jump to the bounds `most`.
     fn within(&self, most: Motion) -> Motion {
         let or = |jumps: bool, most: f64| if jumps { f64::INFINITY } else { most };
         Motion {
@@ -163,7 +159,6 @@ impl Jump {
     }
 }
 
-/// A file being read.
 struct TableScan<'a> {
     path: &'a Path,
     samples: Vec<(f64, f64)>,
@@ -237,7 +232,6 @@ impl TableScan<'_> {
     }
 }
 
-/// Samples with the intervals between them.
 struct Knots<'a> {
     samples: &'a [(f64, f64)],
     /// Lengths of the intervals (s).
@@ -255,7 +249,7 @@ impl<'a> Knots<'a> {
         Self { samples, h, m }
     }
 
-    /// One cubic per interval, from the samples and `[c1, c2, c3]`.
+    /// Returns one cubic per interval, from the samples and `[c1, c2, c3]`.
     fn pieces(&self, coefficients: impl Fn(usize) -> [f64; 3]) -> Vec<(f64, [f64; 4])> {
         let intervals = self.samples.iter().enumerate().take(self.h.len());
         intervals
@@ -266,12 +260,12 @@ impl<'a> Knots<'a> {
             .collect()
     }
 
-    /// Half the second derivative of the parabola about the inner knot `i`.
+    /// Returns half the second derivative of the parabola about the inner knot `i`.
     fn bend(&self, i: usize) -> f64 {
         (self.m[i] - self.m[i - 1]) / (self.h[i - 1] + self.h[i])
     }
 
-    /// The parabola of interval `i`: through its ends and the sample before.
+    /// Returns the parabola of interval `i`: through its ends and the sample before.
     fn parabola(&self, i: usize) -> [f64; 3] {
         if self.h.len() < 2 {
             return [self.m[i], 0.0, 0.0];
@@ -280,7 +274,6 @@ impl<'a> Knots<'a> {
         [self.m[i] - bend * self.h[i], bend, 0.0]
     }
 
-    /// Cubics with the given slopes at the knots.
     fn hermite(&self, slopes: &[f64]) -> Vec<(f64, [f64; 4])> {
         self.pieces(|i| {
             let (h, m, d0, d1) = (self.h[i], self.m[i], slopes[i], slopes[i + 1]);
@@ -288,7 +281,7 @@ impl<'a> Knots<'a> {
         })
     }
 
-    /// Slopes of the parabolas through each sample and its neighbours; on equal
+    /// Returns the slopes of the parabolas through each sample and its neighbours; on equal
     /// intervals, central differences.
     fn central_slopes(&self) -> Vec<f64> {
         let n = self.h.len();
@@ -301,11 +294,9 @@ impl<'a> Knots<'a> {
         slopes
     }
 
-    /// Slopes of the not-a-knot cubic spline; of the parabola through three samples and
-    /// the line through two.
-    ///
-    /// # References
-    /// `[dB78]` chapter IV, eq. 7 and 13: the end conditions leave the system tridiagonal.
+    /// Returns the slopes of the not-a-knot cubic spline; of the parabola through three samples,
+    /// the line through two. `[dB78]` chapter IV, eq. 7 and 13: the end conditions leave the system
+    /// tridiagonal.
     fn spline_slopes(&self) -> Vec<f64> {
         let n = self.h.len();
         if n < 3 {
@@ -353,13 +344,13 @@ fn solve_tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// s = sin t, sampled every `h` (s) on average, every second interval a third longer.
+    /// Returns s = sin t, sampled every `h` (s) on average, every second interval a third longer.
     fn sine(h: f64) -> Vec<(f64, f64)> {
         let step = |i: u32| h * (f64::from(i) + f64::from(i % 2) / 6.0);
         (0..1000).map(step).take_while(|t| *t < 6.0).map(|t| (t, t.sin())).collect()
     }
 
-    /// Largest errors of position and rate in the table's inner part.
+    /// Returns the largest errors of position and rate in the table's inner part.
     fn errors(h: f64, how: Reconstruct) -> (f64, f64) {
         let table = InputTable::through(&sine(h), how);
         (0..4000).map(|i| 1.0 + f64::from(i) * 1e-3).fold((0.0, 0.0), |(s, rate), t| {
@@ -387,7 +378,7 @@ mod tests {
         check_order(Reconstruct::Spline, 4.0, 3.0);
     }
 
-    /// The jumps of position, rate and acceleration at the inner knots.
+    /// Returns the jumps of position, rate and acceleration at the inner knots.
     fn jumps(how: Reconstruct) -> [f64; 3] {
         let samples = sine(0.2);
         let table = InputTable::through(&samples, how);

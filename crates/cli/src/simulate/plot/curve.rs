@@ -1,4 +1,4 @@
-//! What is plotted: forces, guards, coordinates and the input.
+//! Plotted curves: forces, guards, coordinates and the input.
 
 use instruments::{Described, ModelEntry};
 use pode::{Motion, State as _};
@@ -7,17 +7,16 @@ use super::source::CurveSource;
 use super::track::{Columns, DecimatedCurve};
 use super::unit;
 
-/// The panels, from above.
+/// Panels of the picture, from above.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum PanelKind {
     Forces,
     /// Guards, each over its peak.
     Guards,
-    /// Coordinates and the input.
     Coordinates,
 }
 
-/// A curve of the picture, and the values that it has had.
+/// A curve of the picture, with its values so far.
 #[derive(Debug)]
 pub(super) struct SignalCurve {
     pub(super) source: CurveSource,
@@ -28,7 +27,7 @@ pub(super) struct SignalCurve {
 }
 
 impl SignalCurve {
-    /// A value of it, if the mode has one.
+    /// Returns its value, if the mode has one.
     fn value<M: Described>(&self, model: &M, now: &ModelInstant<'_, M>) -> Option<f64> {
         match self.source {
             CurveSource::Input => Some(now.input.position),
@@ -41,14 +40,13 @@ impl SignalCurve {
         }
     }
 
-    /// Goes on to where the model is now.
+    /// Adds the model's present value.
     pub(super) fn add<M: Described>(&mut self, model: &M, now: &ModelInstant<'_, M>) {
         let value = self.value(model, now);
         self.track.add(now.t, value);
     }
 }
 
-/// A model at an instant.
 pub(super) struct ModelInstant<'a, M: Described> {
     /// Model time (s).
     pub(super) t: f64,
@@ -58,9 +56,8 @@ pub(super) struct ModelInstant<'a, M: Described> {
     pub(super) outputs: &'a [f64],
 }
 
-/// All curves of a model.
-///
-/// Speeds and other outputs than forces are left out: the figure is about contact.
+/// Returns all curves of a model. Speeds and outputs other than forces are omitted: the figure
+/// shows contact.
 pub(super) fn all(entry: &ModelEntry, guards: &[&'static str], axis: Columns) -> Vec<SignalCurve> {
     let sources = [(entry.input, CurveSource::Input)].into_iter();
     let sources = sources.chain(indexed(&entry.states, CurveSource::State));
@@ -74,7 +71,7 @@ pub(super) fn all(entry: &ModelEntry, guards: &[&'static str], axis: Columns) ->
     sources.filter_map(curve).collect()
 }
 
-/// Names with the places in which their values stand.
+/// Pairs names with the indices of their values.
 fn indexed(
     names: &[&'static str],
     source: fn(usize) -> CurveSource,
@@ -82,7 +79,7 @@ fn indexed(
     names.iter().enumerate().map(move |(index, name)| (*name, source(index)))
 }
 
-/// Where a curve belongs, if anywhere.
+/// Returns the panel of a curve, if it is shown.
 fn panel(source: CurveSource, unit: &str) -> Option<PanelKind> {
     match (source, unit) {
         (CurveSource::Guard(_), _) => Some(PanelKind::Guards),

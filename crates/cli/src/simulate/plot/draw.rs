@@ -14,23 +14,22 @@ use figures::plot::picture::{
 pub(super) const COLUMNS: usize = 890;
 /// Height of a panel (pixels).
 const HEIGHT: f64 = 200.0;
-/// Between two names of events, and how far a name may be from its event (pixels).
+/// Least distance of two names of events, and largest distance of a name from its event (pixels).
 const APART: f64 = 14.0;
 const ASTRAY: f64 = 42.0;
-/// Events' lines.
+/// Line of an event.
 const EVENT: Stroke = Stroke::new(Color(90, 90, 90), 1.0);
-/// More events than this become fainter, so that the curves are seen through them.
+/// Number of events from which their lines become fainter, so that curves stay visible.
 const CROWD: f64 = 60.0;
-/// The faintest that lines of events become.
+/// Least opacity of events' lines.
 const FAINTEST: f64 = 0.12;
-/// The input, a broad line under the others.
+/// Line of the input, broad below the others.
 const INPUT: Stroke = Stroke::new(Color(170, 170, 170), 5.0);
 /// Width of the other curves (pixels).
 const WIDTH: f64 = 1.75;
 /// Width of a curve that another axis' curve may cover (pixels).
 const BROAD: f64 = 2.75;
 
-/// Returns the picture as SVG text.
 pub(super) fn svg(run: &RunPicture) -> String {
     let kinds = [PanelKind::Forces, PanelKind::Guards, PanelKind::Coordinates];
     let stroke = EVENT.faint((CROWD / run.marks.all.len() as f64).clamp(FAINTEST, 1.0));
@@ -48,7 +47,7 @@ pub(super) fn svg(run: &RunPicture) -> String {
     picture.svg()
 }
 
-/// The curves of one panel, with an axis for each of their units.
+/// Returns the curves of one panel, with an axis for each of their units.
 fn panel(run: &RunPicture, kind: PanelKind) -> PicturePanel {
     let of_kind = || run.curves.iter().filter(|curve| curve.panel == kind);
     let mut units: Vec<&str> = Vec::new();
@@ -89,7 +88,7 @@ fn drawn(curve: &SignalCurve, units: &[&str], stroke: Stroke) -> PictureCurve {
     let SignalCurve { name, unit, panel, track, .. } = curve;
     let axis = units.iter().position(|unit| *unit == axis_unit(curve)).unwrap_or(0);
     let mut stretches = track.stretches();
-    // Curves of two axes may coincide: the lower one is seen beside the upper one.
+    // Curves of two axes may coincide: the lower one stays visible beside the upper one.
     let is_covered = units.len() > 1 && axis == 0;
     let width = if is_covered { stroke.width.max(BROAD) } else { stroke.width };
     let text = if *panel == PanelKind::Guards {
@@ -108,7 +107,6 @@ fn drawn(curve: &SignalCurve, units: &[&str], stroke: Stroke) -> PictureCurve {
     PictureCurve { axis, stretches, ..curve }
 }
 
-/// The modes' epochs.
 fn areas(run: &RunPicture) -> Vec<PictureArea> {
     let area = |epoch: &super::epoch::Epoch| PictureArea {
         x: epoch.span,
@@ -120,12 +118,12 @@ fn areas(run: &RunPicture) -> Vec<PictureArea> {
     run.epochs.all.iter().map(area).collect()
 }
 
-/// The unit of the axis that a curve is drawn to: guards of all units share one.
+/// Returns the unit of a curve's axis: guards of all units share one.
 fn axis_unit(curve: &SignalCurve) -> &'static str {
     if curve.panel == PanelKind::Guards { "1" } else { curve.unit }
 }
 
-/// Lowest and highest value drawn to an axis.
+/// Returns the lowest and highest value on an axis.
 fn extent(curves: &[PictureCurve], axis: usize) -> Option<(f64, f64)> {
     let curves = curves.iter().filter(|it| it.axis == axis);
     let values = curves.flat_map(|it| it.stretches.iter().flatten()).map(|point| point.1);
@@ -133,7 +131,6 @@ fn extent(curves: &[PictureCurve], axis: usize) -> Option<(f64, f64)> {
     ends.reduce(|(low, high), (value, _)| (low.min(value), high.max(value)))
 }
 
-/// Three digits of `value`.
 fn short(value: f64) -> String {
     let decimals = match value.abs() {
         ..1e-3 => return format!("{value:.2e}"),

@@ -1,17 +1,17 @@
-//! Which mode held when, as far as can be seen.
+//! Visible epochs of modes.
 
 use super::track::Columns;
 
 /// An interval in which one mode held.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Epoch {
-    /// Beginning and end (s).
+    /// Start and end (s).
     pub(super) span: (f64, f64),
-    /// Place of the mode in the model's list.
+    /// Index of the mode in the model's list.
     pub(super) mode: usize,
 }
 
-/// Epochs in their order; none begins in the pixel column in which another does.
+/// Epochs in order, at most one start per pixel column.
 #[derive(Debug)]
 pub(super) struct Epochs {
     axis: Columns,
@@ -19,19 +19,18 @@ pub(super) struct Epochs {
 }
 
 impl Epochs {
-    /// From `mode` at 0 on.
     pub(super) fn new(axis: Columns, mode: usize) -> Self {
         Self { axis, all: vec![Epoch { span: (0.0, 0.0), mode }] }
     }
 
-    /// The present epoch lasts until `t` (s) at least.
+    /// Extends the present epoch to `t` (s) at least.
     pub(super) fn last_until(&mut self, t: f64) {
         if let Some(epoch) = self.all.last_mut() {
             epoch.span.1 = t;
         }
     }
 
-    /// From `t` (s) on, `mode` holds; an epoch too short to be seen makes way for it.
+    /// Starts `mode` at `t` (s); replaces an epoch too short to be visible.
     pub(super) fn begin(&mut self, t: f64, mode: usize) {
         self.last_until(t);
         let mut start = t;

@@ -1,13 +1,12 @@
-//! Events on the time axis, as many as can be told apart.
+//! Distinguishable events on the time axis.
 
 use super::track::Columns;
 
-/// Events that share a place.
+/// Events in one pixel column.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct EventMark {
     /// Time of the first one (s).
     pub(super) t: f64,
-    /// The different names among them.
     names: Vec<&'static str>,
     count: u64,
 }
@@ -22,7 +21,7 @@ impl EventMark {
         }
     }
 
-    /// `release 0.503 s`, or `floor, settled ×12 from 1.806 s`.
+    /// Returns `release 0.503 s`, or `floor, settled ×12 from 1.806 s`.
     fn text(&self, decimals: usize) -> String {
         let t = self.t;
         let names = match self.names.as_slice() {
@@ -56,8 +55,8 @@ impl EventMarks {
         }
     }
 
-    /// Returns labels with their times (s), of which there are so few that each has room `apart`
-    /// from the others and at most `astray` behind its mark (columns): marks share one.
+    /// Returns labels with their times (s), with distances of `apart` and at most `astray` behind
+    /// their marks (columns); marks share labels if necessary.
     pub(super) fn labels(&self, apart: f64, astray: f64) -> Vec<(f64, String)> {
         let mut groups: Vec<(f64, EventMark)> = Vec::new();
         for mark in &self.all {
@@ -73,7 +72,7 @@ impl EventMarks {
     }
 }
 
-/// Decimals that tell thousandths of `until` (s) apart.
+/// Returns the decimals that distinguish thousandths of `until` (s).
 #[expect(clippy::cast_possible_truncation, reason = "a logarithm of an f64 is below 400")]
 #[expect(clippy::cast_sign_loss, reason = "clamped")]
 fn decimals(until: f64) -> usize {

@@ -1,8 +1,8 @@
 //! `--plot`: the run as a picture, in the manner of `[GC93]` figure 6.
 //!
-//! In the order of a run: `curve` what is plotted, in which `unit`; `track`, `mark` and
-//! `epoch` what of a run of any length can be seen; `run_picture` all that is shown; `draw` the
-//! SVG. What is kept is bounded by the picture's width, not by the run.
+//! In the order of a run: `curve` with its `unit`; `track`, `mark` and `epoch` keep the visible
+//! part of a run; `run_picture` all of it; `draw` the SVG. Memory is bounded by the picture's
+//! width, not by the run.
 
 mod curve;
 mod draw;
@@ -30,18 +30,16 @@ use super::check::Start;
 use super::error::{SimulateError, SimulateMistake};
 use super::mode::mode_index;
 
-/// A picture that follows a run, and the file for it.
+/// A picture of a run with its file.
 #[derive(Debug)]
 pub(super) struct Plot {
     path: PathBuf,
     file: File,
     picture: RunPicture,
-    /// Room for a row's outputs.
     outputs: Vec<f64>,
 }
 
 impl Plot {
-    /// Creates the file, or returns why it cannot be created.
     pub(super) fn create<M: Described>(
         path: &Path,
         args: &SimulateArgs,
@@ -69,7 +67,7 @@ impl Plot {
         Ok(Self { path: path.to_owned(), file, picture, outputs })
     }
 
-    /// Follows a piece that lasts from `start` to `end` (s), by its dense output.
+    /// Follows a piece from `start` to `end` (s), by its dense output.
     pub(super) fn piece<M: Described, S: Signal<Motion>>(
         &mut self,
         model: &M,
@@ -99,7 +97,6 @@ impl Plot {
         }
     }
 
-    /// Draws the picture and writes it.
     pub(super) fn finish(mut self) -> Result<(), SimulateError> {
         let written = self.write();
         written.map_err(|cause| SimulateError::Write { path: self.path, cause: cause.into() })

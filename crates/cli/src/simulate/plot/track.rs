@@ -1,18 +1,17 @@
-//! A curve of any length in bounded memory: of each pixel column, what is seen there.
+//! A curve of any length in bounded memory: its visible points in each pixel column.
 
 /// t (s) and a value.
 pub(super) type TrackPoint = (f64, f64);
 
-/// The time axis in pixel columns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
     pub(super) n: usize,
-    /// The end of the last one (s).
+    /// End of the last column (s).
     pub(super) until: f64,
 }
 
 impl Columns {
-    /// The column of `t` (s).
+    /// Returns the column of `t` (s).
     #[expect(clippy::cast_possible_truncation, reason = "clamped to the columns")]
     #[expect(clippy::cast_sign_loss, reason = "clamped to the columns")]
     pub(super) fn of(self, t: f64) -> usize {
@@ -20,22 +19,22 @@ impl Columns {
         (t / self.until * self.n as f64).clamp(0.0, last as f64) as usize
     }
 
-    /// How many samples show all of a stretch of `duration` (s).
+    /// Returns the number of samples that show all of a `duration` (s).
     pub(super) fn samples(self, duration: f64) -> usize {
         self.of(duration) + 1
     }
 }
 
-/// What was in one column.
+/// Points in one column.
 #[derive(Clone, Copy, Debug)]
 struct PixelColumn {
     first: TrackPoint,
     low: TrackPoint,
     high: TrackPoint,
     last: TrackPoint,
-    /// Whether `low` came before `high`.
+    /// `true` if `low` came before `high`.
     rises: bool,
-    /// Whether the curve begins anew here.
+    /// `true` if the curve starts here after a gap.
     is_start: bool,
 }
 
@@ -53,19 +52,19 @@ impl PixelColumn {
         }
     }
 
-    /// In the order in which they came.
+    /// Returns the points in their order of time.
     const fn points(&self) -> [TrackPoint; 4] {
         let Self { first, low, high, last, .. } = *self;
         if self.rises { [first, low, high, last] } else { [first, high, low, last] }
     }
 }
 
-/// A curve as it is drawn: at most four points per pixel column, extremes among them.
+/// A drawn curve: at most four points per pixel column, with the extremes.
 #[derive(Debug)]
 pub(super) struct DecimatedCurve {
     axis: Columns,
     columns: Vec<Option<PixelColumn>>,
-    /// Whether the next point begins anew.
+    /// `true` if the next point starts after a gap.
     is_cut: bool,
 }
 
@@ -74,8 +73,8 @@ impl DecimatedCurve {
         Self { axis, columns: vec![None; axis.n], is_cut: true }
     }
 
-    /// Goes on to `value` at `t` (s), not before the last one; `None` or a value that is
-    /// not finite interrupts the curve.
+    /// Adds `value` at `t` (s), not before the last one; `None` or a value that is not finite
+    /// interrupts the curve.
     pub(super) fn add(&mut self, t: f64, value: Option<f64>) {
         let Some(value) = value.filter(|value| value.is_finite()) else {
             self.is_cut = true;
@@ -91,7 +90,6 @@ impl DecimatedCurve {
         self.is_cut = false;
     }
 
-    /// The curve's uninterrupted stretches.
     pub(super) fn stretches(&self) -> Vec<Vec<TrackPoint>> {
         let mut stretches: Vec<Vec<TrackPoint>> = Vec::new();
         for column in self.columns.iter().flatten() {
@@ -106,13 +104,12 @@ impl DecimatedCurve {
         stretches
     }
 
-    /// Lowest and highest value.
     pub(super) fn extent(&self) -> Option<(f64, f64)> {
         let ends = self.columns.iter().flatten().map(|column| (column.low.1, column.high.1));
         ends.reduce(|(low, high), (lower, higher)| (low.min(lower), high.max(higher)))
     }
 
-    /// Largest magnitude; 1 where there is nothing but zero.
+    /// Returns the largest magnitude; 1 if all values are zero.
     pub(super) fn peak(&self) -> f64 {
         let peak = self.extent().map_or(0.0, |(low, high)| low.abs().max(high.abs()));
         if peak > 0.0 { peak } else { 1.0 }
@@ -158,7 +155,7 @@ mod tests {
         assert!((track.peak() - 1.0).abs() < f64::EPSILON);
     }
 
-    /// Times in order with values, more of them than columns.
+    /// Generates more values than columns, in order of time.
     fn samples() -> impl Strategy<Value = Vec<TrackPoint>> {
         prop::collection::vec((0.0..=1.0, -1e3..1e3), 1..400).prop_map(
             |mut samples: Vec<TrackPoint>| {
@@ -168,7 +165,7 @@ mod tests {
         )
     }
 
-    /// Lowest and highest value of each column that has any.
+    /// Returns the lowest and highest value of each column with values.
     fn extremes(points: &[TrackPoint]) -> Vec<Option<(f64, f64)>> {
         let of_column = |column: usize| {
             let values =
@@ -185,7 +182,6 @@ mod tests {
             let kept = track(&all).stretches().concat();
             prop_assert_eq!(extremes(&kept), extremes(&samples));
             prop_assert!(kept.len() <= 4 * AXIS.n);
-            // In the order in which they came.
             let mut rest = samples.iter();
             prop_assert!(kept.iter().all(|point| rest.any(|sample| sample == point)));
             prop_assert_eq!((kept.first(), kept.last()), (samples.first(), samples.last()));

@@ -1,10 +1,8 @@
-//! What the curves are measured in.
-
 use instruments::ModelEntry;
 
 use super::source::CurveSource;
 
-/// The unit of a curve of a model; none if the model has no such signal.
+/// Returns the unit of a curve; `None` if the model has no such signal.
 pub(super) fn of(model: &ModelEntry, source: CurveSource) -> Option<&'static str> {
     match source {
         CurveSource::Input => Some(model.input_unit),
@@ -14,7 +12,7 @@ pub(super) fn of(model: &ModelEntry, source: CurveSource) -> Option<&'static str
     }
 }
 
-/// What is measured in `unit`.
+/// Returns the quantity with the unit `unit`.
 pub(super) fn quantity(unit: &str) -> &'static str {
     match unit {
         "N" => "force",

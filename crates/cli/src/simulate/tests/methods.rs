@@ -1,10 +1,8 @@
-//! Every method can be chosen, and what it says of its work is true.
-
 use pode::stepper::Any;
 
 use super::{Folder, simulate, summary};
 
-/// A key that is pressed and held, on model B.
+/// A pressed and held key, on model B.
 const PRESS: [&str; 7] = [
     "key-hammer-springs",
     "--until",
@@ -24,7 +22,7 @@ fn every_method_can_be_chosen_and_goes_the_same_way() {
     };
     let reference = end("dop853");
     for method in Any::NAMES {
-        // First-order methods in steps of 1 ms: some 1 % of the angle.
+        // First-order methods in steps of 1 ms: about 1 % of the angle.
         let error = (end(method) - reference).abs();
         assert!(error < 2e-2 * reference.abs(), "{method}: off by {error:e}");
     }

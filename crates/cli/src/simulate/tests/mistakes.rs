@@ -1,11 +1,11 @@
-//! Wrong usage and wrong files: every message, word for word.
+//! Wrong usage and invalid files: every message, word for word.
 
 use super::{Folder, args, simulate};
 use crate::simulate::{SimulateError, run};
 
 const RUN: [&str; 4] = ["--until", "1", "--step", "1e-3"];
 
-/// Checks that `words` are refused with exactly these sentences, and write nothing.
+/// Asserts that `words` are rejected with exactly these sentences, and write nothing.
 #[track_caller]
 fn check(words: &[&str], expected: &[&str]) {
     let mut out = Vec::new();

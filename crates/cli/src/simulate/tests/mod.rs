@@ -15,7 +15,6 @@ use serde_json::Value;
 
 use super::{SimulateArgs, SimulateError, run};
 
-/// The paper's models and their neighbours.
 const PAPER_MODELS: [&str; 6] = [
     "key-hammer-springs",
     "key-hammer-rigid",
@@ -25,7 +24,7 @@ const PAPER_MODELS: [&str; 6] = [
     "spring-wall",
 ];
 
-/// A folder that is gone after the test.
+/// A folder that is deleted after the test.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -47,7 +46,6 @@ impl Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        // A test that fails to tidy up has not failed.
         let _tidied = fs::remove_dir_all(&self.0);
     }
 }
@@ -57,21 +55,18 @@ fn args(words: &[&str]) -> SimulateArgs {
     SimulateArgs::try_parse_from(all).expect("arguments that clap takes")
 }
 
-/// Runs the command; gives what it prints.
 fn simulate(words: &[&str]) -> Result<String, SimulateError> {
     let mut out = Vec::new();
     run(&args(words), &mut out, &mut |_| ())?;
     Ok(String::from_utf8(out).expect("UTF-8"))
 }
 
-/// Runs the command with `--json`.
 #[track_caller]
 fn summary(words: &[&str]) -> Value {
     let words: Vec<_> = words.iter().copied().chain(["--json"]).collect();
     serde_json::from_str(&simulate(&words).expect("a run")).expect("JSON")
 }
 
-/// A CSV file by columns.
 struct Columns {
     names: Vec<String>,
     rows: Vec<Vec<String>>,
@@ -143,7 +138,7 @@ fn preset_parameters_mode_and_initial_state_are_taken() {
     assert_eq!(first(&["--mode", "rest", "--set", "mass=2"], "F"), "19.62");
 }
 
-/// Checks that `--initial state=…` is where a run of `model` starts.
+/// Asserts that `--initial state=…` is the start of a run of `model`.
 #[track_caller]
 fn check_initial(model: &str, state: &str, more: &[&str]) {
     let initial = format!("{state}=0.015625");
@@ -187,7 +182,7 @@ fn the_summary_is_one_json_object() {
     let [y, v] = ["y", "v"].map(|name| json["final"]["state"][name].as_f64().expect("a state"));
     assert!(y > 0.0 && v > 0.0, "{json}");
     let audit = |name: &str| json["energy_audit"][name].as_f64().expect("an energy");
-    // At the impact 1 kg loses 1 − 0.8² of what it had from 1 m.
+    // At the impact 1 kg loses 1 − 0.8² of its energy from 1 m.
     assert!((audit("jumps") + 0.36 * 9.81).abs() < 1e-9, "{json}");
     assert!(audit("residual").abs() < 1e-9, "{json}");
     assert!(simulate(&words).expect("a run").starts_with("bouncing-ball with heun: completed"));

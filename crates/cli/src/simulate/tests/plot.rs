@@ -1,4 +1,4 @@
-//! The plot: a whole SVG with every mode and event, of bounded size whatever is run.
+//! The plot: a whole SVG with every mode and event, of bounded size for any run.
 
 use std::fs;
 
@@ -8,7 +8,6 @@ use super::{Folder, PAPER_MODELS, simulate, summary};
 const STROKE: &str = "s=0.099*exp(-((t-0.514)/0.079)^2)+0.181*exp(-((t-1.095)/0.109)^2)\
      +0.186*exp(-((t-1.573)/0.059)^2)";
 
-/// Runs the command; gives its plot.
 #[track_caller]
 fn plot(name: &str, words: &[&str]) -> Svg {
     let folder = Folder::new(name);
@@ -20,7 +19,7 @@ fn plot(name: &str, words: &[&str]) -> Svg {
 struct Svg(String);
 
 impl Svg {
-    /// Reads a file and checks that its tags are balanced.
+    /// Reads a file and asserts that its tags are balanced.
     #[track_caller]
     fn read(path: &str) -> Self {
         let text = fs::read_to_string(path).expect("a plot");
@@ -40,7 +39,6 @@ impl Svg {
         Self(text)
     }
 
-    /// All that is written in it.
     fn texts(&self) -> Vec<&str> {
         let bodies = self.0.split("<text").skip(1);
         bodies
@@ -48,13 +46,11 @@ impl Svg {
             .collect()
     }
 
-    /// The lines of events.
     fn events(&self) -> usize {
         let lines = self.0.lines().filter(|line| line.starts_with("<polyline"));
         lines.filter(|line| line.contains("stroke=\"#5A5A5A\"")).count()
     }
 
-    /// Points of all polylines.
     fn points(&self) -> usize {
         let lists = self.0.split("points=\"").skip(1);
         lists
@@ -95,7 +91,7 @@ fn every_model_has_a_plot_with_its_modes_and_both_axes_if_needed() {
 fn a_run_of_any_length_gives_a_plot_of_bounded_size() {
     let words = ["bouncing-ball", "--until", "200", "--step", "1e-3"];
     let svg = plot("long", &[&words[..], &["--input", "s=0.01*sin(60*t)"]].concat());
-    // Four curves, four points to a column; axes, events and their names, two to a line.
+    // Four curves, four points per column; axes, events and their names, two per line.
     assert!(svg.points() < 4 * 4 * 890 + 5000, "{}", svg.points());
     assert!(svg.events() <= 890, "{}", svg.events());
     assert!(svg.0.len() < 500_000, "{}", svg.0.len());

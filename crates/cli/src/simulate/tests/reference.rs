@@ -1,4 +1,4 @@
-//! The command's files against trajectories from an independent program.
+//! Compares the command's files with trajectories of an independent program.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -19,7 +19,7 @@ fn text<'a>(event: &'a Value, key: &str) -> &'a str {
     event[key].as_str().expect("a name")
 }
 
-/// A reference case and the command's words for it.
+/// A reference case with its arguments.
 struct Case {
     json: Value,
     words: Vec<String>,
@@ -53,14 +53,14 @@ impl Case {
         text
     }
 
-    /// Events as (guard, from, to).
+    /// Returns events as (guard, from, to).
     fn sequence(&self) -> Vec<[&str; 3]> {
         let events = self.json["events"].as_array().expect("events");
         let name = |event| ["guard", "from", "to"].map(|key| text(event, key));
         events.iter().map(name).collect()
     }
 
-    /// Runs the command with ticks of `step`; gives trajectory and events.
+    /// Runs the command with ticks of `step`; returns trajectory and events.
     fn run(&self, folder: &Folder, step: &str, more: &[&str]) -> (Columns, Columns) {
         let (out, events) = (folder.path("traj.csv"), folder.path("events.csv"));
         let mut words: Vec<_> = self.words.iter().map(String::as_str).collect();
@@ -70,7 +70,7 @@ impl Case {
         (Columns::read(&out), Columns::read(&events))
     }
 
-    /// Checks the sequence of `events`; gives the largest error of their times (s).
+    /// Asserts the sequence of `events`; returns the largest error of their times (s).
     #[track_caller]
     fn event_error(&self, events: &Columns) -> f64 {
         let columns = ["guard", "from", "to"].map(|name| events.text(name));
@@ -82,7 +82,7 @@ impl Case {
         errors.map(|(t, event)| (t - number(&event["t"])).abs()).fold(0.0, f64::max)
     }
 
-    /// Largest error of the states before and after, over all events.
+    /// Returns the largest error of the states before and after all events.
     fn state_error(&self, events: &Columns) -> f64 {
         let expected = self.json["events"].as_array().expect("events");
         let error = |(column, when, name): (String, &str, &str)| {
@@ -97,7 +97,7 @@ impl Case {
     }
 }
 
-/// Event times of RK4: order 4, so 1e-9 s at 1e-4 s is 1e-5 s at 1e-3 s.
+/// Asserts event times of RK4: order 4, so 1e-9 s at 1e-4 s is 1e-5 s at 1e-3 s.
 #[track_caller]
 fn check_case(name: &str) {
     let folder = Folder::new(name);
@@ -110,7 +110,7 @@ fn check_case(name: &str) {
     assert!(fine < 1e-9, "event times at 1e-4 are off by {fine:e} s");
     let states = case.state_error(&events);
     assert!(states < 1e-7, "states at events are off by {states:e}");
-    // The reference has a row every 0.01 s: modes are the same, and every column is here.
+    // The reference has a row every 0.01 s: modes are equal, and every column is here.
     let modes = trajectory.text("mode");
     for (row, mode) in case.table.text("mode").into_iter().enumerate() {
         assert_eq!(modes[row * 100], mode, "mode in row {row} of the reference");
@@ -155,7 +155,7 @@ fn the_columns_of_model_b_are_these() {
     }
 }
 
-/// The stroke sampled at 1 kHz, by each reconstruction: event times follow its order.
+/// The stroke sampled at 1 kHz, by each reconstruction: event times have its order.
 #[test]
 fn a_sampled_stroke_is_as_good_as_its_reconstruction() {
     let folder = Folder::new("sampled");
