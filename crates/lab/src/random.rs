@@ -35,7 +35,6 @@ impl SeededRandom {
         (0..12).map(|_| self.between(-0.5, 0.5)).sum()
     }
 
-    /// Returns an integer below `n`.
     #[expect(clippy::cast_possible_truncation, reason = "below n")]
     pub const fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize

@@ -1,5 +1,3 @@
-//! The scenarios and methods of a study.
-
 use super::Effort;
 use super::method::{METHODS, NamedMethod, Setting};
 use super::study;

@@ -24,14 +24,12 @@ impl<S: Scenario, T: Stepper> RunJob<'_, S, T> {
         (self.scenario.plan().until / self.tick).round() as u64
     }
 
-    /// Returns a simulator of the model at t = 0.
     pub(super) fn simulator(&self) -> Simulator<Stepped<S::Model>, T> {
         let (model, mode, state) = self.scenario.start();
         let model = Stepped { model, stepping: self.stepping };
         Simulator::new(model, self.stepper, self.limits, mode, state)
     }
 
-    /// Advances by one tick under the exact input.
     #[inline]
     pub(super) fn advance<W: Watch<Stepped<S::Model>>>(
         &self,

@@ -9,7 +9,7 @@ use super::stepped::Stepping;
 use crate::scenario::Plan;
 use cli::simulate::StudiedMethod;
 
-/// A method with its name.
+/// A compared method with its name.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NamedMethod {
     /// Name on the command line and in reports.
@@ -23,7 +23,6 @@ pub struct NamedMethod {
 /// Source of a method's steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MethodKind {
-    /// One step a tick, up to an event.
     Fixed,
     /// The model's longest step within a tick, as an instrument is played.
     Played,
@@ -42,10 +41,10 @@ pub struct Setting {
     pub tolerance: Option<f64>,
 }
 
-/// Relative and absolute tolerances of methods that choose their steps.
+/// Relative and absolute tolerances.
 const TOLERANCES: [f64; 7] = [1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-12, 1e-13];
 
-/// Errors per radian of a mode's fastest motion, for methods with a budget.
+/// Errors per radian of a mode's fastest motion.
 const BUDGETS: [f64; 7] = [1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
 /// Longest tick of methods with a budget, that of a keyboard (s).
@@ -78,7 +77,6 @@ impl NamedMethod {
         Self { name, order: stepper.order(), kind, stepper }
     }
 
-    /// Returns the points of the method's series, the coarsest first.
     pub(super) fn settings(&self, plan: &Plan) -> Vec<Setting> {
         let Plan { ticks, offline_tick, .. } = *plan;
         match self.kind {

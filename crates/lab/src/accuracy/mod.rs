@@ -28,9 +28,7 @@ use crate::scenario::{BadFile, ScenarioEntry};
 /// Time that a study spends on timing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Effort {
-    /// Smallest number of repeats of a run.
     pub repeats: u32,
-    /// Least time for the repeats of one run.
     pub budget: Duration,
     /// `true` if only every second step of a series is run.
     pub is_quick: bool,
@@ -49,7 +47,6 @@ pub struct MeasuredScenario {
     pub entry: ScenarioEntry,
     /// End of the scenario (s).
     pub until: f64,
-    /// The runs by method, the longest step first.
     pub rows: Vec<StudyRow>,
 }
 

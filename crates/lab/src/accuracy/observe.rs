@@ -1,5 +1,3 @@
-//! Records the events of a run, its states at sample times and the work of each tick.
-
 use pode::Stepper;
 use pode::{Advance, EnergyAudit, Event, Fault, Limits, Model, Piece, Signal, Watch, Work};
 
@@ -18,7 +16,7 @@ pub(super) struct SeenEvent<M: Model> {
 /// State and force at the time of a reference sample.
 pub(super) type FoundSamples<S> = (S, f64);
 
-/// Record of a run, for the judge.
+/// Events, states at sample times and work of a run, for the judge.
 #[derive(Clone, Debug)]
 pub(super) struct ObservedRun<M: Model> {
     pub(super) events: Vec<SeenEvent<M>>,
@@ -86,7 +84,6 @@ fn failure(advance: Advance, limits: &Limits) -> Option<String> {
     })
 }
 
-/// Records events, and audits the energy.
 struct EventRecorder<M: Model> {
     tick: f64,
     events: Vec<SeenEvent<M>>,

@@ -24,7 +24,6 @@ pub struct StudyRow {
 pub struct EvaluationCounts {
     pub derivatives_per_ms: f64,
     pub jacobians_per_ms: f64,
-    /// Evaluations of single guards per simulated ms.
     pub guards_per_ms: f64,
     pub readouts_per_ms: f64,
     pub worst_derivatives: u32,
@@ -32,7 +31,6 @@ pub struct EvaluationCounts {
     pub worst_guards: u32,
     /// Steps in the whole run that certainly missed no root of a guard on the computed orbit.
     pub steps_certain: u64,
-    /// Steps in the whole run for which this is not known.
     pub steps_unknown: u64,
     /// Derivatives per simulated ms, where a Jacobian counts as one per entry of the state.
     pub evaluations_per_ms: f64,

@@ -10,13 +10,11 @@ use pode::{Energetic, Reset, Resets, Settling, State};
 /// Rule that cuts a tick into steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Stepping {
-    /// The method alone: one step a tick, up to an event.
     Ticks,
     /// The model's longest step, as when it is played.
     Models,
 }
 
-/// A model under the `stepping` of the study.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Stepped<M> {
     pub(super) model: M,
@@ -114,7 +112,6 @@ impl<M: Resets> Resets for Stepped<M> {
     }
 }
 
-/// Wraps an accumulation point for the wrapped model.
 fn settling<M: Model>(it: &Settling<M>) -> Settling<Stepped<M>> {
     let Settling { after, ratio, mode, state, impulse } = *it;
     Settling { after, ratio, mode, state, impulse }

@@ -28,7 +28,6 @@ pub(super) fn build(entry: &ScenarioEntry) -> Result<Box<dyn Study>, BadFile> {
     entry.visit(BoxedStudy)
 }
 
-/// Erases a scenario's type.
 struct BoxedStudy;
 
 impl ScenarioVisitor for BoxedStudy {
@@ -58,7 +57,6 @@ impl<S: Scenario> Study for S {
     }
 }
 
-/// A run with a method that is known by its name only.
 struct StudyRun<'a, S> {
     scenario: &'a S,
     name: &'static str,

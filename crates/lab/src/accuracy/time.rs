@@ -13,7 +13,6 @@ use super::job::RunJob;
 use super::row::Times;
 use crate::scenario::Scenario;
 
-/// Times a run whose ticks did `work`.
 pub(super) fn time<S: Scenario, T: Stepper>(
     job: &RunJob<'_, S, T>,
     work: &[Work],

@@ -76,7 +76,6 @@ pub(super) fn run(args: &AccuracyArgs, out: &mut dyn Write) -> Result<(), Failur
     tell(args, &report, out)
 }
 
-/// Returns the study asked for, or a sentence per mistake.
 fn check(args: &AccuracyArgs) -> Result<(StudyChoice, StudyReport), Vec<String>> {
     let mut mistakes = Vec::new();
     let effort = if args.quick { Effort::QUICK } else { Effort::FULL };

@@ -65,7 +65,6 @@ fn tell(args: &Figure6Args, figure: &Figure6, out: &mut dyn Write) -> Result<(),
     print_page(args.out.as_deref(), PAGE, out)
 }
 
-/// Formats the events of a reading in one line.
 fn events(it: &ClosedLoop) -> String {
     let events = it.paper.events.iter().map(|event| format!("{} {:.3}", event.guard, event.t));
     let scale = it.pace.time_scale();

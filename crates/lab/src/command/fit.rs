@@ -61,7 +61,6 @@ pub struct FitArgs {
     pub json: bool,
 }
 
-/// A valid request for a fit.
 struct FitJob {
     instrument: Instrument,
     key: KeyIndex,
@@ -96,7 +95,6 @@ pub(super) fn run(args: &FitArgs, out: &mut dyn Write) -> Result<(), Failure> {
     text.map(drop)
 }
 
-/// Returns the fit asked for, or a sentence per mistake.
 fn check(args: &FitArgs) -> Result<FitJob, Vec<String>> {
     let mut mistakes = Vec::new();
     let instrument = Instrument::load(&Library::default(), &args.instrument)
@@ -132,7 +130,6 @@ fn check(args: &FitArgs) -> Result<FitJob, Vec<String>> {
     }
 }
 
-/// Returns the indices of the parameters to fit.
 fn places(model: &ModelEntry, wanted: &[String], mistakes: &mut Vec<String>) -> Vec<usize> {
     let names = || model.parameters.iter().map(|it| it.name);
     let mut found = Vec::new();
@@ -161,7 +158,6 @@ fn places(model: &ModelEntry, wanted: &[String], mistakes: &mut Vec<String>) -> 
     found
 }
 
-/// Returns the text of the fitted instrument's file.
 fn text(args: &FitArgs, job: &FitJob, outcome: &FitOutcome) -> Result<String, Failure> {
     let FitJob { instrument, key, strokes, .. } = job;
     let files: Vec<_> = strokes.iter().map(|it| it.name.as_str()).collect();

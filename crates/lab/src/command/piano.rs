@@ -45,11 +45,9 @@ pub struct PianoArgs {
     pub json: bool,
 }
 
-/// Figures of one instrument, for programs.
 #[derive(Serialize)]
 struct Sheet<'a> {
     instrument: &'a str,
-    /// Strokes that the model could not follow.
     failed_strokes: usize,
     figures: &'a [Figure],
 }
@@ -126,7 +124,6 @@ fn tell(args: &PianoArgs, examined: &[Examination], out: &mut dyn Write) -> Resu
     Ok(writeln!(out, "{}", shown(&page))?)
 }
 
-/// Formats a figure in one line: value and expected value.
 fn line(figure: &Figure) -> String {
     let value = figure.value.map_or_else(|| "—".to_owned(), |it| format!("{it:.3}"));
     let limits = match (figure.low, figure.high) {
@@ -143,7 +140,6 @@ fn line(figure: &Figure) -> String {
     format!("{:66} {value:>10}  {limits:14} {verdict}", figure.title).trim_end().to_owned()
 }
 
-/// Returns a sentence of failures for each instrument.
 fn verdict(examined: &[Examination]) -> String {
     let sentence = |it: &Examination| {
         let wrong = it.figures.iter().filter(|figure| figure.pass == Some(false));

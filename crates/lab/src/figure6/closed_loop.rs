@@ -36,7 +36,6 @@ impl Pace {
         (low..=high).contains(&time_scale).then_some(Self { time_scale })
     }
 
-    /// Returns the model seconds per second of the hand.
     pub const fn time_scale(self) -> f64 {
         self.time_scale
     }
@@ -64,7 +63,6 @@ pub struct RigRow {
 #[derive(Clone, PartialEq, Debug)]
 pub struct ClosedLoop {
     pub pace: Pace,
-    /// The paper's step, which was in the loop.
     pub paper: ModelRun,
     /// Same samples, held, with located events.
     pub located: ModelRun,

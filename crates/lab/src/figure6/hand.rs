@@ -111,7 +111,6 @@ impl<S: Fn(f64) -> Motion> HandPath<S> {
     }
 }
 
-/// Returns a smooth step from 0 to 1 over `x` from 0 to 1, and its slope.
 fn approach(x: f64) -> (f64, f64) {
     let x = x.clamp(0.0, 1.0);
     (x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x))

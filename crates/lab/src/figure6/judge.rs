@@ -27,11 +27,9 @@ pub enum StepKind {
 }
 
 impl StepKind {
-    /// All, from the worst to the best.
     pub const ALL: [Self; 5] =
         [Self::Paper, Self::Held, Self::Linear, Self::Quadratic, Self::Exact];
 
-    /// Returns the name in files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Paper => "paper",
@@ -42,7 +40,6 @@ impl StepKind {
         }
     }
 
-    /// Returns the name in a legend.
     pub(super) const fn short(self) -> &'static str {
         match self {
             Self::Paper => "the paper's step",
@@ -53,7 +50,6 @@ impl StepKind {
         }
     }
 
-    /// Describes the method in words.
     pub const fn title(self) -> &'static str {
         match self {
             Self::Paper => "the paper's step: input held, guards seen once a step",
@@ -133,7 +129,6 @@ pub(super) fn truth(scenario: &impl Scenario<Model = SmallModel>) -> Truth {
     }
 }
 
-/// Runs the stroke with each method, and compares.
 pub(super) fn compare(
     scenario: &impl Scenario<Model = SmallModel>,
     truth: &Truth,
@@ -219,7 +214,6 @@ fn judge(
     }
 }
 
-/// Returns the largest magnitude of `values`, 0 if there are none.
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
     values.fold(0.0, |largest, value| value.abs().max(largest))
 }

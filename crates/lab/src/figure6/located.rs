@@ -1,5 +1,3 @@
-//! The model with events located inside the steps.
-
 use instruments::SmallModel;
 use pode::stepper::Rk4;
 use pode::{EnergyAudit, Limits, Motion, RunRecorder, Simulator};

@@ -31,6 +31,7 @@ pub struct RunRow {
     pub energy: f64,
 }
 
+/// An event of a run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RunEvent {
     /// Model time at which the step acted on it (s).

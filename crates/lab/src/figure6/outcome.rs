@@ -1,5 +1,3 @@
-//! Both readings of the experiment, and their comparison with the reference.
-
 use instruments::SmallModel;
 use pode::{Guarded as _, Motion};
 use serde::Serialize;
@@ -14,13 +12,10 @@ use crate::scenario::{BadFile, Scenario as _, figure_6};
 pub struct Figure6 {
     /// Model time is slower than the hand's, as in the paper.
     pub slow_motion: ClosedLoop,
-    /// Model time equals the hand's.
     pub real_time: ClosedLoop,
     /// Angle of the hammer at the string (rad).
     pub string: f64,
-    /// Reference values under the exact stroke.
     pub truth: Truth,
-    /// Errors of each way to step the exact stroke.
     pub errors: Vec<StepErrors>,
 }
 
@@ -123,7 +118,6 @@ fn reading<'a>((name, it): (&'static str, &'a ClosedLoop)) -> ReadingSummary<'a>
     }
 }
 
-/// Returns the events of the paper's step with their times in the other two ways.
 pub(super) fn event_times(it: &ClosedLoop) -> Vec<EventTimes<'_>> {
     let times = |run: &ModelRun| -> Vec<f64> {
         run.events.iter().take(common(&it.paper, run)).map(|event| event.t).collect()

@@ -8,7 +8,6 @@ use figures::plot::picture::{
     CurveLook, Picture, PictureArea, PictureAxis, PictureCurve, PicturePanel, PictureRule,
 };
 
-/// Line of a switch.
 const SWITCH: Stroke = Stroke::new(INK, 1.6);
 /// Width of the curves (pixels).
 const WIDTH: f64 = 1.9;
@@ -59,7 +58,6 @@ pub(super) fn picture(title: &str, run: &ModelRun, string: f64) -> Picture {
     }
 }
 
-/// Returns a curve, cut where it has no values.
 fn curve(
     run: &ModelRun,
     name: &str,
@@ -79,7 +77,6 @@ fn extent(curves: &[PictureCurve]) -> Option<(f64, f64)> {
     ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
-/// Returns the shaded epochs between switches.
 fn areas(run: &ModelRun) -> Vec<PictureArea> {
     let first = run.rows.first().map_or("", |row| row.mode);
     let switches = run.events.iter().filter(|event| event.from != event.to);
@@ -95,7 +92,6 @@ fn areas(run: &ModelRun) -> Vec<PictureArea> {
     begins.windows(2).map(area).collect()
 }
 
-/// Returns the line of a switch, dashed for a strike.
 fn rule(event: &RunEvent) -> PictureRule {
     PictureRule { at: event.t, stroke: Stroke { is_dashed: event.from == event.to, ..SWITCH } }
 }

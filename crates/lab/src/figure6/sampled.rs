@@ -61,7 +61,6 @@ impl<'a> SampledModel<'a> {
         self.run
     }
 
-    /// Returns the first guard that is negative at the end of a step from the state `before`.
     fn broken(&self, before: &ModelState, s: f64) -> Option<GuardSpec> {
         let value = |spec: &GuardSpec, x| self.model.guard(self.mode, spec.id, x, &still(s)).value;
         let is_broken = |spec: &&GuardSpec| {

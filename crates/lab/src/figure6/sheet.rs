@@ -15,7 +15,6 @@ use figures::plot::color::{CURVES, Stroke};
 use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// Introduction of the page.
 const HOW: &str = "A hand that grips the handle of a simulated rig throws and catches the hammer of \
     model B: hand, encoder, model, motor, handle, and the hand again. The model is stepped as the \
     paper's was: RK4 over 2 ms, the input sampled once and held, guards looked at once at the end \
@@ -83,7 +82,6 @@ pub fn write_figure6(folder: &Path, figure: &Figure6) -> Result<(), DiskError> {
     report.write(folder)
 }
 
-/// Returns the table of events: as detected by the paper's step, and as located.
 fn events() -> Table {
     Table::new([
         ("reading", "reading"),
@@ -99,7 +97,6 @@ fn events() -> Table {
 fn event_rows(name: &str, it: &ClosedLoop) -> Vec<Vec<TableCell>> {
     let row = |event: &EventTimes<'_>| {
         let words = [name, event.guard, event.from, event.to].map(TableCell::words);
-        // The clock of the steps has a resolution of 1 ms.
         let paper = (1e3 * event.paper).round() / 1e3;
         let times = [Some(paper), event.located, event.exact].map(TableCell::maybe);
         words.into_iter().chain(times).collect()

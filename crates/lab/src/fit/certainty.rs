@@ -1,5 +1,3 @@
-//! Uncertainty of the fitted parameters.
-
 use nalgebra_of_lm::{DMatrix, DVector};
 
 /// Share of a direction's largest parameter from which a parameter belongs to it.
@@ -9,7 +7,6 @@ const SHARE: f64 = 0.3;
 pub(super) struct FitCertainty {
     /// Half of each 95 % interval (the parameter's unit).
     pub(super) halves: Vec<f64>,
-    /// Correlation of each parameter with each.
     pub(super) correlations: DMatrix<f64>,
     /// Singular values of the scaled parameters, least first, with their directions.
     directions: Vec<(f64, DVector<f64>)>,

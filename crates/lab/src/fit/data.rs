@@ -35,6 +35,7 @@ pub(super) struct StrokeRow {
     pub(super) force: f64,
 }
 
+/// A stroke from a file.
 #[derive(Clone, PartialEq, Debug)]
 pub struct MeasuredStroke {
     pub name: String,
@@ -54,11 +55,11 @@ impl MeasuredStroke {
     }
 }
 
+/// A mistake in a file of data.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct DataMistake {
     file: String,
     line: Option<u64>,
-    /// Problem with its remedy.
     what: String,
 }
 
@@ -89,9 +90,7 @@ pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMi
 
 struct StrokeScan {
     file: String,
-    /// Column of time, travel and force.
     places: [Option<usize>; 3],
-    /// Line, time, travel and force of each row; a static curve has no times.
     rows: Vec<(u64, [f64; 3])>,
     mistakes: Vec<DataMistake>,
 }
@@ -221,7 +220,6 @@ impl StrokeScan {
         }
     }
 
-    /// Checks that a static curve goes down, and then up.
     fn check_ways(&mut self, most: f64) {
         let top = self.top();
         for (index, pair) in self.rows.clone().windows(2).enumerate() {
@@ -247,7 +245,6 @@ impl StrokeScan {
         }
     }
 
-    /// Returns the index of the key's lowest row.
     fn top(&self) -> usize {
         let deeper = |a: &usize, b: &usize| self.rows[*a].1[1].total_cmp(&self.rows[*b].1[1]);
         (0..self.rows.len()).max_by(deeper).unwrap_or(0)

@@ -10,7 +10,6 @@ use figures::action::Opener;
 const TICK: f64 = 1e-3;
 /// Longest lead-in of a stroke (s).
 const LEAD: f64 = 0.3;
-/// Points of the lead-in.
 const LEAD_POINTS: u32 = 16;
 /// Least assumed noise of a force (N): the resolution of a good cell.
 const LEAST_NOISE: f64 = 1e-3;
@@ -63,7 +62,6 @@ impl DrivenStroke {
         self.travel_noise >= EXACT
     }
 
-    /// Returns this stroke with another draw of the travel's noise.
     pub(super) fn shaken(&self, random: &mut SeededRandom) -> Self {
         if !self.is_noisy() {
             return self.clone();
@@ -80,7 +78,6 @@ impl DrivenStroke {
         let mut key = model.visit(Opener { values });
         let mut t = 0.0;
         let found = self.times.iter().map(|end| {
-            // Equal ticks to the row, none longer than TICK.
             let ticks = ((end - t) / TICK).ceil();
             let h = (end - t) / ticks.max(1.0);
             while end - t > 0.5 * h {
@@ -92,7 +89,6 @@ impl DrivenStroke {
         found.collect()
     }
 
-    /// Returns the differences of `found` from the measured forces, each over its noise.
     pub(super) fn differences(&self, found: &[f64]) -> Vec<f64> {
         let rows = found.iter().zip(&self.forces).zip(&self.noises);
         rows.map(|((found, measured), noise)| (found - measured) / noise).collect()

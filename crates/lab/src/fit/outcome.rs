@@ -22,9 +22,9 @@ const POOR: f64 = 2.0;
 /// Correlation that triggers a warning.
 const CORRELATED: f64 = 0.95;
 
+/// Result for one parameter.
 #[derive(Clone, Debug, Serialize)]
 pub struct FittedParameter {
-    /// Name in files and on the command line.
     pub name: &'static str,
     /// Name in technicians' language.
     pub title: Box<str>,
@@ -40,6 +40,7 @@ pub struct FittedParameter {
     pub derivative_error: Option<f64>,
 }
 
+/// Result for one stroke.
 #[derive(Clone, Debug, Serialize)]
 pub struct FittedStroke {
     pub name: String,
@@ -56,11 +57,11 @@ pub struct FittedStroke {
     pub(super) forces: Vec<f64>,
 }
 
+/// Result of a fit.
 #[derive(Clone, Debug, Serialize)]
 pub struct FitOutcome {
     pub instrument: String,
     pub parameters: Vec<FittedParameter>,
-    /// Correlation of each determined parameter with each, in their order.
     pub correlations: Vec<Vec<f64>>,
     /// Warnings and notes, a sentence each.
     pub remarks: Vec<String>,
@@ -105,16 +106,12 @@ struct Fitting<'a> {
     start: Vec<f64>,
     values: Vec<f64>,
     now: Differences,
-    /// Indices of the parameters that the data may determine.
     fitted: Vec<usize>,
-    /// Sentences on the parameters that they do not determine.
     left: Vec<String>,
 }
 
-/// Results at the end of a search.
 struct Known {
     certainty: FitCertainty,
-    /// Relative difference of two derivatives of each fitted parameter.
     errors: Vec<f64>,
 }
 
@@ -199,7 +196,6 @@ impl<'a> Fitting<'a> {
         self.fitted.len() < count
     }
 
-    /// Explains why a parameter keeps its value.
     fn sentence(&self, at: usize, with: &[usize], half: Option<f64>) -> String {
         let place = self.fitted[at];
         let Parameter { unit, .. } = self.parameter(place);

@@ -8,9 +8,7 @@ use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// Colour of measured data.
 const DATA: Color = Color(150, 150, 150);
-/// Introduction of the page.
 const HOW: &str = "The front of the key is driven as it was measured, and its force is compared. \
     Intervals are of 95 %: they take the differences that remain for noise, whose neighbours may be \
     alike, and the model for linear within them. A parameter without one is not determined.";
@@ -85,7 +83,6 @@ fn correlations(outcome: &FitOutcome) -> Table {
     }))
 }
 
-/// Draws force against travel with the fit over the data, and their difference.
 fn pictures(stroke: &FittedStroke) -> [Picture; 2] {
     let rows = || stroke.measured.iter().zip(&stroke.forces);
     let points = |value: fn(f64, f64) -> f64| {

@@ -25,7 +25,6 @@ const BESIDE: f64 = 0.1;
 struct BoundedVariable {
     low: f64,
     high: f64,
-    /// Logit of the parameter's first value.
     start: f64,
     /// Change of u per unit of x: x = 1 is a step of its derivative.
     slope: f64,
@@ -39,7 +38,6 @@ impl BoundedVariable {
         Self { low, high, start, slope: step * width / ((value - low) * (high - value)) }
     }
 
-    /// Returns the parameter, and its derivative by x.
     fn at(self, x: f64) -> (f64, f64) {
         let u = (self.start + self.slope * x).clamp(-600.0, 600.0);
         let part = 1.0 / (1.0 + (-u).exp());

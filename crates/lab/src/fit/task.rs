@@ -9,13 +9,12 @@ use super::driven::DrivenStroke;
 use crate::random::SeededRandom;
 use figures::parallel::in_parallel;
 
+/// An instrument's key, with its measured strokes.
 #[derive(Clone, Copy, Debug)]
 pub struct FitSubject<'a> {
     pub name: &'a str,
     pub model: &'a LoadedModel,
-    /// Initial values, one per parameter.
     pub values: &'a [f64],
-    /// Indices of the parameters that may change.
     pub fitted: &'a [usize],
     pub strokes: &'a [MeasuredStroke],
     /// Standard deviation of the measured forces (N); estimated if `None`.
@@ -28,7 +27,6 @@ const SHAKEN: u64 = 12;
 pub(super) struct FitTask<'a> {
     pub(super) model: &'a LoadedModel,
     pub(super) strokes: Vec<DrivenStroke>,
-    /// Called after each simulated stroke.
     progress: &'a (dyn Fn() + Sync),
 }
 

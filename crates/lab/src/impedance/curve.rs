@@ -20,6 +20,7 @@ pub fn frequencies((low, high): (f64, f64), count: usize) -> Vec<f64> {
     (0..=last).map(|it| low * (high / low).powf(it as f64 / last as f64)).collect()
 }
 
+/// Impedance at one frequency.
 #[derive(Clone, Copy, PartialEq, Debug, Serialize)]
 pub struct ImpedancePoint {
     /// Frequency (Hz).
@@ -56,16 +57,15 @@ impl ImpedancePoint {
         self.imaginary.atan2(self.real).to_degrees()
     }
 
-    /// Returns `true` if Re Z is significantly below zero.
     pub fn is_active(&self) -> bool {
         let doubt = CERTAIN * self.magnitude() + ERRORS * self.error;
         COHERENT <= self.coherence && self.real < -doubt
     }
 }
 
+/// An impedance over frequency.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct ImpedanceCurve {
-    /// Subject of the measurement.
     pub name: String,
     pub remark: String,
     pub points: Vec<ImpedancePoint>,
@@ -115,7 +115,6 @@ impl ImpedanceCurve {
         bands
     }
 
-    /// Describes in a sentence the passive range.
     pub fn verdict(&self) -> String {
         let bands = self.active_bands();
         if bands.is_empty() {

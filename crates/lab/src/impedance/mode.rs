@@ -249,7 +249,6 @@ impl<M: Playable> ModePlace<M> {
         DMatrix::from_fn(columns.len(), columns.len(), |row, column| columns[column][row])
     }
 
-    /// Returns the displacement of an entry for a slope, and the states on both sides.
     fn beside(&self, state: &M::State, entry: usize) -> (f64, [M::State; 2]) {
         let order = usize::from(entry >= self.model.coordinates());
         let mut sides = [*state; 2];

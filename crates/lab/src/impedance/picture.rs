@@ -9,7 +9,6 @@ use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};
 
 /// Maximum ratio of the shown Re Z above zero to that below, if any is below.
 const HIGHEST: f64 = 6.0;
-/// Share of a curve's colour in its shade.
 const SHADE: f64 = 0.2;
 
 pub(crate) fn picture(title: String, curves: &[ImpedanceCurve]) -> Picture {

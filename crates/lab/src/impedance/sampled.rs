@@ -54,10 +54,10 @@ impl ForceHold {
     }
 }
 
+/// A voice that is shaken.
 #[derive(Clone, Copy)]
 pub struct ShakenVoice<'a> {
     pub maker: VoiceMaker<'a>,
-    /// Order of the voices, with its own period and delay.
     pub order: VoiceOrder<'a>,
     /// Travel of the key's front (m).
     pub depth: f64,

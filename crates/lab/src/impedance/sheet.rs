@@ -8,10 +8,8 @@ use serde::Serialize;
 use crate::impedance::curve::{ActiveBand, ImpedanceCurve, ImpedancePoint};
 use crate::impedance::picture::picture;
 
-/// Maximum rows of a curve on the page.
 const ROWS: usize = 16;
 
-/// Introduction of the page.
 const HOW: &str = "Z = F/v at the key's front: the force on the finger over the finger's velocity. \
     A damper is level at 0°, a spring falls at −90°, a mass rises at +90°. Where Re Z is below zero, \
     shaded, the key is not passive: a finger that shakes it there gets work out of it. \
@@ -20,6 +18,7 @@ const HOW: &str = "Z = F/v at the key's front: the force on the finger over the 
     is a cross-spectrum. Below a coherence of 0.5, and within three standard errors of zero, Re Z is \
     not judged.";
 
+/// Figures of a study, for programs.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct ImpedanceSummary<'a> {
     pub name: &'a str,

@@ -11,13 +11,10 @@ use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::marker::MarkerShape::Circle;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// Legends of the three grands.
 const GRANDS: [&str; 3] =
     ["Steinway C, measured", "Yamaha Disklavier, measured", "Bösendorfer, measured"];
-/// Colour of measured grands.
 const MEASURED: Color = Color(120, 120, 120);
 
-/// Introduction of the page.
 const HOW: &str = "The front of C4 is driven by position, and its force is what comes out. A stroke \
     follows a power of time; its exponent falls with the stroke's duration as the travel times of \
     measured grands with an ideal lever of 5.2 : 1 have it, for a pressed and for a struck touch. \
@@ -68,7 +65,6 @@ fn figures(examined: &[Examination]) -> Table {
     Table::new(columns).with(rows)
 }
 
-/// Returns the pictures with content, with their names.
 fn pictures(examined: &[Examination]) -> Vec<(&'static str, Picture)> {
     let mut pictures = vec![("force", forces(examined))];
     for (what, name) in StrokeTime::ALL.into_iter().zip(["travel", "key-bottom", "free-flight"]) {
@@ -83,7 +79,6 @@ fn color(instrument: usize, curve: usize) -> Color {
     CURVES[(3 * instrument + curve) % CURVES.len()]
 }
 
-/// Draws force against travel, down and back, at slow speeds.
 fn forces(examined: &[Examination]) -> Picture {
     /// Fastest shown speed (m/s): above it the key's inertia counts.
     const SLOW: f64 = 0.02;
@@ -113,7 +108,6 @@ fn thinned(way: &[(f64, f64)]) -> Vec<(f64, f64)> {
     shown.step_by(step).collect()
 }
 
-/// Draws a time against hammer speed, with the three grands.
 fn times(what: StrokeTime, examined: &[Examination]) -> Picture {
     let mut curves = Vec::new();
     for touch in StrokeTouch::ALL {

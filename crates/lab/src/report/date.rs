@@ -1,5 +1,3 @@
-//! Formats times for people.
-
 use std::time::SystemTime;
 
 use time::OffsetDateTime;

@@ -11,7 +11,6 @@ pub(super) const TEXT: &str = "ns per simulated ms of the cheapest run whose eve
     offline; and, measured in one run of their own, ours side by side with other people's codes and \
     with what was written by hand for the one problem.";
 
-/// Returns a table of the cheapest runs at each error.
 pub(super) fn table(report: &StudyReport) -> Table {
     let targets = TARGETS.map(|it| format!("all events within {}", text::duration(it)));
     let first = ["scenario", "runs that failed"].map(str::to_owned);

@@ -8,7 +8,6 @@ pub struct Machine {
     pub processor: String,
     pub processors: usize,
     pub system: String,
-    /// Version and build profile of the program.
     pub program: String,
 }
 

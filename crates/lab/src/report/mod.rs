@@ -27,7 +27,6 @@ use crate::accuracy::MeasuredScenario;
 
 pub const PAGE: &str = "index.html";
 
-/// Introduction of the page.
 const HOW_TO_READ: &str = include_str!("how_to_read.html");
 
 /// Results of a study so far, with its machine.
@@ -74,7 +73,6 @@ impl StudyReport {
         report.write(folder)
     }
 
-    /// Adds a scenario: title, source of its reference, pictures and runs.
     fn add(&self, measured: &MeasuredScenario, ours: &Table, report: &mut Report) {
         let entry = measured.entry;
         report.heading(&format!("{}: {}", entry.name, entry.title));
@@ -91,7 +89,6 @@ impl StudyReport {
         }
     }
 
-    /// Returns the main figures for programs.
     pub fn summary(&self) -> Summary<'_> {
         Summary::new(self)
     }

@@ -26,6 +26,7 @@ pub struct Table {
     pub rows: Vec<Vec<TableCell>>,
 }
 
+/// A cell of a table.
 #[derive(Clone, PartialEq, Debug)]
 pub enum TableCell {
     Words(String),
@@ -42,12 +43,10 @@ impl TableCell {
         Self::Words(words.into())
     }
 
-    /// Returns a cell with a number, or an empty one.
     pub fn maybe(number: Option<f64>) -> Self {
         number.map_or(Self::Missing, Self::Number)
     }
 
-    /// Returns the cell as text, with numbers formatted by `number`.
     fn text(&self, number: impl Fn(f64) -> String) -> String {
         match self {
             Self::Words(words) | Self::WrongWords(words) => words.clone(),
@@ -111,7 +110,6 @@ impl Table {
 }
 
 impl Report {
-    /// Returns a report with a title only.
     pub fn new(title: impl Into<String>) -> Self {
         Self { title: title.into(), body: String::new(), files: Vec::new() }
     }
@@ -120,7 +118,6 @@ impl Report {
         self.html("p class=\"read\"", text);
     }
 
-    /// Starts a section with a heading.
     pub fn heading(&mut self, text: &str) {
         self.html("h2", text);
     }
@@ -165,7 +162,6 @@ impl Report {
         self.file(format!("{name}.csv"), table.csv());
     }
 
-    /// Adds a file beside the page.
     pub fn file(&mut self, name: impl Into<String>, text: String) {
         self.files.push((name.into(), text));
     }

@@ -26,13 +26,11 @@ pub struct Peer {
     pub event_error_s: Option<f64>,
     /// Largest error of the state away from events, each entry over its largest magnitude.
     pub state_error: Option<f64>,
-    /// Evaluations of the right-hand side in the whole run.
     pub rhs: Option<f64>,
     pub ns_per_ms_min: Option<f64>,
     pub ns_per_ms_median: Option<f64>,
     #[serde(default)]
     pub note: Option<String>,
-    /// Failure, if the events were wrong.
     #[serde(default)]
     pub failure: Option<String>,
 }
@@ -57,7 +55,6 @@ impl Peer {
     }
 }
 
-/// Origin of a code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Author {
     /// `pode`, in the same run as the others.
@@ -66,7 +63,7 @@ pub(super) enum Author {
     Others,
 }
 
-/// Error of a file of other codes' results.
+/// Invalid file of other codes' results.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{}: {what}; give the results.json that benches/peers writes", shown(path))]
 pub struct BadPeers {

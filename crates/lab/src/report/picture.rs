@@ -14,12 +14,10 @@ use figures::plot::color::{CURVES, Color, Stroke};
 use figures::plot::marker::MarkerShape;
 use figures::plot::picture::{CurveLook, Picture, PictureAxis, PictureCurve, PicturePanel};
 
-/// Draws all methods on a scenario.
 pub(super) fn methods(measured: &MeasuredScenario) -> Picture {
     picture(title(measured), &OURS, &curves(measured))
 }
 
-/// Draws all codes that were run side by side on one problem.
 pub(super) fn peers(measured: &MeasuredScenario, peers: &[&Peer]) -> Picture {
     let title = format!("{}, side by side with other codes", title(measured));
     picture(title, &THEIRS, &peer_curves(peers, measured.until))
@@ -150,7 +148,6 @@ impl CostErrorCurve {
     }
 }
 
-/// Cost and error of one run, as far as they exist.
 #[derive(Clone, Copy, Debug, Default)]
 struct CostErrorPoint {
     is_right: bool,
@@ -197,7 +194,6 @@ impl CostErrorPoint {
 
 type Figure = fn(&CostErrorPoint) -> Option<f64>;
 
-/// Titles and figures of a panel's two axes.
 #[derive(Clone, Copy, Debug)]
 struct Quantities {
     x_title: &'static str,

@@ -88,7 +88,6 @@ fn cells(row: &StudyRow, source: &str) -> [TableCell; OURS.len()] {
     ]
 }
 
-/// Returns the source of the steps in one word.
 const fn steps(kind: MethodKind) -> &'static str {
     match kind {
         MethodKind::Fixed => "tick",
@@ -98,7 +97,6 @@ const fn steps(kind: MethodKind) -> &'static str {
     }
 }
 
-/// Returns verdict, number of right events, expected and found event, and failure.
 fn sequence(sequence: &SequenceVerdict) -> [TableCell; 5] {
     const NONE: TableCell = TableCell::Missing;
     let wrong = |it: &str| TableCell::WrongWords(it.to_owned());

@@ -9,7 +9,7 @@ use crate::accuracy::{MeasuredScenario, MethodKind, SequenceVerdict, StudyRow};
 /// Errors of event times (s) at which speed is compared.
 pub(super) const TARGETS: [f64; 3] = [1e-6, 1e-9, 1e-12];
 
-/// The main figures of a report, for programs.
+/// Main figures of a report, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary<'a> {
     machine: &'a Machine,
@@ -21,7 +21,6 @@ pub struct Summary<'a> {
 struct ScenarioSummary {
     name: &'static str,
     runs: usize,
-    /// Runs with a wrong sequence of events or without an end.
     failures: usize,
     /// Our cheapest run in ticks, as at a deadline, for each target that one meets.
     in_ticks: Vec<Cheapest>,
@@ -62,7 +61,6 @@ impl<'a> Summary<'a> {
     }
 }
 
-/// Counts the runs with wrong events or without an end.
 pub(super) fn failures(measured: &MeasuredScenario) -> usize {
     let wrong = |row: &&StudyRow| row.verdict.sequence != SequenceVerdict::Right;
     measured.rows.iter().filter(wrong).count()

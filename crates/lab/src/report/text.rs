@@ -36,7 +36,6 @@ pub(crate) fn duration(seconds: f64) -> String {
     format!("{} {unit}", trimmed(&format!("{value:.3}")))
 }
 
-/// Returns the variable of a series of runs: step, tolerance or budget.
 pub(super) fn setting(row: &StudyRow) -> String {
     let tolerance = row.setting.tolerance.unwrap_or(0.0);
     match row.method.kind {

@@ -99,7 +99,7 @@ impl BallDrop {
     }
 }
 
-/// Maximum distinct impacts: e⁹⁹ is 2e-10.
+/// Distinct impacts: e⁹⁹ is 2e-10.
 const MOST: i32 = 100;
 
 impl Scenario for BallScenario {

@@ -29,7 +29,6 @@ pub(super) struct FeltPenetration {
     depth: f64,
 }
 
-/// Known values of a contact.
 #[derive(Clone, Copy, Debug)]
 struct ContactRecord {
     felt: FeltPenetration,
@@ -40,7 +39,6 @@ struct ContactRecord {
     ticks: &'static [f64],
 }
 
-/// Returns a felt of 1e5 N/m^1.5.
 pub(super) fn soft() -> FeltScenario {
     const TICKS: &[f64] =
         &[MS, 0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS];
@@ -52,7 +50,6 @@ pub(super) fn soft() -> FeltScenario {
     })
 }
 
-/// Returns a felt of 1e7 N/m^1.5.
 pub(super) fn hard() -> FeltScenario {
     const TICKS: &[f64] =
         &[0.5 * MS, 0.25 * MS, 0.1 * MS, 0.05 * MS, 0.025 * MS, 0.01 * MS, 0.005 * MS, 0.001 * MS];
@@ -65,7 +62,6 @@ pub(super) fn hard() -> FeltScenario {
 }
 
 impl Model for FeltPenetration {
-    /// `true` if the felt is touched.
     type Mode = bool;
     type State = [f64; 2];
     type Input = ();
@@ -147,7 +143,6 @@ impl Energetic for FeltPenetration {
     }
 }
 
-/// One contact and the flight after it.
 #[derive(Debug)]
 pub(super) struct FeltScenario {
     known: ContactRecord,

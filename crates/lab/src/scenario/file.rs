@@ -9,7 +9,6 @@ use super::{ExpectedEvent, ReferenceSample};
 /// Least distance of a sample from every event (s).
 const AWAY: f64 = 0.005;
 
-/// A reference as text.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReferenceFile {
     pub(super) name: &'static str,
@@ -17,7 +16,6 @@ pub(super) struct ReferenceFile {
     pub(super) csv: &'static str,
 }
 
-/// Embeds the reference `$name` of `$folder`.
 macro_rules! file {
     ($folder:literal, $name:literal) => {
         $crate::scenario::file::ReferenceFile {
@@ -29,6 +27,7 @@ macro_rules! file {
 }
 pub(super) use file;
 
+/// A reference that cannot be read.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("the reference {name} cannot be read: {what}")]
 pub struct BadFile {
@@ -37,7 +36,6 @@ pub struct BadFile {
 }
 
 impl BadFile {
-    /// Reports a missing component of a scenario.
     pub(super) fn missing(name: &'static str, what: &str) -> Self {
         Self { name, what: format!("{what} is missing") }
     }
@@ -49,7 +47,6 @@ impl ReferenceFile {
     }
 }
 
-/// Content of the JSON file.
 #[derive(Debug, Deserialize)]
 pub(super) struct ReferenceCase {
     parameters: Map<String, Value>,
@@ -94,7 +91,6 @@ impl ReferenceCase {
         model.with_values(&values)
     }
 
-    /// Returns size, time and width of each term of the input.
     pub(super) fn input_terms(&self, file: &ReferenceFile) -> Result<Vec<[f64; 3]>, BadFile> {
         let term = |[a, tc, w]: &[Value; 3]| Some([number(a)?, number(tc)?, number(w)?]);
         let terms: Option<_> = self.input.terms.iter().map(term).collect();

@@ -168,7 +168,6 @@ impl Energetic for FallingHead {
     }
 }
 
-/// The head with its contacts.
 #[derive(Debug)]
 pub(super) struct HeadScenario {
     head: FallingHead,

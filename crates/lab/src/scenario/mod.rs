@@ -103,9 +103,7 @@ pub enum ForceKind {
 pub struct ScenarioEntry {
     /// Name on the command line and of the plot.
     pub name: &'static str,
-    /// Problem in one line.
     pub title: &'static str,
-    /// Source of the reference in one sentence.
     pub source: &'static str,
     build: Build,
 }
@@ -158,9 +156,7 @@ const fn read(
     ScenarioEntry { name, title, source, build }
 }
 
-/// Origin of the references that came with the models.
 const GIVEN: &str = "Reference: three independent integrators, agreeing to 1e-19 s or better.";
-/// Origin of this crate's references.
 const MADE: &str =
     "Reference: Taylor series in 240 bits and extrapolation in 113 bits, agreeing to 1e-23 s.";
 

@@ -78,7 +78,6 @@ impl Energetic for Pendulum {
     }
 }
 
-/// The pendulum with its impacts.
 #[derive(Debug)]
 pub(super) struct PendulumScenario {
     reference: Reference<Pendulum>,

@@ -11,6 +11,7 @@ pub struct ExpectedEvent<M: Model> {
     pub to: M::Mode,
 }
 
+/// State and force at one time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ReferenceSample<S> {
     /// Time of the sample (s).
@@ -20,6 +21,7 @@ pub struct ReferenceSample<S> {
     pub force: f64,
 }
 
+/// The right events and states.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reference<M: Model> {
     pub events: Vec<ExpectedEvent<M>>,

@@ -18,7 +18,6 @@ pub(super) struct StrokeScenario<I> {
     reference: Reference<SmallModel>,
 }
 
-/// Ticks over which a stroke is studied.
 #[derive(Clone, Copy, Debug)]
 struct StrokeTicks {
     ticks: &'static [f64],
@@ -108,7 +107,6 @@ pub(super) fn two_throws() -> Result<RigidStroke, BadFile> {
     StrokeScenario::read(("key-hammer-rigid", TORQUE), &file, StrokeTicks::USUAL)
 }
 
-/// Returns model B, as in the paper.
 pub(super) fn figure_6() -> Result<SpringsStroke, BadFile> {
     springs(&file!("../../../instruments/tests/reference/", "model-b-figure6"), StrokeTicks::USUAL)
 }

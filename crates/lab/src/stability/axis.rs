@@ -1,5 +1,3 @@
-//! An axis of a map: its variable and its ends.
-
 use super::quantity::{FINGERS, LoopQuantity, LoopValues};
 
 /// Ratio of the ends from which an axis is logarithmic.
@@ -84,7 +82,6 @@ impl MapAxis {
         }
     }
 
-    /// Describes an invalid axis in a sentence.
     pub fn mistake(&self) -> Option<String> {
         let (low, high) = self.ends;
         let is_range = low.is_finite() && high.is_finite() && low < high;

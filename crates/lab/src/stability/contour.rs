@@ -52,7 +52,6 @@ fn zero(a: (MapPlace, f64), b: (MapPlace, f64)) -> Option<MapPlace> {
     differ.then(|| (between(a.0.0, b.0.0), between(a.0.1, b.0.1)))
 }
 
-/// Joins segments with common ends.
 fn joined(mut pieces: Vec<[MapPlace; 2]>) -> Vec<Vec<MapPlace>> {
     let mut lines = Vec::new();
     while let Some([a, b]) = pieces.pop() {

@@ -60,6 +60,7 @@ pub struct StabilityStudy<'a> {
     pub cells: usize,
 }
 
+/// Map of one estimator: cells, and the boundary between them.
 #[derive(Clone, Debug)]
 pub struct StabilityMap {
     pub estimator: EstimatorName,

@@ -5,6 +5,7 @@ use haptics::RigParameters;
 /// Longest delay of a force (periods).
 pub const LONGEST_DELAY: f64 = 16.0;
 
+/// A quantity of a loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LoopQuantity {
     Stiffness,

@@ -16,6 +16,7 @@ use figures::digits::rounded;
 /// Maximum columns with their boundary on the page.
 const ROWS: usize = 16;
 
+/// Figures of a study, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct StabilitySummary {
     pub name: String,
@@ -26,6 +27,7 @@ pub struct StabilitySummary {
     pub maps: Vec<MapSummary>,
 }
 
+/// An axis of a study, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct AxisSummary {
     pub name: String,
@@ -36,6 +38,7 @@ pub struct AxisSummary {
     pub logarithmic: bool,
 }
 
+/// Figures of one map, for programs.
 #[derive(Clone, Debug, Serialize)]
 pub struct MapSummary {
     pub estimator: &'static str,

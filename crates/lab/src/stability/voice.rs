@@ -10,6 +10,7 @@ pub trait TrialVoice {
     fn answer(&mut self, tick: u64, position: f64) -> TrialAnswer;
 }
 
+/// Answer of a load in one tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum TrialAnswer {
     /// Force on the finger (N), up positive.

@@ -9,7 +9,6 @@ use crate::scenario::{ExpectedEvent, Reference, ReferenceSample};
 /// Verdict on a run: its events, and its errors if the events were right.
 #[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct RunVerdict {
-    /// Comparison of the events with those expected.
     pub sequence: SequenceVerdict,
     /// Number of events, judged or not.
     pub events: usize,
@@ -40,7 +39,6 @@ pub struct EventMismatch {
 }
 
 impl SequenceVerdict {
-    /// Returns `true` if the run has errors that can be compared.
     pub const fn is_right(&self) -> bool {
         matches!(self, Self::Right)
     }

@@ -39,7 +39,6 @@ enum ImpedanceSubject {
     Instrument(Box<PressedInstrument>),
 }
 
-/// Pressed key of an instrument.
 struct PressedInstrument {
     voices: InstrumentVoices,
     parameters: Vec<f64>,
@@ -51,7 +50,6 @@ struct PressedInstrument {
 }
 
 impl ImpedanceQuestion {
-    /// Returns the request, or a sentence per mistake.
     pub(super) fn new(args: &ImpedanceArgs) -> Result<Self, Vec<String>> {
         let mut mistakes = Vec::new();
         let asked = if args.recording.is_some() {
@@ -67,7 +65,6 @@ impl ImpedanceQuestion {
         }
     }
 
-    /// Returns the number of measured points.
     pub(super) fn runs(&self) -> usize {
         let curves = match &self.subject {
             ImpedanceSubject::Stroke(_) => 1,
@@ -195,7 +192,6 @@ fn loop_values(args: &ImpedanceArgs, values: &mut LoopValues, mistakes: &mut Vec
     }
 }
 
-/// Reports each mode that the model does not have.
 fn check_modes(model: &ModelEntry, named: &[String], mistakes: &mut Vec<String>) {
     for name in named {
         let known = || model.modes.iter().map(|it| it.name);

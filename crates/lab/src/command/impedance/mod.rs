@@ -115,7 +115,6 @@ pub(super) fn run(args: &ImpedanceArgs, out: &mut dyn Write) -> Result<(), Failu
     print_page(args.out.as_deref(), PAGE, out)
 }
 
-/// Prints some points of a curve, and its passive range.
 fn tell(curve: &ImpedanceCurve, out: &mut dyn Write) -> Result<(), Failure> {
     /// Maximum rows of a table.
     const ROWS: usize = 12;

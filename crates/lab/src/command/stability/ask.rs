@@ -16,7 +16,6 @@ use super::StabilityArgs;
 use super::quantities::{quantity, range};
 use super::voices::InstrumentVoices;
 
-/// Name of the wall.
 const WALL: &str = "wall";
 
 /// Default period of a loop (s).
@@ -30,7 +29,6 @@ const SPRINGS: [&str; 2] = ["k1", "k2"];
 
 pub(super) struct StabilityQuestion {
     name: String,
-    /// Maker of the voices; `None` for a wall.
     pub(super) voices: Option<InstrumentVoices>,
     pub(super) estimators: Vec<EstimatorName>,
     rig: RigParameters,
@@ -41,7 +39,6 @@ pub(super) struct StabilityQuestion {
 }
 
 impl StabilityQuestion {
-    /// Returns the request, or a sentence per mistake.
     pub(super) fn new(args: &StabilityArgs) -> Result<Self, Vec<String>> {
         let (name, voices, mut parameters) = subject(args)?;
         let mut mistakes = Vec::new();
@@ -95,7 +92,6 @@ impl StabilityQuestion {
     }
 }
 
-/// Name of the subject, maker of its voices, and values of its parameters.
 type AskedSubject = (String, Option<InstrumentVoices>, Vec<f64>);
 
 fn subject(args: &StabilityArgs) -> Result<AskedSubject, Vec<String>> {
@@ -133,7 +129,6 @@ pub(crate) fn key_named(name: &str) -> Result<KeyIndex, String> {
     })
 }
 
-/// Sets the given values of the loop.
 fn set_values(args: &StabilityArgs, values: &mut LoopValues, mistakes: &mut Vec<String>) {
     let given = [
         (LoopQuantity::Stiffness, &args.stiffness),
@@ -156,7 +151,6 @@ fn set_values(args: &StabilityArgs, values: &mut LoopValues, mistakes: &mut Vec<
     }
 }
 
-/// Sets the given values of these quantities.
 pub(crate) fn set_quantities(
     given: &[(LoopQuantity, &Option<String>)],
     values: &mut LoopValues,
@@ -216,7 +210,6 @@ fn in_range(parameter: &Parameter, value: f64) -> Result<f64, String> {
     Err(format!("{name} = {value:?} is not from {low} to {high} {unit}"))
 }
 
-/// Returns the named estimators, or the defaults.
 pub(crate) fn estimators(
     named: &[String],
     usual: &[EstimatorName],
@@ -246,7 +239,6 @@ fn usual_axes(model: Option<&ModelEntry>) -> [&'static str; 2] {
     if SPRINGS.iter().all(has) { SPRINGS } else { VOICE_AXES }
 }
 
-/// Parses an axis, `name` or `name=low..high`.
 fn axis(text: &str, model: Option<&ModelEntry>, base: &LoopPoint) -> Result<MapAxis, String> {
     let (name, ends) = match text.split_once('=') {
         Some((name, ends)) => (name.trim(), Some(ends)),

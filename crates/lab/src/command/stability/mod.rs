@@ -105,7 +105,6 @@ pub struct StabilityArgs {
     pub json: bool,
 }
 
-/// Measures the maps that were asked for, and writes their report.
 pub(super) fn run(args: &StabilityArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let question = StabilityQuestion::new(args);
     let question = question.map_err(|mistakes| Failure::Usage(mistakes.join("\n")))?;

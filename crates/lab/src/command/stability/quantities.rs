@@ -17,7 +17,6 @@ pub(crate) fn quantity(text: &str, unit: &str) -> Result<f64, String> {
         .ok_or_else(|| format!("{} is no number of {unit}{}", quoted(text), wanted()))
 }
 
-/// Parses two numbers with `..` between them.
 pub(crate) fn range(text: &str, unit: &str) -> Result<(f64, f64), String> {
     let (low, high) = text
         .split_once("..")

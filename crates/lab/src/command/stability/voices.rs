@@ -1,5 +1,3 @@
-//! Voices of instruments for closed loops in simulation.
-
 use std::sync::Arc;
 
 use crate::stability::{LoopQuantity, TrialAnswer, TrialVoice, VoiceOrder};
@@ -30,13 +28,11 @@ impl InstrumentVoices {
         Ok(Self { model: Arc::clone(model), scene })
     }
 
-    /// Returns the key of the voices.
     pub(crate) fn rig(&self) -> Result<RigParameters, String> {
         let builder = VoiceBuilder::new(&self.scene).map_err(|error| error.to_string())?;
         Ok(builder.rig())
     }
 
-    /// Returns the ordered voice, at rest.
     pub(crate) fn make(&self, order: &VoiceOrder<'_>) -> Result<Box<dyn TrialVoice>, String> {
         let hz = (1.0 / order.values.get(LoopQuantity::Period)).round();
         if !(RATES.0..=RATES.1).contains(&hz) {
@@ -63,7 +59,6 @@ impl InstrumentVoices {
     }
 }
 
-/// A voice under trial.
 struct TriedVoice {
     voice: AnyVoice,
     turn: VoiceOutput,

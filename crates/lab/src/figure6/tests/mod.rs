@@ -26,7 +26,6 @@ fn check_story(it: &ClosedLoop, bounces: usize) {
     assert!((seen[4].1 - 1.5).abs() < 0.04, "{seen:?}");
     let landed = guards[5..].iter().filter(|guard| **guard == "land").count();
     assert!(landed >= bounces, "{seen:?}");
-    // The second throw is harder: its hammer flies higher.
     let high = |from: f64, to: f64| {
         let rows = it.paper.rows.iter().filter(|row| (from..to).contains(&row.t));
         rows.map(|row| row.hammer).fold(f64::NEG_INFINITY, f64::max)
