@@ -21,7 +21,6 @@ use engine::voice::{BuildError, RehearsableVoice, VoiceBuilder};
 /// Error in the rehearsal of a scene's key.
 #[derive(Debug, thiserror::Error)]
 pub enum RehearsalError {
-    /// A voice cannot be built from the scene's values.
     #[error(transparent)]
     Voice(#[from] BuildError),
     /// The simulated keybed rejects the scene's period.
@@ -73,7 +72,6 @@ impl RehearsalWork {
     }
 }
 
-/// Ticks between two counts of a key.
 const PACE: u64 = 256;
 
 /// One key of the simulated keybed and its voice, in virtual time.
@@ -86,11 +84,9 @@ pub struct RehearsedKey {
     gate: KeyGate,
     tick: u64,
     period: f64,
-    /// Budget of its rehearsal.
     work: Option<Arc<RehearsalWork>>,
 }
 
-/// A boxed voice that can be cloned.
 struct Copied(Box<dyn RehearsableVoice>);
 
 impl Clone for Copied {
@@ -164,7 +160,6 @@ impl RehearsedKey {
         self.key.play(gestures);
     }
 
-    /// Applies a hand to the key from now on.
     pub fn press(&mut self, hand: HandCommand) {
         self.key.press(hand);
     }

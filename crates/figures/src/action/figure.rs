@@ -1,5 +1,3 @@
-//! Figures: values with their expected ranges.
-
 use serde::Serialize;
 
 /// A measured figure with its expected range.
@@ -7,13 +5,10 @@ use serde::Serialize;
 pub struct Figure {
     /// Name in reports, in instrument files, and for programs.
     pub name: &'static str,
-    /// Title with its unit.
     pub title: &'static str,
     /// Value; `None` if it does not apply to the instrument.
     pub value: Option<f64>,
-    /// Lowest accepted value, if one is expected.
     pub low: Option<f64>,
-    /// Highest accepted value, if one is expected.
     pub high: Option<f64>,
     /// `true` if the value exists and is in range; `None` if nothing is expected.
     pub pass: Option<bool>,

@@ -1,5 +1,3 @@
-//! All measurements of one instrument.
-
 use super::again::{quickest, return_time};
 use super::drive::StrokeTouch;
 use super::figure::{Figure, MeasuredFigures};
@@ -9,7 +7,6 @@ use super::stroke::{Miss, Stroke, durations, play, softest};
 use super::subject::PianoSubject;
 use crate::parallel::in_parallel;
 
-/// Key that represents the others, C4.
 const MIDDLE: u8 = 39;
 /// Speeds of the force curves (m/s): four of weighing, and one of playing.
 const SLOPES: [f64; 5] = [0.5e-3, 2e-3, 5e-3, 17e-3, 0.5];
@@ -55,7 +52,6 @@ impl Examination {
     }
 }
 
-/// A job with its result.
 enum Job {
     Slope(f64),
     Stroke(StrokeTouch, f64),

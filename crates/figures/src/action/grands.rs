@@ -19,11 +19,9 @@ impl Fit {
 /// Timed part of a stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StrokeTime {
-    /// Time from the key's start to the string.
     Travel,
     /// Time from the string to the key's bottom; negative if the bottom comes first.
     KeyBottom,
-    /// Time from the hammer's release to the string.
     FreeFlight,
 }
 

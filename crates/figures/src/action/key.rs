@@ -1,5 +1,3 @@
-//! One key that is driven by position.
-
 use instruments::{ModelEntry, Playable, Visitor};
 use pode::stepper::Any;
 use pode::{
@@ -31,7 +29,6 @@ pub struct StringContact {
     pub t: f64,
     /// Speed of the hammer (m/s).
     pub speed: f64,
-    /// `true` if the contact sounds.
     pub sounds: bool,
 }
 
@@ -75,7 +72,6 @@ impl Visitor for Opener<'_> {
     }
 }
 
-/// Indices of the used outputs.
 #[derive(Clone, Copy, Debug)]
 struct OutputPlaces {
     travel: Option<usize>,
@@ -100,7 +96,6 @@ struct SimulatedAction<M: Playable> {
     simulator: Simulator<M, Any>,
     places: OutputPlaces,
     scale: f64,
-    /// Input at the end of the last tick.
     input: Motion,
     log: Log,
 }
@@ -152,7 +147,6 @@ impl<M: Playable> DrivenKey for SimulatedAction<M> {
     }
 }
 
-/// Records a tick while it runs.
 struct Log {
     /// Start of the tick (s).
     t: f64,

@@ -30,7 +30,6 @@ pub struct Stroke {
     pub free_flight: Option<f64>,
     /// Height of the hammer below the string with the key held (m), if the model has it.
     pub checked: Option<f64>,
-    /// Number of strikes with the first.
     pub strikes: usize,
     /// Greatest speed of the hammer on its way (m/s), if the model has its height.
     pub thrown: Option<f64>,
@@ -52,7 +51,6 @@ impl Stroke {
     }
 }
 
-/// Reason for a missing stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Miss {
     Silent,
@@ -96,7 +94,6 @@ pub(super) fn play(
     })
 }
 
-/// Observations of a stroke.
 struct Seen {
     last: ActionSample,
     dip: f64,

@@ -7,7 +7,6 @@ use super::key::{DrivenKey, Opener};
 #[derive(Clone, Copy)]
 pub struct PianoSubject<'a> {
     pub name: &'a str,
-    /// Model of every key.
     pub model: &'a LoadedModel,
     /// Returns one value per parameter of the model for a key, 0 (A0) ..= 87 (C8).
     pub values: &'a (dyn Fn(u8) -> Vec<f64> + Sync),

@@ -1,5 +1,3 @@
-//! Draws lines, areas and text at positions in pixels.
-
 use svg::node::element::{Circle, Polygon, Polyline, Rectangle, Text};
 use svg::{Document, Node};
 

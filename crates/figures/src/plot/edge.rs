@@ -24,14 +24,13 @@ pub enum PanelSide {
     Below,
 }
 
-/// An axis at one side of a panel.
+/// An axis at a side of a panel.
 #[derive(Clone, Copy, Debug)]
 pub struct PanelEdge<'a> {
     pub axis: &'a Axis,
     pub side: PanelSide,
     /// Upper left and lower right corner of the panel.
     pub panel: [Pixel; 2],
-    /// Approximate number of labels.
     pub wanted: f64,
 }
 

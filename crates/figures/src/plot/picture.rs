@@ -45,9 +45,7 @@ const LETTER: f64 = 5.8;
 const APART: f64 = 14.0;
 /// Approximate distances of an axis's numbers, across and up (pixels).
 const NUMBERS: [f64; 2] = [66.0, 36.0];
-/// Line from a rule's label to the rule.
 const LEADER: Stroke = Stroke::new(INK, 0.5);
-/// Line at the value zero.
 const ZERO: Stroke = Stroke::new(INK, 0.75).faint(0.6);
 
 /// Panels row by row, with a title.
@@ -74,10 +72,10 @@ pub struct PicturePanel {
     pub y: Vec<PictureAxis>,
     pub areas: Vec<PictureArea>,
     pub curves: Vec<PictureCurve>,
-    /// Labelled values of the left axis.
     pub levels: Vec<(f64, String)>,
 }
 
+/// An axis of a panel.
 #[derive(Clone, Debug, Default)]
 pub struct PictureAxis {
     pub title: String,
@@ -107,6 +105,7 @@ pub struct PictureRule {
     pub stroke: Stroke,
 }
 
+/// A curve of a panel.
 #[derive(Clone, Debug)]
 pub struct PictureCurve {
     pub name: String,
@@ -194,19 +193,15 @@ impl PictureCurve {
     }
 }
 
-/// A panel with its position.
 struct DrawnPanel<'a> {
     panel: &'a PicturePanel,
     corners: [Pixel; 2],
     x: Axis,
     y: Vec<Axis>,
-    /// `true` if its x axis has numbers and a title.
     has_feet: bool,
-    /// `true` if it has a strip with failures.
     has_strip: bool,
 }
 
-/// A row of the legend: a sample and its name.
 enum LegendRow<'a> {
     Area(&'a PictureArea),
     Curve(&'a PictureCurve),
@@ -245,7 +240,6 @@ impl Picture {
         Self { title, columns: 1, size: (500.0, 284.0), panels, ..Self::default() }
     }
 
-    /// Returns `true` if any curve has a point.
     pub fn has_points(&self) -> bool {
         self.panels.iter().flat_map(|it| &it.curves).any(|it| it.points().next().is_some())
     }

@@ -18,7 +18,6 @@ const GAINS: [f64; 8] = [1.1, 1.25, 1.4, 1.6, 2.0, 2.5, 3.2, 4.0];
 #[derive(Clone, PartialEq, Debug)]
 pub struct RangeStability {
     pub keys: KeyRange,
-    /// Model of the keys.
     pub model: &'static str,
     /// First unstable key; `None` if all tried ones are stable.
     pub unstable: Option<UnstableKey>,
@@ -33,19 +32,15 @@ pub struct RangeStability {
 pub struct UnstableKey {
     pub key: KeyIndex,
     pub model: &'static str,
-    /// Symptom of the key.
     pub does: &'static str,
-    /// Finger of the trial.
     pub finger: &'static str,
     pub tick_hz: u32,
     /// Delay of the rig in the trial (s).
     pub delay: f64,
-    /// Nearest settings that are stable.
     pub remedy: Option<Remedy>,
 }
 
 impl UnstableKey {
-    /// Describes the problem without the remedy.
     pub fn what(&self) -> String {
         let Self { key, model, does, finger, tick_hz, delay, .. } = self;
         let delay = if 0.0 < *delay {

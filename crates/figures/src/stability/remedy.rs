@@ -13,6 +13,7 @@ const RATES: [u32; 6] = [250, 500, 1000, 2000, 4000, 10_000];
 /// Densities of jerk, from a slow filter to a fast one (m²/s⁵).
 const DENSITIES: [f64; 5] = [10.0, 300.0, 1e4, 1e5, 1e6];
 
+/// Settings that make keys stable.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Remedy {
     pub tick_hz: Option<u32>,
@@ -52,7 +53,6 @@ pub(super) fn nearest(
     Ok(None)
 }
 
-/// Returns other settings, the nearest first.
 fn candidates(scene: &Scene) -> Vec<Remedy> {
     let is_controlled = scene.render.passivity == PassivityMode::Control;
     let control = (!is_controlled).then_some(Remedy {

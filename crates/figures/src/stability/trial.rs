@@ -12,9 +12,7 @@ use crate::rehearsal::{RehearsalError, RehearsedKey};
 /// Symptom of an unstable loop.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Instability {
-    /// Its voice fails during play.
     Fault(VoiceFault),
-    /// It sounds without a finger.
     Untouched,
     /// It sounds repeatedly under a finger that holds it.
     Chatters,
@@ -35,7 +33,6 @@ impl Instability {
     }
 }
 
-/// A trial with an unstable key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct UnstableTrial {
     pub(super) key: KeyIndex,
@@ -45,7 +42,6 @@ pub(super) struct UnstableTrial {
     pub(super) instability: Instability,
 }
 
-/// Extreme fingers, with their names.
 const FINGERS: [(&str, FingerParameters); 3] = [
     ("an ordinary", FingerParameters::ORDINARY),
     ("a stiff", FingerParameters::STIFF),
@@ -139,13 +135,11 @@ fn play(mut key: RehearsedKey, dip: f64) -> Option<Instability> {
     seen.shakes(dip).then_some(Instability::Shakes)
 }
 
-/// Observations of a key in a trial.
 #[derive(Clone, Copy, Debug, Default)]
 struct TrialLog {
     /// Strikes since the start of the latest stroke.
     strikes: usize,
     stroke: usize,
-    /// Motion of the key in both halves of the trial's end.
     end: [Swing; 2],
     position: f64,
 }

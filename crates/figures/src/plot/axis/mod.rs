@@ -1,5 +1,3 @@
-//! An axis: positions of values, and round numbers of the grid.
-
 mod linear;
 mod logarithmic;
 
