@@ -118,7 +118,6 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// Returns a gate of 20 N and 5000 N/s.
     fn gate() -> ForceGate {
         ForceGate::new(20.0, 5000.0).unwrap()
     }

@@ -2,7 +2,6 @@
 
 use super::{Estimator, KeyMotion, assert_positive};
 
-/// Maximum samples of a window.
 const LONGEST: usize = 16;
 
 /// First-order adaptive window: fast while the key is fast, smooth while it is slow.
@@ -14,7 +13,6 @@ const LONGEST: usize = 16;
 pub struct AdaptiveWindow {
     /// Displacement of one count (m).
     quantum: f64,
-    /// Newest samples, the newest first.
     past: [TimedPosition; LONGEST],
     len: usize,
 }

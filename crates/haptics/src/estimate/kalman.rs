@@ -58,7 +58,6 @@ pub struct Kalman {
     acceleration: f64,
 }
 
-/// Corrections of position, velocity and acceleration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct KalmanGains {
     /// Per metre of the position's innovation (1, 1/s, 1/s²).
@@ -143,7 +142,6 @@ impl Kalman {
         gains
     }
 
-    /// Advances to a sample with or without a measured speed.
     #[inline]
     fn follow(&mut self, position: f64, velocity: Option<f64>, elapsed: f64) -> KeyMotion {
         // A speed with unknown steps has no weight.

@@ -48,6 +48,7 @@ impl KeyMotion {
     }
 }
 
+/// Estimates motion from positions, regularly one per period.
 pub trait Estimator {
     /// Accepts the next measured position (m), finite, `elapsed` (s), above 0, after the previous
     /// one; returns the motion at that sample.

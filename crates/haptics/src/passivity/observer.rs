@@ -1,5 +1,3 @@
-//! Detects a key that returns more energy than the hand put in.
-
 /// Bound on the energy that a voice may return.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyBound {

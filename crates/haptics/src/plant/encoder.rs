@@ -1,5 +1,3 @@
-//! Encoder: rounds a position to counts.
-
 /// An encoder with a fixed displacement per count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encoder {

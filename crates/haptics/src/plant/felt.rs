@@ -11,7 +11,6 @@ pub struct Felt {
     pub damping: f64,
 }
 
-/// Side of the key with the felt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum FeltSide {
     /// Touched by a key that is up; pushes it down.

@@ -104,7 +104,6 @@ impl Default for FingerParameters {
 /// State of a fingertip, down positive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finger {
-    /// Parameters of the unbraced finger.
     parameters: FingerParameters,
     /// Parameters at the present bracing.
     braced: FingerParameters,
