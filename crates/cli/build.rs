@@ -19,7 +19,6 @@ fn main() {
     }
 }
 
-/// Returns git's output, in a repository with git.
 fn git(arguments: &[&str]) -> Option<String> {
     let output = Command::new("git").args(arguments).output().ok()?;
     let text = String::from_utf8(output.stdout).ok().filter(|_| output.status.success())?;

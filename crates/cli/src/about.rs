@@ -43,14 +43,12 @@ pub struct ReportHeader {
 }
 
 impl ReportHeader {
-    /// Returns the header of a report of this command.
     pub fn new() -> Self {
         start();
         let started = STARTED.get().copied().map(utc).unwrap_or_default();
         Self { format: FORMAT, version: version(), started }
     }
 
-    /// Returns the fields, for a report that another crate writes.
     pub fn fields(&self) -> serde_json::Map<String, serde_json::Value> {
         match serde_json::to_value(self) {
             Ok(serde_json::Value::Object(fields)) => fields,

@@ -1,5 +1,3 @@
-//! Arguments of several commands.
-
 use firmware_protocol::key::KeyIndex;
 
 pub const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
@@ -58,13 +56,11 @@ pub fn bytes(text: &str) -> Result<u64, String> {
     Ok(bytes as u64)
 }
 
-/// Parses a finite number.
 pub fn number(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|number: &f64| number.is_finite());
     number.ok_or_else(|| format!("`{text}` is not a number: write digits, as 1.5"))
 }
 
-/// Parses `name=value` into its parts.
 pub fn assignment(text: &str) -> Result<(String, String), String> {
     let (name, value) =
         text.split_once('=').ok_or_else(|| format!("`{text}` has no `=`: write name=value"))?;

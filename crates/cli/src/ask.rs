@@ -5,7 +5,6 @@ use std::io::Write;
 use super::Failure;
 use host::control::{Reply, Request, send_to_host};
 
-/// Sends `request`; `refused` converts a rejection.
 pub(super) fn ask(
     request: &Request,
     refused: fn(String) -> Failure,

@@ -1,5 +1,3 @@
-//! The main thread during a run: signals, the live line, news, and the service manager.
-
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -25,17 +23,14 @@ pub(super) struct RunAttendant<'a> {
     pub(super) log: &'a StderrLog,
     pub(super) counters: Arc<LiveCounters>,
     pub(super) line: StatusLine,
-    /// Lines for the log, after the first tick.
     pub(super) news: Vec<String>,
     pub(super) stop: Arc<AtomicBool>,
-    /// File of the scene, if it has one.
     pub(super) file: Option<SceneFile>,
     /// `true` if the file must be read again as soon as the run can be changed.
     pub(super) is_reload_due: bool,
 }
 
 impl RunAttendant<'_> {
-    /// Attends to the run until `running` ends, and returns its result.
     pub(super) async fn until_over<T>(
         &mut self,
         mut running: JoinHandle<T>,

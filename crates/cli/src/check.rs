@@ -23,7 +23,6 @@ pub struct CheckArgs {
     pub json: bool,
 }
 
-/// Checks all files; fails if one is invalid.
 pub(super) fn run(args: &CheckArgs, out: &mut dyn Write) -> Result<(), Failure> {
     let mut wrong = Vec::new();
     for file in &args.files {

@@ -1,5 +1,3 @@
-//! Starts and ends other programs.
-
 use std::io;
 use std::os::unix::process::CommandExt as _;
 use std::path::PathBuf;
@@ -90,7 +88,6 @@ impl ChildProgram {
         let _gone = id.map(|id| kill_process(id, signal));
     }
 
-    /// Returns `true` if it ends in time.
     fn goes(&mut self) -> bool {
         for _ in 0..LOOKS {
             if !self.is_there() {

@@ -44,13 +44,10 @@ const PATIENCE: Duration = Duration::from_mins(1);
 /// Interval between checks for the host.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Stream or recording for a window.
 #[derive(Clone, PartialEq, Eq, Debug)]
 struct DashTarget {
     target: String,
-    /// Token for the host.
     token: Option<String>,
-    /// Fingerprint of the host's certificate.
     fingerprint: Option<String>,
 }
 
@@ -78,7 +75,6 @@ pub(super) fn run(args: &DashArgs, out: &mut dyn Write) -> Result<(), Failure> {
     })
 }
 
-/// Prints the address of the running host for other viewers.
 fn print(out: &mut dyn Write) -> Result<(), Failure> {
     let place = whereabouts();
     let DashTarget { target, token, fingerprint } = place.map_err(|absent| match absent {
@@ -118,7 +114,6 @@ impl DashTarget {
         Self { target: target.to_owned(), token, fingerprint }
     }
 
-    /// Returns the command that opens a window on the target.
     fn window(self, program: PathBuf) -> Command {
         let mut window = Command::new(program);
         window.arg(self.target);
@@ -133,7 +128,6 @@ impl DashTarget {
     }
 }
 
-/// Reason for a missing stream.
 enum Absent {
     Nobody(String),
     /// A host runs, and still tries its keys.
@@ -142,7 +136,6 @@ enum Absent {
     Refused(String),
 }
 
-/// Returns the stream of the running host, with its token.
 fn whereabouts() -> Result<DashTarget, Absent> {
     match send(&socket_path(), &Request::Where {}) {
         Ok(Ok(Reply::Where { address, token })) => Ok(DashTarget::said(&address, token)),
@@ -186,7 +179,6 @@ async fn start(signals: &mut Signals) -> Result<Option<(ChildProgram, DashTarget
             return Ok(Some((host, place)));
         }
         if let Some(status) = host.ended().map_err(failed)? {
-            // The host has printed its failure.
             return Err(Failure::Running(format!("the host that was started ended: {status}")));
         }
     }
@@ -209,7 +201,6 @@ async fn show(mut window: Command, signals: &mut Signals) -> Result<(), Failure>
     let mut window = ChildProgram::start(&mut window, EndMode::Brief).map_err(failed)?;
     match window.end(signals).await.map_err(system)? {
         Some(status) if !status.success() => {
-            // The window has printed its failure.
             Err(Failure::Running(format!("the window ended: {status}")))
         }
         Some(_) | None => Ok(()),

@@ -1,5 +1,3 @@
-//! The endpoints of a running command: the control socket and the stream.
-
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -22,12 +20,10 @@ pub(super) struct Endpoints {
     requests: Option<Arc<RequestHandler>>,
 }
 
-/// A stream with its server.
 #[derive(Debug)]
 struct ServedStream {
     publisher: Publisher,
     closer: Closer,
-    /// Its address in a sentence.
     news: String,
     serving: JoinHandle<std::io::Result<()>>,
 }
@@ -79,7 +75,6 @@ impl Endpoints {
         self.requests.as_ref().map(Arc::clone)
     }
 
-    /// Streams the telemetry of `session`.
     pub(super) fn observe(&self, session: &RunSession) {
         if let Some(stream) = &self.stream {
             session.observe(Box::new(StreamSink::new(stream.publisher.clone())));
@@ -161,7 +156,6 @@ pub(super) fn listen<A: Answers>(answers: &Arc<A>) -> (Clients, Reach) {
     (clients, Reach { notice, unstoppable })
 }
 
-/// A listening stream that is not served yet.
 struct ListeningStream {
     server: StreamServer,
     address: StreamAddress,

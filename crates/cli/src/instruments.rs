@@ -147,7 +147,6 @@ impl From<&instruments::ModeEntry> for ModeInfo {
     }
 }
 
-/// Prints the instruments and models, or one model's parameters.
 pub(super) fn run(args: &InstrumentsArgs, out: &mut dyn Write) -> Result<(), Failure> {
     if let Some(Action::Use { instrument, keys }) = &args.action {
         return switch(instrument, keys.clone(), out);
@@ -214,7 +213,6 @@ fn print_model(model: &ModelInfo, out: &mut dyn Write) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints the coordinates of a mode, and the targets of its guards.
 fn print_mode(mode: &ModeInfo, out: &mut dyn Write) -> Result<(), Failure> {
     let ModeInfo { name, n, m, p, guards } = mode;
     let degrees = counted(*p, "degree of freedom", "degrees of freedom");

@@ -108,6 +108,7 @@ pub enum Command {
     MidiGuardian(midi_guardian::MidiGuardianArgs),
 }
 
+/// Failure of a command, with its exit code.
 #[derive(Debug)]
 pub enum Failure {
     /// Failure during a run: exit code 1.
@@ -129,7 +130,6 @@ impl Failure {
         ))
     }
 
-    /// Prints the failure on stderr and returns the exit code.
     fn tell(self) -> ExitCode {
         let (code, text) = match self {
             Self::Unread => return ExitCode::SUCCESS,
@@ -188,7 +188,6 @@ pub fn main_thread(name: &str, program: impl FnOnce() -> ExitCode + Send + 'stat
     }
 }
 
-/// Warns if models are interpreted: ticks have less room then.
 fn report_interpretation() {
     if let Some(reason) = mechanism::interpreted() {
         let text =

@@ -20,7 +20,6 @@ pub(super) const REFRESH: Duration = Duration::from_millis(200);
 /// Interval of lines about a rehearsal without a terminal.
 const LINE_EVERY: Duration = Duration::from_secs(3);
 
-/// Printing of a rehearsal's progress without a terminal.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ProgressLines {
     Told,
@@ -31,7 +30,6 @@ pub(super) enum ProgressLines {
 pub(super) struct RehearsalProgress {
     bar: ProgressBar,
     lines: ProgressLines,
-    /// Number of printed lines.
     n_lines: Arc<AtomicU64>,
 }
 
@@ -42,7 +40,6 @@ impl RehearsalProgress {
         Self { bar, lines, n_lines: Arc::default() }
     }
 
-    /// Shows the progress; called by the threads that rehearse.
     pub(super) fn show(&self, progress: PianistProgress) {
         let PianistProgress { done, total } = progress;
         self.bar.set_length(total as u64);
@@ -64,7 +61,6 @@ impl RehearsalProgress {
     }
 }
 
-/// Live line of a running host.
 #[derive(Debug)]
 pub(super) struct StatusLine {
     bar: ProgressBar,
@@ -108,7 +104,6 @@ impl StatusLine {
     }
 }
 
-/// Progress of keys that are measured one after the other.
 #[derive(Debug)]
 pub(super) struct KeyProgress(ProgressBar);
 

@@ -22,7 +22,6 @@ pub(super) enum LogFormat {
     Plain,
     /// Level before each line, for journald.
     Journal,
-    /// One object per line.
     Json,
 }
 
@@ -98,7 +97,6 @@ pub(super) struct LogLines {
 
 #[derive(Debug, Default)]
 struct LogState {
-    /// Bar at the end of the terminal.
     bar: Mutex<Option<ProgressBar>>,
     left_out: std::sync::atomic::AtomicU64,
 }
@@ -131,7 +129,6 @@ impl StderrLog {
         *self.shared.bar.lock().unwrap_or_else(PoisonError::into_inner) = Some(bar);
     }
 
-    /// Writes a line without waiting for the terminal.
     pub(super) fn say(&self, text: String) {
         self.lines().say(Level::Info, text);
     }

@@ -14,7 +14,6 @@ pub struct MidiGuardianArgs {
     pub path: PathBuf,
 }
 
-/// Serves hosts until no host returns.
 pub(super) fn run(args: &MidiGuardianArgs) -> Result<(), Failure> {
     host::guardian::attend(&args.path).map_err(|error| {
         Failure::Usage(format!(

@@ -49,7 +49,6 @@ struct Planned {
     hz: f64,
     /// Worst-case share of its time.
     load: f64,
-    /// Highest rate with these packings.
     most_hz: f64,
     /// Worst-case time until the last force frame.
     force_response_us: Option<f64>,
@@ -134,7 +133,6 @@ fn proposal(plan: &BusPlan, links: Option<usize>) -> Proposed {
     }
 }
 
-/// Describes the best use of the link in a sentence.
 fn proposed(plan: &BusPlan) -> String {
     let packing = |plan: &BusPlan| {
         let (samples, forces) = (name(&SAMPLES, plan.samples), name(&FORCES, plan.forces));
@@ -160,7 +158,6 @@ fn proposed(plan: &BusPlan) -> String {
     }
 }
 
-/// Returns a packing's name in scenes.
 fn name<T: PartialEq + Copy>(names: &[(&'static str, T)], wanted: T) -> &'static str {
     names.iter().find(|(_, it)| *it == wanted).map_or("", |(name, _)| name)
 }

@@ -71,7 +71,6 @@ fn weight(key: KeyIndex, velocity: Velocity) -> Result<f64, Failure> {
     found.map_err(|error| Failure::Usage(error.to_string()))
 }
 
-/// Waits for the end of the press, a signal, or the host's end.
 async fn wait(
     length: Option<f64>,
     connection: UnixStream,

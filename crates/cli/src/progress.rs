@@ -1,5 +1,3 @@
-//! Bars and counts for long work.
-
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Returns a bar of `runs`, on stderr at a terminal.

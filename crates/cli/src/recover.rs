@@ -32,7 +32,6 @@ pub struct RecoverArgs {
     pub json: bool,
 }
 
-/// Saved messages, as JSON.
 #[derive(Debug, Serialize)]
 struct Saved {
     file: String,
@@ -115,7 +114,6 @@ impl Saved {
         }
     }
 
-    /// Describes the losses; empty if there are none.
     fn losses(&self) -> Vec<String> {
         let pieces = match self.damaged {
             0 => None,

@@ -199,7 +199,6 @@ struct BegunHost {
     starting: Arc<StartingHost>,
     clients: Clients,
     reach: Reach,
-    /// File of the scene, if it can be read again.
     file: Option<SceneFile>,
 }
 

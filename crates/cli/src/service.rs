@@ -29,7 +29,6 @@ pub(super) struct ServiceNotifier {
 }
 
 impl ServiceNotifier {
-    /// Reports on the run behind `handle` from now on.
     pub(super) fn new(handle: Arc<RunHandle>) -> Self {
         // Three messages in the allowed time: one busy moment does not end the service.
         let feeding = watchdog_enabled().map(|longest| longest / 3);
@@ -44,7 +43,6 @@ impl ServiceNotifier {
         }
     }
 
-    /// Does `work`, and reports its progress.
     pub(super) async fn beside<T>(&mut self, work: impl Future<Output = T>) -> T {
         let mut work = pin!(work);
         let mut looks = tokio::time::interval(LOOK);
@@ -76,7 +74,6 @@ impl ServiceNotifier {
         }
     }
 
-    /// Reports the run's state if it changed.
     fn tell_status(&mut self) {
         let status = self.handle.status.read();
         let line = status.line();
@@ -111,7 +108,6 @@ fn say(states: &[NotifyState<'_>]) {
     let _unheard = notify(states);
 }
 
-/// Detects whether ticks ran in time since the last check.
 #[derive(Debug, Default)]
 struct TickWatch {
     ticks: u64,

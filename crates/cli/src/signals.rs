@@ -1,5 +1,3 @@
-//! Signals, for commands that run until they are stopped.
-
 use std::io;
 use std::os::unix::net::UnixStream;
 

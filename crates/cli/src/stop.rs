@@ -5,7 +5,6 @@ use std::io::Write;
 use super::{Failure, tell};
 use host::control::{AskedHost, Reply, hosts_elsewhere, stop_hosts};
 
-/// Stops all hosts of this user with their boards.
 pub(super) fn run(out: &mut dyn Write) -> Result<(), Failure> {
     let stopped = report(&stop_hosts(), out);
     for pid in hosts_elsewhere() {

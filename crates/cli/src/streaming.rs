@@ -51,7 +51,6 @@ const DEFAULT: &str = "127.0.0.1:8765";
 #[derive(Debug)]
 pub(super) struct WantedStream {
     settings: ServerSettings,
-    /// Folders in which clients may name files.
     pub(super) folders: Folders,
     /// `true` for the default, without an option.
     is_usual: bool,
@@ -151,7 +150,6 @@ impl WantedStream {
         format!("streams at {url}")
     }
 
-    /// Returns the secret of an owner, if there are secrets.
     pub(super) fn owner(&self) -> Option<String> {
         let owner = self.settings.tokens.iter().find(|token| token.role == Role::Owner)?;
         Some(owner.secret.clone())

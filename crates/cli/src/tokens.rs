@@ -15,7 +15,7 @@ const LONGEST: u64 = 1 << 16;
 /// Bits of a file's mode by which others may read or write.
 const OTHERS: u32 = 0o006;
 
-/// Maximum mistakes in one message.
+/// Mistakes named in one message.
 const MOST_TOLD: usize = 10;
 
 /// Reads the rights of clients; warns if others on this machine may read or write the file.
@@ -38,7 +38,6 @@ pub(super) fn read(file: &Path) -> Result<Vec<Token>, String> {
     Ok(tokens)
 }
 
-/// Returns the text and mode of the file.
 fn text(file: &Path) -> io::Result<(String, u32)> {
     let opened = documents::open_input(file)?;
     let mode = opened.metadata()?.permissions().mode();

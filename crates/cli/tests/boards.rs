@@ -416,7 +416,6 @@ fn calibration_is_stopped_as_a_run_is() {
                     assert!(out.starts_with("stopped: 1 of 1 boards"), "{out}");
                 }
                 Some(signal) => {
-                    // The first of two keys is measured and stored.
                     let is_half = || folder.read("complaints").contains("1 of 2 keys done");
                     eventually("a key", || is_half().then_some(()));
                     let id = i32::try_from(calibrate.id()).ok().and_then(Pid::from_raw);

@@ -12,10 +12,8 @@ use host::control::{Answers, Clients, ControlServer, Reply, Request, serve};
 
 use crate::typed::Folder;
 
-/// Maximum time of a short operation.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Runs the command with `arguments` under a `limit` of the shell's.
 fn letoff(limit: &str, arguments: &str, folder: &Folder) -> Output {
     let script = format!("ulimit {limit} && exec {} {arguments}", env!("CARGO_BIN_EXE_letoff"));
     folder.command(Path::new("/bin/sh"), &["-c", &script]).output().expect("a shell")

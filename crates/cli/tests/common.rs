@@ -17,10 +17,8 @@ use scheduler::time::Nanos;
 
 use crate::machine_time::{Task, WaitWatch};
 
-/// Interval between checks whether a board is armed.
 const LOOK: Nanos = Nanos::from_millis(10);
 
-/// A simulated board behind a port.
 pub(crate) struct Board {
     pub(crate) port: PathBuf,
     pub(crate) uid: Uid,
@@ -63,7 +61,6 @@ impl Board {
         format!("serial:{}", self.port.display())
     }
 
-    /// Stops the board; returns its final state.
     pub(crate) fn stop(mut self) -> BoardProcess {
         self.stop.store(true, Ordering::Release);
         self.thread.take().expect("it lives").join().expect("it lives well")

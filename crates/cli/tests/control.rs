@@ -66,7 +66,6 @@ fn ask(path: &Path, request: &Request) -> Result<String, String> {
     }
 }
 
-/// Sends `line` unchanged and returns the answer.
 fn say(path: &Path, line: &[u8]) -> String {
     let mut stream = UnixStream::connect(path).expect("a host");
     // A host may close before it has read all.

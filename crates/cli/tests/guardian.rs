@@ -50,7 +50,7 @@ fn write_piece(path: PathBuf) {
     piece.finish().expect("a file");
 }
 
-/// Notes that a synthesizer at the other end of a FIFO received.
+/// Notes received at the other end of a FIFO.
 #[derive(Default)]
 struct Heard {
     messages: Vec<[u8; 3]>,
@@ -118,13 +118,11 @@ impl Stand {
         self.heard.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Waits until `is_so` holds of the received notes.
     #[track_caller]
     fn hears(&self, what: &str, is_so: impl Fn(&Heard) -> bool) {
         eventually(what, || is_so(&self.heard()).then_some(()));
     }
 
-    /// Returns the process ids of the guardians of this folder's hosts.
     fn guardians(&self) -> Vec<i32> {
         let path = self.folder.join("socket.midi").display().to_string();
         let is_one = |words: &[String]| {
@@ -157,7 +155,6 @@ fn listen(mut cable: File, heard: &Mutex<Heard>) {
     }
 }
 
-/// Returns all processes with their arguments.
 fn processes() -> Vec<(i32, Vec<String>)> {
     let entries = fs::read_dir("/proc").expect("/proc").filter_map(Result::ok);
     let process = |path: PathBuf| {

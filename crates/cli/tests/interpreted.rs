@@ -47,7 +47,6 @@ fn interpreted_models_move_as_compiled_ones_and_one_line_says_so() {
     assert_eq!(printed(&interpreted), printed(&compiled));
 }
 
-/// Reports on stderr, past the test harness, what was not tested.
 fn skip(why: &str) {
     let _closed = writeln!(std::io::stderr(), "SKIPPED: {why}: interpretation was not tested");
 }

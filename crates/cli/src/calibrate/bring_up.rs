@@ -30,7 +30,6 @@ pub(super) struct MeasuredBoard {
     pub(super) file: PathBuf,
 }
 
-/// Selected boards that are not armed yet.
 pub(super) struct Ready {
     pub(super) boards: Vec<MeasuredBoard>,
     pub(super) keybed: Keybed<Calibrated>,
@@ -117,7 +116,6 @@ fn identified(asked: &Boards, only: Option<u8>) -> Result<Keybed<Identified>, Fa
     }
 }
 
-/// Reports that no board has `what`.
 fn nobody(asked: &Boards, what: &str) -> Failure {
     let links: Vec<_> =
         asked.buses.iter().map(|bus| format!("--link {}", bus.address.typed())).collect();

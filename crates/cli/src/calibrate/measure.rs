@@ -56,7 +56,6 @@ fn keys(board: &MeasuredBoard) -> Vec<KeyIndex> {
     (keys.first..keys.first.saturating_add(keys.n)).map_while(KeyIndex::new).collect()
 }
 
-/// Measures the keys of one board, until a stop.
 fn board(
     board: &MeasuredBoard,
     bench: &mut Bench,
@@ -92,7 +91,6 @@ fn board(
     outcome
 }
 
-/// Measures one resting key.
 fn key(
     board: &MeasuredBoard,
     bench: &mut Bench,

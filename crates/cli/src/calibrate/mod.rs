@@ -88,7 +88,6 @@ fn grams(text: &str) -> Result<f64, String> {
     }
 }
 
-/// External stops of measurements.
 #[derive(Clone, Default)]
 struct Endings {
     /// `letoff stop`: the boards render no force from then on, and stay stopped.
@@ -98,7 +97,6 @@ struct Endings {
 }
 
 impl Endings {
-    /// Returns the end of the measurements, if any; performs an emergency stop.
     fn look(&self, keybed: &mut Keybed<Armed>) -> Option<Ending> {
         if self.emergency.is_asked() {
             self.emergency.answer(stop_all(keybed));

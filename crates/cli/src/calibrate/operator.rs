@@ -1,5 +1,3 @@
-//! Questions to the operator at the terminal.
-
 use std::io::{self, BufRead, IsTerminal as _, Write as _};
 use std::path::PathBuf;
 
@@ -21,7 +19,6 @@ impl Operator {
         Self { is_there: io::stdin().is_terminal(), agrees: args.yes }
     }
 
-    /// Rejects `what` without a terminal.
     pub(super) fn must_be_there(&self, what: &str) -> Result<(), Failure> {
         if self.is_there {
             return Ok(());
@@ -29,7 +26,6 @@ impl Operator {
         Err(Failure::Usage(format!("{what} needs somebody at a terminal; leave it out here")))
     }
 
-    /// Asks whether existing files may be overwritten.
     pub(super) fn may_overwrite(&self, files: &[PathBuf]) -> Result<(), Failure> {
         if files.is_empty() || self.agrees {
             return Ok(());

@@ -20,7 +20,6 @@ use super::measure::again;
 use super::{CalibrateArgs, Endings, attended};
 use crate::{Failure, print_report};
 
-/// Results for a key.
 #[derive(Debug, Serialize)]
 struct RangeReport {
     key: String,
@@ -36,7 +35,6 @@ struct RangeReport {
     model_b: Vec<ModelRow>,
 }
 
-/// Results for an object, in SI units.
 #[derive(Debug, Serialize)]
 struct ObjectRow {
     object: &'static str,
@@ -50,12 +48,10 @@ struct ObjectRow {
     passive: f64,
 }
 
-/// A stiffness of model B.
 #[derive(Debug, Serialize)]
 struct ModelRow {
     parameter: &'static str,
     unit: &'static str,
-    /// Value of the preset for the key.
     has: f64,
     /// Largest stiffness that the rig renders.
     renders: Option<f64>,
@@ -172,7 +168,6 @@ fn model_b(key: KeyIndex, front: Option<f64>) -> Vec<ModelRow> {
     vec![row("k1", "N·m/rad", torsion), row("k2", "N/m", torsion / (slider * slider))]
 }
 
-/// Prints a table with its explanation.
 fn print(report: &RangeReport, out: &mut dyn Write) -> Result<(), Failure> {
     let RangeReport { key, board, tick_hz, estimator, travel_mm, friction_n, .. } = report;
     writeln!(
@@ -208,7 +203,6 @@ fn print(report: &RangeReport, out: &mut dyn Write) -> Result<(), Failure> {
     )?)
 }
 
-/// Formats a value with three digits and its unit.
 fn shown(value: Option<f64>, unit: &str) -> String {
     let Some(value) = value else { return "none".to_owned() };
     let (value, unit) = if unit == "kg" { (1e3 * value, "g") } else { (value, unit) };

@@ -17,7 +17,6 @@ use time::macros::format_description;
 
 use super::bring_up::MeasuredBoard;
 
-/// Format of the date in files.
 const MADE: &[BorrowedFormatItem<'_>] =
     format_description!("[year]-[month]-[day] [hour]:[minute] UTC");
 
@@ -40,17 +39,14 @@ pub(super) struct MeasuredKeyRow {
     pub(super) gain: f64,
 }
 
-/// Results for the keys of one board.
 #[derive(Debug, Default)]
 pub(super) struct MeasureOutcome {
     /// All keys, in the order of slots; `None` for one that was not measured.
     pub(super) keys: Vec<(KeyIndex, Option<KeyCalibration>)>,
-    /// Faults of the others.
     pub(super) refusals: Vec<Refusal>,
     pub(super) is_stopped: bool,
 }
 
-/// The files that were written, and the mistakes.
 #[derive(Debug, Default)]
 pub(super) struct CalibrationRecord {
     pub(super) written: Vec<Written>,
@@ -159,7 +155,6 @@ fn before(board: &MeasuredBoard, n: usize) -> Vec<Option<KeyCalibration>> {
     known.map_or_else(|| vec![None; n], |sheet| sheet.keys.as_slice().to_vec())
 }
 
-/// Returns the file of a board with these known keys.
 fn sheet(board: &MeasuredBoard, keys: &[Option<KeyCalibration>]) -> file::CalibrationSheet {
     file::CalibrationSheet {
         uid: board.found.uid(),

@@ -51,9 +51,7 @@ pub(super) struct TickClock {
     pub(super) until: f64,
     /// Number of ticks; the last may be shorter.
     pub(super) ticks: u64,
-    /// Method with its tolerance.
     pub(super) method: StudiedMethod,
-    /// Limits of a tick, and the tolerance of events.
     pub(super) limits: Limits,
 }
 
@@ -154,7 +152,6 @@ fn check_range(
     }
 }
 
-/// A model with its initial state.
 #[derive(Debug)]
 pub(super) struct Start<M: Described> {
     pub(super) model: M,

@@ -35,14 +35,12 @@ fn handed_on<M: Playable>(method: &StudiedMethod, model: &M) -> Vec<(&'static st
     taken.filter(|(_, taken)| *taken != method.name()).collect()
 }
 
-/// Returns the choice in each mode, by its name.
 fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static str, Choice)> {
     let choice =
         |mode: M::Mode| by_need.choice(&model.nature(mode), model.longest_step(mode).min(step));
     model.modes().map(|(mode, name)| (name, choice(mode))).collect()
 }
 
-/// A simulation with a method that is known by its name only.
 struct Driving<'a, M: Playable> {
     start: &'a Start<M>,
     plan: (&'a TickClock, &'a InputSignal),
@@ -101,7 +99,6 @@ fn drive<M: Playable, T: Stepper>(
     Ok(SimulationReport { held: input.held(clock.until), ..report })
 }
 
-/// Input over one tick, with its bounds.
 struct TickSignal<'a> {
     clock: &'a TickClock,
     input: &'a InputSignal,

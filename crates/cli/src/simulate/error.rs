@@ -55,13 +55,12 @@ impl SimulateError {
     }
 }
 
+/// A mistake in the arguments or in the input file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulateMistake {
-    /// The model is unknown, or its description has mistakes.
     #[error("{}", .0.rendered())]
     Model(MissingModel),
-    /// Values of parameters that do not fit together.
     #[error("{model} needs {condition}, which does not hold: choose other parameters")]
     Unmet {
         model: &'static str,
@@ -80,7 +79,6 @@ pub enum SimulateMistake {
     #[error("`{option} {name}={text}`: `{text}` is not a finite number")]
     NotANumber {
         option: &'static str,
-        /// Name before the `=`.
         name: String,
         /// Text after the `=`.
         text: String,
@@ -148,7 +146,6 @@ fn short(number: f64) -> String {
     text.strip_suffix(".0").map_or_else(|| text.clone(), str::to_owned)
 }
 
-/// Returns the unit after a number; a ratio has none.
 fn after_number(unit: &str) -> String {
     if unit == "1" { String::new() } else { format!(" {unit}") }
 }

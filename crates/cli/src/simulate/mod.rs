@@ -60,7 +60,6 @@ pub fn run(
     model.visit(job)
 }
 
-/// Work that needs the model's type.
 struct SimulationJob<'a> {
     args: &'a SimulateArgs,
     clock: TickClock,

@@ -132,7 +132,6 @@ impl OutputFiles {
         self.failure.take().map_or(Ok(()), Err)
     }
 
-    /// Flushes the tables, and writes the plot.
     pub(super) fn finish(self) -> Result<(), SimulateError> {
         // Try all: one failure is no reason to lose the others.
         let plotted = self.plot.map_or(Ok(()), Plot::finish);

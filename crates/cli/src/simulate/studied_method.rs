@@ -28,7 +28,6 @@ impl Default for StudiedMethod {
 }
 
 impl StudiedMethod {
-    /// Returns the names of all methods.
     pub fn names() -> impl Iterator<Item = &'static str> + Clone {
         Any::NAMES.iter().copied().chain([Taylor::NAME])
     }
@@ -38,7 +37,6 @@ impl StudiedMethod {
         Any::TOLERANT.iter().copied().chain([Taylor::NAME])
     }
 
-    /// Returns the method called `name` with its defaults.
     pub fn named(name: &str) -> Option<Self> {
         if name == Taylor::NAME {
             return Some(Self::Taylor(Taylor::default()));
@@ -77,7 +75,6 @@ impl StudiedMethod {
         })
     }
 
-    /// Applies `visitor` to the method.
     pub fn visit<V: MethodVisitor>(self, visitor: V) -> V::Output {
         match self {
             Self::OneOfMany(method) => visitor.visit(method),

@@ -81,7 +81,6 @@ pub(super) struct Capped {
 }
 
 impl Capped {
-    /// Formats the reached maxima with their counts for people.
     fn told(&self) -> String {
         let Self { events, cascade, guards, pieces } = *self;
         let limits = Limits::default();
@@ -129,7 +128,6 @@ impl RunFailure {
         }
     }
 
-    /// Describes failure and remedy for people.
     const fn sentence(self) -> &'static str {
         match self {
             Self::Input => "the input s or a derivative of it is not finite there",
@@ -157,7 +155,6 @@ impl RunFailure {
 const MOST_ENERGY_ERROR: f64 = 0.01;
 
 impl SimulationReport {
-    /// Returns the command's result once everything is written.
     pub(super) fn into_result(self, args: &SimulateArgs) -> Result<(), SimulateError> {
         let Self { model, t, mode, .. } = self;
         let capped = self.capped.occurred();
@@ -215,7 +212,6 @@ impl SimulationReport {
         })
     }
 
-    /// Describes unexpected results in lines.
     fn remarks(&self) -> String {
         let mut lines: Vec<_> = self
             .handed_on
@@ -294,7 +290,6 @@ impl SimulationReport {
     }
 }
 
-/// Formats `events 3, guards 1`
 fn list(capped: &[(&'static str, u64)]) -> String {
     let counts: Vec<_> = capped.iter().map(|(kind, ticks)| format!("{kind} {ticks}")).collect();
     counts.join(", ")

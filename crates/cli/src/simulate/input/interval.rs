@@ -58,7 +58,6 @@ fn around(values: [f64; 4]) -> Interval {
     spread(values, 4)
 }
 
-/// Returns the range of `values`; undefined if one is NaN.
 fn spread(values: [f64; 4], units: usize) -> Interval {
     if values.iter().any(|it| it.is_nan()) {
         return Interval::UNDEFINED;

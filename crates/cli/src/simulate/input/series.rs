@@ -7,7 +7,6 @@ use pode::Motion;
 /// Outputs of the tapes before the conditions: the rate of t, and the formula.
 const OUTPUTS: usize = 2;
 
-/// A formula's recursion, as two tapes along t' = 1.
 #[derive(Debug)]
 pub(super) struct FormulaSeries(SeriesTapes);
 

@@ -27,7 +27,6 @@ pub(super) struct SignalCurve {
 }
 
 impl SignalCurve {
-    /// Returns its value, if the mode has one.
     fn value<M: Described>(&self, model: &M, now: &ModelInstant<'_, M>) -> Option<f64> {
         match self.source {
             CurveSource::Input => Some(now.input.position),
@@ -40,7 +39,6 @@ impl SignalCurve {
         }
     }
 
-    /// Adds the model's present value.
     pub(super) fn add<M: Described>(&mut self, model: &M, now: &ModelInstant<'_, M>) {
         let value = self.value(model, now);
         self.track.add(now.t, value);
@@ -71,7 +69,6 @@ pub(super) fn all(entry: &ModelEntry, guards: &[&'static str], axis: Columns) ->
     sources.filter_map(curve).collect()
 }
 
-/// Pairs names with the indices of their values.
 fn indexed(
     names: &[&'static str],
     source: fn(usize) -> CurveSource,
@@ -79,7 +76,6 @@ fn indexed(
     names.iter().enumerate().map(move |(index, name)| (*name, source(index)))
 }
 
-/// Returns the panel of a curve, if it is shown.
 fn panel(source: CurveSource, unit: &str) -> Option<PanelKind> {
     match (source, unit) {
         (CurveSource::Guard(_), _) => Some(PanelKind::Guards),

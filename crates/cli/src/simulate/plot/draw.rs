@@ -17,13 +17,11 @@ const HEIGHT: f64 = 200.0;
 /// Least distance of two names of events, and largest distance of a name from its event (pixels).
 const APART: f64 = 14.0;
 const ASTRAY: f64 = 42.0;
-/// Line of an event.
 const EVENT: Stroke = Stroke::new(Color(90, 90, 90), 1.0);
 /// Number of events from which their lines become fainter, so that curves stay visible.
 const CROWD: f64 = 60.0;
 /// Least opacity of events' lines.
 const FAINTEST: f64 = 0.12;
-/// Line of the input, broad below the others.
 const INPUT: Stroke = Stroke::new(Color(170, 170, 170), 5.0);
 /// Width of the other curves (pixels).
 const WIDTH: f64 = 1.75;
@@ -123,7 +121,6 @@ fn axis_unit(curve: &SignalCurve) -> &'static str {
     if curve.panel == PanelKind::Guards { "1" } else { curve.unit }
 }
 
-/// Returns the lowest and highest value on an axis.
 fn extent(curves: &[PictureCurve], axis: usize) -> Option<(f64, f64)> {
     let curves = curves.iter().filter(|it| it.axis == axis);
     let values = curves.flat_map(|it| it.stretches.iter().flatten()).map(|point| point.1);

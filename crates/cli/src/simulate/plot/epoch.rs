@@ -1,5 +1,3 @@
-//! Visible epochs of modes.
-
 use super::track::Columns;
 
 /// An interval in which one mode held.
@@ -7,7 +5,6 @@ use super::track::Columns;
 pub(super) struct Epoch {
     /// Start and end (s).
     pub(super) span: (f64, f64),
-    /// Index of the mode in the model's list.
     pub(super) mode: usize,
 }
 

@@ -3,7 +3,6 @@ use super::epoch::Epochs;
 use super::mark::EventMarks;
 use super::track::Columns;
 
-/// Visible content of a run, in bounded memory.
 #[derive(Debug)]
 pub(super) struct RunPicture {
     /// Model, method and tick, one per line.

@@ -25,14 +25,12 @@ impl Columns {
     }
 }
 
-/// Points in one column.
 #[derive(Clone, Copy, Debug)]
 struct PixelColumn {
     first: TrackPoint,
     low: TrackPoint,
     high: TrackPoint,
     last: TrackPoint,
-    /// `true` if `low` came before `high`.
     rises: bool,
     /// `true` if the curve starts here after a gap.
     is_start: bool,
@@ -165,7 +163,6 @@ mod tests {
         )
     }
 
-    /// Returns the lowest and highest value of each column with values.
     fn extremes(points: &[TrackPoint]) -> Vec<Option<(f64, f64)>> {
         let of_column = |column: usize| {
             let values =

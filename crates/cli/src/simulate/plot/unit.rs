@@ -12,7 +12,6 @@ pub(super) fn of(model: &ModelEntry, source: CurveSource) -> Option<&'static str
     }
 }
 
-/// Returns the quantity with the unit `unit`.
 pub(super) fn quantity(unit: &str) -> &'static str {
     match unit {
         "N" => "force",

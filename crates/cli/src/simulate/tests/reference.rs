@@ -19,7 +19,6 @@ fn text<'a>(event: &'a Value, key: &str) -> &'a str {
     event[key].as_str().expect("a name")
 }
 
-/// A reference case with its arguments.
 struct Case {
     json: Value,
     words: Vec<String>,
@@ -82,7 +81,6 @@ impl Case {
         errors.map(|(t, event)| (t - number(&event["t"])).abs()).fold(0.0, f64::max)
     }
 
-    /// Returns the largest error of the states before and after all events.
     fn state_error(&self, events: &Columns) -> f64 {
         let expected = self.json["events"].as_array().expect("events");
         let error = |(column, when, name): (String, &str, &str)| {
