@@ -8,7 +8,7 @@ use instruments::{ModelEntry, Playable, hammer_speed};
 use pode::input::Cubic;
 use pode::{
     Advance, Auditor, Cap, EnergyAudit, Event, Limits, Motion, Piece, Signal, Simulator,
-    State as _, Stepper, Watch, WorkLimit,
+    State as _, Stepper, Tick, Watch, Work, WorkLimit,
 };
 use scheduler::motion::{KeyEvent, KeySample, KeySlope, Loudness, Moment};
 use scheduler::observation::{Switch, Switches, VoiceObservation};
@@ -35,36 +35,46 @@ pub trait RehearsableVoice: Voice + Send {
 /// A key's model in motion, between its sensor and its motor.
 #[derive(Clone, Debug)]
 pub struct RenderedKey<M: Playable, T: Stepper> {
+    constants: VoiceConstants,
     simulator: Simulator<M, T>,
     memory: KeyMemory,
-    gains: Gains,
-    device: Option<DeviceCompensation>,
     gate: ForceGate,
     pressure: PressureTracker,
     rest: RestDetector<M::State>,
-    auditor: Auditor<M>,
-    passivity: PassivityObserver,
-    controller: Option<PassivityController>,
-    cell: Arc<AuditCell>,
-    /// Mode and state at rest with its key up, unless values were changed since they were found:
-    /// that takes longer than a tick where many voices begin at once.
+    energy: EnergyChecks<M>,
+    /// Mode and state at rest with the key up; `None` after a change of values, since the search for
+    /// them takes longer than a tick where many voices begin at once.
     up: Option<(M::Mode, M::State)>,
-    /// What the model stores there (J).
-    at_rest: f64,
     /// `true` if the last turn failed.
     has_failed: bool,
-    /// Tick (s).
-    h: f64,
-    /// How many leading entries of the state are coordinates.
-    coordinates: usize,
-    slopes: SlopeOutput,
     simplified: Simplifications,
     revision: u32,
-    kind: VoiceKind,
     /// The model's input over the tick that was run last.
     signal: Cubic,
     /// Changes of mode in that tick.
     switches: Switches,
+}
+
+/// Settings that outlast a change of the model's values.
+#[derive(Clone, Copy, Debug)]
+struct VoiceConstants {
+    gains: Gains,
+    device: Option<DeviceCompensation>,
+    slopes: SlopeOutput,
+    kind: VoiceKind,
+    /// Tick (s).
+    h: f64,
+}
+
+/// Energy audits of a voice: of its model, and of the loop through the player's finger.
+#[derive(Clone, Debug)]
+struct EnergyChecks<M: Playable> {
+    auditor: Auditor<M>,
+    passivity: PassivityObserver,
+    controller: Option<PassivityController>,
+    cell: Arc<AuditCell>,
+    /// Energy that the model stores at rest with the key up (J).
+    at_rest: f64,
 }
 
 /// Returns the kind of voices with the model `name` and the method `T`: a hash, 32-bit FNV-1a.
@@ -131,40 +141,36 @@ pub enum SlopeOutput {
 
 impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Returns a voice at rest with its key up.
-    pub fn new(model: M, stepper: T, fittings: VoiceSettings) -> Self {
-        let VoiceSettings { input, coupling, gains, device, gate, limits, cell, h, slopes, .. } =
-            fittings;
+    pub fn new(model: M, stepper: T, settings: VoiceSettings) -> Self {
+        let VoiceSettings { input, coupling, gains, device, slopes, h, .. } = settings;
         let (mode, state) = model.at_rest(&Motion::default());
         let damper = DamperTracker::new(model.damper(), 0.0);
         let parts = Arc::clone(model.shared());
-        let at_rest = model.energy(mode, &state, &Motion::default());
+        let energy = EnergyChecks {
+            auditor: Auditor::default(),
+            passivity: settings.passivity,
+            controller: settings.controller,
+            cell: settings.cell,
+            at_rest: model.energy(mode, &state, &Motion::default()),
+        };
         Self {
-            simulator: Simulator::new(model, stepper, limits, mode, state),
+            constants: VoiceConstants { gains, device, slopes, kind: kind_of::<T>(parts.name), h },
+            simulator: Simulator::new(model, stepper, settings.limits, mode, state),
             memory: KeyMemory {
-                model: Arc::clone(&parts),
+                model: parts,
                 input,
                 damper,
                 coupling,
                 shift: InputShift::default(),
             },
-            gains,
-            device,
-            gate,
+            gate: settings.gate,
             pressure: PressureTracker::default(),
             rest: RestDetector::new(state, h),
-            auditor: Auditor::default(),
-            passivity: fittings.passivity,
-            controller: fittings.controller,
-            cell,
+            energy,
             up: Some((mode, state)),
-            at_rest,
             has_failed: false,
-            h,
-            coordinates: parts.coordinates,
-            slopes,
             simplified: Simplifications::NONE,
-            revision: fittings.revision,
-            kind: kind_of::<T>(parts.name),
+            revision: settings.revision,
             signal: Cubic::ballistic(0.0, 0.0, 0.0, h),
             switches: Switches::default(),
         }
@@ -189,12 +195,12 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
 
     /// Model input per metre at the key's front.
     fn scale(&self) -> f64 {
-        self.simulator.model().input_per_metre() * self.gains.motion
+        self.simulator.model().input_per_metre() * self.constants.gains.motion
     }
 
     /// Newtons at the key's front for one of the model's readout.
     fn per_readout(&self) -> f64 {
-        self.simulator.model().input_per_metre() * self.gains.force
+        self.simulator.model().input_per_metre() * self.constants.gains.force
     }
 
     /// Returns how the mean force of a tick without events goes on around the middle of that
@@ -205,8 +211,8 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     fn slope(&self, middle: &Motion, late: f64) -> KeySlope {
         let scale = self.scale();
         let (stiffness, damping) = if let Some(coupling) = &self.memory.coupling {
-            let constants = coupling.constants();
-            (constants.stiffness * self.gains.force, constants.damping * self.gains.force)
+            let (constants, gain) = (coupling.constants(), self.constants.gains.force);
+            (constants.stiffness * gain, constants.damping * gain)
         } else {
             let model = self.simulator.model();
             let slopes = model.slopes(self.simulator.mode(), self.simulator.state(), middle);
@@ -218,12 +224,13 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
             damping: -damping,
             position: middle.position / scale,
             velocity: middle.rate / scale,
-            ahead: late + 0.5 * self.h,
+            ahead: late + 0.5 * self.constants.h,
         }
     }
 
     fn renders_slopes(&self) -> bool {
-        self.slopes == SlopeOutput::Rendered && !self.simplified.contains(Simplification::Slopes)
+        self.constants.slopes == SlopeOutput::Rendered
+            && !self.simplified.contains(Simplification::Slopes)
     }
 
     fn sleep_time(&self) -> SleepTime {
@@ -237,7 +244,7 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Energies are the same at the finger and in the model, whatever its input is measured in.
     fn is_explained(&self, before: &EnergyAudit) -> bool {
         let most = self.gate.limit() * LONGEST_WAY;
-        (self.auditor.sums.integration - before.integration).abs() <= most
+        (self.energy.auditor.sums.integration - before.integration).abs() <= most
     }
 
     /// Moves the model's key over the tick in which the player's moves as `key`, if they are coupled.
@@ -245,13 +252,13 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         let scale = self.scale();
         let simulator = &self.simulator;
         let played = (simulator.model(), simulator.mode(), simulator.state());
-        Some(self.memory.coupling.as_mut()?.follow(played, key, scale, self.h))
+        Some(self.memory.coupling.as_mut()?.follow(played, key, scale, self.constants.h))
     }
 
     /// Returns what is taken off the resistance of the device itself (N) in the middle of a tick in
     /// which its key moves so.
     fn compensation(&self, key: &Cubic) -> f64 {
-        let Some(device) = &self.device else { return 0.0 };
+        let Some(device) = &self.constants.device else { return 0.0 };
         let (key, scale) = (key.at(0.5), self.scale());
         device.force(&KeyMotion {
             position: key.position / scale,
@@ -263,14 +270,14 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Tells the pressure on the key, of an instrument that has one.
     fn press(&mut self, tick: u64, turn: &mut VoiceOutput) {
         let Some(table) = self.simulator.model().midi().pressure else { return };
-        if let Some(event) = self.pressure.follow(table, turn.force, self.h) {
+        if let Some(event) = self.pressure.follow(table, turn.force, self.constants.h) {
             turn.events.push(Moment { tick, theta: 1.0 }, event);
         }
     }
 
     /// Returns as much of `force` (N) as keeps the key passive, which is at `position` (m).
     fn passive(&mut self, tick: u64, position: f64, force: f64) -> f64 {
-        let Some(controller) = &mut self.controller else { return force };
+        let Some(controller) = &mut self.energy.controller else { return force };
         controller.follow(tick, position);
         let passive = controller.limit(tick, position, force);
         self.gate.go_on_from(passive);
@@ -280,19 +287,19 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     /// Tells the controller what the model took since `before`, and its coupling in this tick
     /// (J), as energy at the finger.
     fn account(&mut self, before: &EnergyAudit, coupling: f64) {
-        let Some(controller) = &mut self.controller else { return };
-        let EnergyAudit { dissipated, jumps, stored, .. } = self.auditor.sums;
+        let Some(controller) = &mut self.energy.controller else { return };
+        let EnergyAudit { dissipated, jumps, stored, .. } = self.energy.auditor.sums;
         let lost = (dissipated - before.dissipated) - (jumps - before.jumps);
-        let per_energy = self.gains.force / self.gains.motion;
+        let per_energy = self.constants.gains.force / self.constants.gains.motion;
         controller.take(per_energy * (stored - before.stored + coupling), per_energy * lost);
     }
 
     /// Forgets what energy went where, but for what is stored now: another action, or another
     /// hand.
     fn begin_account(&mut self) {
-        self.passivity.reset();
+        self.energy.passivity.reset();
         let stored = self.stored();
-        if let Some(controller) = &mut self.controller {
+        if let Some(controller) = &mut self.energy.controller {
             controller.reset();
             controller.take(stored, 0.0);
         }
@@ -302,65 +309,44 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
     fn stored(&self) -> f64 {
         let simulator = &self.simulator;
         let (model, mode, state) = (simulator.model(), simulator.mode(), simulator.state());
-        let in_model = model.energy(mode, state, &self.memory.key()) - self.at_rest;
+        let in_model = model.energy(mode, state, &self.memory.key()) - self.energy.at_rest;
         let in_coupling = self.memory.coupling.map_or(0.0, |it| it.stored());
-        (in_model + in_coupling) * self.gains.force / self.gains.motion
+        (in_model + in_coupling) * self.constants.gains.force / self.constants.gains.motion
     }
 
+    /// Moves the model over the tick, lets it push back, and judges the turn.
     fn advance(&mut self, tick: u64, sample: &KeySample, turn: &mut VoiceOutput) {
-        let is_passive = self.passivity.is_passive(tick, sample.position);
+        let is_passive = self.energy.passivity.is_passive(tick, sample.position);
         let Followed { signal, position, late, back } = self.memory.input.follow(tick, sample);
         if let Some(back) = back {
             self.memory.shift = InputShift::after_pause(self.memory.shift.now() + back);
         }
-        let signal = self.memory.shift.follow(signal, self.h);
-        let damped = self.memory.damper.follow(tick, position, self.h);
+        let signal = self.memory.shift.follow(signal, self.constants.h);
+        let damped = self.memory.damper.follow(tick, position, self.constants.h);
         if let Some((at, event)) = damped {
             turn.events.push(at, event);
         }
-        let (before, sums) = (*self.simulator.state(), self.auditor.sums);
-        let coupled = self.coupled(&signal);
-        let moved = coupled.map_or(signal, |it| it.signal);
-        let events = &mut turn.events;
-        let mut strikes = Strikes { tick, events, switches: &mut self.switches, impulse: 0.0 };
-        let mut watch = (&mut self.auditor, &mut strikes);
-        let done = self.simulator.advance(self.h, &moved, &mut watch);
-        let impulse = strikes.impulse;
-        if let Some(coupling) = &mut self.memory.coupling {
-            coupling.strike(impulse);
-        }
-        self.signal = moved;
+        let (before, sums) = (*self.simulator.state(), self.energy.auditor.sums);
+        let (done, coupled) = self.advance_model(tick, &signal, &mut turn.events);
         let readout = coupled.map_or(done.mean_readout, |it| it.force);
-        let force = readout * self.per_readout() + self.compensation(&signal);
-        let gated = self.gate.apply(force, self.h);
-        turn.force = self.passive(tick, sample.position, gated.force);
+        let is_free = self.render(tick, sample.position, (readout, &signal), turn);
         self.account(&sums, coupled.map_or(0.0, |it| it.stored));
-        let is_whole = gated.finite && !gated.limited && !gated.slewed;
-        let is_free =
-            is_whole && turn.force.to_bits() == gated.force.to_bits() && done.work.events == 0;
-        if self.renders_slopes() && is_free {
+        if self.renders_slopes() && is_free && done.work.events == 0 {
             turn.slope = self.slope(&signal.at(0.5), late);
         }
-        turn.work = VoiceWork {
-            units: done.work.evaluations(),
-            derivatives: done.work.derivatives,
-            guards: done.work.guards,
-            events: done.work.events,
-            certain: done.work.certain,
-            unknown: done.work.unknown,
-        };
+        turn.work = voice_work(&done.work);
         turn.limit = limit_reached(done.advance);
         turn.fault = fault(done.advance, done.work.events)
             .or_else(|| (!self.is_explained(&sums)).then_some(VoiceFault::Diverged))
             .or((!is_passive).then_some(VoiceFault::MakesEnergy));
         self.has_failed = turn.fault.is_some();
         if turn.fault.is_none() {
-            self.cell.publish(&self.auditor.sums);
-            self.passivity.hold(tick, sample.position, turn.force);
+            self.energy.cell.publish(&self.energy.auditor.sums);
+            self.energy.passivity.hold(tick, sample.position, turn.force);
         } else {
             // A model that diverges must neither play notes nor spoil the sums.
-            self.auditor.sums = sums;
-            self.auditor.forget();
+            self.energy.auditor.sums = sums;
+            self.energy.auditor.forget();
             turn.events.clear();
             if let Some((at, event)) = damped {
                 turn.events.push(at, event);
@@ -368,7 +354,43 @@ impl<M: Playable, T: Stepper> RenderedKey<M, T> {
         }
         self.press(tick, turn);
         let moved = (&before, self.simulator.state());
-        self.rest.observe((sample.position, turn.force), self.coordinates, moved);
+        self.rest.observe((sample.position, turn.force), self.memory.model.coordinates, moved);
+    }
+
+    /// Moves the model, and its coupling if there is one, over the tick in which the player's key
+    /// moves as `signal`; strikes go to `events`.
+    fn advance_model(
+        &mut self,
+        tick: u64,
+        signal: &Cubic,
+        events: &mut Events,
+    ) -> (Tick, Option<CoupledTick>) {
+        let coupled = self.coupled(signal);
+        self.signal = coupled.map_or(*signal, |it| it.signal);
+        let mut strikes = Strikes { tick, events, switches: &mut self.switches, impulse: 0.0 };
+        let mut watch = (&mut self.energy.auditor, &mut strikes);
+        let done = self.simulator.advance(self.constants.h, &self.signal, &mut watch);
+        let impulse = strikes.impulse;
+        if let Some(coupling) = &mut self.memory.coupling {
+            coupling.strike(impulse);
+        }
+        (done, coupled)
+    }
+
+    /// Turns the mean readout of a tick into the force on the key at `position` (m). Returns `true`
+    /// if no limit has changed that force.
+    fn render(
+        &mut self,
+        tick: u64,
+        position: f64,
+        (readout, signal): (f64, &Cubic),
+        turn: &mut VoiceOutput,
+    ) -> bool {
+        let force = readout * self.per_readout() + self.compensation(signal);
+        let gated = self.gate.apply(force, self.constants.h);
+        turn.force = self.passive(tick, position, gated.force);
+        let is_whole = gated.finite && !gated.limited && !gated.slewed;
+        is_whole && turn.force.to_bits() == gated.force.to_bits()
     }
 }
 
@@ -378,7 +400,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         if let Some(force) = self.rest.force_at(sample.position, self.sleep_time()) {
             self.memory.input.go_on(tick, sample);
             (turn.force, turn.idle) = (self.passive(tick, sample.position, force), true);
-            if let Some(controller) = &mut self.controller {
+            if let Some(controller) = &mut self.energy.controller {
                 controller.take(0.0, 0.0);
             }
         } else if sample.is_finite() {
@@ -411,7 +433,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     }
 
     fn kind(&self) -> VoiceKind {
-        self.kind
+        self.constants.kind
     }
 
     fn reset(&mut self, sample: &KeySample) {
@@ -425,10 +447,10 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
             coupling.place(&Motion { position: input.position + displacement, ..input });
         }
         self.simulator.place(mode, state);
-        self.auditor.forget();
+        self.energy.auditor.forget();
         self.memory.damper = DamperTracker::new(self.simulator.model().damper(), sample.position);
         self.begin_account();
-        self.rest = RestDetector::new(*self.simulator.state(), self.h);
+        self.rest = RestDetector::new(*self.simulator.state(), self.constants.h);
     }
 
     fn retune(&mut self, values: &ModelValues) -> bool {
@@ -436,15 +458,15 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
             return false;
         }
         let model = self.simulator.model().with_values(values.as_slice());
-        self.up = self.controller.is_some().then(|| model.at_rest(&Motion::default()));
+        self.up = self.energy.controller.is_some().then(|| model.at_rest(&Motion::default()));
         if let Some((mode, state)) = &self.up {
-            self.at_rest = model.energy(*mode, state, &Motion::default());
+            self.energy.at_rest = model.energy(*mode, state, &Motion::default());
         }
         self.simulator.set_model(model);
-        self.auditor.forget();
+        self.energy.auditor.forget();
         self.revision = values.revision();
         // What was at rest may not be any more, and what was stored is another amount.
-        self.rest = RestDetector::new(*self.simulator.state(), self.h);
+        self.rest = RestDetector::new(*self.simulator.state(), self.constants.h);
         self.begin_account();
         true
     }
@@ -489,7 +511,9 @@ where
     T: Stepper + Send + 'static,
 {
     fn copy(&self) -> Box<dyn RehearsableVoice> {
-        Box::new(Self { cell: Arc::default(), ..self.clone() })
+        let mut copy = Box::new(self.clone());
+        copy.energy.cell = Arc::default();
+        copy
     }
 }
 
@@ -531,6 +555,18 @@ fn strike<M: Playable>(model: &M, speed: f64) -> KeyEvent {
     KeyEvent::Strike { speed, loudness }
 }
 
+/// Returns the work of a tick in the scheduler's terms.
+const fn voice_work(work: &Work) -> VoiceWork {
+    VoiceWork {
+        units: work.evaluations(),
+        derivatives: work.derivatives,
+        guards: work.guards,
+        events: work.events,
+        certain: work.certain,
+        unknown: work.unknown,
+    }
+}
+
 /// Returns the limit of work at which a turn was cut off; 0 if it was not.
 const fn limit_reached(advance: Advance) -> u32 {
     match advance {
@@ -558,7 +594,7 @@ mod tests {
     /// A ball that weighs nothing, on a key that is not touched.
     fn weightless(h: f64) -> RenderedKey<SmallModel, pode::stepper::Rk4> {
         let estimator = AnyEstimator::Kalman(Kalman::new(h, 1e-6, 10.0));
-        let fittings = VoiceSettings {
+        let settings = VoiceSettings {
             input: InputPath::new(estimator, None, -5.0, h),
             coupling: None,
             gains: Gains::default(),
@@ -576,7 +612,7 @@ mod tests {
         let values = [0.0, 0.5, 0.01, 0.1, -5.0];
         let model = Library::default().find("bouncing-ball", "".as_ref()).expect("the ball");
         let model = model.small().expect("a small model").with_values(&values);
-        let mut voice = RenderedKey::new(model, pode::stepper::Rk4, fittings);
+        let mut voice = RenderedKey::new(model, pode::stepper::Rk4, settings);
         voice.reset(&KeySample::fresh(0.0));
         voice
     }
