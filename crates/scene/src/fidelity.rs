@@ -56,7 +56,16 @@ pub struct AutoFidelity {
     pub levels: Vec<FidelityLevel>,
 }
 
-/// Fidelity of a range in a scene.
+/// Choice of fidelity that a scene leaves to the host.
+#[derive(Clone, Debug)]
+pub struct FidelityChoice {
+    /// Key ranges whose fidelity is chosen when a run begins.
+    pub ranges: Vec<AutoFidelity>,
+    /// Share of each lane's time that all keys may take when they move at once.
+    pub budget: f64,
+}
+
+/// What a scene says of a range's fidelity.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum WantedFidelity {
     Level(Fidelity),

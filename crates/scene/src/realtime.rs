@@ -10,15 +10,17 @@ const PROCESSOR: Quantity = Quantity { unit: "1", range: (0.0, 1023.0) };
 /// Scheduling of the threads of the tick.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct ThreadRules {
+    pub lanes: LaneCount,
     pub policy: ThreadPolicy,
     /// Processors of the lanes by number, one for each in turn; empty for any.
     pub cpus: Vec<usize>,
 }
 
 /// Number of threads of the tick.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum LaneCount {
     /// One for each processor, at most 16.
+    #[default]
     Auto,
     /// Fixed number, 1 ..= 16.
     Count(usize),
@@ -52,7 +54,7 @@ pub(super) fn read(
     scene: &mut TableReader<'_>,
     lanes: LaneCount,
 ) -> ThreadRules {
-    let mut rules = ThreadRules::default();
+    let mut rules = ThreadRules { lanes, ..ThreadRules::default() };
     let Some(mut reader) = scene.table(report, "realtime") else { return rules };
     let policies = &ThreadPolicy::ALL;
     if let Some(policy) = reader.choice(report, "policy", "there is no policy", policies) {
@@ -60,7 +62,7 @@ pub(super) fn read(
     }
     rules.cpus = read_cpus(report, &mut reader);
     if rules.policy == ThreadPolicy::Deadline {
-        refuse_for_deadline(report, &reader, &rules, lanes);
+        refuse_for_deadline(report, &reader, &rules);
     }
     reader.finish(report);
     rules
@@ -77,18 +79,13 @@ fn read_cpus(report: &mut FindingList, reader: &mut TableReader<'_>) -> Vec<usiz
     nodes.iter().filter_map(number).collect()
 }
 
-/// Reports what the kernel forbids with `SCHED_DEADLINE`, and what would stop such a thread.
-fn refuse_for_deadline(
-    report: &mut FindingList,
-    reader: &TableReader<'_>,
-    rules: &ThreadRules,
-    lanes: LaneCount,
-) {
+/// Says what the kernel does not allow for `SCHED_DEADLINE`, and what would stop such a thread.
+fn refuse_for_deadline(report: &mut FindingList, reader: &TableReader<'_>, rules: &ThreadRules) {
     if !rules.cpus.is_empty() {
         let message = "\"cpus\" is set, and \"deadline\" runs on any processor";
         report.say(reader.place, message, "leave cpus out, or give policy = \"fifo\"");
     }
-    if let LaneCount::Count(count @ 2..) = lanes {
+    if let LaneCount::Count(count @ 2..) = rules.lanes {
         let message = format!("\"deadline\" is for one lane, and \"lanes\" is {count}");
         report.say(reader.place, message, "give lanes = 1, or policy = \"fifo\"");
     }

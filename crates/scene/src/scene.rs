@@ -9,7 +9,7 @@ use keyboard::KeyRange;
 use midi::VelocityCurve;
 
 use super::embedded::{PERFORMANCES, SCENES};
-use super::fidelity::{AutoFidelity, FidelityLevel, known_instrument, read_budget};
+use super::fidelity::{FidelityChoice, FidelityLevel, known_instrument, read_budget};
 use super::keys::{self, KeyReading, KeyVoice, ReadKeys};
 use super::links::{self, LinksConfig, Rate};
 use super::needs::LoopSettings;
@@ -44,14 +44,12 @@ pub struct Scene {
     /// Ticks in a second, 100 ..= 10000 (Hz).
     pub tick_hz: u32,
     /// Threads of the tick.
-    pub lanes: LaneCount,
-    /// How those threads are scheduled.
     pub realtime: ThreadRules,
     /// What is simplified while a tick has more work than time.
     pub overload: OverloadRules,
-    /// The settings by which voices are computed.
+    /// Settings by which voices are computed.
     pub render: Render,
-    /// What the keys are made of.
+    /// Parameters of the keys.
     pub rig: Rig,
     /// The voice of each of the 88 keys; none where it is silent.
     pub keys: Vec<Option<KeyVoice>>,
@@ -59,10 +57,7 @@ pub struct Scene {
     pub voicings: Vec<Option<Voicing>>,
     /// The key ranges, in the order of the file: MIDI's channels from 1 on.
     pub ranges: Vec<KeyRange>,
-    /// Key ranges whose fidelity is to be chosen, see [`Scene::set_fidelity`].
-    pub auto: Vec<AutoFidelity>,
-    /// The share of each lane's time that all keys may take when they move at once.
-    pub budget: f64,
+    pub fidelity: FidelityChoice,
     /// The links to the keys.
     pub links: LinksConfig,
     pub midi: Midi,
@@ -287,7 +282,6 @@ impl Scene {
             name,
             title,
             tick_hz,
-            lanes,
             realtime,
             overload,
             render,
@@ -295,8 +289,7 @@ impl Scene {
             keys,
             voicings,
             ranges,
-            auto,
-            budget,
+            fidelity: FidelityChoice { ranges: auto, budget },
             links,
             midi,
             play_list,

@@ -16,7 +16,7 @@ pub fn written(scene: &Scene) -> String {
     let mut document = DocumentMut::new();
     document["title"] = value(scene.title.as_str());
     document["tick_hz"] = value(i64::from(scene.tick_hz));
-    document["lanes"] = match scene.lanes {
+    document["lanes"] = match scene.realtime.lanes {
         LaneCount::Auto => value("auto"),
         LaneCount::Count(count) => value(i64::try_from(count).unwrap_or(1)),
     };
@@ -181,10 +181,10 @@ mod tests {
     fn facts(it: &Scene) -> String {
         let keys = it.keys.iter().map(|voice| voice.as_ref().map(|it| (it.model.name, &it.values)));
         let keys: Vec<_> = keys.collect();
-        let Scene { title, tick_hz, lanes, realtime, render, .. } = it;
+        let Scene { title, tick_hz, realtime, render, .. } = it;
         let Scene { links, midi, play_list, .. } = it;
         format!(
-            "{title} {tick_hz} {lanes:?} {realtime:?} {render:?} {links:?} {midi:?} {play_list:?} {keys:?}"
+            "{title} {tick_hz} {realtime:?} {render:?} {links:?} {midi:?} {play_list:?} {keys:?}"
         )
     }
 

@@ -65,7 +65,7 @@ impl RequestHandler {
         let hears_programs = scene.midi.input != MidiInput::None;
         let differs = [
             ("tick_hz", old.tick_hz != scene.tick_hz),
-            ("lanes", old.lanes != scene.lanes),
+            ("lanes", old.realtime.lanes != scene.realtime.lanes),
             ("[overload]", old.overload != scene.overload),
             ("[links]", old.links != scene.links),
             ("[rig]", old.rig != scene.rig),
@@ -82,7 +82,7 @@ impl RequestHandler {
 
 /// Gives ranges of `scene` that leave their fidelity to the host the one that plays.
 fn keep_fidelity(scene: &mut Scene, playing: &CurrentVoices) {
-    for range in std::mem::take(&mut scene.auto) {
+    for range in std::mem::take(&mut scene.fidelity.ranges) {
         let voice = range.keys.numbers().find_map(|key| playing.keys[usize::from(key)].as_ref());
         let plays =
             |model: &instruments::ModelEntry| voice.is_some_and(|voice| voice.model.is(model));

@@ -31,7 +31,7 @@ const DEPTH: f64 = 10.5e-3;
 /// # Errors
 /// If a voice is refused.
 pub fn choose_fidelity(scene: &mut Scene) -> Result<Vec<ChosenFidelity>, BuildError> {
-    let ranges = std::mem::take(&mut scene.auto);
+    let ranges = std::mem::take(&mut scene.fidelity.ranges);
     if ranges.is_empty() {
         return Ok(Vec::new());
     }
@@ -45,7 +45,7 @@ pub fn choose_fidelity(scene: &mut Scene) -> Result<Vec<ChosenFidelity>, BuildEr
         shares.push(vec![level_share(scene, range.keys, &range.levels[0])?]);
     }
     let taken = |shares: &[Vec<f64>]| rest + shares.iter().filter_map(|it| it.last()).sum::<f64>();
-    while scene.budget < taken(&shares) {
+    while scene.fidelity.budget < taken(&shares) {
         let Some(costliest) = costliest(&shares, |at, n| n < ranges[at].levels.len()) else {
             break;
         };

@@ -45,7 +45,7 @@ pub(super) fn lanes(scene: &Scene) -> NonZeroUsize {
 
 /// Returns the same, with `n_cpus` processors of our own, or none, and `processors` for anybody.
 fn count(scene: &Scene, n_cpus: usize, processors: impl FnOnce() -> usize) -> usize {
-    match scene.lanes {
+    match scene.realtime.lanes {
         LaneCount::Count(count) => count,
         // A thread with a deadline that yields to another lane is not run again in its period.
         LaneCount::Auto if scene.realtime.policy == ThreadPolicy::Deadline => 1,

@@ -18,8 +18,8 @@ fn an_instrument_without_levels_is_itself_and_auto_has_nothing_to_choose() {
     for (fidelity, autos) in [("full", 0), ("auto", 1)] {
         let lines = format!("instrument = \"spring-wall\"\nfidelity = \"{fidelity}\"\n");
         let scene = load(&with(&lines), &[]);
-        assert_eq!(scene.auto.len(), autos);
-        let levels = scene.auto.iter().flat_map(|range| &range.levels);
+        assert_eq!(scene.fidelity.ranges.len(), autos);
+        let levels = scene.fidelity.ranges.iter().flat_map(|range| &range.levels);
         assert!(levels.clone().all(|level| level.instrument == "spring-wall"));
         assert_eq!(levels.count(), autos);
         assert_eq!(scene.keys.iter().flatten().count(), 88);
@@ -30,7 +30,7 @@ fn an_instrument_without_levels_is_itself_and_auto_has_nothing_to_choose() {
 fn a_key_without_a_voice_gets_none_by_a_fidelity() {
     let mut scene = load(&with("instrument = \"spring-wall\"\nfidelity = \"auto\"\n"), &[]);
     scene.keys[3] = None;
-    let auto = scene.auto.remove(0);
+    let auto = scene.fidelity.ranges.remove(0);
     scene.set_fidelity(auto.keys, &auto.levels[0]);
     assert_eq!(scene.keys.iter().position(Option::is_none), Some(3));
     assert_eq!(scene.keys.iter().flatten().count(), 87);

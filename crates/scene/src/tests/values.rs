@@ -24,7 +24,7 @@ fn check_models(scene: &Scene, lowest: &str, highest: &str) {
 fn a_scene_of_three_lines_has_a_default_for_all_else() {
     let scene = load(MINIMAL, &[]);
     assert_eq!([scene.name, scene.title], ["scene", "scene"]);
-    assert_eq!((scene.tick_hz, scene.lanes), (1000, LaneCount::Auto));
+    assert_eq!((scene.tick_hz, scene.realtime.lanes), (1000, LaneCount::Auto));
     assert_eq!(scene.render, Render::default());
     assert_eq!(scene.links, LinksConfig::Simulated);
     assert_eq!(scene.midi.output, MidiOutput::None);
@@ -132,7 +132,7 @@ fn an_override_reaches_every_table() {
         ("pianist.performance", "beethoven-ode-to-joy"),
     ];
     let scene = load(MINIMAL, &overrides);
-    assert_eq!((scene.title.as_str(), scene.lanes), ("1984", LaneCount::Count(3)));
+    assert_eq!((scene.title.as_str(), scene.realtime.lanes), ("1984", LaneCount::Count(3)));
     let heun = Any::Heun(stepper::Heun);
     let expected = Render { stepper: heun, force_limit: 20.0, ..Render::default() };
     assert_eq!(scene.render, expected);
