@@ -28,7 +28,7 @@ use crate::rt::terms::BoardAgreement;
 /// How long a light shows which board it is on (s).
 pub const LIGHT_S: u8 = 10;
 
-/// What goes on with one board.
+/// Requests to one board, and the state that their answers and its frames have brought it to.
 #[derive(Clone, Debug)]
 pub(super) struct BoardSession {
     pub(super) agreed: BoardAgreement,
@@ -39,24 +39,46 @@ pub(super) struct BoardSession {
     arming: Arming,
     timing: BoardTiming,
     samples: SampleWatch,
-    counters: Option<Counters>,
-    /// Most forces of late were stale, by what it counts.
-    is_stale: bool,
-    /// When the counters are asked for next (us).
-    next_counters: u64,
-    /// Requests that it declined while it was armed.
-    declined: u64,
-    /// Answers that came when they had been asked for twice.
-    late_answers: u64,
-    /// When the newest answer came (us).
-    answered: Option<u64>,
-    /// It has restarted, and the numbers of its samples with it.
+    counters: CounterWatch,
+    replies: ReplyStatistics,
+    /// `true` if the board has restarted, and the numbers of its samples with it.
     is_anew: bool,
     /// Times that it has restarted since it was armed first, and why the last time.
     restarts: u64,
     reset_reason: u8,
     health: HealthWatch,
     ages: AgeWatch,
+}
+
+/// The counters that a board keeps itself.
+#[derive(Clone, Debug, Default)]
+struct CounterWatch {
+    newest: Option<Counters>,
+    /// `true` if most forces between the two newest answers were stale.
+    is_stale: bool,
+    /// When they are asked for next (us).
+    next_us: u64,
+}
+
+impl CounterWatch {
+    fn take(&mut self, counters: Option<Counters>) {
+        self.is_stale = self.newest.zip(counters).is_some_and(|(before, after)| {
+            let stale = after.stale.saturating_sub(before.stale);
+            after.forces.saturating_sub(before.forces) < stale
+        });
+        self.newest = counters;
+    }
+}
+
+/// Statistics of the answers to all requests.
+#[derive(Clone, Debug, Default)]
+struct ReplyStatistics {
+    /// Requests that the board declined while it was armed.
+    declined: u64,
+    /// Answers to requests that had been sent twice.
+    late: u64,
+    /// When the newest answer came (us).
+    newest_us: Option<u64>,
 }
 
 impl BoardSession {
@@ -72,12 +94,8 @@ impl BoardSession {
             arming: Arming::new(now),
             timing: BoardTiming::default(),
             samples: SampleWatch::new(now),
-            counters: None,
-            is_stale: false,
-            next_counters: 0,
-            declined: 0,
-            late_answers: 0,
-            answered: None,
+            counters: CounterWatch::default(),
+            replies: ReplyStatistics::default(),
             is_anew: false,
             restarts: 0,
             reset_reason: 0,
@@ -123,35 +141,26 @@ impl BoardSession {
 
     /// Asks soon for what the board has counted.
     pub(super) const fn want_counters(&mut self) {
-        self.next_counters = 0;
+        self.counters.next_us = 0;
     }
 
     /// Tells whether the board is not ready since its answers come too late to read its clock.
     pub(super) fn answers_late(&self) -> bool {
         /// Answers that may be late by chance.
         const FEW: u64 = 8;
-        !self.timing.is_known() && FEW < self.late_answers
+        !self.timing.is_known() && FEW < self.replies.late
     }
 
     /// Returns the time from its newest answer until `now` (us), if it has ever answered.
     pub(super) fn since_answer(&self, now: u64) -> Option<u64> {
-        self.answered.map(|answered| now.saturating_sub(answered))
-    }
-
-    /// Takes what the board has counted.
-    fn count(&mut self, counters: Option<Counters>) {
-        self.is_stale = self.counters.zip(counters).is_some_and(|(before, after)| {
-            let stale = after.stale.saturating_sub(before.stale);
-            after.forces.saturating_sub(before.forces) < stale
-        });
-        self.counters = counters;
+        self.replies.newest_us.map(|newest| now.saturating_sub(newest))
     }
 
     /// Takes note that samples usually come `usual_us` after they were taken, too late for forces.
     ///
     /// A clock that is read wrong says so too, so the board must have counted that they are.
     pub(super) const fn on_late(&mut self, usual_us: f64, now: u64) {
-        if !self.is_stale {
+        if !self.counters.is_stale {
             return;
         }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
@@ -183,8 +192,8 @@ impl BoardSession {
             jumps: self.timing.jumps(),
             drift_ppm: self.timing.clock().drift_ppm(),
             round_trips_us: self.timing.round_trips().quantiles(),
-            counters: self.counters,
-            declined: self.declined,
+            counters: self.counters.newest,
+            declined: self.replies.declined,
             restarts: self.restarts,
             reset_reason: self.reset_reason,
             burst_us: self.samples.burst_us(),
@@ -266,8 +275,8 @@ impl BoardSession {
             self.channel.ask(Operation::Ping, &Nothing);
         } else if let Some(finger) = self.next_gesture(now, origin) {
             self.channel.ask(Operation::Finger, &finger);
-        } else if self.next_counters <= now {
-            self.next_counters = now + COUNTERS_US;
+        } else if self.counters.next_us <= now {
+            self.counters.next_us = now + COUNTERS_US;
             self.channel.ask(Operation::Counters, &Nothing);
         }
     }
@@ -298,8 +307,8 @@ impl BoardSession {
     pub(super) fn take_reply(&mut self, frame: &[u8], now: u64) {
         let Some(received) = self.channel.take_reply(frame) else { return };
         let ReceivedReply { reply, operation, sent_us } = received;
-        self.late_answers += u64::from(sent_us.is_none());
-        self.answered = Some(now);
+        self.replies.late += u64::from(sent_us.is_none());
+        self.replies.newest_us = Some(now);
         if reply.status == Status::Done {
             self.on_done(operation, reply.record, sent_us, now);
         } else {
@@ -328,7 +337,7 @@ impl BoardSession {
             }
             // A gesture that was never answered is handed over again.
             Operation::Finger => self.gestures.advance(),
-            Operation::Counters => self.count(Counters::take(record)),
+            Operation::Counters => self.counters.take(Counters::take(record)),
             Operation::Light
             | Operation::ReadConfig
             | Operation::WriteConfig
@@ -341,13 +350,15 @@ impl BoardSession {
 
     fn on_declined(&mut self, asked: Operation, status: Status, now: u64) {
         if self.state().is_barred() {
-            self.declined += 1;
+            self.replies.declined += 1;
             return;
         }
         match asked {
             Operation::KeyHealth => self.health.take_key(None),
             Operation::MuteKey => self.health.on_muted(),
-            Operation::BoardHealth if self.state() != ArmState::Checking => self.declined += 1,
+            Operation::BoardHealth if self.state() != ArmState::Checking => {
+                self.replies.declined += 1;
+            }
             Operation::Hello
             | Operation::BoardHealth
             | Operation::Stream
@@ -358,7 +369,7 @@ impl BoardSession {
             // As many gestures wait there as it can hold: again, a little later.
             Operation::Finger if status == Status::WrongState => self.arming.rest(now),
             Operation::Finger => {
-                self.declined += 1;
+                self.replies.declined += 1;
                 self.gestures.advance();
             }
             // A board whose clock cannot be read cannot be used.
@@ -373,7 +384,7 @@ impl BoardSession {
             | Operation::ReadCalibration
             | Operation::WriteCalibration
             | Operation::ReadLog
-            | Operation::Bootloader => self.declined += 1,
+            | Operation::Bootloader => self.replies.declined += 1,
         }
     }
 }

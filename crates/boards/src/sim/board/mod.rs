@@ -133,16 +133,29 @@ pub struct SimulatedBoard {
     /// Ticks between two frames of samples, and how many are left; none for no samples.
     every: Option<(u32, u32)>,
     counts: BoardCounts,
-    laws: PerKey<Law>,
+    rendered: RenderedForces,
     bus_time: BusTime,
-    groups: Groups,
     history: SampleHistory,
     /// How much its clock was set back (us).
     late_us: u64,
-    /// Which frame of samples was answered last.
-    answered: Option<u64>,
     /// The tick at whose start the newest samples were sent.
     reported: Option<u64>,
+}
+
+/// Forces that a board renders until newer ones come; none of it outlasts a new arming.
+#[derive(Clone, Debug)]
+struct RenderedForces {
+    laws: PerKey<Law>,
+    groups: Groups,
+    /// Which frame of samples was answered last.
+    answered: Option<u64>,
+}
+
+impl RenderedForces {
+    fn none(n_keys: usize) -> Self {
+        let laws = PerKey::collect(std::iter::repeat_n(Law::default(), n_keys));
+        Self { laws, groups: Groups::default(), answered: None }
+    }
 }
 
 impl SimulatedBoard {
@@ -165,12 +178,10 @@ impl SimulatedBoard {
             forces: ForceLayout { packing: ForcePacking::Force16, n_keys: make.n_keys },
             every: None,
             counts: BoardCounts::default(),
-            laws: PerKey::collect(std::iter::repeat_n(Law::default(), make.n_keys)),
+            rendered: RenderedForces::none(make.n_keys),
             bus_time: BusTime::default(),
-            groups: Groups::default(),
             history: SampleHistory::new(),
             late_us: 0,
-            answered: None,
             reported: None,
         })
     }
@@ -253,9 +264,7 @@ impl SimulatedBoard {
 
     /// Lets go of all forces.
     fn forget_forces(&mut self) {
-        self.laws.as_mut_slice().fill(Law::default());
-        self.answered = None;
-        self.groups = Groups::default();
+        self.rendered = RenderedForces::none(self.make.n_keys);
     }
 
     /// Returns what the board has counted.
@@ -394,7 +403,7 @@ impl SimulatedBoard {
             self.counts.stale += 1;
             return;
         };
-        if self.answered.is_some_and(|answered| sent.number < answered) {
+        if self.rendered.answered.is_some_and(|answered| sent.number < answered) {
             self.counts.stale += 1;
             return;
         }
@@ -402,13 +411,14 @@ impl SimulatedBoard {
             ForceDecision::Stale => self.counts.stale += 1,
             ForceDecision::Unarmed => self.counts.unarmed += 1,
             ForceDecision::Rendered => {
-                let passed = self.answered.map_or(0, |it| sent.number.saturating_sub(it + 1));
+                let passed =
+                    self.rendered.answered.map_or(0, |it| sent.number.saturating_sub(it + 1));
                 self.counts.unanswered += passed;
                 self.counts.forces += 1;
                 self.counts.oldest_us =
                     self.counts.oldest_us.max(now_us.saturating_sub(sent.taken_us));
-                self.answered = Some(sent.number);
-                for (slot, law) in self.laws.as_mut_slice().iter_mut().enumerate() {
+                self.rendered.answered = Some(sent.number);
+                for (slot, law) in self.rendered.laws.as_mut_slice().iter_mut().enumerate() {
                     let rig = &self.make.rig;
                     *law = Law::answering(frame, &sent.samples, slot, rig.quantum, sent.taken_us);
                 }
@@ -423,7 +433,9 @@ impl SimulatedBoard {
         let (t, h) = (self.progress.seconds(tick), self.progress.period());
         let limit = f64::from(self.requests.max_force_mn()) * 1e-3;
         let muted = self.requests.muted();
-        for (slot, (key, law)) in self.keys.iter_mut().zip(self.laws.as_slice()).enumerate() {
+        for (slot, (key, law)) in
+            self.keys.iter_mut().zip(self.rendered.laws.as_slice()).enumerate()
+        {
             let share = if muted >> slot & 1 == 0 { share } else { 0.0 };
             key.advance(t, h, share * law.force(now_us, key.measured()).clamp(-limit, limit));
         }

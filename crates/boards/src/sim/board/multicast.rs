@@ -65,11 +65,11 @@ impl SimulatedBoard {
                 self.counts.forces += 1;
                 self.counts.oldest_us = self.counts.oldest_us.max(age_us);
                 let forces = &frame.forces[shared.start - first..shared.end - first];
-                let laws = &mut self.laws.as_mut_slice()[shared.start - mine.start..];
+                let laws = &mut self.rendered.laws.as_mut_slice()[shared.start - mine.start..];
                 for (law, force) in laws.iter_mut().zip(forces) {
                     *law = held(*force);
                 }
-                if let Some(oldest_us) = self.groups.hear(frame.group, taken_us, &mine) {
+                if let Some(oldest_us) = self.rendered.groups.hear(frame.group, taken_us, &mine) {
                     // If those are stale, nothing is fed, and they expire.
                     let _fed = self.interlock.feed(oldest_us, from_us);
                 }
