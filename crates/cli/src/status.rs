@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use clap::Args;
-use telemetry::{BoardState, HostState, HostStatus};
+use telemetry::{BoardState, HostState, HostStatus, RunProgress};
 use time::OffsetDateTime;
 
 use super::{Failure, about, print_report};
@@ -52,7 +52,8 @@ pub(super) fn run(args: &StatusArgs, out: &mut dyn Write) -> Result<(), Failure>
 }
 
 fn text(status: &HostStatus) -> String {
-    let HostStatus { process, deadlines, midi, clients, faults, .. } = status;
+    let HostStatus { process, run, midi, clients, .. } = status;
+    let RunProgress { deadlines, voices, asleep, strikes, faults, muted, .. } = run;
     let since = i64::try_from(status.since).ok();
     let since = since.and_then(|it| OffsetDateTime::from_unix_timestamp(it).ok());
     let since = since.map_or_else(String::new, about::utc);
@@ -60,32 +61,29 @@ fn text(status: &HostStatus) -> String {
     if deadlines.ticks == 0 {
         return lines.concat() + "\n";
     }
-    let (voices, asleep, strikes) = (status.voices, status.asleep, status.strikes);
     lines.push(format!("  voices      {voices}, {asleep} asleep; {strikes} strikes"));
     lines.push(format!(
         "  deadlines   of {} ticks at {} Hz late: {} own work, {} woken late, {} preempted; {} \
          never run",
         deadlines.ticks,
-        status.tick_hz,
+        run.tick_hz,
         deadlines.own_work,
         deadlines.woken_late,
         deadlines.preempted,
         deadlines.skipped
     ));
-    lines.extend(status.pass.map(|pass| format!("  play list   pass {pass}")));
+    lines.extend(run.pass.map(|pass| format!("  play list   pass {pass}")));
     if let Some([p50, p99, p999, max]) = deadlines.lateness_us {
         let quantiles = format!("p50 {p50:.1} p99 {p99:.1} p99.9 {p999:.1} max {max:.1} us");
         lines.push(format!("  lateness    {quantiles}"));
     }
-    if !status.left_out.is_empty() {
-        lines.push(format!("  overload    left out now: {}", status.left_out.join(", ")));
+    if !run.left_out.is_empty() {
+        lines.push(format!("  overload    left out now: {}", run.left_out.join(", ")));
     }
-    if 0 < status.waited {
-        let waited = status.waited;
+    if let waited @ 1.. = run.waited {
         lines.push(format!("  waited      {waited} turns of voices for which there was no time"));
     }
-    if 0 < status.starved {
-        let starved = status.starved;
+    if let starved @ 1.. = run.starved {
         lines.push(format!(
             "  ERROR       voices waited in {starved} ticks that had time: report it with a recording"
         ));
@@ -94,7 +92,7 @@ fn text(status: &HostStatus) -> String {
     lines.push(format!("  midi        {midi}"));
     lines.push(format!("  clients     {clients} of the stream"));
     lines.push(format!("  recording   {}", status.recording.as_deref().unwrap_or("none")));
-    let muted = if status.muted.is_empty() { "none".to_owned() } else { status.muted.join(", ") };
+    let muted = if muted.is_empty() { "none".to_owned() } else { muted.join(", ") };
     lines.push(format!("  faults      {faults} turns of voices; muted keys: {muted}"));
     lines.extend(status.last_faults.iter().map(|fault| format!("              {fault}")));
     lines.join("\n") + "\n"

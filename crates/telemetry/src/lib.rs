@@ -39,5 +39,5 @@ pub use keys::key_name;
 pub use messages::*;
 pub use request::{Reply, Request};
 pub use source::{Arrival, ConnectionState, Source, Timeline};
-pub use status::{BoardState, DeadlineStatus, HostState, HostStatus};
+pub use status::{BoardState, DeadlineStatus, HostState, HostStatus, RunProgress};
 pub use topic::{Topic, Update};

@@ -1,4 +1,4 @@
-//! What a host says of itself: `letoff status`, and the metrics of its stream.
+//! The status of a host: `letoff status`, and the metrics of its stream.
 
 use serde::{Deserialize, Serialize};
 
@@ -34,10 +34,10 @@ impl HostState {
     }
 }
 
-/// What a host says of itself.
+/// Status of a host, as `letoff status --json` prints it.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct HostStatus {
-    /// The number of its process.
+    /// Process id.
     pub process: u32,
     pub scene: String,
     pub state: HostState,
@@ -45,12 +45,28 @@ pub struct HostStatus {
     pub since: u64,
     /// Strokes that are rehearsed, and how many there are.
     pub rehearsed: [u64; 2],
+    #[serde(flatten)]
+    pub run: RunProgress,
+    pub boards: Vec<BoardState>,
+    /// Clients of the stream.
+    pub clients: u32,
+    /// The file of the recording, if there is one.
+    pub recording: Option<String>,
+    /// The MIDI output in words, or why there is none.
+    pub midi: String,
+    /// Last faults of voices and changes of boards, the newest last.
+    pub last_faults: Vec<String>,
+}
+
+/// Progress of the ticks and of their voices, once a run is prepared.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct RunProgress {
     pub tick_hz: u32,
     /// How often the play list has begun, if it begins again and again.
     pub pass: Option<u64>,
     /// Keys with a voice.
     pub voices: u32,
-    /// Of these, whose equations were not computed in the last tick.
+    /// Voices whose equations were not computed in the last tick.
     pub asleep: u32,
     pub deadlines: DeadlineStatus,
     /// Hammers that met their string.
@@ -61,22 +77,13 @@ pub struct HostStatus {
     pub dropped: u64,
     /// Keys whose voices are muted, by name.
     pub muted: Vec<String>,
-    /// What is left out now, since ticks have more work than time.
+    /// Work that is left out now, since ticks have more work than time.
     pub left_out: Vec<String>,
     /// Turns of voices that had to wait, since their lanes had no time left.
     pub waited: u64,
     /// Ticks in which voices waited although there was time: an error of the host.
     #[serde(default)]
     pub starved: u64,
-    pub boards: Vec<BoardState>,
-    /// Clients of the stream.
-    pub clients: u32,
-    /// The file of the recording, if there is one.
-    pub recording: Option<String>,
-    /// The MIDI output in words, or why there is none.
-    pub midi: String,
-    /// The last faults of voices and news of boards, the newest last.
-    pub last_faults: Vec<String>,
 }
 
 /// Ticks, and how late they were.
@@ -88,9 +95,9 @@ pub struct DeadlineStatus {
     pub skipped: u64,
     /// Ticks that were run and missed their deadline since their voices took too long.
     pub own_work: u64,
-    /// The same since the system woke the tick too late.
+    /// Ticks that missed it since the system woke the tick too late.
     pub woken_late: u64,
-    /// The same since the system took the processor away.
+    /// Ticks that missed it since the system took the processor away.
     pub preempted: u64,
     /// Woken after the tick was due (us): quantiles 0.5, 0.99, 0.999 and the largest; none before
     /// the first second is over.

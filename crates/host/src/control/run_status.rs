@@ -8,7 +8,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use telemetry::event::Kind;
 use telemetry::{BoardState, DeadlineStatus, Deadlines, Event, HostState, HostStatus, Links};
-use telemetry::{Spread, Topic, Update, key_name};
+use telemetry::{RunProgress, Spread, Topic, Update, key_name};
 
 use crate::adapters::observer::LiveCounters;
 use crate::observe::{MessageSink, RecordingHandle};
@@ -116,7 +116,9 @@ impl RunStatus {
         for _ in 0..LOOKS {
             thread::sleep(STALL / LOOKS);
             let now = self.read();
-            if now.deadlines.ticks != first.deadlines.ticks || now.state != HostState::Playing {
+            if now.run.deadlines.ticks != first.run.deadlines.ticks
+                || now.state != HostState::Playing
+            {
                 return now;
             }
         }
@@ -137,7 +139,7 @@ impl StatusParts {
             state: self.state,
             since: self.since,
             rehearsed: self.rehearsed,
-            deadlines: deadlines(&self.deadlines),
+            run: RunProgress { deadlines: deadlines(&self.deadlines), ..RunProgress::default() },
             boards: boards(&self.links),
             clients: self.clients,
             recording: recording.filter(|it| it.trouble.is_none()).map(|it| it.file),
@@ -146,21 +148,23 @@ impl StatusParts {
         };
         let Some(run) = &self.run else { return status };
         let counters = &run.counters;
-        let active = counters.active.load(Relaxed);
         status.midi.clone_from(&run.midi);
-        (status.tick_hz, status.voices) = (run.tick_hz, run.voices);
-        status.asleep = run.voices.saturating_sub(active);
-        status.deadlines.ticks = counters.ticks.load(Relaxed);
-        status.pass = run.pass.map(|length| passes(status.deadlines.ticks, length));
-        status.strikes = counters.strikes.load(Relaxed);
-        status.faults = counters.faults.load(Relaxed);
-        status.dropped = counters.dropped.load(Relaxed);
-        let overload = &counters.overload;
-        status.left_out = overload.now().iter().map(|one| one.name().to_owned()).collect();
-        status.waited = overload.waited().0;
-        status.starved = overload.starved.load(Relaxed);
-        status.muted = counters.muted.keys().map(|key| key_name(key.into())).collect();
-        if self.state == HostState::Starting && 0 < status.deadlines.ticks {
+        let (ticks, overload) = (counters.ticks.load(Relaxed), &counters.overload);
+        status.run = RunProgress {
+            tick_hz: run.tick_hz,
+            pass: run.pass.map(|length| passes(ticks, length)),
+            voices: run.voices,
+            asleep: run.voices.saturating_sub(counters.active.load(Relaxed)),
+            deadlines: DeadlineStatus { ticks, ..status.run.deadlines },
+            strikes: counters.strikes.load(Relaxed),
+            faults: counters.faults.load(Relaxed),
+            dropped: counters.dropped.load(Relaxed),
+            muted: counters.muted.keys().map(|key| key_name(key.into())).collect(),
+            left_out: overload.now().iter().map(|one| one.name().to_owned()).collect(),
+            waited: overload.waited().0,
+            starved: overload.starved.load(Relaxed),
+        };
+        if self.state == HostState::Starting && 0 < ticks {
             status.state = HostState::Playing;
         }
         status
@@ -255,12 +259,12 @@ impl MessageSink for StatusSink {
     }
 }
 
-/// Returns the time (s since 1970).
 /// Returns how often what begins again after `length` ticks has begun within `ticks`.
 pub(crate) fn passes(ticks: u64, length: u64) -> u64 {
     1 + ticks.saturating_sub(1) / length
 }
 
+/// Returns the time (s since 1970).
 fn seconds_now() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |it| it.as_secs())
 }
@@ -288,8 +292,8 @@ mod tests {
         counters.ticks.store(7, Relaxed);
         counters.active.store(3, Relaxed);
         let read = status.read();
-        assert_eq!((read.state, read.voices, read.asleep), (HostState::Playing, 88, 85));
-        assert_eq!(read.pass, Some(2), "seven ticks of passes of five");
+        assert_eq!((read.state, read.run.voices, read.run.asleep), (HostState::Playing, 88, 85));
+        assert_eq!(read.run.pass, Some(2), "seven ticks of passes of five");
         assert_eq!(status.examine().state, HostState::Stalled);
     }
 
