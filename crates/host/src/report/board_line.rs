@@ -13,11 +13,37 @@ use serde::Serialize;
 /// One board of a run.
 #[derive(Clone, Debug, Serialize)]
 pub struct BoardLine {
-    /// The link it is on.
     pub link: String,
     pub number: u8,
-    /// The keys that it carries.
     pub keys: String,
+    #[serde(flatten)]
+    pub frames: BoardFrames,
+    #[serde(flatten)]
+    pub clock: BoardClock,
+    /// Requests beside the forces that it declined: gestures, pings.
+    pub declined: u64,
+    /// Times that it was armed again.
+    pub rearmed: u64,
+    /// `armed`, or the reason why it renders no force.
+    pub state: String,
+    /// `true` if its keys are calibrated by its file, and not by its own description.
+    pub calibrated: bool,
+    #[serde(flatten)]
+    pub guarded: GuardedKeys,
+    #[serde(flatten)]
+    pub timing: SampleTiming,
+    /// Times that it restarted, and the reason that it gave the last time.
+    pub restarts: u64,
+    pub reset_reason: u8,
+    /// The hottest motor that it reported (°C).
+    pub hottest_c: Option<f64>,
+    /// The board's own counters, a second before the end.
+    pub counted: Option<Counted>,
+}
+
+/// Frames that a board and the host exchanged.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct BoardFrames {
     /// Samples that came, a second (1/s).
     pub samples_hz: f64,
     /// Forces that the link took, a second (1/s).
@@ -34,21 +60,23 @@ pub struct BoardLine {
     pub refused: u64,
     /// Forces that the link did not take.
     pub unsent: u64,
+}
+
+/// A board's clock, as its answers show it.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct BoardClock {
     /// Round trips, if there were any.
     pub round_trip_us: Option<RoundTrips>,
-    /// The drift of its clock against the host's (1e-6).
+    /// Drift against the host's clock (1e-6).
     pub drift_ppm: f64,
-    /// Times that its clock jumped.
+    /// Times that it jumped.
     pub clock_jumps: u64,
-    /// Requests beside the forces that it declined: gestures, pings.
-    pub declined: u64,
-    /// Times that it was armed again.
-    pub rearmed: u64,
-    /// Whether it renders forces, or why not.
-    pub state: String,
-    /// Whether its keys are calibrated by its file, and not by its own description.
-    pub calibrated: bool,
-    /// Readings of keys that were not used, since no key can be there.
+}
+
+/// Keys whose samples or forces the guards changed.
+#[derive(Clone, Debug, Serialize)]
+pub struct GuardedKeys {
+    /// Readings that were not used, since no key can be there.
     pub implausible: u64,
     /// Keys that are not played any more, and why.
     pub muted: Vec<MutedKey>,
@@ -62,19 +90,17 @@ pub struct BoardLine {
     pub limited_rises: u64,
     /// Forces that continued from the last one after a gap, instead of stepping.
     pub blended: u64,
-    /// Time between two samples by its own clock at the end: median and 90 % (us).
+}
+
+/// Times at which samples were taken and came, at the end of a run.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct SampleTiming {
+    /// Time between two samples by the board's clock: median and 90 % (us).
     pub sample_interval_us: Option<[u16; 2]>,
     /// Time between bursts of samples (ms), if they came in bursts.
     pub bursts_ms: Option<f64>,
-    /// By how many periods its samples came later at the end than when it was armed, if too many.
+    /// By how many periods samples came later than when the board was armed, if too many.
     pub late_periods: Option<f64>,
-    /// Times that it restarted, and the reason that it gave the last time.
-    pub restarts: u64,
-    pub reset_reason: u8,
-    /// The hottest motor that it reported (°C).
-    pub hottest_c: Option<f64>,
-    /// The board's own counters, a second before the end.
-    pub counted: Option<Counted>,
 }
 
 /// A key that is not played, since its sensor or its motor cannot be trusted.
@@ -140,35 +166,43 @@ impl BoardLine {
             link: name.line.clone(),
             number: name.number,
             keys: keys.to_string(),
-            samples_hz: rate(came),
-            forces_hz: rate(went),
-            frames: samples.frames,
-            gaps: samples.gaps,
-            missing: samples.missing,
-            repeated_or_overtaken: samples.repeated + samples.overtaken,
-            refused: statistics.refused,
-            unsent: statistics.unsent,
-            round_trip_us: condition.round_trips_us.map(|[p50, p99, max]| RoundTrips {
-                p50,
-                p99,
-                max,
-            }),
-            drift_ppm: condition.drift_ppm,
-            clock_jumps: condition.jumps,
+            frames: BoardFrames {
+                samples_hz: rate(came),
+                forces_hz: rate(went),
+                frames: samples.frames,
+                gaps: samples.gaps,
+                missing: samples.missing,
+                repeated_or_overtaken: samples.repeated + samples.overtaken,
+                refused: statistics.refused,
+                unsent: statistics.unsent,
+            },
+            clock: BoardClock {
+                round_trip_us: condition.round_trips_us.map(|[p50, p99, max]| RoundTrips {
+                    p50,
+                    p99,
+                    max,
+                }),
+                drift_ppm: condition.drift_ppm,
+                clock_jumps: condition.jumps,
+            },
             declined: condition.declined,
             rearmed: condition.armings.saturating_sub(1),
             state: stage_words(condition.state),
             calibrated: report.is_calibrated,
-            implausible: statistics.implausible,
-            muted: muted_keys(place.first_key.number(), &statistics.keys.muted),
-            softened: key_names(place.first_key.number(), statistics.keys.softened),
-            unproven: key_names(place.first_key.number(), statistics.keys.unproven),
-            glitches: statistics.keys.glitches,
-            limited_rises: statistics.keys.limited,
-            blended: statistics.keys.blended,
-            sample_interval_us: statistics.intervals.map(|it| [it.median_us, it.p90_us]),
-            bursts_ms: condition.burst_us.map(|it| it as f64 * 1e-3),
-            late_periods: condition.late,
+            guarded: GuardedKeys {
+                implausible: statistics.implausible,
+                muted: muted_keys(place.first_key.number(), &statistics.keys.muted),
+                softened: key_names(place.first_key.number(), statistics.keys.softened),
+                unproven: key_names(place.first_key.number(), statistics.keys.unproven),
+                glitches: statistics.keys.glitches,
+                limited_rises: statistics.keys.limited,
+                blended: statistics.keys.blended,
+            },
+            timing: SampleTiming {
+                sample_interval_us: statistics.intervals.map(|it| [it.median_us, it.p90_us]),
+                bursts_ms: condition.burst_us.map(|it| it as f64 * 1e-3),
+                late_periods: condition.late,
+            },
             restarts: condition.restarts,
             reset_reason: condition.reset_reason,
             hottest_c: condition.hottest.map(|it| 0.1 * f64::from(it)),
@@ -316,16 +350,17 @@ impl BoardLine {
         let name = format!("board {} on {}", self.number, self.link);
         let state = (self.state != "armed").then(|| self.state.clone());
         let never = self.was_never_heard().then(|| "it sent no sample in the run".to_owned());
-        let bursts = self.bursts_ms.map(|ms| burst_words(1e3 * ms));
+        let bursts = self.timing.bursts_ms.map(|ms| burst_words(1e3 * ms));
         let restarts = (0 < self.restarts).then(|| {
             restart_words(u8::try_from(self.restarts).unwrap_or(u8::MAX), self.reset_reason)
         });
         let list = |keys: &[String], words: fn(&str) -> String| {
             (!keys.is_empty()).then(|| words(&keys.join(", ")))
         };
-        let softened = list(&self.softened, softened_words);
-        let unproven = list(&self.unproven, unproven_words).filter(|_| self.state == "armed");
-        let late = self.late_periods.map(late_periods_words);
+        let softened = list(&self.guarded.softened, softened_words);
+        let unproven =
+            list(&self.guarded.unproven, unproven_words).filter(|_| self.state == "armed");
+        let late = self.timing.late_periods.map(late_periods_words);
         let lost = LOSS_TO_REPORT < self.lost();
         let lost = lost.then(|| percent_words(self.lost(), "lost on the way"));
         let unanswered = LOSS_TO_REPORT < self.unanswered();
@@ -334,7 +369,7 @@ impl BoardLine {
         let board = [state, restarts, softened, unproven];
         let whole = board.into_iter().chain(link);
         // Where no force was taken, no motor could move its key.
-        let muted = self.muted.iter().filter(|_| self.untaken().is_none());
+        let muted = self.guarded.muted.iter().filter(|_| self.untaken().is_none());
         let muted = muted.map(ToString::to_string);
         let all = whole.flatten().chain(muted);
         all.map(|it| format!("{name}: {it}")).collect()
@@ -342,7 +377,8 @@ impl BoardLine {
 
     /// Returns the share of its samples that were lost on the way.
     fn lost(&self) -> f64 {
-        self.missing as f64 / (self.frames + self.missing).max(1) as f64
+        let BoardFrames { frames, missing, .. } = self.frames;
+        missing as f64 / (frames + missing).max(1) as f64
     }
 
     /// Returns the share of its samples that were never answered; those between its arming and the
@@ -378,23 +414,23 @@ impl BoardLine {
         self.state != "armed"
             || self.was_never_heard()
             || self.untaken().is_some()
-            || !self.muted.is_empty()
-            || !self.softened.is_empty()
-            || !self.unproven.is_empty()
-            || self.bursts_ms.is_some()
-            || self.late_periods.is_some()
+            || !self.guarded.muted.is_empty()
+            || !self.guarded.softened.is_empty()
+            || !self.guarded.unproven.is_empty()
+            || self.timing.bursts_ms.is_some()
+            || self.timing.late_periods.is_some()
             || LOSS_TO_FAIL < self.lost().max(self.unanswered())
     }
 
     /// Returns whether no sample of it came in the run.
     fn was_never_heard(&self) -> bool {
-        self.samples_hz <= 0.0
+        self.frames.samples_hz <= 0.0
     }
 
     fn fmt_row(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = format!("{} {}", self.link, self.number);
         let trip = |value: fn(&RoundTrips) -> u32| {
-            self.round_trip_us.as_ref().map_or_else(|| "-".into(), |it| value(it).to_string())
+            self.clock.round_trip_us.as_ref().map_or_else(|| "-".into(), |it| value(it).to_string())
         };
         let counted =
             |value: fn(&Counted) -> String| self.counted.as_ref().map_or_else(|| "-".into(), value);
@@ -402,13 +438,13 @@ impl BoardLine {
             f,
             "              {name:20} {:9} {:6.0} {:6.0} {:5} {:5} {:>6} {:>6} {:6.0} {:>6} {:>5} {:>5}{}",
             self.keys,
-            self.samples_hz,
-            self.forces_hz,
-            self.gaps,
-            self.missing,
+            self.frames.samples_hz,
+            self.frames.forces_hz,
+            self.frames.gaps,
+            self.frames.missing,
             trip(|it| it.p50),
             trip(|it| it.p99),
-            self.drift_ppm,
+            self.clock.drift_ppm,
             counted(|it| format!("{:.1}", it.oldest_ms)),
             counted(|it| it.stale.to_string()),
             counted(|it| it.trips.to_string()),
@@ -417,6 +453,9 @@ impl BoardLine {
         if !self.calibrated {
             writeln!(f, "                {name} has no calibration file")?;
         }
-        self.muted.iter().try_for_each(|muted| writeln!(f, "                {name}: {muted}"))
+        self.guarded
+            .muted
+            .iter()
+            .try_for_each(|muted| writeln!(f, "                {name}: {muted}"))
     }
 }

@@ -11,18 +11,9 @@ use serde::Serialize;
 #[derive(Clone, Debug, Serialize)]
 pub struct LinkLine {
     pub name: String,
-    /// Its medium, if that is known.
     pub medium: Option<String>,
-    /// Share of its time that was planned, at worst.
-    pub planned_load: Option<f64>,
-    /// Share of its time that was seen, its payloads charged as the worst.
-    pub seen_load: Option<f64>,
-    /// The same, its payloads charged as the best.
-    pub seen_load_least: Option<f64>,
-    /// Samples of each board that were planned, a second (1/s).
-    pub planned_hz: Option<f64>,
-    /// Samples of each board that came, a second, on average (1/s).
-    pub seen_hz: f64,
+    #[serde(flatten)]
+    pub load: LinkLoad,
     /// Receptions that were no frame.
     pub corrupt: u64,
     /// Frames of no board that is known.
@@ -46,6 +37,21 @@ pub struct LinkLine {
     pub fault: Option<String>,
 }
 
+/// Load of a link: planned, and measured in the run.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct LinkLoad {
+    /// Share of its time that was planned, at worst.
+    pub planned_load: Option<f64>,
+    /// Share of its time that was used, its payloads charged as the worst.
+    pub seen_load: Option<f64>,
+    /// Share of its time that was used, its payloads charged as the best.
+    pub seen_load_least: Option<f64>,
+    /// Samples of each board that were planned, a second (1/s).
+    pub planned_hz: Option<f64>,
+    /// Samples of each board that came, a second, on average (1/s).
+    pub seen_hz: f64,
+}
+
 impl LinkLine {
     /// Returns the row of `line` with its `plan`, after `seconds`; `boards` are those of all lines.
     pub fn new(
@@ -62,11 +68,13 @@ impl LinkLine {
         Self {
             name: name.clone(),
             medium: medium.map(|it| it.to_string()),
-            planned_load: plan.map(BusPlan::load),
-            seen_load: load.map(|it| it.most),
-            seen_load_least: load.map(|it| it.least),
-            planned_hz: plan.map(|it| it.sample_rate),
-            seen_hz: mean / seconds.max(1e-9),
+            load: LinkLoad {
+                planned_load: plan.map(BusPlan::load),
+                seen_load: load.map(|it| it.most),
+                seen_load_least: load.map(|it| it.least),
+                planned_hz: plan.map(|it| it.sample_rate),
+                seen_hz: mean / seconds.max(1e-9),
+            },
             corrupt: statistics.corrupt,
             foreign: statistics.foreign,
             down: statistics.down,
@@ -122,15 +130,15 @@ impl LinkLine {
         let percent = |load: Option<f64>| {
             load.map_or_else(|| "-".to_owned(), |load| format!("{:.1} %", 100.0 * load))
         };
-        let planned = self.planned_hz.map_or_else(|| "-".to_owned(), |hz| format!("{hz:.0}"));
+        let planned = self.load.planned_hz.map_or_else(|| "-".to_owned(), |hz| format!("{hz:.0}"));
         writeln!(
             f,
             "              {:20} {:24} {:>7} {:>7} {planned:>6} {:6.0} {:7} {:7} {:>7} {:>7} {:8}",
             self.name,
             self.medium.as_deref().unwrap_or("-"),
-            percent(self.planned_load),
-            percent(self.seen_load),
-            self.seen_hz,
+            percent(self.load.planned_load),
+            percent(self.load.seen_load),
+            self.load.seen_hz,
             self.corrupt,
             self.foreign,
             self.state,

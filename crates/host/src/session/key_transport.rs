@@ -45,7 +45,7 @@ impl KeyTransport {
             seen: f64::NAN,
             ..Line::default()
         };
-        let samples = keybed.monitor(prepared.tick_hz);
+        let samples = keybed.monitor(prepared.plan.tick_hz);
         publish(samples, places.iter().map(line).collect(), &places, prepared);
         Self::Simulated(keys)
     }
@@ -74,7 +74,7 @@ impl KeyTransport {
         };
         let boards = places.iter().map(target).collect();
         prepared.handle.lend_lights(Lights { boards, requests: keybed.identify_requests() });
-        publish(keybed.monitor(prepared.tick_hz), lines, &places, prepared);
+        publish(keybed.monitor(prepared.plan.tick_hz), lines, &places, prepared);
         Self::Boards(keybed, plans, start.as_u64() / 1_000)
     }
 }
@@ -95,7 +95,7 @@ fn publish(
         ..Board::default()
     };
     let links = telemetry::Links { lines, boards: places.iter().map(board).collect() };
-    let watch = LinksWatch::new(samples, links, 1.0 / f64::from(prepared.tick_hz));
+    let watch = LinksWatch::new(samples, links, 1.0 / f64::from(prepared.plan.tick_hz));
     prepared.handle.tell(TelemetryMessage::Links(Box::new(watch)));
 }
 

@@ -215,18 +215,9 @@ pub struct RunSession {
     observed: ObservedOutputs,
 }
 
-/// All but the MIDI side, which works on a thread of its own.
+/// Parts of a run beside its keys and the MIDI dispatcher, which works on a thread of its own.
 struct PreparedRun {
-    name: String,
-    tick_hz: u32,
-    /// Fastest change of a force towards a voice (N/s).
-    slew_limit: f64,
-    overload: OverloadRules,
-    n_voices: usize,
-    n_lanes: NonZeroUsize,
-    threads: ThreadPlan,
-    ticks: Option<u64>,
-    virtual_time: bool,
+    plan: RunPlan,
     voices: Vec<(usize, BoxedVoice)>,
     unit_costs: UnitCosts,
     play_list: Option<RehearsedPlayList>,
@@ -237,9 +228,23 @@ struct PreparedRun {
     handle: Arc<RunHandle>,
 }
 
+/// Settings of a run, fixed before its first tick.
+struct RunPlan {
+    name: String,
+    tick_hz: u32,
+    /// Fastest change of a force towards a voice (N/s).
+    slew_limit: f64,
+    overload: OverloadRules,
+    n_voices: usize,
+    n_lanes: NonZeroUsize,
+    threads: ThreadPlan,
+    ticks: Option<u64>,
+    virtual_time: bool,
+}
+
 impl std::fmt::Debug for RunSession {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Session").field("scene", &self.prepared.name).finish_non_exhaustive()
+        f.debug_struct("Session").field("scene", &self.prepared.plan.name).finish_non_exhaustive()
     }
 }
 
@@ -303,7 +308,7 @@ impl RunSession {
         publisher.repeat_pedals_after(performance.and_then(|it| it.repeat));
         let pass = play_list.as_ref().and_then(|it| it.pass);
         observed::describe(&handle, (scene, pass), &midi.report, &counters);
-        let prepared = PreparedRun {
+        let plan = RunPlan {
             name: scene.name.clone(),
             tick_hz: scene.tick_hz,
             slew_limit: scene.render.slew_limit,
@@ -313,6 +318,9 @@ impl RunSession {
             threads: threads::plan(scene, options),
             ticks: seconds.map(|seconds| clock::nearest_integer(seconds / period)),
             virtual_time: options.virtual_time,
+        };
+        let prepared = PreparedRun {
+            plan,
             voices,
             unit_costs,
             play_list,
@@ -327,7 +335,7 @@ impl RunSession {
 
     /// Ticks that the run will take; `None` until it is stopped.
     pub const fn ticks(&self) -> Option<u64> {
-        self.prepared.ticks
+        self.prepared.plan.ticks
     }
 
     /// Ticks after which its play list begins again, if it does.
@@ -337,7 +345,7 @@ impl RunSession {
 
     /// Returns the keys with a voice.
     pub const fn n_voices(&self) -> usize {
-        self.prepared.n_voices
+        self.prepared.plan.n_voices
     }
 
     /// Returns the MIDI output in words, or why there is none.
@@ -347,7 +355,7 @@ impl RunSession {
 
     /// Returns the rate of the tick (Hz).
     pub const fn tick_hz(&self) -> u32 {
-        self.prepared.tick_hz
+        self.prepared.plan.tick_hz
     }
 
     /// Returns the counters that are read while it runs.
@@ -390,7 +398,7 @@ impl RunSession {
     /// If the system refuses threads, or one of ours panics.
     pub fn run(self, stop: &AtomicBool) -> Result<RunReport, SessionError> {
         let Self { prepared, keys, dispatcher, observed } = self;
-        if prepared.virtual_time {
+        if prepared.plan.virtual_time {
             virtual_run::run(prepared, keys, dispatcher, observed, stop)
         } else {
             real::run(prepared, keys, dispatcher, observed, stop)
@@ -401,21 +409,23 @@ impl RunSession {
 impl PreparedRun {
     /// Returns the timetable, with tick 0 due at time 0.
     fn timetable(&self) -> Result<Timetable, SessionError> {
-        let period =
-            scheduler::time::Period::from_hz(self.tick_hz).ok_or(BuildError::Rate(self.tick_hz))?;
+        let period = scheduler::time::Period::from_hz(self.plan.tick_hz)
+            .ok_or(BuildError::Rate(self.plan.tick_hz))?;
         Ok(Timetable::new(Nanos::ZERO, period))
     }
 
     /// Returns the scheduler of its ticks.
     fn scheduler(&self) -> Result<Box<Scheduler>, SessionError> {
-        let mut scheduler = engine::realtime::run::scheduler(self.timetable()?, self.slew_limit);
-        scheduler.set_overload(self.overload);
+        let mut scheduler =
+            engine::realtime::run::scheduler(self.timetable()?, self.plan.slew_limit);
+        scheduler.set_overload(self.plan.overload);
         Ok(scheduler)
     }
 
     fn start_lanes(&mut self) -> std::io::Result<(ThreadedLanes, VoiceSwaps)> {
         let voices = std::mem::take(&mut self.voices);
-        let (mut lanes, swaps) = ThreadedLanes::start(voices, self.n_lanes, &self.threads)?;
+        let (mut lanes, swaps) =
+            ThreadedLanes::start(voices, self.plan.n_lanes, &self.plan.threads)?;
         self.unit_costs.costs().for_each(|(kind, cost)| lanes.expect_cost(kind, cost));
         Ok((lanes, swaps))
     }
@@ -429,18 +439,18 @@ impl PreparedRun {
         bus: &KeyTransport,
     ) -> RunReport {
         use std::sync::atomic::Ordering::Relaxed;
-        let duration = (ticks + measured.skipped) as f64 / f64::from(self.tick_hz);
+        let duration = (ticks + measured.skipped) as f64 / f64::from(self.plan.tick_hz);
         let counters = &self.counters;
         let load = |counter: &std::sync::atomic::AtomicU64| counter.load(Relaxed);
         RunReport {
-            scene: self.name.clone(),
-            voices: self.n_voices,
-            tick_hz: self.tick_hz,
+            scene: self.plan.name.clone(),
+            voices: self.plan.n_voices,
+            tick_hz: self.plan.tick_hz,
             ticks,
             skipped: measured.skipped,
             duration_s: duration,
             stopped: self.handle.emergency.answered().is_some(),
-            lanes: self.n_lanes.get(),
+            lanes: self.plan.n_lanes.get(),
             realtime: measured.realtime,
             deadline: measured.deadline,
             notes: self.play_list.as_ref().zip(played.assessor.take()).map(|(list, assessor)| {
@@ -465,8 +475,8 @@ impl PreparedRun {
             energy_audit: self.handle.energy().into(),
             midi: self.midi.report(played),
             recording: None,
-            overload: OverloadReport::new(&counters.overload, self.tick_hz),
-            pauses: lost_ticks(&measured.pauses, self.tick_hz),
+            overload: OverloadReport::new(&counters.overload, self.plan.tick_hz),
+            pauses: lost_ticks(&measured.pauses, self.plan.tick_hz),
             fidelity: Vec::new(),
         }
     }

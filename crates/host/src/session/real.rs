@@ -29,7 +29,7 @@ pub(super) fn run(
     stop: &AtomicBool,
 ) -> Result<RunReport, SessionError> {
     let locked = memory::lock();
-    let latency = match prepared.threads.policy {
+    let latency = match prepared.plan.threads.policy {
         WantedPolicy::Ordinary => HeldLatency::default(),
         WantedPolicy::Fifo(_) | WantedPolicy::Deadline { .. } => HeldLatency::hold(),
     };
@@ -46,13 +46,13 @@ pub(super) fn run(
     let telemetry = RunningTelemetry::start(thread)?;
     let midi = MidiThread::start(
         dispatcher,
-        &prepared.threads,
+        &prepared.plan.threads,
         Arc::clone(&prepared.wake),
         start,
         handover,
     )?;
     let timetable = prepared.timetable()?.moved(0, start);
-    let baseline = Baseline::start(timetable, prepared.threads.for_timer())?;
+    let baseline = Baseline::start(timetable, prepared.plan.threads.for_timer())?;
     // The scope joins the tick's thread whatever happens, so a panic there ends here.
     let ticked = std::thread::scope(|scope| {
         let named = std::thread::Builder::new().name("letoff-tick".into());
@@ -83,7 +83,7 @@ fn tick(
     start: Nanos,
     stop: &AtomicBool,
 ) -> Result<(Box<Timings>, SchedulingPolicy), SessionError> {
-    let mut standing = prepared.threads.ask(0);
+    let mut standing = prepared.plan.threads.ask(0);
     memory::prefault_stack();
     let (mut lanes, swaps) = prepared.start_lanes()?;
     standing.advice.extend(lanes.standings().flat_map(|it| it.advice.iter().cloned()));
@@ -91,7 +91,7 @@ fn tick(
     prepared.handle.open(swaps);
     let mut scheduler = prepared.scheduler()?;
     let mut timings = Box::new(Timings::new().map_err(std::io::Error::other)?);
-    let until = Until { stop, ticks: prepared.ticks };
+    let until = Until { stop, ticks: prepared.plan.ticks };
     let counters = Arc::clone(&prepared.counters);
     bus.attend_until_start();
     let mut assembly = Assembly {

@@ -27,7 +27,7 @@ pub(super) fn run(
     let (mut lanes, swaps) = prepared.start_lanes()?;
     prepared.handle.open(swaps);
     let mut scheduler = prepared.scheduler()?;
-    let until = Until { stop, ticks: prepared.ticks };
+    let until = Until { stop, ticks: prepared.plan.ticks };
     let (mut ticks, mut skipped) = (0, 0);
     let (mut bus, _start) = keys.arm(&prepared, LEAD)?;
     bus.attend_until_start();

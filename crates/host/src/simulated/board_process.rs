@@ -20,32 +20,39 @@ const RELEASE_TIME: Nanos = Nanos::from_millis(15);
 /// A simulated board that runs by the host's clock.
 #[derive(Debug)]
 pub struct BoardProcess {
-    make: BoardMake,
     board: SimulatedBoard,
     placed: Option<Placed>,
     address: String,
     /// The rate of its clock; 1 is right.
     rate: f64,
-    /// The time at which it was switched on.
+    /// Time at which it was switched on.
     began: Option<Nanos>,
-    /// The time at which it was armed first.
+    /// Time at which it was armed first.
     armed: Option<Nanos>,
     faults: Vec<FaultScript>,
     next: usize,
     injected: InjectedFaults,
-    /// The time at which it lost its right to render, while its motors still push.
-    fading: Option<Nanos>,
-    quiet_after: Option<Nanos>,
-    force_while_safe: f64,
-    was_armed: bool,
+    release: ReleaseWatch,
     was_lit: bool,
     lights: u64,
-    /// The time until which it ran, and the longest pause before it ran again while armed.
+    /// Time until which it ran, and the longest pause before it ran again while armed.
     ran_until: Option<Nanos>,
     longest_gap: Nanos,
 }
 
-/// The times until which faults last.
+/// Check that the motors lose their force when the board has no right to render.
+#[derive(Clone, Copy, Debug, Default)]
+struct ReleaseWatch {
+    was_armed: bool,
+    /// Time at which the board lost that right, while its motors still push.
+    fading: Option<Nanos>,
+    /// Longest fade.
+    quiet_after: Option<Nanos>,
+    /// Largest force without that right (N).
+    force_while_safe: f64,
+}
+
+/// Times until which faults last.
 #[derive(Clone, Copy, Debug, Default)]
 struct InjectedFaults {
     off: Nanos,
@@ -68,7 +75,6 @@ impl BoardProcess {
     ) -> Result<Self, boards::Error> {
         Ok(Self {
             board: SimulatedBoard::new(make)?,
-            make,
             address: placed.address.to_string(),
             placed: Some(placed),
             rate: 1.0 + ppm * 1e-6,
@@ -77,10 +83,7 @@ impl BoardProcess {
             faults,
             next: 0,
             injected: InjectedFaults::default(),
-            fading: None,
-            quiet_after: None,
-            force_while_safe: 0.0,
-            was_armed: false,
+            release: ReleaseWatch::default(),
             was_lit: false,
             lights: 0,
             ran_until: None,
@@ -100,14 +103,14 @@ impl BoardProcess {
 
     /// Returns the range of its keys.
     pub fn keys(&self) -> ClaimedKeys {
-        let n = u8::try_from(self.make.n_keys).unwrap_or(u8::MAX);
-        ClaimedKeys { first: self.make.first_key, n }
+        let BoardMake { first_key, n_keys, .. } = *self.board.make();
+        ClaimedKeys { first: first_key, n: u8::try_from(n_keys).unwrap_or(u8::MAX) }
     }
 
     /// Runs until `now`.
     pub fn run(&mut self, now: Nanos) {
         let gap = now.since(self.ran_until.replace(now).unwrap_or(now));
-        if self.was_armed {
+        if self.release.was_armed {
             self.longest_gap = self.longest_gap.max(gap);
         }
         self.inject_faults(now);
@@ -125,8 +128,11 @@ impl BoardProcess {
         if now < self.injected.babbling {
             babble(now, &mut link);
         }
-        self.board.advance(ticks(passed / self.make.period), &mut link);
-        self.watch(now);
+        self.board.advance(ticks(passed / self.board.make().period), &mut link);
+        if !self.board.is_safe() {
+            self.armed.get_or_insert(now);
+        }
+        self.release.watch(now, &self.board);
         let is_lit = self.board.is_lit();
         self.lights += u64::from(is_lit && !self.was_lit);
         self.was_lit = is_lit;
@@ -140,47 +146,16 @@ impl BoardProcess {
     /// Returns what is reported of it at the end.
     pub fn exit_report(&self) -> ExitReport {
         ExitReport {
-            number: self.make.id.number(),
+            number: self.board.make().id.number(),
             keys: self.keys().to_string(),
             link: self.address.clone(),
             state: reason_words(self.board.safe_reason()),
-            force_n: self.force(),
-            quiet_after_ms: self.quiet_after.map(|it| it.as_secs_f64() * 1e3),
-            force_while_safe_n: self.force_while_safe,
+            force_n: largest_force(&self.board),
+            quiet_after_ms: self.release.quiet_after.map(|it| it.as_secs_f64() * 1e3),
+            force_while_safe_n: self.release.force_while_safe,
             longest_gap_ms: self.longest_gap.as_secs_f64() * 1e3,
             lights: self.lights,
             counts: self.board.counts(),
-        }
-    }
-
-    /// Returns the largest force of its motors now (N).
-    fn force(&self) -> f64 {
-        let forces = (0..self.make.n_keys).filter_map(|slot| self.board.rig(slot));
-        forces.fold(0.0, |most, rig| rig.motor_force().abs().max(most))
-    }
-
-    /// Checks that its motors lose their force when it has no right to render.
-    fn watch(&mut self, now: Nanos) {
-        let is_armed = !self.board.is_safe();
-        if is_armed {
-            self.armed.get_or_insert(now);
-            if let Some(since) = self.fading.take() {
-                self.quiet_after = self.quiet_after.max(Some(now.since(since)));
-            }
-        } else if self.was_armed {
-            self.fading = Some(now);
-        }
-        self.was_armed = is_armed;
-        let force = self.force();
-        match self.fading {
-            Some(since) if force < NONE => {
-                self.quiet_after = self.quiet_after.max(Some(now.since(since)));
-                self.fading = None;
-            }
-            Some(since) if now.since(since) < RELEASE_TIME => {}
-            None if is_armed => {}
-            // A force that came again, or that lasts too long.
-            Some(_) | None => self.force_while_safe = self.force_while_safe.max(force),
         }
     }
 
@@ -207,11 +182,41 @@ impl BoardProcess {
     /// Takes its power away until then; its memory is lost.
     fn switch_off(&mut self, until: Nanos) {
         if let Ok(board) = self.board.restarted() {
-            self.make = *board.make();
             self.board = board;
         }
         self.injected.off = until;
-        (self.began, self.was_armed, self.fading) = (None, false, None);
+        (self.began, self.release.was_armed, self.release.fading) = (None, false, None);
+    }
+}
+
+/// Returns the largest force of the board's motors now (N).
+fn largest_force(board: &SimulatedBoard) -> f64 {
+    let forces = (0..board.make().n_keys).filter_map(|slot| board.rig(slot));
+    forces.fold(0.0, |most, rig| rig.motor_force().abs().max(most))
+}
+
+impl ReleaseWatch {
+    fn watch(&mut self, now: Nanos, board: &SimulatedBoard) {
+        let is_armed = !board.is_safe();
+        if is_armed {
+            if let Some(since) = self.fading.take() {
+                self.quiet_after = self.quiet_after.max(Some(now.since(since)));
+            }
+        } else if self.was_armed {
+            self.fading = Some(now);
+        }
+        self.was_armed = is_armed;
+        let force = largest_force(board);
+        match self.fading {
+            Some(since) if force < NONE => {
+                self.quiet_after = self.quiet_after.max(Some(now.since(since)));
+                self.fading = None;
+            }
+            Some(since) if now.since(since) < RELEASE_TIME => {}
+            None if is_armed => {}
+            // A force that came again, or that lasts too long.
+            Some(_) | None => self.force_while_safe = self.force_while_safe.max(force),
+        }
     }
 }
 
