@@ -45,7 +45,7 @@ fn play(scene: &Scene) {
     let options = RunOptions { duration: Some(2.0), virtual_time: true };
     if let Ok(session) = RunSession::prepare(scene, options, &|_| {}) {
         let report = session.run(&AtomicBool::new(false)).expect("a run that was prepared");
-        assert_eq!(report.voices, scene.keys.iter().flatten().count());
+        assert_eq!(report.extent.voices, scene.keys.iter().flatten().count());
     }
 }
 

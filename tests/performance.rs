@@ -271,7 +271,8 @@ fn check(report: &RunReport, least: usize) {
 #[track_caller]
 fn check_healthy(report: &RunReport) {
     let name = &report.scene;
-    assert_eq!((report.faults, report.dropped, report.skipped), (0, 0, 0), "{name}");
+    let totals = &report.totals;
+    assert_eq!((totals.faults, totals.dropped, report.extent.skipped), (0, 0, 0), "{name}");
     assert_eq!((report.links.gaps, report.links.refused), (0, 0), "{name}");
     assert_eq!((report.midi.failed, report.deadline.missed), (0, 0), "{name}");
     let energy = report.energy_audit;

@@ -89,7 +89,7 @@ fn played(scene: &Scene) -> (usize, u64) {
     let options = RunOptions { duration: Some(3.5), virtual_time: true };
     let session = RunSession::prepare(scene, options, &|_| {}).expect("a session");
     let report = session.run(&AtomicBool::new(false)).expect("a run");
-    (report.notes.as_ref().expect("notes").extra, report.faults)
+    (report.notes.as_ref().expect("notes").extra, report.totals.faults)
 }
 
 /// Extra notes that are the instrument's own, a second strike of a pendulum on a cart: those of a
@@ -194,7 +194,8 @@ fn rigid_bodies_play_a_piece_behind_a_coupling_and_not_without() {
     let session = RunSession::prepare(&rigid, options, &|_| {}).expect("a session");
     let report = session.run(&AtomicBool::new(false)).expect("a run");
     let notes = report.notes.as_ref().expect("notes");
-    assert_eq!((notes.struck, notes.extra, report.faults), (notes.played, 0, 0), "{notes:?}");
+    let faults = report.totals.faults;
+    assert_eq!((notes.struck, notes.extra, faults), (notes.played, 0, 0), "{notes:?}");
     assert!(80 < notes.played && notes.velocity_error.p99 <= 2.0, "{notes:?}");
     let without = unstable(&scene_of("grand-rigid", 1000, 0, "none")).expect("not stable");
     assert!(without.contains("key-hammer-rigid"), "{without}");

@@ -134,7 +134,7 @@ fn voices_are_told_of(plan: &SoakPlan, played: &PlayedTrial) -> PromiseVerdict {
     let faults: u64 = played.told.faults.values().sum();
     PromiseVerdict {
         promise: "every voice and sensor that fails is told of",
-        is_kept: silent == 0 && 0 < played.told.recoveries && 0 < played.report.faults,
+        is_kept: silent == 0 && 0 < played.told.recoveries && 0 < played.report.totals.faults,
         seen: format!(
             "{} keys failed, {silent} of them unsaid; {faults} faults, {} recoveries",
             failing.len(),
@@ -185,11 +185,11 @@ fn late_ticks_have_a_cause(played: &PlayedTrial) -> PromiseVerdict {
     let deadline = &played.report.deadline;
     PromiseVerdict {
         promise: "what was too late is counted",
-        is_kept: 0 < played.report.skipped,
+        is_kept: 0 < played.report.extent.skipped,
         seen: format!(
             "{} ticks skipped, most of them while the process was stopped; {} missed: {} by own \
              work, {} woken late, {} preempted",
-            played.report.skipped,
+            played.report.extent.skipped,
             deadline.missed,
             deadline.missed_own_work,
             deadline.missed_woken_late,

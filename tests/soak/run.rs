@@ -79,7 +79,7 @@ fn play(
     let report = run_beside(session, beside, &now)?;
     let strangers = strangers.map_or_else(Vec::new, Strangers::stop);
     let seen = seen.lock().map_or(None, |mut seen| seen.take());
-    let seen = seen.filter(|seen| plan.ticks <= seen.ticks + report.skipped);
+    let seen = seen.filter(|seen| plan.ticks <= seen.ticks + report.extent.skipped);
     let seen = seen.ok_or("the run ended before its time: there is no verdict")?;
     let recordings = recordings.map_or_else(Vec::new, recordings::look_at);
     let (sounds, told) = (synthesizer.sounds().clone(), telling.told().clone());

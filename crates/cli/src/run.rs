@@ -154,15 +154,15 @@ fn perform_and_report(args: &RunArgs, out: &mut dyn Write) -> Result<(), Failure
 /// A run that `letoff stop` ended succeeds in any case: after a failure the service manager would
 /// restart it with its forces.
 fn without_faults(report: &RunReport) -> Result<(), Failure> {
-    if report.faults == 0 {
+    if report.totals.faults == 0 {
         return Ok(());
     }
     let text = format!(
         "voices failed in {} turns, and their keys had no force meanwhile: take a higher tick_hz or \
          parameters that are less stiff; `letoff dash` names keys and reasons while it runs",
-        report.faults
+        report.totals.faults
     );
-    if report.stopped {
+    if report.extent.stopped {
         tell(&text);
         return Ok(());
     }

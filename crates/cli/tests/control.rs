@@ -86,7 +86,7 @@ fn every_key_can_become_another_instrument_while_the_host_runs() {
         assert!(refused.contains(needs), "{refused}");
         assert_eq!(switched("grand-springs", None), "88 keys are now grand-springs");
     });
-    assert_eq!(report.faults, 0);
+    assert_eq!(report.totals.faults, 0);
 }
 
 fn set(changes: &[(u8, &str, f64)]) -> Request {
@@ -110,7 +110,7 @@ fn values_change_while_the_host_runs_and_stand_in_its_scene() {
         assert!(toml.contains("k2 = 900.0") && toml.contains("k2 = 901.0"), "all or none");
         assert!(!toml.contains("k2 = 1.0"), "a set that is refused changes nothing");
     });
-    assert_eq!(report.faults, 0);
+    assert_eq!(report.totals.faults, 0);
 }
 
 #[test]
@@ -127,7 +127,7 @@ fn nonsense_is_refused_with_the_reason_and_disturbs_nobody() {
         let done = ask(path, &request("grand-springs", Some("A0")));
         assert_eq!(done, Ok("1 keys are now grand-springs".to_owned()));
     });
-    assert_eq!(report.faults, 0);
+    assert_eq!(report.totals.faults, 0);
 }
 
 #[test]

@@ -276,7 +276,7 @@ fn changed_settings(scene: &Scene, file: &Path) {
             .expect("stable");
         std::thread::sleep(std::time::Duration::from_millis(300));
     });
-    assert_eq!(report.faults, 0);
+    assert_eq!(report.totals.faults, 0);
 }
 
 #[test]
@@ -356,7 +356,7 @@ fn keys_at_rest_get_a_lower_fidelity_under_overload_and_it_is_undone_when_the_lo
         assert!(press(0.0), "all are let go");
         eventually("every fidelity", || lowered().is_empty().then_some(()));
     });
-    assert_eq!((report.faults, recording.report().trouble), (0, None));
+    assert_eq!((report.totals.faults, recording.report().trouble), (0, None));
     let left_out: Vec<_> = report.overload.left_out.iter().map(|it| it.what).collect();
     assert_eq!(left_out, ["telemetry", "slopes", "rest", "steps", "fidelity"]);
     let replayed = again(&file).expect("a replay");

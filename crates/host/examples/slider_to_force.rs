@@ -55,12 +55,12 @@ fn main() {
         println!(
             "slider to force, {MOVES} moves at {} Hz: p50 {:.2} ms, p99 {:.2} ms, longest {:.2} ms; \
              {} of {} ticks late",
-            report.tick_hz,
+            report.extent.tick_hz,
             at(0.5),
             at(0.99),
             times.max() as f64 / 1e3,
             report.deadline.missed,
-            report.ticks,
+            report.extent.ticks,
         );
     });
 }

@@ -156,10 +156,10 @@ impl BoardLine {
     pub fn new(report: &BoardReport, seconds: f64) -> Self {
         let BoardReport { name, place, statistics, .. } = report;
         let (condition, (came, went)) = (&report.condition, report.exchanged);
-        let keys = ClaimedKeys {
-            first: place.first_key.number(),
-            n: u8::try_from(place.n_keys).unwrap_or(u8::MAX),
-        };
+        let first = place.first_key.number();
+        let keys = ClaimedKeys { first, n: u8::try_from(place.n_keys).unwrap_or(u8::MAX) };
+        let trips = condition.round_trips_us;
+        let round_trip_us = trips.map(|[p50, p99, max]| RoundTrips { p50, p99, max });
         let rate = |count: u64| count as f64 / seconds.max(1e-9);
         let samples = statistics.samples;
         Self {
@@ -177,11 +177,7 @@ impl BoardLine {
                 unsent: statistics.unsent,
             },
             clock: BoardClock {
-                round_trip_us: condition.round_trips_us.map(|[p50, p99, max]| RoundTrips {
-                    p50,
-                    p99,
-                    max,
-                }),
+                round_trip_us,
                 drift_ppm: condition.drift_ppm,
                 clock_jumps: condition.jumps,
             },
@@ -191,9 +187,9 @@ impl BoardLine {
             calibrated: report.is_calibrated,
             guarded: GuardedKeys {
                 implausible: statistics.implausible,
-                muted: muted_keys(place.first_key.number(), &statistics.keys.muted),
-                softened: key_names(place.first_key.number(), statistics.keys.softened),
-                unproven: key_names(place.first_key.number(), statistics.keys.unproven),
+                muted: muted_keys(first, &statistics.keys.muted),
+                softened: key_names(first, statistics.keys.softened),
+                unproven: key_names(first, statistics.keys.unproven),
                 glitches: statistics.keys.glitches,
                 limited_rises: statistics.keys.limited,
                 blended: statistics.keys.blended,

@@ -30,6 +30,37 @@ pub use step_counts::StepCounts;
 #[derive(Clone, Debug, Serialize)]
 pub struct RunReport {
     pub scene: String,
+    #[serde(flatten)]
+    pub extent: RunExtent,
+    /// Rights that the system granted.
+    pub realtime: Realtime,
+    pub deadline: Deadline,
+    /// Quality of the performance; `None` without a pianist.
+    pub notes: Option<NoteReport>,
+    #[serde(flatten)]
+    pub totals: VoiceTotals,
+    /// Exchange with the boards, summed over them.
+    pub links: LinkReport,
+    /// Each board, if there are real ones.
+    pub boards: Vec<BoardLine>,
+    /// Each link to them.
+    pub lines: Vec<LinkLine>,
+    /// Energy audit of all voices (J).
+    pub energy_audit: AuditReport,
+    pub midi: MidiReport,
+    pub recording: Option<RecordingReport>,
+    /// Work that was left out since ticks had more of it than time.
+    pub overload: OverloadReport,
+    /// The first 1000 places where ticks were never run, in order. A note that was played there may
+    /// be missing.
+    pub pauses: Vec<LostTicks>,
+    /// Fidelity of the key ranges that left it to the host.
+    pub fidelity: Vec<ChosenFidelity>,
+}
+
+/// Voices, ticks and threads of a run, and its length.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct RunExtent {
     /// Keys with a voice.
     pub voices: usize,
     pub tick_hz: u32,
@@ -39,16 +70,15 @@ pub struct RunReport {
     pub skipped: u64,
     /// Length of the run (s).
     pub duration_s: f64,
-    /// Whether `letoff stop` ended it: its boards render no force until they are started anew.
+    /// `true` if `letoff stop` ended it: its boards render no force until they are restarted.
     pub stopped: bool,
     /// Threads that shared the tick.
     pub lanes: usize,
-    /// The rights that the system granted.
-    pub realtime: Realtime,
-    /// Whether forces were out in time.
-    pub deadline: Deadline,
-    /// The quality of the performance; `None` without a pianist.
-    pub notes: Option<NoteReport>,
+}
+
+/// Events, faults and work, summed over all voices.
+#[derive(Clone, Debug, Serialize)]
+pub struct VoiceTotals {
     /// Reset maps applied by all models.
     pub events: u64,
     /// Hammers that met their string.
@@ -59,29 +89,9 @@ pub struct RunReport {
     pub muted: Vec<String>,
     /// Key events for which a ring had no room.
     pub dropped: u64,
-    /// Counted work of all voices.
     pub work: Evaluations,
-    /// Steps of all voices, by whether a crossing can have been missed in them.
+    /// Steps, by whether a crossing can have been missed in them.
     pub steps: StepCounts,
-    /// Exchange with the boards, summed over them.
-    pub links: LinkReport,
-    /// Each board, if there are real ones.
-    pub boards: Vec<BoardLine>,
-    /// Each link to them.
-    pub lines: Vec<LinkLine>,
-    /// The energy audit of all voices (J).
-    pub energy_audit: AuditReport,
-    /// The outcome of the MIDI output.
-    pub midi: MidiReport,
-    /// The recording, if there was one.
-    pub recording: Option<RecordingReport>,
-    /// What was left out since ticks had more work than time.
-    pub overload: OverloadReport,
-    /// Where ticks were never run, in order; the first 1000 places. A note that was played there may
-    /// be missing.
-    pub pauses: Vec<LostTicks>,
-    /// What key ranges got that left their fidelity to the host.
-    pub fidelity: Vec<ChosenFidelity>,
 }
 
 /// The outcome of a recording.
@@ -102,7 +112,7 @@ impl RunReport {
     /// after `letoff stop`, which is why boards render no force then.
     pub fn board_troubles(&self) -> Vec<String> {
         let faults = self.lines.iter().filter_map(|line| line.fault.clone());
-        let boards = self.boards.iter().filter(|_| !self.stopped);
+        let boards = self.boards.iter().filter(|_| !self.extent.stopped);
         faults.chain(boards.flat_map(BoardLine::troubles)).collect()
     }
 
@@ -111,7 +121,7 @@ impl RunReport {
     pub fn has_failed_board(&self) -> bool {
         let has_fault = self.lines.iter().any(|line| line.fault.is_some());
         let has_failed = self.boards.iter().any(BoardLine::has_failed);
-        has_fault || 0 < self.ticks && !self.stopped && has_failed
+        has_fault || 0 < self.extent.ticks && !self.extent.stopped && has_failed
     }
 }
 
@@ -221,12 +231,13 @@ pub struct MidiReport {
 
 impl fmt::Display for RunReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let RunExtent { voices, tick_hz, ticks, skipped, duration_s, lanes, .. } = self.extent;
         writeln!(
             f,
-            "{}: {} voices, {} ticks at {} Hz ({:.1} s) on {} lane(s)",
-            self.scene, self.voices, self.ticks, self.tick_hz, self.duration_s, self.lanes
+            "{}: {voices} voices, {ticks} ticks at {tick_hz} Hz ({duration_s:.1} s) on {lanes} lane(s)",
+            self.scene
         )?;
-        if self.stopped {
+        if self.extent.stopped {
             writeln!(f, "  STOPPED     boards render no force until they are started anew")?;
         }
         let locked = if self.realtime.memory_locked { "locked" } else { "not locked" };
@@ -234,24 +245,22 @@ impl fmt::Display for RunReport {
         for advice in &self.realtime.advice {
             writeln!(f, "              {advice}")?;
         }
-        self.deadline.fmt_lines(f, self.skipped)?;
+        self.deadline.fmt_lines(f, skipped)?;
         self.fmt_pauses(f)?;
         self.overload.fmt_lines(f)?;
         if let Some(notes) = &self.notes {
             notes.fmt_lines(f)?;
         }
+        let VoiceTotals { events, strikes, faults, muted, work, steps, .. } = &self.totals;
         writeln!(
             f,
-            "  models      {} events, {} strikes, {} faults; {:.1} derivatives and {:.1} guards per tick",
-            self.events,
-            self.strikes,
-            self.faults,
-            self.work.derivatives as f64 / self.ticks.max(1) as f64,
-            self.work.guards as f64 / self.ticks.max(1) as f64,
+            "  models      {events} events, {strikes} strikes, {faults} faults; {:.1} derivatives and {:.1} guards per tick",
+            work.derivatives as f64 / ticks.max(1) as f64,
+            work.guards as f64 / ticks.max(1) as f64,
         )?;
-        self.steps.fmt_lines(f)?;
-        if !self.muted.is_empty() {
-            let keys = self.muted.join(", ");
+        steps.fmt_lines(f)?;
+        if !muted.is_empty() {
+            let keys = muted.join(", ");
             writeln!(f, "  muted       {keys}: they made energy, or failed again and again")?;
         }
         let e = &self.energy_audit;

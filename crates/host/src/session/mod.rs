@@ -17,7 +17,7 @@ mod virtual_run;
 
 use std::num::NonZeroUsize;
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use boards::sim::keybed::SimulatedKeybed;
@@ -36,7 +36,7 @@ use crate::control::{RunHandle, passes};
 use crate::midi_thread::{AnyOutput, MidiDispatcher, PlaybackSummary};
 use crate::observe::{MessageSink, TelemetryMessage};
 use crate::report::{Deadline, Evaluations, LostTicks, NoteReport, OverloadReport, Realtime};
-use crate::report::{RunReport, StepCounts};
+use crate::report::{RunExtent, RunReport, StepCounts, VoiceTotals};
 use engine::realtime::clock;
 use engine::realtime::pool::{BoxedVoice, ThreadedLanes, VoiceSwaps};
 use engine::realtime::run::Pause;
@@ -438,47 +438,54 @@ impl PreparedRun {
         measured: MeasuredRun,
         bus: &KeyTransport,
     ) -> RunReport {
-        use std::sync::atomic::Ordering::Relaxed;
         let duration = (ticks + measured.skipped) as f64 / f64::from(self.plan.tick_hz);
-        let counters = &self.counters;
-        let load = |counter: &std::sync::atomic::AtomicU64| counter.load(Relaxed);
         RunReport {
             scene: self.plan.name.clone(),
-            voices: self.plan.n_voices,
-            tick_hz: self.plan.tick_hz,
-            ticks,
-            skipped: measured.skipped,
-            duration_s: duration,
-            stopped: self.handle.emergency.answered().is_some(),
-            lanes: self.plan.n_lanes.get(),
+            extent: RunExtent {
+                voices: self.plan.n_voices,
+                tick_hz: self.plan.tick_hz,
+                ticks,
+                skipped: measured.skipped,
+                duration_s: duration,
+                stopped: self.handle.emergency.answered().is_some(),
+                lanes: self.plan.n_lanes.get(),
+            },
             realtime: measured.realtime,
             deadline: measured.deadline,
             notes: self.play_list.as_ref().zip(played.assessor.take()).map(|(list, assessor)| {
                 notes(list, assessor, (ticks + measured.skipped, duration))
             }),
-            events: load(&counters.events),
-            strikes: load(&counters.strikes),
-            faults: load(&counters.faults),
-            muted: counters.muted.keys().map(|key| key_name(key.into())).collect(),
-            dropped: load(&counters.dropped),
-            work: Evaluations {
-                derivatives: load(&counters.derivatives),
-                guards: load(&counters.guards),
-            },
-            steps: StepCounts::new(
-                counters.quiet_steps.each_ref().map(load),
-                counters.event_steps.each_ref().map(load),
-            ),
+            totals: totals(&self.counters),
             links: bus.links(),
             boards: bus.boards(duration),
             lines: bus.lines(duration),
             energy_audit: self.handle.energy().into(),
             midi: self.midi.report(played),
             recording: None,
-            overload: OverloadReport::new(&counters.overload, self.plan.tick_hz),
+            overload: OverloadReport::new(&self.counters.overload, self.plan.tick_hz),
             pauses: lost_ticks(&measured.pauses, self.plan.tick_hz),
             fidelity: Vec::new(),
         }
+    }
+}
+
+/// Returns the totals of a run that has ended.
+fn totals(counters: &LiveCounters) -> VoiceTotals {
+    let load = |counter: &AtomicU64| counter.load(Ordering::Relaxed);
+    VoiceTotals {
+        events: load(&counters.events),
+        strikes: load(&counters.strikes),
+        faults: load(&counters.faults),
+        muted: counters.muted.keys().map(|key| key_name(key.into())).collect(),
+        dropped: load(&counters.dropped),
+        work: Evaluations {
+            derivatives: load(&counters.derivatives),
+            guards: load(&counters.guards),
+        },
+        steps: StepCounts::new(
+            counters.quiet_steps.each_ref().map(load),
+            counters.event_steps.each_ref().map(load),
+        ),
     }
 }
 
