@@ -1,8 +1,8 @@
 //! A recording through the scheduler.
 
-use std::sync::mpsc;
+use std::sync::{Arc, mpsc};
 
-use midi::PedalMove;
+use midi::{PedalMove, VelocityCurve};
 use scheduler::motion::{KEYS, KeySample};
 use scheduler::time::{Nanos, Period, Timetable};
 use serde::Serialize;
@@ -25,7 +25,7 @@ use engine::realtime::wake_fd::WakeFd;
 use scene::{KeyVoice, Library, Render, Scene};
 
 /// The result of a replay.
-#[derive(Clone, PartialEq, Debug, Serialize)]
+#[derive(Clone, PartialEq, Debug, Default, Serialize)]
 pub struct Replayed {
     pub scene: String,
     /// Ticks that were run again and compared to the last bit.
@@ -64,17 +64,17 @@ pub fn replay(
             (None, Err(why)) => return Err(ReplayError::Beginning(why)),
             (None, Ok(Update::Catalogue(catalogue))) => replay = Some(Replay::begin(&catalogue)?),
             (None, Ok(_too_early)) => {}
-            (Some(replay), Err(why)) => _ = replay.damage.get_or_insert(why),
-            (Some(replay), Ok(message)) if replay.damage.is_some() => {
+            (Some(replay), Err(why)) => _ = replay.result.damage.get_or_insert(why),
+            (Some(replay), Ok(message)) if replay.result.damage.is_some() => {
                 // Catalogue and voices are repeated, also behind the last tick.
                 if !matches!(message, Update::Catalogue(_) | Update::Voice(_)) {
-                    replay.has_hole = true;
+                    replay.recording.has_hole = true;
                     break;
                 }
             }
             (Some(replay), Ok(message)) => {
                 replay.take(message)?;
-                progress(replay.ticks);
+                progress(replay.result.ticks);
             }
         }
     }
@@ -88,38 +88,108 @@ fn scene_of(catalogue: &Catalogue, library: &Library) -> Result<Scene, ReplayErr
 }
 
 struct Replay {
-    scene: Scene,
+    recording: RecordedInputs,
+    engine: ReplayEngine,
+    sinks: ReplaySinks,
+    comparison: Comparison,
+    /// The result as far as it is known.
+    result: Replayed,
+}
+
+/// Inputs of the ticks that follow, as far as the recording was read.
+struct RecordedInputs {
     /// Render settings for the voices that follow in the recording.
     render: Render,
     versions: RecordedVersions,
+    feed: Feed,
+    pedals: Vec<PedalMove>,
+    /// Ticks after which pedals move again, if they do.
+    pass: Option<u64>,
+    /// `true` if messages follow damage.
+    has_hole: bool,
+}
+
+/// The scheduler, between recorded samples and voices that are built again.
+struct ReplayEngine {
     scheduler: Box<scheduler::tick::Scheduler>,
     timetable: Timetable,
-    feed: Feed,
     bus: ReplayBus,
     lanes: ReplayLanes,
+    is_running: bool,
+    /// The tick that was run last, 0 before the first.
+    last: u64,
+}
+
+/// Observers of the ticks, which report them as those of the run did.
+struct ReplaySinks {
     watchers: Watchers,
     telemetry: Box<TelemetryThread>,
     dispatcher: MidiDispatcher,
     sender: mpsc::Sender<TelemetryMessage>,
     replayed: ReplayedMessages,
-    comparison: Comparison,
-    pedals: Vec<PedalMove>,
-    /// Ticks after which pedals move again, if they do.
-    pass: Option<u64>,
-    is_running: bool,
-    ticks: u64,
-    recorded: u64,
-    last: u64,
-    faults: u64,
-    strikes: u64,
-    /// Why the next messages could not be read, if they could not.
-    damage: Option<String>,
-    /// Whether messages follow that damage.
-    has_hole: bool,
 }
 
 /// Key events between two windows; a second of all keys.
 const RING: usize = 1 << 16;
+
+impl ReplayEngine {
+    /// Runs `tick` with the samples, arming and overload that `feed` has of it. Returns `true` if
+    /// the scheduler ran it.
+    fn run(
+        &mut self,
+        tick: u64,
+        feed: &mut Feed,
+        watchers: &mut Watchers,
+    ) -> Result<bool, ReplayError> {
+        match feed.arm(tick) {
+            Some(Arm::Off) => self.scheduler.disarm(),
+            Some(Arm::On) => self.scheduler.arm(),
+            None => {}
+        }
+        if let Some(simplified) = feed.simplified(tick) {
+            self.scheduler.simplify(simplified);
+        }
+        let fed = feed.tick(tick);
+        for (sample, fed) in self.bus.samples.iter_mut().zip(&fed) {
+            *sample = fed.sample;
+        }
+        self.lanes.feed(fed);
+        self.last = tick;
+        let now = self.timetable.due(tick);
+        let done = self.scheduler.poll(now, &mut self.bus, &mut self.lanes, watchers);
+        self.lanes.failed.take().map_or(Ok(done.is_some()), Err)
+    }
+}
+
+impl ReplaySinks {
+    fn connect(
+        catalogue: &Catalogue,
+        curve: VelocityCurve,
+        period: Period,
+    ) -> Result<Self, ReplayError> {
+        let (recorder, rings) = TickRecorder::new();
+        let (_no_times, times) = Pulses::new();
+        let (sender, receiver) = mpsc::channel();
+        let system = |error: String| ReplayError::Read(error);
+        let seconds = period.as_secs_f64();
+        let nanos = clock::from_seconds(seconds).as_u64();
+        let telemetry = TelemetryThread::new(rings, times, receiver, nanos);
+        let mut telemetry = telemetry.map_err(|error| system(error.to_string()))?;
+        let replayed = ReplayedMessages::default();
+        // Sent before the beginning, so that all keys are followed from the first tick on. The
+        // receiver exists as long as the replay.
+        let _received = sender.send(TelemetryMessage::Sink(Box::new(replayed.clone())));
+        telemetry.begin(catalogue.began, catalogue.clone());
+        let (ring, events) = rtrb::RingBuffer::new(RING);
+        let wake = Arc::new(WakeFd::new().map_err(|error| system(error.to_string()))?);
+        let counters = Arc::<LiveCounters>::default();
+        let publisher = TickPublisher::new(ring, wake, counters, Box::default(), seconds);
+        let output = Box::new(MonitoredOutput { output: nowhere(), sender: sender.clone() });
+        let dispatcher = MidiDispatcher::new(events, output, curve);
+        let watchers = Watchers { publisher, recorder };
+        Ok(Self { watchers, telemetry, dispatcher, sender, replayed })
+    }
+}
 
 impl Replay {
     #[expect(clippy::large_stack_frames, reason = "once, at set-up, on its way to the heap")]
@@ -130,74 +200,47 @@ impl Replay {
         let period = Period::from_hz(scene.tick_hz)
             .ok_or_else(|| ReplayError::Scene(format!("no tick has {} Hz", scene.tick_hz)))?;
         let timetable = Timetable::new(Nanos::ZERO, period);
-        let (recorder, rings) = TickRecorder::new();
-        let (_no_times, times) = Pulses::new();
-        let (sender, receiver) = mpsc::channel();
-        let system = |error: String| ReplayError::Read(error);
-        let nanos = clock::from_seconds(period.as_secs_f64()).as_u64();
-        let telemetry = TelemetryThread::new(rings, times, receiver, nanos);
-        let mut telemetry = telemetry.map_err(|error| system(error.to_string()))?;
-        let replayed = ReplayedMessages::default();
-        // Sent before the beginning, so that all keys are followed from the first tick on. The
-        // receiver exists as long as the replay.
-        let _received = sender.send(TelemetryMessage::Sink(Box::new(replayed.clone())));
-        telemetry.begin(catalogue.began, catalogue.clone());
-        let (ring, events) = rtrb::RingBuffer::new(RING);
-        let wake = WakeFd::new().map_err(|error| system(error.to_string()))?;
-        let counters = std::sync::Arc::<LiveCounters>::default();
-        let publisher = TickPublisher::new(
-            ring,
-            std::sync::Arc::new(wake),
-            counters,
-            Box::default(),
-            period.as_secs_f64(),
-        );
-        let output = Box::new(MonitoredOutput { output: nowhere(), sender: sender.clone() });
-        let dispatcher = MidiDispatcher::new(events, output, scene.midi.curve);
+        let render = scene.render;
         Ok(Box::new(Self {
-            // The recording contains what was left out and which keys waited.
-            scheduler: scheduler(timetable, scene.render.slew_limit),
-            timetable,
-            feed: Feed::new(),
-            bus: ReplayBus { samples: [KeySample::default(); KEYS] },
-            lanes: ReplayLanes::new(scene.clone()),
-            render: scene.render,
-            scene,
-            versions,
-            watchers: Watchers { publisher, recorder },
-            telemetry,
-            dispatcher,
-            sender,
-            replayed,
+            recording: RecordedInputs {
+                render,
+                versions,
+                feed: Feed::new(),
+                pedals: Vec::new(),
+                pass: None,
+                has_hole: false,
+            },
+            sinks: ReplaySinks::connect(catalogue, scene.midi.curve, period)?,
             comparison: Comparison::default(),
-            pedals: Vec::new(),
-            pass: None,
-            is_running: false,
-            ticks: 0,
-            recorded: 0,
-            last: 0,
-            faults: 0,
-            strikes: 0,
-            damage: None,
-            has_hole: false,
+            result: Replayed { scene: scene.name.clone(), ..Replayed::default() },
+            engine: ReplayEngine {
+                // The recording contains what was left out and which keys waited.
+                scheduler: scheduler(timetable, render.slew_limit),
+                timetable,
+                bus: ReplayBus { samples: [KeySample::default(); KEYS] },
+                lanes: ReplayLanes::new(scene),
+                is_running: false,
+                last: 0,
+            },
         }))
     }
 
     fn take(&mut self, message: Update) -> Result<(), ReplayError> {
         if let Update::Ticks(message) = &message {
-            self.recorded += message.after.len() as u64;
+            self.result.recorded += message.after.len() as u64;
         }
-        if self.feed.gap().is_some() {
+        if self.recording.feed.gap().is_some() {
             return Ok(());
         }
         match &message {
             Update::Voice(voice) => self.voice(voice)?,
-            Update::Block(block) => self.feed.block(block),
+            Update::Block(block) => self.recording.feed.block(block),
             Update::Event(event) => self.event(event),
             Update::Ticks(message) => self.window(message)?,
             Update::Catalogue(catalogue) => {
-                self.versions.learn(catalogue)?;
-                self.render = scene_of(catalogue, &self.versions.library)?.render;
+                let RecordedInputs { versions, render, .. } = &mut self.recording;
+                versions.learn(catalogue)?;
+                *render = scene_of(catalogue, &versions.library)?.render;
             }
             Update::Overview(_)
             | Update::State(..)
@@ -211,14 +254,14 @@ impl Replay {
     }
 
     fn event(&mut self, event: &Event) {
-        self.feed.event(event);
+        self.recording.feed.event(event);
         match event.kind() {
             Kind::Pedal => {
-                self.pedals.extend(pedal_move(event));
-                self.pass = Some(event.every).filter(|every| 0 < *every);
+                self.recording.pedals.extend(pedal_move(event));
+                self.recording.pass = Some(event.every).filter(|every| 0 < *every);
             }
-            Kind::Fault => self.faults += 1,
-            Kind::Strike => self.strikes += 1,
+            Kind::Fault => self.result.faults += 1,
+            Kind::Strike => self.result.strikes += 1,
             Kind::Unknown
             | Kind::Switch
             | Kind::DamperLift
@@ -238,24 +281,24 @@ impl Replay {
 
     /// Runs the ticks of a window. Their rows precede the window in the recording.
     fn window(&mut self, message: &Ticks) -> Result<(), ReplayError> {
-        let from = self.last;
+        let from = self.engine.last;
         for tick in ticks(message) {
             self.tick(tick)?;
         }
-        self.telemetry.pump();
-        if self.lanes.is_unknown() {
+        self.sinks.telemetry.pump();
+        if self.engine.lanes.is_unknown() {
             // Nothing can be compared behind the ticks before this window.
-            self.feed.lose(from + 1);
-            self.replayed.take_all();
+            self.recording.feed.lose(from + 1);
+            self.sinks.replayed.take_all();
         } else {
-            self.comparison.window(self.last, &self.replayed);
+            self.comparison.window(self.engine.last, &self.sinks.replayed);
         }
         Ok(())
     }
 
     /// Learns of a voice, and sends it to the telemetry, which then uses the same probes.
     fn voice(&mut self, message: &Voice) -> Result<(), ReplayError> {
-        let model = self.versions.model(message)?;
+        let model = self.recording.versions.model(message)?;
         let played = KeyVoice { model, values: message.values.clone() };
         let origin = Origin {
             revision: message.revision,
@@ -265,85 +308,60 @@ impl Replay {
         };
         let key = u8::try_from(message.key).unwrap_or(u8::MAX);
         // The receiver exists as long as the replay.
-        let _received = self.sender.send(voice(key, &played, origin));
-        let part = RecordedVoice { voice: played, kept: message.kept, render: self.render };
-        self.lanes.learn(message.key, message.revision, part)
-    }
-
-    /// Arms voices and leaves things out as it was done before `tick`.
-    fn steer(&mut self, tick: u64) {
-        match self.feed.arm(tick) {
-            Some(Arm::Off) => self.scheduler.disarm(),
-            Some(Arm::On) => self.scheduler.arm(),
-            None => {}
-        }
-        if let Some(simplified) = self.feed.simplified(tick) {
-            self.scheduler.simplify(simplified);
-        }
+        let _received = self.sinks.sender.send(voice(key, &played, origin));
+        let (kept, render) = (message.kept, self.recording.render);
+        let recorded = RecordedVoice { voice: played, kept, render };
+        self.engine.lanes.learn(message.key, message.revision, recorded)
     }
 
     fn tick(&mut self, tick: u64) -> Result<(), ReplayError> {
-        if !self.is_running {
-            if 0 < tick && self.feed.begins_late(tick) {
+        let Self { recording, engine, sinks, result, .. } = self;
+        if !engine.is_running {
+            if 0 < tick && recording.feed.begins_late(tick) {
                 return Err(ReplayError::Middle(tick));
             }
-            let length =
-                self.pass.map(|ticks| ticks as f64 * self.timetable.period().as_secs_f64());
-            self.watchers.publisher.set_pedals(std::mem::take(&mut self.pedals).into());
-            self.watchers.publisher.repeat_pedals_after(length);
-            self.is_running = true;
+            let period = engine.timetable.period().as_secs_f64();
+            let publisher = &mut sinks.watchers.publisher;
+            publisher.set_pedals(std::mem::take(&mut recording.pedals).into());
+            publisher.repeat_pedals_after(recording.pass.map(|ticks| ticks as f64 * period));
+            engine.is_running = true;
         }
-        self.steer(tick);
-        let fed = self.feed.tick(tick);
-        for (sample, fed) in self.bus.samples.iter_mut().zip(&fed) {
-            *sample = fed.sample;
-        }
-        self.lanes.feed(fed);
-        let now = self.timetable.due(tick);
-        let done = self.scheduler.poll(now, &mut self.bus, &mut self.lanes, &mut self.watchers);
-        if let Some(failed) = self.lanes.failed.take() {
-            return Err(failed);
-        }
-        self.dispatcher.drain();
-        self.ticks += u64::from(done.is_some());
-        self.last = tick;
+        let was_run = engine.run(tick, &mut recording.feed, &mut sinks.watchers)?;
+        sinks.dispatcher.drain();
+        result.ticks += u64::from(was_run);
         Ok(())
     }
 
     /// Compares the rest, up to the end of the recording or to its first hole.
     fn finish(mut self) -> Replayed {
-        self.telemetry.pump();
-        let mut is_torn = self.comparison.forget_unrun() || self.has_hole;
-        self.comparison.window(self.last, &self.replayed);
+        self.sinks.telemetry.pump();
+        let mut is_torn = self.comparison.forget_unrun() || self.recording.has_hole;
+        self.comparison.window(self.engine.last, &self.sinks.replayed);
         let timed = self.comparison.n_sent();
         // Ends the notes, as the run did.
-        self.dispatcher.end_notes(self.comparison.ending());
-        self.telemetry.pump();
-        self.comparison.window(self.last, &self.replayed);
+        self.sinks.dispatcher.end_notes(self.comparison.ending());
+        self.sinks.telemetry.pump();
+        self.comparison.window(self.engine.last, &self.sinks.replayed);
         self.comparison.sort_sent(timed);
         is_torn |= self.comparison.lacks_end(timed);
         if is_torn {
             self.comparison.tear(timed);
         }
-        let gap = self.feed.gap();
+        let gap = self.recording.feed.gap();
         if gap.is_none() {
-            self.comparison.finish(self.last, timed);
+            self.comparison.finish(self.engine.last, timed);
         }
-        let next = if self.is_running { self.last + 1 } else { 0 };
+        let next = if self.engine.is_running { self.engine.last + 1 } else { 0 };
         let incomplete_from = gap.or_else(|| is_torn.then_some(next));
         let Comparison { compared, different, first, .. } = self.comparison;
         Replayed {
-            scene: self.scene.name,
-            ticks: self.ticks,
-            recorded: self.recorded,
             compared,
             different,
             first_difference: first,
             incomplete_from,
             // Damage behind the last tick takes nothing away that would be replayed.
-            damage: self.damage.filter(|_| incomplete_from.is_some()),
-            faults: self.faults,
-            strikes: self.strikes,
+            damage: self.result.damage.filter(|_| incomplete_from.is_some()),
+            ..self.result
         }
     }
 }
