@@ -1,4 +1,4 @@
-//! From rings to messages to sinks.
+//! The thread that turns rows of ticks into messages for sinks.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
@@ -22,17 +22,17 @@ use crate::adapters::tick_recorder::{
 };
 use engine::realtime::run::CreationError;
 
-/// Somebody who takes messages.
+/// Receiver of telemetry messages: a recording, the stream, the status.
 pub trait MessageSink: Send {
-    /// Takes a message that was made at `at` (ns since 1970).
+    /// Receives a message of time `at` (ns since 1970).
     fn take(&mut self, at: u64, update: &Update);
 
-    /// Whether messages of `topic` are of use to it.
+    /// Returns `true` if the sink uses messages of `topic`.
     fn wants(&self, topic: Topic) -> bool;
 
-    /// Returns the keys whose models are to be observed for it: bit n is key n.
+    /// Returns the keys whose models are observed for the sink: bit n is key n.
     ///
-    /// Those whose rows it wants; all, if it wants what is made of the rows of all.
+    /// These are the keys with rows that it wants, or all keys if it wants overviews or events.
     fn followed_keys(&self) -> u128 {
         let wants_all = [Topic::Overview, Topic::Events].map(|topic| self.wants(topic));
         let keys = (0..=u8::MAX).take(KEYS).filter(|key| {
@@ -43,43 +43,42 @@ pub trait MessageSink: Send {
         keys.fold(0, |followed, key| followed | 1 << key)
     }
 
-    /// Whether somebody is there who was not when this was asked last: they are told how the keys
-    /// are of which it wants rows.
+    /// Returns `true` if a client connected since the last call. The sink then gets the state of
+    /// each key with rows that it wants.
     fn has_newcomers(&mut self) -> bool {
         false
     }
 
-    /// Whether it can do without rows of single keys while the tick has too much to do.
+    /// Returns `true` if the sink can do without rows of single keys under overload.
     fn is_thinned(&self) -> bool {
         false
     }
 
-    /// Looks after what it holds, a few times a second; `now` is (ns since 1970). Says whether it
-    /// will take more.
+    /// Does periodic work, a few times a second, at `now` (ns since 1970).
     fn attend(&mut self, now: u64) -> Attention {
         let _ = now;
         Attention::Goes
     }
 }
 
-/// Whether a sink takes more.
+/// Need of a sink for more messages.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Attention {
     Goes,
-    /// It is over, and may be dropped.
+    /// The sink needs no more messages and may be dropped.
     Over,
 }
 
 /// Messages to telemetry from other threads than the tick's.
 pub enum TelemetryMessage {
-    /// A voice that may be put in from now on, and what to see it with.
+    /// A voice that may be put in from now on, and the probe that reads its model.
     Voice(Box<Voice>, Option<Box<dyn ModelProbe>>),
     Update(Box<Update>),
-    /// What there is to see and to change now.
+    /// The current catalogue.
     Catalogue(Box<Catalogue>),
-    /// Where lines and boards are seen.
+    /// Watch over the links and boards.
     Links(Box<LinksWatch>),
-    /// One more who takes messages.
+    /// A further sink.
     Sink(Box<dyn MessageSink>),
 }
 
@@ -95,49 +94,62 @@ impl std::fmt::Debug for TelemetryMessage {
     }
 }
 
-/// Moves what rings tell to sinks.
+/// Builds messages from the rows of the rings and hands them to the sinks.
 pub struct TelemetryThread {
-    tapped: TickRecorderRings,
-    pulses: Consumer<PulseRow>,
-    told: mpsc::Receiver<TelemetryMessage>,
+    sources: TelemetrySources,
     sinks: Vec<Box<dyn MessageSink>>,
-    /// What whoever comes later must know: the catalogue, and the voice of each key.
-    latched: BTreeMap<Option<u32>, Update>,
-    /// Moves of pedals, which are told beforehand.
+    /// Messages for sinks that are added later: the catalogue and the voice of each key.
+    retained: BTreeMap<Option<u32>, Update>,
+    /// Moves of pedals, which are reported before the first tick.
     pedals: Vec<Update>,
-    probes: BTreeMap<u32, SeenVoice>,
-    /// Time at tick 0 (ns since 1970), and that of a tick (ns).
-    time: (u64, u64),
+    probes: BTreeMap<u32, ProbedVoice>,
+    /// Time of tick 0 (ns since 1970).
+    began: u64,
+    /// Tick (ns).
+    period: u64,
     keys: Vec<KeyTelemetry>,
     overview: OverviewBuilder,
     ticks: TicksBuilder,
     deadlines: DeadlinesBuilder,
-    links: Option<Box<LinksWatch>>,
-    /// Times that came before their tick.
-    early: Option<PulseRow>,
-    /// The last tick that was told of, and whether voices were felt then.
-    now: u64,
-    armed: bool,
-    simplified: Simplifications,
-    dropped: u64,
-    /// Ticks at which the slower messages were made last.
-    looked: u64,
+    newest: NewestTick,
+    /// Times at which the last overview and the last sums were made (ns since 1970).
+    overviewed: u64,
     summed: u64,
 }
 
-/// What a voice is seen with, and on which key.
-type SeenVoice = (u32, Box<dyn ModelProbe>);
+/// Ends of the rings and channels that other threads fill.
+struct TelemetrySources {
+    rings: TickRecorderRings,
+    pulses: Consumer<PulseRow>,
+    /// Times of a tick with no row yet.
+    early: Option<PulseRow>,
+    messages: mpsc::Receiver<TelemetryMessage>,
+    links: Option<Box<LinksWatch>>,
+}
 
-/// What is known of a key.
+/// State that the newest tick row reported; a change of it is an event.
+struct NewestTick {
+    tick: u64,
+    /// `true` if the forces of voices were sent.
+    armed: bool,
+    simplified: Simplifications,
+    /// Rows so far that found no room in the ring.
+    dropped: u64,
+}
+
+/// The key of a voice, and the probe that reads its model.
+type ProbedVoice = (u32, Box<dyn ModelProbe>);
+
+/// Telemetry of one key between two ticks.
 #[derive(Debug, Default)]
 struct KeyTelemetry {
-    /// Of the voice that its last row was of.
+    /// Revision of the voice in the last row.
     revision: u32,
     builder: BlockBuilder,
-    /// Its last row, which holds as long as it lies still.
+    /// Last row, which holds as long as the key rests.
     last: Option<KeyRow>,
     fault: Option<VoiceFault>,
-    /// What its next row is marked with.
+    /// Flags of the next row beside its own.
     mark: u8,
 }
 
@@ -167,119 +179,118 @@ impl TelemetryThread {
     /// # Errors
     /// If a histogram cannot be made, which their constants rule out.
     pub fn new(
-        tapped: TickRecorderRings,
+        rings: TickRecorderRings,
         pulses: Consumer<PulseRow>,
-        told: mpsc::Receiver<TelemetryMessage>,
+        messages: mpsc::Receiver<TelemetryMessage>,
         period: u64,
     ) -> Result<Box<Self>, CreationError> {
         Ok(Box::new(Self {
-            tapped,
-            pulses,
-            told,
+            sources: TelemetrySources { rings, pulses, early: None, messages, links: None },
             sinks: Vec::new(),
-            latched: BTreeMap::new(),
+            retained: BTreeMap::new(),
             pedals: Vec::new(),
             probes: BTreeMap::new(),
-            time: (0, period),
+            began: 0,
+            period,
             keys: (0..KEYS).map(|_| KeyTelemetry::default()).collect(),
             overview: OverviewBuilder::new(),
             ticks: TicksBuilder::default(),
             deadlines: DeadlinesBuilder::new()?,
-            links: None,
-            early: None,
-            now: 0,
-            armed: true,
-            simplified: Simplifications::NONE,
-            dropped: 0,
-            looked: 0,
+            newest: NewestTick {
+                tick: 0,
+                armed: true,
+                simplified: Simplifications::NONE,
+                dropped: 0,
+            },
+            overviewed: 0,
             summed: 0,
         }))
     }
 
     /// Ticks count from `began` (ns since 1970).
     pub fn begin(&mut self, began: u64, catalogue: Catalogue) {
-        self.time.0 = began;
-        // Before anybody is welcome: what is told of voices means nothing without it.
+        self.began = began;
+        // Voices mean nothing to a sink without the catalogue.
         self.catalogue(catalogue);
-        self.hear();
+        self.receive();
         self.follow();
     }
 
-    /// Tells all who are there, and will tell those who come, what there is.
+    /// Sends the catalogue to the sinks, and keeps it for later ones.
     fn catalogue(&mut self, mut catalogue: Catalogue) {
-        catalogue.began = self.time.0;
+        catalogue.began = self.began;
         catalogue.run = format!("{}-{}", catalogue.began, catalogue.version);
         let catalogue = Update::Catalogue(catalogue);
         self.give(&catalogue);
-        self.latched.insert(None, catalogue);
+        self.retained.insert(None, catalogue);
     }
 
-    /// Tells the tick which keys are followed.
+    /// Sets the keys that the tick follows.
     fn follow(&self) {
         let sinks = self.sinks.iter().filter(|sink| !(self.is_sparse() && sink.is_thinned()));
         let followed = sinks.fold(0, |keys, sink| keys | sink.followed_keys());
-        self.tapped.followed.store(followed);
+        self.sources.rings.followed.store(followed);
     }
 
-    /// Whether rows of single keys are left out where that is possible.
+    /// Returns `true` if rows of single keys are left out where that is possible.
     const fn is_sparse(&self) -> bool {
-        self.simplified.contains(Simplification::Telemetry)
+        self.newest.simplified.contains(Simplification::Telemetry)
     }
 
-    /// Moves all that is there.
+    /// Handles all rows and messages that wait.
     pub fn pump(&mut self) {
-        // Counted first: a voice is told of before the first row that it makes.
+        // Count the rows first: the message about a voice precedes the voice's first row.
         let rows = self.whole_ticks();
-        self.hear();
+        self.receive();
         if self.sinks.is_empty() {
             return self.pass_over(rows);
         }
         self.note_gap();
         for _ in 0..rows {
-            match self.tapped.rows.pop() {
+            match self.sources.rings.rows.pop() {
                 Ok(RecorderRow::Key(row)) => self.key(&row),
                 Ok(RecorderRow::Tick(row)) => self.tick(row),
                 Err(_empty) => break,
             }
         }
         self.flush_keys();
-        while self.tapped.happenings.peek().is_ok_and(|it| it.tick <= self.now) {
-            let Ok(happening) = self.tapped.happenings.pop() else { break };
+        while self.sources.rings.happenings.peek().is_ok_and(|it| it.tick <= self.newest.tick) {
+            let Ok(happening) = self.sources.rings.happenings.pop() else { break };
             self.happening(&happening);
         }
         if let Some(ticks) = self.ticks.take() {
             self.give(&Update::Ticks(ticks));
         }
         self.sum_up();
-        self.tell_newcomers();
+        self.update_newcomers();
         self.forget_probes();
-        let now = self.at(self.now);
+        let now = self.at(self.newest.tick);
         self.sinks.retain_mut(|sink| sink.attend(now) == Attention::Goes);
         self.follow();
     }
 
-    /// Nobody wants to know: what is there is passed over, and costs next to nothing.
+    /// Skips rows at almost no cost, for there is no sink.
     fn pass_over(&mut self, rows: usize) {
         for _ in 0..rows {
-            match self.tapped.rows.pop() {
+            match self.sources.rings.rows.pop() {
                 Ok(RecorderRow::Key(row)) => {
                     self.keys[usize::from(row.key)].note(&row);
                 }
                 Ok(RecorderRow::Tick(row)) => {
-                    (self.now, self.armed) = (row.tick, row.armed);
-                    self.simplified = row.simplified;
+                    let TickRow { tick, armed, simplified, .. } = row;
+                    self.newest = NewestTick { tick, armed, simplified, ..self.newest };
                 }
                 Err(_empty) => break,
             }
         }
-        while self.tapped.happenings.pop().is_ok() {}
-        while self.pulses.pop().is_ok() {}
-        // Whoever comes will want the newest, and the ring holds the oldest.
-        let _unseen = self.links.as_mut().and_then(|links| links.look());
+        while self.sources.rings.happenings.pop().is_ok() {}
+        while self.sources.pulses.pop().is_ok() {}
+        // A later sink needs the newest state, and the ring keeps the oldest.
+        let _unseen = self.sources.links.as_mut().and_then(|links| links.look());
         self.forget_probes();
     }
 
-    /// Drops what saw voices that do not play any more: a slider makes many in a second.
+    /// Drops the probes of voices that no longer play: a slider makes many voices in a second.
     fn forget_probes(&mut self) {
         let keys = &self.keys;
         let playing = |key: u32| usize::try_from(key).ok().and_then(|key| keys.get(key));
@@ -288,7 +299,7 @@ impl TelemetryThread {
         });
     }
 
-    /// Drops what saw the oldest voices of a key, of which no row says whether they play.
+    /// Drops the oldest probe of a key above [`MOST_PROBES`]; no row shows whether its voice plays.
     fn limit_probes(&mut self, key: u32) {
         let of_key = self.probes.iter().filter(|(_revision, (of, _probe))| *of == key);
         if let Some(oldest) = of_key.map(|(revision, _probe)| *revision).rev().nth(MOST_PROBES) {
@@ -296,9 +307,9 @@ impl TelemetryThread {
         }
     }
 
-    /// Rows of ticks that are there as a whole.
+    /// Returns the number of waiting rows of complete ticks.
     fn whole_ticks(&mut self) -> usize {
-        let rows = &mut self.tapped.rows;
+        let rows = &mut self.sources.rings.rows;
         let Ok(chunk) = rows.read_chunk(rows.slots()) else { return 0 };
         let (first, second) = chunk.as_slices();
         let is_tick = |row: &RecorderRow| matches!(row, RecorderRow::Tick(_));
@@ -306,42 +317,42 @@ impl TelemetryThread {
         last.or_else(|| first.iter().rposition(is_tick)).map_or(0, |place| place + 1)
     }
 
-    /// Takes what others tell.
-    fn hear(&mut self) {
-        while let Ok(told) = self.told.try_recv() {
-            match told {
+    /// Handles the messages of other threads.
+    fn receive(&mut self) {
+        while let Ok(message) = self.sources.messages.try_recv() {
+            match message {
                 TelemetryMessage::Voice(voice, probe) => {
                     let key = voice.key;
                     self.probes.extend(probe.map(|probe| (voice.revision, (key, probe))));
                     self.limit_probes(key);
                     let voice = Update::Voice(*voice);
                     self.give(&voice);
-                    self.latched.insert(Some(key), voice);
+                    self.retained.insert(Some(key), voice);
                 }
                 TelemetryMessage::Catalogue(catalogue) => self.catalogue(*catalogue),
                 TelemetryMessage::Update(update) => {
                     self.give(&update);
                     self.pedals.extend(Some(*update).filter(is_pedal));
                 }
-                TelemetryMessage::Links(links) => self.links = Some(links),
+                TelemetryMessage::Links(links) => self.sources.links = Some(links),
                 TelemetryMessage::Sink(sink) => self.welcome(sink),
             }
         }
     }
 
-    /// Tells one who came later what it must know.
+    /// Adds a sink, and sends it the retained messages and the state of the keys.
     fn welcome(&mut self, mut sink: Box<dyn MessageSink>) {
-        let at = self.at(self.now);
-        self.latched.values().chain(&self.pedals).for_each(|update| sink.take(at, update));
-        self.tell_keys(sink.as_mut());
+        let at = self.at(self.newest.tick);
+        self.retained.values().chain(&self.pedals).for_each(|update| sink.take(at, update));
+        self.send_keys(sink.as_mut());
         if self.sinks.is_empty() {
-            self.look_over_keys();
+            self.fill_overview();
         }
         self.sinks.push(sink);
     }
 
-    /// Puts every key as it was last into the overview, which nobody made until now.
-    fn look_over_keys(&mut self) {
+    /// Puts the last row of every key into the overview, which was not built without sinks.
+    fn fill_overview(&mut self) {
         for row in self.keys.iter().filter_map(|key| key.last.as_ref()) {
             let is_known = self.probes.contains_key(&row.look.revision);
             let mode = if is_known { row.look.structure() } else { u8::MAX };
@@ -349,30 +360,30 @@ impl TelemetryThread {
         }
     }
 
-    /// Tells those who came since the last time how the keys are.
-    fn tell_newcomers(&mut self) {
+    /// Sends the state of the keys to sinks with new clients.
+    fn update_newcomers(&mut self) {
         let mut sinks = std::mem::take(&mut self.sinks);
         for sink in sinks.iter_mut().filter_map(|sink| sink.has_newcomers().then_some(sink)) {
-            self.tell_keys(sink.as_mut());
+            self.send_keys(sink.as_mut());
         }
         self.sinks = sinks;
     }
 
-    /// Tells how each key is that a sink wants: as in its last row, however long it lies still.
-    fn tell_keys(&self, sink: &mut dyn MessageSink) {
-        // Of others the next tick tells.
+    /// Sends a sink the last row of each key that it wants, however long the key has rested.
+    fn send_keys(&self, sink: &mut dyn MessageSink) {
+        // The next tick has rows of the others.
         let last = self.keys.iter().filter_map(|key| key.last.as_ref());
         for last in last.filter(|row| row.stands.followed) {
             let wants = [Topic::Block(last.key), Topic::State(last.key)].map(|it| sink.wants(it));
             if wants == [false; 2] {
                 continue;
             }
-            let row = KeyRow { tick: self.now, ran: u32::MAX, events: 0, ..*last };
+            let row = KeyRow { tick: self.newest.tick, ran: u32::MAX, events: 0, ..*last };
             let probe = self.probes.get(&row.look.revision).map(|(_key, probe)| probe.as_ref());
             let mut builder = BlockBuilder::default();
             builder.push(&row, flags(row.stands), probe);
             let Some(block) = builder.take() else { continue };
-            let at = self.at(self.now);
+            let at = self.at(self.newest.tick);
             for state in states(&block).filter(|_| wants[1]) {
                 sink.take(at, &Update::State(last.key, state));
             }
@@ -384,9 +395,9 @@ impl TelemetryThread {
 
     /// Marks all keys if rows found no room in the ring.
     fn note_gap(&mut self) {
-        let dropped = self.tapped.dropped.load(Ordering::Relaxed);
-        if self.dropped < dropped {
-            self.dropped = dropped;
+        let dropped = self.sources.rings.dropped.load(Ordering::Relaxed);
+        if self.newest.dropped < dropped {
+            self.newest.dropped = dropped;
             self.keys.iter_mut().for_each(|key| key.mark = flag::GAP);
         }
     }
@@ -416,7 +427,7 @@ impl TelemetryThread {
     }
 
     fn tick(&mut self, row: TickRow) {
-        self.now = row.tick;
+        self.newest.tick = row.tick;
         let pulse = self.pulse(row.tick);
         self.ticks.push(row.tick, pulse.as_ref());
         self.overview.tick(row.tick);
@@ -424,12 +435,12 @@ impl TelemetryThread {
             self.deadlines.skip(row.skipped);
             self.give(&Update::Event(events::skip(row.tick, row.skipped)));
         }
-        if row.armed != self.armed {
-            self.armed = row.armed;
+        if row.armed != self.newest.armed {
+            self.newest.armed = row.armed;
             self.give(&Update::Event(events::armed(&row)));
         }
-        if row.simplified != self.simplified {
-            self.simplified = row.simplified;
+        if row.simplified != self.newest.simplified {
+            self.newest.simplified = row.simplified;
             self.give(&Update::Event(events::overload(&row)));
         }
         if let Some(pulse) = pulse {
@@ -443,15 +454,15 @@ impl TelemetryThread {
         }
     }
 
-    /// The times of `tick`, if they were taken; those of earlier ticks are passed over.
+    /// Returns the times of `tick`, if they were taken, and skips those of earlier ticks.
     fn pulse(&mut self, tick: u64) -> Option<PulseRow> {
         loop {
-            let pulse = self.early.take().or_else(|| self.pulses.pop().ok())?;
+            let pulse = self.sources.early.take().or_else(|| self.sources.pulses.pop().ok())?;
             if pulse.tick == tick {
                 return Some(pulse);
             }
             if tick < pulse.tick {
-                self.early = Some(pulse);
+                self.sources.early = Some(pulse);
                 return None;
             }
         }
@@ -488,12 +499,12 @@ impl TelemetryThread {
         self.give_at(at, &Update::Block(block));
     }
 
-    /// Makes what is made less often.
+    /// Sends overviews and sums when they are due.
     fn sum_up(&mut self) {
-        let now = self.at(self.now);
-        if LOOK <= now.saturating_sub(self.looked) {
-            self.looked = now;
-            if let Some(overview) = self.overview.take(self.dropped) {
+        let now = self.at(self.newest.tick);
+        if LOOK <= now.saturating_sub(self.overviewed) {
+            self.overviewed = now;
+            if let Some(overview) = self.overview.take(self.newest.dropped) {
                 self.give(&Update::Overview(overview));
             }
         }
@@ -507,25 +518,24 @@ impl TelemetryThread {
         }
     }
 
-    /// Tells how lines and boards are, and what became of them.
+    /// Sends the state of links and boards, and their changes.
     fn look_at_links(&mut self) {
-        let Some(watch) = &mut self.links else { return };
+        let Some(watch) = &mut self.sources.links else { return };
         let Some(changes) = watch.look() else { return };
         let links = Update::Links(watch.links().clone());
         for text in changes {
-            self.give(&Update::Event(events::board(self.now, text)));
+            self.give(&Update::Event(events::board(self.newest.tick, text)));
         }
         self.give(&links);
     }
 
-    /// When `tick` was due (ns since 1970).
+    /// Returns the time at which `tick` was due (ns since 1970).
     const fn at(&self, tick: u64) -> u64 {
-        let (began, period) = self.time;
-        began.saturating_add(tick.saturating_mul(period))
+        self.began.saturating_add(tick.saturating_mul(self.period))
     }
 
     fn give(&mut self, update: &Update) {
-        let at = self.at(self.now);
+        let at = self.at(self.newest.tick);
         self.give_at(at, update);
     }
 
@@ -545,7 +555,7 @@ fn is_pedal(update: &Update) -> bool {
 
 impl std::fmt::Debug for TelemetryThread {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Pump").field("now", &self.now).finish_non_exhaustive()
+        f.debug_struct("TelemetryThread").field("tick", &self.newest.tick).finish_non_exhaustive()
     }
 }
 
@@ -562,7 +572,7 @@ mod tests {
     use crate::adapters::tick_recorder::TickRecorder;
     use crate::observe::Pulses;
 
-    /// What a window that follows key 5 is told, from when it is there.
+    /// A window on key 5, with a flag that opens it and the messages that it got.
     #[derive(Clone, Default)]
     struct Window(Arc<Mutex<(bool, Vec<Update>)>>);
 
@@ -583,14 +593,14 @@ mod tests {
 
     #[expect(clippy::large_stack_arrays, reason = "all turns; a test has the stack")]
     #[test]
-    fn whoever_comes_late_is_told_how_a_key_is_that_lies_still() {
-        let (mut tap, tapped) = TickRecorder::new();
+    fn a_late_client_gets_the_state_of_a_resting_key() {
+        let (mut recorder, rings) = TickRecorder::new();
         let (_no_times, pulses) = Pulses::new();
-        let (told, hear) = mpsc::channel();
+        let (sender, messages) = mpsc::channel();
         let mut telemetry =
-            TelemetryThread::new(tapped, pulses, hear, 1_000_000).expect("telemetry");
+            TelemetryThread::new(rings, pulses, messages, 1_000_000).expect("telemetry");
         let window = Window::default();
-        assert!(told.send(TelemetryMessage::Sink(Box::new(window.clone()))).is_ok());
+        assert!(sender.send(TelemetryMessage::Sink(Box::new(window.clone()))).is_ok());
         let mut samples = [KeySample::default(); KEYS];
         samples[5] = KeySample::fresh(0.004);
         let turns = [VoiceOutput { idle: true, ..VoiceOutput::default() }; KEYS];
@@ -599,8 +609,8 @@ mod tests {
             if tick == 40 {
                 window.0.lock().expect("nobody panics with it").0 = true;
             }
-            let followed = tap.followed();
-            tap.observe(&SeenTick {
+            let followed = recorder.followed();
+            recorder.observe(&SeenTick {
                 tick,
                 skipped: 0,
                 armed: true,
@@ -613,9 +623,9 @@ mod tests {
             });
             telemetry.pump();
         }
-        let told = window.0.lock().expect("nobody panics with it").1.clone();
-        let [Update::Block(block)] = told.as_slice() else { panic!("{told:?}") };
-        // With the first tick that knows that somebody follows it.
+        let messages = window.0.lock().expect("nobody panics with it").1.clone();
+        let [Update::Block(block)] = messages.as_slice() else { panic!("{messages:?}") };
+        // The first tick after the key is followed.
         assert_eq!((block.key, block.tick, block.position.as_slice()), (5, 41, &[0.004][..]));
     }
 }
