@@ -132,7 +132,7 @@ impl BoardSupervisor {
 
     /// Returns how long before the host's `at_us` a board took the samples with this stamp (us).
     pub fn age_us(&self, board: usize, at_us: u64, stamp_us: u16) -> Option<i32> {
-        self.sessions.get(board)?.timing().clock().age_us(at_us, stamp_us)
+        self.sessions.get(board)?.timing.clock().age_us(at_us, stamp_us)
     }
 
     /// Takes the age of samples of a board that have just come (us), `period_us` after those before.

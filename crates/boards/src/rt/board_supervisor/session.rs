@@ -37,7 +37,7 @@ pub(super) struct BoardSession {
     pub(super) is_light_wanted: bool,
     channel: RequestChannel,
     arming: Arming,
-    timing: BoardTiming,
+    pub(super) timing: BoardTiming,
     samples: SampleWatch,
     counters: CounterWatch,
     replies: ReplyStatistics,
@@ -105,10 +105,6 @@ impl BoardSession {
 
     pub(super) const fn state(&self) -> ArmState {
         self.arming.state()
-    }
-
-    pub(super) const fn timing(&self) -> &BoardTiming {
-        &self.timing
     }
 
     /// Tells whether the board renders forces, its clock is known, and failed keys are explained.
