@@ -1,4 +1,4 @@
-//! `letoff devices --boards`: what answers on links, and who that is.
+//! `letoff devices --boards`: the boards that answer on links.
 
 use std::io::Write;
 
@@ -26,7 +26,7 @@ use scene::{BoardBus, Boards};
 /// Lines of a log that are read at most.
 const MOST_LINES: u16 = 1_000;
 
-/// A link, and what answers on it.
+/// A link, and the boards that answer on it.
 #[derive(Debug, Serialize)]
 struct OnLink {
     link: String,
@@ -48,26 +48,40 @@ struct BoardRow {
     range: ClaimedKeys,
     protocol: String,
     firmware: String,
-    /// Samples, forces, and how often motors' forces are worked out (1/s).
+    #[serde(flatten)]
+    abilities: BoardAbilities,
+    reset_reason: u8,
+    /// The reason why it renders no force.
+    safe_reason: &'static str,
+    config_crc: String,
+    /// Path of its calibration file, and `true` if the file exists.
+    calibration: Option<String>,
+    is_calibrated: bool,
+    #[serde(flatten)]
+    answers: BoardAnswers,
+}
+
+/// Rates, ranges and features that a board has.
+#[derive(Debug, Serialize)]
+struct BoardAbilities {
+    /// Maximum rates of samples and of forces, and the rate of its control of the motors (1/s).
     sample_hz: u16,
     force_hz: u16,
     law_hz: u16,
     quantum_nm: u32,
     max_force_n: f64,
     features: Vec<&'static str>,
-    reset_reason: u8,
-    /// The reason why it renders no force.
-    safe_reason: &'static str,
-    config_crc: String,
-    /// The path of its calibration file, and whether it is there.
-    calibration: Option<String>,
-    is_calibrated: bool,
+}
+
+/// Results of the requests that the command line asks for.
+#[derive(Debug, Default, Serialize)]
+struct BoardAnswers {
     log: Vec<String>,
     /// Settings that were written.
     written: Vec<String>,
-    /// What it did that it was asked to, a sentence each.
+    /// Other requests that it carried out, a sentence each.
     done: Vec<String>,
-    /// How it and its keys are, if it was asked and knows.
+    /// Health of the board and its keys, if it was asked and has that feature.
     health: Option<HealthRow>,
 }
 
@@ -131,21 +145,21 @@ fn look(address: &Address, args: &DevicesArgs) -> OnLink {
         link.refusals.extend(trouble);
         if args.log && found.hello.features & feature::LOG != 0 {
             match log(&found, &mut keybed) {
-                Ok(lines) => board.log = lines,
+                Ok(lines) => board.answers.log = lines,
                 Err(refusal) => link.refusals.push(refusal.to_string()),
             }
         }
-        if let Err(refusal) = change(args, &found, &mut keybed, &mut board.done) {
+        if let Err(refusal) = change(args, &found, &mut keybed, &mut board.answers.done) {
             link.unwritten.push(refusal.to_string());
         }
         if args.health && found.hello.features & feature::HEALTH != 0 {
             match health::read(&found, &mut keybed) {
-                Ok(health) => board.health = Some(health),
+                Ok(health) => board.answers.health = Some(health),
                 Err(refusal) => link.refusals.push(refusal.to_string()),
             }
         }
         match settings::write(settings, &found, &mut keybed) {
-            Ok(written) => board.written = written,
+            Ok(written) => board.answers.written = written,
             Err(refusal) => link.unwritten.push(refusal.to_string()),
         }
         link.boards.push(board);
@@ -208,21 +222,20 @@ fn describe(found: &FoundBoard) -> (BoardRow, Option<String>) {
         range: found.keys(),
         protocol: format!("{}.{}", hello.major, hello.minor),
         firmware: format!("{}.{}", hello.firmware_major, hello.firmware_minor),
-        sample_hz: hello.max_sample_hz,
-        force_hz: hello.max_force_hz,
-        law_hz: hello.law_hz,
-        quantum_nm: hello.quantum_nm,
-        max_force_n: f64::from(hello.max_force_mn) * 1e-3,
-        features: features(hello.features),
+        abilities: BoardAbilities {
+            sample_hz: hello.max_sample_hz,
+            force_hz: hello.max_force_hz,
+            law_hz: hello.law_hz,
+            quantum_nm: hello.quantum_nm,
+            max_force_n: f64::from(hello.max_force_mn) * 1e-3,
+            features: features(hello.features),
+        },
         reset_reason: hello.reset_reason,
         safe_reason: reason_words(hello.safe_reason),
         config_crc: format!("{:08x}", hello.config_crc),
         is_calibrated,
         calibration: file.map(|file| shown(&file)),
-        log: Vec::new(),
-        written: Vec::new(),
-        done: Vec::new(),
-        health: None,
+        answers: BoardAnswers::default(),
     };
     (board, read.and_then(Result::err))
 }
@@ -276,6 +289,7 @@ fn printable(text: &str) -> String {
 fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
     writeln!(out, "{}:", link.link)?;
     for it in &link.boards {
+        let (can, answers) = (&it.abilities, &it.answers);
         writeln!(
             out,
             "  board {:<3} {} {:9} firmware {}, protocol {}, configuration {}",
@@ -284,9 +298,9 @@ fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
         writeln!(
             out,
             "    samples {}/s, forces {}/s, worked out {}/s, at most {:.1} N, {} nm a count",
-            it.sample_hz, it.force_hz, it.law_hz, it.max_force_n, it.quantum_nm
+            can.sample_hz, can.force_hz, can.law_hz, can.max_force_n, can.quantum_nm
         )?;
-        let has = if it.features.is_empty() { "nothing".into() } else { it.features.join(", ") };
+        let has = if can.features.is_empty() { "nothing".into() } else { can.features.join(", ") };
         writeln!(out, "    has {has}")?;
         let start = match it.reset_reason {
             1 => "started by power".to_owned(),
@@ -296,11 +310,15 @@ fn print(link: &OnLink, out: &mut dyn Write) -> Result<(), Failure> {
         let file = it.calibration.as_deref().unwrap_or("anywhere");
         let is = if it.is_calibrated { "calibrated in" } else { "no calibration in" };
         writeln!(out, "    {is} {file}")?;
-        it.done.iter().chain(&it.written).try_for_each(|line| writeln!(out, "    {line}"))?;
-        if let Some(health) = &it.health {
+        answers
+            .done
+            .iter()
+            .chain(&answers.written)
+            .try_for_each(|line| writeln!(out, "    {line}"))?;
+        if let Some(health) = &answers.health {
             health::print(health, out)?;
         }
-        it.log.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
+        answers.log.iter().try_for_each(|line| writeln!(out, "    {line}"))?;
     }
     link.refusals.iter().try_for_each(|why| Ok(writeln!(out, "  {why}")?))
 }
