@@ -53,21 +53,8 @@ pub struct BoardArgs {
     #[arg(long, value_name = "can:INTERFACE", value_parser = Address::parse,
           conflicts_with_all = ["wire", "links"])]
     pub on: Option<Address>,
-    /// Share of the bytes on the wire that are lost.
-    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
-    pub loss: Option<f64>,
-    /// Share of the bytes on the wire that come with an inverted bit.
-    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
-    pub flip: Option<f64>,
-    /// Bits per second of the wire.
-    #[arg(long, value_name = "BITS")]
-    pub baud: Option<u32>,
-    /// How much later everything comes over the wire, each way (ms).
-    #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u32).range(0..=1000))]
-    pub late: Option<u32>,
-    /// Where the wires' chance starts from, if there is a wire: 1 without.
-    #[arg(long, requires = "wire")]
-    pub seed: Option<u64>,
+    #[command(flatten)]
+    pub wire: WireArgs,
     /// Folder for links of fixed names to the pseudo-terminals: board0, board1 and so on.
     #[arg(long, value_name = "FOLDER")]
     pub links: Option<PathBuf>,
@@ -85,24 +72,51 @@ pub struct BoardArgs {
     /// What happens to a board, and when: NUMBER@SECONDS:WHAT, from its first arming on.
     #[arg(long = "fate", value_name = "FATE", value_parser = FaultScript::parse)]
     pub fates: Vec<FaultScript>,
-    /// Another major version of the protocol that they say they speak.
-    #[arg(long, value_name = "MAJOR")]
-    pub say_major: Option<u8>,
-    /// Another schema of the cyclic layouts that they say they have.
-    #[arg(long, value_name = "HASH")]
-    pub say_schema: Option<u64>,
-    /// Other keys than theirs that they say they carry: the first, and how many.
-    #[arg(long, value_name = "FIRST,COUNT", value_parser = pair)]
-    pub say_keys: Option<(u8, u8)>,
-    /// The id that they all say they have, as six numbers.
-    #[arg(long, value_name = "NUMBER")]
-    pub say_uid: Option<u8>,
+    #[command(flatten)]
+    pub fake: FakeIdentityArgs,
     /// How long they run (s); without it, until they are stopped.
     #[arg(long, value_name = "SECONDS", value_parser = seconds, allow_negative_numbers = true)]
     pub duration: Option<f64>,
     /// Prints where they are, on one line, and in the end what became of them, both as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+/// Damage and limits of the wire between a board and its pseudo-terminal.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct WireArgs {
+    /// Share of the bytes on the wire that are lost.
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub loss: Option<f64>,
+    /// Share of the bytes on the wire that come with an inverted bit.
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_negative_numbers = true)]
+    pub flip: Option<f64>,
+    /// Bits per second of the wire.
+    #[arg(long, value_name = "BITS")]
+    pub baud: Option<u32>,
+    /// How much later everything comes over the wire, each way (ms).
+    #[arg(long, value_name = "MS", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    pub late: Option<u32>,
+    /// Where the wires' chance starts from, if there is a wire: 1 without.
+    #[arg(long, requires = "wire")]
+    pub seed: Option<u64>,
+}
+
+/// Claims of the boards about themselves that are not true.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct FakeIdentityArgs {
+    /// Another major version of the protocol that they say they speak.
+    #[arg(long = "say-major", value_name = "MAJOR")]
+    pub major: Option<u8>,
+    /// Another schema of the cyclic layouts that they say they have.
+    #[arg(long = "say-schema", value_name = "HASH")]
+    pub schema: Option<u64>,
+    /// Other keys than theirs that they say they carry: the first, and how many.
+    #[arg(id = "say_keys", long = "say-keys", value_name = "FIRST,COUNT", value_parser = pair)]
+    pub keys: Option<(u8, u8)>,
+    /// The id that they all say they have, as six numbers.
+    #[arg(long = "say-uid", value_name = "NUMBER")]
+    pub uid: Option<u8>,
 }
 
 fn pair(text: &str) -> Result<(u8, u8), String> {
@@ -140,21 +154,22 @@ pub(super) fn run(args: &BoardArgs, out: &mut dyn Write) -> Result<(), Failure> 
 
 /// Writes to stderr which board shows its light.
 fn report_light(board: &BoardProcess) {
-    let _nobody_reads = writeln!(io::stderr(), "{} shows its light", board.address());
+    let _nobody_reads = writeln!(io::stderr(), "{} shows its light", board.address);
 }
 
 /// Returns the boards that are asked for, where they are asked for.
 fn boards(args: &BoardArgs) -> Result<Vec<BoardProcess>, Failure> {
     refuse_unknown_boards(args)?;
+    let WireArgs { loss, flip, baud, late, seed } = args.wire;
     let at = if let Some(address) = &args.on {
         WireEndpoint::Shared(address.clone())
-    } else if args.loss.or(args.flip).is_some() || args.baud.or(args.late).is_some() {
+    } else if loss.or(flip).is_some() || baud.or(late).is_some() {
         WireEndpoint::Wire(WirePlan {
-            seed: args.seed.unwrap_or(1),
-            baud: args.baud,
-            loss: args.loss.unwrap_or(0.0),
-            flip: args.flip.unwrap_or(0.0),
-            late_us: 1_000 * args.late.unwrap_or(0),
+            seed: seed.unwrap_or(1),
+            baud,
+            loss: loss.unwrap_or(0.0),
+            flip: flip.unwrap_or(0.0),
+            late_us: 1_000 * late.unwrap_or(0),
             ..WirePlan::default()
         })
     } else {
@@ -186,12 +201,9 @@ fn board(args: &BoardArgs, n: u8, at: &WireEndpoint) -> Result<BoardProcess, Fai
         Failure::Usage(format!("no board has the number {number}; they end at 14"))
     })?;
     let (first_key, n_keys) = keys(args, n, number)?;
-    let fake_identity = FakeIdentity {
-        major: args.say_major,
-        schema: args.say_schema,
-        keys: args.say_keys,
-        uid: args.say_uid.map(|it| [it; 6]),
-    };
+    let FakeIdentityArgs { major, schema, keys: claimed, uid } = args.fake;
+    let uid = uid.map(|it| [it; 6]);
+    let fake_identity = FakeIdentity { major, schema, keys: claimed, uid };
     let rig = RigParameters::default();
     let (period, offset, strength) = (LAW_PERIOD, args.offset, args.strength);
     let make = BoardMake { id, first_key, n_keys, period, rig, offset, strength, fake_identity };
@@ -232,8 +244,8 @@ impl FixedNames {
         fs::create_dir_all(folder).map_err(|error| refuse(folder, error))?;
         let mut names = Self::default();
         for running in boards {
-            let name = folder.join(format!("board{}", running.board().make().id.number()));
-            let port = running.address().trim_start_matches("serial:");
+            let name = folder.join(format!("board{}", running.board.make().id.number()));
+            let port = running.address.trim_start_matches("serial:");
             let port = PathBuf::from(port.rsplit_once('@').map_or(port, |(port, _baud)| port));
             if name.is_symlink() {
                 let _gone = fs::remove_file(&name);
@@ -271,9 +283,9 @@ fn introduce(
     out: &mut dyn Write,
 ) -> Result<(), Failure> {
     let boards = boards.iter().map(|running| Whereabouts {
-        number: running.board().make().id.number(),
+        number: running.board.make().id.number(),
         keys: running.keys().to_string(),
-        link: running.address(),
+        link: &running.address,
     });
     let boards: Vec<_> = boards.collect();
     if args.json {
@@ -296,18 +308,7 @@ impl fmt::Display for BoardTable<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "{:>5} {:9} {:>8} {:>8} {:>7} {:>7} {:>6} {:>6} {:>5} {:>9} {:>8}  state",
-            "board",
-            "keys",
-            "samples",
-            "forces",
-            "corrupt",
-            "refused",
-            "stale",
-            "unasw.",
-            "trips",
-            "oldest ms",
-            "force N",
+            "board keys       samples   forces corrupt refused  stale unasw. trips oldest ms  force N  state"
         )?;
         for it in self.0 {
             let c = &it.counts;

@@ -83,7 +83,7 @@ impl Endpoints {
 
     /// Returns the messages at the start of the run.
     pub(super) fn news(&self, scene: &Scene, session: &RunSession) -> Vec<String> {
-        let (name, hz, n_voices) = (&scene.name, session.tick_hz(), session.n_voices());
+        let (name, hz, n_voices) = (&scene.name, session.plan().tick_hz, session.plan().n_voices);
         let keys = match &scene.links {
             LinksConfig::Simulated => "simulated keys".to_owned(),
             LinksConfig::Boards(boards) => format!("boards on {} links", boards.buses.len()),

@@ -72,10 +72,10 @@ pub(super) struct StatusLine {
 impl StatusLine {
     /// Returns the line of a run; without an end it has no bar.
     pub(super) fn new(session: &RunSession) -> Self {
-        let ticks = session.ticks();
+        let ticks = session.plan().ticks;
         let bar = ticks.map_or_else(ProgressBar::no_length, ProgressBar::new);
         let template = if ticks.is_some() { "{wide_bar} {msg}" } else { "{spinner} {msg}" };
-        let tick_hz = f64::from(session.tick_hz());
+        let tick_hz = f64::from(session.plan().tick_hz);
         Self { bar: bar.with_style(style(template)), tick_hz, pass: session.pass() }
     }
 

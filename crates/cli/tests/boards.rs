@@ -81,7 +81,7 @@ fn boards_are_listed_with_their_logs_and_a_dead_link_is_no_end() {
         assert_eq!(it["uid"], board.uid.to_string());
         assert!(it["log"][0].as_str().expect("a line").ends_with("  light"), "{listed}");
         assert_eq!(it["law_hz"], 10_000);
-        assert!(board.stop().board().is_lit());
+        assert!(board.stop().board.is_lit());
     });
 }
 
@@ -143,7 +143,7 @@ fn what_a_key_renders_is_said_beside_the_theory_and_no_file_is_written() {
             assert_eq!(said.status.code(), Some(2), "{said:?}");
             assert!(text(&said.stderr).contains(advice), "{said:?}");
         }
-        assert!(board.stop().board().is_safe());
+        assert!(board.stop().board.is_safe());
     });
 }
 
@@ -391,7 +391,7 @@ fn a_headless_host_says_what_becomes_of_its_boards_and_who_stops_it() {
         assert!(host.wait().expect("it ends").success(), "{}", complaints());
         says("letoff: stop asked for by `letoff stop`\n");
         assert!(complaints().lines().all(|line| line.starts_with("letoff: ")), "{}", complaints());
-        assert_eq!(board.stop().board().safe_reason(), safe_reason::EMERGENCY_STOP);
+        assert_eq!(board.stop().board.safe_reason(), safe_reason::EMERGENCY_STOP);
     });
 }
 
@@ -431,7 +431,7 @@ fn calibration_is_stopped_as_a_run_is() {
                 file::load_partial(&file::partial(&path), board.uid, 2).expect("a good file");
             let known = kept.map(|it| it.keys.as_slice().iter().map(Option::is_some).collect());
             assert_eq!(known, signal.map(|_| vec![true, false]), "{complaints}");
-            assert_eq!(board.stop().board().safe_reason(), reason, "{signal:?}");
+            assert_eq!(board.stop().board.safe_reason(), reason, "{signal:?}");
         }
     });
 }

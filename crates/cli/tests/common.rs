@@ -39,7 +39,7 @@ impl Board {
         let (its_stop, its_armed) = (Arc::clone(&stop), Arc::clone(&is_armed));
         let look = move |living: &mut BoardProcess| {
             run_boards(std::slice::from_mut(living), Some(LOOK), &its_stop, &mut |_lit| {});
-            its_armed.store(!living.board().is_safe(), Ordering::Release);
+            its_armed.store(!living.board.is_safe(), Ordering::Release);
             !its_stop.load(Ordering::Acquire)
         };
         let (tells, task) = sync_channel(1);

@@ -323,19 +323,7 @@ pub(super) fn fmt_table(boards: &[BoardLine], f: &mut fmt::Formatter<'_>) -> fmt
     }
     writeln!(
         f,
-        "              {:20} {:9} {:>6} {:>6} {:>5} {:>5} {:>6} {:>6} {:>6} {:>6} {:>5} {:>5}",
-        "board",
-        "keys",
-        "up/s",
-        "down/s",
-        "gaps",
-        "lost",
-        "p50us",
-        "p99us",
-        "ppm",
-        "oldest",
-        "stale",
-        "trips",
+        "              board                keys        up/s down/s  gaps  lost  p50us  p99us    ppm oldest stale trips"
     )?;
     boards.iter().try_for_each(|board| board.fmt_row(f))
 }

@@ -107,18 +107,7 @@ pub(super) fn fmt_table(lines: &[LinkLine], f: &mut fmt::Formatter<'_>) -> fmt::
     }
     writeln!(
         f,
-        "              {:20} {:24} {:>7} {:>7} {:>6} {:>6} {:>7} {:>7} {:>7} {:>7} {:>8}",
-        "link",
-        "medium",
-        "planned",
-        "seen",
-        "Hz",
-        "seen",
-        "corrupt",
-        "foreign",
-        "state",
-        "TEC/REC",
-        "restarts",
+        "              link                 medium                   planned    seen     Hz   seen corrupt foreign   state TEC/REC restarts"
     )?;
     lines.iter().try_for_each(|line| line.fmt_row(f))?;
     let mut warnings = lines.iter().filter_map(|line| line.warning.as_ref());

@@ -229,16 +229,19 @@ struct PreparedRun {
 }
 
 /// Settings of a run, fixed before its first tick.
-struct RunPlan {
+#[derive(Debug)]
+pub struct RunPlan {
     name: String,
-    tick_hz: u32,
+    pub tick_hz: u32,
     /// Fastest change of a force towards a voice (N/s).
     slew_limit: f64,
     overload: OverloadRules,
-    n_voices: usize,
+    /// Keys with a voice.
+    pub n_voices: usize,
     n_lanes: NonZeroUsize,
     threads: ThreadPlan,
-    ticks: Option<u64>,
+    /// Ticks that the run takes; `None` if it runs until it is stopped.
+    pub ticks: Option<u64>,
     virtual_time: bool,
 }
 
@@ -333,9 +336,9 @@ impl RunSession {
         Ok(Self { prepared: Box::new(prepared), keys, dispatcher, observed })
     }
 
-    /// Ticks that the run will take; `None` until it is stopped.
-    pub const fn ticks(&self) -> Option<u64> {
-        self.prepared.plan.ticks
+    /// Returns the settings of the run.
+    pub const fn plan(&self) -> &RunPlan {
+        &self.prepared.plan
     }
 
     /// Ticks after which its play list begins again, if it does.
@@ -343,19 +346,9 @@ impl RunSession {
         self.prepared.play_list.as_ref()?.pass
     }
 
-    /// Returns the keys with a voice.
-    pub const fn n_voices(&self) -> usize {
-        self.prepared.plan.n_voices
-    }
-
     /// Returns the MIDI output in words, or why there is none.
     pub fn midi(&self) -> String {
         self.prepared.midi.report.words()
-    }
-
-    /// Returns the rate of the tick (Hz).
-    pub const fn tick_hz(&self) -> u32 {
-        self.prepared.plan.tick_hz
     }
 
     /// Returns the counters that are read while it runs.

@@ -20,9 +20,10 @@ const RELEASE_TIME: Nanos = Nanos::from_millis(15);
 /// A simulated board that runs by the host's clock.
 #[derive(Debug)]
 pub struct BoardProcess {
-    board: SimulatedBoard,
+    pub board: SimulatedBoard,
     placed: Option<Placed>,
-    address: String,
+    /// Address that a host has to open.
+    pub address: String,
     /// The rate of its clock; 1 is right.
     rate: f64,
     /// Time at which it was switched on.
@@ -34,7 +35,8 @@ pub struct BoardProcess {
     injected: InjectedFaults,
     release: ReleaseWatch,
     was_lit: bool,
-    lights: u64,
+    /// Times that its light went on.
+    pub lights: u64,
     /// Time until which it ran, and the longest pause before it ran again while armed.
     ran_until: Option<Nanos>,
     longest_gap: Nanos,
@@ -91,16 +93,6 @@ impl BoardProcess {
         })
     }
 
-    /// Returns the address that a host has to open.
-    pub fn address(&self) -> &str {
-        &self.address
-    }
-
-    /// Returns the board itself.
-    pub const fn board(&self) -> &SimulatedBoard {
-        &self.board
-    }
-
     /// Returns the range of its keys.
     pub fn keys(&self) -> ClaimedKeys {
         let BoardMake { first_key, n_keys, .. } = *self.board.make();
@@ -136,11 +128,6 @@ impl BoardProcess {
         let is_lit = self.board.is_lit();
         self.lights += u64::from(is_lit && !self.was_lit);
         self.was_lit = is_lit;
-    }
-
-    /// Returns how many times its light went on.
-    pub const fn lights(&self) -> u64 {
-        self.lights
     }
 
     /// Returns what is reported of it at the end.

@@ -56,9 +56,9 @@ pub fn run(
     let (mut now, mut due) = (began, began);
     while !is_over(now) && !stop.load(Ordering::Acquire) {
         for board in boards.iter_mut() {
-            let lights = board.lights();
+            let lights = board.lights;
             board.run(now);
-            if lights < board.lights() {
+            if lights < board.lights {
                 lit(board);
             }
         }
