@@ -48,7 +48,10 @@ pub(crate) enum TestScope {
     ThisMachine,
     EmulatedMachines,
     /// Those of one crate whose names contain one of `filters`, or all.
-    Crate { name: String, filters: Vec<OsString> },
+    Crate {
+        name: String,
+        filters: Vec<OsString>,
+    },
 }
 
 pub(crate) fn run(scope: TestScope) -> Result<(), Error> {
