@@ -1,5 +1,3 @@
-//! The number of a key.
-
 /// Keys of a full compass, A0 to C8.
 pub const KEYS: usize = 88;
 
@@ -11,12 +9,10 @@ const LOWEST_NOTE: u8 = 21;
 pub struct KeyIndex(u8);
 
 impl KeyIndex {
-    /// The lowest key, A0.
     pub const LOWEST: Self = Self(0);
-    /// The highest key, C8.
     pub const HIGHEST: Self = Self(87);
 
-    /// Returns the key with this number; none above 87.
+    /// Returns the key with this number; `None` above 87.
     pub const fn new(number: u8) -> Option<Self> {
         if (number as usize) < KEYS { Some(Self(number)) } else { None }
     }
@@ -29,12 +25,11 @@ impl KeyIndex {
         }
     }
 
-    /// Returns all keys, from the bass to the treble.
+    /// Returns all keys from bass to treble.
     pub fn all() -> impl DoubleEndedIterator<Item = Self> + ExactSizeIterator + Clone {
         (0..=Self::HIGHEST.0).map(Self)
     }
 
-    /// Returns the number as an index into arrays over the compass.
     pub const fn index(self) -> usize {
         self.0 as usize
     }

@@ -1,7 +1,6 @@
 //! The 88 keys of a full compass: index, note name, range.
 //!
-//! A key has one number, its [`KeyIndex`], 0 (A0) to 87 (C8); names and MIDI numbers are other
-//! spellings of it.
+//! A key has one number, its [`KeyIndex`], 0 (A0) to 87 (C8); names and MIDI numbers map to it.
 #![no_std]
 #![forbid(unsafe_code)]
 

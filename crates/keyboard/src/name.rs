@@ -8,10 +8,9 @@ use crate::KeyIndex;
 /// Names of the twelve semitones from C on.
 const SEMITONES: [&str; 12] = ["C", "C#", "D", "D#", "E", "F", "F#", "G", "G#", "A", "A#", "B"];
 
-/// Why text names no key.
+/// Reason why a text names no key.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NoteError {
-    /// The text is neither the name of a note nor a MIDI number.
     NotANote,
     /// The note lies outside A0 to C8.
     OffKeyboard,
@@ -27,7 +26,7 @@ impl fmt::Display for KeyIndex {
 impl FromStr for KeyIndex {
     type Err = NoteError;
 
-    /// Reads a note name with sharps or flats (`C#4`, `db4`), or a MIDI number (`60`).
+    /// Parses a note name with sharps or flats (`C#4`, `db4`), or a MIDI number (`60`).
     fn from_str(text: &str) -> Result<Self, NoteError> {
         let text = text.trim();
         let note = match text.parse::<i64>() {

@@ -1,62 +1,51 @@
-//! Ranges of keys: from a note to a note, both included.
-
 use core::fmt;
 use core::ops::RangeInclusive;
 
 use crate::{KeyIndex, NoteError};
 
-/// The keys from `first` to `last`, both included.
+/// Keys from `first` to `last`, both included.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct KeyRange {
     first: KeyIndex,
     last: KeyIndex,
 }
 
-/// Why text is no range of keys; displayed as a sentence with the remedy.
+/// Reason why a text is no range of keys; displayed as a sentence with the remedy.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RangeError<'a> {
-    /// The text is neither the name of a note nor a MIDI number.
     NotANote(&'a str),
     /// The note lies outside A0 to C8.
     OffKeyboard(&'a str),
-    /// The last note of this range is below its first.
     Backwards(&'a str),
 }
 
 impl KeyRange {
-    /// All keys.
     pub const ALL: Self = Self { first: KeyIndex::LOWEST, last: KeyIndex::HIGHEST };
 
-    /// Returns the keys from `first` to `last`; none if `last` is below `first`.
+    /// Returns the keys from `first` to `last`; `None` if `last` is below `first`.
     pub fn new(first: KeyIndex, last: KeyIndex) -> Option<Self> {
         (first <= last).then_some(Self { first, last })
     }
 
-    /// Reads `"A0..C8"`, `"21..108"` or a single note.
-    ///
-    /// # Errors
-    /// The part of `text` that is wrong.
+    /// Parses `"A0..C8"`, `"21..108"` or a single note; an error contains the invalid piece.
     pub fn parse(text: &str) -> Result<Self, RangeError<'_>> {
         let (first, last) = text.split_once("..").unwrap_or((text, text));
         Self::new(read(first)?, read(last)?).ok_or(RangeError::Backwards(text))
     }
 
-    /// Returns the lowest key.
     pub const fn first(self) -> KeyIndex {
         self.first
     }
 
-    /// Returns the highest key.
     pub const fn last(self) -> KeyIndex {
         self.last
     }
 
-    /// Returns the numbers of the keys, `0 ..= 87`.
     pub const fn numbers(self) -> RangeInclusive<u8> {
         self.first.number()..=self.last.number()
     }
 
-    /// Returns the keys of both ranges, if there are any.
+    /// Returns the keys in both ranges, if there are any.
     #[must_use]
     pub fn intersection(self, other: Self) -> Option<Self> {
         Self::new(self.first.max(other.first), self.last.min(other.last))
