@@ -1,14 +1,13 @@
-//! Mistakes with the line that they are in, and a caret under the place.
+//! Mistakes with their lines, and a caret under each position.
 
 use std::fmt::Write as _;
 
 use crate::{Diagnostics, is_unprintable};
 
-/// Widest line that is shown whole (characters).
+/// Longest line that is shown whole (characters).
 const WIDEST: usize = 120;
 
-/// Returns all mistakes, each with its line and a caret, as a terminal shows them; `text_of` gives
-/// the text of a file, as far as it is known.
+/// Returns all mistakes, each with its line and a caret; `text_of` returns the text of a file.
 pub fn rendered(mistakes: &Diagnostics, text_of: &dyn Fn(&str) -> Option<String>) -> String {
     let mut out = String::new();
     let mut texts: Vec<(&str, Option<String>)> = Vec::new();
@@ -30,7 +29,7 @@ pub fn rendered(mistakes: &Diagnostics, text_of: &dyn Fn(&str) -> Option<String>
 fn point(out: &mut String, text: &str, line: usize, column: usize) {
     let Some(text) = text.lines().nth(line.saturating_sub(1)) else { return };
     let before = column.saturating_sub(1);
-    // Of a long line the part about the place.
+    // Show the stretch of a long line around the position.
     let first = if before < WIDEST { 0 } else { before - WIDEST / 2 };
     let shown: String = text.chars().skip(first).take(WIDEST).map(untabbed).collect();
     let _infallible = writeln!(out, "  {shown}\n  {}^", " ".repeat(before - first));

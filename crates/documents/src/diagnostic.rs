@@ -1,4 +1,4 @@
-//! What is wrong with a file, for people and for programs.
+//! Mistakes in a file, for people and for programs.
 
 use std::fmt;
 
@@ -6,12 +6,12 @@ use serde::Serialize;
 
 use crate::escaped;
 
-/// One mistake, where it stands and what to do about it.
+/// One mistake with its position and its remedy.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
 pub struct Diagnostic {
-    /// The file, or the override (`--set name=value`) in which the mistake was made.
+    /// File, or override (`--set name=value`), with the mistake.
     pub file: String,
-    /// Line, from 1; none for an override or a file that cannot be read.
+    /// Line, from 1; `None` for an override or an unreadable file.
     pub line: Option<usize>,
     /// Column in characters, from 1.
     pub column: Option<usize>,
@@ -29,13 +29,13 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// All that is wrong: at least one mistake, overrides first, then by file, line and column.
+/// All mistakes, at least one: overrides first, then by file, line and column.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 #[serde(transparent)]
 pub struct Diagnostics(Vec<Diagnostic>);
 
 impl Diagnostics {
-    /// Sorts what was found and drops what was found twice.
+    /// Sorts the mistakes and drops duplicates.
     pub fn new(mut found: Vec<Diagnostic>) -> Self {
         let rank = |mistake: &Diagnostic| (mistake.line.is_some(), mistake.clone());
         found.sort_by_cached_key(rank);
@@ -43,12 +43,10 @@ impl Diagnostics {
         Self(found)
     }
 
-    /// The mistakes, in order.
     pub fn as_slice(&self) -> &[Diagnostic] {
         &self.0
     }
 
-    /// Returns the mistakes, in order.
     pub fn into_vec(self) -> Vec<Diagnostic> {
         self.0
     }

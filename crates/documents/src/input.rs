@@ -1,4 +1,4 @@
-//! Files that people name are opened without waiting for a pipe that nobody writes into.
+//! Opens input files without waiting forever for a pipe that has no writer.
 
 use std::fs::File;
 use std::io::{self, Read as _};
@@ -7,15 +7,12 @@ use std::path::Path;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{CWD, Mode, OFlags, fcntl_setfl, openat};
 
-/// Time in which a program begins to write into a pipe that is read.
+/// Time for a program to start writing into the pipe.
 const PATIENCE: Timespec = Timespec { tv_sec: 1, tv_nsec: 0 };
 
 /// Opens a file, or a pipe into which a program writes.
 ///
-/// A pipe that nobody opens for writing meanwhile is empty: it would be waited for without end.
-///
-/// # Errors
-/// If it cannot be opened.
+/// A pipe without a writer within 1 s reads as empty. A blocking read would never return.
 pub fn open_input(path: &Path) -> io::Result<File> {
     let flags = OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NONBLOCK | OFlags::NOCTTY;
     let opened = openat(CWD, path, flags, Mode::empty())?;
@@ -24,11 +21,7 @@ pub fn open_input(path: &Path) -> io::Result<File> {
     Ok(File::from(opened))
 }
 
-/// Returns what [`open_input`] opens at `path`: of a file that is longer than `longest` bytes, one
-/// byte more.
-///
-/// # Errors
-/// If it cannot be read.
+/// Reads what [`open_input`] opens: of a file longer than `longest` bytes, one byte more.
 pub fn read_input(path: &Path, longest: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     open_input(path)?.take(longest + 1).read_to_end(&mut bytes)?;

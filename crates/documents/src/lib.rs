@@ -1,9 +1,8 @@
-//! What is wrong in a file, where, and what to do about it.
+//! Mistakes in a file: their position, message and remedy.
 //!
-//! [`Diagnostic`] is one mistake with its line and column, [`Diagnostics`] all of one file;
-//! [`rendered`] shows them with their lines; [`choice`] and [`nearest`] say which name was probably
-//! meant; [`shown`] and [`quoted`] make names fit to be printed; [`open_input`] opens the file in the
-//! first place, and [`toml`] reads it if it is TOML.
+//! [`Diagnostic`] is one mistake, [`Diagnostics`] all of one file, and [`rendered`] shows them.
+//! [`choice`] and [`nearest`] suggest a known name; [`shown`] and [`quoted`] make names printable.
+//! [`open_input`] opens the file, and [`toml`] reads TOML with positions.
 
 mod caret;
 mod diagnostic;

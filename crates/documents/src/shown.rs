@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// Returns `path` as messages print it: see [`escaped`].
+/// Returns `path` for messages: see [`escaped`].
 pub fn shown(path: &Path) -> String {
     escaped(&path.to_string_lossy())
 }
@@ -21,7 +21,7 @@ pub fn escaped(text: &str) -> String {
 }
 
 /// Returns `true` for characters that act on a terminal or on the text around them: control
-/// characters, line and paragraph separators, and marks of the direction of writing.
+/// characters, line and paragraph separators, and marks of writing direction.
 pub fn is_unprintable(character: char) -> bool {
     character.is_control()
         || matches!(
@@ -42,7 +42,6 @@ mod tests {
             r"a\u{202e}b\u{2069}\u{200f}\u{61c}"
         );
         assert_eq!(escaped("Übung 1 ä/é.toml"), "Übung 1 ä/é.toml");
-        // Quoted names are escaped in the same way.
         assert_eq!(crate::quoted("a\u{202e}\n"), r#""a\u{202e}\n""#);
     }
 }

@@ -1,16 +1,16 @@
-//! Names in messages: quoted, and the nearest that would have been right.
+//! Names in messages: quoted, and the nearest known name.
 
 use std::borrow::Cow;
 
-/// Longest piece of somebody's text that is repeated in a message (characters).
+/// Longest piece of user text that a message repeats (characters).
 const LONGEST: usize = 60;
 
-/// `text` in quotes, on one line, shortened if it is very long.
+/// Returns `text` in quotes, on one line, shortened if it is very long.
 pub fn quoted(text: &str) -> String {
     format!("{:?}", shortened(text))
 }
 
-/// Returns `text`, or its beginning and `…` if it is very long.
+/// Returns `text`, or its first 60 characters and `…`.
 pub fn shortened(text: &str) -> Cow<'_, str> {
     match text.char_indices().nth(LONGEST) {
         Some((end, _character)) => format!("{}…", &text[..end]).into(),
@@ -18,7 +18,7 @@ pub fn shortened(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// What to do about `wrong`, where one of `known` is right.
+/// Returns the remedy for the unknown name `wrong`: the nearest of `known`, or all of them.
 pub fn choice(wrong: &str, known: impl IntoIterator<Item = impl AsRef<str>>) -> String {
     let known: Vec<_> = known.into_iter().collect();
     let known: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
@@ -30,7 +30,7 @@ pub fn choice(wrong: &str, known: impl IntoIterator<Item = impl AsRef<str>>) -> 
     }
 }
 
-/// The one of `known` that was probably meant.
+/// Returns the one of `known` that was probably meant.
 pub fn nearest<'a>(wrong: &str, known: &[&'a str]) -> Option<&'a str> {
     if wrong.chars().nth(LONGEST).is_some() {
         return None;
@@ -45,12 +45,12 @@ pub fn nearest<'a>(wrong: &str, known: &[&'a str]) -> Option<&'a str> {
     });
     let (edits, len, name) = ranked.min_by_key(|(edits, ..)| *edits)?;
     let written = wrong.chars().count();
-    // A third of the name may be wrong: "steper", "kalmann", but not "k1" for "cK".
+    // A third of the name may differ: "steper", "kalmann", but not "k1" for "cK".
     let shorter = len.min(written);
     (edits <= shorter.div_ceil(3).min(3) && edits < shorter).then_some(name)
 }
 
-/// The only one of `known` that begins with `start`, if that is three characters or more.
+/// Returns the only one of `known` that begins with `start` of three characters or more.
 fn only_beginning_with<'a>(start: &str, known: &[&'a str]) -> Option<&'a str> {
     let mut found = known.iter().filter(|name| name.to_lowercase().starts_with(start));
     match (found.next(), found.next()) {

@@ -1,7 +1,6 @@
-//! TOML files read with places: all mistakes of a file at once, each with its line.
+//! TOML files with positions: all mistakes of a file at once, each with its line.
 //!
-//! [`parse`] makes a plain tree of a source of a [`FindingList`], [`KeyReader`] reads the entries of
-//! a table and reports the others.
+//! [`parse`] builds a plain tree from a source of a [`FindingList`]; [`KeyReader`] reads a table.
 
 mod reader;
 mod report;

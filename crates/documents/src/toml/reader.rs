@@ -1,20 +1,20 @@
-//! Access to the entries of one table: unknown ones are reported.
+//! Access to the entries of one table; unknown entries are reported.
 
 use super::report::{FindingList, SourcePlace};
 use super::tree::{TomlEntry, TomlKind, TomlNode};
 use crate::{choice, quoted};
 
-/// Reads the entries of one table.
+/// Reader of the entries of one table.
 #[derive(Debug)]
 pub struct KeyReader<'a> {
     entries: &'a [TomlEntry],
-    /// Place of the table, or of its name.
+    /// Position of the table, or of its name.
     pub place: SourcePlace,
     known: Vec<&'static str>,
 }
 
 impl<'a> KeyReader<'a> {
-    /// Returns a reader of `entry`; reports what is not a table.
+    /// Returns a reader of `entry`; reports an entry that is not a table.
     pub fn new(report: &mut FindingList, entry: &'a TomlEntry) -> Option<Self> {
         let Some(entries) = entry.node.entries() else {
             let help = format!("write it as {} = {{ … }}", entry.name);
@@ -24,7 +24,7 @@ impl<'a> KeyReader<'a> {
         Some(Self { entries, place: entry.place, known: Vec::new() })
     }
 
-    /// Returns a reader of a table that has no name of its own.
+    /// Returns a reader of a table without a name of its own.
     pub fn of(report: &mut FindingList, name: &str, node: &'a TomlNode) -> Option<Self> {
         Self::of_table(report, name, node, "write it as { … }")
     }
@@ -43,7 +43,6 @@ impl<'a> KeyReader<'a> {
         Some(Self { entries, place: node.place, known: Vec::new() })
     }
 
-    /// Returns the entry called `name`, if it is there.
     pub fn take(&mut self, name: &'static str) -> Option<&'a TomlEntry> {
         if !self.known.contains(&name) {
             self.known.push(name);
@@ -51,7 +50,6 @@ impl<'a> KeyReader<'a> {
         self.entries.iter().find(|entry| entry.name == name)
     }
 
-    /// Returns the text called `name`, if it is there.
     pub fn text(
         &mut self,
         report: &mut FindingList,
@@ -61,12 +59,12 @@ impl<'a> KeyReader<'a> {
         text(report, name, &entry.node)
     }
 
-    /// Returns the items of the list called `name`; none if it is missing.
+    /// Returns the items of the list `name`; empty if it is missing.
     pub fn list(&mut self, report: &mut FindingList, name: &'static str) -> &'a [TomlNode] {
         self.take(name).map_or(&[], |entry| list(report, name, &entry.node))
     }
 
-    /// Returns the entries of the table called `name`, whose names are free.
+    /// Returns the entries of the table `name`, which may have any names.
     pub fn table(&mut self, report: &mut FindingList, name: &'static str) -> &'a [TomlEntry] {
         let Some(entry) = self.take(name) else { return &[] };
         entry.node.entries().unwrap_or_else(|| {
@@ -75,7 +73,7 @@ impl<'a> KeyReader<'a> {
         })
     }
 
-    /// Returns the truth called `name`; false if it is missing.
+    /// Returns the truth value `name`; `false` if it is missing.
     pub fn is_set(&mut self, report: &mut FindingList, name: &'static str) -> bool {
         let Some(entry) = self.take(name) else { return false };
         if let TomlKind::Truth(truth) = entry.node.kind {
@@ -85,12 +83,12 @@ impl<'a> KeyReader<'a> {
         false
     }
 
-    /// Returns the entries that were not asked for: their names are free.
+    /// Returns the entries that no call has asked for: their names are free.
     pub fn others(&self) -> impl Iterator<Item = &'a TomlEntry> + use<'a, '_> {
         self.entries.iter().filter(|entry| !self.known.contains(&entry.name.as_str()))
     }
 
-    /// Reports every entry that was never asked for.
+    /// Reports every entry that no call has asked for.
     pub fn finish(self, report: &mut FindingList) {
         for entry in self.others().take(FindingList::MOST) {
             let message = format!("there is no key {} here", quoted(&entry.name));
@@ -99,7 +97,7 @@ impl<'a> KeyReader<'a> {
     }
 }
 
-/// Reports that `node`, called `name`, should be something else.
+/// Reports that `node`, called `name`, must be of another kind.
 pub fn wrong_kind(
     report: &mut FindingList,
     name: &str,
@@ -111,7 +109,6 @@ pub fn wrong_kind(
     report.say(node.place, message, help);
 }
 
-/// Returns the text of `node`, called `name`.
 pub fn text<'a>(
     report: &mut FindingList,
     name: &str,
@@ -124,7 +121,6 @@ pub fn text<'a>(
     Some((text, node.place))
 }
 
-/// Returns the items of `node`, called `name`.
 pub fn list<'a>(report: &mut FindingList, name: &str, node: &'a TomlNode) -> &'a [TomlNode] {
     node.items().unwrap_or_else(|| {
         wrong_kind(report, name, node, "a list", "write it in [ ]");

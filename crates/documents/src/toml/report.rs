@@ -4,40 +4,39 @@ use std::path::{Path, PathBuf};
 
 use crate::{Diagnostic, Diagnostics, escaped, shortened};
 
-/// A text that is read.
+/// A text to read.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TomlSource {
-    /// Its name in mistakes, as `my-action.toml`.
+    /// Name in mistakes, as `my-action.toml`.
     pub name: String,
     pub text: String,
 }
 
-/// A place in one of several sources.
+/// A position in one of several sources.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Default)]
 pub struct SourcePlace {
     pub source: usize,
-    /// Byte of its text.
+    /// Byte offset in its text.
     pub offset: usize,
 }
 
 impl SourcePlace {
-    /// Returns the place so many bytes later.
     #[must_use]
     pub const fn after(self, bytes: usize) -> Self {
         Self { offset: self.offset + bytes, ..self }
     }
 }
 
-/// Bytes at which the lines of a source start; none of what was typed on a command line.
+/// Byte offsets at which the lines of a source start; `None` for text from the command line.
 type LineStarts = Option<Vec<usize>>;
 
-/// The mistakes found so far in a file, in what it starts from, and in overrides of its values.
+/// The mistakes found so far in a file, in the files it starts from, and in overrides.
 #[derive(Debug, Default)]
 pub struct FindingList {
     sources: Vec<(TomlSource, LineStarts)>,
     /// Folder to which relative paths in the file are relative.
     folder: PathBuf,
-    /// Part of a file could not be read, so what seems missing may stand there.
+    /// `true` if a stretch of the file is unreadable, which may contain what seems missing.
     pub is_broken: bool,
     found: Vec<Diagnostic>,
 }
@@ -46,12 +45,11 @@ impl FindingList {
     /// Most mistakes that are reported.
     pub const MOST: usize = 100;
 
-    /// Returns an empty list for a file in `folder`.
     pub fn in_folder(folder: PathBuf) -> Self {
         Self { folder, ..Self::default() }
     }
 
-    /// Adds a source; returns its number.
+    /// Adds a source; returns its index.
     pub fn source(&mut self, source: TomlSource) -> usize {
         let ends = source.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
         let starts = std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect();
@@ -59,25 +57,24 @@ impl FindingList {
         self.sources.len() - 1
     }
 
-    /// Adds an override, `value` as it was typed in `words`; returns its number.
+    /// Adds an override, `value` as typed in `words`; returns its index.
     pub fn typed(&mut self, words: &str, value: &str) -> usize {
         let name = shortened(words).into_owned();
         self.sources.push((TomlSource { name, text: value.to_owned() }, None));
         self.sources.len() - 1
     }
 
-    /// Returns the text of the source with this number; empty if there is none.
+    /// Returns the text of the source with this index; empty if there is none.
     pub fn text(&self, source: usize) -> &str {
         self.sources.get(source).map_or("", |(source, _)| &source.text)
     }
 
-    /// Returns the value of the override at `place` as it was typed, if it is in one.
+    /// Returns the typed value of the override at `place`, if `place` is in an override.
     pub fn typed_at(&self, place: SourcePlace) -> Option<&str> {
         let (source, lines) = self.sources.get(place.source)?;
         lines.is_none().then_some(source.text.as_str())
     }
 
-    /// Returns the folder to which a path written at `place` is relative.
     pub fn folder(&self, place: SourcePlace) -> &Path {
         if self.typed_at(place).is_some() { Path::new("") } else { &self.folder }
     }
@@ -98,13 +95,13 @@ impl FindingList {
         });
     }
 
-    /// Records a mistake in the place of all others, which may follow from it.
+    /// Records a mistake instead of all others, which may follow from it.
     pub fn replace(&mut self, place: SourcePlace, message: String, help: &str) {
         self.found.clear();
         self.say(place, message, help);
     }
 
-    /// Records what is missing, unless part of a file is unreadable.
+    /// Records a missing entry, unless the file is unreadable in part.
     pub fn miss(
         &mut self,
         place: SourcePlace,
@@ -116,12 +113,11 @@ impl FindingList {
         }
     }
 
-    /// Adds the mistakes in another file.
     pub fn absorb(&mut self, others: Diagnostics) {
         self.found.extend(others.into_vec());
     }
 
-    /// Returns line and column (characters), from 1; none in an override.
+    /// Returns line and column (characters), from 1; `None` in an override.
     pub fn position(&self, place: SourcePlace) -> Option<(usize, usize)> {
         let (source, starts) = self.sources.get(place.source)?;
         let starts = starts.as_ref()?;
@@ -132,15 +128,13 @@ impl FindingList {
         Some((line, before.chars().count() + 1))
     }
 
-    /// Returns the file with line and column, from 1.
     pub fn file_position(&self, place: SourcePlace) -> Option<(String, usize, usize)> {
         let (line, column) = self.position(place)?;
         let (source, _) = self.sources.get(place.source)?;
         Some((source.name.clone(), line, column))
     }
 
-    /// Returns "line 3, column 1", "other.toml:3:1" or the override, for a message at `from` that
-    /// points at a second place.
+    /// Returns "line 3, column 1", "other.toml:3:1" or the override, for a message at `from`.
     pub fn describe(&self, place: SourcePlace, from: SourcePlace) -> String {
         let name = self.sources.get(place.source).map_or("", |(source, _)| &source.name);
         match self.position(place) {
@@ -159,26 +153,20 @@ impl FindingList {
         line.or_else(name).unwrap_or_default()
     }
 
-    /// Returns `true` if no mistake was found so far.
     pub const fn is_empty(&self) -> bool {
         self.found.is_empty()
     }
 
-    /// Returns how many mistakes were found so far.
     pub const fn len(&self) -> usize {
         self.found.len()
     }
 
-    /// Returns the texts of all files that were read.
+    /// Returns all sources with their texts.
     pub fn texts(&self) -> Vec<TomlSource> {
         self.sources.iter().map(|(source, _)| source.clone()).collect()
     }
 
-    /// Returns `checked`, or all mistakes.
-    ///
-    /// # Errors
-    ///
-    /// If there is a mistake, or nothing was checked.
+    /// Returns `checked`, or all mistakes if there are any or `checked` is `None`.
     pub fn verdict<T>(self, checked: Option<T>) -> Result<T, Diagnostics> {
         match checked {
             Some(checked) if self.found.is_empty() => Ok(checked),

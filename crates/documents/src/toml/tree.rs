@@ -1,4 +1,4 @@
-//! TOML as a plain tree that knows where each part was written.
+//! TOML as a plain tree with the position of each value.
 
 use std::ops::Range;
 
@@ -7,19 +7,19 @@ use toml_edit::{Document, Item, Key, Table, TableLike};
 use super::report::{FindingList, SourcePlace};
 use crate::quoted;
 
-/// Lines that are left out in turn because they are no TOML, to find more mistakes after them.
+/// Invalid lines that are blanked one after the other, to find more mistakes after them.
 const MOST_BROKEN_LINES: usize = 20;
 
-/// A file that is larger than any that a person writes (bytes).
+/// Size above which no person wrote the file (bytes).
 const LARGE: usize = 1 << 17;
 
-/// Most dots on a line: a key with thousands of parts would make a tree as deep.
+/// Most dots on a line: a key with thousands of parts would give a tree as deep.
 const MOST_DOTS: usize = 2_000;
 
-/// A value and where it stands.
+/// A value and its position.
 #[derive(Clone, PartialEq, Debug)]
 pub struct TomlNode {
-    /// Its first character; of a text see [`TextPlace`].
+    /// Position of the first character; for a text see [`TextPlace`].
     pub place: SourcePlace,
     pub kind: TomlKind,
 }
@@ -27,7 +27,7 @@ pub struct TomlNode {
 /// A value of TOML.
 #[derive(Clone, PartialEq, Debug)]
 pub enum TomlKind {
-    /// A text, and whether it stands in the file as it is, without escapes.
+    /// Text, and `true` if the file contains it unchanged, without escapes.
     Text(String, bool),
     Integer(i64),
     Float(f64),
@@ -58,27 +58,23 @@ impl TomlNode {
         }
     }
 
-    /// Returns the entries, if it is a table.
     pub fn entries(&self) -> Option<&[TomlEntry]> {
         if let TomlKind::Table(entries) = &self.kind { Some(entries) } else { None }
     }
 
-    /// Returns the items, if it is a list.
     pub fn items(&self) -> Option<&[Self]> {
         if let TomlKind::List(items) = &self.kind { Some(items) } else { None }
     }
 
-    /// Returns the text, if it is any.
     pub fn text(&self) -> Option<&str> {
         if let TomlKind::Text(text, _) = &self.kind { Some(text) } else { None }
     }
 
-    /// Returns the item with this index, if it is a list with so many.
     pub fn item_mut(&mut self, index: usize) -> Option<&mut Self> {
         if let TomlKind::List(items) = &mut self.kind { items.get_mut(index) } else { None }
     }
 
-    /// Returns the value of an override at `place`: TOML, or text without its quotes.
+    /// Returns the value of an override at `place`: TOML, or text without quotes.
     pub fn typed(text: &str, place: SourcePlace) -> Self {
         let tree = TreeMaker { source: place.source, text: None, texts: TextPlace::Quote };
         match text.parse::<toml_edit::Value>() {
@@ -87,23 +83,22 @@ impl TomlNode {
         }
     }
 
-    /// Returns the value of an entry of a table.
     pub fn get(&self, name: &str) -> Option<&TomlEntry> {
         self.entries()?.iter().find(|entry| entry.name == name)
     }
 }
 
-/// The place of a text.
+/// Position that a text is given.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TextPlace {
     Quote,
-    /// The character after the quotes, if the text has no escapes.
+    /// First character after the quotes, if the text has no escapes.
     FirstCharacter,
 }
 
-/// Reads the source with this number; reports every line that is not TOML and reads on without it.
+/// Parses the source with this index; reports every line that is not TOML and continues without it.
 ///
-/// Returns `None` if the rest could not be understood.
+/// Returns `None` if the rest is invalid, too.
 pub fn parse(report: &mut FindingList, source: usize, texts: TextPlace) -> Option<TomlNode> {
     let mut text = report.text(source).to_owned();
     if let Some(line) = text.lines().position(|it| it.matches('.').count() > MOST_DOTS) {
@@ -114,7 +109,7 @@ pub fn parse(report: &mut FindingList, source: usize, texts: TextPlace) -> Optio
         return None;
     }
     let mut left_out = Vec::new();
-    // A large file that is something else is not read twenty times.
+    // Read a large file that is not TOML only twice.
     let most = if text.len() > LARGE { 2 } else { MOST_BROKEN_LINES };
     for _ in 0..most {
         let error = match Document::parse(text.as_str()) {
@@ -140,7 +135,7 @@ pub fn parse(report: &mut FindingList, source: usize, texts: TextPlace) -> Optio
         let (start, len) = (line.start, line.len());
         text.replace_range(line, &" ".repeat(len));
         left_out.push(start);
-        // What follows a header would be taken for something that it is not.
+        // The entries after a broken header would be attributed to another table.
         if was_header {
             return None;
         }
@@ -169,7 +164,7 @@ fn say_error(report: &mut FindingList, place: SourcePlace, message: &str, writte
 
 struct TreeMaker<'a> {
     source: usize,
-    /// The text that spans are of; none if they mean nothing.
+    /// Text that the spans refer to; `None` if the spans have no meaning.
     text: Option<&'a str>,
     texts: TextPlace,
 }
