@@ -1,8 +1,8 @@
-//! Which strike belongs to which note of one key: both in order of time, none used twice.
+//! Alignment of strikes with the notes of one key: both in order of time, none used twice.
 
 use std::cmp::Ordering;
 
-/// How good an alignment is: more pairs first, then less distance between them.
+/// Quality of an alignment: more pairs first, then less distance between them.
 #[derive(Clone, Copy, Default)]
 struct AlignmentScore {
     pairs: usize,
@@ -21,7 +21,7 @@ impl AlignmentScore {
     }
 }
 
-/// What an alignment does with a note and the last strike that it may have.
+/// Decision of an alignment about a note and the last strike that it may have.
 #[derive(Clone, Copy)]
 enum AlignmentStep {
     LeaveNote,
@@ -29,14 +29,14 @@ enum AlignmentStep {
     Pair,
 }
 
-/// The choices for one note, a step for each strike in reach of it.
+/// Choices for one note, a step for each strike within reach.
 struct NoteChoices {
     first: usize,
     steps: Vec<AlignmentStep>,
 }
 
-/// The best alignment of notes with strikes at most `window` (s) from them: as many pairs as there
-/// can be, and of these alignments the nearest. Times (s) increase; pairs are indices, in order.
+/// Returns the best alignment of notes with strikes at most `window` (s) away: the most pairs, and
+/// among those the least distance. Times (s) increase; pairs are indices, in order.
 pub(crate) fn align(notes: &[f64], strikes: &[f64], window: f64) -> Vec<(usize, usize)> {
     // best[n]: with the notes so far and the first n strikes.
     let mut best = vec![AlignmentScore::default()];
@@ -61,7 +61,6 @@ pub(crate) fn align(notes: &[f64], strikes: &[f64], window: f64) -> Vec<(usize, 
     pairs
 }
 
-/// Adds a note to the alignments of those before it.
 fn row(note: f64, strikes: &[f64], window: f64, best: &mut Vec<AlignmentScore>) -> NoteChoices {
     let first = strikes.partition_point(|strike| *strike < note - window);
     let end = strikes.partition_point(|strike| *strike <= note + window);
@@ -89,7 +88,7 @@ mod tests {
 
     #[test]
     fn strikes_that_are_all_late_belong_to_their_own_notes() {
-        // The nearest strike of the second note is the first note's.
+        // The strike nearest to the second note belongs to the first.
         assert_eq!(align(&[1.0, 1.05], &[1.03, 1.08], 0.04), [(0, 0), (1, 1)]);
     }
 
@@ -114,7 +113,7 @@ mod tests {
         assert!((distance(&found) - wanted.1).abs() < 1e-12, "{found:?}");
     }
 
-    /// Pairs and distance of the best alignment, by trying all.
+    /// Returns pairs and distance of the best alignment, by trying all.
     fn best_of(notes: &[f64], strikes: &[f64]) -> (usize, f64) {
         let (Some((note, later)), Some((strike, rest))) =
             (notes.split_first(), strikes.split_first())

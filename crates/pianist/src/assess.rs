@@ -1,57 +1,52 @@
-//! What was wanted against what was struck.
+//! Comparison of the wanted notes with the strikes.
 
 use std::collections::BTreeMap;
 use std::fmt;
 
 use crate::align::align;
 
-/// A strike further than this from its note's onset is not in time (s).
-///
-/// A little more than half of a grand's quickest repetition (15/s).
+/// Largest distance of a strike from its note's onset (s): a little more than half of a grand's
+/// quickest repetition (15/s).
 pub const WINDOW: f64 = 0.04;
 
-/// A strike later than this after a note's onset is not taken for the note (s).
+/// Delay after an onset beyond which a strike no longer counts for the note (s).
 pub const REACH: f64 = 5.0;
 
-/// Deviations that are kept one by one of a performance that repeats.
+/// Deviations kept one by one for a repeating performance.
 pub const MOST_DEVIATIONS: usize = 1000;
 
-/// A note that should be heard.
+/// A note that should sound.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ExpectedNote {
-    /// Which key, 0 ..= 87.
+    /// Key, 0 ..= 87.
     pub key: u8,
-    /// When (s since the start of the performance).
+    /// Time since the start of the performance (s).
     pub onset: f64,
-    /// Speed of the hammer at the string (m/s).
+    /// Hammer speed at the string (m/s).
     pub speed: f64,
     /// MIDI velocity, 1 ..= 127.
     pub velocity: u8,
 }
 
-/// A strike that really happened.
+/// A strike that happened.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Struck {
-    /// Which key, 0 ..= 87.
+    /// Key, 0 ..= 87.
     pub key: u8,
-    /// Time of the strike (s).
     pub at: f64,
-    /// How hard, as a MIDI velocity, 1 ..= 127.
+    /// Strength as a MIDI velocity, 1 ..= 127.
     pub velocity: u8,
 }
 
-/// How a set of errors is distributed, by nearest rank; all zero if there is none.
+/// Distribution of a set of errors, by nearest rank; all zero if the set is empty.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Spread {
-    /// Half of the errors are at most this.
     pub p50: f64,
-    /// 99 % of the errors are at most this.
     pub p99: f64,
-    /// No error is above this.
     pub max: f64,
 }
 
-/// Errors in whole units, and how often each occurred: little memory for any number of them.
+/// Errors in whole units with their counts: little memory for any number of them.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 struct ErrorCounts(BTreeMap<u32, usize>);
 
@@ -60,7 +55,7 @@ impl ErrorCounts {
         *self.0.entry(error).or_default() += 1;
     }
 
-    /// Returns how the errors are distributed, of which each unit is `unit`.
+    /// Returns the distribution of the errors; one count is worth `unit`.
     fn spread(&self, unit: f64) -> Spread {
         let n: usize = self.0.values().sum();
         let rank = |percent: usize| {
@@ -77,7 +72,7 @@ impl ErrorCounts {
     }
 }
 
-/// How a performance went.
+/// Result of a performance.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Assessment {
     /// Notes that were wanted.
@@ -87,33 +82,32 @@ pub struct Assessment {
     pub missed: usize,
     /// Strikes without a note.
     pub extra: usize,
-    /// How far strikes were from their onsets, early or late (ms), to a microsecond.
+    /// Distances of strikes from their onsets, early or late (ms), to a microsecond.
     pub onset_error_ms: Spread,
-    /// How far strikes were from their notes' velocities, in MIDI units.
+    /// Distances of strikes from their notes' velocities (MIDI units).
     pub velocity_error: Spread,
-    /// Notes that are missed or late and strikes that are extra, in order of time, then of key; the
-    /// first [`MOST_DEVIATIONS`] of a performance that repeats.
+    /// Missed or late notes and extra strikes, in order of time, then of key; the first
+    /// [`MOST_DEVIATIONS`] of a repeating performance.
     pub deviations: Vec<Deviation>,
 }
 
-/// A note that is missed or late, or a strike that is extra.
+/// A missed or late note, or an extra strike.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Deviation {
-    /// Which key, 0 ..= 87.
+    /// Key, 0 ..= 87.
     pub key: u8,
-    /// When the note is wanted, or the extra strike happened (s since the start).
+    /// Wanted time of the note, or time of the extra strike (s since the start).
     pub at: f64,
     pub kind: DeviationKind,
 }
 
-/// What is wrong with a note.
+/// Kind of a deviation.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum DeviationKind {
     Missed,
     Extra,
-    /// The note is struck more than [`WINDOW`] after its onset.
+    /// The strike is more than [`WINDOW`] after the onset.
     Late {
-        /// How late (s).
         by: f64,
     },
 }
@@ -131,33 +125,31 @@ impl fmt::Display for Assessment {
     }
 }
 
-/// Compares what was wanted with what was struck.
+/// Compares the wanted notes with the strikes.
 ///
-/// On each key notes and strikes belong together in order, as many as there can be within
-/// [`WINDOW`] and of these the nearest. What is left of a key is late where a strike follows a note
-/// before the next note of the key is struck, and within [`REACH`].
+/// On each key notes and strikes are paired in order: as many as possible within [`WINDOW`], and
+/// among those the nearest. A note left over is late if a strike follows within [`REACH`] and
+/// before the next note of the key is struck.
 pub fn assess(expected: &[ExpectedNote], struck: &[Struck]) -> Assessment {
     let mut found = NoteFindings::default();
     found.add(expected, struck);
     found.assessment()
 }
 
-/// What became of the notes of all passes so far.
+/// Results of all passes so far.
 #[derive(Clone, PartialEq, Debug, Default)]
 struct NoteFindings {
     played: usize,
     struck: usize,
     /// Notes with a strike.
     paired: usize,
-    /// How far these strikes were from their onsets, early or late (us).
+    /// Distances of these strikes from their onsets, early or late (us).
     onset: ErrorCounts,
-    /// How far they were from their notes' velocities, as [`Assessment`] has it.
     velocity: ErrorCounts,
     deviations: Vec<Deviation>,
 }
 
 impl NoteFindings {
-    /// Adds the notes and strikes of one pass.
     fn add(&mut self, expected: &[ExpectedNote], struck: &[Struck]) {
         let known = self.deviations.len();
         for key in 0..=u8::MAX {
@@ -192,7 +184,7 @@ impl NoteFindings {
         self.velocity.add(strike.velocity.abs_diff(note.velocity).into());
     }
 
-    /// Adds what lies between two pairs of a key: each note takes the first strike after it.
+    /// Adds the notes and strikes between two pairs: each note takes the first strike after it.
     fn leave(&mut self, notes: &[&ExpectedNote], mut strikes: &[&Struck]) {
         let extra = |strike: &&Struck| Deviation {
             key: strike.key,
@@ -229,17 +221,17 @@ impl NoteFindings {
     }
 }
 
-/// Compares a performance with what is struck while it is played, as often as it repeats.
+/// Compares a performance with its strikes while it is played, once or repeatedly.
 ///
-/// It keeps the strikes of one pass, and of those before their counts.
+/// The assessor keeps the strikes of one pass, and the counts of earlier passes.
 #[derive(Clone, Debug)]
 pub struct Assessor {
     expected: Vec<ExpectedNote>,
-    /// Notes that nobody plays, which are missed.
+    /// Notes that are not played and count as missed.
     left_out: Vec<ExpectedNote>,
-    /// Length of a pass (s), if there is more than one.
+    /// Length of a pass (s), if there are several.
     repeat: Option<f64>,
-    /// Passes that are over.
+    /// Number of finished passes.
     passes: u64,
     /// Strikes of the present pass, in time from its beginning.
     struck: Vec<Struck>,
@@ -247,8 +239,7 @@ pub struct Assessor {
 }
 
 impl Assessor {
-    /// Returns an assessor that has heard nothing yet; the notes that are expected and those that
-    /// nobody plays come again after `repeat` (s), if they do.
+    /// Returns an assessor; `expected` and `left_out` notes return after `repeat` (s), if given.
     pub fn new(
         expected: Vec<ExpectedNote>,
         left_out: Vec<ExpectedNote>,
@@ -258,15 +249,15 @@ impl Assessor {
         Self { expected, left_out, repeat, passes: 0, struck, findings }
     }
 
-    /// Takes a strike; those of one pass come before those of the next.
+    /// Adds a strike; strikes of one pass come before those of the next.
     pub fn hear(&mut self, strike: Struck) {
         let at = self.in_pass(strike.at);
         self.struck.push(Struck { at, ..strike });
     }
 
-    /// Returns how all went that the performance asks for before the end at `duration` (s).
+    /// Returns the result for the notes before the end at `duration` (s).
     pub fn finish(mut self, duration: f64) -> Assessment {
-        // A note wanted within a matching window of the end may rightly be struck after it.
+        // A note within a matching window of the end may be struck after the end.
         let heard = self.in_pass(duration - WINDOW);
         self.expected.retain(|note| note.onset < heard);
         self.left_out.retain(|note| note.onset < heard);
@@ -275,7 +266,7 @@ impl Assessor {
         self.findings.assessment()
     }
 
-    /// Returns the time since the beginning of the pass in which `at` (s) is; ends those before.
+    /// Ends the passes before `at` (s); returns the time of `at` within its pass (s).
     fn in_pass(&mut self, at: f64) -> f64 {
         let Some(length) = self.repeat else { return at };
         while (self.passes + 1) as f64 * length <= at {
@@ -285,7 +276,6 @@ impl Assessor {
         at - self.passes as f64 * length
     }
 
-    /// Adds the present pass to the findings.
     fn end_pass(&mut self) {
         let Self { findings, repeat, .. } = self;
         let known = findings.deviations.len();
@@ -360,7 +350,7 @@ mod tests {
             assessor.hear(struck(1, at, 61));
             assert!(assessor.struck.len() <= 1, "of this pass");
         }
-        // The last pass is over before its second note; in a pass of silence all is missed.
+        // The last pass ends before its second note; a pass of silence misses all.
         let found = assessor.clone().finish(4.0 * 999.0 + 1.5);
         assert_eq!((found.played, found.struck, found.missed, found.extra), (1999, 1000, 999, 0));
         assert!((found.onset_error_ms.p50 - 0.049).abs() < 1e-9, "{found}");

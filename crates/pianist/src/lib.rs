@@ -1,4 +1,4 @@
-//! A MIDI file to finger strokes: the virtual pianist.
+//! The virtual pianist: finger strokes from a MIDI file.
 //!
 //! ```text
 //! bytes ── score::read ──▶ Score ── stroke::plan ──▶ strokes of each key
@@ -7,10 +7,10 @@
 //!        Assessment ◀── assess ── what was struck    Performance
 //! ```
 //!
-//! Hammers are thrown, not placed: what a stroke does depends on the action and on the state
-//! that the key is in. So every stroke is rehearsed by simulation, from the state its key will
-//! really have then, until it gives the wanted velocity and onset.
-//! This crate knows no instrument: the host hands one in as a [`Rehearsal`].
+//! Hammers are thrown, not placed: a stroke's effect depends on the action and on the state of the
+//! key. So each stroke is rehearsed by simulation from the state that its key will have, until it
+//! gives the wanted velocity and onset.
+//! This crate contains no instrument: the host supplies one as a [`Rehearsal`].
 //! Times are `f64` seconds since the start of the performance.
 
 #![forbid(unsafe_code)]

@@ -14,14 +14,12 @@ use crate::rehearse::{Practice, Rehearsal, RehearsedStroke, Shortfall, StrokeTab
 use crate::score::Score;
 use crate::stroke::{PlannedStroke, Technique, plan};
 
-/// Finds the gestures by which simulated fingers play a score.
+/// Finds the gestures with which simulated fingers play a score.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Pianist {
-    /// What a hammer speed is worth.
     pub curve: VelocityCurve,
-    /// How the pianist plays.
     pub technique: Technique,
-    /// Keys that are rehearsed at a time; the result does not depend on it.
+    /// Keys rehearsed at a time; the result does not depend on it.
     pub n_workers: NonZero<usize>,
 }
 
@@ -35,46 +33,44 @@ impl Default for Pianist {
     }
 }
 
-/// How far a preparation has come.
+/// Progress of a preparation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Progress {
     pub done: usize,
-    /// Strokes of the score.
     pub total: usize,
 }
 
-/// What the fingers do, and what should be heard of it.
+/// Motions of the fingers, and the notes that should sound.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Performance {
-    /// For each of the 88 keys its gestures, in order of start.
+    /// Gestures of each of the 88 keys, in order of start.
     pub gestures: Vec<Vec<Gesture>>,
-    /// What the score wants, in order of onset, then of key.
+    /// Notes of the score, in order of onset, then of key.
     pub expected: Vec<ExpectedNote>,
-    /// What the rehearsal promises: compare with [`assess`](crate::assess()).
+    /// Strikes that the rehearsal predicts: compare with [`assess`](crate::assess()).
     pub predicted: Vec<Struck>,
-    /// What cannot be played as it is written, in order of onset, then of key.
+    /// Notes that cannot be played as written, in order of onset, then of key.
     pub shortfalls: Vec<ShortStroke>,
-    /// Softest and loudest speed of the hammer at the string that every key which is played gives
-    /// from rest (m/s), if each of them strikes.
+    /// Softest and loudest hammer speed at the string that every played key reaches from rest
+    /// (m/s), if each key strikes.
     pub range: Option<(f64, f64)>,
-    /// Moves of the pedals, in order of time.
     pub pedals: Vec<PedalMove>,
-    /// The time after which all of it begins again (s), later than its end; once if there is none.
+    /// Time after which the performance repeats (s), later than its end; `None` if it does not.
     pub repeat: Option<f64>,
 }
 
-/// A note that is not played as it is written.
+/// A note that is not played as written.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ShortStroke {
-    /// Which key, 0 ..= 87.
+    /// Key, 0 ..= 87.
     pub key: u8,
-    /// When it should be heard (s since the start of the performance).
+    /// Wanted time (s since the start of the performance).
     pub onset: f64,
     pub why: Shortfall,
 }
 
 impl Performance {
-    /// When the last finger has left its key or the pedal is moved last (s).
+    /// Returns the time when the last finger leaves its key or the last pedal moves (s).
     pub fn end(&self) -> f64 {
         let ends = self.gestures.iter().flatten().map(Gesture::end);
         ends.chain(self.pedals.iter().map(|pedal| pedal.at)).fold(0.0, f64::max)
@@ -82,10 +78,10 @@ impl Performance {
 }
 
 impl Pianist {
-    /// Finds out how to play `score`.
+    /// Prepares the performance of `score`.
     ///
-    /// `instrument` makes a key (0 ..= 87), at rest at time 0; it is called by several threads.
-    /// `progress` is called after every stroke, by whichever thread rehearsed it.
+    /// `instrument` makes a key (0 ..= 87) at rest at time 0; several threads call it. The thread
+    /// that rehearsed a stroke calls `progress` after it.
     pub fn prepare<R: Rehearsal>(
         &self,
         score: &Score,
@@ -120,7 +116,7 @@ impl Pianist {
         KeyFindings { strokes, range: tables.range() }
     }
 
-    /// Lets the workers take key after key, the busiest first; results in order of keys.
+    /// Gives the workers key after key, the busiest first; returns results in order of keys.
     fn share_out<T: Send + Default>(
         &self,
         keys: &[Vec<PlannedStroke>],
@@ -179,14 +175,14 @@ impl Pianist {
     }
 }
 
-/// What was found out about one key.
+/// Findings about one key.
 struct KeyFindings {
     strokes: Vec<RehearsedStroke>,
-    /// Softest and loudest hammer speed that it gives (m/s).
+    /// Softest and loudest hammer speed (m/s).
     range: Option<(f64, f64)>,
 }
 
-/// The hammer speeds that all of `keys` give (m/s).
+/// Returns the hammer speeds that all of `keys` reach (m/s).
 fn range(keys: &[Option<KeyFindings>]) -> Option<(f64, f64)> {
     let ranges = keys.iter().flatten().map(|key| key.range);
     let common = ranges.reduce(|one, other| {
@@ -206,7 +202,7 @@ fn wanted(stroke: &PlannedStroke) -> ExpectedNote {
     ExpectedNote { key, onset, speed, velocity: velocity.get() }
 }
 
-/// Runs `worker` on `n_workers` threads and returns all that they made.
+/// Runs `worker` on `n_workers` threads; returns all their results.
 fn run<T: Send>(n_workers: usize, worker: &(impl Fn() -> Vec<T> + Sync)) -> Vec<T> {
     thread::scope(|scope| {
         let workers: Vec<_> = (0..n_workers).map(|_| scope.spawn(worker)).collect();

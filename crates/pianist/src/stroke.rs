@@ -1,4 +1,4 @@
-//! What is wanted of each key: strokes without gestures yet.
+//! Planned strokes of each key, without gestures yet.
 
 use haptics::plant::{Gesture, Touch};
 use keyboard::KEYS;
@@ -7,16 +7,15 @@ use midi::{Velocity, VelocityCurve};
 
 use crate::score::{Score, ScoreNote};
 
-/// How the pianist plays.
+/// Playing technique of the pianist.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Technique {
-    /// Hammer speed above which a key is struck from above instead of pressed (m/s).
-    ///
-    /// A pressed touch reaches about 4 m/s and gets heavy long before.
+    /// Hammer speed above which a key is struck from above instead of pressed (m/s). A pressed
+    /// touch reaches about 4 m/s and gets heavy long before.
     pub struck_above: f64,
     /// Depth to which a finger holds a key (m).
     pub hold: f64,
-    /// Silence before the first onset of the score (s), for the first gesture to begin in.
+    /// Silence before the first onset of the score (s), in which the first gesture begins.
     pub lead_in: f64,
 }
 
@@ -29,22 +28,21 @@ impl Default for Technique {
 /// Shortest time from an onset to the wanted fall of the damper (s).
 const SHORTEST: f64 = 0.03;
 
-/// What is wanted of a key.
+/// A wanted stroke of a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PlannedStroke {
-    /// Which key, 0 ..= 87.
+    /// Key, 0 ..= 87.
     pub key: u8,
-    /// When the hammer is to strike (s).
+    /// Wanted time of the strike (s).
     pub onset: f64,
-    /// When the damper is to fall (s).
+    /// Wanted time of the fall of the damper (s).
     pub end: f64,
-    /// How fast the hammer is to strike (m/s).
+    /// Wanted hammer speed (m/s).
     pub speed: f64,
-    /// The MIDI velocity that this gives.
+    /// MIDI velocity of that speed.
     pub velocity: Velocity,
-    /// How the finger should meet the key.
     pub touch: Touch,
-    /// How long the finger should be lifted (s): the longer, the slower the key is let go.
+    /// Wanted time of the finger's lift (s): the longer, the slower the key is released.
     pub lift: f64,
 }
 
@@ -76,14 +74,14 @@ fn wanted(note: &ScoreNote, curve: VelocityCurve, technique: &Technique) -> Plan
     PlannedStroke { key: note.key, onset, end, speed, velocity, touch, lift }
 }
 
-/// How long a finger is lifted whose key passes its damper's height as fast as `release` says (s).
+/// Returns the time of a lift in which the key passes its damper's height at `release` (s).
 fn lift(release: Velocity) -> f64 {
-    /// Way of the finger over the time of its lift, where that is fastest (m).
+    /// Travel of the finger over the time of its lift, at the fastest point (m).
     const WAY: f64 = 1.875 * (Gesture::HOLD + Gesture::LIFT_HEIGHT);
     WAY / release_speed(release)
 }
 
-/// Ends strokes where the next on their key begins at the latest.
+/// Ends each stroke at the latest when the next on its key begins.
 fn part(strokes: &mut [PlannedStroke]) {
     let mut previous: Option<&mut PlannedStroke> = None;
     for stroke in strokes {

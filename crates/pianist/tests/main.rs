@@ -1,4 +1,4 @@
-//! From a MIDI file to strokes of a simulated key.
+//! Tests from a MIDI file to strokes of a simulated key.
 
 mod performances;
 mod pianist;

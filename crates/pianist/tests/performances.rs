@@ -15,7 +15,7 @@ fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../configs/performances").join(name)
 }
 
-/// What the encoder makes of a written score, or what it reports; `None` without Python.
+/// Returns the encoder's output or error for a written score; `None` without Python.
 fn encode(text: &str) -> Option<Result<Vec<u8>, String>> {
     let mut encoder = Command::new("python3");
     encoder.arg(path("encode_score.py")).args(["/dev/stdin", "/dev/stdout"]);

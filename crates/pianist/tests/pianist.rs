@@ -1,4 +1,4 @@
-//! A performance prepared and heard, on keys whose answers are known in closed form.
+//! A performance prepared and assessed on keys with closed-form responses.
 
 use std::num::NonZero;
 
@@ -39,7 +39,6 @@ impl Rehearsal for Toy {
     }
 }
 
-/// Notes all over the keyboard, soft and loud, with repetitions.
 fn score() -> Score {
     let notes = (0..200_u32).map(|i| {
         let onset = 0.1 * f64::from(i);
@@ -69,7 +68,7 @@ fn what_is_prepared_is_what_the_score_wants() {
     let pedal = PedalMove { pedal: Pedal::Sustain, at: 1.5, depth: 1.0 };
     assert_eq!(performance.pedals, [pedal], "the lead-in holds for pedals too");
     assert_eq!(performance.gestures.len(), 88);
-    // From the lowest and the highest key: four times and 5.74 times the finger's 0.02 to 8 m/s.
+    // The lowest and the highest key: four times and 5.74 times the finger's 0.02 to 8 m/s.
     let (softest, loudest) = performance.range.expect("they strike");
     assert!((softest - 5.74 * 0.02).abs() < 1e-9, "{softest}");
     assert!((28.0..=32.0).contains(&loudest), "{loudest}");

@@ -1,4 +1,4 @@
-//! Strokes rehearsed on a key whose answers are known in closed form.
+//! Strokes rehearsed on a key with closed-form responses.
 
 #![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
 
@@ -9,23 +9,23 @@ use pianist::{
     StrokeTable, StrokeTables, Technique, rehearse::tabulate,
 };
 
-/// From a release to the fall of the damper (s).
+/// Time from a release to the fall of the damper (s).
 const FALL: f64 = 0.04;
 
 /// A key that throws its hammer four times as fast as the finger, 10 mm after its start.
 ///
-/// Shortly after a release it is still on its way up, and throws up to 20 % faster.
+/// Shortly after a release the key still rises and throws up to 20 % faster.
 #[derive(Clone, Debug, Default)]
 struct Toy {
     now: f64,
     released: Option<f64>,
-    /// Pressed faster than this, the hammer bounces and strikes twice (m/s).
+    /// Finger speed above which a pressed hammer bounces and strikes twice (m/s).
     bounces_above: Option<f64>,
-    /// Until so long after a release it does not strike at all (s).
+    /// Time after a release without any strike (s).
     returns_in: f64,
-    /// By so much its damper falls later than usual (s).
+    /// Extra delay of the damper's fall (s).
     hangs: f64,
-    /// The hammer gets no faster than this (m/s).
+    /// Largest hammer speed (m/s).
     ceiling: Option<f64>,
 }
 
@@ -66,7 +66,7 @@ impl Rehearsal for Toy {
         outcome
     }
 
-    /// It is up at once, whatever it does later.
+    /// The key is up at once.
     fn depth(&self) -> f64 {
         0.0
     }
@@ -90,13 +90,13 @@ fn rehearse(toy: &Toy, strokes: &[PlannedStroke]) -> Vec<RehearsedStroke> {
     rehearsed
 }
 
-/// Asserts that the gestures, played in one go on a fresh key, do what was predicted.
+/// Asserts that the gestures, played in one go on a new key, act as predicted.
 #[track_caller]
 fn check_script(toy: &Toy, rehearsed: &[RehearsedStroke]) {
     let mut toy = toy.clone();
     let gestures: Vec<_> = rehearsed.iter().filter_map(|stroke| stroke.gesture).collect();
     for stroke in rehearsed {
-        // Only now is the key told of the gesture, and before the next begins.
+        // Each gesture is given only now, and before the next begins.
         let Some(gesture) = stroke.gesture else {
             assert_eq!(stroke.strike, None, "{stroke:?}");
             continue;
@@ -111,13 +111,11 @@ fn check_script(toy: &Toy, rehearsed: &[RehearsedStroke]) {
     }
 }
 
-/// When a stroke that is played is let go (s).
 #[track_caller]
 fn release(stroke: &RehearsedStroke) -> f64 {
     stroke.gesture.expect("it is played").release
 }
 
-/// Asserts that `stroke` strikes once, on time and as loud as wanted.
 #[track_caller]
 fn check_met(stroke: &RehearsedStroke) {
     let strike = stroke.strike.expect("a strike");

@@ -1,4 +1,4 @@
-//! MIDI files as scores: times, overlaps, and files that are none.
+//! MIDI files as scores: times, overlaps and invalid files.
 
 #![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
 
@@ -169,7 +169,6 @@ fn a_piece_follows_after_a_rest_with_its_pedals_up() {
     assert_eq!(both.pedals[2].at.to_bits(), (later + one.pedals[0].at).to_bits());
 }
 
-/// Asserts that `bytes` are refused with `sentence`.
 #[track_caller]
 fn check_refused(bytes: &[u8], sentence: &str) {
     let error = read(bytes).expect_err("must be refused").to_string();
@@ -203,7 +202,7 @@ fn a_file_inside_riff_is_read() {
     assert_eq!(read(&riff), read(&whole));
 }
 
-/// Bytes that begin like a MIDI file and go on as they like.
+/// Returns bytes that begin like a MIDI file and continue at random.
 fn almost_midi() -> impl Strategy<Value = Vec<u8>> {
     (any::<[u8; 6]>(), 0_u8..80, proptest::collection::vec(any::<u8>(), 0..80)).prop_map(
         |(header, length, body)| {
@@ -213,7 +212,7 @@ fn almost_midi() -> impl Strategy<Value = Vec<u8>> {
     )
 }
 
-/// Checks what every score promises.
+/// Checks the guarantees of every score.
 fn check_sound(score: &Score) {
     for note in &score.notes {
         assert!(note.key < 88 && (1..=127).contains(&note.velocity), "{note:?}");

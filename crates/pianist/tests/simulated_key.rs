@@ -1,6 +1,5 @@
-//! A whole piece, rehearsed on a key with mass, a springy finger and a let-off.
-//!
-//! The key is no model of ours: a few lines of mechanics that answer late, swing and rebound.
+//! A piece rehearsed on an independent key with mass, a springy finger and a let-off: a few lines
+//! of mechanics that answer late, swing and rebound.
 
 #![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
 
@@ -19,16 +18,15 @@ const STEP: f64 = 1e-4;
 /// Mass that the finger feels (kg).
 const MASS: f64 = 0.25;
 
-/// What lifts the key (N): it comes up in 50 ms, a little slower than a grand's.
+/// Force that lifts the key (N): it rises in 50 ms, a little slower than a grand's.
 const RETURN: f64 = 2.0;
 
-/// Dip of the key (m).
 const DIP: f64 = 0.010;
 
-/// Where the hammer is thrown (m), and where the jack has reset (m).
+/// Depths of let-off (m) and of the jack's reset (m).
 const LET_OFF: (f64, f64) = (0.009, 0.006);
 
-/// Where the damper falls (m).
+/// Depth at which the damper falls (m).
 const DAMPER: f64 = 0.004;
 
 /// A key, pushed by a finger on a spring and a damper.
@@ -92,7 +90,6 @@ impl Rehearsal for Key {
     }
 }
 
-/// Asserts that a piece is played as the design promises.
 #[track_caller]
 fn check(piece: &str) {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../configs/performances");
@@ -103,7 +100,6 @@ fn check(piece: &str) {
     assert!(heard.velocity_error.p99 <= 1.0, "{heard}");
 }
 
-/// How a score is played.
 fn heard(score: &Score) -> Assessment {
     let pianist = Pianist::default();
     let performance = pianist.prepare(score, |_| Key::default(), |_| ());
@@ -131,7 +127,7 @@ fn the_ode_is_played_to_the_design_s_figures() {
 
 #[test]
 fn a_key_is_repeated_seven_times_a_second_from_where_it_is() {
-    // Its jack resets at 6 mm, and the whole way up and down takes longer than that.
+    // The jack resets at 6 mm, and the full path up and down takes longer than a repetition.
     let soft_to_loud = [50, 60, 70, 80, 90];
     let notes = (0_u32..).zip(soft_to_loud).flat_map(|(row, velocity)| {
         (0..10_u32).map(move |n| {
@@ -141,7 +137,7 @@ fn a_key_is_repeated_seven_times_a_second_from_where_it_is() {
     });
     let heard = heard(&Score { notes: notes.collect(), ..Score::default() });
     assert_eq!((heard.missed, heard.extra), (0, 0), "{heard}");
-    // The loudest are a few milliseconds late, or softer: none by more than is let pass.
+    // The loudest are a few milliseconds late, or softer: within the limits of `Shortfall`.
     assert!(heard.onset_error_ms.max < 1e3 * LATEST, "{heard}");
     assert!(heard.velocity_error.p50 <= 1.0 && heard.velocity_error.max < 10.0, "{heard}");
 }

@@ -1,4 +1,4 @@
-//! The stroke before, played again with another release.
+//! The previous stroke, played again with another release.
 
 use haptics::plant::Gesture;
 
@@ -8,41 +8,40 @@ use super::search::Try;
 use super::{LATEST, Practice, Rehearsal, RehearsedStroke, SETTLED};
 use crate::stroke::PlannedStroke;
 
-/// Parts of its hold that the stroke before may keep, the first that serves is taken.
+/// Fractions of its hold that the previous stroke may keep; the first that suffices is used.
 const KEPT: [f64; 4] = [0.75, 0.5, 0.25, 0.0];
 
-/// A hold shorter than this is not shortened (s).
+/// Shortest hold that is shortened (s).
 const WORTHWHILE: f64 = 5e-3;
 
-/// Part of its cost that a stroke may keep where it is not met even so, for a hold to be cut.
+/// Fraction of its cost that an unmet stroke may keep to justify a cut hold.
 const GAIN: f64 = 0.5;
 
-/// The stroke before, as it was before its release was chosen.
+/// The previous stroke before its release was chosen.
 #[derive(Clone, Debug)]
 pub(super) struct Last<R> {
     pub(super) hand: PlannedKey<R>,
     pub(super) found: Try,
-    /// Its number among the strokes.
     pub(super) index: usize,
 }
 
-/// What another release of the stroke before gives.
+/// Result of another release of the previous stroke.
 pub(super) struct Room<R> {
     pub(super) hand: PlannedKey<R>,
-    /// The stroke before, with that release.
+    /// The previous stroke with that release.
     pub(super) stroke: RehearsedStroke,
-    /// What is then found for the next one.
+    /// Best try for the next stroke.
     pub(super) found: Try,
 }
 
-/// Whether a key that is let go as `gesture` says is at rest by `onset` (s).
+/// Returns `true` if a key that `gesture` releases is at rest by `onset` (s).
 pub(super) fn is_past(gesture: &Gesture, onset: f64) -> bool {
     onset - gesture.release > SETTLED
 }
 
 impl<R: Rehearsal> Last<R> {
-    /// Looks for an earlier release with which `wanted` can be played, for which `found` is the
-    /// best so far; none where that does not help, and the stroke before keeps its length.
+    /// Searches for an earlier release with which `wanted` can be played better than `found`;
+    /// `None` if none helps, and the previous stroke keeps its length.
     pub(super) fn make_room(
         &self,
         practice: &Practice<'_>,
@@ -72,7 +71,7 @@ impl<R: Rehearsal> Last<R> {
         best.filter(|it| it.found.is_acceptable() || it.found.cost < GAIN * found.cost)
     }
 
-    /// The key after the stroke before, and that `stroke` with a release not after `latest` (s).
+    /// Returns the key after the previous stroke, and `stroke` released by `latest` (s).
     pub(super) fn let_go(
         &self,
         practice: &Practice<'_>,

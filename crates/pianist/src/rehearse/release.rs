@@ -1,4 +1,4 @@
-//! When a key is let go.
+//! Choice of the release of a key.
 
 use haptics::plant::Gesture;
 
@@ -10,30 +10,29 @@ use crate::stroke::PlannedStroke;
 /// Shortest time from a strike to the release of its key (s).
 const SHORTEST_HOLD: f64 = 0.01;
 
-/// First guess for the time from a release to the fall of the damper (s), of a key that was not seen
-/// to fall.
+/// Guess for a key that was not seen to fall: time from a release to the fall of the damper (s).
 const USUAL_FALL: f64 = 0.03;
 
 /// Time before the first guess that is kept open for an earlier release (s).
 const LEEWAY: f64 = 0.1;
 
-/// Time after a release in which the damper is waited for (s).
+/// Longest wait for the damper after a release (s).
 const PATIENCE: f64 = 0.25;
 
-/// How near to the wanted end is near enough (s).
+/// Largest accepted distance from the wanted end (s).
 const TOLERANCE: f64 = 3e-3;
 
 /// Most simulations for one release.
 const MAX_TRIES: u32 = 7;
 
-/// How much later a damper falls for a lift that takes longer, per second of it: the key's bottom
-/// is passed after a third of the lift, and the damper's height half-way.
+/// Delay of a damper's fall per second of a longer lift: the lift passes the key's bottom after a
+/// third of its time, and the damper's height half-way.
 const FALL_PER_LIFT: f64 = 0.4;
 
-/// Chooses the release of the gesture that was `found`, and gives it to the key.
+/// Chooses the release of the gesture in `found`, and gives the gesture to the key.
 ///
-/// The damper falls as near to the wanted end as it can if the release is not after `latest` (s),
-/// where the next stroke needs the key.
+/// The damper falls as near to the wanted end as a release by `latest` (s) allows, when the next
+/// stroke needs the key.
 pub(super) fn choose<R: Rehearsal>(
     practice: &Practice<'_>,
     hand: &mut PlannedKey<R>,
@@ -62,12 +61,12 @@ pub(super) fn choose<R: Rehearsal>(
     }
 }
 
-/// When the key may be released first (s): after its strike.
+/// Returns the earliest release of the key (s): after its strike.
 pub(super) fn earliest(wanted: &PlannedStroke, found: &Try) -> f64 {
     found.strike.map_or(wanted.onset, |strike| strike.at) + SHORTEST_HOLD
 }
 
-/// When a key may be released (s).
+/// Times at which a key may be released (s).
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct ReleaseWindow {
     earliest: f64,
@@ -85,8 +84,8 @@ impl ReleaseWindow {
         Self { earliest, latest: latest.unwrap_or(f64::INFINITY) }
     }
 
-    /// Release and lift (s) for a stroke whose damper falls `fall` (s) after a usual release: a
-    /// lift that is as slow as wanted, where the note is long enough and the key is not needed.
+    /// Returns release and lift (s) for a stroke whose damper falls `fall` (s) after a usual
+    /// release. The lift is as slow as wanted if the note is long enough and the key is not needed.
     fn first_guess(self, wanted: &PlannedStroke, fall: f64) -> (f64, f64) {
         let later = |lift: f64| FALL_PER_LIFT * (lift - Gesture::LIFT);
         let longest = Gesture::LIFT + (wanted.end - self.earliest - fall) / FALL_PER_LIFT;
@@ -99,20 +98,20 @@ impl ReleaseWindow {
         }
     }
 
-    /// The allowed time nearest to `release` (s); a strike comes before room for the next.
+    /// Returns the allowed time nearest to `release` (s); the strike comes before the next stroke.
     fn apply(self, release: f64) -> f64 {
         release.min(self.latest).max(self.earliest)
     }
 }
 
-/// A release and what it gives.
+/// A release with its outcome.
 struct Released {
     release: f64,
     outcome: PlayOutcome,
     n_tries: u32,
 }
 
-/// Moves the release of a lift that takes `lift` (s) from `guess` until the damper falls at `end` (s), within `limits`.
+/// Moves the release from `guess` until the damper falls at `end`, within `limits` (all in s).
 fn refine<R: Rehearsal>(
     hand: &mut PlannedKey<R>,
     end: f64,

@@ -1,4 +1,4 @@
-//! Finger speed and start of one stroke, by trying.
+//! Search for finger speed and start of one stroke, by trials.
 
 use haptics::plant::{Gesture, Touch};
 
@@ -9,50 +9,50 @@ use crate::stroke::PlannedStroke;
 /// Most simulations for one stroke and touch.
 const MAX_TRIES: u32 = 12;
 
-/// How near to the wanted velocity is near enough, in MIDI units.
+/// Accepted error of the velocity (MIDI units).
 const LEVEL_TOLERANCE: f64 = 0.3;
 
-/// How near to the wanted onset is near enough (s).
+/// Accepted error of the onset (s).
 const ONSET_TOLERANCE: f64 = 1e-4;
 
 /// Cost above which the other touch is tried too: see [`Try::cost`].
 const ACCEPTABLE_COST: f64 = 1.0;
 
-/// Cost of each strike too many.
+/// Cost of each extra strike.
 const EXTRA_COST: f64 = 100.0;
 
 /// Cost of no strike.
 const MISS_COST: f64 = 1e6;
 
-/// Cost of a stroke that does not strike if a tick is lost on the way.
+/// Cost of a stroke that misses if a tick is lost on the way.
 const FRAGILE_COST: f64 = 1e3;
 
-/// Changes of the start that a stroke must bear (s): a tick that the machine loses.
+/// Shifts of the start that a stroke must bear (s): a tick that the machine loses.
 const LOST_TICKS: [f64; 2] = [-1e-3, 1e-3];
 
-/// Time after the onset in which a second strike is looked for (s).
+/// Time after the onset in which a second strike is searched (s).
 const WATCH: f64 = 0.08;
 
-/// Largest change of the finger speed from one try to the next, as a natural logarithm.
+/// Largest change of the finger speed between tries, as a natural logarithm.
 const MAX_STRIDE: f64 = 0.7;
 
-/// A gesture that gives no strike counts as this much too slow, as a natural logarithm.
+/// Assumed error of a gesture without a strike: this much too slow, as a natural logarithm.
 const MISS_STRIDE: f64 = 0.4;
 
 /// Depth at which an action lets off (m), for a first guess.
 const LET_OFF: f64 = 9e-3;
 
-/// Time from the deepest start to the strike, as a part of that from rest: see
+/// Time from the deepest start to the strike, as a fraction of that from rest: see
 /// [`Gesture::passes`].
 pub(super) const SHORTEST_WAY: f64 = 0.25;
 
-/// Halvings of the time within which a stroke starts: less than a microsecond of half a second.
+/// Halvings of the time within which a stroke starts: to below 1 us of 0.5 s.
 const HALVINGS: u32 = 20;
 
-/// Spare time before the earliest start that is looked at (s).
+/// Spare time before the earliest considered start (s).
 const MARGIN: f64 = 0.03;
 
-/// How long before its onset a stroke with `delay` (s) may begin: it may get half as fast.
+/// Returns the lead (s) of a stroke with `delay` (s): the search may halve its speed.
 pub(super) fn reach(delay: f64) -> f64 {
     2.0 * delay + MARGIN
 }
@@ -62,23 +62,22 @@ pub(super) fn reach(delay: f64) -> f64 {
 pub(super) struct Try {
     pub(super) gesture: Gesture,
     pub(super) strike: Option<Strike>,
-    /// Velocity error in MIDI units + onset error (ms) + what wrong strikes cost.
+    /// Velocity error (MIDI units) + onset error (ms) + cost of missing or extra strikes.
     pub(super) cost: f64,
-    /// Strikes beyond the first.
     pub(super) n_extra: usize,
-    /// Whether both tolerances are met by exactly one strike.
+    /// `true` if exactly one strike meets both tolerances.
     pub(super) is_good: bool,
     pub(super) n_tries: u32,
 }
 
 impl Try {
-    /// Whether the other touch need not be tried.
+    /// Returns `true` if the other touch need not be tried.
     pub(super) fn is_acceptable(&self) -> bool {
         self.cost <= ACCEPTABLE_COST
     }
 }
 
-/// The best of at most [`MAX_TRIES`] gestures of `touch`.
+/// Returns the best of at most [`MAX_TRIES`] gestures of `touch`.
 pub(super) fn find<R: Rehearsal>(
     practice: &Practice<'_>,
     hand: &PlannedKey<R>,
@@ -103,22 +102,20 @@ pub(super) fn find<R: Rehearsal>(
     Try { n_tries, ..best }
 }
 
-/// What is tried next.
+/// State of the search: the next gesture to try.
 struct StrokeSearch<'a> {
     practice: &'a Practice<'a>,
     wanted: &'a PlannedStroke,
     touch: Touch,
-    /// When the finger is free (s).
+    /// Time from which the finger is free (s).
     earliest: f64,
-    /// How the key comes up before.
     rise: &'a KeyRise,
-    /// When the gesture is to start (s).
     start: f64,
     bracket: SpeedBracket,
 }
 
 impl<'a> StrokeSearch<'a> {
-    /// Begins with what the key would need at rest.
+    /// Starts from the speed and delay of the key at rest.
     fn new(
         practice: &'a Practice<'a>,
         (earliest, rise): (f64, &'a KeyRise),
@@ -133,10 +130,10 @@ impl<'a> StrokeSearch<'a> {
         search
     }
 
-    /// Starts so that the strike is expected at `at` (s), or as early as can be.
+    /// Sets the start so that the strike is expected at `at` (s), or as early as possible.
     ///
-    /// The later the start, the higher is the key by then, and the longer the way: the time that
-    /// is looked for is between the earliest start and that from rest.
+    /// A later start finds the key higher and has a longer path, so the start is between the
+    /// earliest and that from rest.
     fn aim(&mut self, at: f64) {
         let from_rest = at - self.delay_from(f64::INFINITY);
         if self.rise.depth(from_rest) == 0.0 && self.earliest <= from_rest {
@@ -152,7 +149,6 @@ impl<'a> StrokeSearch<'a> {
         self.start = early;
     }
 
-    /// The gesture of the present speed that starts at `start` (s).
     fn gesture_from(&self, start: f64) -> Gesture {
         let Self { practice, touch, .. } = *self;
         let speed = self.bracket.guess.exp();
@@ -169,8 +165,8 @@ impl<'a> StrokeSearch<'a> {
         judge(self.practice, self.wanted, gesture, &hand.try_out(gesture, until))
     }
 
-    /// Whether `gesture` strikes also if a tick is lost: a key that is struck again before it has
-    /// come to rest may only just catch its hammer.
+    /// Returns `true` if `gesture` strikes even if a tick is lost: a key that is struck again
+    /// before it rests may only just catch its hammer.
     fn is_sure<R: Rehearsal>(&self, hand: &PlannedKey<R>, gesture: Gesture) -> bool {
         if self.earliest + SETTLED < gesture.start {
             return true;
@@ -183,7 +179,7 @@ impl<'a> StrokeSearch<'a> {
         })
     }
 
-    /// Changes speed and start by what `tried` shows; false if neither can be changed.
+    /// Corrects speed and start after `tried`; returns `false` if neither can change.
     fn correct(&mut self, tried: &Try) -> bool {
         let (guess, start) = (self.bracket.guess, self.start);
         let expected = start + self.delay_from(start);
@@ -196,8 +192,8 @@ impl<'a> StrokeSearch<'a> {
         is_elsewhere || guess.to_bits() != self.bracket.guess.to_bits()
     }
 
-    /// From `start` to the strike (s), if the key were at rest; less by what the finger then has
-    /// behind it already.
+    /// Returns the time from `start` to the strike (s) if the key were at rest, less the path that
+    /// the finger then has behind it.
     fn delay_from(&self, start: f64) -> f64 {
         let gesture = self.gesture_from(start);
         let whole = Gesture { from: 0.0, ..gesture }.passes(LET_OFF);
@@ -206,7 +202,7 @@ impl<'a> StrokeSearch<'a> {
     }
 }
 
-/// What `gesture` is worth, which had this `outcome`.
+/// Returns the try of `gesture` with its `outcome`.
 fn judge(
     practice: &Practice<'_>,
     wanted: &PlannedStroke,
@@ -233,7 +229,7 @@ fn is_level(practice: &Practice<'_>, wanted: &PlannedStroke, strike: Option<Stri
     strike.is_some() && level_error(practice, wanted, strike) <= LEVEL_TOLERANCE
 }
 
-/// Velocity error in MIDI units; zero if there is no strike, which costs enough by itself.
+/// Returns the velocity error (MIDI units); zero without a strike, which has its own cost.
 pub(super) fn level_error(
     practice: &Practice<'_>,
     wanted: &PlannedStroke,
@@ -243,7 +239,7 @@ pub(super) fn level_error(
     strike.map_or(0.0, |strike| (level(strike.speed) - level(wanted.speed)).abs())
 }
 
-/// Natural logarithm of hammer speed over wanted hammer speed.
+/// Returns the natural logarithm of hammer speed over wanted hammer speed.
 fn too_fast_by(wanted: &PlannedStroke, strike: Option<Strike>) -> f64 {
     match strike {
         Some(strike) if strike.speed > 0.0 => (strike.speed / wanted.speed).ln(),
@@ -251,7 +247,7 @@ fn too_fast_by(wanted: &PlannedStroke, strike: Option<Strike>) -> f64 {
     }
 }
 
-/// One end of a bracket: finger speed and by how much the hammer is too fast, as logarithms.
+/// End of a bracket: finger speed and excess of the hammer speed, as logarithms.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct BracketEnd {
     command: f64,
@@ -260,26 +256,25 @@ struct BracketEnd {
 
 /// Illinois' method on logarithms: regula falsi that halves an end which stays.
 ///
-/// Until there are two ends, hammer speed is taken to be proportional to finger speed.
+/// Until there are two ends, hammer speed is assumed proportional to finger speed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct SpeedBracket {
     /// Slowest and fastest finger of the touch, as natural logarithms.
     limits: (f64, f64),
-    /// Finger speed to try next, as a natural logarithm.
+    /// Next finger speed, as a natural logarithm.
     guess: f64,
     slow: Option<BracketEnd>,
     fast: Option<BracketEnd>,
 }
 
 impl SpeedBracket {
-    /// Begins at finger speed `command` (m/s).
     fn new(touch: Touch, command: f64) -> Self {
         let limits = (table::slowest(touch).ln(), table::FASTEST.ln());
         let guess = command.ln().clamp(limits.0, limits.1);
         Self { limits, guess, slow: None, fast: None }
     }
 
-    /// Takes in by how much the hammer was too fast at the present guess, and guesses anew.
+    /// Adds the excess of the hammer speed at the present guess, and guesses again.
     fn learn(&mut self, excess: f64) {
         let end = Some(BracketEnd { command: self.guess, excess });
         let (replaced, opposite) = if excess < 0.0 {
@@ -300,7 +295,7 @@ impl SpeedBracket {
     }
 }
 
-/// Where the straight line through both ends is at zero.
+/// Returns the zero of the straight line through both ends.
 fn between(slow: BracketEnd, fast: BracketEnd) -> f64 {
     let share = -slow.excess / (fast.excess - slow.excess);
     slow.command + share * (fast.command - slow.command)

@@ -1,4 +1,4 @@
-//! Why a stroke is not played as it is written.
+//! Reasons why a stroke is not played as written.
 
 use std::fmt;
 
@@ -6,42 +6,39 @@ use super::search::{Try, level_error};
 use super::{Practice, Strike};
 use crate::stroke::PlannedStroke;
 
-/// A stroke that would be later than this is left out (s): rhythm bears no more, and the next
-/// stroke of the key would be late as well.
+/// Lateness above which a stroke is left out (s): rhythm bears no more, and the next stroke of the
+/// key would be late, too.
 pub const LATEST: f64 = 0.01;
 
-/// A velocity that is off by more than this is named, in MIDI units.
+/// Velocity error above which the stroke is reported (MIDI units).
 const LEVEL: f64 = 2.0;
 
-/// Why a stroke is not played as it is written.
+/// Reason why a stroke is not played as written.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Shortfall {
     /// The key cannot be struck again so soon; the stroke is left out.
     TooSoon {
-        /// How late the strike would be (s); none where there would be none.
+        /// Lateness of the strike (s), if there would be one.
         late: Option<f64>,
     },
     /// No gesture throws the hammer to the string; the stroke is left out.
     Silent,
-    /// The key gives no such speed; the nearest is played.
+    /// The key does not reach the speed; the nearest is played.
     Level {
-        /// Speed of the hammer at the string (m/s).
+        /// Hammer speed at the string (m/s).
         speed: f64,
-        /// The speed that is written (m/s).
+        /// Written hammer speed (m/s).
         wanted: f64,
     },
-    /// The hammer strikes more than once.
     Repeated,
 }
 
 impl Shortfall {
-    /// Whether the stroke is left out.
     pub const fn is_left_out(&self) -> bool {
         matches!(self, Self::TooSoon { .. } | Self::Silent)
     }
 
-    /// What `found` lacks, which is the best for `wanted`; `is_free` says whether the key was at
-    /// rest long before.
+    /// Returns the shortfall of `found`, the best try for `wanted`.
     pub(super) fn of(
         practice: &Practice<'_>,
         wanted: &PlannedStroke,
@@ -56,7 +53,7 @@ impl Shortfall {
         };
         let late = at - wanted.onset;
         if late < -LATEST {
-            // A hammer that is still on its way flies at the touch of the finger.
+            // A hammer that still moves flies at the touch of the finger.
             return Some(Self::TooSoon { late: None });
         }
         if late > LATEST {
@@ -70,7 +67,7 @@ impl Shortfall {
     }
 }
 
-/// Whether the key was at rest long before a stroke.
+/// Yes if the key was at rest long before a stroke.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum IsFree {
     Yes,

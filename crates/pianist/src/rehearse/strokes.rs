@@ -1,4 +1,4 @@
-//! One key, stroke after stroke.
+//! Rehearsal of one key, stroke after stroke.
 
 use super::hand::PlannedKey;
 use super::last::Last;
@@ -7,13 +7,12 @@ use super::shortfall::IsFree;
 use super::{Practice, Rehearsal, RehearsedStroke, Shortfall, release};
 use crate::stroke::PlannedStroke;
 
-/// The strokes of one key, those before the present one rehearsed.
+/// Strokes of one key; those before the present one are rehearsed.
 pub(super) struct KeyStrokes<'a, R> {
     practice: &'a Practice<'a>,
     strokes: &'a [PlannedStroke],
     hand: PlannedKey<R>,
     rehearsed: Vec<RehearsedStroke>,
-    /// The latest stroke that is played.
     last: Option<Last<R>>,
 }
 
@@ -27,7 +26,6 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         Self { practice, strokes, hand: PlannedKey::new(instrument), rehearsed, last: None }
     }
 
-    /// Rehearses all strokes; `progress` is called after each.
     pub(super) fn rehearse(mut self, mut progress: impl FnMut()) -> Vec<RehearsedStroke> {
         for (index, wanted) in self.strokes.iter().enumerate() {
             let found = self.practice.find(&mut self.hand, wanted);
@@ -49,7 +47,7 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         self.rehearsed
     }
 
-    /// Whether the key is at rest before `onset` (s) in any case.
+    /// Returns [`IsFree::Yes`] if the key is certainly at rest before `onset` (s).
     fn is_free(&self, onset: f64) -> IsFree {
         let before = self.last.as_ref().and_then(|last| self.rehearsed.get(last.index));
         let gesture = before.and_then(|stroke| stroke.gesture);
@@ -60,8 +58,8 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         }
     }
 
-    /// The best for the stroke `index`, for which `found` is the best so far: the stroke before is
-    /// let go earlier where that serves, and gets its length back where this one is left out.
+    /// Returns the best try for the stroke `index`; `found` is the best so far. The previous stroke
+    /// is released earlier if that helps, and regains its length if this one is left out.
     fn with_room(&mut self, index: usize, found: Try) -> Try {
         let wanted = &self.strokes[index];
         let is_left_out = |found: &Try| {
@@ -83,7 +81,7 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         found
     }
 
-    /// Plays the stroke `index` as it was `found`.
+    /// Plays the stroke `index` as `found`.
     fn keep(&mut self, index: usize, found: Try, shortfall: Option<Shortfall>) {
         let before = self.hand.clone();
         let latest = self.latest_release(index);
@@ -93,7 +91,7 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         self.last = Some(Last { hand: before, found, index });
     }
 
-    /// When the key must be released (s) for the stroke after `index`, if there is one.
+    /// Returns the latest release (s) for the stroke after `index`, if there is one.
     fn latest_release(&self, index: usize) -> Option<f64> {
         self.strokes.get(index + 1).map(|next| self.practice.latest_release(next))
     }

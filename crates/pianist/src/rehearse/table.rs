@@ -1,4 +1,4 @@
-//! What a key does from rest, as a table: finger speed to hammer speed and delay.
+//! Response of a key at rest, as a table: finger speed to hammer speed and delay.
 
 use haptics::plant::{Gesture, Touch};
 
@@ -12,87 +12,85 @@ const SLOWEST_PRESS: f64 = 0.02;
 /// Slowest finger that strikes (m/s): in a slower stroke the swing after its impact decides.
 const SLOWEST_STRIKE: f64 = 0.1;
 
-/// Fastest finger (m/s): what gestures are meant for.
+/// Fastest finger (m/s) for which gestures are meant.
 pub(super) const FASTEST: f64 = 8.0;
 
 /// Fastest finger that plays with ease (m/s).
 const FASTEST_WITH_EASE: f64 = 3.0;
 
-/// Speeds that are tried up to there, in geometric progression, which goes on beyond.
+/// Speeds tried up to [`FASTEST_WITH_EASE`], in a geometric progression that continues beyond.
 const N_SPEEDS: u32 = 24;
 
-/// Way of a finger until its strike is certain (m), for the length of a trial.
+/// Path of a finger until its strike is certain (m), for the length of a trial.
 const WAY: f64 = 0.02;
 
-/// Time that a trial has beyond that (s): finger and key must gather speed.
+/// Additional time of a trial (s): finger and key must gather speed.
 const PATIENCE: f64 = 0.2;
 
-/// Time after a release in which the damper is waited for (s).
+/// Longest wait for the damper after a release (s).
 const LONGEST_FALL: f64 = 0.5;
 
 /// An easy stroke (m/s), and a hold until all is still (s).
 const EASY: (f64, f64) = (0.2, 0.5);
 
-/// Guess where a table is empty: hammer speed over finger speed.
+/// Guess for an empty table: hammer speed over finger speed.
 const USUAL_RATIO: f64 = 5.0;
 
-/// Guess where a table is empty: way of a finger until the strike (m).
+/// Guess for an empty table: path of a finger until the strike (m).
 const USUAL_WAY: f64 = 0.01;
 
-/// What one finger speed gives.
+/// Response to one finger speed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct TablePoint {
-    /// Speed that the finger commands (m/s).
     command: f64,
-    /// Speed of the hammer at the string (m/s).
+    /// Hammer speed at the string (m/s).
     hammer: f64,
-    /// From the start of the gesture to the strike (s).
+    /// Time from the start of the gesture to the strike (s).
     delay: f64,
 }
 
-/// The answers of a key at rest to gestures of one touch.
+/// Responses of a key at rest to gestures of one touch.
 ///
-/// Hammer speed rises strictly with finger speed; trials for which it did not, and those without
-/// exactly one strike, are left out.
+/// Hammer speed rises strictly with finger speed. Other trials, and those without exactly one
+/// strike, are left out.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct StrokeTable {
     points: Vec<TablePoint>,
 }
 
 impl StrokeTable {
-    /// Finger speed (m/s) that gives hammer speed `hammer` (m/s), as far as the table reaches.
+    /// Returns the finger speed (m/s) for hammer speed `hammer` (m/s), within the table.
     pub fn command(&self, hammer: f64) -> f64 {
         let found = interpolate(&self.points, hammer, |point| point.hammer, |point| point.command);
         found.unwrap_or(hammer / USUAL_RATIO)
     }
 
-    /// From the start of a gesture with finger speed `command` (m/s) to its strike (s).
+    /// Returns the time from a gesture's start at finger speed `command` (m/s) to its strike (s).
     pub fn delay(&self, command: f64) -> f64 {
         let found = interpolate(&self.points, command, |point| point.command, |point| point.delay);
         found.unwrap_or(USUAL_WAY / command.max(SLOWEST_PRESS))
     }
 
-    /// Softest and loudest hammer speed of this touch (m/s), if it ever strikes.
+    /// Returns the softest and loudest hammer speed of this touch (m/s), if it strikes.
     pub fn range(&self) -> Option<(f64, f64)> {
         Some((self.points.first()?.hammer, self.points.last()?.hammer))
     }
 }
 
-/// The tables of a key, one per touch.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct StrokeTables {
-    /// The finger rests on the key.
+    /// Finger resting on the key.
     pub pressed: StrokeTable,
-    /// The finger comes from above.
+    /// Finger coming from above.
     pub struck: StrokeTable,
-    /// From the release of a key that is held to the fall of its damper (s), if that was seen.
+    /// Time from the release of a held key to the fall of its damper (s), if seen.
     pub fall: Option<f64>,
-    /// From the quick release of a key that is held until it can be struck again (s), if it rises.
+    /// Time from the quick release of a held key until it can be struck again (s), if it rises.
     pub rise: Option<f64>,
 }
 
 impl StrokeTables {
-    /// Tries both touches out on `instrument`, which is at rest at time 0.
+    /// Tries both touches on `instrument`, which is at rest at time 0.
     pub fn measure<R: Rehearsal>(instrument: &R, technique: &Technique) -> Self {
         Self {
             pressed: tabulate(instrument, Touch::Pressed, technique),
@@ -102,13 +100,12 @@ impl StrokeTables {
         }
     }
 
-    /// Softest and loudest hammer speed of any touch from rest (m/s), if the key ever strikes.
+    /// Returns the softest and loudest hammer speed of any touch from rest (m/s), if any.
     pub fn range(&self) -> Option<(f64, f64)> {
         let ranges = [&self.pressed, &self.struck].into_iter().filter_map(StrokeTable::range);
         ranges.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
     }
 
-    /// The table of `touch`.
     pub fn of(&self, touch: Touch) -> &StrokeTable {
         match touch {
             Touch::Pressed => &self.pressed,
@@ -117,8 +114,7 @@ impl StrokeTables {
     }
 }
 
-/// Tries `touch` out on `instrument`, which is at rest at time 0, at 24 speeds that
-/// it plays with ease and some beyond.
+/// Tries `touch` on `instrument`, at rest at time 0, at 24 speeds of easy play and some beyond.
 pub fn tabulate<R: Rehearsal>(instrument: &R, touch: Touch, technique: &Technique) -> StrokeTable {
     let slowest = slowest(touch);
     let ratio = (FASTEST_WITH_EASE / slowest).powf(1.0 / f64::from(N_SPEEDS - 1));
@@ -128,7 +124,7 @@ pub fn tabulate<R: Rehearsal>(instrument: &R, touch: Touch, technique: &Techniqu
     StrokeTable { points: rising(&trials.collect::<Vec<_>>()) }
 }
 
-/// Slowest finger of `touch` that makes sense (m/s).
+/// Returns the slowest useful finger of `touch` (m/s).
 pub(super) fn slowest(touch: Touch) -> f64 {
     match touch {
         Touch::Pressed => SLOWEST_PRESS,
@@ -136,14 +132,12 @@ pub(super) fn slowest(touch: Touch) -> f64 {
     }
 }
 
-/// From a release to the fall of the damper (s) of a key that was pressed and held.
 fn fall<R: Rehearsal>(instrument: &R, technique: &Technique) -> Option<f64> {
     let gesture = technique.gesture(Touch::Pressed, EASY.0, 0.0, EASY.1);
     let outcome = instrument.clone().play(&[gesture], EASY.1 + LONGEST_FALL);
     outcome.damper_fall.map(|at| at - EASY.1).filter(|fall| *fall > 0.0)
 }
 
-/// From the quick release of a key that was pressed and held until it can be struck again (s).
 fn rise<R: Rehearsal>(instrument: &R, technique: &Technique) -> Option<f64> {
     let (speed, release) = EASY;
     let press = technique.gesture(Touch::Pressed, speed, 0.0, release);
@@ -170,7 +164,7 @@ fn measure<R: Rehearsal>(
     sound.then_some(TablePoint { command, hammer: strike.speed, delay: strike.at })
 }
 
-/// The longest part of `points` in which hammer speed rises strictly.
+/// Returns the longest subsequence of `points` with strictly rising hammer speed.
 fn rising(points: &[TablePoint]) -> Vec<TablePoint> {
     let mut best: Vec<Vec<TablePoint>> = Vec::with_capacity(points.len());
     for point in points {
@@ -182,12 +176,12 @@ fn rising(points: &[TablePoint]) -> Vec<TablePoint> {
     longest(best.iter()).cloned().unwrap_or_default()
 }
 
-/// The first of the longest runs.
+/// Returns the first of the longest runs.
 fn longest<'a>(runs: impl Iterator<Item = &'a Vec<TablePoint>>) -> Option<&'a Vec<TablePoint>> {
     runs.reduce(|best, run| if run.len() > best.len() { run } else { best })
 }
 
-/// Value of `to` where `from` is `x`: straight between points on logarithmic scales.
+/// Returns `to` at `from` = `x`: straight between points on logarithmic scales.
 fn interpolate(
     points: &[TablePoint],
     x: f64,
@@ -205,7 +199,7 @@ fn interpolate(
 }
 
 impl Technique {
-    /// A gesture of this technique; times in s, `speed` of the finger in m/s.
+    /// Returns a gesture of this technique; times in s, `speed` of the finger in m/s.
     pub(super) fn gesture(&self, touch: Touch, speed: f64, start: f64, release: f64) -> Gesture {
         Gesture { start, release, touch, speed, hold: self.hold, ..Gesture::USUAL }
     }

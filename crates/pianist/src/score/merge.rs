@@ -10,7 +10,7 @@ pub(super) struct TrackEvent<'a> {
     pub(super) kind: TrackEventKind<'a>,
 }
 
-/// The events of all tracks in order of time; those of one time as the tracks have them.
+/// Returns the events of all tracks in order of time; simultaneous ones in order of tracks.
 pub(super) fn merge<'a>(tracks: &[Track<'a>]) -> Vec<TrackEvent<'a>> {
     let mut events: Vec<_> = tracks.iter().flat_map(timed).collect();
     events.sort_by_key(|event| event.tick);

@@ -9,21 +9,21 @@ use midly::{Format, Smf};
 
 use notes::NoteCollector;
 
-/// What a MIDI file asks a pianist to play.
+/// Contents of a MIDI file for a pianist.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Score {
     /// Notes in order of onset, then of key; no two on one key overlap.
     pub notes: Vec<ScoreNote>,
-    /// Moves of the pedals, in order of time.
+    /// Pedal moves in order of time.
     pub pedals: Vec<PedalMove>,
     /// Notes left out: not on the 88 keys, or on channel 10, which is percussion.
     pub skipped: u32,
-    /// Notes shortened or left out because their key was already held by another.
+    /// Notes shortened or left out because another note already held their key.
     pub overlaps: u32,
 }
 
 impl Score {
-    /// When the last note ends or the last pedal moves (s).
+    /// Returns the time of the last note's end or the last pedal move (s).
     pub fn end(&self) -> f64 {
         let moves = self.pedals.iter().map(|pedal| pedal.at);
         self.notes.iter().map(|note| note.end).chain(moves).fold(0.0, f64::max)
@@ -42,7 +42,7 @@ impl Score {
         self
     }
 
-    /// Returns the same with every pedal up at its end, as another piece finds them.
+    /// Returns this score with every pedal lifted at its end, as the next piece expects.
     #[must_use]
     pub fn with_pedals_lifted(mut self) -> Self {
         let at = self.end();
@@ -59,53 +59,46 @@ impl Score {
 /// One note of a score.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ScoreNote {
-    /// Which key, 0 ..= 87.
+    /// Key, 0 ..= 87.
     pub key: u8,
-    /// When it is to be struck (s).
+    /// Wanted time of the strike (s).
     pub onset: f64,
-    /// When it is to be damped (s); not before the onset.
+    /// Wanted time of damping (s); not before the onset.
     pub end: f64,
-    /// How hard, 1 ..= 127.
+    /// MIDI velocity, 1 ..= 127.
     pub velocity: u8,
-    /// How fast it is to be released, if the file says so.
+    /// Release velocity, if the file contains one.
     pub release: Option<Velocity>,
 }
 
-/// Why a file cannot be played.
+/// Reason why a file cannot be played.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum ScoreError {
-    /// There is nothing in the file.
     #[error("the file is empty")]
     Empty,
-    /// The file is something else.
     #[error("this is not a MIDI file, which would begin with MThd ({reason})")]
     NotMidi {
-        /// What the parser met.
+        /// Message of the parser.
         reason: String,
     },
     /// The file ends before its tracks do.
     #[error("the MIDI file is truncated: a chunk of {declared} bytes has only {present}")]
     Truncated {
-        /// Bytes or tracks that the file announces.
+        /// Bytes that a chunk announces.
         declared: u64,
-        /// Those that are there.
         present: u64,
     },
-    /// A track is missing at the end.
     #[error("the MIDI file is truncated: of {declared} tracks only {present} are there")]
     TracksMissing {
         /// Tracks that the header announces.
         declared: u16,
-        /// Tracks that are there.
         present: u16,
     },
-    /// The header does not say how long a tick is.
+    /// The header gives no length of a tick.
     #[error("the MIDI file gives its ticks no length")]
     NoTiming,
-    /// The tracks are independent pieces.
     #[error("the MIDI file holds independent patterns (format 2): save the wanted one as format 0")]
     Patterns,
-    /// There is nothing to play.
     #[error("the MIDI file has no notes on the 88 keys ({skipped} others were left out)")]
     NoNotes {
         /// Notes left out: see [`Score::skipped`].
@@ -113,20 +106,19 @@ pub enum ScoreError {
     },
 }
 
-/// Reads a MIDI file; never panics, whatever the bytes.
+/// Reads a MIDI file; never panics on any bytes.
 ///
-/// All tracks are merged, tempo changes are honoured, metrical and SMPTE times are understood.
-/// A note that is never ended ends with the file; a tempo of zero, and what follows the last
-/// track, are passed over.
+/// All tracks are merged; tempo changes, metrical and SMPTE times are supported.
+/// A note without an end ends with the file. A tempo of zero, and bytes after the last track, are
+/// ignored.
 ///
 /// # Errors
-///
-/// If the bytes are not a whole MIDI file with at least one note on the 88 keys.
+/// The bytes are not a complete MIDI file with at least one note on the 88 keys.
 pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
     if bytes.is_empty() {
         return Err(ScoreError::Empty);
     }
-    // Files wrapped in RIFF are left to the parser.
+    // The parser checks files that are wrapped in RIFF.
     let chunks = if bytes.starts_with(b"MThd") { whole_chunks(bytes)? } else { bytes };
     let not_midi = |error: midly::Error| error.kind().message().to_owned();
     let smf =
@@ -148,13 +140,12 @@ pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
     Ok(score)
 }
 
-/// Returns the chunks at the start of `bytes`, without what is none after the last track.
+/// Returns the chunks at the start of `bytes`, without other bytes after the last track.
 ///
-/// The parser takes what there is, and a performance that stops in the middle is no help.
+/// The parser accepts truncated files, but a performance must not stop in the middle.
 ///
 /// # Errors
-///
-/// If a chunk has not the bytes, or the file not the tracks, that are announced.
+/// A chunk has fewer bytes, or the file fewer tracks, than announced.
 fn whole_chunks(bytes: &[u8]) -> Result<&[u8], ScoreError> {
     let declared = bytes.get(10..12).and_then(|pair| pair.try_into().ok()).map(u16::from_be_bytes);
     let declared = declared.unwrap_or(0);
@@ -179,7 +170,7 @@ fn whole_chunks(bytes: &[u8]) -> Result<&[u8], ScoreError> {
     Ok(bytes.get(..bytes.len() - rest.len()).unwrap_or(bytes))
 }
 
-/// The kind and the announced length of the next chunk, and all bytes after these.
+/// Returns kind and announced length of the next chunk, and all bytes after these.
 fn chunk(bytes: &[u8]) -> Option<([u8; 4], usize, &[u8])> {
     let (kind, rest) = bytes.split_first_chunk::<4>()?;
     let (length, body) = rest.split_first_chunk::<4>()?;

@@ -1,4 +1,4 @@
-//! Note-ons and note-offs to notes, one at a time on each key.
+//! Notes from note-ons and note-offs, one at a time on each key.
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -10,21 +10,19 @@ use super::{Score, ScoreNote};
 /// Channel 10, counted from 0: percussion by convention.
 const PERCUSSION: u8 = 9;
 
-/// The notes heard so far.
+/// The notes so far.
 #[derive(Debug, Default)]
 pub(super) struct NoteCollector {
-    /// Every note; the end is infinite while it is open.
+    /// All notes; an open note has an infinite end.
     heard: Vec<ScoreNote>,
     /// Open notes by channel and key, the oldest first.
     open: BTreeMap<(u8, u8), VecDeque<usize>>,
     pedals: Vec<PedalMove>,
     skipped: u32,
-    /// Time of the latest event (s).
     now: f64,
 }
 
 impl NoteCollector {
-    /// Takes in what happens at time `at` (s).
     pub(super) fn hear(&mut self, at: f64, event: TrackEventKind<'_>) {
         self.now = at;
         if let TrackEventKind::Midi { channel, message } = event {
@@ -43,7 +41,7 @@ impl NoteCollector {
             }
             MidiMessage::NoteOn { key, .. } => self.end(at, channel, key.as_int(), None),
             MidiMessage::NoteOff { key, vel } => {
-                // 64 stands for a keyboard that does not know.
+                // 64 means that the keyboard does not measure it.
                 let told = Velocity::new(vel.as_int()).filter(|it| *it != Velocity::UNKNOWN);
                 self.end(at, channel, key.as_int(), told);
             }
@@ -81,7 +79,7 @@ impl NoteCollector {
         }
     }
 
-    /// The score: what is still open ends now, and each key holds one note at a time.
+    /// Returns the score: open notes end now, and each key holds one note at a time.
     pub(super) fn into_score(mut self) -> Score {
         for note in &mut self.heard {
             note.end = note.end.min(self.now).max(note.onset);
@@ -92,7 +90,7 @@ impl NoteCollector {
     }
 }
 
-/// Ends every note where the next on its key begins, and counts how many that concerned.
+/// Ends every note where the next on its key begins, and counts the affected notes.
 ///
 /// Of notes that begin together on one key, the loudest stays and lasts as long as the longest.
 fn part(mut notes: Vec<ScoreNote>) -> (Vec<ScoreNote>, u32) {

@@ -1,14 +1,14 @@
-//! Ticks to seconds.
+//! Conversion of ticks to seconds.
 
 use midly::{Fps, MetaMessage, Timing, TrackEventKind};
 
-/// Length of a quarter note until a tempo is given (s): 120 a minute.
+/// Length of a quarter note before the first tempo (s): 120 a minute.
 const DEFAULT_QUARTER: f64 = 0.5;
 
-/// The time of a tick, followed from the start of a file to its end.
+/// Times of ticks, followed from the start of a file to its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Map {
-    /// Last change of tempo, and when it is (s).
+    /// Tick and time (s) of the last change of tempo.
     since: (u64, f64),
     /// Length of a tick from there on (s).
     tick: f64,
@@ -17,7 +17,7 @@ pub(super) struct Map {
 }
 
 impl Map {
-    /// The map of a file with `timing`, if it makes sense.
+    /// Returns the map of a file with `timing`; `None` if a tick has no length.
     pub(super) fn new(timing: Timing) -> Option<Self> {
         let (tick, per_quarter) = match timing {
             Timing::Metrical(ticks) if ticks.as_int() > 0 => {
@@ -32,16 +32,15 @@ impl Map {
         Some(Self { since: (0, 0.0), tick, per_quarter })
     }
 
-    /// When `tick` is (s); ticks before the last change of tempo are at that change.
+    /// Returns the time of `tick` (s); ticks before the last change of tempo are at that change.
     pub(super) fn seconds(&self, tick: u64) -> f64 {
         let (from, at) = self.since;
         at + tick.saturating_sub(from) as f64 * self.tick
     }
 
-    /// Changes the tempo if `event`, which is at `tick`, says so.
+    /// Changes the tempo if `event` at `tick` does.
     ///
-    /// A quarter note without a length would let all that follows sound at once: the tempo before
-    /// holds on.
+    /// A tempo of zero is ignored: all that follows would sound at once.
     pub(super) fn follow(&mut self, tick: u64, event: TrackEventKind<'_>) {
         let Some(per_quarter) = self.per_quarter else { return };
         if let TrackEventKind::Meta(MetaMessage::Tempo(us)) = event
