@@ -1,4 +1,4 @@
-//! Plays what a host says, and ends what it holds when the host says nothing any more.
+//! Plays the messages of a host, and ends held notes when the host falls silent.
 //!
 //! ```text
 //!              begin               no sign for SILENT_AFTER, something held
@@ -7,28 +7,25 @@
 //!      └────── leave: silence, from everywhere
 //! ```
 //!
-//! Time is an argument: a process of its own calls this with its clock, so that it outlives the
-//! host.
+//! Time is an argument: a separate process, which outlives the host, calls this with its clock.
 
 use crate::held::HeldNotes;
 use crate::message::Message;
 use crate::output::{MidiSendError, Output};
 
-/// Time without a sign of the host after which its notes are ended (s).
+/// Time without a sign of the host after which its notes end (s).
 pub const SILENT_AFTER: f64 = 0.5;
 
-/// What is known of the host.
+/// Knowledge about the host.
 #[derive(Clone, PartialEq, Debug)]
 enum HostSign {
-    /// There is no host.
     Absent,
-    /// The time of its last sign (s).
     Heard(f64),
-    /// It says nothing, and what it held was ended: this.
+    /// The host is silent, and these notes and pedals of its were ended.
     Interrupted(HeldNotes),
 }
 
-/// An output with a memory of what it holds for a host that may die at any time.
+/// An output that remembers what it holds for a host that may die at any time.
 #[derive(Debug)]
 pub struct NoteGuardian<O: Output> {
     output: O,
@@ -38,25 +35,21 @@ pub struct NoteGuardian<O: Output> {
 }
 
 impl<O: Output> NoteGuardian<O> {
-    /// Guards what is sent to `output`, which holds nothing yet.
+    /// Guards the messages to `output`, which holds nothing yet.
     pub fn new(output: O) -> Self {
         Self { output, held: HeldNotes::default(), sign: HostSign::Absent, n_interruptions: 0 }
     }
 
-    /// Returns the output that is guarded.
     pub fn output(&self) -> &O {
         &self.output
     }
 
-    /// Returns how often a host was interrupted since it began.
+    /// Returns the number of interruptions of the present host.
     pub fn n_interruptions(&self) -> u64 {
         self.n_interruptions
     }
 
-    /// Follows a new host from time `now` (s) on; ends what another one left here.
-    ///
-    /// # Errors
-    /// If a message is lost.
+    /// Follows a new host from time `now` (s) on; ends what another host left.
     pub fn begin(&mut self, now: f64) -> Result<(), MidiSendError> {
         let left = self.leave(now);
         self.sign = HostSign::Heard(now);
@@ -64,11 +57,8 @@ impl<O: Output> NoteGuardian<O> {
         left
     }
 
-    /// Takes a sign of the host's life at time `now` (s); one that was interrupted goes on with
-    /// the pedals that it holds, and without its notes.
-    ///
-    /// # Errors
-    /// If a message is lost.
+    /// Accepts a sign of life at time `now` (s); an interrupted host continues with its pedals and
+    /// without its notes.
     pub fn hear(&mut self, now: f64) -> Result<(), MidiSendError> {
         match std::mem::replace(&mut self.sign, HostSign::Heard(now)) {
             HostSign::Interrupted(before) => {
@@ -82,10 +72,10 @@ impl<O: Output> NoteGuardian<O> {
         }
     }
 
-    /// Sends `message` of the host at time `now` (s), if it says anything new.
+    /// Sends `message` at time `now` (s), if it changes anything for the receiver.
     ///
     /// # Errors
-    /// If a message is lost; what is held is known all the same.
+    /// The message is lost, but is followed all the same.
     pub fn play(&mut self, now: f64, message: Message) -> Result<(), MidiSendError> {
         let heard = self.hear(now);
         let is_news = self.held.follow(message);
@@ -93,11 +83,7 @@ impl<O: Output> NoteGuardian<O> {
         heard.and(sent)
     }
 
-    /// Ends what is held if the host has said nothing for too long, and looks after the output;
-    /// to be called a few times a second.
-    ///
-    /// # Errors
-    /// If a message is lost, or the output is away.
+    /// Ends what an overdue host holds, and polls the output; to be called a few times a second.
     pub fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         let is_overdue = matches!(self.sign, HostSign::Heard(at) if SILENT_AFTER < now - at);
         let silenced = if is_overdue && !self.held.is_silent() {
@@ -112,9 +98,6 @@ impl<O: Output> NoteGuardian<O> {
     }
 
     /// Ends what the host held, which is gone at time `now` (s).
-    ///
-    /// # Errors
-    /// If a message is lost.
     pub fn leave(&mut self, now: f64) -> Result<(), MidiSendError> {
         self.sign = HostSign::Absent;
         if self.held.is_silent() { Ok(()) } else { self.silence(now) }
@@ -125,7 +108,7 @@ impl<O: Output> NoteGuardian<O> {
         self.send_all(now, messages)
     }
 
-    /// Sends `messages`; returns the first loss, after all have been tried.
+    /// Sends all `messages`; returns the first loss.
     fn send_all(&mut self, now: f64, messages: Vec<Message>) -> Result<(), MidiSendError> {
         let sent = messages.into_iter().map(|message| self.output.send(now, message));
         sent.fold(Ok(()), Result::and)

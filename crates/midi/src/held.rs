@@ -1,4 +1,4 @@
-//! What a receiver holds, as far as it follows from what it was sent.
+//! State of a receiver, as far as it follows from the sent messages.
 
 use keyboard::{KEYS, KeyIndex};
 
@@ -6,7 +6,7 @@ use crate::message::{Controller, Message};
 use crate::note::{Note, Velocity};
 use crate::pedal::{Pedal, PedalValues};
 
-/// Notes that sound, pedals that are down, and the pressure of the channel.
+/// Sounding notes, pressed pedals, and the pressure of the channel.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct HeldNotes {
     sounding: [bool; KEYS],
@@ -16,15 +16,14 @@ pub struct HeldNotes {
 }
 
 impl Default for HeldNotes {
-    /// Returns silence, with all pedals up.
     fn default() -> Self {
         Self { sounding: [false; KEYS], pedals: PedalValues::default(), pressure: 0 }
     }
 }
 
 impl HeldNotes {
-    /// Takes `message` into account; returns whether it says anything new to the receiver, which
-    /// a note-off of a silent note does not.
+    /// Follows `message`; returns `true` if it changes anything for the receiver. A note-off of a
+    /// silent note does not.
     pub fn follow(&mut self, message: Message) -> bool {
         match message {
             Message::NoteOn { note, .. } => self.sounding[usize::from(note.key())] = true,
@@ -46,13 +45,12 @@ impl HeldNotes {
         true
     }
 
-    /// Returns whether nothing sounds, and all pedals are up.
+    /// Returns `true` if nothing sounds and all pedals are up.
     pub fn is_silent(&self) -> bool {
         *self == Self::default()
     }
 
-    /// Returns the messages that end what is held, and forgets it: note-offs, the pressure, and
-    /// pedals up.
+    /// Returns the messages that end what is held, and forgets it: note-offs, pressure, pedals up.
     pub fn release(&mut self) -> Vec<Message> {
         let Self { sounding, pressure, pedals } = std::mem::take(self);
         let keys = KeyIndex::all().map(KeyIndex::number);
@@ -63,32 +61,30 @@ impl HeldNotes {
         offs.chain(pressure).chain(pedals).collect()
     }
 
-    /// Adds what `other` holds.
     pub(crate) fn add(&mut self, other: &Self) {
         let both = self.to_bytes().into_iter().zip(other.to_bytes());
         *self = Self::of(both.map(|(own, other)| own.max(other)));
     }
 
-    /// Removes what `other` holds too.
+    /// Removes what `other` holds, too.
     pub(crate) fn remove(&mut self, other: &Self) {
         let both = self.to_bytes().into_iter().zip(other.to_bytes());
         *self = Self::of(both.map(|(own, other)| if 0 < other { 0 } else { own }));
     }
 
-    /// Returns what is held, a byte for each note, each pedal and the pressure.
+    /// Returns a byte for each note, each pedal and the pressure.
     pub(crate) fn to_bytes(&self) -> [u8; Self::LEN] {
         let notes = self.sounding.iter().map(|sounds| u8::from(*sounds));
         let mut all = notes.chain(self.pedals.all().map(|(_, value)| value)).chain([self.pressure]);
         std::array::from_fn(|_index| all.next().unwrap_or_default())
     }
 
-    /// Reads the same; returns `None` if bytes are missing.
+    /// Decodes [`Self::to_bytes`]; returns `None` if bytes are missing.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let bytes: [u8; Self::LEN] = bytes.get(..Self::LEN)?.try_into().ok()?;
         Some(Self::of(bytes.into_iter()))
     }
 
-    /// Length of the bytes.
     pub(crate) const LEN: usize = KEYS + Pedal::ALL.len() + 1;
 
     fn of(mut bytes: impl Iterator<Item = u8>) -> Self {
@@ -101,7 +97,7 @@ impl HeldNotes {
         Self { sounding, pedals, pressure: next().min(127) }
     }
 
-    /// Returns the messages that put the pedals of a silent receiver where they are here.
+    /// Returns the messages that set the pedals of a silent receiver to this state.
     pub fn pedals(&self) -> Vec<Message> {
         let pressed = self.pedals.all().filter(|(_, value)| 0 < *value);
         let message = |(pedal, value): (Pedal, u8)| Message::ControlChange {

@@ -6,17 +6,17 @@ use crate::output::{CLIENT, Unavailable, look_for_sequencer, refused};
 
 const PROGRAM_CHANGE: u8 = 0xC0;
 
-/// Another program on a channel.
+/// Program change on a channel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ProgramChange {
-    /// The channel as people number them, 1 ..= 16.
+    /// Channel as people number it, 1 ..= 16.
     pub channel: u8,
-    /// The program as General MIDI numbers them, 1 ..= 128.
+    /// Program as General MIDI numbers it, 1 ..= 128.
     pub program: u8,
 }
 
 impl ProgramChange {
-    /// Reads a message of any kind; nothing if it is another, or not whole.
+    /// Decodes a complete program change; `None` for any other bytes.
     #[must_use]
     pub const fn decode(bytes: &[u8]) -> Option<Self> {
         match *bytes {
@@ -28,18 +28,17 @@ impl ProgramChange {
     }
 }
 
-/// A port on which program changes are heard, until it is dropped.
+/// A port that receives program changes until it is dropped.
 pub struct ProgramInput {
     _connection: MidiInputConnection<()>,
 }
 
 impl ProgramInput {
-    /// Listens to the first port whose name contains `name`, in whatever case; `heard` is called
-    /// on a thread of the system's MIDI.
+    /// Listens to the first port whose name contains `name`, ignoring case. A thread of the
+    /// system's MIDI calls `heard`.
     ///
     /// # Errors
-    ///
-    /// If there is no MIDI or no such port; says which ports exist and what to do.
+    /// There is no MIDI or no such port; lists the ports and the remedy.
     pub fn connect(
         name: &str,
         heard: impl FnMut(ProgramChange) + Send + 'static,
@@ -58,11 +57,10 @@ impl ProgramInput {
         Ok(Self { _connection: connection })
     }
 
-    /// Makes a port called "letoff", to which other programs connect.
+    /// Creates a port called "letoff", to which other programs connect.
     ///
     /// # Errors
-    ///
-    /// If there is no MIDI, or the system has no virtual ports (Windows).
+    /// There is no MIDI, or the system has no virtual ports (Windows).
     #[cfg(unix)]
     pub fn create(heard: impl FnMut(ProgramChange) + Send + 'static) -> Result<Self, Unavailable> {
         use midir::os::unix::VirtualInput as _;
@@ -71,11 +69,7 @@ impl ProgramInput {
         Ok(Self { _connection: connection })
     }
 
-    /// Makes a port called "letoff", to which other programs connect.
-    ///
-    /// # Errors
-    ///
-    /// This system has no virtual ports.
+    /// Returns an error: this system has no virtual ports.
     #[cfg(not(unix))]
     pub fn create(_heard: impl FnMut(ProgramChange) + Send + 'static) -> Result<Self, Unavailable> {
         Err(Unavailable::NoVirtualPorts)
@@ -93,7 +87,7 @@ fn open() -> Result<MidiInput, Unavailable> {
     MidiInput::new(CLIENT).map_err(|_init| Unavailable::NotStarted)
 }
 
-/// All ports with their names; a port that vanishes meanwhile is left out.
+/// Returns all ports with their names; a port that vanishes meanwhile is left out.
 fn named(system: &MidiInput) -> Vec<(String, MidiInputPort)> {
     let ports = system.ports().into_iter();
     ports.filter_map(|port| Some((system.port_name(&port).ok()?, port))).collect()

@@ -1,7 +1,7 @@
-//! What the destination of a port may still sound, in a file that outlives the process.
+//! File with the notes that a port's destination may sound; it outlives the process.
 //!
-//! Each process that holds a port has a ledger of its own, which it locks as long as it lives. The
-//! next process that opens the port ends what unlocked ledgers hold, and removes them.
+//! Each process that holds a port has its own ledger and locks it as long as it lives. The next
+//! process that opens the port ends what unlocked ledgers hold, and removes them.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read as _, Seek as _, Write as _};
@@ -10,16 +10,16 @@ use std::path::{Path, PathBuf};
 use crate::held::HeldNotes;
 use crate::message::Message;
 
-/// End of the names of ledgers.
+/// File extension of ledgers.
 const EXTENSION: &str = "notes";
 
-/// Largest number of ledgers that are looked at, and of names that are tried for a new one.
+/// Largest number of ledgers that are read, and of names that are tried for a new one.
 const MOST_LEDGERS: usize = 1000;
 
 /// Longest ledger (B): what is held, and the name of the port.
 const LONGEST: u64 = 4096;
 
-/// The ledger of a port that this process holds.
+/// Ledger of a port that this process holds.
 #[derive(Debug)]
 pub(crate) struct NoteLedger {
     file: File,
@@ -28,11 +28,8 @@ pub(crate) struct NoteLedger {
 }
 
 impl NoteLedger {
-    /// Makes a ledger in `folder` for the port called `port`; returns it with what processes that
-    /// are gone have left at that port, apart from what a running one holds there too.
-    ///
-    /// # Errors
-    /// If no file can be written in the folder.
+    /// Creates a ledger in `folder` for the port called `port`. Also returns what dead processes
+    /// have left at that port, without what a running one holds there, too.
     pub(crate) fn open(folder: &Path, port: &str) -> io::Result<(Self, HeldNotes)> {
         let mut ledger = Self::create(folder)?;
         let (mut left, mut running) = (HeldNotes::default(), HeldNotes::default());
@@ -53,7 +50,7 @@ impl NoteLedger {
             }
         }
         left.remove(&running);
-        // Before the others are removed: this process may be killed as well.
+        // Write before the others are removed: this process may be killed as well.
         ledger.held = left.clone();
         ledger.rename(port)?;
         for (path, _locked) in found {
@@ -62,7 +59,6 @@ impl NoteLedger {
         Ok((ledger, left))
     }
 
-    /// Creates a new empty file and locks it.
     fn create(folder: &Path) -> io::Result<Self> {
         let pid = std::process::id();
         let paths = (0..MOST_LEDGERS).map(|n| folder.join(format!("{pid}-{n}.{EXTENSION}")));
@@ -79,20 +75,13 @@ impl NoteLedger {
         Err(io::ErrorKind::AlreadyExists.into())
     }
 
-    /// Writes that the ledger is of the port called `port` from now on.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
+    /// Assigns the ledger to the port called `port`.
     pub(crate) fn rename(&mut self, port: &str) -> io::Result<()> {
         self.file.set_len(0)?;
         self.write(&[&self.held.to_bytes(), port.as_bytes()].concat())
     }
 
-    /// Writes what `message` begins, which is about to be sent: the process may be killed at any
-    /// time.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
+    /// Writes what `message` begins, before it is sent: the process may be killed at any time.
     pub(crate) fn begin(&mut self, message: Message) -> io::Result<()> {
         let mut held = self.held.clone();
         held.follow(message);
@@ -100,10 +89,7 @@ impl NoteLedger {
         self.note(held)
     }
 
-    /// Writes what `message` has ended, which was sent.
-    ///
-    /// # Errors
-    /// If the file cannot be written.
+    /// Writes what `message` has ended, after it was sent.
     pub(crate) fn end(&mut self, message: Message) -> io::Result<()> {
         let mut held = self.held.clone();
         held.follow(message);
@@ -133,14 +119,12 @@ impl Drop for NoteLedger {
     }
 }
 
-/// Returns the paths of the ledgers in `folder`.
 fn ledgers(folder: &Path) -> io::Result<impl Iterator<Item = PathBuf>> {
     let paths = fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path()));
     Ok(paths.filter(|path| path.extension().is_some_and(|end| end == EXTENSION)))
 }
 
-/// Returns what a ledger holds, and whether it is that of the port called `port`; `None` if its
-/// process has just made it.
+/// Returns what a ledger holds, and `true` if it belongs to `port`; `None` if it is still empty.
 fn read(file: &File, port: &str) -> Option<(HeldNotes, bool)> {
     let mut bytes = Vec::new();
     file.take(LONGEST).read_to_end(&mut bytes).ok()?;
@@ -157,7 +141,7 @@ mod tests {
         Message::NoteOn { note: Note::from_number(number).unwrap(), velocity: Velocity::UNKNOWN }
     }
 
-    /// Leaves the file of `ledger` unlocked, as a process that is killed.
+    /// Leaves the file of `ledger` unlocked, as a killed process does.
     fn kill(ledger: NoteLedger) {
         let copy = ledger.path.with_extension("copy");
         let path = ledger.path.clone();

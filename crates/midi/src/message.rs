@@ -1,4 +1,4 @@
-//! Messages as bytes: three each but for one, the status never left out.
+//! Messages as bytes: two for channel pressure, else three; the status is always sent.
 //!
 //! ```text
 //! 8n kk vv   note-off, release velocity vv (1 ..= 127)
@@ -11,7 +11,7 @@
 
 use crate::note::{Note, Velocity};
 
-/// Bytes of a message.
+/// Largest length of a message (bytes).
 pub const LEN: usize = 3;
 
 const NOTE_OFF: u8 = 0x80;
@@ -20,35 +20,35 @@ const CONTROL_CHANGE: u8 = 0xB0;
 const KEY_PRESSURE: u8 = 0xA0;
 const CHANNEL_PRESSURE: u8 = 0xD0;
 
-/// What is sent to a synthesizer.
+/// Message to a synthesizer.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[must_use]
 pub enum Message {
     /// The note begins to sound.
     NoteOn {
         note: Note,
-        /// How hard it was struck.
+        /// Speed of the strike.
         velocity: Velocity,
     },
     /// The note is damped.
     NoteOff {
         note: Note,
-        /// How fast it was released.
+        /// Speed of the release.
         velocity: Velocity,
     },
     /// A controller has a new value.
     ControlChange {
         controller: Controller,
-        /// Its value, 0 ..= 127.
+        /// Value, 0 ..= 127.
         value: u8,
     },
-    /// The key of a note that sounds is held down with another force.
+    /// New force on the held key of a sounding note.
     KeyPressure { note: Note, value: u8 },
-    /// Keys are held down with another force.
+    /// New force on held keys.
     ChannelPressure { value: u8 },
 }
 
-/// The bytes of a message, of which there are [`LEN`] at most.
+/// Bytes of a message, at most [`LEN`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct EncodedMessage {
     bytes: [u8; LEN],
@@ -63,7 +63,7 @@ impl core::ops::Deref for EncodedMessage {
     }
 }
 
-/// The controllers that are sent.
+/// Controllers that are sent.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[must_use]
 pub enum Controller {
@@ -82,7 +82,6 @@ impl Controller {
     const ALL: [Self; 5] =
         [Self::Sustain, Self::Sostenuto, Self::UnaCorda, Self::AllSoundOff, Self::AllNotesOff];
 
-    /// MIDI number of the controller.
     pub const fn number(self) -> u8 {
         match self {
             Self::Sustain => 64,
@@ -94,28 +93,23 @@ impl Controller {
     }
 }
 
-/// Why bytes are not one of our messages.
+/// Reason why bytes are not a supported message.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum MidiDecodeError {
-    /// A message has three bytes, or two.
     #[error("a message has 3 bytes, or 2 of a channel's pressure, not {got}")]
     Length { got: usize },
-    /// The first byte is no status that is understood.
     #[error("status {0:#04x} is not a note, a pressure or a controller")]
     Status(u8),
-    /// A data byte has its highest bit set.
     #[error("data byte {0:#04x} is above 127")]
     Data(u8),
-    /// The note is not on the keyboard.
     #[error("note {0} is not one of 21 to 108")]
     NoSuchNote(u8),
-    /// The controller is not one that is used.
     #[error("controller {0} is not 64, 66, 67, 120 or 123")]
     NoSuchController(u8),
 }
 
 impl Message {
-    /// The bytes of this message, on the first channel.
+    /// Encodes this message on the first channel.
     pub const fn encode(self) -> EncodedMessage {
         let bytes = match self {
             Self::NoteOn { note, velocity } => [NOTE_ON, note.number(), velocity.get()],
@@ -130,13 +124,12 @@ impl Message {
         EncodedMessage { bytes, length }
     }
 
-    /// Reads a message of any channel; never panics, whatever the bytes.
+    /// Decodes a message of any channel; never panics on any bytes.
     ///
     /// A note-on with velocity 0 is a note-off of unknown velocity, as MIDI prescribes.
     ///
     /// # Errors
-    ///
-    /// If the bytes are not one whole message of a kind that is understood.
+    /// The bytes are not exactly one supported message.
     pub fn decode(bytes: &[u8]) -> Result<Self, MidiDecodeError> {
         let (status, first, second) = match *bytes {
             [status, value] if status & 0xF0 == CHANNEL_PRESSURE => (status, value, 0),

@@ -8,7 +8,7 @@ use keyboard::KeyIndex;
 pub struct Note(u8);
 
 impl Note {
-    /// Returns the note of `key` (0 ..= 87), if there is such a key.
+    /// Returns the note of `key`, if it is 0 ..= 87.
     pub const fn from_key(key: u8) -> Option<Self> {
         match KeyIndex::new(key) {
             Some(key) => Some(Self(key.midi())),
@@ -16,7 +16,7 @@ impl Note {
         }
     }
 
-    /// Returns the note with MIDI `number` (21 ..= 108), if it is on the keyboard.
+    /// Returns the note with MIDI `number`, if it is 21 ..= 108.
     pub const fn from_number(number: u8) -> Option<Self> {
         if KeyIndex::from_midi(number).is_some() { Some(Self(number)) } else { None }
     }
@@ -32,29 +32,25 @@ impl Note {
     }
 }
 
-/// How hard a note is struck or how fast it is released, 1 ..= 127.
-///
-/// Zero is left out because a note-on with velocity 0 means note-off.
+/// Speed of a strike or a release, 1 ..= 127; a note-on with velocity 0 would be a note-off.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[must_use]
 pub struct Velocity(u8);
 
 impl Velocity {
-    /// The least velocity.
     pub const MIN: Self = Self(1);
 
-    /// The greatest velocity.
     pub const MAX: Self = Self(127);
 
-    /// What MIDI prescribes when a velocity is not known.
+    /// Value that MIDI prescribes for an unknown velocity.
     pub const UNKNOWN: Self = Self(64);
 
-    /// Returns `value` as a velocity if it is one (1 ..= 127).
+    /// Returns `value` as a velocity if it is 1 ..= 127.
     pub const fn new(value: u8) -> Option<Self> {
         if 1 <= value && value <= 127 { Some(Self(value)) } else { None }
     }
 
-    /// The velocity nearest to `level`; the least if `level` is not a number.
+    /// Returns the velocity nearest to `level`; the least if `level` is not a number.
     pub fn nearest(level: f64) -> Self {
         #[expect(
             clippy::cast_possible_truncation,
@@ -65,7 +61,6 @@ impl Velocity {
         Self(if value < 1 { 1 } else { value })
     }
 
-    /// The velocity as MIDI writes it, 1 ..= 127.
     pub const fn get(self) -> u8 {
         self.0
     }

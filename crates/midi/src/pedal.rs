@@ -1,4 +1,4 @@
-//! The pedals of a piano, and how far each is pressed.
+//! Pedals of a piano, and their depths.
 
 use crate::message::{Controller, Message};
 
@@ -6,11 +6,11 @@ use crate::message::{Controller, Message};
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[must_use]
 pub enum Pedal {
-    /// The right pedal: lifts all dampers.
+    /// Right pedal: lifts all dampers.
     Sustain,
-    /// The middle pedal: keeps those dampers up that are up when it is pressed.
+    /// Middle pedal: keeps those dampers up that are up when it is pressed.
     Sostenuto,
-    /// The left pedal: the hammers strike fewer strings, or softer.
+    /// Left pedal: the hammers strike fewer strings, or softer.
     UnaCorda,
 }
 
@@ -18,7 +18,6 @@ impl Pedal {
     /// Every pedal, the right one first.
     pub const ALL: [Self; 3] = [Self::Sustain, Self::Sostenuto, Self::UnaCorda];
 
-    /// Returns the controller that says where this pedal is.
     pub const fn controller(self) -> Controller {
         match self {
             Self::Sustain => Controller::Sustain,
@@ -27,40 +26,39 @@ impl Pedal {
         }
     }
 
-    /// Returns the pedal that the controller with this MIDI number moves, if there is one.
+    /// Returns the pedal that the controller with this MIDI number moves, if any.
     pub fn of_number(number: u8) -> Option<Self> {
         Self::ALL.into_iter().find(|pedal| pedal.controller().number() == number)
     }
 }
 
-/// A pedal comes to another depth.
+/// Arrival of a pedal at another depth.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct PedalMove {
-    /// Which of the three pedals.
     pub pedal: Pedal,
-    /// When it is there (s).
+    /// Time of arrival (s).
     pub at: f64,
-    /// How deep, from 0 (up) to 1 (down).
+    /// Depth from 0 (up) to 1 (down).
     pub depth: f64,
 }
 
-/// Where the three pedals are, as values of their controllers.
+/// Depths of the three pedals, as values of their controllers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) struct PedalValues([u8; Pedal::ALL.len()]);
 
 impl PedalValues {
-    /// Sets where `pedal` is, 0 to 127; returns whether it was elsewhere.
+    /// Sets `pedal` to `value`, 0 to 127; returns `true` if it had another.
     pub(crate) fn set(&mut self, pedal: Pedal, value: u8) -> bool {
         std::mem::replace(&mut self.0[pedal as usize], value) != value
     }
 
-    /// Returns the messages that lift the pedals that are down.
+    /// Returns the messages that lift the pressed pedals.
     pub(crate) fn lifted(self) -> impl Iterator<Item = Message> {
         let down = Pedal::ALL.into_iter().zip(self.0).filter(|(_, value)| 0 < *value);
         down.map(|(pedal, _)| Message::ControlChange { controller: pedal.controller(), value: 0 })
     }
 
-    /// Returns where each pedal is, 0 to 127.
+    /// Returns the value of each pedal, 0 to 127.
     pub(crate) fn all(&self) -> impl Iterator<Item = (Pedal, u8)> {
         Pedal::ALL.into_iter().zip(self.0)
     }

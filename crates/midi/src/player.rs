@@ -1,4 +1,4 @@
-//! Key events to messages, with the notes that are held.
+//! Messages from key events, with memory of the held notes.
 
 use keyboard::{KEYS, KeyIndex};
 use rtrb::Consumer;
@@ -9,59 +9,54 @@ use crate::output::{MidiSendError, Output};
 use crate::pedal::{Pedal, PedalValues};
 use crate::velocity::{VelocityCurve, release_velocity};
 
-/// How long a note sounds that was struck with its damper down (s).
-///
-/// The hammer of a short, sharp touch may arrive after its damper has fallen again.
+/// Length of a note that was struck with its damper down (s): the hammer of a short, sharp touch
+/// may arrive after its damper has fallen again.
 pub const UNDAMPED: f64 = 0.05;
 
-/// Something that happened at a key and can be heard.
+/// Audible event at a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct NoteEvent {
-    /// Which key, 0 ..= 87; any for a pedal.
+    /// Key, 0 ..= 87; any for a pedal.
     pub key: u8,
-    /// When (s since the host started).
+    /// Time since the host started (s).
     pub at: f64,
     pub kind: NoteEventKind,
 }
 
-/// What can be heard of a key.
+/// Kind of an audible event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum NoteEventKind {
-    /// The hammer meets the string.
     Strike {
         /// Speed of a grand's hammer (m/s) that is as loud.
         speed: f64,
-        /// The velocity whatever the speed, of an instrument without dynamics.
+        /// Fixed velocity of an instrument without dynamics.
         velocity: Option<Velocity>,
     },
-    /// The damper reaches the string.
     DamperFall {
-        /// Speed at which the key rises (m/s).
+        /// Speed of the rising key (m/s).
         speed: f64,
     },
     /// The damper leaves the string.
     DamperLift,
-    /// The key is held down with another force, 0 (none) to 127.
+    /// The force on the held key changes; 0 (none) to 127.
     Pressure { value: u8, scope: PressureTarget },
-    /// A pedal is at this depth; concerns all keys.
+    /// A pedal is at this depth, for all keys.
     Pedal {
-        /// Which of the three pedals.
         pedal: Pedal,
-        /// How deep it is, from 0 (up) to 1 (down).
+        /// Depth from 0 (up) to 1 (down).
         depth: f64,
     },
 }
 
-/// Whom a pressure concerns.
+/// Notes that a pressure applies to.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PressureTarget {
-    /// All notes: the greatest of all keys is sent.
+    /// All notes: the greatest pressure of all keys is sent.
     Channel,
-    /// The key's own note.
     Key,
 }
 
-/// Where a damper is, as far as it was reported.
+/// Reported position of a damper.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum DamperState {
     /// Its lifts are not reported, or none has happened yet.
@@ -70,75 +65,69 @@ enum DamperState {
     Down,
 }
 
-/// What is known of a note.
+/// State of a note.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct NoteState {
     sounding: bool,
     damper: DamperState,
-    /// When it falls silent by itself (s): it was struck with its damper down.
+    /// Time when it ends by itself (s), if struck with its damper down.
     until: Option<f64>,
 }
 
 const SILENT: NoteState =
     NoteState { sounding: false, damper: DamperState::Unreported, until: None };
 
-/// Turns key events into messages, and leaves no note hanging.
+/// Turns key events into messages, and leaves no note sounding.
 ///
-/// Dropping a player silences what it holds; a host that may be interrupted or panic calls
+/// Dropping a player silences what it holds. A host that may be interrupted or panic calls
 /// [`Player::silence`] from the thread that owns the player.
 #[derive(Debug)]
 pub struct Player<O: Output> {
     output: O,
     curve: VelocityCurve,
     held: [NoteState; KEYS],
-    /// Values of the pedals' controllers that were sent last.
+    /// Latest sent values of the pedals' controllers.
     pedals: PedalValues,
-    /// Pressure of each key that concerns the channel.
+    /// Pressure of each key that applies to the channel.
     pressed: [u8; KEYS],
-    /// Latest time that was seen (s).
     now: f64,
-    /// Whether anything was sent since all was silenced.
+    /// `true` if anything was sent since the last silence.
     stirred: bool,
 }
 
 impl<O: Output> Player<O> {
-    /// A player that sends to `output`, with velocities by `curve`.
     pub fn new(output: O, curve: VelocityCurve) -> Self {
         let held = [SILENT; KEYS];
         let pedals = PedalValues::default();
         Self { output, curve, held, pedals, pressed: [0; KEYS], now: 0.0, stirred: false }
     }
 
-    /// Where the messages go.
     pub fn output(&self) -> &O {
         &self.output
     }
 
-    /// The curve from now on.
     pub fn choose_curve(&mut self, curve: VelocityCurve) {
         self.curve = curve;
     }
 
-    /// Whether the note of `key` sounds, as far as this player knows.
+    /// Returns `true` if the note of `key` sounds, as far as this player knows.
     pub fn is_sounding(&self, key: u8) -> bool {
         self.held.get(usize::from(key)).is_some_and(|held| held.sounding)
     }
 
-    /// Sends what `event` asks for; events come in order of time.
+    /// Sends the messages of `event`; events come in order of time.
     ///
     /// # Errors
-    ///
-    /// If a message is lost; what is held is known all the same.
+    /// A message is lost, but is followed all the same.
     pub fn play(&mut self, event: NoteEvent) -> Result<(), MidiSendError> {
         let fallen = self.advance(event.at);
         let played = self.respond(event);
         fallen.and(played)
     }
 
-    /// Plays every event that waits in `events`, and returns how many there were.
+    /// Plays all waiting `events`; returns their number.
     ///
     /// # Errors
-    ///
     /// The first loss of a message, after all events have been played.
     pub fn drain(&mut self, events: &mut Consumer<NoteEvent>) -> Result<usize, MidiSendError> {
         let mut outcome = Ok(());
@@ -152,20 +141,15 @@ impl<O: Output> Player<O> {
     }
 
     /// Does what is due at time `now` (s) without an event; to be called a few times a second.
-    ///
-    /// # Errors
-    ///
-    /// If the output is away.
     pub fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         let fallen = self.advance(now);
         let polled = self.output.poll(now);
         fallen.and(polled)
     }
 
-    /// Ends everything as a player would who lifts hands and feet: held notes, pressure, pedals.
+    /// Ends held notes, pressure and pedals, as if the player lifted hands and feet.
     ///
     /// # Errors
-    ///
     /// The first loss of a message, after all have been tried.
     pub fn silence(&mut self) -> Result<(), MidiSendError> {
         let mut outcome = Ok(());
@@ -186,11 +170,10 @@ impl<O: Output> Player<O> {
         outcome
     }
 
-    /// Silences the receiver at once, in an emergency: after [`Player::silence`] also what others
-    /// have left, and what still decays.
+    /// Silences the receiver at once, in an emergency: after [`Player::silence`] also notes of
+    /// other senders, and decaying ones.
     ///
     /// # Errors
-    ///
     /// The first loss of a message, after all have been tried.
     pub fn cut_off(&mut self) -> Result<(), MidiSendError> {
         let mut outcome = self.silence();
@@ -202,11 +185,7 @@ impl<O: Output> Player<O> {
         outcome
     }
 
-    /// Silences everything and brings the output to safety.
-    ///
-    /// # Errors
-    ///
-    /// If a message is lost or a recording cannot be written.
+    /// Silences everything and makes the output durable.
     pub fn finish(&mut self) -> Result<(), MidiSendError> {
         let silenced = if self.stirred { self.silence() } else { Ok(()) };
         let finished = self.output.finish();
@@ -242,7 +221,6 @@ impl<O: Output> Player<O> {
         released.and(sent)
     }
 
-    /// Sends the note-off of `key` if its note sounds.
     fn release(&mut self, key: u8, at: f64, velocity: Velocity) -> Result<(), MidiSendError> {
         let Some(note) = Note::from_key(key) else { return Ok(()) };
         let held = &mut self.held[usize::from(key)];
@@ -302,7 +280,7 @@ impl<O: Output> Player<O> {
         self.send(at, Message::ControlChange { controller: pedal.controller(), value })
     }
 
-    /// Moves to time `now` (s), ending the notes that fall silent by themselves until then.
+    /// Moves to time `now` (s), and ends the notes that are due by then.
     fn advance(&mut self, now: f64) -> Result<(), MidiSendError> {
         let mut outcome = Ok(());
         for key in KeyIndex::all().map(KeyIndex::number) {
@@ -323,7 +301,7 @@ impl<O: Output> Player<O> {
 }
 
 impl<O: Output> Drop for Player<O> {
-    /// Silences what is held; an output that is away cannot be told.
+    /// Silences what is held; a lost message cannot be reported.
     fn drop(&mut self) {
         if self.stirred && self.silence().is_err() {
             self.stirred = false;

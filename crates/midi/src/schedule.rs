@@ -1,14 +1,14 @@
-//! Key events in order of time, until each one's time comes.
+//! Key events in order of time, until each one is due.
 
 use std::collections::VecDeque;
 
 use crate::player::{NoteEvent, NoteEventKind};
 
-/// Key events that wait, the earliest first.
+/// Waiting key events, the earliest first.
 ///
-/// Events that happen at the same time go out as MIDI practice wants: note-offs (dampers that
-/// fall), dampers that lift, pedals, then note-ons (strikes); keys in the order in which they
-/// were put in. What happens to one key at one time stays in its own order.
+/// Simultaneous events go out in the usual order of MIDI: note-offs (dampers that fall), dampers
+/// that lift, pedals, then note-ons (strikes); keys in order of insertion. Simultaneous events of
+/// one key keep their own order.
 #[derive(Clone, Debug, Default)]
 pub struct Schedule {
     waiting: VecDeque<ScheduledEvent>,
@@ -16,7 +16,7 @@ pub struct Schedule {
 
 #[derive(Clone, Copy, Debug)]
 struct ScheduledEvent {
-    /// Place among events of the same time.
+    /// Rank among simultaneous events.
     rank: u8,
     event: NoteEvent,
 }
@@ -35,27 +35,25 @@ impl ScheduledEvent {
 }
 
 impl Schedule {
-    /// Puts `event` behind all that happen before it.
+    /// Inserts `event` behind all that happen before it.
     pub fn insert(&mut self, event: NoteEvent) {
-        // A key's own events are never overtaken by a later one of the same time.
+        // No later event overtakes a simultaneous event of its own key.
         let own = self.waiting.iter().filter(|entry| entry.is_of(&event)).map(|entry| entry.rank);
         let rank = own.fold(rank(event.kind), u8::max);
         let place = self.waiting.partition_point(|entry| !entry.is_behind(event.at, rank));
         self.waiting.insert(place, ScheduledEvent { rank, event });
     }
 
-    /// Returns the event that is due first.
     pub fn first(&self) -> Option<&NoteEvent> {
         self.waiting.front().map(|entry| &entry.event)
     }
 
-    /// Takes the earliest event out.
     pub fn pop(&mut self) -> Option<NoteEvent> {
         self.waiting.pop_front().map(|entry| entry.event)
     }
 }
 
-/// The smaller, the earlier among events of the same time.
+/// Returns the rank among simultaneous events: the smaller, the earlier.
 const fn rank(kind: NoteEventKind) -> u8 {
     match kind {
         NoteEventKind::DamperFall { .. } => 0,

@@ -17,14 +17,14 @@ const DISKLAVIER_LEVEL: f64 = 57.96;
 /// Velocity gained per tenfold hammer speed on the Disklavier (Goebl & Bresin 2001).
 const DISKLAVIER_SLOPE: f64 = 71.3;
 
-/// How much louder or softer the light and the heavy curve are than the Disklavier's.
+/// Shift of the light and the heavy curve from the Disklavier's.
 const TOUCH_SHIFT: f64 = 12.0;
 
-/// Key speed at which a release counts as the fastest (m/s); an estimate:
-/// a key let go returns 10 mm in 35 ms, a little faster than that at half way.
+/// Key speed at which a release counts as the fastest (m/s); an estimate: a released key returns
+/// 10 mm in 35 ms, a little faster than that at half way.
 const FASTEST_RELEASE: f64 = 0.4;
 
-/// How a hammer speed (m/s) becomes a MIDI velocity.
+/// Conversion of a hammer speed (m/s) to a MIDI velocity.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 #[must_use]
 pub enum VelocityCurve {
@@ -35,18 +35,18 @@ pub enum VelocityCurve {
     Light,
     /// The Disklavier's, 12 softer: more effort for the same tone.
     Heavy,
-    /// 1 at 0.18 m/s (the softest tone) to 127 at 6.8 m/s (the loudest), in a straight line.
+    /// Straight line from 1 at 0.18 m/s (softest tone) to 127 at 6.8 m/s (loudest).
     Linear,
     /// Always 64, as on an organ or a harpsichord.
     Fixed,
 }
 
 impl VelocityCurve {
-    /// Every curve, in the order in which they are listed to people.
+    /// Every curve, in the order of lists for people.
     pub const ALL: [Self; 5] =
         [Self::Disklavier, Self::Light, Self::Heavy, Self::Linear, Self::Fixed];
 
-    /// The name by which a scene selects this curve.
+    /// Returns the name of this curve in a scene.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Disklavier => "disklavier",
@@ -57,14 +57,13 @@ impl VelocityCurve {
         }
     }
 
-    /// MIDI velocity of a strike at hammer `speed` (m/s).
-    ///
-    /// A speed that is zero, negative or not a number gives the least velocity.
+    /// Returns the MIDI velocity of a strike at hammer `speed` (m/s); the least for a speed that is
+    /// zero, negative or not a number.
     pub fn velocity(self, speed: f64) -> Velocity {
         Velocity::nearest(self.level(speed))
     }
 
-    /// The velocity before it is rounded and limited; may lie outside 1 ..= 127.
+    /// Returns the velocity before rounding and limiting; it may lie outside 1 ..= 127.
     pub fn level(self, speed: f64) -> f64 {
         match self {
             Self::Disklavier => logarithmic(speed, 0.0),
@@ -75,10 +74,10 @@ impl VelocityCurve {
         }
     }
 
-    /// Hammer speed (m/s) that gives `velocity`, from the middle of those that do.
+    /// Returns the hammer speed (m/s) for `velocity`, in the middle of its interval.
     ///
-    /// The fixed curve gives the Disklavier's speed: any would do, and so a performance keeps
-    /// its dynamics in the fingers.
+    /// The fixed curve returns the Disklavier's speed, so a performance keeps its dynamics in the
+    /// fingers.
     pub fn speed(self, velocity: Velocity) -> f64 {
         let level = f64::from(velocity.get());
         match self {
@@ -90,20 +89,18 @@ impl VelocityCurve {
     }
 }
 
-/// Release velocity of a damper that falls while the key rises at `speed` (m/s).
-///
-/// In a straight line from a key that creeps (1) to one that is let go (127 at 0.4 m/s).
+/// Returns the release velocity of a damper that falls while the key rises at `speed` (m/s): a
+/// straight line from a creeping key (1) to a released one (127 at 0.4 m/s).
 pub fn release_velocity(speed: f64) -> Velocity {
     Velocity::nearest(127.0 * speed.abs() / FASTEST_RELEASE)
 }
 
-/// Speed of the key (m/s) that gives the release velocity `velocity`; the inverse of
-/// [`release_velocity`].
+/// Returns the key speed (m/s) for release velocity `velocity`; inverts [`release_velocity`].
 pub fn release_speed(velocity: Velocity) -> f64 {
     FASTEST_RELEASE * f64::from(velocity.get()) / 127.0
 }
 
-/// The Disklavier's curve, `shift` louder; negative infinity where there is no logarithm.
+/// Returns the Disklavier's level, `shift` louder; negative infinity where there is no logarithm.
 fn logarithmic(speed: f64, shift: f64) -> f64 {
     if speed > 0.0 {
         DISKLAVIER_LEVEL + shift + DISKLAVIER_SLOPE * speed.log10()
@@ -112,12 +109,12 @@ fn logarithmic(speed: f64, shift: f64) -> f64 {
     }
 }
 
-/// The inverse of [`logarithmic`].
+/// Inverts [`logarithmic`].
 fn exponential(level: f64, shift: f64) -> f64 {
     10.0_f64.powf((level - shift - DISKLAVIER_LEVEL) / DISKLAVIER_SLOPE)
 }
 
-/// A curve was asked for by a name that no curve has.
+/// Name of a curve that does not exist.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("there is no velocity curve \"{0}\": choose one of {names}", names = names())]
 pub struct UnknownCurve(pub String);
@@ -137,7 +134,6 @@ impl fmt::Display for VelocityCurve {
     }
 }
 
-/// The names of all curves, for people.
 fn names() -> String {
     VelocityCurve::ALL.map(VelocityCurve::name).join(", ")
 }

@@ -1,4 +1,4 @@
-//! A host that falls silent or dies, and what a receiver hears of its guardian.
+//! A host that falls silent or dies, and the messages of its guardian.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot be set up fails")]
 
@@ -12,11 +12,11 @@ use midi::{Controller, Message, Note, NoteGuardian, Pedal, Velocity};
 use common::MessageRecorder;
 use proptest::prelude::*;
 
-/// A receiver by the letter of the MIDI specification, which shares no line with `HeldNotes`.
+/// Receiver by the letter of the MIDI specification, which shares no line with `HeldNotes`.
 #[derive(Default, PartialEq, Debug)]
 struct Receiver {
     sounding: BTreeSet<u8>,
-    /// Controllers above 0.
+    /// Controllers with a value above 0.
     controllers: BTreeSet<u8>,
     pressure: u8,
     /// Note-offs of notes that did not sound.
@@ -96,7 +96,7 @@ fn a_host_that_falls_silent_has_its_notes_ended_once_and_its_pedals_again_when_i
     guardian.poll(9.0).unwrap();
     assert_eq!(guardian.output().messages().len(), ended);
     assert_eq!(guardian.n_interruptions(), 1);
-    // It goes on as if nothing had been: the pedal is down, and the note's end is no news.
+    // The pedal is down again, and the note-off changes nothing.
     guardian.play(9.1, off(60)).unwrap();
     guardian.play(9.2, on(64)).unwrap();
     let receiver = heard(&guardian);
@@ -127,12 +127,12 @@ fn a_host_that_ends_in_silence_is_not_ended_once_more() {
     assert_eq!(guardian.output().messages().len(), 2);
 }
 
-/// What may happen to a guardian.
+/// Events of a guardian.
 #[derive(Clone, Copy, Debug)]
 enum Happening {
     Message(Message),
     Beat,
-    /// Time passes and it looks.
+    /// Time passes before a poll.
     Poll,
     Begin,
 }

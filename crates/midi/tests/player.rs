@@ -1,4 +1,4 @@
-//! What a player sends when.
+//! Messages that a player sends.
 
 #![expect(clippy::expect_used, reason = "a test that cannot be set up fails")]
 
@@ -14,7 +14,7 @@ use midi::{
 
 use common::MessageRecorder;
 
-/// Middle C.
+/// Middle C, note 60.
 const KEY: u8 = 39;
 
 fn strike(at: f64, speed: f64) -> NoteEvent {
@@ -50,7 +50,6 @@ fn sent(player: &Player<MessageRecorder>) -> Vec<(f64, [u8; 3])> {
         .collect()
 }
 
-/// Asserts that `events` make a player send `expected`.
 #[track_caller]
 fn check(events: &[NoteEvent], expected: &[(f64, [u8; 3])]) {
     let mut player = Player::new(MessageRecorder::default(), VelocityCurve::default());
@@ -158,7 +157,7 @@ fn events_from_the_tick_are_drained_from_their_ring() {
     assert_eq!(sent(&player), [on(1.0, 58), off(2.0, 64)]);
 }
 
-/// An output that the test still sees when the player is gone.
+/// Output that the test still reads when the player is gone.
 #[derive(Clone, Default)]
 struct Shared {
     sent: Rc<RefCell<Vec<[u8; 3]>>>,

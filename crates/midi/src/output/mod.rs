@@ -1,6 +1,6 @@
-//! Where messages go: a port or a file.
+//! Destinations of messages: a port or a file.
 //!
-//! An output is owned by one [`Player`](crate::Player), which may block; none is for the tick.
+//! One [`Player`](crate::Player), which may block, owns an output; none is for the tick.
 
 mod port;
 mod ports;
@@ -28,52 +28,44 @@ pub(crate) use system::refused;
 
 use crate::message::Message;
 
-/// A destination of timed messages.
+/// Destination of timed messages.
 pub trait Output {
-    /// Sends `message`, which belongs to time `at` (s since the host started).
-    ///
-    /// # Errors
-    ///
-    /// If the message is lost.
+    /// Sends `message`, which belongs to time `at` (s since the host started); an error loses it.
     fn send(&mut self, at: f64, message: Message) -> Result<(), MidiSendError>;
 
-    /// Looks after the connection at time `now` (s), if there is one; called a few times a second.
+    /// Checks the connection at time `now` (s), if there is one; called a few times a second.
     ///
     /// # Errors
-    ///
-    /// If the destination is away.
+    /// The destination is away.
     fn poll(&mut self, now: f64) -> Result<(), MidiSendError> {
         let _ = now;
         Ok(())
     }
 
-    /// Brings what was sent to safety; may be called again, and sending may go on after it.
+    /// Makes the sent messages durable; may be called again, and sending may continue after it.
     ///
     /// # Errors
-    ///
-    /// If something could not be brought to safety; nothing is lost by trying again.
+    /// Something is not durable; nothing is lost by another try.
     fn finish(&mut self) -> Result<(), MidiSendError>;
 }
 
-/// Why a message did not arrive.
+/// Reason why a message did not arrive.
 #[derive(Debug, thiserror::Error)]
 pub enum MidiSendError {
-    /// The port has vanished or does not accept; it is tried again by itself.
+    /// The port has vanished or does not accept; the output retries by itself.
     #[error("MIDI port \"{port}\" is away: it is connected again when it is back")]
     Away {
         /// Name of the port.
         port: String,
     },
-    /// The time of a message is not a number.
+    /// The time of a message is not finite.
     #[error("a message at {at} s cannot be recorded: its time is not a finite number")]
     NoSuchTime {
-        /// The time that was given (s).
+        /// The given time (s).
         at: f64,
     },
-    /// The program that holds the port and the notes does not take messages.
     #[error("the MIDI guardian is gone, {reason}: another one is started with the next message")]
     NoGuardian { reason: String },
-    /// The recording could not be written.
     #[error(
         "{} could not be written ({source}), and its {messages} messages are lost with this run: \
          make room or choose another file, then run again", shown(.path)
@@ -82,7 +74,6 @@ pub enum MidiSendError {
         path: PathBuf,
         /// Messages recorded so far.
         messages: usize,
-        /// What the system said.
         source: io::Error,
     },
 }

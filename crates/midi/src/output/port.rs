@@ -1,4 +1,4 @@
-//! A MIDI port of the system: one that exists, or a virtual one of our own.
+//! A MIDI port of the system: an existing one, or a virtual one of our own.
 
 use std::io;
 use std::path::Path;
@@ -12,37 +12,32 @@ use crate::message::Message;
 
 /// Sends to a MIDI port at once; the times of messages only pace the reconnection.
 ///
-/// A port that vanishes is connected again by itself, even if it was away for a moment only, at
-/// most one attempt a second; it first gets note-offs for what it may still sound. Until a loss
-/// is noticed, within a second, messages go nowhere.
+/// A port that vanishes, however briefly, is connected again, at most one attempt a second. It
+/// first gets note-offs for what it may still sound. Until a loss is noticed, within a second,
+/// messages are lost.
 #[derive(Debug)]
 pub struct MidiPort(ReconnectingPort<System>);
 
 impl MidiPort {
-    /// Connects to the first port whose name contains `name`, in whatever case.
+    /// Connects to the first port whose name contains `name`, ignoring case.
     ///
     /// # Errors
-    ///
-    /// If there is no MIDI or no such port; says which ports exist and what to do.
+    /// There is no MIDI or no such port; lists the ports and the remedy.
     pub fn connect(name: &str) -> Result<Self, Unavailable> {
         let system = System::new(WantedPort::Existing(name.to_owned()));
         ReconnectingPort::connect(system, name.to_owned()).map(Self)
     }
 
-    /// Makes a port called "letoff", to which other programs connect.
+    /// Creates a port called "letoff", to which other programs connect.
     ///
     /// # Errors
-    ///
-    /// If there is no MIDI, or the system has no virtual ports (Windows).
+    /// There is no MIDI, or the system has no virtual ports (Windows).
     pub fn create() -> Result<Self, Unavailable> {
         let system = System::new(WantedPort::Virtual);
         ReconnectingPort::connect(system, CLIENT.to_owned()).map(Self)
     }
 
-    /// Keeps a ledger in `folder`, as [`ReconnectingPort::keep_ledger`].
-    ///
-    /// # Errors
-    /// If no file can be written in the folder.
+    /// Keeps a ledger in `folder`: see [`ReconnectingPort::keep_ledger`].
     pub fn keep_ledger(&mut self, folder: &Path) -> io::Result<()> {
         self.0.keep_ledger(folder)
     }

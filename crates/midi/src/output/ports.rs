@@ -1,11 +1,11 @@
-//! The output ports of the system's MIDI, and why there may be none.
+//! Output ports of the system's MIDI.
 
 use midir::{MidiOutput, MidiOutputPort};
 
-/// The name of this client towards other programs, and that of its virtual ports.
+/// Name of this client for other programs, and of its virtual ports.
 pub(crate) const CLIENT: &str = "letoff";
 
-/// Why there is no connection to a MIDI port.
+/// Reason why there is no connection to a MIDI port.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum Unavailable {
     /// The kernel's sequencer is not loaded.
@@ -14,40 +14,33 @@ pub enum Unavailable {
          `sudo modprobe snd-seq`, or pass /dev/snd into the container"
     )]
     NoSequencer,
-    /// The kernel's sequencer may not be opened.
     #[error(
         "MIDI may not be used, /dev/snd/seq cannot be opened: join the group audio with \
          `sudo usermod -aG audio $USER` and log in again"
     )]
     NotAllowed,
-    /// The system's MIDI does not start for another reason.
     #[error("the system's MIDI does not start: see what the system logged, and try again")]
     NotStarted,
-    /// No port has the wanted name.
     #[error("no MIDI port is called \"{wanted}\": {}", known(.existing))]
     NoSuchPort {
-        /// Part of a name that was looked for.
+        /// Fragment of a name to match.
         wanted: String,
-        /// The ports that exist.
         existing: Vec<String>,
     },
-    /// The port is there and does not let itself be connected.
+    /// The port exists but rejects the connection.
     #[error("MIDI port \"{port}\" cannot be connected, {reason}: close what else uses it")]
     Refused {
-        /// Name of the port.
         port: String,
-        /// What the system said.
+        /// Message of the system.
         reason: String,
     },
     /// The device or FIFO cannot be written to.
     #[error("no MIDI can be written to {path}: {reason}")]
     NoDevice {
-        /// Where it should be.
         path: String,
         /// The mistake and the remedy.
         reason: String,
     },
-    /// This system has no virtual ports.
     #[error(
         "this system cannot make a MIDI port of our own: install a loopback port \
          and connect to it by its name"
@@ -68,7 +61,7 @@ pub(super) fn open() -> Result<MidiOutput, Unavailable> {
     MidiOutput::new(CLIENT).map_err(|_init| Unavailable::NotStarted)
 }
 
-/// ALSA says on stderr only why it does not start, so its device is looked at first.
+/// Checks ALSA's device first, because ALSA reports only on stderr why it does not start.
 #[cfg(target_os = "linux")]
 pub(crate) fn look_for_sequencer() -> Result<(), Unavailable> {
     use std::io::ErrorKind;
@@ -87,7 +80,7 @@ pub(crate) fn look_for_sequencer() -> Result<(), Unavailable> {
     Ok(())
 }
 
-/// All ports with their names; a port that vanishes meanwhile is left out.
+/// Returns all ports with their names; a port that vanishes meanwhile is left out.
 pub(super) fn named(system: &MidiOutput) -> Vec<(String, MidiOutputPort)> {
     let ports = system.ports().into_iter();
     ports.filter_map(|port| Some((system.port_name(&port).ok()?, port))).collect()

@@ -1,4 +1,4 @@
-//! The bytes of a cable, written to a device file or a FIFO.
+//! MIDI bytes written to a device file or a FIFO.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
@@ -12,10 +12,10 @@ use super::reconnecting::{MidiSystem, ReconnectingPort};
 use super::{MidiSendError, Output, Unavailable};
 use crate::message::Message;
 
-/// Writes messages as they stand on a cable to a MIDI device, as `/dev/snd/midiC1D0`, or a FIFO.
+/// Writes raw MIDI bytes to a MIDI device, as `/dev/snd/midiC1D0`, or a FIFO.
 ///
-/// Nothing is waited for: what a device or a reader does not take at once is lost, and the notes
-/// that it may still sound are ended when it takes messages again.
+/// Writing never waits: a message that a device or reader does not accept at once is lost. The
+/// notes that it may still sound end when it accepts messages again.
 #[derive(Debug)]
 pub struct RawPort(ReconnectingPort<DeviceFile>);
 
@@ -23,16 +23,13 @@ impl RawPort {
     /// Opens the device or FIFO at `path`.
     ///
     /// # Errors
-    /// If there is none, it may not be written to, or nothing reads from the FIFO.
+    /// It does not exist, may not be written to, or is a FIFO without a reader.
     pub fn open(path: &Path) -> Result<Self, Unavailable> {
         let device = DeviceFile { path: path.to_owned(), file: None };
         ReconnectingPort::connect(device, shown(path)).map(Self)
     }
 
-    /// Keeps a ledger in `folder`, as [`ReconnectingPort::keep_ledger`].
-    ///
-    /// # Errors
-    /// If no file can be written in the folder.
+    /// Keeps a ledger in `folder`: see [`ReconnectingPort::keep_ledger`].
     pub fn keep_ledger(&mut self, folder: &Path) -> io::Result<()> {
         self.0.keep_ledger(folder)
     }
@@ -52,7 +49,6 @@ impl Output for RawPort {
     }
 }
 
-/// A file that takes the bytes of a cable.
 #[derive(Debug)]
 struct DeviceFile {
     path: PathBuf,
@@ -118,7 +114,7 @@ mod tests {
     use super::*;
     use crate::note::{Note, Velocity};
 
-    /// A FIFO of this test's own, gone after it.
+    /// FIFO of one test, removed after it.
     struct Fifo(PathBuf);
 
     impl Fifo {

@@ -1,4 +1,4 @@
-//! A connection that comes back by itself, note-offs first.
+//! A connection that restores itself, note-offs first.
 
 use keyboard::{KEYS, KeyIndex};
 
@@ -11,25 +11,22 @@ use crate::message::Message;
 use crate::note::{Note, Velocity};
 use crate::pedal::{Pedal, PedalValues};
 
-/// Least time between two attempts to connect, and between two looks at the port (s).
+/// Least time between two attempts to connect, and between two checks of the port (s).
 const INTERVAL: f64 = 1.0;
 
-/// What can be connected, and lost: the system's MIDI, or a test's.
+/// Connection that can be lost: the system's MIDI, or a test's.
 pub trait MidiSystem {
-    /// Connects anew, dropping what was connected.
-    ///
-    /// # Errors
-    /// If it is not there.
+    /// Connects again, and drops the earlier connection.
     fn connect(&mut self) -> Result<(), Unavailable>;
 
-    /// Sends one message; false if it was not accepted.
+    /// Sends one message; returns `false` if it was not accepted.
     fn send(&mut self, bytes: &[u8]) -> bool;
 
-    /// Whether the destination still exists: some systems accept messages to a port that has gone.
+    /// Returns `true` if the destination exists: some systems accept messages to a missing port.
     fn is_there(&mut self) -> bool;
 
-    /// Returns the full name of the destination, by which other processes know it too; `None` for a
-    /// port of our own, to which programs connect later.
+    /// Returns the full name of the destination, also known to other processes; `None` for a port
+    /// of our own, to which programs connect later.
     fn destination(&self) -> Option<String>;
 }
 
@@ -39,11 +36,11 @@ enum PortState {
     Down,
 }
 
-/// What the destination does with a note, as far as is known.
+/// Known state of a note at the destination.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Sound {
     Silent,
-    /// Its note-off was accepted, but the destination was not looked at since.
+    /// Its note-off was accepted, but the destination was not checked since.
     Ended,
     Sounding,
 }
@@ -55,26 +52,23 @@ pub struct ReconnectingPort<B> {
     /// Name of the destination, for people.
     name: String,
     link: PortState,
-    /// When the connection was last attempted or looked at (s); `None` before.
+    /// Time of the latest attempt to connect or check (s); `None` before.
     looked: Option<f64>,
     sounds: [Sound; KEYS],
-    /// Where the pedals should be.
+    /// Wanted depths of the pedals.
     pedals: PedalValues,
-    /// What the destination may sound, for the next process that opens the port.
+    /// Notes that the destination may sound, for the next process that opens the port.
     ledger: Option<NoteLedger>,
-    /// Messages that end the notes of a dead process. They are sent again before the first message:
-    /// programs connect to a port of our own after it opens.
+    /// Messages that end the notes of a dead process, repeated before the first message: programs
+    /// connect to a port of our own after it opens.
     owed: Vec<Message>,
 }
 
-/// The name of a port of our own in ledgers.
+/// Name of a port of our own in ledgers.
 const OWN: &str = "virtual";
 
 impl<B: MidiSystem> ReconnectingPort<B> {
     /// Connects `backend`, which people call `name`, for the first time.
-    ///
-    /// # Errors
-    /// If it is not there.
     pub fn connect(mut backend: B, name: String) -> Result<Self, Unavailable> {
         backend.connect()?;
         let sounds = [Sound::Silent; KEYS];
@@ -90,11 +84,8 @@ impl<B: MidiSystem> ReconnectingPort<B> {
         })
     }
 
-    /// Keeps a ledger of what the destination may sound in `folder`, and ends what processes that
-    /// are gone have left there; what a running one holds is not touched.
-    ///
-    /// # Errors
-    /// If no file can be written in the folder.
+    /// Keeps a ledger of what the destination may sound in `folder`. Ends what dead processes have
+    /// left there, but not what a running one holds.
     pub fn keep_ledger(&mut self, folder: &Path) -> io::Result<()> {
         let destination = self.backend.destination();
         let (ledger, mut left) = NoteLedger::open(folder, destination.as_deref().unwrap_or(OWN))?;
@@ -135,14 +126,14 @@ impl<B: MidiSystem> ReconnectingPort<B> {
         self.restore()
     }
 
-    /// Believes the note-offs that were sent: the destination was there all the time.
+    /// Confirms the sent note-offs: the destination was there all the time.
     fn confirm(&mut self) {
         for sound in self.sounds.iter_mut().filter(|sound| **sound == Sound::Ended) {
             *sound = Sound::Silent;
         }
     }
 
-    /// Silences what the destination may still sound, and puts its pedals where they should be.
+    /// Silences what the destination may still sound, and sets its pedals.
     fn restore(&mut self) -> bool {
         for note in KeyIndex::all().filter_map(|key| Note::from_key(key.number())) {
             let off = Message::NoteOff { note, velocity: Velocity::UNKNOWN };
@@ -158,7 +149,7 @@ impl<B: MidiSystem> ReconnectingPort<B> {
     }
 
     fn deliver(&mut self, message: Message) -> bool {
-        // Music goes on if the disk is full.
+        // Music continues if the disk is full.
         let _unwritten = self.ledger.as_mut().map(|ledger| ledger.begin(message));
         let accepted = self.backend.send(&message.encode());
         if accepted {
@@ -219,7 +210,7 @@ impl<B: MidiSystem> Output for ReconnectingPort<B> {
                 self.confirm();
             } else {
                 self.link = PortState::Down;
-                // An absent port is tried at once, it may only have changed its number.
+                // Try an absent port at once: only its number may have changed.
                 self.looked = None;
             }
         }
@@ -236,14 +227,13 @@ mod tests {
     use super::*;
     use crate::message::Controller;
 
-    /// All pedals up.
     const UP: [[u8; 3]; 3] = [[0xB0, 64, 0], [0xB0, 66, 0], [0xB0, 67, 0]];
 
-    /// A destination that the test unplugs and plugs in.
+    /// Destination that the test unplugs and plugs in.
     #[derive(Default)]
     struct Plug {
         unplugged: bool,
-        /// Whether a connection made before the last unplugging still swallows messages.
+        /// `true` if a connection from before the last unplugging still swallows messages.
         connected: bool,
         attempts: u32,
         received: Vec<[u8; 3]>,
@@ -334,7 +324,7 @@ mod tests {
         port.send(0.1, on(64)).unwrap();
         port.send(0.2, off(60)).unwrap();
         port.poll(0.3).unwrap();
-        // The connection accepts a while longer, and what it takes is lost.
+        // The connection accepts messages a while longer, and they are lost.
         port.backend.unplugged = true;
         port.send(0.5, off(64)).unwrap();
         assert!(port.poll(1.4).is_err());
@@ -354,7 +344,7 @@ mod tests {
         assert!(port.send(1.0, at(Controller::Sustain, 0)).is_err());
         port.backend.unplugged = false;
         port.poll(2.0).unwrap();
-        // What is pressed is pressed again.
+        // The pressed pedal is pressed again.
         let expected = [[0xB0, 64, 0], [0xB0, 66, 0], [0xB0, 67, 90]];
         assert_eq!(port.backend.received[2..], expected);
     }

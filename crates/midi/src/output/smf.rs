@@ -11,13 +11,12 @@ use midly::{Format, Header, MetaMessage, MidiMessage, Timing, TrackEvent, TrackE
 use super::{MidiSendError, Output};
 use crate::message::{Controller, Message};
 
-/// Length of a quarter note (µs): 120 a minute, what players assume by default.
+/// Length of a quarter note (µs): 120 a minute, the players' default.
 const QUARTER_US: u32 = 500_000;
 
 /// Ticks per quarter note: a tick is 20 µs, so a time is off by at most 10 µs.
 const TICKS_PER_QUARTER: u16 = 25_000;
 
-/// Length of a tick (s).
 const TICK: f64 = QUARTER_US as f64 * 1e-6 / TICKS_PER_QUARTER as f64;
 
 /// Longest pause between two events (ticks), about 1.5 h; longer ones are split.
@@ -25,29 +24,26 @@ const LONGEST_PAUSE: u64 = (1 << 28) - 1;
 
 /// Records messages and writes them as a Standard MIDI File (format 0).
 ///
-/// The file is written by [`Output::finish`], whole, beside its place, and then moved there:
-/// a reader sees the old file or the new one. Calling it now and then during a long recording
-/// bounds what a crash can cost.
+/// [`Output::finish`] writes the whole file beside its place and then moves it there: a reader sees
+/// the old file or the new one. Regular calls during a long recording bound the loss by a crash.
 #[derive(Debug)]
 pub struct Smf {
     path: PathBuf,
     messages: Vec<(f64, Message)>,
-    /// How many messages the file holds; differs from `messages` while there is work to do.
+    /// Number of messages in the file; differs from `messages` while there is work to do.
     written: Option<usize>,
 }
 
 impl Smf {
-    /// A recording that will be written to `path`.
     pub fn new(path: impl Into<PathBuf>) -> Self {
         Self { path: path.into(), messages: Vec::new(), written: None }
     }
 
-    /// Where the recording is written.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// What was recorded so far, each with its time (s since the host started).
+    /// Returns the recorded messages, each with its time (s since the host started).
     pub fn messages(&self) -> &[(f64, Message)] {
         &self.messages
     }
@@ -58,7 +54,7 @@ impl Output for Smf {
         if !at.is_finite() {
             return Err(MidiSendError::NoSuchTime { at });
         }
-        // An emergency concerns a receiver that plays now; in a file it would cut the last notes.
+        // An emergency stop is for a live receiver; in a file it would cut the last notes.
         if let Message::ControlChange {
             controller: Controller::AllNotesOff | Controller::AllSoundOff,
             ..
@@ -86,7 +82,7 @@ impl Output for Smf {
     }
 }
 
-/// The bytes of a file that holds `messages`, which are in order of time.
+/// Encodes a file with `messages`, which are in order of time.
 fn encode(messages: &[(f64, Message)]) -> io::Result<Vec<u8>> {
     let mut track = vec![meta(0, MetaMessage::Tempo(u24::new(QUARTER_US)))];
     let mut now = 0;
@@ -139,13 +135,13 @@ fn event(delta: u64, message: Message) -> TrackEvent<'static> {
     TrackEvent { delta: pause(delta), kind: TrackEventKind::Midi { channel, message } }
 }
 
-/// What remains of a pause of `ticks` after [`rest`].
+/// Returns the rest of a pause of `ticks` after [`rest`].
 fn pause(ticks: u64) -> u28 {
     let left = ticks % (LONGEST_PAUSE + 1);
     u28::from_int_lossy(u32::try_from(left).unwrap_or_default())
 }
 
-/// Time `at` (s) in ticks; what lies before the start is at the start.
+/// Converts `at` (s) to ticks; a time before the start becomes the start.
 fn ticks(at: f64) -> u64 {
     #[expect(
         clippy::cast_possible_truncation,
@@ -169,14 +165,13 @@ fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 fn write_through(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = File::create(path)?;
     file.write_all(bytes)?;
-    // A device cannot always be synchronised; a file whose disk is full says so here at last.
+    // Not every device can be synchronised. A file on a full disk may fail only here.
     match file.sync_all() {
         Err(error) if error.kind() != io::ErrorKind::InvalidInput => Err(error),
         _ => Ok(()),
     }
 }
 
-/// The name under which a file is written before it takes its place.
 fn beside(path: &Path) -> PathBuf {
     let mut name = OsString::from(path);
     name.push(".part");
@@ -194,7 +189,7 @@ mod tests {
         Message::NoteOn { note: Note::from_key(key).unwrap(), velocity: Velocity::UNKNOWN }
     }
 
-    /// A folder of its own for a test, removed after it.
+    /// Folder of one test, removed after it.
     struct Folder(PathBuf);
 
     impl Folder {
@@ -215,7 +210,6 @@ mod tests {
         Folder(path)
     }
 
-    /// Times (s) of all channel events in a file.
     fn times(bytes: &[u8]) -> Vec<f64> {
         let smf = midly::Smf::parse(bytes).unwrap();
         assert_eq!(smf.header.timing, Timing::Metrical(u15::new(TICKS_PER_QUARTER)));

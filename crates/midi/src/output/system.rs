@@ -1,4 +1,4 @@
-//! The system's MIDI, through midir: ports that exist, and a virtual one of our own.
+//! The system's MIDI, through midir: existing ports, and a virtual one of our own.
 
 use std::fmt;
 
@@ -8,31 +8,26 @@ use super::ports::{CLIENT, Unavailable, named, open};
 use super::reconnecting::MidiSystem;
 use super::watch::PortWatch;
 
-/// The names of all ports that could be connected.
-///
-/// # Errors
-///
-/// If the system has no MIDI, with what to do about it.
+/// Returns the names of all ports that could be connected; an error contains the remedy.
 pub fn ports() -> Result<Vec<String>, Unavailable> {
     Ok(named(&open()?).into_iter().map(|(name, _)| name).collect())
 }
 
-/// What to connect to.
+/// Port to connect to.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum WantedPort {
-    /// The first port whose name contains this, in whatever case.
+    /// First port whose name contains this text, ignoring case.
     Existing(String),
-    /// A port of our own, for others to connect to.
+    /// Port of our own, for others to connect to.
     Virtual,
 }
 
-/// A connection to the system's MIDI.
 pub(super) struct System {
     wanted: WantedPort,
     connection: Option<MidiOutputConnection>,
-    /// Full name of the port that is connected; none for a virtual one.
+    /// Full name of the connected port; `None` for a virtual one.
     port: Option<String>,
-    /// Notices that it has gone; none for a virtual one.
+    /// Watch on the connected port; `None` for a virtual one.
     watch: Option<PortWatch>,
 }
 
@@ -113,7 +108,7 @@ fn find(system: &MidiOutput, wanted: &str) -> Result<(String, MidiOutputPort), U
     }
 }
 
-/// The first of `names` that contains `wanted`, in whatever case.
+/// Returns the first of `names` that contains `wanted`, ignoring case.
 fn choose(names: &[String], wanted: &str) -> Option<usize> {
     let wanted = wanted.to_lowercase();
     names.iter().position(|name| name.to_lowercase().contains(&wanted))

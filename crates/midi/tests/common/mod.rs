@@ -1,16 +1,16 @@
-//! An output that remembers.
+//! An output that records messages.
 #![expect(unreachable_pub, reason = "shared by test programs")]
 
 use midi::{Message, MidiSendError, Output};
 
-/// Keeps every message with its time.
+/// Records every message with its time.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct MessageRecorder {
     messages: Vec<(f64, Message)>,
 }
 
 impl MessageRecorder {
-    /// What was sent so far, each with its time (s since the host started).
+    /// Returns the messages, each with its time (s since the host started).
     pub fn messages(&self) -> &[(f64, Message)] {
         &self.messages
     }

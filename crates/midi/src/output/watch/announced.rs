@@ -1,5 +1,5 @@
-//! By what ALSA's sequencer announces: a synthesizer that is started again has the same name
-//! and number as before, but is no longer connected; no list of ports shows that.
+//! Watch by the announcements of ALSA's sequencer. A restarted synthesizer has the same name and
+//! number as before, but is no longer connected; no list of ports shows that.
 
 use std::io::{self, ErrorKind};
 
@@ -9,10 +9,10 @@ use midir::MidiOutputPort;
 
 use crate::output::Unavailable;
 
-/// Most announcements that are read at one look; the kernel keeps fewer.
+/// Most announcements that one check reads; the kernel keeps fewer.
 const MOST: usize = 4096;
 
-/// Listens to the announcements about one port.
+/// Listener to the announcements about one port.
 pub(in crate::output) struct PortWatch {
     sequencer: Seq,
     port: Addr,
@@ -27,13 +27,13 @@ impl PortWatch {
         Ok(Self { sequencer, port, has_gone: false })
     }
 
-    /// Whether the port is there, and has been since it was watched.
+    /// Returns `true` if the port is there and has been since it was watched.
     pub(in crate::output) fn is_there(&mut self) -> bool {
         self.has_gone = self.has_gone || self.hears_that_it_goes();
         !self.has_gone
     }
 
-    /// Reads all announcements since the last look.
+    /// Reads all announcements since the last check.
     fn hears_that_it_goes(&self) -> bool {
         let mut input = self.sequencer.input();
         for _ in 0..MOST {
@@ -51,7 +51,7 @@ impl PortWatch {
     }
 }
 
-/// Opens a client of its own that receives the announcements.
+/// Opens a separate client that receives the announcements.
 fn listen() -> Result<Seq, Error> {
     let sequencer = Seq::open(None, Some(Direction::Capture), true)?;
     sequencer.set_client_name(c"letoff watch")?;
@@ -65,7 +65,7 @@ fn listen() -> Result<Seq, Error> {
     Ok(sequencer)
 }
 
-/// Whether `event` announces the end of `port`, or of the program it belongs to.
+/// Returns `true` if `event` announces the end of `port`, or of its program.
 fn ends(event: &Event<'_>, port: Addr) -> bool {
     let Some(of) = event.get_data::<Addr>() else { return false };
     let port_ends = event.get_type() == EventType::PortExit && of == port;
@@ -73,13 +73,13 @@ fn ends(event: &Event<'_>, port: Addr) -> bool {
     port_ends || program_ends
 }
 
-/// What follows from an error of reading.
+/// Consequence of an error of reading.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Consequence {
     NothingMore,
-    /// An announcement that this library does not know, or a signal.
+    /// Announcement unknown to this library, or a signal.
     ReadOn,
-    /// Announcements were lost: the port may have gone.
+    /// Announcements were lost: the port may be gone.
     Unknown,
 }
 

@@ -1,13 +1,13 @@
-//! By the list of ports: a port that goes and is back before the next look is not noticed.
+//! Watch by the list of ports: a port that returns before the next check is not noticed as gone.
 
 use midir::{MidiOutput, MidiOutputPort};
 
 use crate::output::Unavailable;
 use crate::output::ports::{named, open};
 
-/// Looks for one port in the list of all.
+/// Search for one port in the list of all.
 pub(in crate::output) struct PortWatch {
-    /// An established connection cannot list ports.
+    /// Client for the list: an established connection cannot list ports.
     system: MidiOutput,
     name: String,
 }
@@ -20,7 +20,6 @@ impl PortWatch {
         Ok(Self { system, name })
     }
 
-    /// Whether the port is there.
     pub(in crate::output) fn is_there(&mut self) -> bool {
         named(&self.system).iter().any(|(name, _)| *name == self.name)
     }

@@ -1,6 +1,6 @@
-//! Whether the port that was connected is still there.
+//! Check that the connected port still exists.
 //!
-//! No system tells the sender: messages to a port that has gone are accepted and lost.
+//! No system informs the sender: messages to a port that is gone are accepted and lost.
 
 #[cfg(target_os = "linux")]
 mod announced;
