@@ -13,11 +13,11 @@ use eframe::egui;
 use telemetry::recording::OpenError;
 use telemetry::{KeyBlock, Overview, Update};
 
-/// Frames that are measured, after some to warm up.
+/// Measured frames, after some to warm up.
 const FRAMES: usize = 400;
 const WARM: usize = 50;
 
-/// The key whose rows are drawn.
+/// Key whose rows are drawn.
 const KEY: u32 = 39;
 
 fn main() -> Result<(), OpenError> {
@@ -52,7 +52,7 @@ fn main() -> Result<(), OpenError> {
     Ok(())
 }
 
-/// Draws one frame: how long the panels took, and the triangles (ms).
+/// Draws one frame; returns the times of panels and triangles (ms).
 fn frame(ctx: &egui::Context, app: &mut App, i: usize) -> [f64; 2] {
     let size = egui::vec2(1280.0, 800.0);
     let input = egui::RawInput {
@@ -70,7 +70,7 @@ fn frame(ctx: &egui::Context, app: &mut App, i: usize) -> [f64; 2] {
     [drawn, all - drawn]
 }
 
-/// 32 ticks of a key that moves, and an overview in which all do.
+/// Feeds 32 ticks of a moving key, and an overview in which all keys move.
 fn feed(app: &mut App, chunk: u64) {
     let from = chunk * 32;
     let wave = |tick: u64, period: f64| (tick as f64 / period).sin();

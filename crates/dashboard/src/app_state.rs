@@ -1,4 +1,4 @@
-//! What all panels see and change: the source, what has arrived, and what is selected.
+//! Shared state of all panels: the source, its arrivals, and the selection.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
@@ -13,10 +13,10 @@ use crate::store::Store;
 use crate::tune::Tuner;
 use crate::{WallClock, names};
 
-/// Most arrivals taken before each frame: a flood does not stop the window.
+/// Most arrivals taken before each frame, so that a flood does not stop the window.
 const MOST: usize = 20_000;
 
-/// Why the host was asked, which says where its answer is shown.
+/// Purpose of a request, which decides where its answer is shown.
 #[derive(Clone, PartialEq, Eq, Debug)]
 enum Purpose {
     Tune,
@@ -25,15 +25,14 @@ enum Purpose {
     Identify { line: u32, board: u32 },
 }
 
-/// What became of a stop that this window asked for.
+/// State of a stop that this window asked for.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum StopState {
     /// The host has not answered since then (ns since 1970).
     Asked { at: u64 },
-    /// No key has a force: how many boards were told of how many, where the host says that, and
-    /// its own sentence.
+    /// No key has a force: boards reached of all boards, if the host states that, and its sentence.
     Confirmed { told: Option<(u32, u32)>, text: String },
-    /// Keys may have forces; why that is not known, in a sentence.
+    /// Keys may have forces; the sentence explains why that is unknown.
     Unconfirmed(String),
 }
 
@@ -55,49 +54,48 @@ impl StopState {
     }
 }
 
-/// What became of a board's light.
+/// State of a request for a board's light.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) enum LightState {
     Asked,
-    /// What the host answered, in a sentence.
+    /// Sentence that the host answered.
     Answered(Result<String, String>),
 }
 
-/// What is shown, whichever panel shows it.
+/// Display state shared by all panels.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(crate) struct SharedView {
     /// The selected key, which is in `range`.
     pub(crate) selected: u8,
-    /// The lowest and the highest key of the selected range.
+    /// Lowest and highest key of the selected range.
     pub(crate) range: (u8, u8),
     pub(crate) scopes: BTreeMap<u8, Scope>,
-    /// The time at which everything stands still (s).
+    /// Time at which the display is frozen (s).
     #[serde(skip)]
     pub(crate) frozen: Option<f64>,
-    /// The text of a scene or a preset that is to be written to a file.
+    /// Text of a scene or a preset to be written to a file.
     #[serde(skip)]
     pub(crate) scene: Option<String>,
     /// The last answer, in a sentence.
     #[serde(skip)]
     pub(crate) notice: Option<Result<String, String>>,
-    /// Where a recording is being written, if this window began it.
+    /// Path of a running recording, if this window began it.
     #[serde(skip)]
     pub(crate) recording: Option<String>,
     #[serde(skip)]
     pub(crate) shows_help: bool,
 }
 
-/// What all panels see and change.
+/// Shared state of all panels.
 pub(crate) struct AppState {
     pub(crate) source: Box<dyn Source>,
     pub(crate) clock: WallClock,
     pub(crate) store: Store,
     pub(crate) tuner: Tuner,
     pub(crate) view: SharedView,
-    /// What became of a stop, if one was asked for.
     pub(crate) stop: Option<StopState>,
-    /// What became of boards' lights that were asked for, by line and board.
+    /// States of boards' lights by line and board.
     lights: BTreeMap<(u32, u32), LightState>,
     asked: BTreeMap<Ticket, Purpose>,
     followed: BTreeSet<Topic>,
@@ -122,7 +120,7 @@ impl AppState {
         }
     }
 
-    /// Takes what has arrived since the last frame.
+    /// Takes the arrivals since the last frame.
     pub(crate) fn take(&mut self) {
         for _ in 0..MOST {
             let Some(arrival) = self.source.next() else { break };
@@ -160,7 +158,7 @@ impl AppState {
     fn take_reply(&mut self, ticket: Ticket, result: Result<Reply, String>) {
         let purpose = self.asked.remove(&ticket);
         if purpose == Some(Purpose::Stop) {
-            // It has a place of its own, and a second one that fails takes nothing back.
+            // A stop is shown apart, and a second one that fails revokes nothing.
             if !matches!(self.stop, Some(StopState::Confirmed { .. })) {
                 self.stop = Some(StopState::of(result));
             }
@@ -190,16 +188,15 @@ impl AppState {
         };
     }
 
-    /// Asks the host; its answer is shown in the bar.
+    /// Sends a request; its answer is shown in the bar.
     pub(crate) fn ask(&mut self, request: Request) {
         let ticket = self.source.ask(request);
         self.asked.insert(ticket, Purpose::Other);
     }
 
-    /// Asks the host for no force on any key.
     pub(crate) fn stop(&mut self) {
         if self.source.standing() == ConnectionState::Recording {
-            // It has no keys, and says so as with anything that is asked of it.
+            // A recording has no keys and rejects the request like any other.
             return self.ask(Request::Stop {});
         }
         let ticket = self.source.ask(Request::Stop {});
@@ -210,14 +207,14 @@ impl AppState {
         self.view.notice = None;
     }
 
-    /// Asks a board to show its light; the answer is shown beside it, too.
+    /// Asks a board to show its light; the answer is also shown beside the board.
     pub(crate) fn identify(&mut self, line: u32, board: u32) {
         self.lights.insert((line, board), LightState::Asked);
         let ticket = self.source.ask(Request::Identify { line, board });
         self.asked.insert(ticket, Purpose::Identify { line, board });
     }
 
-    /// Sends values that were changed, and follows the keys that are drawn.
+    /// Sends changed values, and follows the keys that are drawn.
     pub(crate) fn flush(&mut self) {
         if let Some(changes) = self.tuner.outgoing() {
             let ticket = self.source.ask(Request::Set { changes });
@@ -233,22 +230,20 @@ impl AppState {
         }
     }
 
-    /// Returns what became of a board's light, if it was asked for.
     pub(crate) fn light(&self, line: u32, board: u32) -> Option<&LightState> {
         self.lights.get(&(line, board))
     }
 
-    /// Asks for a key's rows: a panel calls it in each frame in which it draws them.
+    /// Requests a key's rows; a panel calls this in each frame in which it draws them.
     pub(crate) fn want(&mut self, key: u8) {
         self.wanted.insert(key);
     }
 
-    /// Returns the time that is shown (s): the newest, or that at which everything stands still.
+    /// Returns the time that is shown (s): the newest, or the frozen one.
     pub(crate) fn now(&self) -> f64 {
         self.view.frozen.unwrap_or_else(|| self.store.newest())
     }
 
-    /// Lets the picture stand still, or go on.
     pub(crate) fn toggle_freeze(&mut self) {
         self.view.frozen = match self.view.frozen {
             None => Some(self.store.newest()),
@@ -256,25 +251,22 @@ impl AppState {
         };
     }
 
-    /// Lets all scopes follow what comes.
+    /// Lets all scopes follow the newest rows.
     pub(crate) fn follow(&mut self) {
         self.view.frozen = None;
         self.view.scopes.values_mut().for_each(|scope| scope.pinned = None);
     }
 
-    /// Returns the selected range.
     pub(crate) fn range(&self) -> RangeInclusive<u8> {
         self.view.range.0..=self.view.range.1
     }
 
-    /// Selects a key alone.
     pub(crate) fn select(&mut self, key: u8) {
         let key = key.min(LAST);
         self.view.selected = key;
         self.view.range = (key, key);
     }
 
-    /// Selects all keys from the selected one to `key`.
     pub(crate) fn select_up_to(&mut self, key: u8) {
         let (key, selected) = (key.min(LAST), self.view.selected);
         self.view.range = (key.min(selected), key.max(selected));
@@ -287,7 +279,7 @@ impl AppState {
             .then(|| (self.clock)().saturating_sub(at) as f64 * 1e-9)
     }
 
-    /// Returns the key's name, and what plays it.
+    /// Returns the key's name and instrument.
     pub(crate) fn title(&self, key: u8) -> String {
         let played = self.store.voice(key).map(|voice| voice.instrument.as_str());
         match played.filter(|name| !name.is_empty()) {
@@ -296,18 +288,17 @@ impl AppState {
         }
     }
 
-    /// Takes a message as if the source had given it, for measurements.
+    /// Takes a message as if from the source, for measurements.
     pub(crate) fn take_update(&mut self, at: u64, update: Update) {
         self.tuner.take(&update);
         self.store.take(at, update);
     }
 }
 
-/// Returns an answer as a sentence.
 fn sentence(result: &Result<Reply, String>) -> Result<String, String> {
     match result {
         Ok(Reply::Done { text } | Reply::Stopped { text, .. }) => Ok(text.clone()),
-        // It is another answer than it should be, but an answer.
+        // The reply has an unexpected kind, but it is a reply.
         Ok(Reply::Scene { .. } | Reply::Where { .. } | Reply::Status { .. }) => {
             Ok("done".to_owned())
         }

@@ -1,8 +1,8 @@
-//! What a fault means, and what to do about it.
+//! Explanations of faults, with remedies.
 
 use telemetry::event::Kind;
 
-/// A fault in words: what it means, and what to do.
+/// Meaning and remedy of a fault.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Explanation {
     pub(crate) name: &'static str,
@@ -53,7 +53,7 @@ pub(crate) const fn fault(code: u8) -> Option<Explanation> {
     Some(Explanation { name, what, advice })
 }
 
-/// Explains an event that says that something went wrong, or works again.
+/// Explains an event of a failure or recovery.
 pub(crate) const fn event(kind: Kind) -> Option<Explanation> {
     let (name, what, advice) = match kind {
         Kind::Fault => (

@@ -1,11 +1,11 @@
-//! Where panels stand: at first, and when one is opened or closed.
+//! Positions of panels, at first and when one is opened or closed.
 
 use eframe::egui;
 use egui_tiles::{Linear, LinearDir, TileId, Tiles, Tree};
 
 use crate::panels::Pane;
 
-/// The tree of tiles in which panels stand.
+/// Tree of tiles with the panels.
 pub(crate) type Layout = Tree<Pane>;
 
 /// Panels above the others.
@@ -21,10 +21,9 @@ const MIDDLE: &[Pane] = &[
 ];
 const LEFT: &[Pane] = &[Pane::Mechanism, Pane::Phase, Pane::Keyboard];
 const RIGHT: &[Pane] = &[Pane::Tuning, Pane::Instruments];
-/// Panels below those at the left; one that is named nowhere stands behind them.
+/// Panels at the lower left; panels in no list go behind them.
 const BELOW_LEFT: &[Pane] = &[Pane::Faults, Pane::Midi, Pane::Log];
 
-/// Returns the layout of a window that opens for the first time.
 pub(crate) fn first() -> Layout {
     let named = [ABOVE, MIDDLE, LEFT, RIGHT, BELOW_LEFT].concat();
     let others = Pane::ALL.iter().copied().filter(|pane| !named.contains(pane));
@@ -51,7 +50,7 @@ fn pair(tiles: &mut Tiles<Pane>, dir: LinearDir, pair: [TileId; 2], share: f32) 
     tiles.insert_container(Linear::new_binary(dir, pair, share))
 }
 
-/// Brings a panel to the front, and opens it beside the others if it is closed.
+/// Brings a panel to the front, or opens it beside the others.
 pub(crate) fn open(layout: &mut Layout, pane: Pane) {
     let found = layout.tiles.find_pane(&pane);
     let tile = found.unwrap_or_else(|| layout.tiles.insert_pane(pane));
@@ -66,20 +65,18 @@ pub(crate) fn open(layout: &mut Layout, pane: Pane) {
     layout.make_active(|id, _| id == tile);
 }
 
-/// Returns the tabs in which an opened panel stands: the largest, those of the scope.
+/// Returns the tabs for an opened panel: the largest, those of the scope.
 fn beside(layout: &Layout, root: TileId) -> TileId {
     let scope = layout.tiles.find_pane(&Pane::Scope(0));
     scope.and_then(|scope| layout.tiles.parent_of(scope)).unwrap_or(root)
 }
 
-/// Closes a panel, if it is open.
 pub(crate) fn close(layout: &mut Layout, pane: Pane) {
     if let Some(tile) = layout.tiles.find_pane(&pane) {
         layout.remove_recursively(tile);
     }
 }
 
-/// Returns whether a panel is open.
 pub(crate) fn is_open(layout: &Layout, pane: Pane) -> bool {
     layout.tiles.find_pane(&pane).is_some()
 }

@@ -1,19 +1,19 @@
 //! The window: keys, scopes, mechanisms and sliders of a host, live or recorded.
 //!
-//! It knows [`telemetry`] and nothing else of ours: everything it shows comes through a
-//! [`telemetry::Source`], everything it wants goes out as a [`telemetry::Request`].
+//! It depends only on [`telemetry`]: all data comes from a [`telemetry::Source`], and each request
+//! is a [`telemetry::Request`].
 //!
-//! | folder | what stands there |
+//! | folder | contents |
 //! |---|---|
-//! | [`store`] | what has arrived, as much of it as is kept |
-//! | [`tune`] | parameters that are tuned: shown, asked for, taken back |
-//! | [`scope`] | what a scope shows, and when it holds still |
-//! | `panels` | one file for each panel: what it remembers, and how it is drawn |
+//! | [`store`] | the arrivals, up to a bound |
+//! | [`tune`] | tuned parameters: shown, requested, undone |
+//! | [`scope`] | contents of a scope, and its trigger |
+//! | `panels` | one file for each panel: saved state and drawing |
 //! | [`app`] | the window around them |
-//! | [`source_thread`] | a live source on its own thread, so that a still keyboard costs no frames |
+//! | [`source_thread`] | a live source on its own thread, so that a resting keyboard costs no frames |
 //! | [`demonstration`] | a recorded take in a loop: a source without a host |
 //!
-//! Nothing here knows a key's physics, waits, or reads a clock that it was not given.
+//! Nothing here knows a key's physics, waits, or reads a clock other than the given one.
 
 #![forbid(unsafe_code)]
 
@@ -41,13 +41,12 @@ pub use app::{App, SavedWindow};
 pub use demonstration::demonstration;
 pub use panels::Pane;
 
-/// A clock of the system's time (ns since 1970).
+/// Clock of the system's time (ns since 1970).
 pub type WallClock = Arc<dyn Fn() -> u64 + Send + Sync>;
 
-/// Called from any thread when something has arrived: how soon it is worth a frame.
+/// Callback from any thread for an arrival, with the time within which to draw a frame.
 pub type RepaintWaker = Arc<dyn Fn(Duration) + Send + Sync>;
 
-/// Returns a clock of the system's time (ns since 1970).
 pub fn wall_clock() -> WallClock {
     Arc::new(|| {
         let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);

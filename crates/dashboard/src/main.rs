@@ -1,4 +1,4 @@
-//! `letoff-dashboard`: the window onto a host or a recording.
+//! `letoff-dashboard`: the window for a host or a recording.
 
 #![forbid(unsafe_code)]
 
@@ -13,7 +13,7 @@ use dashboard::open::{Sentence, WindowTarget, open};
 use dashboard::{App, RepaintWaker, SavedWindow, wall_clock};
 use eframe::egui;
 
-/// The address at which hosts listen by default.
+/// Default address of hosts.
 const USUAL: &str = "127.0.0.1:8765";
 
 /// Shows what a host of force-feedback keys does, and changes it.
@@ -62,7 +62,7 @@ fn run(arguments: DashboardArguments) -> Result<(), Sentence> {
         let token = arguments.token.or_else(|| std::env::var("LETOFF_TOKEN").ok());
         WindowTarget::of(&arguments.target, token, arguments.fingerprint)
     };
-    // Before there is a window: a mistake in the address needs none to be told.
+    // Before there is a window: an invalid address is reported without one.
     let window: Arc<std::sync::OnceLock<egui::Context>> = Arc::default();
     let waiting = Arc::clone(&window);
     let wake: RepaintWaker = Arc::new(move |soon| {
@@ -89,7 +89,6 @@ fn run(arguments: DashboardArguments) -> Result<(), Sentence> {
     eframe::run_native("letoff-dashboard", options, Box::new(create)).map_err(|it| sentence(&it))
 }
 
-/// Writes the man page and the shells' completions into `folder`.
 fn write_manual(folder: &Path) -> io::Result<()> {
     std::fs::create_dir_all(folder)?;
     clap_mangen::generate_to(DashboardArguments::command(), folder)?;
@@ -99,9 +98,9 @@ fn write_manual(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Returns what to do about an error of the window system.
+/// Returns the remedy for an error of the window system.
 fn sentence(error: &eframe::Error) -> Sentence {
-    // The last part says it; those before are places in other people's sources.
+    // The last part is the message; those before are positions in foreign sources.
     let cause = error.to_string();
     let cause = cause.rsplit(": ").next().unwrap_or_default().trim_end_matches('.');
     let advice = match error {

@@ -1,10 +1,10 @@
-//! What keys are called: A0 is key 0, C8 is key 87.
+//! Names of keys: A0 is key 0, C8 is key 87.
 
 use std::ops::RangeInclusive;
 
 use telemetry::KeyIndex;
 
-/// The number of the last key, C8.
+/// Number of the last key, C8.
 pub const LAST: u8 = KeyIndex::HIGHEST.number();
 
 /// Returns the name of `key`, as `C#4`.
@@ -12,23 +12,21 @@ pub fn name(key: u8) -> String {
     telemetry::key_name(key.into())
 }
 
-/// Returns whether `key` is a black one.
 pub fn is_black(key: u8) -> bool {
     let semitone = key.saturating_add(KeyIndex::LOWEST.midi()) % 12;
     matches!(semitone, 1 | 3 | 6 | 8 | 10)
 }
 
-/// Returns the number of white keys below `key`.
 pub fn whites_below(key: u8) -> usize {
     (0..key).filter(|key| !is_black(*key)).count()
 }
 
-/// Returns the key of a note's name, with sharps or flats, or of a MIDI number.
+/// Parses a note's name, with sharps or flats, or a MIDI number.
 pub fn key(name: &str) -> Option<u8> {
     name.parse().ok().map(KeyIndex::number)
 }
 
-/// Returns the range's name, as `C4..B5`; a key's own where it is one.
+/// Returns the range's name, as `C4..B5`; a single key's own.
 pub fn range_name(range: &RangeInclusive<u8>) -> String {
     if range.start() == range.end() {
         name(*range.start())
@@ -37,7 +35,7 @@ pub fn range_name(range: &RangeInclusive<u8>) -> String {
     }
 }
 
-/// Returns the range that `text` names: `C4..B5`, `C4` or `all`.
+/// Parses a range: `C4..B5`, `C4` or `all`.
 pub fn range(text: &str) -> Option<RangeInclusive<u8>> {
     let text = text.trim();
     if text.is_empty() || text.eq_ignore_ascii_case("all") {

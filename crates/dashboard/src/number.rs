@@ -1,12 +1,10 @@
-//! From one kind of number to another, where a screen does not need the difference.
+//! Conversions of numbers to a screen's accuracy.
 
-/// Returns `x` with a screen's accuracy.
 #[expect(clippy::cast_possible_truncation, reason = "a pixel has no more")]
 pub(crate) const fn f32(x: f64) -> f32 {
     x as f32
 }
 
-/// Returns `n` as a number to draw with.
 pub(crate) const fn f64(n: usize) -> f64 {
     n as f64
 }
@@ -21,7 +19,6 @@ pub(crate) const fn floor(x: f64) -> u64 {
     x as u64
 }
 
-/// Returns [`floor`] as an index.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -31,12 +28,12 @@ pub(crate) const fn index(x: f64) -> usize {
     x as usize
 }
 
-/// Returns `n` as a key, if it is one: 0 (A0) to 87 (C8).
+/// Returns `n` as a key, if it is 0 (A0) to 87 (C8).
 pub(crate) fn key(n: u32) -> Option<u8> {
     u8::try_from(n).ok().and_then(telemetry::KeyIndex::new).map(telemetry::KeyIndex::number)
 }
 
-/// Returns the largest of 1, 2 and 5 times a power of ten up to `x`; 1 where there is none.
+/// Returns the largest of 1, 2 and 5 times a power of ten up to `x`; 1 if there is none.
 pub(crate) fn round(x: f64) -> f64 {
     if !(x.is_finite() && 0.0 < x) {
         return 1.0;

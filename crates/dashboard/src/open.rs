@@ -1,4 +1,4 @@
-//! Opens what was typed: a host, a recording, or the demonstration.
+//! Opens a host, a recording, or the demonstration.
 
 use std::fmt;
 use std::sync::Arc;
@@ -11,22 +11,19 @@ use telemetry::stream::{Client, Dial, Fingerprint};
 use crate::source_thread::{Notifier, SourceThread};
 use crate::{RepaintWaker, demonstration};
 
-/// What a window shows.
+/// Source of a window.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum WindowTarget {
-    /// A host that runs.
     Host {
-        /// The address: `host:port` or `ws://…`.
+        /// Address: `host:port` or `ws://…`.
         address: String,
-        /// The token that allows changes.
+        /// Token that allows changes.
         token: Option<String>,
-        /// The fingerprint of its certificate.
         fingerprint: Option<String>,
     },
     Recording {
         file: String,
     },
-    /// A recorded take in a loop, to look at.
     Demonstration,
 }
 
@@ -42,7 +39,7 @@ impl WindowTarget {
     }
 }
 
-/// An error as a sentence: what cannot be opened, and what to do.
+/// An error as a sentence: the target that cannot be opened, and the remedy.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Sentence(pub String);
 
@@ -54,10 +51,7 @@ impl fmt::Display for Sentence {
 
 impl std::error::Error for Sentence {}
 
-/// Opens `target`; `wake` is called when something has arrived.
-///
-/// # Errors
-/// If it cannot be opened.
+/// Opens `target`; each arrival calls `wake`.
 pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source>, Sentence> {
     match target {
         WindowTarget::Host { address, token, fingerprint } => {
@@ -82,14 +76,12 @@ pub fn open(target: &WindowTarget, wake: &RepaintWaker) -> Result<Box<dyn Source
     }
 }
 
-/// Parses the fingerprint of a host's certificate.
 fn pin(text: &str) -> Result<Fingerprint, Sentence> {
     text.parse().map_err(|_no_fingerprint| {
         Sentence(format!("{text} is no fingerprint: copy the one that the host printed, AB:CD:…"))
     })
 }
 
-/// Returns a clock that begins now.
 fn clock() -> PlaybackClock {
     let began = Instant::now();
     Box::new(move || began.elapsed().as_secs_f64())
@@ -125,7 +117,7 @@ mod tests {
     #[test]
     fn a_host_that_is_not_there_is_tried_again() {
         let wake: RepaintWaker = Arc::new(|_| {});
-        // No host listens at a port that was just given back.
+        // No host listens at a port that was just released.
         let port = std::net::TcpListener::bind("127.0.0.1:0").and_then(|it| it.local_addr());
         let host = WindowTarget::of(&port.expect("a port").to_string(), None, None);
         let source = open(&host, &wake).expect("a source");

@@ -1,5 +1,5 @@
-//! Takes what arrives off a live source while the window sleeps, and wakes it only for what can
-//! be seen: a keyboard that lies still costs no frames.
+//! Receives from a live source while the window sleeps, and wakes the window only for visible
+//! changes: a resting keyboard costs no frames.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
@@ -16,32 +16,31 @@ use crate::store::key_summary::KeySummaries;
 /// Shortest time between two frames.
 const FRAME: Duration = Duration::from_millis(16);
 
-/// Longest time until a frame shows what changes all the time, and means little.
+/// Longest delay of a frame for values that change all the time and matter little.
 const SELDOM: Duration = Duration::from_secs(5);
 
-/// Most arrivals that wait for the window; beyond, the source itself waits or drops.
+/// Most arrivals that wait for the window; beyond, the source waits or drops.
 const WAITING: usize = 1 << 16;
 
-/// What the window tells the source's thread.
+/// Command to the source's thread.
 enum SourceCommand {
-    /// The source has something new.
     Arrived,
     Follow(BTreeSet<Topic>),
     Ask(Ticket, Request),
 }
 
-/// Tells the window's thread that a source has something new.
+/// Notifies the source's thread of an arrival.
 #[derive(Clone, Debug)]
 pub struct Notifier(Sender<SourceCommand>);
 
 impl Notifier {
-    /// Tells that something has arrived; returns false once the window is gone.
+    /// Reports an arrival; returns `false` once the window is closed.
     pub fn notify(&self) -> bool {
         self.0.send(SourceCommand::Arrived).is_ok()
     }
 }
 
-/// A live source that lives on a thread of its own.
+/// A live source on its own thread.
 #[derive(Debug)]
 pub struct SourceThread {
     arrivals: Receiver<Arrival>,
@@ -52,10 +51,7 @@ pub struct SourceThread {
 }
 
 impl SourceThread {
-    /// Makes a source, which rings the notifier that it gets, and takes care of it.
-    ///
-    /// # Errors
-    /// If the source cannot be made.
+    /// Runs the source that `make` returns; the source calls the notifier for each arrival.
     pub fn start<E>(
         make: impl FnOnce(Notifier) -> Result<Box<dyn Source + Send>, E>,
         wake: RepaintWaker,
@@ -78,7 +74,7 @@ impl SourceThread {
     }
 
     fn command(&self, command: SourceCommand) {
-        // A thread that has ended says so by its standing.
+        // The standing reports a thread that has ended.
         let _gone = self.commands.send(command).is_err();
     }
 }
@@ -108,7 +104,6 @@ impl Source for SourceThread {
     }
 }
 
-/// The other side of a [`SourceThread`].
 struct Worker {
     source: Box<dyn Source + Send>,
     given: SyncSender<Arrival>,
@@ -136,7 +131,7 @@ impl Worker {
         }
     }
 
-    /// Hands on what has arrived; returns `None` once the window is gone.
+    /// Forwards the arrivals; returns `None` once the window is closed.
     fn pass_on(&mut self) -> Option<()> {
         let mut soon = None;
         while let Some(arrival) = self.source.next() {
@@ -168,7 +163,7 @@ impl Worker {
         }
     }
 
-    /// Returns whether an arrival changes more than the time.
+    /// Returns `true` if an arrival changes more than the time.
     fn is_seen(&mut self, arrival: &Arrival) -> bool {
         let Arrival::Update { update, .. } = arrival else { return true };
         match &**update {
@@ -196,7 +191,7 @@ mod tests {
     use super::*;
     use crate::demonstration;
 
-    /// How soon each wake wanted a frame.
+    /// Requested delays of frames.
     type Wakes = Receiver<Duration>;
 
     fn start(time: &Arc<AtomicU64>) -> (SourceThread, Notifier, Wakes) {
@@ -217,7 +212,7 @@ mod tests {
         (thread, notifier.expect("a notifier"), wakes)
     }
 
-    /// Goes to `seconds`, notifies, and returns how soon a frame was wanted.
+    /// Sets the time to `seconds`, notifies, and returns the requested delay of the frame.
     fn at(seconds: f64, time: &AtomicU64, notifier: &Notifier, wakes: &Wakes) -> Duration {
         time.store(crate::number::floor(seconds * 1e9), Ordering::Relaxed);
         assert!(notifier.notify());

@@ -1,4 +1,4 @@
-//! Colours that colour-blind people tell apart (Okabe and Ito), and the window's style.
+//! Colours that colour-blind people distinguish (Okabe and Ito), and the window's style.
 
 use eframe::egui::{self, Color32, CornerRadius, FontId, Style, TextStyle, Theme, Visuals};
 
@@ -23,12 +23,10 @@ const LINES: [[Color32; 2]; 6] = [
     [Color32::from_rgb(0xFF, 0x84, 0x3D), VERMILLION],
 ];
 
-/// Returns the colour of a mode.
 pub(crate) fn mode(mode: u8) -> Color32 {
     MODES[usize::from(mode) % MODES.len()]
 }
 
-/// Returns the colour of a scope's line.
 pub(crate) fn line(i: usize, ui: &egui::Ui) -> Color32 {
     let of_theme = LINES[i % LINES.len()];
     if ui.visuals().dark_mode { of_theme[0] } else { of_theme[1] }
@@ -49,42 +47,36 @@ pub(crate) fn spacer(
     })
 }
 
-/// Returns a [`spacer`] for a horizontal axis of this length: where there is little room the lines
-/// are fewer, so that numbers still stand at them.
+/// Returns a [`spacer`] for a horizontal axis of this length: a short axis has fewer lines, so that
+/// their numbers fit.
 pub(crate) fn spacer_across(
     points: f32,
 ) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
     spacer(f64::from(points / 160.0).clamp(1.0, 4.0))
 }
 
-/// Returns a [`spacer`] for a vertical axis of this length.
 pub(crate) fn spacer_up(
     points: f32,
 ) -> impl Fn(egui_plot::GridInput) -> Vec<egui_plot::GridMark> + 'static {
     spacer(f64::from(points / 60.0).clamp(1.5, 3.0))
 }
 
-/// Returns the colour of what is selected.
 pub(crate) const fn selected(visuals: &Visuals) -> Color32 {
     if visuals.dark_mode { YELLOW } else { BLUE }
 }
 
-/// Returns the colour of what went wrong.
 pub(crate) fn fault(ui: &egui::Ui) -> Color32 {
     if ui.visuals().dark_mode { Color32::from_rgb(0xFF, 0x84, 0x3D) } else { VERMILLION }
 }
 
-/// Returns `color`, so that what is behind it shines through.
 pub(crate) fn faint(color: Color32, share: f32) -> Color32 {
     color.gamma_multiply(share)
 }
 
-/// Returns a colour between two.
 pub(crate) fn blend(from: Color32, to: Color32, share: f32) -> Color32 {
     from.lerp_to_gamma(to, share.clamp(0.0, 1.0))
 }
 
-/// Sets the style of both themes.
 pub(crate) fn apply(ctx: &egui::Context) {
     ctx.style_mut_of(Theme::Dark, |style| {
         style.visuals = dark();

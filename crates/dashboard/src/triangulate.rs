@@ -2,28 +2,28 @@
 //!
 //! An ear is a corner whose two neighbours see each other through the outline's inside; every
 //! simple outline has one.
-//! Outlines that cross or touch themselves, and those of no area, come from others: they are
-//! filled as well as can be, in a bounded number of steps.
-//! No library: the one there is indexes unchecked, which is too much trust for what comes over a
-//! network, and an outline of two dozen points costs microseconds here.
+//! Outlines from outside may cross or touch themselves, or have no area: they are filled as well as
+//! possible in a bounded number of steps.
+//! The available library indexes unchecked, which is too much trust for network data. An outline of
+//! two dozen points costs microseconds here.
 
-/// Outlines of more points than this are not filled: the work grows faster than their number.
+/// Most points of a filled outline: the work grows faster than their number.
 const MOST: usize = 256;
 
-/// A place, across and up.
+/// Position, across and up.
 pub(crate) type ScreenPoint = [f64; 2];
 
-/// Returns whether an outline turns always the same way, once around.
+/// Returns `true` if an outline always turns the same way, once around.
 pub(crate) fn is_convex(points: &[ScreenPoint]) -> bool {
     let all: Vec<usize> = (0..points.len()).collect();
     let turns = (0..all.len()).map(|at| turn(points, around(&all, at)));
     let (left, right) =
         turns.fold((false, false), |(left, right), turn| (left || 0.0 < turn, right || turn < 0.0));
-    // A star also turns one way only, but it goes to and fro more than once.
+    // A star also turns one way only, but reverses more than twice along an axis.
     !(left && right) && (0..2).all(|axis| reversals(points, axis) <= 2)
 }
 
-/// Returns how often a walk along an outline turns back in one direction.
+/// Returns the number of reversals along one axis.
 fn reversals(points: &[ScreenPoint], axis: usize) -> usize {
     let next = points.iter().cycle().skip(1);
     let steps = points.iter().zip(next).map(|(from, to)| to[axis] - from[axis]);
@@ -32,8 +32,7 @@ fn reversals(points: &[ScreenPoint], axis: usize) -> usize {
     goes_up.iter().zip(next).filter(|(a, b)| a != b).count()
 }
 
-/// Returns the corners of triangles that together are an outline's inside, as indices into
-/// `points`.
+/// Returns triangles that fill an outline, as indices into `points`.
 pub(crate) fn triangles(points: &[ScreenPoint]) -> Vec<[usize; 3]> {
     if MOST < points.len() || !points.iter().flatten().all(|it| it.is_finite()) {
         return Vec::new();
@@ -54,7 +53,7 @@ pub(crate) fn triangles(points: &[ScreenPoint]) -> Vec<[usize; 3]> {
     triangles
 }
 
-/// Returns the corner to cut: one of no area, on an edge or at the end of a spike, else an ear,
+/// Returns the corner to cut: one without area, on an edge or at the end of a spike, else an ear,
 /// else any that points outwards.
 fn corner(points: &[ScreenPoint], left: &[usize]) -> usize {
     let turn = |at: usize| turn(points, around(left, at));
@@ -65,19 +64,19 @@ fn corner(points: &[ScreenPoint], left: &[usize]) -> usize {
     flat.or_else(ear).or_else(outward).unwrap_or(0)
 }
 
-/// Returns whether nothing else of the outline is in the triangle of a corner that points outwards.
+/// Returns `true` for an outward corner whose triangle contains nothing else of the outline.
 fn is_ear(points: &[ScreenPoint], left: &[usize], at: usize) -> bool {
     let cut = around(left, at);
     0.0 < turn(points, cut) && !(0..left.len()).any(|other| is_in_way(points, left, cut, other))
 }
 
-/// Returns whether the outline is in a triangle where it comes to its place `other`.
+/// Returns `true` if the outline enters the triangle at its point `other`.
 fn is_in_way(points: &[ScreenPoint], left: &[usize], cut: [usize; 3], other: usize) -> bool {
     let [before, here, after] = around(left, other);
     let is_here = |corner: &usize| distance(points[*corner], points[here]) <= 0.0;
     match cut.iter().position(is_here) {
         None => is_within(points, cut, here),
-        // The outline touches itself at a corner of the triangle: it may go in from there.
+        // The outline touches itself at a corner of the triangle and may enter there.
         Some(corner) if cut[corner] != here => {
             let cut = [cut[corner], cut[(corner + 1) % 3], cut[(corner + 2) % 3]];
             leads_into(points, cut, before) || leads_into(points, cut, after)
@@ -86,7 +85,7 @@ fn is_in_way(points: &[ScreenPoint], left: &[usize], cut: [usize; 3], other: usi
     }
 }
 
-/// Returns whether the way from a triangle's first corner to `other` begins in the triangle.
+/// Returns `true` if the path from a triangle's first corner to `other` begins in the triangle.
 fn leads_into(points: &[ScreenPoint], [corner, next, last]: [usize; 3], other: usize) -> bool {
     0.0 < turn(points, [corner, next, other]) && 0.0 < turn(points, [corner, other, last])
 }
@@ -102,18 +101,18 @@ fn distance(a: ScreenPoint, b: ScreenPoint) -> f64 {
     (a[0] - b[0]).abs() + (a[1] - b[1]).abs()
 }
 
-/// Returns twice the area of a triangle; positive if it turns anticlockwise.
+/// Returns twice the area of a triangle; positive if anticlockwise.
 fn turn(points: &[ScreenPoint], [a, b, c]: [usize; 3]) -> f64 {
     let [a, b, c] = [points[a], points[b], points[c]];
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Returns whether a point is in a triangle that turns anticlockwise, or on its edge.
+/// Returns `true` if a point is in an anticlockwise triangle, or on its edge.
 fn is_within(points: &[ScreenPoint], [a, b, c]: [usize; 3], other: usize) -> bool {
     [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| 0.0 <= turn(points, [from, to, other]))
 }
 
-/// Returns twice the area of an outline; positive if it turns anticlockwise.
+/// Returns twice the area of an outline; positive if anticlockwise.
 fn doubled_area(points: &[ScreenPoint]) -> f64 {
     let next = points.iter().cycle().skip(1);
     points.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
@@ -123,7 +122,6 @@ fn doubled_area(points: &[ScreenPoint]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Checks that the triangles are of the outline's corners and have its area.
     #[track_caller]
     fn check(points: &[ScreenPoint]) {
         let mut turned: Vec<ScreenPoint> = points.to_vec();

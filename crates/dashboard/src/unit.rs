@@ -1,15 +1,12 @@
-//! Quantities as people read them: millimetres rather than 0.0032 m.
+//! Quantities in readable units: millimetres rather than 0.0032 m.
 
-/// How a unit is shown: another name, and by how much values grow.
+/// Display of a unit: its name, and the factor of values.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Shown {
-    /// The unit on the screen.
     pub(crate) unit: &'static str,
-    /// What a value is multiplied by.
     pub(crate) factor: f64,
 }
 
-/// Returns how `unit` is shown on scopes.
 pub(crate) fn shown(unit: &str) -> Option<Shown> {
     let (unit, factor) = match unit {
         "m" => ("mm", 1e3),
@@ -19,14 +16,13 @@ pub(crate) fn shown(unit: &str) -> Option<Shown> {
     Some(Shown { unit, factor })
 }
 
-/// Formats `value` with its unit in as many digits as are worth reading.
+/// Formats `value` with its unit, with useful digits only.
 pub(crate) fn text(value: f64, unit: &str) -> String {
     let (value, unit) =
         shown(unit).map_or((value, unit), |shown| (value * shown.factor, shown.unit));
     join(&digits(value), unit)
 }
 
-/// Formats a number in four digits.
 pub(crate) fn digits(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
@@ -49,7 +45,7 @@ pub(crate) fn digits(value: f64) -> String {
     }
 }
 
-/// Formats a number in five digits, for fields in which it can be typed.
+/// Formats a number in five digits, for fields to type in.
 pub(crate) fn exact(value: f64) -> String {
     let size = value.abs();
     if !value.is_finite() {
@@ -62,7 +58,6 @@ pub(crate) fn exact(value: f64) -> String {
     trimmed(&format!("{value:.places$}"))
 }
 
-/// Formats a time or a length of time.
 pub(crate) fn seconds(seconds: f64) -> String {
     let size = seconds.abs();
     if size < 1e-3 {
@@ -74,17 +69,16 @@ pub(crate) fn seconds(seconds: f64) -> String {
     }
 }
 
-/// Formats `unit` in brackets; nothing at all where there is none.
+/// Formats `unit` in brackets; empty if there is none.
 pub(crate) fn bracketed(unit: &str) -> String {
     if is_none(unit) { String::new() } else { format!("[{unit}]") }
 }
 
-/// Formats `name` with its unit in brackets behind it.
 pub(crate) fn named(name: &str, unit: &str) -> String {
     join(name, &bracketed(unit))
 }
 
-/// Formats `unit` as it stands behind a number.
+/// Formats `unit` as the suffix of a number.
 pub(crate) fn suffix(unit: &str) -> String {
     join("", unit)
 }
@@ -97,7 +91,7 @@ fn trimmed(digits: &str) -> String {
     }
 }
 
-/// Returns whether a quantity has no unit: models write 1 for it.
+/// Returns `true` if a quantity has no unit: models write 1 for it.
 fn is_none(unit: &str) -> bool {
     unit.is_empty() || unit == "1"
 }

@@ -1,4 +1,4 @@
-//! Messages that make no sense: the window goes on.
+//! Senseless messages do not stop the window.
 
 #![expect(clippy::cast_possible_truncation, reason = "what is too large becomes infinite")]
 
@@ -14,7 +14,7 @@ use crate::common::{Behind, TestClock, source};
 
 const KEY: u32 = 39;
 
-/// Numbers that are none.
+/// Values that no message should contain.
 const ODD: [f64; 4] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300];
 
 fn block(odd: f64, tick: u64) -> Update {

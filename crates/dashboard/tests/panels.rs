@@ -1,4 +1,4 @@
-//! A user at the window: what is clicked, dragged and typed, and what the source is asked.
+//! A user who clicks, drags and types in the window, and the requests to the source.
 
 use std::time::Duration;
 
@@ -16,7 +16,7 @@ fn near(found: f64, expected: f64, within: f64) -> bool {
     (found - expected).abs() <= within
 }
 
-/// A parameter's slider is dragged to this share of its track.
+/// Drags a parameter's slider to `share` of its track.
 fn slide(window: &mut TestWindow, name: &str, share: f32) {
     let slider = window.harness.get_by_role_and_label(Role::Slider, name);
     let track = slider.rect();
@@ -25,14 +25,13 @@ fn slide(window: &mut TestWindow, name: &str, share: f32) {
     window.drag(from, to, PointerButton::Primary);
 }
 
-/// `text` is typed into what is called `label`.
 fn write(window: &mut TestWindow, label: &str, text: &str) {
     window.harness.get_by_label(label).click();
     window.settle();
     write_here(window, text);
 }
 
-/// `text` replaces what stands in the field that is being typed in.
+/// Replaces the text of the focused field by `text`.
 fn write_here(window: &mut TestWindow, text: &str) {
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.harness.event(egui::Event::Text(text.into()));
@@ -77,7 +76,6 @@ fn a_slider_is_dragged_and_the_host_is_asked() {
     slide(&mut window, "rebound", 0.8);
     let asked = window.set(C4, "rebound");
     assert!(asked.last().is_some_and(|it| near(*it, 0.72, 0.03)), "{asked:?}");
-    // One drag is one step back.
     window.click("Undo");
     assert!(window.set(C4, "rebound").last().is_some_and(|it| near(*it, 0.4, 1e-9)));
     window.click("Redo");
@@ -93,7 +91,6 @@ fn any_step_is_one_click_away() {
     window.click("History");
     window.click("k_drive of C4: from 1000 to 7250 N/m");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&7250.0));
-    // Steps that were taken back stay in the list.
     window.click("k_drive of C4: from 8000 to 9000 N/m");
     assert_eq!(window.set(C4, "k_drive").last(), Some(&9000.0));
     window.click("as it was before");
@@ -126,7 +123,7 @@ fn a_step_of_many_keys_says_which() {
 #[test]
 fn a_field_that_is_left_as_it_was_changes_nothing() {
     let mut window = open(Pane::Tuning, Behind::Live);
-    // More digits than it shows.
+    // More digits than the field shows.
     write(&mut window, "hammer mass value", "0.00234567");
     let before = window.set(C4, "mh");
     window.harness.get_by_label("hammer mass value").click();
@@ -209,7 +206,7 @@ fn a_scene_and_a_preset_are_shown_as_files() {
     window.settle();
     window.click("Write");
     assert_eq!(std::fs::read_to_string(&path).expect("it is written"), file);
-    // Nothing that is there is overwritten.
+    // An existing file is not overwritten.
     window.click("Write");
     assert!(window.says("cannot be written"));
     std::fs::remove_file(&path).expect("it was there");
@@ -315,7 +312,7 @@ fn a_stop_that_is_not_confirmed_says_to_cut_the_power() {
     window.settle();
     let title = "STOP NOT CONFIRMED: CUT THE POWER";
     assert!(window.has(title) && window.says("the connection was lost before the host answered"));
-    // Each in its own place, and none over another.
+    // Each label has its own place, and none covers another.
     let texts = [title, "the host ended the connection", "Dismiss", "lost", "demonstration.mcap"];
     let rects = texts.map(|text| window.rect(text));
     for (i, a) in rects.iter().enumerate() {
@@ -334,7 +331,7 @@ fn a_board_shows_its_light() {
     let mut window = open(Pane::Links, Behind::Live);
     window.click("Identify board 5 of /dev/ttyACM0");
     assert_eq!(window.asked().last(), Some(&Request::Identify { line: 1, board: 5 }));
-    // The answer stands in the bar, and beside the board.
+    // The answer is in the bar and beside the board.
     assert_eq!(window.harness.query_all_by_label("It shows its light.").count(), 2);
 }
 
@@ -433,7 +430,6 @@ fn several_keys_are_seen_in_one_scope() {
     window.settle();
     write_here(&mut window, "E4, G4");
     assert!(window.has("Remove E4") && window.has("Remove G4"));
-    // Their rows are followed from now on.
     window.play_on(3.0, 4.2);
     for title in ["C4 position [mm]", "E4 position [mm]", "G4 position [mm]"] {
         assert!(window.has(title), "{title}");
@@ -459,7 +455,7 @@ fn a_signal_without_a_unit_has_no_brackets() {
     assert!(!window.says("[]"));
 }
 
-/// How much plot 1 shows of its values.
+/// Returns the span of values that plot 1 shows.
 fn height(window: &TestWindow) -> f64 {
     let axis = window.harness.get_by_label("y axis of plot 1");
     axis.accesskit_node().numeric_value().unwrap_or_default()
@@ -473,7 +469,7 @@ fn the_y_axis_is_dragged_and_fits_again() {
     window.drag(axis, axis - vec2(0.0, 80.0), PointerButton::Primary);
     let zoomed = height(&window);
     assert!((0.35..0.65).contains(&(zoomed / all)), "{zoomed} of {all}");
-    // What was chosen stays while time goes by.
+    // The chosen range stays while time passes.
     window.play_on(3.0, 4.0);
     assert!(near(height(&window), zoomed, 1e-9));
     window.click("Fit y");
@@ -601,7 +597,7 @@ fn the_computer_keyboard_plays_only_when_it_is_asked_to() {
     assert_eq!(window.asked().last(), Some(&Request::Press { key: 31, newtons: 0.0 }));
 }
 
-/// A window whose computer keyboard holds D, which is E3.
+/// Opens a window whose computer keyboard holds D, which is E3.
 fn holding_a_key() -> TestWindow {
     let mut window = open(Pane::Keyboard, Behind::Live);
     window.click("Computer keyboard plays");
@@ -611,7 +607,6 @@ fn holding_a_key() -> TestWindow {
     window
 }
 
-/// E3 is let go.
 const LET_GO: Request = Request::Press { key: 31, newtons: 0.0 };
 
 #[test]
@@ -620,7 +615,7 @@ fn a_key_that_is_held_is_let_go_when_its_panel_is_hidden() {
     window.harness.state_mut().show_only(Pane::Log);
     window.settle();
     assert_eq!(window.asked().last(), Some(&LET_GO));
-    // The keyboard is not a piano any more: shortcuts are heard again.
+    // The keyboard is no longer a piano: shortcuts act again.
     window.harness.key_press(Key::F1);
     window.harness.key_press(Key::Space);
     window.settle();

@@ -1,4 +1,4 @@
-//! How the window looks, panel by panel, drawn without a graphics card.
+//! Pictures of the window, panel by panel, drawn without a graphics card.
 
 use dashboard::{App, Pane, SavedWindow};
 use eframe::egui::{Event, Key, Modifiers, Theme};
@@ -6,7 +6,7 @@ use eframe::egui::{Event, Key, Modifiers, Theme};
 use crate::common::snapshot::Canvas;
 use crate::common::{Behind, TestClock, source, wrong_description};
 
-/// A canvas after `seconds` of the demonstration.
+/// Returns a canvas after `seconds` of the demonstration.
 fn canvas(
     size: [usize; 2],
     theme: Theme,
@@ -32,7 +32,6 @@ fn the_window_on_dark_and_on_light_ground() {
     }
 }
 
-/// Presses Ctrl and the full stop.
 fn stopped(behind: Behind, size: [usize; 2], theme: Theme) -> Canvas {
     let mut canvas = canvas(size, theme, behind, 1.0, |app| app.show_only(Pane::Overview));
     canvas.step(vec![Event::Key {
@@ -58,7 +57,6 @@ fn a_stop_that_may_not_have_been_done() {
     stopped(Behind::Vanishing, [620, 420], Theme::Light).check("stop_unconfirmed");
 }
 
-/// Each panel in which a demonstration shows something.
 #[test]
 fn every_panel() {
     let shows_nothing = [Pane::Descriptions, Pane::Timeline];
@@ -112,7 +110,7 @@ fn scope_of_two_keys() {
     canvas.check("scope_compared");
 }
 
-/// What a window would remember whose scope compares with E4.
+/// Returns the saved state of a window whose scope compares with E4.
 fn compared(memory: &str) -> SavedWindow {
     let mut memory: serde_json::Value = serde_json::from_str(memory).unwrap_or_default();
     memory["views"]["scopes"] = serde_json::json!({
@@ -128,7 +126,6 @@ fn tuning_with_its_steps() {
     for (y, to) in [(147.0, 220.0), (172.0, 120.0), (247.0, 260.0)] {
         canvas.drag([180.0, y], [to, y]);
     }
-    // Undo, then the list.
     canvas.drag([26.0, 90.0], [26.0, 90.0]);
     canvas.drag([131.0, 90.0], [131.0, 90.0]);
     canvas.check("tuning_steps");
@@ -148,7 +145,6 @@ fn timeline() {
     canvas([760, 420], Theme::Dark, Behind::Recording, 3.0, set).check("timeline");
 }
 
-/// Three panels, each 260 points wide.
 #[test]
 fn panels_in_narrow_tiles() {
     for (panes, name) in [

@@ -1,4 +1,4 @@
-//! The bar above the panels: how the source stands, and Stop.
+//! The bar above the panels: state of the source, and Stop.
 
 use std::time::Duration;
 
@@ -14,7 +14,6 @@ use crate::{theme, unit};
 /// Age of messages above which it is shown as a fault (s).
 const OLD: f64 = 0.5;
 
-/// Draws the bar above the panels.
 pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
     Panel::top("bar").show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -22,7 +21,7 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
             panels_menu_ui(ui, app);
             view_menu_ui(ui, app);
             ui.separator();
-            // What stands at the right takes its room first; the rest is cut where that begins.
+            // The right side gets its room first; the rest is cut at its edge.
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 stop_ui(ui, &mut app.state);
                 freeze_ui(ui, &mut app.state);
@@ -36,7 +35,7 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
     stop_state_ui(ui, &mut app.state);
 }
 
-/// Draws what is connected, what runs, and the last answer.
+/// Draws the connection, the run, and the last answer.
 fn status_ui(ui: &mut Ui, app: &mut App) {
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
     connection_ui(ui, &app.state);
@@ -44,7 +43,7 @@ fn status_ui(ui: &mut Ui, app: &mut App) {
     answer_ui(ui, &mut app.state);
 }
 
-/// Draws a line of its own for what went wrong: why nothing comes, and what was refused.
+/// Draws errors in a separate line: a lost connection, and rejected requests.
 fn messages_ui(ui: &mut Ui, state: &mut AppState) {
     if let ConnectionState::Lost(why) | ConnectionState::Refused(why) = state.source.standing() {
         ui.colored_label(theme::fault(ui), why);
@@ -69,7 +68,7 @@ fn answer_ui(ui: &mut Ui, state: &mut AppState) {
 /// Time for the host's answer to a stop, after which its silence is shown (ns).
 const SILENCE: u64 = 1_500_000_000;
 
-/// Draws what became of a stop, in letters that can be read from the keyboard.
+/// Draws the state of a stop in letters that can be read from the keyboard.
 fn stop_state_ui(ui: &mut Ui, state: &mut AppState) {
     let Some(stop) = state.stop.clone() else { return };
     let now = (state.clock)();
@@ -98,17 +97,16 @@ fn stop_state_ui(ui: &mut Ui, state: &mut AppState) {
     });
 }
 
-/// Draws a title in large white letters, with a sentence below.
 fn large_ui(ui: &mut Ui, title: &str, text: &str) {
     let white = |text: RichText| text.color(Color32::WHITE);
     ui.label(white(RichText::new(title).size(30.0).strong()));
     ui.label(white(RichText::new(text).size(15.0)));
 }
 
-/// The colour of Stop, and of one that may not have done what it should.
+/// Colour of Stop, and of an unconfirmed one.
 const STOP: Color32 = Color32::from_rgb(0xB4, 0x2A, 0x00);
 
-/// Draws the button that takes all forces away: always here, always one click.
+/// Draws the button that removes all forces: always here, always one click.
 fn stop_ui(ui: &mut Ui, state: &mut AppState) {
     let text = RichText::new("  STOP  ").strong().color(Color32::WHITE);
     let button = Button::new(text).fill(STOP);
@@ -144,7 +142,6 @@ fn record_ui(ui: &mut Ui, state: &mut AppState) {
     }
 }
 
-/// Draws the state of the connection, and the host's name.
 fn connection_ui(ui: &mut Ui, state: &AppState) {
     let (color, text) = match state.source.standing() {
         ConnectionState::Connecting => (theme::YELLOW, "connecting"),
@@ -169,7 +166,7 @@ fn run_ui(ui: &mut Ui, state: &AppState) {
     }
 }
 
-/// Draws latency, and what was dropped.
+/// Draws latency and dropped messages.
 fn figures_ui(ui: &mut Ui, state: &AppState) {
     let dropped = state.store.summaries.dropped;
     if 0 < dropped {

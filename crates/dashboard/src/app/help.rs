@@ -5,7 +5,6 @@ use eframe::egui::{Context, Grid, Window};
 use super::shortcuts;
 use crate::app_state::AppState;
 
-/// Draws the window of the shortcuts, if it is open.
 pub(super) fn help_ui(ctx: &Context, state: &mut AppState) {
     let mut is_open = state.view.shows_help;
     Window::new("Shortcuts").open(&mut is_open).resizable(false).collapsible(false).show(

@@ -1,8 +1,7 @@
 //! The window around the panels.
 //!
-//! A frame: take what has arrived, heed the keyboard, draw the bar and the panels, send what was
-//! changed.
-//! The next frame comes when something arrives, or while something moves by itself.
+//! A frame takes the arrivals, handles the keyboard, draws the bar and the panels, and sends the
+//! changes. The next frame comes with an arrival, or while something moves by itself.
 
 mod bar;
 mod help;
@@ -28,7 +27,7 @@ const FRAME: Duration = Duration::from_millis(16);
 /// Range of the scale of texts and widgets.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.6..=2.5;
 
-/// The window: panels, their layout, and the source behind them.
+/// The window: panels, their layout, and their source.
 pub struct App {
     state: AppState,
     panels: Panels,
@@ -44,9 +43,7 @@ impl std::fmt::Debug for App {
 }
 
 impl App {
-    /// Creates a window onto `source`, as `memory` has it.
-    ///
-    /// `clock` is the only clock that is read.
+    /// Creates a window for `source`, restored from `memory`; reads no clock but `clock`.
     pub fn new(
         source: Box<dyn Source>,
         clock: WallClock,
@@ -67,7 +64,7 @@ impl App {
         app
     }
 
-    /// Takes what has arrived, draws a frame, and sends what was changed.
+    /// Takes the arrivals, draws a frame, and sends the changes.
     pub fn draw(&mut self, ui: &mut egui::Ui) {
         self.state.take();
         shortcuts::handle(ui.ctx(), self);
@@ -92,7 +89,6 @@ impl App {
         self.panels.file_ui(ui.ctx(), &mut self.state);
     }
 
-    /// Asks for another frame soon while a recording plays.
     fn ask_for_frames(&mut self, ctx: &egui::Context) {
         let plays = self.state.source.timeline().is_some_and(|timeline| {
             0.0 < timeline.speed().abs() && timeline.at() < timeline.span().1
@@ -102,37 +98,33 @@ impl App {
         }
     }
 
-    /// Shows a panel: brings it to the front, or opens it.
+    /// Brings a panel to the front, or opens it.
     pub fn open(&mut self, pane: Pane) {
         layout::open(&mut self.layout, pane);
     }
 
-    /// Shows this panel alone.
     pub fn show_only(&mut self, pane: Pane) {
         self.layout = Layout::new_tabs(egui::Id::unique("panels"), vec![pane]);
     }
 
-    /// Shows these panels beside each other.
     pub fn show_grid(&mut self, panes: Vec<Pane>) {
         self.layout = Layout::new_grid(egui::Id::unique("panels"), panes);
     }
 
-    /// Shows these panels beside each other, from the left.
     pub fn show_row(&mut self, panes: Vec<Pane>) {
         self.layout = Layout::new_horizontal(egui::Id::unique("panels"), panes);
     }
 
-    /// Selects a key alone.
     pub fn select(&mut self, key: u8) {
         self.state.select(key);
     }
 
-    /// Returns what the window remembers when it closes.
+    /// Returns the state that is saved when the window closes.
     pub fn memory(&self, ctx: &egui::Context) -> SavedWindow {
         SavedWindow::of(self, ctx)
     }
 
-    /// Takes a message as if the source had given it: for measurements.
+    /// Takes a message as if from the source, for measurements.
     pub fn take(&mut self, at: u64, update: Update) {
         self.state.take_update(at, update);
     }
@@ -140,7 +132,7 @@ impl App {
 
 impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
-        // Also while the window is hidden: what arrives does not pile up, and no key stays down.
+        // Also while the window is hidden: no arrivals pile up, and no key stays pressed.
         self.state.take();
         let is_away = ctx.input(|input| {
             let viewport = input.viewport();
@@ -161,12 +153,11 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        // The window's own context is not at hand here; the theme was noted when it changed.
+        // The window's own context is not at hand here; the theme was stored when it changed.
         SavedWindow::of_window(self).store(storage);
     }
 }
 
-/// Draws panels for the layout.
 struct Panes<'a> {
     panels: &'a mut Panels,
     state: &'a mut AppState,

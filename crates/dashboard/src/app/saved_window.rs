@@ -1,4 +1,4 @@
-//! What the window remembers from one start to the next.
+//! The state of a window that is saved between starts.
 
 use eframe::egui;
 use serde::{Deserialize, Serialize};
@@ -9,11 +9,10 @@ use crate::layout::Layout;
 use crate::panels::{Pane, Panels};
 use crate::tune::SavedTuning;
 
-/// The name under which it is stored.
+/// Key of the saved state.
 const NAME: &str = "letoff-dashboard";
 
-/// What the window remembers from one start to the next: a text, so that a change of ours never
-/// makes an old one unreadable for good.
+/// Saved state of the window, as a text, so that no change of ours makes an old one unreadable.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SavedWindow {
     text: String,
@@ -31,17 +30,15 @@ struct Remembered {
 }
 
 impl SavedWindow {
-    /// Returns what was stored, if anything was.
     pub fn load(storage: &dyn eframe::Storage) -> Option<Self> {
         storage.get_string(NAME).map(|text| Self { text })
     }
 
-    /// Creates it from a text that [`Self::text`] wrote.
+    /// Creates it from a text of [`Self::text`].
     pub fn read(text: impl Into<String>) -> Self {
         Self { text: text.into() }
     }
 
-    /// Returns it as a text.
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -69,11 +66,11 @@ impl SavedWindow {
             panels: app.panels.clone(),
             kept: app.state.tuner.kept.clone(),
         };
-        // What cannot be written is not remembered: the window goes on without.
+        // An unwritable state is not saved: the window continues without.
         Self { text: serde_json::to_string(&remembered).unwrap_or_default() }
     }
 
-    /// Restores the window; what cannot be read is as if it had not been stored.
+    /// Restores the window; an unreadable state counts as none.
     pub(super) fn restore(&self, app: &mut App, ctx: &egui::Context) {
         let Ok(remembered) = serde_json::from_str::<Remembered>(&self.text) else { return };
         let is_whole = remembered.layout.tiles.find_pane(&Pane::Overview).is_some()

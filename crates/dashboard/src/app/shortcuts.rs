@@ -1,4 +1,4 @@
-//! What the keyboard does, once for heeding it and once for the help.
+//! Keyboard shortcuts, for handling and for the help.
 
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
@@ -6,7 +6,7 @@ use super::App;
 use crate::layout;
 use crate::panels::Pane;
 
-/// What a shortcut does.
+/// Action of a shortcut.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum ShortcutAction {
     Stop,
@@ -33,10 +33,10 @@ const fn ctrl(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(CTRL, key)
 }
 
-/// Takes all forces away: what aborts a run in other programs for measuring and control.
+/// Removes all forces: the usual abort key of programs for measurement and control.
 const STOP: KeyboardShortcut = ctrl(Key::Period);
 
-/// Every shortcut; the longer ones first, as one with Shift is also one without.
+/// All shortcuts; those with Shift come first, as they also match without it.
 const ALL: [(KeyboardShortcut, ShortcutAction, &str); 21] = [
     (STOP, ShortcutAction::Stop, "STOP: no force on any key, also while somebody types"),
     (KeyboardShortcut::new(CTRL.plus(Modifiers::SHIFT), Key::Z), ShortcutAction::Redo, "redo"),
@@ -61,17 +61,16 @@ const ALL: [(KeyboardShortcut, ShortcutAction, &str); 21] = [
     (ctrl(Key::Num9), ShortcutAction::Open(Pane::Keyboard), "keyboard"),
 ];
 
-/// Returns the shortcuts as they are shown, with what they do.
+/// Returns the shortcuts as text, with their actions.
 pub(super) fn list(ctx: &Context) -> Vec<(String, &'static str)> {
     ALL.iter().map(|(shortcut, _, text)| (ctx.format_shortcut(shortcut), *text)).collect()
 }
 
-/// Returns the shortcut of Stop as it is shown.
 pub(super) fn stop(ctx: &Context) -> String {
     ctx.format_shortcut(&STOP)
 }
 
-/// Performs the shortcuts that were pressed; none but Stop while a text is typed.
+/// Performs the pressed shortcuts; only Stop while a text is typed.
 pub(super) fn handle(ctx: &Context, app: &mut App) {
     let types = ctx.egui_wants_keyboard_input();
     for (shortcut, action, _) in ALL {

@@ -1,4 +1,4 @@
-//! Whether ticks were in time: how long they took, and why some were late.
+//! Timeliness of ticks: their durations, and the causes of late ones.
 
 use eframe::egui::{Color32, RichText, TextStyle, Ui};
 use egui_plot::{Bar, BarChart, Corner, HLine, Legend, Line, Plot, PlotPoints, Points, VLine};
@@ -13,7 +13,7 @@ use crate::{theme, unit};
 /// Most ticks on the timeline.
 const SHOWN: usize = 4000;
 
-/// The distribution that is seen.
+/// The distribution to show.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 enum Which {
     #[default]
@@ -99,7 +99,7 @@ fn quantiles_ui(ui: &mut Ui, spread: &Spread) {
     }
 }
 
-/// Draws how many ticks took how long, on a logarithm, so that a single one is seen.
+/// Draws the numbers of ticks by duration on a logarithm, so that a single one is visible.
 fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
     let mut before = 0.0;
     let mut bars = Vec::with_capacity(spread.edge.len());
@@ -132,7 +132,7 @@ fn histogram_ui(ui: &mut Ui, spread: &Spread, height: f32) {
         });
 }
 
-/// Returns a legend that is half transparent: in a narrow tile it covers much.
+/// Returns a half transparent legend: in a narrow tile it covers much.
 fn legend() -> Legend {
     Legend::default().text_style(TextStyle::Small).position(Corner::RightTop).background_alpha(0.5)
 }

@@ -1,4 +1,4 @@
-//! Descriptions that play: their versions, what is wrong with their files, and another one to open.
+//! Descriptions that play: versions, mistakes in their files, and another one to open.
 
 use eframe::egui::{Button, Label, RichText, ScrollArea, TextEdit, Ui};
 use serde::{Deserialize, Serialize};
@@ -12,10 +12,9 @@ use crate::{names, theme};
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// The file to open, as typed.
     #[serde(skip)]
     file: String,
-    /// The keys for it as typed; those that play it without.
+    /// The keys for it as typed; if empty, those that play it.
     #[serde(skip)]
     keys: String,
 }
@@ -45,7 +44,7 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws where another description is opened; returns what is asked then.
+    /// Draws the fields to open another description; returns the request.
     fn open_ui(&mut self, ui: &mut Ui) -> Option<Request> {
         let typed = ui.horizontal_wrapped(|ui| {
             let label = ui.label("file");
@@ -66,7 +65,7 @@ impl View {
     }
 }
 
-/// Draws a version of a description; returns what is asked if it is to be read again.
+/// Draws a version of a description; returns the request to read it again.
 fn description_ui(
     ui: &mut Ui,
     it: &Description,
@@ -94,8 +93,8 @@ fn description_ui(
     clicked.inner.then_some(Request::Load { description, keys: None })
 }
 
-/// Draws mistakes; lines of the file, which are indented, are not wrapped, so that each caret
-/// stands under its place.
+/// Draws mistakes. Lines of the file, which are indented, are not wrapped, so that each caret is
+/// under its position.
 fn mistakes_ui(ui: &mut Ui, mistakes: &str) {
     let width = ui.available_width();
     ui.spacing_mut().item_spacing.y = 0.0;
@@ -113,17 +112,17 @@ fn mistakes_ui(ui: &mut Ui, mistakes: &str) {
     }
 }
 
-/// Whether a line of mistakes is one of the file, or the caret below it.
+/// Returns `true` for a quoted line of the file, or the caret below it.
 fn is_of_file(line: &str) -> bool {
     line.starts_with("  ")
 }
 
-/// Returns on how many keys a version plays.
+/// Returns the number of keys that a version plays.
 fn keys_of(it: &Description, store: &Store) -> usize {
     store.voices().filter(|(_key, voice)| voice.version == it.version).count()
 }
 
-/// Returns in a sentence which version plays where, and since when.
+/// Returns a sentence about the version, its keys and its time.
 fn standing(it: &Description, store: &Store, catalogue: &Catalogue) -> String {
     let n = keys_of(it, store);
     let since = match it.since.saturating_sub(catalogue.began) {

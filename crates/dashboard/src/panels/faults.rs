@@ -1,4 +1,4 @@
-//! What went wrong: what it means, and what to do.
+//! Faults, with their meaning and remedy.
 
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{Label, RichText, ScrollArea, Sense, Ui};
@@ -13,7 +13,7 @@ use crate::{names, number, theme};
 /// Most events that are listed.
 const SHOWN: usize = 100;
 
-/// The panel remembers nothing of itself.
+/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 
@@ -30,11 +30,11 @@ impl super::View for View {
     }
 }
 
-/// What was clicked, to be shown in the other panels.
+/// Key and time that were clicked, to be shown in the other panels.
 #[derive(Default)]
 struct Clicked {
     key: Option<u8>,
-    /// The time in the scopes (s).
+    /// Time in the scopes (s).
     at: Option<f64>,
 }
 
@@ -57,7 +57,7 @@ fn faults_ui(ui: &mut Ui, state: &AppState) -> Clicked {
     clicked
 }
 
-/// Returns what went wrong, newest first, each with the number that it keeps while others arrive.
+/// Returns the faults, newest first, each with a number that stays while others arrive.
 fn events(state: &AppState) -> Vec<(u64, &Event, Explanation)> {
     let numbers = (0..state.store.events.count()).rev();
     let newest_first = numbers.zip(state.store.events.iter().rev());
@@ -67,7 +67,6 @@ fn events(state: &AppState) -> Vec<(u64, &Event, Explanation)> {
         .collect()
 }
 
-/// Draws a key that has a fault now.
 fn faulty_key_ui(ui: &mut Ui, state: &AppState, key: u8, clicked: &mut Clicked) {
     let Some(explanation) = fault_text::fault(state.store.summaries.key(key).fault) else { return };
     let text = format!("{} is faulty now: {}", names::name(key), explanation.name);
@@ -82,7 +81,7 @@ fn faulty_key_ui(ui: &mut Ui, state: &AppState, key: u8, clicked: &mut Clicked) 
     ui.separator();
 }
 
-/// Draws an event; unfolded, what it means.
+/// Draws an event; unfolded, with its meaning.
 fn event_ui(
     ui: &mut Ui,
     state: &AppState,

@@ -1,4 +1,4 @@
-//! Which instrument plays which keys, and another one for a range.
+//! Instruments and their keys, and another instrument for a range.
 
 use std::ops::RangeInclusive;
 
@@ -14,7 +14,7 @@ use crate::{names, theme};
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// The range as typed; the selected one without.
+    /// The range as typed; the selected one if `None`.
     #[serde(skip)]
     range: Option<String>,
 }
@@ -54,7 +54,7 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws for which keys an instrument is: typed, or selected on the keyboard.
+    /// Draws the keys for an instrument: typed, or selected on the keyboard.
     fn range_ui(&mut self, ui: &mut Ui, state: &AppState) -> Option<RangeInclusive<u8>> {
         let mut text = self.range.clone().unwrap_or_else(|| names::range_name(&state.range()));
         ui.horizontal_wrapped(|ui| {
@@ -79,7 +79,7 @@ impl View {
     }
 }
 
-/// Draws an instrument; returns whether it was chosen.
+/// Draws an instrument; returns `true` if it was chosen.
 fn instrument_ui(ui: &mut Ui, instrument: &Instrument, range: Option<&RangeInclusive<u8>>) -> bool {
     let row = ui.horizontal_wrapped(|ui| {
         let name = RichText::new(&instrument.name).strong();
@@ -104,7 +104,7 @@ fn model_ui(ui: &mut Ui, model: &Model) {
     ui.weak(&model.summary);
 }
 
-/// Draws what plays which keys; returns the keys that were clicked.
+/// Draws the instruments of all keys; returns the clicked keys.
 fn runs_ui(ui: &mut Ui, store: &Store) -> Option<RangeInclusive<u8>> {
     let mut clicked = None;
     Grid::new("now").num_columns(3).striped(true).spacing([14.0, 3.0]).show(ui, |ui| {

@@ -1,4 +1,4 @@
-//! Keys to press with the mouse, and with the computer keyboard.
+//! Keys to press with the mouse and the computer keyboard.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -35,43 +35,41 @@ const ROW: [Key; 17] = [
     Key::Semicolon,
 ];
 
-/// Number of semitones that are drawn.
+/// Number of drawn semitones.
 const SPAN: u8 = 29;
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// Whether keys of the computer play notes.
+    /// `true` if keys of the computer play notes.
     #[serde(skip)]
     plays: bool,
-    /// The lowest key that is drawn: a C.
+    /// The lowest drawn key: a C.
     #[serde(skip)]
     lowest: u8,
     /// Force of the computer keyboard, and of the mouse at a key's front (N).
     #[serde(skip)]
     newtons: f64,
-    /// Whether the mouse grips keys instead of pressing them.
+    /// `true` if the mouse grips keys instead of pressing them.
     #[serde(skip)]
     grips: bool,
-    /// What is done to keys.
     #[serde(skip)]
     pressed: BTreeMap<u8, Hand>,
-    /// Whether the panel was drawn since [`View::release_if_hidden`].
+    /// `true` if the panel was drawn since [`View::release_if_hidden`].
     #[serde(skip)]
     is_shown: bool,
 }
 
-/// What a finger or hand does to a key.
+/// Action of a finger or hand on a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Hand {
     /// It presses (N).
     Presses(f64),
-    /// It leads the key to a depth, as a part of its dip.
+    /// It leads the key to a depth, as a fraction of its dip.
     Grips(f64),
 }
 
 impl Hand {
-    /// Returns the request for it on `key`.
     const fn request(self, key: u8) -> Request {
         match self {
             Self::Presses(newtons) => Request::Press { key, newtons },
@@ -79,7 +77,6 @@ impl Hand {
         }
     }
 
-    /// Returns the request that ends it.
     const fn lets_go(self, key: u8) -> Request {
         match self {
             Self::Presses(_) => Request::Press { key, newtons: 0.0 },
@@ -118,12 +115,11 @@ impl super::View for View {
 }
 
 impl View {
-    /// Returns whether keys of the computer play notes.
     pub(super) const fn plays(&self) -> bool {
         self.plays
     }
 
-    /// Releases all keys, and plays no more, unless the panel was drawn since the last call.
+    /// Releases all keys and stops playing, unless the panel was drawn since the last call.
     pub(super) fn release_if_hidden(&mut self, state: &mut AppState) {
         if !std::mem::take(&mut self.is_shown) {
             self.plays = false;
@@ -131,7 +127,6 @@ impl View {
         }
     }
 
-    /// Releases all keys that are pressed.
     pub(super) fn release(&mut self, state: &mut AppState) {
         self.send(state, BTreeMap::new());
     }
@@ -155,12 +150,11 @@ impl View {
         });
     }
 
-    /// Returns the keys that are drawn.
     fn keys(&self) -> RangeInclusive<u8> {
         self.lowest..=(self.lowest + SPAN - 1).min(names::LAST)
     }
 
-    /// Draws the keys; returns what the mouse does to them.
+    /// Draws the keys; returns the mouse's actions.
     fn keys_ui(&self, ui: &mut Ui) -> BTreeMap<u8, Hand> {
         let size = vec2(ui.available_width(), (ui.available_height()).clamp(60.0, 200.0));
         let (area, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -178,10 +172,10 @@ impl View {
         pressed
     }
 
-    /// Returns what the mouse does to a key at `place`, 0 at its back and 1 at its front.
+    /// Returns the mouse's action on a key at `place`, 0 at its back and 1 at its front.
     fn hand(&self, place: f64) -> Hand {
         if self.grips {
-            // A little more than the whole way, so that a key is also pulled up.
+            // A little more than the full travel, so that a key is also pulled up.
             let depth = (1.4 * place - 0.2).clamp(-1.0, 2.0);
             Hand::Grips((100.0 * depth).round() / 100.0)
         } else {
@@ -189,7 +183,7 @@ impl View {
         }
     }
 
-    /// Returns the keys that the computer keyboard presses, and how.
+    /// Returns the keys that the computer keyboard presses, with their forces.
     fn played(&self, ui: &Ui) -> impl Iterator<Item = (u8, Hand)> {
         // A key with Ctrl is a shortcut and no note.
         let held = ui.input(|input| {
@@ -231,7 +225,7 @@ impl View {
         response
     }
 
-    /// Asks the host for the keys that were pressed, pressed otherwise, or released.
+    /// Sends requests for the keys with a new, another or no action.
     fn send(&mut self, state: &mut AppState, pressed: BTreeMap<u8, Hand>) {
         let before = std::mem::replace(&mut self.pressed, pressed);
         for (key, hand) in before.iter().filter(|(key, _)| !self.pressed.contains_key(key)) {
@@ -245,7 +239,6 @@ impl View {
     }
 }
 
-/// Returns where a key is drawn.
 fn rect(area: Rect, lowest: u8, key: u8) -> Rect {
     let last = (lowest + SPAN - 1).min(names::LAST);
     let from = names::whites_below(lowest);

@@ -1,4 +1,4 @@
-//! Boards and links: what was planned beside what is seen, and which board is which.
+//! Boards and links: the plan beside the measurement, and lights to identify boards.
 
 use std::borrow::Cow;
 
@@ -13,10 +13,10 @@ use crate::{names, number, theme, unit};
 /// Share of a line above which it has no room left for retries.
 const FULL: f64 = 0.85;
 
-/// Ratio of the seen load to the planned one above which it is marked.
+/// Ratio of measured to planned load above which it is marked.
 const MORE: f64 = 1.1;
 
-/// A column: its name, its unit, and what is shown when the pointer rests on it.
+/// A column: name, unit, and text under the pointer.
 type ColumnHeader = (&'static str, &'static str, &'static str);
 
 const LINES: [ColumnHeader; 7] = [
@@ -42,7 +42,7 @@ const BOARDS: [ColumnHeader; 10] = [
     ("state", "", "What the board says of itself."),
 ];
 
-/// The panel remembers nothing of itself.
+/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 
@@ -72,7 +72,7 @@ impl super::View for View {
     }
 }
 
-/// Draws all boards; returns the one that shall show its light.
+/// Draws all boards; returns the one to show its light.
 fn boards_ui<'a>(ui: &mut Ui, state: &AppState, links: &'a Links) -> Option<&'a Board> {
     header_ui(ui, &BOARDS);
     let mut asked = None;
@@ -117,7 +117,7 @@ fn load_color(line: &Line) -> Color32 {
     }
 }
 
-/// Draws a board; returns whether it shall show its light.
+/// Draws a board; returns `true` if it is to show its light.
 fn board_ui(ui: &mut Ui, state: &AppState, links: &Links, board: &Board) -> bool {
     let line = line_name(links, board.line);
     ui.label(board.id.to_string());
@@ -134,13 +134,13 @@ fn board_ui(ui: &mut Ui, state: &AppState, links: &Links, board: &Board) -> bool
     is_asked
 }
 
-/// Returns the line's name, or its number where it has none.
+/// Returns the line's name, or its number if it has none.
 fn line_name(links: &Links, line: u32) -> Cow<'_, str> {
     let named = usize::try_from(line).ok().and_then(|line| links.lines.get(line));
     named.map_or_else(|| line.to_string().into(), |line| line.name.as_str().into())
 }
 
-/// Draws the button for a board's light, and beside it what the host answered.
+/// Draws the button for a board's light, and beside it the host's answer.
 fn light_ui(ui: &mut Ui, state: &AppState, board: &Board, line: &str) -> bool {
     ui.horizontal(|ui| {
         let button = ui.small_button("Identify");

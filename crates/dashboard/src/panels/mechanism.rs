@@ -47,7 +47,7 @@ impl Scale {
     }
 }
 
-/// Where a body is, and how it is turned.
+/// Position and rotation of a body.
 struct BodyPose {
     x: f64,
     y: f64,
@@ -72,7 +72,6 @@ impl BodyPose {
     }
 }
 
-/// Returns where a follower is.
 fn follow(follower: &Follower, value: &impl Fn(&str) -> f64) -> f64 {
     if follower.signal.is_empty() {
         return follower.offset;
@@ -80,7 +79,7 @@ fn follow(follower: &Follower, value: &impl Fn(&str) -> f64) -> f64 {
     follower.offset + follower.scale * value(&follower.signal)
 }
 
-/// The panel remembers nothing of itself.
+/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 
@@ -116,7 +115,7 @@ fn mechanism_ui(ui: &mut Ui, state: &mut AppState) {
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 3.0, ui.visuals().extreme_bg_color);
     if let Some(scale) = Scale::new(drawing, rect) {
-        // What is not known is drawn nowhere: a posture of zeros would be a false one.
+        // Unknown values are not drawn: a posture of zeros would be a false one.
         let value = |name: &str| value(state, key, name, now).unwrap_or(f64::NAN);
         if is_posed(drawing, mode, &value) {
             paint(&painter, drawing, &scale, mode, &value);
@@ -127,21 +126,21 @@ fn mechanism_ui(ui: &mut Ui, state: &mut AppState) {
     }
 }
 
-/// What stands in the place of a mechanism whose posture is not known.
+/// Text instead of a mechanism with unknown posture.
 const WAITS: &str = "Waiting for this key's first row: how it stands is not known yet.";
 
-/// Returns whether the pose of every body is known that is seen in this mode.
+/// Returns `true` if the pose of every body that this mode shows is known.
 fn is_posed(drawing: &Drawing, mode: Option<u8>, value: &impl Fn(&str) -> f64) -> bool {
     let seen = drawing.bodies.iter().filter(|body| is_shown(&body.modes, mode));
     seen.map(|body| BodyPose::of(body, value)).all(|pose| pose.is_known())
 }
 
-/// Returns whether what is drawn in `modes` is seen in this one.
+/// Returns `true` if a drawing for `modes` is visible in this mode.
 fn is_shown(modes: &[u32], mode: Option<u8>) -> bool {
     modes.is_empty() || mode.is_none_or(|it| modes.contains(&it.into()))
 }
 
-/// Returns the mode in the time that is shown; as the overview says where no rows are known.
+/// Returns the mode at the time shown; without rows that of the overview.
 fn mode(state: &AppState, key: u8, now: f64) -> Option<u8> {
     let trace = state.store.trace(key);
     let row = trace.and_then(|trace| trace.row_at(state.store.tick(now)));
@@ -149,7 +148,7 @@ fn mode(state: &AppState, key: u8, now: f64) -> Option<u8> {
     known.or_else(|| state.store.summaries.key(key).mode)
 }
 
-/// Returns a signal in the time that is shown; the position also where no rows are known.
+/// Returns a signal at the time shown; the position also without rows.
 fn value(state: &AppState, key: u8, name: &str, now: f64) -> Option<f64> {
     let known = state.store.value(key, name, now).filter(|value| value.is_finite());
     let summary = state.store.summaries.is_known.then(|| state.store.summaries.key(key));
@@ -199,15 +198,15 @@ fn paint_outline(painter: &Painter, outline: &Outline, pose: &BodyPose, scale: &
     }
 }
 
-/// Returns the inside of an outline that is not convex, cut in the body's own axes: however the
-/// body moves, the triangles stay the same and nothing flickers.
+/// Fills an outline that is not convex, cut in the body's own axes: the triangles stay the same
+/// however the body moves, and nothing flickers.
 fn filled(corners: &[ScreenPoint], points: &[Pos2], color: Color32) -> Shape {
     let mut mesh = Mesh::default();
     for point in points {
         mesh.colored_vertex(*point, color);
     }
     for triangle in triangulate::triangles(corners) {
-        // There are few: `triangulate` takes no outline of more.
+        // There are few: `triangulate` accepts no larger outline.
         let [a, b, c] = triangle.map(|corner| u32::try_from(corner).unwrap_or(0));
         mesh.add_triangle(a, b, c);
     }
@@ -225,7 +224,7 @@ const fn color(kind: outline::Kind) -> Color32 {
     }
 }
 
-/// Draws a spring: a wave between two bodies' points, as tight as it is short.
+/// Draws a spring: a wave between two bodies' points, tighter the shorter the spring.
 fn paint_coil(painter: &Painter, coil: &Coil, poses: &[BodyPose], scale: &Scale) {
     let end = |body: u32, x: f64, y: f64| {
         let pose = usize::try_from(body).ok().and_then(|body| poses.get(body));

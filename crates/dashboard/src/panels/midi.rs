@@ -1,4 +1,4 @@
-//! What was sent to a synthesizer.
+//! Messages sent to a synthesizer.
 
 use eframe::egui::{RichText, ScrollArea, TextEdit, TextStyle, Ui};
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ use crate::app_state::AppState;
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// Only messages whose words hold this are listed.
+    /// Text that listed messages must contain.
     filter: String,
 }
 

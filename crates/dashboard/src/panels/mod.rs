@@ -1,6 +1,6 @@
-//! One file for each panel: what it remembers, and how it is drawn.
+//! One file for each panel: its saved state and its drawing.
 //!
-//! The list below makes [`Pane`], the menu, and [`Panels`]; a new panel is a line in it.
+//! The list below generates [`Pane`], the menu, and [`Panels`]; a new panel is a line in it.
 
 mod deadlines;
 mod descriptions;
@@ -23,15 +23,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::app_state::AppState;
 
-/// The view of a panel: what it remembers, and how it is drawn.
-///
-/// A view whose fields are not `#[serde(skip)]` is as it was when the window opens again.
+/// Saved state of a panel. Fields without `#[serde(skip)]` keep their values when the window opens
+/// again.
 trait View {
-    /// Draws the panel from `state`, and asks the host through it.
+    /// Draws the panel from `state`, and sends requests through it.
     fn ui(&mut self, ui: &mut Ui, state: &mut AppState);
 }
 
-/// Makes [`Pane`] and [`Panels`] of a list: the pane, its module, whose `View` draws it, its title.
+/// Generates [`Pane`] and [`Panels`] from a list: pane, module with its `View`, title.
 macro_rules! panels {
     ($($pane:ident: $module:ident, $title:literal;)*) => {
         /// A panel of the window.
@@ -48,7 +47,6 @@ macro_rules! panels {
             /// Every panel; of the scopes, the first.
             pub const ALL: &[Self] = &[$(Self::$pane,)* Self::Scope(0)];
 
-            /// Returns the title above the panel.
             pub fn title(self) -> String {
                 match self {
                     $(Self::$pane => $title.to_owned(),)*
@@ -66,7 +64,6 @@ macro_rules! panels {
         }
 
         impl Panels {
-            /// Draws the panel `pane`.
             pub(crate) fn ui(&mut self, pane: Pane, ui: &mut Ui, state: &mut AppState) {
                 match pane {
                     $(Pane::$pane => self.$module.ui(ui, state),)*
@@ -95,7 +92,7 @@ panels! {
 }
 
 impl Panels {
-    /// Returns whether keys of the computer play notes, and are no shortcuts.
+    /// Returns `true` if keys of the computer play notes instead of being shortcuts.
     pub(crate) const fn takes_letters(&self) -> bool {
         self.keyboard.plays()
     }
@@ -105,30 +102,28 @@ impl Panels {
         self.keyboard.release_if_hidden(state);
     }
 
-    /// Releases all keys that the keyboard presses.
     pub(crate) fn release(&mut self, state: &mut AppState) {
         self.keyboard.release(state);
     }
 
-    /// Draws the window in which a scene or a preset is written to a file.
+    /// Draws the window to write a scene or a preset to a file.
     pub(crate) fn file_ui(&mut self, ctx: &eframe::egui::Context, state: &mut AppState) {
         self.tuning.file_ui(ctx, state);
     }
 }
 
-/// Draws what stands where there is nothing to show yet: why, and what to do.
+/// Draws the reason why there is nothing to show yet, and the remedy.
 fn nothing_ui(ui: &mut Ui, text: &str) {
     ui.centered_and_justified(|ui| ui.weak(text));
 }
 
-/// Draws a few words that are not broken: without room in a row they begin the next one.
+/// Draws a few unbroken words: without room in a row they begin the next one.
 fn piece_ui(ui: &mut Ui, text: RichText) -> Response {
     ui.add(Label::new(text).extend())
 }
 
-/// Draws a share of a whole as a bar with its number beside; NaN is unknown.
-///
-/// On the bar the number could not be read on light ground.
+/// Draws a share of a whole as a bar; NaN is unknown. The number is beside the bar, where it is
+/// readable on light ground.
 fn share_ui(ui: &mut Ui, share: f64, color: Color32) {
     if !share.is_finite() {
         ui.weak("–").on_hover_text("not known: nothing tells how much it can carry");

@@ -1,4 +1,4 @@
-//! All keys at a glance: how deep they are, how hard they push, in which mode, which fault.
+//! All keys at once: depth, force, mode and fault.
 
 use eframe::egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui,
@@ -11,13 +11,13 @@ use crate::names::{self, LAST};
 use crate::store::key_summary::KeySummary;
 use crate::{fault_text, number, theme};
 
-/// Travel that is drawn as a full stroke (m).
+/// Travel drawn as a full stroke (m).
 const TRAVEL: f32 = 10e-3;
 
-/// The bit of `KeyBlock.flags` that says that no model is run.
+/// Bit of `KeyBlock.flags` for a key whose model is not run.
 const NOT_RUN: u8 = 8;
 
-/// The panel remembers nothing of itself.
+/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 
@@ -39,7 +39,7 @@ fn overview_ui(ui: &mut Ui, state: &mut AppState) {
     range_ui(ui, state, area);
 }
 
-/// Draws what the colours mean, and the selected key in words.
+/// Draws the meaning of the colours, and the selected key in words.
 fn legend_ui(ui: &mut Ui, state: &AppState) {
     ui.horizontal(|ui| {
         let key = state.view.selected;
@@ -60,19 +60,18 @@ fn legend_ui(ui: &mut Ui, state: &AppState) {
     });
 }
 
-/// Returns position, force, mode and fault of a key in words.
+/// Describes position, force, mode and fault of a key.
 fn words(state: &AppState, key: u8) -> String {
     let summary = state.store.summaries.key(key);
     let mode =
         summary.mode.map_or_else(|| "no model".to_owned(), |it| state.store.mode_name(key, it));
     let fault = fault_text::fault(summary.fault).map_or("", |it| it.name);
     let sep = if fault.is_empty() { "" } else { ", " };
-    // Not less than nothing by a rounding.
+    // The sum avoids a negative zero.
     let position = (f64::from(summary.position) * 1e4).round() / 10.0 + 0.0;
     format!("{:.1} mm, {:.2} N, {mode}{sep}{fault}", position, summary.force)
 }
 
-/// Returns where a key is drawn.
 fn rect(area: Rect, key: u8) -> Rect {
     let white = area.width() / 52.0;
     let place = number::f32(number::f64(names::whites_below(key)));
@@ -114,7 +113,7 @@ fn paint_key(ui: &Ui, state: &AppState, key: u8, rect: Rect, response: &Response
     let depth = (summary.position / TRAVEL).clamp(0.0, 1.0);
     let sunk = rect.with_min_y(rect.top() + depth * rect.height() * 0.12);
     let fill = fill(ui, summary, key, response);
-    // What stays behind lies in the shadow of its neighbours.
+    // The part below the surface lies in the shadow of the neighbours.
     painter.rect_filled(rect, 2.0, theme::blend(fill, Color32::BLACK, 0.45));
     painter.rect_filled(sunk, 2.0, fill);
     paint_mode(&painter, summary, sunk);
@@ -131,7 +130,7 @@ fn paint_key(ui: &Ui, state: &AppState, key: u8, rect: Rect, response: &Response
     }
 }
 
-/// Returns the colour of ivory or ebony, darker where the voice is not run.
+/// Returns the colour of ivory or ebony, darker if the voice is not run.
 fn fill(ui: &Ui, summary: KeySummary, key: u8, response: &Response) -> Color32 {
     let plain = match (names::is_black(key), ui.visuals().dark_mode) {
         (true, _) => Color32::from_rgb(0x2A, 0x2E, 0x35),
@@ -146,7 +145,6 @@ fn fill(ui: &Ui, summary: KeySummary, key: u8, response: &Response) -> Color32 {
     if response.hovered() { theme::blend(plain, theme::SKY, 0.35) } else { plain }
 }
 
-/// Draws the mode's colour at the key's front.
 fn paint_mode(painter: &Painter, summary: KeySummary, rect: Rect) {
     if let Some(mode) = summary.mode {
         let front = rect.shrink2(vec2(1.5, 0.0)).with_min_y(rect.bottom() - 7.0);
@@ -172,7 +170,6 @@ fn paint_force(painter: &Painter, state: &AppState, summary: KeySummary, rect: R
     painter.rect_filled(bar, 1.0, theme::blend(color, theme::VERMILLION, share * share));
 }
 
-/// Draws the mark of a key that has a fault.
 fn badge(painter: &Painter, center: Pos2) {
     let points = vec![center + vec2(0.0, -7.0), center + vec2(6.5, 5.0), center + vec2(-6.5, 5.0)];
     let edge = Stroke::new(1.0, Color32::WHITE);

@@ -1,7 +1,7 @@
-//! Energy that a key takes and gives back, and the settings between the key and its model.
+//! Energy that a key takes and returns, and the settings between the key and its model.
 //!
-//! It is worked out from the forces that were sent, each held until the next: what an observer at
-//! the key itself counts, but for its leak.
+//! It is computed from the sent forces, each held until the next: as an observer at the key counts,
+//! but without its leak.
 
 use std::collections::BTreeMap;
 
@@ -16,18 +16,18 @@ use crate::app_state::AppState;
 use crate::store::Store;
 use crate::{theme, unit};
 
-/// Way of a key from its rest to its bottom (m), over which its largest force may give back.
+/// Travel of a key from rest to bottom (m), over which its largest force may return energy.
 const DIP: f64 = 10e-3;
 
-/// Faults of a key that makes energy, and of one that was muted, as in `KeyBlock.fault`.
+/// Faults of a key that generates energy, and of a muted one, as in `KeyBlock.fault`.
 const MADE: std::ops::RangeInclusive<u8> = 6..=7;
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// Length of the time that is seen (s).
+    /// Length of the time shown (s).
     window: f64,
-    /// Settings that were typed and not sent yet, by their names.
+    /// Settings by name that were typed and not sent yet.
     #[serde(skip)]
     typed: BTreeMap<String, String>,
 }
@@ -38,14 +38,14 @@ impl Default for View {
     }
 }
 
-/// Energies of a key over the time that is seen, each with the times (s).
+/// Energies of a key over the time shown, each with the times (s).
 #[derive(Clone, PartialEq, Debug, Default)]
 struct KeyEnergy {
-    /// What the finger put in \[mJ\].
+    /// Energy from the finger (mJ).
     taken: Vec<[f64; 2]>,
-    /// What it got back \[mJ\].
+    /// Energy returned to the finger (mJ).
     given: Vec<[f64; 2]>,
-    /// Largest fall of the difference below its highest value \[mJ\].
+    /// Largest fall of the difference below its highest value (mJ).
     returned: f64,
 }
 
@@ -86,7 +86,7 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws the settings of the scene, and sends those that were typed.
+    /// Draws the settings of the scene, and sends the typed ones.
     fn settings_ui(&mut self, ui: &mut Ui, state: &mut AppState) {
         let scene = state.store.catalogue.as_ref().map_or("", |it| it.scene_text.as_str());
         let settings = settings(scene);
@@ -112,7 +112,7 @@ impl View {
         });
     }
 
-    /// Draws the setting `name`, which is `now`, as a row.
+    /// Draws the setting `name` with the value `now` as a row.
     fn setting_ui(&mut self, ui: &mut Ui, name: String, now: String) {
         let mut text = self.typed.get(&name).cloned().unwrap_or(now);
         let label = ui.label(&name);
@@ -136,7 +136,6 @@ fn settings(scene: &str) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Draws whether the key is passive.
 fn lamp_ui(ui: &mut Ui, fault: u8, energy: &KeyEnergy, bound: f64) {
     let (color, text, hint) = if MADE.contains(&fault) {
         (theme::fault(ui), "muted", "It gave back more than any action stores.")
@@ -169,7 +168,7 @@ fn plot_ui(ui: &mut Ui, energy: KeyEnergy, bound: f64) {
         {
             plot.line(Line::new(name, PlotPoints::new(points)).color(color).width(1.4));
         }
-        // Far away it would make the lines flat.
+        // A distant bound would make the lines flat.
         if 0.2 * bound < highest {
             plot.hline(HLine::new("muted at", bound).color(theme::VERMILLION));
         }

@@ -1,4 +1,4 @@
-//! Force against travel: the technician's view. What a finger feels going down, and coming back.
+//! Force against travel, the technician's view: the feel of a key going down and coming back.
 
 use eframe::egui::{DragValue, TextStyle, Ui};
 use egui_plot::{Corner, Legend, Line, Plot, PlotPoints, Points};
@@ -12,13 +12,13 @@ use crate::{number, theme, unit};
 /// Travel over which weights are means (m).
 const MIDDLE: std::ops::Range<f64> = 2e-3..7e-3;
 
-/// Speed below which a key goes neither down nor up (m/s).
+/// Speed below which a key moves neither down nor up (m/s).
 const STILL: f64 = 2e-3;
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// Length of the time that is seen (s).
+    /// Length of the time shown (s).
     window: f64,
 }
 
@@ -31,7 +31,7 @@ impl Default for View {
 /// Travel (mm) and force (N), down and up.
 #[derive(Default)]
 struct HysteresisLoop {
-    /// Stretches, each on its way down (0) or up (1).
+    /// Stretches, each down (0) or up (1).
     ways: Vec<(usize, Vec<[f64; 2]>)>,
     /// Sums and counts of forces in the middle.
     weights: [(f64, usize); 2],
@@ -43,7 +43,7 @@ impl HysteresisLoop {
         self.ways.last().is_none_or(|(way, _)| *way == 0)
     }
 
-    /// Adds a point on the way down (0) or up (1); a line ends where the other begins.
+    /// Adds a point of the path down (0) or up (1); a line ends where the other begins.
     fn enter(&mut self, way: usize, point: [f64; 2]) {
         if let Some((last, points)) = self.ways.last_mut() {
             points.push(point);
@@ -108,7 +108,6 @@ fn plot_ui(ui: &mut Ui, shown: HysteresisLoop) {
     });
 }
 
-/// Draws down weight, up weight, balance and friction.
 fn weights_ui(ui: &mut Ui, shown: &HysteresisLoop) {
     let [down, up] = shown.weights.map(|(sum, n)| (0 < n).then(|| sum / number::f64(n)));
     let text = |value: Option<f64>| value.map_or("–".to_owned(), |it| unit::text(it, "N"));

@@ -1,4 +1,4 @@
-//! Where a recording is: a line to scrub, how fast it goes by, moments worth finding again.
+//! Position in a recording: a line to scrub, its speed, and marked moments.
 
 use eframe::egui::{
     Color32, Rect, RichText, ScrollArea, Sense, Slider, Stroke, Ui, WidgetInfo, accesskit::Role,
@@ -15,7 +15,7 @@ use crate::{number, theme};
 /// Speeds to choose from.
 const SPEEDS: [f64; 6] = [0.01, 0.1, 0.5, 1.0, 2.0, 8.0];
 
-/// The panel remembers nothing of itself.
+/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 
@@ -68,7 +68,7 @@ fn play_ui(ui: &mut Ui, timeline: &mut dyn Timeline, seconds: impl Fn(u64) -> f6
     });
 }
 
-/// Goes on by so many seconds, or back.
+/// Moves by so many seconds, forward or back.
 fn step_by(timeline: &mut dyn Timeline, seconds: f64) {
     let by = number::floor(seconds.abs() * 1e9);
     let at = timeline.at();
@@ -77,7 +77,7 @@ fn step_by(timeline: &mut dyn Timeline, seconds: f64) {
     timeline.seek(to.clamp(first, last));
 }
 
-/// Draws the whole recording as a line; a click or a drag goes there.
+/// Draws the whole recording as a line; a click or a drag moves there.
 fn line_ui(ui: &mut Ui, timeline: &mut dyn Timeline) {
     let size = vec2(ui.available_width(), 26.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());

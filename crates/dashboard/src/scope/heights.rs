@@ -1,27 +1,26 @@
-//! The range of values that a plot shows, where one was chosen.
+//! The chosen ranges of values of plots.
 
 use std::collections::BTreeMap;
 
 /// Smallest and largest difference between the ends of a plot, in its unit.
 const SPAN: (f64, f64) = (1e-9, 1e12);
 
-/// The smallest and the largest value that plots show, each in its own unit.
+/// Smallest and largest shown value of plots, each in its own unit.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Heights(BTreeMap<usize, (f64, f64)>);
 
 impl Heights {
-    /// Returns what was chosen for the plot `lane`, counted from the top; it shows all values if
-    /// nothing was.
+    /// Returns the range of the plot `lane`, counted from the top; `None` shows all values.
     pub fn of(&self, lane: usize) -> Option<(f64, f64)> {
         self.0.get(&lane).copied()
     }
 
-    /// Returns whether any plot shows something else than all values.
+    /// Returns `true` if any plot has a chosen range.
     pub fn is_chosen(&self) -> bool {
         !self.0.is_empty()
     }
 
-    /// Lets a plot that shows `seen` show `factor` times as much; `about` stays where it is.
+    /// Sets a plot that shows `seen` to show `factor` times as much around the fixed value `about`.
     pub fn zoom(&mut self, lane: usize, seen: (f64, f64), factor: f64, about: f64) {
         let (low, high) = (about + (seen.0 - about) * factor, about + (seen.1 - about) * factor);
         if (SPAN.0..=SPAN.1).contains(&(high - low)) {
@@ -29,7 +28,7 @@ impl Heights {
         }
     }
 
-    /// Moves what a plot shows, unless it shows all values.
+    /// Moves the range of a plot, unless it shows all values.
     pub fn pan(&mut self, lane: usize, by: f64) {
         if let Some((low, high)) = self.0.get_mut(&lane).filter(|_| by.is_finite()) {
             *low += by;
@@ -37,12 +36,10 @@ impl Heights {
         }
     }
 
-    /// Lets a plot show all values again.
     pub fn fit(&mut self, lane: usize) {
         self.0.remove(&lane);
     }
 
-    /// Lets all plots show all values again.
     pub fn fit_all(&mut self) {
         self.0.clear();
     }

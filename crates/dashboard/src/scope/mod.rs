@@ -1,4 +1,4 @@
-//! What a scope shows: channels, a stretch of time, a trigger, two cursors. No drawing.
+//! Contents of a scope, without drawing: channels, a stretch of time, a trigger, two cursors.
 
 pub mod heights;
 pub mod trigger;
@@ -15,34 +15,32 @@ use trigger::{On, Trigger, TriggerState};
 /// Shortest and longest window (s).
 const WINDOW: (f64, f64) = (2e-3, 600.0);
 
-/// Keys beside the scope's own that it shows at most: more could not be told apart.
+/// Most keys beside the scope's own: more could not be distinguished.
 const COMPARED: usize = 4;
 
 /// The settings of a scope.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Scope {
-    /// The key; the selected one without.
+    /// The key; the selected one if `None`.
     pub key: Option<u8>,
-    /// Further keys whose channels are drawn beside its own.
+    /// Further keys whose channels are drawn, too.
     pub compared: BTreeSet<u8>,
-    /// Channels of each plot, from the top; the usual ones if there are none.
+    /// Channels of each plot, from the top; the usual ones if empty.
     pub lanes: Vec<Vec<String>>,
-    /// Length of the time that is seen (s).
+    /// Length of the time shown (s).
     pub window: f64,
     pub trigger: Trigger,
     pub has_cursors: bool,
-    /// Whether it is a window of its own.
+    /// `true` if the scope has its own window.
     pub is_popped: bool,
-    /// Times of the cursors (s).
     #[serde(skip)]
     pub cursors: [f64; 2],
-    /// End of the view (s); without, it follows what comes.
+    /// End of the view (s); if `None`, the view follows the newest time.
     #[serde(skip)]
     pub pinned: Option<f64>,
     #[serde(skip)]
     pub heights: Heights,
-    /// Keys to compare with, as typed so far.
     #[serde(skip)]
     pub typed: String,
     /// Beginning of a stretch that is being selected (s).
@@ -73,26 +71,25 @@ impl Default for Scope {
 }
 
 impl Scope {
-    /// Returns the stretch that is seen (s) when `now` is the newest time.
+    /// Returns the view (s) when `now` is the newest time.
     pub fn view(&self, now: f64) -> (f64, f64) {
         let held = self.armed.end(&self.trigger, self.window, now);
         let end = self.pinned.or(held).unwrap_or(now);
         (end - self.window, end)
     }
 
-    /// Returns whether it follows what comes.
     pub fn follows(&self) -> bool {
         self.pinned.is_none()
     }
 
-    /// Looks for triggers in what has arrived.
+    /// Checks the arrivals for triggers.
     pub fn update(&mut self, store: &Store, key: u8) {
         if self.trigger.on != On::Nothing && self.pinned.is_none() {
             self.armed.update(&self.trigger, store, key, self.window);
         }
     }
 
-    /// Makes the window `factor` times as long about the time `about` (s).
+    /// Makes the window `factor` times as long around the time `about` (s).
     pub fn zoom(&mut self, factor: f64, about: f64, now: f64) {
         let (start, end) = self.view(now);
         let window = (self.window * factor).clamp(WINDOW.0, WINDOW.1);
@@ -101,24 +98,23 @@ impl Scope {
         self.pinned = Some(about + (end - about) * factor);
     }
 
-    /// Moves the view by so much (s).
+    /// Moves the view by `by` (s).
     pub fn pan(&mut self, by: f64, now: f64) {
         self.pinned = Some(self.view(now).1 + by);
     }
 
-    /// Shows from `a` to `b` (s).
+    /// Shows `a` to `b` (s).
     pub fn show(&mut self, a: f64, b: f64) {
         self.window = (b - a).abs().clamp(WINDOW.0, WINDOW.1);
         self.pinned = Some(a.max(b));
     }
 
-    /// Places both cursors in the view.
     pub fn place_cursors(&mut self, now: f64) {
         let (start, end) = self.view(now);
         self.cursors = [start + (end - start) / 3.0, start + (end - start) * 2.0 / 3.0];
     }
 
-    /// Returns the keys that are seen: `key` first, then those that are compared with it.
+    /// Returns the keys shown: `key` first, then the compared ones.
     pub fn keys(&self, key: u8) -> Vec<u8> {
         let is_other = |other: &u8| *other != key && usize::from(*other) < telemetry::KEYS;
         let others = self.compared.iter().copied().filter(is_other);
@@ -139,7 +135,6 @@ impl Scope {
         if self.lanes.is_empty() { usual(store, key) } else { self.lanes.clone() }
     }
 
-    /// Shows a channel in a plot, or hides it.
     pub fn toggle(&mut self, store: &Store, key: u8, lane: usize, channel: &str) {
         let mut lanes = self.channels(store, key);
         lanes.resize(lanes.len().max(lane + 1), Vec::new());
@@ -150,7 +145,7 @@ impl Scope {
             shown.push(channel.to_owned());
         }
         self.lanes = lanes;
-        // What was chosen was for other values.
+        // The chosen range was for other values.
         self.heights.fit(lane);
     }
 }
@@ -159,7 +154,7 @@ impl Scope {
 fn usual(store: &Store, key: u8) -> Vec<Vec<String>> {
     let signals = store.signals(key);
     let guards = signals.iter().filter(|signal| signal.kind() == Kind::Guard);
-    // Speeds are another plot's matter.
+    // Speeds have another scale.
     let is_place = |unit: &str| !unit.ends_with("/s");
     let places = signals.iter().filter(|it| it.kind() == Kind::State && is_place(&it.unit));
     let mut above = vec!["sent".to_owned()];

@@ -1,11 +1,11 @@
-//! When a scope holds still: at a level, at a mode switch, at a strike.
+//! Trigger that holds a scope: at a level, at a mode switch, at a strike.
 
 use serde::{Deserialize, Serialize};
 use telemetry::event::Kind;
 
 use crate::store::Store;
 
-/// The direction in which a level is crossed.
+/// Direction in which a level is crossed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum Edge {
     #[default]
@@ -13,17 +13,14 @@ pub enum Edge {
     Falling,
 }
 
-/// The event for which a trigger waits.
+/// Event that a trigger waits for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum On {
-    /// Nothing: the scope follows.
+    /// No event: the scope follows.
     #[default]
     Nothing,
-    /// A channel crosses a level.
     Level,
-    /// The model changes its mode.
     Switch,
-    /// The hammer meets the string.
     Strike,
 }
 
@@ -31,7 +28,6 @@ impl On {
     /// Every choice, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Nothing, Self::Level, Self::Switch, Self::Strike];
 
-    /// Returns the text of the menu.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Nothing => "no trigger",
@@ -42,14 +38,14 @@ impl On {
     }
 }
 
-/// What is shown between two triggers.
+/// Display between two triggers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum Sweep {
-    /// The scope follows what comes while there is no trigger.
+    /// The scope follows the newest time while there is no trigger.
     #[default]
     Auto,
     Normal,
-    /// The first trigger stays for ever.
+    /// The first trigger stays until it is armed again.
     Single,
 }
 
@@ -57,7 +53,6 @@ impl Sweep {
     /// Every choice, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::Auto, Self::Normal, Self::Single];
 
-    /// Returns the text of the menu.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -72,14 +67,12 @@ impl Sweep {
 #[serde(default)]
 pub struct Trigger {
     pub on: On,
-    /// Channel of a level.
     pub channel: String,
     /// Level in the channel's own unit.
     pub level: f64,
-    /// Direction in which the level is crossed.
     pub edge: Edge,
     pub sweep: Sweep,
-    /// Time after a trigger in which no other is looked for (s).
+    /// Time after a trigger in which no other is accepted (s).
     pub hold_off: f64,
     /// Share of the window that lies before the trigger.
     pub before: f64,
@@ -99,7 +92,7 @@ impl Default for Trigger {
     }
 }
 
-/// The state of a trigger: what it has looked at, and when it fired.
+/// State of a trigger: the checked time, and its latest event.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct TriggerState {
     seen: f64,
@@ -107,7 +100,7 @@ pub struct TriggerState {
 }
 
 impl TriggerState {
-    /// Looks at what has come since the last look; `window` (s) is shown, `now` (s) is newest.
+    /// Checks the rows and events since the last call, for a window of `window` (s).
     pub fn update(&mut self, trigger: &Trigger, store: &Store, key: u8, window: f64) {
         let now = store.newest();
         if now < self.seen {
@@ -125,17 +118,16 @@ impl TriggerState {
         }
     }
 
-    /// Looks for the next one.
     pub fn rearm(&mut self) {
         self.fired = None;
     }
 
-    /// Returns when it fired last (s).
+    /// Returns the time of the latest trigger (s).
     pub const fn fired(&self) -> Option<f64> {
         self.fired
     }
 
-    /// Returns where the window ends (s), unless it follows what comes.
+    /// Returns the end of the window (s), unless it follows the newest time.
     pub fn end(&self, trigger: &Trigger, window: f64, now: f64) -> Option<f64> {
         let end = self.fired? + window * (1.0 - trigger.before);
         let is_old = trigger.sweep == Sweep::Auto && end + window.max(0.5) < now;

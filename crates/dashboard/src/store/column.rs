@@ -1,5 +1,5 @@
-//! A column of numbers that knows the smallest and largest of each block, so that a long stretch
-//! is drawn without looking at every row, and no spike is lost.
+//! A column of numbers with the smallest and largest of each block, so that a long stretch is drawn
+//! without reading every row, and no spike is lost.
 
 /// Number of rows in a block.
 pub(crate) const BLOCK: usize = 64;
@@ -13,7 +13,6 @@ pub(crate) struct Column {
 }
 
 impl Column {
-    /// Appends the value of a row.
     pub(crate) fn push(&mut self, value: f32) {
         if self.values.len().is_multiple_of(BLOCK) {
             self.lows.push(f32::INFINITY);
@@ -26,7 +25,6 @@ impl Column {
         }
     }
 
-    /// Forgets the oldest blocks.
     pub(crate) fn forget(&mut self, blocks: usize) {
         let blocks = blocks.min(self.values.len() / BLOCK);
         self.values.drain(..blocks * BLOCK);
@@ -34,7 +32,6 @@ impl Column {
         self.highs.drain(..blocks);
     }
 
-    /// Returns all rows, oldest first.
     pub(crate) fn values(&self) -> &[f32] {
         &self.values
     }
@@ -58,7 +55,7 @@ impl Column {
     }
 }
 
-/// Widens `range`; what is not a number is passed over.
+/// Widens `range`; NaN is ignored.
 fn widen(range: &mut (f32, f32), lows: &[f32], highs: &[f32]) {
     range.0 = lows.iter().copied().fold(range.0, f32::min);
     range.1 = highs.iter().copied().fold(range.1, f32::max);

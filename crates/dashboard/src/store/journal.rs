@@ -1,4 +1,4 @@
-//! What happened, newest last, as much of it as is kept.
+//! A bounded list, newest last.
 
 use std::collections::VecDeque;
 use std::collections::vec_deque::Iter;
@@ -12,12 +12,10 @@ pub struct Journal<T> {
 }
 
 impl<T> Journal<T> {
-    /// Creates an empty list of at most `most`.
     pub const fn new(most: usize) -> Self {
         Self { entries: VecDeque::new(), most, forgotten: 0 }
     }
 
-    /// Appends, and forgets the oldest if there are too many.
     pub fn push(&mut self, entry: T) {
         if self.entries.len() == self.most {
             self.entries.pop_front();
@@ -26,27 +24,24 @@ impl<T> Journal<T> {
         self.entries.push_back(entry);
     }
 
-    /// Returns the entries, oldest first.
     pub fn iter(&self) -> Iter<'_, T> {
         self.entries.iter()
     }
 
-    /// Returns how many entries are kept.
     pub fn len(&self) -> usize {
         self.entries.len()
     }
 
-    /// Returns whether no entries are kept.
     pub fn is_empty(&self) -> bool {
         self.entries.is_empty()
     }
 
-    /// Returns how many entries there ever were.
+    /// Returns the number of all entries so far, also forgotten ones.
     pub fn count(&self) -> u64 {
         self.forgotten + self.entries.len() as u64
     }
 
-    /// Returns the entries after the first `seen` that there ever were.
+    /// Returns the entries after the first `seen` of all so far.
     pub fn since(&self, seen: u64) -> impl Iterator<Item = &T> {
         let skipped = usize::try_from(seen.saturating_sub(self.forgotten)).unwrap_or(usize::MAX);
         self.entries.iter().skip(skipped)

@@ -1,13 +1,13 @@
-//! All keys at a glance.
+//! Summaries of all keys.
 
 use telemetry::{KEYS, Overview};
 
-/// The summary of a key: how deep it is, its force, mode and fault.
+/// Depth, force, mode and fault of a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeySummary {
-    /// Largest displacement since the message before (m).
+    /// Largest displacement since the previous message (m).
     pub position: f32,
-    /// The force sent that is farthest from none (N).
+    /// Sent force with the largest magnitude (N).
     pub force: f32,
     pub mode: Option<u8>,
     /// Bits as in `KeyBlock.flags`.
@@ -18,7 +18,6 @@ pub struct KeySummary {
 impl KeySummary {
     const NOTHING: Self = Self { position: 0.0, force: 0.0, mode: None, flags: 8, fault: 0 };
 
-    /// Reads the `i`th key of an overview.
     fn of(overview: &Overview, i: usize) -> Self {
         let float = |values: &[f32]| values.get(i).copied().filter(|x| x.is_finite());
         let byte = |values: &[u8]| values.get(i).copied();
@@ -34,15 +33,15 @@ impl KeySummary {
     }
 }
 
-/// The summaries of all keys, of the newest overview.
+/// Summaries of all keys, of the newest overview.
 #[derive(Clone, PartialEq, Debug)]
 pub struct KeySummaries {
     keys: [KeySummary; KEYS],
-    /// Whether there was an overview.
+    /// `true` if there was an overview.
     pub is_known: bool,
-    /// The last tick of the overview.
+    /// Last tick of the overview.
     pub tick: u64,
-    /// Number of samples that found no room on their way to the window.
+    /// Number of samples lost on their way to the window.
     pub dropped: u64,
 }
 
@@ -53,17 +52,16 @@ impl Default for KeySummaries {
 }
 
 impl KeySummaries {
-    /// Returns the summary of a key; that of a key at rest for a number that is none.
+    /// Returns the summary of a key; that of a key at rest for an invalid number.
     pub fn key(&self, key: u8) -> KeySummary {
         self.keys.get(usize::from(key)).copied().unwrap_or(KeySummary::NOTHING)
     }
 
-    /// Returns whether an overview says of each key what is known already.
+    /// Returns `true` if an overview repeats the known summaries.
     pub(crate) fn shows(&self, overview: &Overview) -> bool {
         self.keys.iter().enumerate().all(|(i, summary)| *summary == KeySummary::of(overview, i))
     }
 
-    /// Takes a new overview.
     pub(crate) fn take(&mut self, overview: &Overview) {
         self.is_known = true;
         self.tick = overview.tick;

@@ -1,6 +1,5 @@
-//! What has arrived, as much of it as is kept.
+//! The arrivals, up to a bound. Time is the tick's number times the period (s since the run began).
 //!
-//! Time is the tick's number times the period, in seconds since the run began.
 //! Nothing here draws, asks or reads a clock.
 
 mod column;
@@ -24,13 +23,13 @@ use trace::{OWN, Trace};
 /// Size of each key's rows (B): two minutes of a model of eight signals.
 const TRACE_BYTES: usize = 8 << 20;
 
-/// The last tick that is taken for one: thousands of years.
+/// The last accepted tick: thousands of years.
 pub(crate) const LAST_TICK: u64 = 1 << 48;
 
-/// Rate of ticks while there is no catalogue (Hz).
+/// Rate of ticks without a catalogue (Hz).
 const USUAL_HZ: u32 = 1000;
 
-/// Everything that a window shows of a host.
+/// All data of a host that a window shows.
 #[derive(Clone, Debug)]
 pub struct Store {
     pub catalogue: Option<Catalogue>,
@@ -43,7 +42,7 @@ pub struct Store {
     pub links: Option<Links>,
     voices: BTreeMap<u8, Voice>,
     traces: BTreeMap<u8, Trace>,
-    /// When the newest message was made (ns since 1970).
+    /// Time of the newest message (ns since 1970).
     newest_at: u64,
     version: u64,
 }
@@ -68,7 +67,7 @@ impl Default for Store {
 }
 
 impl Store {
-    /// Takes a message that was made `at` (ns since 1970).
+    /// Takes a message from `at` (ns since 1970).
     pub fn take(&mut self, at: u64, update: Update) {
         self.version += 1;
         self.newest_at = self.newest_at.max(at);
@@ -89,7 +88,7 @@ impl Store {
                     trace.cap(TRACE_BYTES);
                 }
             }
-            // Blocks say the same, and more.
+            // Blocks contain the same, and more.
             Update::State(..) => {}
             Update::Event(it) if LAST_TICK < it.tick => {}
             Update::Event(it) => self.events.push(it),
@@ -101,10 +100,9 @@ impl Store {
         }
     }
 
-    /// Forgets what came before another run, or before another place in a recording.
+    /// Forgets the data before another run, or before another position in a recording.
     ///
-    /// The catalogue and the voices stay until others come: a recording that is wound back is
-    /// still of the same run.
+    /// The catalogue and the voices stay until others come: a rewound recording is of the same run.
     pub fn forget(&mut self) {
         *self = Self {
             catalogue: self.catalogue.take(),
@@ -123,46 +121,42 @@ impl Store {
         self.version += 1;
     }
 
-    /// Returns the period of a tick (s).
     pub fn period(&self) -> f64 {
         let hz = self.catalogue.as_ref().map_or(USUAL_HZ, |it| it.tick_hz.max(1));
         1.0 / f64::from(hz)
     }
 
-    /// Returns when a tick began (s).
+    /// Returns the time at which a tick began (s).
     pub fn seconds(&self, tick: u64) -> f64 {
         tick as f64 * self.period()
     }
 
-    /// Returns the tick at `seconds`.
     pub fn tick(&self, seconds: f64) -> u64 {
         number::floor(seconds / self.period() + 1e-6)
     }
 
-    /// Returns when an event happened (s).
     pub fn when(&self, event: &Event) -> f64 {
         let theta = if event.theta.is_finite() { event.theta } else { 0.0 };
         (event.tick as f64 + theta) * self.period()
     }
 
-    /// Returns the newest time of which anything is known (s).
+    /// Returns the newest time of any data (s).
     pub fn newest(&self) -> f64 {
         let rows = self.traces.values().filter_map(|trace| trace.ticks().last());
         let tick = rows.copied().fold(self.summaries.tick, u64::max);
         self.seconds(tick)
     }
 
-    /// Returns when the newest message was made (ns since 1970).
     pub const fn newest_at(&self) -> u64 {
         self.newest_at
     }
 
-    /// Returns a count of what arrived: nothing has changed while it stays the same.
+    /// Returns a count of arrivals: nothing has changed while it is constant.
     pub const fn version(&self) -> u64 {
         self.version
     }
 
-    /// Returns the rows of a key that is followed.
+    /// Returns the rows of a followed key.
     pub fn trace(&self, key: u8) -> Option<&Trace> {
         self.traces.get(&key)
     }
@@ -172,22 +166,19 @@ impl Store {
         self.traces.values().map(Trace::bytes).sum()
     }
 
-    /// Returns the voice of a key.
     pub fn voice(&self, key: u8) -> Option<&Voice> {
         self.voices.get(&key)
     }
 
-    /// Returns the keys that have a voice, with it.
     pub fn voices(&self) -> impl Iterator<Item = (u8, &Voice)> {
         self.voices.iter().map(|(key, voice)| (*key, voice))
     }
 
-    /// Returns the model called `name`.
     pub fn model(&self, name: &str) -> Option<&Model> {
         self.catalogue.as_ref()?.models.iter().find(|model| model.name == name)
     }
 
-    /// Returns the model that plays a key, in the version that plays it.
+    /// Returns the model of a key, in the version that plays it.
     pub fn model_of(&self, key: u8) -> Option<&Model> {
         let voice = self.voice(key)?;
         let mut models = self.catalogue.as_ref()?.models.iter();
@@ -195,17 +186,14 @@ impl Store {
         found.or_else(|| self.model(&voice.model))
     }
 
-    /// Returns the parameters of a key's model.
     pub fn parameters(&self, key: u8) -> &[Parameter] {
         self.model_of(key).map_or(&[], |model| &model.parameters)
     }
 
-    /// Returns the signals of a key's model.
     pub fn signals(&self, key: u8) -> &[Signal] {
         self.model_of(key).map_or(&[], |model| &model.signals)
     }
 
-    /// Returns the name of a key's mode.
     pub fn mode_name(&self, key: u8, mode: u8) -> String {
         let named = self.model_of(key).and_then(|model| model.modes.get(usize::from(mode)));
         named.cloned().unwrap_or_else(|| format!("mode {mode}"))
@@ -221,14 +209,13 @@ impl Store {
         Some((OWN.len() + i, &signals[i].unit))
     }
 
-    /// Returns every channel of a key: its name and unit.
+    /// Returns name and unit of every channel of a key.
     pub fn channels(&self, key: u8) -> Vec<(String, String)> {
         let own = OWN.iter().map(|(name, unit)| ((*name).to_owned(), (*unit).to_owned()));
         let signals = self.signals(key).iter();
         own.chain(signals.map(|signal| (signal.name.clone(), signal.unit.clone()))).collect()
     }
 
-    /// Returns the value of a channel at `seconds`, if it is known.
     pub fn value(&self, key: u8, channel: &str, seconds: f64) -> Option<f64> {
         let (column, _) = self.channel(key, channel)?;
         self.trace(key)?.value_at(column, self.tick(seconds)).map(f64::from)

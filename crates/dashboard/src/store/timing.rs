@@ -1,13 +1,11 @@
-//! When ticks were done, tick by tick.
+//! Durations of ticks, tick by tick.
 
 use telemetry::Ticks;
 
 use super::journal::Journal;
 
-/// Number of ticks that are kept.
 const KEPT: usize = 60_000;
 
-/// The outcome of a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TickOutcome {
     InTime,
@@ -29,7 +27,6 @@ impl TickOutcome {
         }
     }
 
-    /// Returns the outcome in words.
     pub const fn text(self) -> &'static str {
         match self {
             Self::InTime => "in time",
@@ -40,7 +37,7 @@ impl TickOutcome {
     }
 }
 
-/// When a tick was done.
+/// Times of one tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Timed {
     pub tick: u64,
@@ -53,7 +50,7 @@ pub struct Timed {
     pub cause: TickOutcome,
 }
 
-/// The newest ticks, and when they were done.
+/// The newest ticks with their times.
 #[derive(Clone, Debug)]
 pub struct Timing {
     ticks: Journal<Timed>,
@@ -84,7 +81,6 @@ impl Timing {
         }
     }
 
-    /// Returns the newest ticks, oldest first.
     pub fn ticks(&self) -> &Journal<Timed> {
         &self.ticks
     }

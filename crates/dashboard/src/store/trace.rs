@@ -30,10 +30,9 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// Appends a block's rows and fills the ticks in which the key lay still.
+    /// Appends a block's rows and fills the ticks in which the key rested.
     ///
-    /// Rows older than the newest are passed over; a block whose columns differ in length is
-    /// taken as far as the shortest goes.
+    /// Rows older than the newest are ignored. Columns are read up to the shortest.
     pub(super) fn append(&mut self, block: &KeyBlock, period: f64) {
         let rows = rows(block);
         let width = block.signals.len().checked_div(block.after.len()).unwrap_or(0);
@@ -84,7 +83,7 @@ impl Trace {
         }
     }
 
-    /// Returns the mean speed over the last rows (m/s).
+    /// Returns the mean speed over the last [`SPEED_ROWS`] rows (m/s).
     fn speed(&self, position: f32, tick: u64, period: f64) -> f32 {
         // The tick of this row is in already, its position is not.
         let Some(row) = self.columns[0].values().len().checked_sub(SPEED_ROWS) else { return 0.0 };
@@ -117,12 +116,11 @@ impl Trace {
         8 + 1 + 4 * self.columns.len().max(1)
     }
 
-    /// Returns the size of the rows (B), about.
+    /// Returns the approximate size of the rows (B).
     pub fn bytes(&self) -> usize {
         self.ticks.len() * self.row_bytes()
     }
 
-    /// Returns the ticks of the rows, oldest first.
     pub fn ticks(&self) -> &[u64] {
         &self.ticks
     }
@@ -132,12 +130,10 @@ impl Trace {
         self.columns.get(column).map_or(&[], Column::values)
     }
 
-    /// Returns how many columns there are.
     pub fn width(&self) -> usize {
         self.columns.len()
     }
 
-    /// Returns the modes of the rows.
     pub fn modes(&self) -> &[u8] {
         &self.modes
     }
@@ -147,7 +143,7 @@ impl Trace {
         &self.epochs
     }
 
-    /// Returns the voice that the newest row is of.
+    /// Returns the voice of the newest row.
     pub fn revision(&self) -> u32 {
         self.revision
     }
@@ -163,10 +159,8 @@ impl Trace {
         self.values(column).get(row).copied()
     }
 
-    /// Returns points of `column` to draw between two ticks: `[tick, value]`.
-    ///
-    /// At most about four for each of `buckets`; the smallest and the largest value of each are
-    /// kept.
+    /// Returns points of `column` to draw between two ticks: `[tick, value]`. About four at most
+    /// for each of `buckets`, among them the smallest and the largest value of each.
     pub fn points(&self, column: usize, from: u64, to: u64, buckets: usize) -> Vec<[f64; 2]> {
         let first = self.row_at(from).unwrap_or(0);
         let last = (self.ticks.partition_point(|row| *row <= to) + 1).min(self.ticks.len());
@@ -181,7 +175,7 @@ impl Trace {
         self.banded(values, first, last, buckets)
     }
 
-    /// Returns for each bucket of ticks the first value, the smallest, the largest and the last.
+    /// Returns for each bucket of ticks the first, the smallest, the largest and the last value.
     fn banded(&self, values: &Column, first: usize, last: usize, buckets: usize) -> Vec<[f64; 2]> {
         let ticks = &self.ticks[..last];
         let most = u64::try_from(buckets.max(1)).unwrap_or(u64::MAX);
@@ -192,14 +186,14 @@ impl Trace {
         let mut at = first;
         while at < last {
             let next = (ticks[at] / size).saturating_add(1).saturating_mul(size);
-            // At the end of all ticks there is no next one.
+            // After the last tick there is no next one.
             let end = at + ticks[at..].partition_point(|tick| *tick < next).max(1);
             let (begin, done) = (ticks[at] as f64, ticks[end - 1] as f64);
             let ends = [values.values()[at], values.values()[end - 1]];
             points.push([begin, ends[0].into()]);
             if let Some((low, high)) = values.range(at, end) {
                 let middle = f64::midpoint(begin, done);
-                // What rises or falls all the way needs its ends only.
+                // A monotonic stretch needs its ends only.
                 let beyond = [low, high].into_iter().filter(|it| !within(*it, ends));
                 points.extend(beyond.map(|it| [middle, it.into()]));
             }
@@ -212,12 +206,11 @@ impl Trace {
     }
 }
 
-/// Returns whether `x` lies between two ends.
 fn within(x: f32, [a, b]: [f32; 2]) -> bool {
     (a.min(b)..=a.max(b)).contains(&x)
 }
 
-/// Returns how many rows every column has.
+/// Returns the number of rows that every column has.
 fn rows(block: &KeyBlock) -> usize {
     let lengths = [block.position.len(), block.force.len(), block.sent.len(), block.mode.len()];
     lengths.into_iter().fold(block.after.len(), usize::min)

@@ -1,14 +1,13 @@
-//! What was changed, so that it can be taken back.
+//! Changes that can be undone.
 
 use super::snapshot::{ParameterSlot, SlotValues};
 
-/// Steps that are kept.
 const KEPT: usize = 200;
 
 /// One change: by a drag, a typed value, a morph.
 #[derive(Clone, PartialEq, Debug)]
 pub struct UndoStep {
-    /// What it was, in a few words.
+    /// Description of the change in a few words.
     pub text: String,
     pub before: SlotValues,
     pub after: SlotValues,
@@ -24,7 +23,7 @@ pub struct UndoHistory {
 }
 
 impl UndoHistory {
-    /// Enters a step; one of the same gesture as the last becomes part of it.
+    /// Enters a step, or merges it into the last one of the same gesture.
     pub fn enter(
         &mut self,
         text: &str,
@@ -49,7 +48,7 @@ impl UndoHistory {
         }
     }
 
-    /// Takes the last step back, and returns the values to go to.
+    /// Undoes the last step; returns the values to restore.
     pub fn undo(&mut self) -> Option<SlotValues> {
         let step = self.done.pop()?;
         let values = step.before.clone();
@@ -57,7 +56,7 @@ impl UndoHistory {
         Some(values)
     }
 
-    /// Does the step again that was taken back last, and returns its values.
+    /// Redoes the latest undone step; returns its values.
     pub fn redo(&mut self) -> Option<SlotValues> {
         let step = self.undone.pop()?;
         let values = step.after.clone();
@@ -65,27 +64,24 @@ impl UndoHistory {
         Some(values)
     }
 
-    /// Returns the step that [`Self::undo`] would take back.
     pub fn last(&self) -> Option<&UndoStep> {
         self.done.last()
     }
 
-    /// Returns the step that [`Self::redo`] would do again.
     pub fn next(&self) -> Option<&UndoStep> {
         self.undone.last()
     }
 
-    /// Returns the steps done, oldest first.
     pub fn steps(&self) -> &[UndoStep] {
         &self.done
     }
 
-    /// Returns the steps taken back, the one that [`Self::redo`] would do again first.
+    /// Returns the undone steps, that of the next [`Self::redo`] first.
     pub fn undone(&self) -> impl Iterator<Item = &UndoStep> {
         self.undone.iter().rev()
     }
 
-    /// Removes values that were refused from all steps.
+    /// Removes rejected values from all steps.
     pub fn forget(&mut self, slots: &[ParameterSlot]) {
         for step in &mut self.done {
             step.before.retain(|slot, _| !slots.contains(slot));

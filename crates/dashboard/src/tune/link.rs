@@ -1,22 +1,19 @@
-//! One slider for many keys: what the others do when one is moved.
+//! One slider for many keys: the values of the others when one is moved.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
 
-/// What the other keys of a range do.
+/// Reaction of the other keys of a range.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub enum LinkedKeys {
-    /// Nothing: each key for itself.
+    /// None: each key for itself.
     #[default]
     Alone,
-    /// They take the same value.
     Same,
-    /// They change by the same factor.
     Factor,
-    /// They lie on straight lines from the key that is moved to both ends of the range, which
-    /// stay where they are.
+    /// They lie on straight lines from the moved key to both ends of the range, which stay.
     Graded,
 }
 
@@ -24,7 +21,6 @@ impl LinkedKeys {
     /// Every link, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Alone, Self::Same, Self::Factor, Self::Graded];
 
-    /// Returns the text of the menu.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Alone => "this key",
@@ -35,9 +31,8 @@ impl LinkedKeys {
     }
 }
 
-/// Returns the values of a range of keys once `key` has been moved to `value`.
-///
-/// `values` are those before, of every key that can follow; what comes back is not yet limited.
+/// Returns the values of a range of keys, not yet limited, after `key` was moved to `value`.
+/// `values` are those before, of every key that can follow.
 pub fn moved(
     link: LinkedKeys,
     range: &RangeInclusive<u8>,

@@ -1,8 +1,7 @@
-//! Parameters that are tuned: what is shown, what is asked for, what can be taken back.
+//! Tuned parameters: the values shown, the changes to request, and undo.
 //!
-//! A value that was asked for is shown at once and stays until the host has answered, so that a
-//! slider never jumps back to what it was.
-//! Nothing here draws or sends: [`Tuner::outgoing`] says what to ask for.
+//! A requested value is shown at once and stays until the host has answered, so that a slider never
+//! jumps back. Nothing here draws or sends: [`Tuner::outgoing`] returns the changes to request.
 
 pub mod history;
 pub mod link;
@@ -22,46 +21,44 @@ use history::UndoHistory;
 use link::LinkedKeys;
 use snapshot::{ParameterSlot, SlotValues, Snapshot};
 
-/// What is remembered from one start to the next.
+/// Tuning state that is saved between starts.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SavedTuning {
     /// Parameters that nothing changes.
     pub locked: BTreeSet<String>,
     pub compared: [Option<Snapshot>; 2],
-    /// Snapshots by their names.
     pub named: BTreeMap<String, Snapshot>,
 }
 
-/// What a key is played by, as the host last told.
+/// Instrument of a key, as the host last reported.
 #[derive(Clone, Debug)]
 struct KeyInstrument {
     model: String,
-    /// The version of the model's description.
+    /// Version of the model's description.
     version: u32,
     instrument: String,
     values: Vec<f64>,
     revision: u32,
 }
 
-/// Values that were sent, and whose answer is on its way.
+/// Sent values whose answer is pending.
 #[derive(Clone, Debug)]
 struct PendingValues {
     ticket: Ticket,
     values: SlotValues,
-    /// Revisions of the keys' voices when it was sent.
+    /// Revisions of the keys' voices when the values were sent.
     revisions: BTreeMap<u8, u32>,
 }
 
 /// The parameters as the window shows and changes them.
 #[derive(Clone, Debug, Default)]
 pub struct Tuner {
-    /// What is remembered from one start to the next.
     pub kept: SavedTuning,
-    /// By their names and the versions of their descriptions.
+    /// Models by their names and versions of their descriptions.
     models: BTreeMap<(String, u32), Model>,
     played: BTreeMap<u8, KeyInstrument>,
-    /// Values that were asked for and not yet answered, by key and parameter.
+    /// Requested values without an answer, by key and parameter.
     wanted: BTreeMap<u8, BTreeMap<String, f64>>,
     dirty: BTreeSet<ParameterSlot>,
     asked: Option<PendingValues>,
@@ -70,7 +67,7 @@ pub struct Tuner {
 }
 
 impl Tuner {
-    /// Takes what the host tells of models and voices.
+    /// Takes the host's reports of models and voices.
     pub fn take(&mut self, update: &Update) {
         if let Update::Catalogue(catalogue) = update {
             let models = catalogue.models.iter().cloned();
@@ -95,14 +92,13 @@ impl Tuner {
         }
     }
 
-    /// Forgets values that were sent and will not be answered any more.
+    /// Forgets sent values that will not be answered any more.
     pub fn forget(&mut self) {
         self.asked = None;
         self.dirty.clear();
         self.wanted.clear();
     }
 
-    /// Returns the parameter `name` of a key's model.
     pub fn parameter(&self, key: u8, name: &str) -> Option<&Parameter> {
         Some(self.at(key, name)?.1)
     }
@@ -114,7 +110,7 @@ impl Tuner {
         model.parameters.iter().enumerate().find(is_it)
     }
 
-    /// Returns the value to show: the one asked for, or else the host's.
+    /// Returns the value to show: the requested one, else the host's.
     pub fn value(&self, key: u8, name: &str) -> Option<f64> {
         self.wanted(key, name).or_else(|| self.reported(key, name))
     }
@@ -123,7 +119,6 @@ impl Tuner {
         self.wanted.get(&key)?.get(name).copied()
     }
 
-    /// Returns the value that the host told.
     fn reported(&self, key: u8, name: &str) -> Option<f64> {
         let (i, _) = self.at(key, name)?;
         self.played.get(&key)?.values.get(i).copied().filter(|value| value.is_finite())
@@ -134,24 +129,23 @@ impl Tuner {
         self.played.get(&key).map(|played| (played.model.as_str(), played.instrument.as_str()))
     }
 
-    /// Returns whether a value was asked for and not yet answered.
+    /// Returns `true` if a value was requested and not yet answered.
     pub fn is_asked(&self, key: u8, name: &str) -> bool {
         self.wanted(key, name).is_some()
     }
 
-    /// Returns why the last value was refused.
+    /// Returns the reason why the last value was rejected.
     pub fn refusal(&self) -> Option<&str> {
         self.refusal.as_deref()
     }
 
-    /// Returns the steps that were done and taken back.
     pub const fn history(&self) -> &UndoHistory {
         &self.history
     }
 
     /// Moves a key's parameter to `value`, and with it those of the range.
     ///
-    /// Changes of the same `gesture` are taken back together.
+    /// Changes of the same `gesture` are undone together.
     pub fn edit(
         &mut self,
         (key, parameter): (u8, &str),
@@ -175,9 +169,9 @@ impl Tuner {
         self.apply(&text, &values.collect(), gesture);
     }
 
-    /// Goes to `values`, as one step.
+    /// Changes to `values`, as one step.
     ///
-    /// What is locked, unknown or not a number stays; what is out of range goes to its end.
+    /// Locked and unknown parameters, and NaN, have no effect; values are limited to their range.
     pub fn apply(&mut self, text: &str, values: &SlotValues, gesture: Option<u64>) {
         let mut before = SlotValues::new();
         let mut after = SlotValues::new();
@@ -194,7 +188,7 @@ impl Tuner {
         }
     }
 
-    /// Returns the value before, and `value` within its limits; none if it must not change.
+    /// Returns the value before, and the limited `value`; `None` if it must not change.
     fn limited(&self, slot: &ParameterSlot, value: f64) -> Option<(f64, f64)> {
         if !value.is_finite() || self.is_locked(&slot.parameter) {
             return None;
@@ -214,21 +208,20 @@ impl Tuner {
         self.dirty.extend(values.keys().cloned());
     }
 
-    /// Takes the last step back; a parameter that was locked since stays.
+    /// Undoes the last step; a parameter that was locked since stays.
     pub fn undo(&mut self) {
         if let Some(values) = self.history.undo() {
             self.want(&self.unlocked(values));
         }
     }
 
-    /// Does again what was taken back.
     pub fn redo(&mut self) {
         if let Some(values) = self.history.redo() {
             self.want(&self.unlocked(values));
         }
     }
 
-    /// Goes to where `steps` steps are done, from the oldest on; as far as there are any.
+    /// Undoes or redoes until `steps` steps are done, counted from the oldest, as far as possible.
     pub fn go_to(&mut self, steps: usize) {
         while steps < self.history.steps().len() {
             self.undo();
@@ -243,19 +236,17 @@ impl Tuner {
         values
     }
 
-    /// Returns whether a parameter is locked.
     pub fn is_locked(&self, parameter: &str) -> bool {
         self.kept.locked.contains(parameter)
     }
 
-    /// Locks a parameter, or unlocks it.
     pub fn toggle_lock(&mut self, parameter: &str) {
         if !self.kept.locked.remove(parameter) {
             self.kept.locked.insert(parameter.to_owned());
         }
     }
 
-    /// Returns all values as they are now.
+    /// Returns all present values.
     pub fn snapshot(&self) -> Snapshot {
         Snapshot::new(self.models_played(), &self.values())
     }
@@ -278,13 +269,13 @@ impl Tuner {
         self.played.iter().flat_map(of_key).collect()
     }
 
-    /// Goes to a snapshot, as one step.
+    /// Restores a snapshot, as one step.
     pub fn recall(&mut self, snapshot: &Snapshot, text: &str) {
         let values = snapshot.values(&self.models_played());
         self.apply(text, &values, None);
     }
 
-    /// Goes to what lies between A (0) and B (1).
+    /// Changes to values between A (0) and B (1).
     pub fn morph(&mut self, share: f64, gesture: Option<u64>) {
         let models = self.models_played();
         if let [Some(a), Some(b)] = &self.kept.compared {
@@ -293,9 +284,9 @@ impl Tuner {
         }
     }
 
-    /// Returns the changes to ask for now; none while an answer is on its way.
+    /// Returns the changes to request now; `None` while an answer is pending.
     ///
-    /// A drag thus asks as often as the host answers, and always for the newest value.
+    /// A drag thus requests as often as the host answers, and always the newest value.
     pub fn outgoing(&self) -> Option<Vec<Change>> {
         if self.asked.is_some() || self.dirty.is_empty() {
             return None;
@@ -307,7 +298,7 @@ impl Tuner {
         Some(self.dirty.iter().filter_map(change).collect())
     }
 
-    /// Notes that the changes of [`Self::outgoing`] were asked for by `ticket`.
+    /// Records that `ticket` requested the changes of [`Self::outgoing`].
     pub fn sent(&mut self, ticket: Ticket) {
         let dirty = std::mem::take(&mut self.dirty);
         let value = |slot: ParameterSlot| {
@@ -321,14 +312,14 @@ impl Tuner {
         self.asked = Some(PendingValues { ticket, values, revisions });
     }
 
-    /// Takes the host's answer; a refusal is a sentence.
+    /// Takes the host's answer; an error is a sentence.
     pub fn answered(&mut self, ticket: Ticket, result: Result<(), &str>) {
         let Some(asked) = self.asked.take_if(|asked| asked.ticket == ticket) else { return };
         self.refusal = result.err().map(str::to_owned);
         let slots: Vec<ParameterSlot> = asked.values.keys().cloned().collect();
         for (slot, value) in asked.values {
             if self.dirty.contains(&slot) {
-                // It was moved on meanwhile: the newer value stays.
+                // The value was changed meanwhile: the newer one stays.
                 continue;
             }
             if let Some(of_key) = self.wanted.get_mut(&slot.key) {
@@ -347,7 +338,7 @@ impl Tuner {
         self.played.get(&key).map(|played| played.revision) == revisions.get(&key).copied()
     }
 
-    /// Takes a value for the host's, whose voice is still on the way.
+    /// Assumes the host's value; its voice is still on the way.
     fn assume_set(&mut self, slot: &ParameterSlot, value: f64) {
         let Some((i, _)) = self.at(slot.key, &slot.parameter) else { return };
         let played = self.played.get_mut(&slot.key);

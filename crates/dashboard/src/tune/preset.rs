@@ -5,23 +5,21 @@ use std::ops::RangeInclusive;
 
 use telemetry::Parameter;
 
-/// How far values may lie from a straight line between the ends (share of the larger end).
+/// Largest deviation from a straight line between the ends (share of the larger end).
 const STRAIGHT: f64 = 1e-6;
 
-/// The values of a range of keys, to be written as an instrument's file.
+/// Values of a range of keys, to be written as an instrument's file.
 #[derive(Clone, Debug)]
 pub struct SavedPreset<'a> {
     pub title: &'a str,
     pub model: &'a str,
     pub parameters: &'a [Parameter],
-    /// Keys whose values are written.
     pub range: RangeInclusive<u8>,
 }
 
 impl SavedPreset<'_> {
-    /// Returns the file's text: a number where all keys have it, else the values of both ends.
-    ///
-    /// `value` gives a parameter's value on a key.
+    /// Returns the file's text: a number if all keys share it, else the values of both ends.
+    /// `value` returns a parameter's value on a key.
     pub fn text(&self, value: impl Fn(u8, &str) -> Option<f64>) -> String {
         let mut text = format!("title = {}\n", quoted(self.title));
         let keys = crate::names::range_name(&self.range);

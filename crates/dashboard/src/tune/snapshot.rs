@@ -1,4 +1,4 @@
-//! Values of all keys at one time, and what lies between two of them.
+//! Values of all keys at one time, and values between two of them.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,6 @@ pub struct ParameterSlot {
 }
 
 impl ParameterSlot {
-    /// Creates the slot of `parameter` on `key`.
     pub fn new(key: u8, parameter: impl Into<String>) -> Self {
         Self { key, parameter: parameter.into() }
     }
@@ -21,17 +20,16 @@ impl ParameterSlot {
 /// Values by their slots.
 pub type SlotValues = BTreeMap<ParameterSlot, f64>;
 
-/// Values of all keys, as they once were.
+/// Values of all keys at one time.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct Snapshot {
-    /// The models that the values are for, key by key.
+    /// Models of the values, key by key.
     pub models: BTreeMap<u8, String>,
     /// The values: a list, because a slot is no name in JSON.
     values: Vec<(ParameterSlot, f64)>,
 }
 
 impl Snapshot {
-    /// Keeps `values` of keys that are played by `models`.
     pub fn new(models: BTreeMap<u8, String>, values: &SlotValues) -> Self {
         Self { models, values: values.iter().map(|(slot, value)| (slot.clone(), *value)).collect() }
     }
@@ -45,7 +43,7 @@ impl Snapshot {
     }
 }
 
-/// Returns the values at `share` between `from` (0) and `to` (1), where both have one.
+/// Returns the values at `share` between `from` (0) and `to` (1) that both contain.
 pub fn between(from: &SlotValues, to: &SlotValues, share: f64) -> SlotValues {
     let mix = |(slot, a): (&ParameterSlot, &f64)| {
         let b = to.get(slot)?;

@@ -14,18 +14,17 @@ use telemetry::{
 
 use super::{BEGAN, Behind};
 
-/// The requests to a [`TakeHost`], which tests read.
+/// Requests to a [`TakeHost`], which tests read.
 pub(crate) type RequestLog = Arc<Mutex<Vec<Request>>>;
 
 /// F#4, which fails at [`FAULT_TICK`].
 const FAULTY: u8 = 45;
 const FAULT_TICK: u64 = 600;
 
-/// Why a connection is lost.
 const GONE: &str = "the connection was lost before the host answered";
 
 /// The recorded take. As a host it also has a machine that is sometimes late, boards on two lines,
-/// a key that fails, and answers to requests, none of which a run in virtual time has.
+/// a key that fails, and answers to requests; a run in virtual time has none of these.
 #[derive(Debug)]
 pub(crate) struct TakeHost {
     playback: Playback,
@@ -62,7 +61,6 @@ impl TakeHost {
         }
     }
 
-    /// The list of its requests, which grows.
     pub(crate) fn asked(&self) -> RequestLog {
         Arc::clone(&self.asked)
     }
@@ -71,7 +69,7 @@ impl TakeHost {
         self.scripted.push_back(Arrival::Update { at, update: Box::new(update) });
     }
 
-    /// What a host on a machine with boards would have sent instead of `update`.
+    /// Turns `update` into that of a host on a machine with boards.
     fn script(&mut self, at: u64, update: &mut Update) {
         match update {
             Update::Voice(voice) => {
@@ -238,7 +236,7 @@ impl Timeline for TakeHost {
     }
 }
 
-/// Gives ticks, which took no time, durations that differ, and makes one late.
+/// Gives ticks, which took no time, different durations, and makes one late.
 fn retime(it: &mut Ticks) {
     let ticks: Vec<_> = it.after.iter().map(|after| it.tick + u64::from(*after)).collect();
     let each = |f: &dyn Fn(u64) -> f32| ticks.iter().map(|tick| f(*tick)).collect();
@@ -248,7 +246,7 @@ fn retime(it: &mut Ticks) {
     it.outcome = ticks.iter().map(|tick| u8::from(*tick == FAULT_TICK)).collect();
 }
 
-/// A distribution around `middle` (us).
+/// Returns a distribution around `middle` (us).
 fn spread(middle: f64, width: f64) -> Spread {
     let edge = (1..=24).map(|i| f64::from(i) * width).collect();
     let count = (1..=24_u64).map(|i| 1000 / (1 + i.abs_diff(9)).pow(3)).collect();
@@ -271,7 +269,7 @@ fn deadlines(ticks: u64) -> Deadlines {
     }
 }
 
-/// Eight boards on two lines. A USB device takes any rate, so its load is unknown.
+/// Returns eight boards on two lines. A USB device takes any rate, so its load is unknown.
 fn links() -> Links {
     let line = |name: &str, planned: f64| Line {
         name: name.into(),

@@ -1,4 +1,4 @@
-//! The window with the recorded take behind it, at a time that the test chooses.
+//! The window with the recorded take, at a time that the test chooses.
 
 #![expect(clippy::expect_used, clippy::panic, reason = "helpers of tests, outside #[test]")]
 #![allow(dead_code, reason = "no test file uses all of it")]
@@ -16,7 +16,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use host::{RequestLog, TakeHost};
 use telemetry::{Catalogue, Description, DescriptionFile, Request, Source, Update, Voice};
 
-/// When every test begins (ns since 1970).
+/// Start time of every test (ns since 1970).
 const BEGAN: u64 = 1_800_000_000_000_000_000;
 
 /// A clock that a test sets.
@@ -24,7 +24,7 @@ const BEGAN: u64 = 1_800_000_000_000_000_000;
 pub(crate) struct TestClock(Arc<AtomicU64>);
 
 impl TestClock {
-    /// Goes to `seconds` after the beginning.
+    /// Sets the time to `seconds` after the beginning.
     pub(crate) fn set(&self, seconds: f64) {
         #[expect(
             clippy::cast_possible_truncation,
@@ -35,31 +35,28 @@ impl TestClock {
         self.0.store(nanos, Ordering::Relaxed);
     }
 
-    /// The clock that it sets.
     pub(crate) fn clock(&self) -> WallClock {
         let time = Arc::clone(&self.0);
         Arc::new(move || BEGAN + time.load(Ordering::Relaxed))
     }
 }
 
-/// What is behind the window.
+/// Source behind the window.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Behind {
-    /// A host that plays.
     Live,
     Recording,
-    /// A host that plays, and goes away when it is asked to stop.
+    /// A host that plays, and disconnects when it is asked to stop.
     Vanishing,
 }
 
-/// A window, and what is behind it.
 pub(crate) struct TestWindow {
     pub(crate) harness: Harness<'static, App>,
     pub(crate) time: TestClock,
     asked: RequestLog,
 }
 
-/// A window that shows `pane` alone, three seconds after the beginning.
+/// Opens a window that shows `pane` alone, three seconds after the beginning.
 pub(crate) fn open(pane: Pane, behind: Behind) -> TestWindow {
     let mut window = open_with(behind, None, move |app| app.show_only(pane));
     if pane == Pane::Tuning {
@@ -70,7 +67,6 @@ pub(crate) fn open(pane: Pane, behind: Behind) -> TestWindow {
     window
 }
 
-/// A window at the beginning.
 #[expect(clippy::large_stack_frames, reason = "a window, once")]
 pub(crate) fn open_with(
     behind: Behind,
@@ -88,7 +84,6 @@ pub(crate) fn open_with(
     TestWindow { harness, time, asked }
 }
 
-/// The recorded take, and what it is asked.
 pub(crate) fn source(time: &TestClock, behind: Behind) -> (Box<dyn Source>, RequestLog) {
     let host = TakeHost::new(time.clock(), behind);
     let asked = host.asked();
@@ -96,12 +91,12 @@ pub(crate) fn source(time: &TestClock, behind: Behind) -> (Box<dyn Source>, Requ
 }
 
 impl TestWindow {
-    /// Lets time go by until `seconds` after the beginning, a frame every tenth.
+    /// Plays until `seconds` after the beginning, a frame every tenth.
     pub(crate) fn play(&mut self, seconds: f64) {
         self.play_on(0.0, seconds);
     }
 
-    /// [`Self::play`], from a time that it has been played to.
+    /// Like [`Self::play`], from the time that was reached before.
     pub(crate) fn play_on(&mut self, from: f64, seconds: f64) {
         let mut at = from;
         while at < seconds {
@@ -112,19 +107,18 @@ impl TestWindow {
         self.settle();
     }
 
-    /// A few frames, in which nothing comes.
+    /// Draws a few frames without arrivals.
     pub(crate) fn settle(&mut self) {
         self.harness.run_steps(4);
     }
 
-    /// Clicks on what is called `label`.
     #[track_caller]
     pub(crate) fn click(&mut self, label: &str) {
         self.harness.get_by_label(label).click();
         self.settle();
     }
 
-    /// Clicks in the middle of what is called `label`, as it was drawn by hand.
+    /// Clicks in the middle of a hand-drawn element.
     #[track_caller]
     pub(crate) fn press_at(&mut self, at: egui::Pos2) {
         self.harness.hover_at(at);
@@ -132,7 +126,6 @@ impl TestWindow {
         self.harness.step();
     }
 
-    /// Drags from one place to another with a mouse button.
     pub(crate) fn drag(&mut self, from: egui::Pos2, to: egui::Pos2, button: egui::PointerButton) {
         let push = |pressed, pos| egui::Event::PointerButton {
             pos,
@@ -153,29 +146,26 @@ impl TestWindow {
         self.settle();
     }
 
-    /// Where what is called `label` is drawn.
     #[track_caller]
     pub(crate) fn rect(&self, label: &str) -> egui::Rect {
         self.harness.get_by_label(label).rect()
     }
 
-    /// Whether something is called `label`.
     pub(crate) fn has(&self, label: &str) -> bool {
         self.harness.query_by_label(label).is_some()
     }
 
-    /// Whether something's label holds `text`.
+    /// Returns `true` if any label contains `text`.
     pub(crate) fn says(&self, text: &str) -> bool {
         self.harness.query_all_by_label_contains(text).next().is_some()
             || self.harness.query_all_by_value(text).next().is_some()
     }
 
-    /// What the source was asked so far.
     pub(crate) fn asked(&self) -> Vec<Request> {
         self.asked.lock().expect("nobody panics with it").clone()
     }
 
-    /// The values that were asked for of a parameter, newest last.
+    /// Returns the requested values of a parameter, newest last.
     pub(crate) fn set(&self, key: u8, parameter: &str) -> Vec<f64> {
         let changes = self.asked().into_iter().filter_map(|request| match request {
             Request::Set { changes } => Some(changes),
@@ -200,8 +190,8 @@ impl TestWindow {
     }
 }
 
-/// What is told of two versions of a description of which C4 plays the second, and whose file is
-/// wrong now: the catalogue, and the voice.
+/// Returns catalogue and voice for two versions of a description; C4 plays the second, and the file
+/// is now invalid.
 pub(crate) fn wrong_description() -> [Update; 2] {
     const WRONG: &str = "\
 /home/me/feel.toml:6:25: there is no \"kk\"; use \"k\", the nearest of base, k, m, s, y, y', y'' and \

@@ -13,16 +13,15 @@ pub(crate) struct Picture {
     pub(crate) pixels: Vec<Color32>,
 }
 
-/// Textures, as far as they were told.
+/// Known textures, to draw with.
 #[derive(Default)]
 pub(crate) struct Rasteriser {
     textures: BTreeMap<u64, Picture>,
 }
 
 impl Rasteriser {
-    /// Takes what changed of the textures.
     pub(crate) fn take(&mut self, delta: &TexturesDelta) {
-        // Textures do not know each other: their order is of no matter.
+        // Textures are independent: their order does not matter.
         delta.set.iter().for_each(|(id, parts)| {
             parts.iter().for_each(|part| self.take_part(*id, part));
         });
@@ -44,7 +43,6 @@ impl Rasteriser {
         }
     }
 
-    /// Draws everything over `ground`.
     pub(crate) fn draw(
         &self,
         size: [usize; 2],
@@ -76,12 +74,12 @@ const fn number(id: TextureId) -> u64 {
     }
 }
 
-/// Twice the area of a triangle, with the sign of its turn.
+/// Returns twice the area of a triangle, with the sign of its turn.
 fn area(a: Pos2, b: Pos2, c: Pos2) -> f32 {
     (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)
 }
 
-/// Whether a pixel in the middle of an edge belongs to the triangle on this side of it.
+/// Returns `true` if a pixel in the middle of an edge belongs to the triangle on this side.
 fn owns(a: Pos2, b: Pos2) -> bool {
     b.y < a.y || (b.y <= a.y && a.x < b.x)
 }
@@ -115,14 +113,14 @@ fn draw_triangle(picture: &mut Picture, clip: Rect, texture: &Picture, corners: 
     }
 }
 
-/// Pixels whose middles lie between `low` and `high`.
+/// Returns the pixels with centres between `low` and `high`.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "limited before")]
 fn span(low: f32, high: f32, size: usize) -> std::ops::Range<usize> {
     let limit = |x: f32| x.clamp(0.0, size as f32) as usize;
     limit((low - 0.5).ceil())..limit((high - 0.5).ceil())
 }
 
-/// The colour between the corners, times the texture's.
+/// Returns the colour between the corners, times the texture's.
 fn shade(texture: &Picture, corners: [Vertex; 3], shares: [f32; 3]) -> [f32; 4] {
     let mut color = [0.0; 4];
     let (mut u, mut v) = (0.0, 0.0);
@@ -138,7 +136,7 @@ fn shade(texture: &Picture, corners: [Vertex; 3], shares: [f32; 3]) -> [f32; 4] 
     std::array::from_fn(|i| color[i] * texel[i] / 255.0)
 }
 
-/// The texture between four of its pixels.
+/// Interpolates the texture between four of its pixels.
 fn sample(texture: &Picture, x: f32, y: f32) -> [f32; 4] {
     let (left, top) = (x.floor(), y.floor());
     let (right, down) = (x - left, y - top);
@@ -154,7 +152,7 @@ fn sample(texture: &Picture, x: f32, y: f32) -> [f32; 4] {
     std::array::from_fn(|i| (0..4).map(|k| corners[k][i] * shares[k]).sum())
 }
 
-/// One premultiplied colour over another.
+/// Blends one premultiplied colour over another.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast saturates")]
 fn over(above: [f32; 4], below: Color32) -> Color32 {
     let rest = 1.0 - above[3] / 255.0;

@@ -1,6 +1,6 @@
-//! Pictures that are compared with those in `tests/snapshots`.
+//! Comparison of pictures with those in `tests/snapshots`.
 //!
-//! `UPDATE_SNAPSHOTS=1` renews them; where they differ, a `.diff.png` shows where.
+//! `UPDATE_SNAPSHOTS=1` renews them; a difference is shown in a `.diff.png`.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -13,10 +13,10 @@ use eframe::egui::{self, Color32};
 use super::TestClock;
 use super::raster::{Picture, Rasteriser};
 
-/// By how much a channel of a pixel may differ: a rounding of the last bit on the way.
+/// Accepted difference of a pixel's channel: a rounding of the last bit on the way.
 const CLOSE: u8 = 12;
 
-/// How many pixels in a million may differ by more.
+/// Accepted number of other pixels in a million.
 const FEW: usize = 200;
 
 /// A window that is drawn to pixels.
@@ -29,7 +29,6 @@ pub(crate) struct Canvas {
 }
 
 impl Canvas {
-    /// A window of so many pixels with `app` in it; `make` gets its context.
     pub(crate) fn new(
         size: [usize; 2],
         theme: egui::Theme,
@@ -42,12 +41,11 @@ impl Canvas {
         Self { ctx, app, raster: Rasteriser::default(), size, frame: 0 }
     }
 
-    /// The window.
     pub(crate) fn app(&mut self) -> &mut App {
         &mut self.app
     }
 
-    /// A frame every tenth of a second until `seconds`.
+    /// Draws a frame every tenth of a second until `seconds`.
     pub(crate) fn play(&mut self, time: &TestClock, seconds: f64) {
         let mut at = 0.0;
         while at < seconds {
@@ -60,7 +58,7 @@ impl Canvas {
         }
     }
 
-    /// One frame in which `events` happen.
+    /// Draws one frame with `events`.
     pub(crate) fn step(&mut self, events: Vec<egui::Event>) -> Vec<egui::epaint::ClippedPrimitive> {
         let [width, height] = self.size;
         self.frame += 1;
@@ -80,7 +78,7 @@ impl Canvas {
         self.ctx.tessellate(output.shapes, 1.0)
     }
 
-    /// Drags the mouse from one place to another; it clicks where both are the same.
+    /// Drags the mouse from one place to another; equal places are a click.
     pub(crate) fn drag(&mut self, from: [f32; 2], to: [f32; 2]) {
         let button = |pos: [f32; 2], pressed| egui::Event::PointerButton {
             pos: pos.into(),
@@ -96,13 +94,11 @@ impl Canvas {
         self.step(Vec::new());
     }
 
-    /// What is seen now.
     pub(crate) fn picture(&mut self) -> Picture {
         let primitives = self.step(Vec::new());
         self.raster.draw(self.size, Color32::BLACK, &primitives)
     }
 
-    /// Asserts that the window looks as in the snapshot `name`.
     #[track_caller]
     pub(crate) fn check(&mut self, name: &str) {
         let picture = self.picture();
@@ -128,7 +124,6 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots")
 }
 
-/// Pixels that are not as expected.
 fn differences(picture: &Picture, expected: &Picture) -> Vec<usize> {
     if (picture.width, picture.height) != (expected.width, expected.height) {
         return (0..picture.pixels.len()).collect();
@@ -140,7 +135,7 @@ fn differences(picture: &Picture, expected: &Picture) -> Vec<usize> {
     (0..picture.pixels.len()).filter(differ).collect()
 }
 
-/// The picture in grey, and what differs in red.
+/// Returns the picture in grey, with the differences in red.
 fn marked(picture: &Picture, other: &[usize]) -> Picture {
     let mut marked = picture.clone();
     for pixel in &mut marked.pixels {
@@ -153,10 +148,9 @@ fn marked(picture: &Picture, other: &[usize]) -> Picture {
     marked
 }
 
-/// Steps of each channel in a file: half the bits, far fewer bytes, nothing that is seen.
+/// Step of each channel in a file: half the bits, far fewer bytes, no visible difference.
 const STEP: u8 = 6;
 
-/// The colour that stands in a file for `color`.
 fn coarse(color: Color32) -> [u8; 3] {
     let round = |channel: u8| (channel / STEP) * STEP + STEP / 2;
     [round(color.r()), round(color.g()), round(color.b())]

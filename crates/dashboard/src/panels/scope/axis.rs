@@ -6,7 +6,7 @@ use egui_plot::PlotTransform;
 use super::mouse;
 use crate::scope::Scope;
 
-/// Points of a drag after which a plot shows 1/e as much.
+/// Drag (points) by which a plot shows 1/e as much.
 const DRAG: f64 = 100.0;
 
 /// Handles the axis: a drag and the wheel zoom, a double click shows all values again.

@@ -7,9 +7,8 @@ use crate::app_state::AppState;
 use crate::scope::Scope;
 use crate::{names, theme};
 
-/// Draws the menu of keys that are compared with the scope's own.
 pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, state: &AppState) {
-    // It stays open, so that one can name one key after the other.
+    // The menu stays open, so that one can add several keys in turn.
     let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let menu = MenuButton::new("Compare").config(config);
     let (button, _) = menu.ui(ui, |ui| {
@@ -26,7 +25,7 @@ pub(super) fn compare_ui(ui: &mut Ui, scope: &mut Scope, state: &AppState) {
     button.on_hover_text("Further keys in the same plots.");
 }
 
-/// Draws keys by their names: Enter adds them.
+/// Draws a field for keys by name: Enter adds them.
 fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
     let is_entered = ui
         .horizontal(|ui| {
@@ -46,7 +45,7 @@ fn typed_ui(ui: &mut Ui, scope: &mut Scope) {
     }
 }
 
-/// Returns the keys that `text` names; none of them if any is unknown.
+/// Parses the keys of `text`; `None` if any is unknown.
 fn keys(text: &str) -> Option<Vec<u8>> {
     let words = text.split([',', ' ']).filter(|word| !word.is_empty());
     let ranges: Option<Vec<_>> = words.map(names::range).collect();

@@ -1,5 +1,3 @@
-//! Key, window, trigger, channels.
-
 use eframe::egui::{ComboBox, DragValue, Grid, Ui};
 
 use super::compare;
@@ -9,7 +7,6 @@ use crate::scope::trigger::{Edge, On, Sweep, Trigger};
 use crate::store::Store;
 use crate::{names, unit};
 
-/// Draws key, window, trigger, cursors.
 pub(super) fn controls_ui(ui: &mut Ui, scope: &mut Scope, state: &mut AppState, key: u8, now: f64) {
     ui.horizontal_wrapped(|ui| {
         let mut stays = scope.key.is_some();
@@ -56,7 +53,6 @@ fn fit_ui(ui: &mut Ui, scope: &mut Scope) {
     }
 }
 
-/// Draws which channels are seen in which plot.
 fn channels_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     let shown = scope.channels(store, key);
     Grid::new("channels").striped(true).show(ui, |ui| {
@@ -75,14 +71,13 @@ fn channels_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     }
 }
 
-/// Draws whether a channel is in a plot; returns whether that was toggled.
+/// Draws the channel's box in a plot; returns `true` if it was toggled.
 fn channel_ui(ui: &mut Ui, lane: usize, name: &str, shown: &[Vec<String>]) -> bool {
     let mut is_shown = shown.get(lane).is_some_and(|it| it.iter().any(|it| it == name));
     let check = ui.checkbox(&mut is_shown, "");
     check.accessible_name(format!("{name} in plot {}", lane + 1)).clicked()
 }
 
-/// Draws what the trigger waits for, and what is shown between two.
 pub(super) fn trigger_ui(ui: &mut Ui, scope: &mut Scope, store: &Store, key: u8) {
     ui.horizontal_wrapped(|ui| {
         let trigger = &mut scope.trigger;

@@ -1,4 +1,4 @@
-//! Two cursors through all plots, and what they say.
+//! Two cursors through all plots, with a table of their values.
 
 use eframe::egui::{
     Align2, CursorIcon, FontId, Grid, Pos2, Rect, ScrollArea, Sense, Stroke, Ui, WidgetInfo,
@@ -10,10 +10,10 @@ use crate::scope::Scope;
 use crate::store::Store;
 use crate::{names, theme, unit};
 
-/// Points to each side within which a cursor is caught.
+/// Distance to each side within which a cursor is caught (points).
 const REACH: f32 = 5.0;
 
-/// Draws two lines through all plots that can be dragged with the mouse.
+/// Draws two lines through all plots that the mouse can drag.
 pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
     for (i, frame) in frames.iter().enumerate() {
         for (cursor, name) in ["A", "B"].into_iter().enumerate() {
@@ -46,7 +46,7 @@ pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
     }
 }
 
-/// Draws what the cursors say: times, differences, and values of each key's channels.
+/// Draws times, differences, and values of each key's channels at the cursors.
 pub(super) fn table_ui(
     ui: &mut Ui,
     scope: &Scope,
@@ -72,10 +72,9 @@ pub(super) fn table_ui(
     });
 }
 
-/// A key and its channel.
 type CursorColumn<'a> = (u8, &'a str);
 
-/// Draws the channels, with their keys where there are several.
+/// Draws the channels, with their keys if there are several.
 fn header_ui(ui: &mut Ui, keys: &[u8], columns: &[CursorColumn<'_>]) {
     ui.weak("");
     for (key, channel) in columns {
@@ -85,7 +84,6 @@ fn header_ui(ui: &mut Ui, keys: &[u8], columns: &[CursorColumn<'_>]) {
     ui.end_row();
 }
 
-/// Draws a value of each column.
 fn row_ui(
     ui: &mut Ui,
     name: &str,

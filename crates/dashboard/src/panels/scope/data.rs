@@ -1,4 +1,4 @@
-//! What is drawn in a scope's plots: points, epochs, events in the view.
+//! Points, epochs and events of a scope's plots.
 
 use egui_plot::PlotBounds;
 use telemetry::event::Kind;
@@ -7,20 +7,18 @@ use crate::store::Store;
 use crate::store::trace::OWN;
 use crate::{names, number, unit};
 
-/// Most epochs in a plot that are drawn: more would be a grey of their own.
+/// Most epochs drawn in a plot: more would be a grey area.
 const EPOCHS: usize = 160;
 
-/// Points across for which the ends, the smallest and the largest value are drawn.
+/// Width for which ends, smallest and largest value are drawn (points).
 const BUCKET: f64 = 3.0;
 
-/// One line of a plot, ready to be drawn.
 pub(super) struct PlotTrace {
     name: String,
     key: u8,
-    /// Place of the key among the scope's: its own is the first.
+    /// Index of the key among the scope's: its own is the first.
     pub(super) place: usize,
     pub(super) points: Vec<[f64; 2]>,
-    /// Factor of its values in the plot.
     gain: f64,
     pub(super) unit: String,
 }
@@ -33,7 +31,7 @@ pub(super) struct Shade {
 }
 
 impl PlotTrace {
-    /// Returns its name, and the gain with which it is drawn beside the first.
+    /// Returns the name, and the gain relative to the first trace.
     pub(super) fn title(&self) -> String {
         let name = unit::named(&self.name, &self.unit);
         if (self.gain - 1.0).abs() < 1e-9 {
@@ -43,7 +41,6 @@ impl PlotTrace {
         }
     }
 
-    /// Returns the title with its key, where there are several.
     pub(super) fn title_with_key(&self) -> String {
         format!("{} {}", names::name(self.key), self.title())
     }
@@ -74,8 +71,8 @@ pub(super) fn traces(
     traces
 }
 
-/// Returns the gain with which a trace is drawn beside the first, whose `unit` and `size` are
-/// given: as the same channel of a key before, so that keys are compared as they are.
+/// Returns the gain of a trace relative to the first with `unit` and `size`. The same channel of an
+/// earlier key keeps its gain, so that keys are comparable.
 fn gain(trace: &PlotTrace, before: &[PlotTrace], unit: &str, size: f64) -> f64 {
     let same = before.iter().find(|it| it.name == trace.name && it.unit == trace.unit);
     match same {
@@ -85,7 +82,7 @@ fn gain(trace: &PlotTrace, before: &[PlotTrace], unit: &str, size: f64) -> f64 {
     }
 }
 
-/// Returns the largest size of a value.
+/// Returns the largest magnitude of a value.
 fn size(points: &[[f64; 2]]) -> f64 {
     let sizes = points.iter().map(|point| point[1].abs()).filter(|it| it.is_finite());
     sizes.fold(0.0, f64::max)
@@ -105,7 +102,7 @@ fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Op
         *point = [(point[0] + shift) * period, point[1] * factor];
     }
     points.retain(|point| point[1].is_finite());
-    // A key that has not moved since is still where it was.
+    // A key that has not moved since keeps its value.
     if let Some([at, value]) = points.last().copied()
         && at < view.1
     {
@@ -115,7 +112,7 @@ fn trace(store: &Store, key: u8, name: &str, view: (f64, f64), width: f32) -> Op
     Some(PlotTrace { name: name.to_owned(), key, place: 0, points, gain: 1.0, unit })
 }
 
-/// Returns the bounds of a plot: the view across; up what was chosen, or else all values and zero.
+/// Returns the bounds of a plot: the view across; up the chosen range, else all values and zero.
 pub(super) fn bounds(
     traces: &[PlotTrace],
     view: (f64, f64),
@@ -125,7 +122,6 @@ pub(super) fn bounds(
     PlotBounds::from_min_max([view.0, low], [view.1, high])
 }
 
-/// Returns a range of all values and zero, with some room.
 fn range(traces: &[PlotTrace]) -> (f64, f64) {
     let values = traces.iter().flat_map(|it| &it.points).map(|point| point[1]);
     let finite = values.filter(|value| value.is_finite());
@@ -156,9 +152,8 @@ pub(super) fn shades(store: &Store, key: u8, view: (f64, f64)) -> Vec<Shade> {
     (first..last).map(shade).filter(|shade| shade.from < shade.to).collect()
 }
 
-/// Returns the times of a key's events in the view (s).
 pub(super) fn events(store: &Store, key: u8, kind: Kind, view: (f64, f64)) -> Vec<f64> {
-    // Newest last: what is before the view needs no look.
+    // Newest last: what is before the view needs no check.
     let recent = store.events.iter().rev().take_while(|it| view.0 <= store.when(it) + 1.0);
     let of_kind = recent.filter(|it| it.key == u32::from(key) && it.kind() == kind);
     let mut times: Vec<f64> =

@@ -16,10 +16,9 @@ use crate::{number, theme, unit};
 /// Height of the table of the cursors (points).
 const TABLE: f32 = 108.0;
 
-/// Points of the dashes of keys that are compared; the scope's own key has solid lines.
+/// Dashes of compared keys (points); the scope's own key has solid lines.
 const DASHES: [f32; 4] = [9.0, 4.0, 16.0, 2.5];
 
-/// What is drawn in one plot.
 struct PlotLane {
     bounds: PlotBounds,
     traces: Vec<PlotTrace>,
@@ -128,7 +127,7 @@ fn lane_ui(
     (shown.response, shown.transform)
 }
 
-/// Returns each trace as a line of its own colour, dashed as its key is.
+/// Returns each trace as a line of its own colour, dashed by its key.
 fn lines(ui: &Ui, traces: Vec<PlotTrace>) -> Vec<Line<'static>> {
     let has_others = traces.iter().any(|trace| 0 < trace.place);
     let line = |(i, trace): (usize, PlotTrace)| {
@@ -144,7 +143,7 @@ fn lines(ui: &Ui, traces: Vec<PlotTrace>) -> Vec<Line<'static>> {
     traces.into_iter().enumerate().map(line).collect()
 }
 
-/// Draws names of the modes in the first plot, where there is room.
+/// Draws names of the modes in the first plot, if there is room.
 fn names_ui(ui: &Ui, store: &Store, key: u8, shades: &[Shade], frame: Option<&PlotTransform>) {
     let Some(frame) = frame else { return };
     let painter = ui.painter_at(*frame.frame());

@@ -1,5 +1,5 @@
-//! A scope: plots over time, one above the other, with epochs shaded by mode and mode switches
-//! as vertical lines, as in the paper's figure 6.
+//! A scope: plots over time, one above the other, with epochs shaded by mode and mode switches as
+//! vertical lines, as in the paper's figure 6.
 
 mod axis;
 mod compare;
@@ -33,7 +33,6 @@ pub(super) fn scope_ui(ui: &mut Ui, number: u8, state: &mut AppState) {
     body_ui(ui, number, state);
 }
 
-/// Draws the windows of scopes that are popped out.
 pub(crate) fn popped_ui(ctx: &Context, state: &mut AppState) {
     let popped = state.view.scopes.iter().filter(|(_, scope)| scope.is_popped);
     for number in popped.map(|(number, _)| *number).collect::<Vec<_>>() {

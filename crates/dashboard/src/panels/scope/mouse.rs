@@ -1,4 +1,4 @@
-//! What the mouse does in a plot.
+//! Actions of the mouse in a plot.
 
 use eframe::egui::{PointerButton, Pos2, Rect, Response, Ui};
 use egui_plot::PlotTransform;
@@ -6,11 +6,11 @@ use egui_plot::PlotTransform;
 use crate::scope::Scope;
 use crate::theme;
 
-/// Points of the wheel after which a plot shows 1/e as much.
+/// Turn of the wheel (points) by which a plot shows 1/e as much.
 const WHEEL: f64 = 200.0;
 
 /// Handles a plot: a drag moves, the wheel zooms in time, with Shift in values, the right button
-/// zooms to what it covers, a double click follows.
+/// zooms to a stretch, a double click follows.
 pub(super) fn handle(
     ui: &Ui,
     scope: &mut Scope,
@@ -47,7 +47,6 @@ pub(super) fn handle(
     }
 }
 
-/// Returns how far the wheel was turned (points), if it was.
 pub(super) fn wheel(ui: &Ui) -> Option<f64> {
     let turned = ui.input(|input| {
         let scrolled = input.smooth_scroll_delta();
@@ -68,7 +67,7 @@ pub(super) fn values(frame: &PlotTransform) -> (f64, f64) {
     (frame.bounds().min()[1], frame.bounds().max()[1])
 }
 
-/// Selects the stretch that the right button covers, which is seen alone once it is released.
+/// Selects a stretch with the right button; its release shows the stretch alone.
 fn select(
     ui: &Ui,
     scope: &mut Scope,

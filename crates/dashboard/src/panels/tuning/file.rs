@@ -8,7 +8,6 @@ use eframe::egui::{Button, Context, ScrollArea, TextEdit, Ui, Window};
 use crate::app_state::AppState;
 use crate::tune::preset::SavedPreset;
 
-/// Returns the range's values as the file of an instrument.
 pub(super) fn preset(state: &AppState, key: u8) -> Option<String> {
     let model = state.store.model_of(key)?;
     let title = format!("{}, tuned", state.store.voice(key)?.instrument);
@@ -21,7 +20,7 @@ pub(super) fn preset(state: &AppState, key: u8) -> Option<String> {
     Some(preset.text(|key, name| state.tuner.value(key, name)))
 }
 
-/// Draws the window of a scene or a preset, from which it is copied, or written to `path`.
+/// Draws the window of a scene or a preset, to copy it, or to write it to `path`.
 pub(super) fn file_ui(ctx: &Context, path: &mut String, state: &mut AppState) {
     let Some(mut text) = state.view.scene.take() else { return };
     let mut is_open = true;
@@ -36,7 +35,7 @@ pub(super) fn file_ui(ctx: &Context, path: &mut String, state: &mut AppState) {
     state.view.scene = is_open.then_some(text);
 }
 
-/// Draws where `text` is written to; a file that is there already is not overwritten.
+/// Draws the path for `text`; an existing file is not overwritten.
 fn write_ui(ui: &mut Ui, path: &mut String, state: &mut AppState, text: &str) {
     let label = ui.label("to");
     let edit = TextEdit::singleline(path).desired_width(220.0);

@@ -14,27 +14,26 @@ use crate::tune::Tuner;
 use crate::tune::link::LinkedKeys;
 use crate::{names, theme};
 
-/// Width that the slider between A and B takes with its name (points).
+/// Width of the slider between A and B with its name (points).
 const MORPH: f32 = 150.0;
 
-/// Parameters of which more can be looked for by a part of their names.
+/// Number of parameters above which a search by name is offered.
 const MANY: usize = 20;
 
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub(super) struct View {
-    /// What the other keys of the range do.
+    /// Reaction of the other keys of the range.
     link: LinkedKeys,
-    /// Name of the next snapshot.
     name: String,
-    /// Part of the names of the parameters that are shown.
+    /// Part of the names of the shown parameters.
     #[serde(skip)]
     find: String,
-    /// Where a scene or a preset is written to.
+    /// Path for a scene or a preset.
     file: String,
-    /// Place between A (0) and B (1).
+    /// Position between A (0) and B (1).
     morph: f64,
-    /// Counts presses of the mouse: the changes of one are taken back as one.
+    /// Counts presses of the mouse: the changes of one are undone as one.
     #[serde(skip)]
     gesture: u64,
 }
@@ -65,7 +64,7 @@ impl super::View for View {
 }
 
 impl View {
-    /// Draws which keys are tuned, what the others do, and steps back and forth.
+    /// Draws the tuned keys, the link to the others, and steps back and forth.
     fn head_ui(&mut self, ui: &mut Ui, state: &mut AppState, key: u8) {
         ui.horizontal_wrapped(|ui| {
             ui.strong(state.title(key));
@@ -98,7 +97,6 @@ impl View {
         }
     }
 
-    /// Draws A, B, and the slider between them.
     fn compare_ui(&mut self, ui: &mut Ui, tuner: &mut Tuner) {
         ui.horizontal_wrapped(|ui| {
             for (i, name) in ["A", "B"].into_iter().enumerate() {
@@ -150,7 +148,6 @@ impl View {
         ui.input(|input| input.pointer.any_down()).then_some(self.gesture)
     }
 
-    /// Draws the snapshots by their names.
     fn snapshots_ui(&mut self, ui: &mut Ui, tuner: &mut Tuner) {
         ui.horizontal_wrapped(|ui| {
             let label = ui.label("snapshot");
@@ -182,7 +179,7 @@ impl View {
         }
     }
 
-    /// Draws the window in which a scene or a preset is written to a file.
+    /// Draws the window to write a scene or a preset to a file.
     pub(super) fn file_ui(&mut self, ctx: &Context, state: &mut AppState) {
         file::file_ui(ctx, &mut self.file, state);
     }

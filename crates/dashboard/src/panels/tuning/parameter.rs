@@ -1,4 +1,4 @@
-//! One parameter: its name, a slider, its value to type, the way back, a lock.
+//! One parameter: name, slider, value to type, reset, lock.
 
 use std::ops::RangeInclusive;
 
@@ -11,19 +11,19 @@ use crate::store::Store;
 use crate::tune::Tuner;
 use crate::{theme, unit};
 
-/// Parameters over more decades than this move on a logarithm.
+/// Ratio of the range's ends above which the slider is logarithmic.
 const DECADES: f64 = 30.0;
 
-/// How many times larger or smaller than usual a slider makes a value.
+/// Ratio between the slider's ends and the usual value.
 const REACH: f64 = 8.0;
 
-/// Points of a parameter's name, in one line and in two; a longer one is cut.
+/// Widths of a parameter's name in one line and in two (points); a longer one is cut.
 const NAMES: (f32, f32) = (110.0, 70.0);
 
-/// Points that everything beside the slider takes in one line.
+/// Width of everything beside the slider in one line (points).
 const BESIDE: f32 = 332.0;
 
-/// Points of the shortest slider.
+/// Width of the shortest slider (points).
 const SHORTEST: f32 = 54.0;
 
 /// A parameter of the selected key, as it is shown.
@@ -47,20 +47,17 @@ impl<'a> ParameterRow<'a> {
         Some(Self { parameter, value, usual, is_changed, is_locked })
     }
 
-    /// Returns what a technician calls it, or else its name.
     fn label(&self) -> &'a str {
         label(self.parameter)
     }
 
-    /// Returns the range of the slider.
     fn travel(&self) -> RangeInclusive<f64> {
         travel(self.parameter, self.usual.unwrap_or(self.value))
     }
 }
 
-/// Draws a parameter with its usual value, in one line or, where that has no room, in two.
-///
-/// Returns the value to which it was moved.
+/// Draws a parameter with its usual value in one line, or in two if there is no room; returns the
+/// new value if it was moved.
 pub(super) fn parameter_ui(
     ui: &mut Ui,
     tuner: &mut Tuner,
@@ -108,7 +105,7 @@ fn slider_ui(ui: &mut Ui, row: &ParameterRow<'_>, width: f32) -> Option<f64> {
     let is_wide = 0.0 < *travel.start() && DECADES < travel.end() / travel.start();
     ui.spacing_mut().slider_width = width.clamp(SHORTEST, 260.0);
     let slider = Slider::new(&mut value, travel).show_value(false).logarithmic(is_wide);
-    // A value that was typed beyond the slider's end stays what it is.
+    // A value typed beyond the slider's end stays.
     let slider = slider.clamping(SliderClamping::Edits);
     let slid = ui.add_enabled(!row.is_locked, slider).accessible_name(row.label());
     slid.changed().then_some(value)
@@ -125,11 +122,11 @@ fn number_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let drag = drag.update_while_editing(false);
     let typed = ui.add_enabled_ui(!row.is_locked, |ui| ui.add_sized([92.0, 18.0], drag)).inner;
     let is_changed = typed.accessible_name(format!("{} value", row.label())).changed();
-    // A field that is left as it was has not been given the digits that it does not show.
+    // An untouched field does not round the value to the digits that it shows.
     (is_changed && unit::exact(value) != unit::exact(row.value)).then_some(value)
 }
 
-/// Draws the button that resets the value; returns what the instrument has if it was clicked.
+/// Draws the button that resets the value; returns the instrument's value if clicked.
 fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     let can_go_back = row.is_changed && !row.is_locked;
     let reset = ui.add_enabled(can_go_back, Button::new("Reset").small());
@@ -139,7 +136,7 @@ fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     if reset.clicked() { row.usual } else { None }
 }
 
-/// Draws the lock, and whether an answer is on its way.
+/// Draws the lock, and a sign for a pending answer.
 fn lock_ui(ui: &mut Ui, tuner: &mut Tuner, key: u8, row: &ParameterRow<'_>) {
     let name = &row.parameter.name;
     let mut locked = tuner.is_locked(name);
@@ -154,25 +151,24 @@ fn lock_ui(ui: &mut Ui, tuner: &mut Tuner, key: u8, row: &ParameterRow<'_>) {
     }
 }
 
-/// Returns what a technician calls a parameter, or else its name.
+/// Returns the technician's term of a parameter, or else its name.
 pub(super) fn label(parameter: &Parameter) -> &str {
     if parameter.title.is_empty() { &parameter.name } else { &parameter.title }
 }
 
-/// Returns the range of a slider: what a model can stand is far more than a hand wants, near what
-/// is usual. Any value of the parameter's own range can be typed.
+/// Returns the range of a slider, near the usual value: a model bears far more than a hand wants.
+/// Any value of the parameter's own range can be typed.
 fn travel(parameter: &Parameter, usual: f64) -> RangeInclusive<f64> {
     let Parameter { min, max, .. } = *parameter;
     if usual == 0.0 || !usual.is_finite() {
         return min.max(-1.0)..=max.min(1.0).max(min);
     }
     let (near, far) = (usual / REACH, usual * REACH);
-    // Ratios have their own ends near by.
+    // Ratios have near ends of their own.
     let low = if max <= 1.0 && 0.0 <= min { min } else { near.min(far).max(min) };
     low..=near.max(far).min(max)
 }
 
-/// Returns the instrument's value of a parameter.
 pub(super) fn usual(store: &Store, key: u8, name: &str) -> Option<f64> {
     let voice = store.voice(key)?;
     let values = store.instrument_values(&voice.instrument, key)?;

@@ -1,4 +1,4 @@
-//! Back and forth: one step, or to any of the last ones.
+//! Undo and redo: one step, or to any of the last ones.
 
 use std::collections::BTreeSet;
 
@@ -10,10 +10,9 @@ use crate::tune::history::UndoStep;
 use crate::tune::snapshot::SlotValues;
 use crate::{names, unit};
 
-/// Points of the list before it scrolls.
+/// Height of the list before it scrolls (points).
 const HEIGHT: f32 = 320.0;
 
-/// Draws undo, redo, and the list of steps.
 pub(super) fn steps_ui(ui: &mut Ui, tuner: &mut Tuner) {
     let history = tuner.history();
     let text = |step: Option<&UndoStep>| step.map(|step| line(step, tuner));
@@ -26,13 +25,13 @@ pub(super) fn steps_ui(ui: &mut Ui, tuner: &mut Tuner) {
     if redo.on_hover_text(next.unwrap_or_default()).clicked() {
         tuner.redo();
     }
-    // It stays open, so that one can listen to one step after the other.
+    // The menu stays open, so that one can listen to several steps in turn.
     let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     let (button, _) = MenuButton::new("History").config(config).ui(ui, |ui| list_ui(ui, tuner));
     button.on_hover_text("What was changed; a click goes back to it, or forward.");
 }
 
-/// Draws all steps, the newest above; those taken back are faint.
+/// Draws all steps, the newest above; undone ones are faint.
 fn list_ui(ui: &mut Ui, tuner: &mut Tuner) {
     let history = tuner.history();
     let here = history.steps().len();
@@ -57,7 +56,7 @@ fn list_ui(ui: &mut Ui, tuner: &mut Tuner) {
     }
 }
 
-/// Returns what a step changed, on which keys, from what to what.
+/// Describes the keys and values that a step changed.
 fn line(step: &UndoStep, tuner: &Tuner) -> String {
     let parameters: BTreeSet<&str> = step.after.keys().map(|it| it.parameter.as_str()).collect();
     let first = step.after.keys().next();
@@ -76,7 +75,7 @@ fn keys(values: &SlotValues) -> String {
     range.map_or_else(String::new, |(low, high)| names::range_name(&(low..=high)))
 }
 
-/// Returns the smallest and the largest of some values; one where they are the same.
+/// Returns the smallest and the largest value, or the only one.
 fn span(values: &SlotValues) -> String {
     let low = unit::exact(values.values().copied().fold(f64::INFINITY, f64::min));
     let high = unit::exact(values.values().copied().fold(f64::NEG_INFINITY, f64::max));

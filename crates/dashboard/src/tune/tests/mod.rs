@@ -1,5 +1,3 @@
-//! Situations at the sliders.
-
 use telemetry::{Catalogue, Voice};
 
 use super::*;
@@ -45,7 +43,7 @@ fn shows(tuner: &Tuner, value: f64) {
     assert!((shown - value).abs() < 1e-12, "shows {shown}, not {value}");
 }
 
-/// Sends what is to be sent, as `ticket`.
+/// Sends the outgoing changes as `ticket`; returns their values.
 fn send(tuner: &mut Tuner, ticket: u64) -> Vec<f64> {
     let changes = tuner.outgoing().expect("something to ask for");
     tuner.sent(Ticket(ticket));
