@@ -1,4 +1,4 @@
-//! What it costs to record: all 88 keys at 1 kHz, and ten of them.
+//! Cost of recording: all 88 keys at 1 kHz, and ten of them.
 //!
 //! `cargo run --release -p telemetry --example recording_cost [folder]`
 #![expect(clippy::print_stdout, reason = "it prints what it measures")]
@@ -12,11 +12,9 @@ use rustix::time::{ClockId, clock_gettime};
 use telemetry::recording::{Recorder, Recording, RecordingLimits, RecordingSettings};
 use telemetry::{Catalogue, KeyBlock, Overview, Source as _, Timeline as _, Topic, Update, Voice};
 
-/// Signals of a model.
 const SIGNALS: usize = 10;
-/// Ticks of a block: from 16 to 33, as the window's frames happen to fall.
+/// Ticks of a block: from 16 to 33, as the window's frames fall.
 const BLOCKS: [u64; 4] = [16, 33, 20, 27];
-/// A tick (ns).
 const TICK: u64 = 1_000_000;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -35,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Records `seconds` of `keys` keys; what it cost.
+/// Records `seconds` of `keys` keys; returns the cost.
 fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>> {
     let limits = RecordingLimits {
         largest_file: u64::MAX,
@@ -58,7 +56,7 @@ fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>
         let mut updates: Vec<_> =
             (0..keys).map(|key| block(key, tick, *ticks, &mut random)).collect();
         updates.push(Update::Overview(overview(tick, &mut random)));
-        // Only what the recorder does is counted, not how the messages were made up.
+        // Count only the recorder's work, not the generation of messages.
         let before = cpu();
         for update in &updates {
             recorder.write(now, update)?;
@@ -74,7 +72,7 @@ fn record(path: &Path, keys: u32, seconds: u64) -> Result<String, Box<dyn Error>
     Ok(format!("{share:.2} % of a core, {size:.1} MB a minute, {} messages", recorded.messages))
 }
 
-/// Opens a long recording, and goes to places in it.
+/// Opens a long recording, and seeks in it.
 fn open(path: &Path) -> Result<(), Box<dyn Error>> {
     let began = Instant::now();
     let recording = Recording::open(path)?;
@@ -98,7 +96,6 @@ fn millis(duration: Duration) -> f64 {
     duration.as_secs_f64() * 1e3
 }
 
-/// CPU time of this thread.
 fn cpu() -> Duration {
     let time = clock_gettime(ClockId::ThreadCPUTime);
     Duration::try_from(time).unwrap_or_default()
@@ -110,7 +107,7 @@ fn beginning(keys: u32) -> Vec<Update> {
     std::iter::once(Update::Catalogue(catalogue)).chain((0..keys).map(voice)).collect()
 }
 
-/// A key that is played all the time: smooth motion, and noise in the last digits as of sensors.
+/// Generates a constantly played key: smooth motion, and noise in the last digits as of sensors.
 fn block(key: u32, tick: u64, ticks: u64, random: &mut Random) -> Update {
     let times: Vec<f64> = (tick..tick + ticks).map(|tick| tick as f64 * 1e-3).collect();
     let count = times.len();

@@ -1,10 +1,10 @@
-//! Files that are read at any place.
+//! Files with random access.
 
 use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
-/// Opens the file `path`; refuses a pipe, which would be waited for, and what has no size.
+/// Opens the file `path`; rejects pipes, which would block, and files without a size.
 pub(crate) fn open(path: &Path) -> io::Result<File> {
     if fs::metadata(path)?.is_file() {
         return File::open(path);

@@ -1,10 +1,10 @@
-//! What the numbers of keys in messages are called.
+//! Names of the keys in messages.
 
 use keyboard::KeyIndex;
 
 /// Returns the name of `key`, 0 (A0) to 87 (C8), in scientific pitch notation with sharps: `C#4`.
 ///
-/// A number beyond the compass is no key and says so, as `key 255`.
+/// A number beyond the compass is reported as such: `key 255`.
 pub fn key_name(key: u32) -> String {
     let index = u8::try_from(key).ok().and_then(KeyIndex::new);
     index.map_or_else(|| format!("key {key}"), |index| index.to_string())

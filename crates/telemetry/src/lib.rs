@@ -1,16 +1,15 @@
-//! What is observed of a host: messages, the stream that carries them, and recordings.
+//! Observation of a host: messages, the stream that carries them, and recordings.
 //!
-//! Nothing here knows a key's physics or a clock; the host fills the messages, and a window, a
-//! viewer or a file takes them.
-//! [`recording`] writes them to files, and reads them back.
-//! `proto/letoff/telemetry.proto` describes every message once: the types here, and the schemas
-//! that other people's viewers read, are made from it.
+//! Nothing here knows a key's physics or a clock. The host fills the messages; windows, viewers and
+//! files take them. [`recording`] writes them to files and reads them back.
+//! `proto/letoff/telemetry.proto` describes every message once; the types here and the schemas for
+//! public viewers are generated from it.
 //!
 //! | topic | message | when |
 //! |---|---|---|
 //! | `/keys/overview` | [`Overview`] | some thirty times a second |
 //! | `/key/<n>/block` | [`KeyBlock`] | every tick in which anything changed |
-//! | `/key/<n>/state` | [`KeyState`] | the same for viewers that take one value with each time |
+//! | `/key/<n>/state` | [`KeyState`] | as blocks, for viewers that take one value with each time |
 //! | `/events` | [`Event`] | as they happen |
 //! | `/voices` | [`Voice`] | at the start, and with each change |
 //! | `/catalogue` | [`Catalogue`] | at the start |
@@ -19,7 +18,7 @@
 //! | `/midi` | [`Midi`] | as they are sent |
 //! | `/log` | [`Log`] | when there is something to read |
 //!
-//! [`stream`] has the server and the client that carry them.
+//! [`stream`] contains the server and the client.
 
 #![forbid(unsafe_code)]
 

@@ -1,16 +1,15 @@
 //! Figures of a host in the text format of Prometheus, version 0.0.4.
 //!
-//! They are written from one snapshot at a time; a library's registry would hold each of them a
-//! second time.
+//! They are written from one snapshot at a time; a library's registry would store each a second
+//! time.
 
 use std::fmt::Write as _;
 
 use crate::{DeadlineStatus, HostState, HostStatus};
 
-/// The type of the text, as HTTP names it.
+/// Content type of the text for HTTP.
 pub const CONTENT_TYPE: &str = "text/plain; version=0.0.4; charset=utf-8";
 
-/// Returns the figures of `status`, for the program `version`.
 pub fn metrics(status: &HostStatus, version: &str) -> String {
     let mut text = MetricsText::default();
     let HostStatus { scene, run, .. } = status;
@@ -104,7 +103,6 @@ impl MetricsText {
     }
 
     fn family(&mut self, name: &str, kind: &str, help: &str) {
-        // Writing into a text does not fail.
         let _ok = writeln!(self.0, "# HELP letoff_{name} {help}\n# TYPE letoff_{name} {kind}");
     }
 

@@ -1,4 +1,4 @@
-//! What a client may ask a host for, and what it answers.
+//! Requests of a client, and the host's replies.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,9 +10,9 @@ use crate::HostStatus;
 pub enum Request {
     /// Sets parameters of voices: all of them or none.
     Set { changes: Vec<Change> },
-    /// Changes settings by which all voices are computed: all of them or none.
+    /// Changes render settings of all voices: all of them or none.
     Render { settings: Vec<RenderSetting> },
-    /// Lets another instrument play a range of keys, as `C4..B5`; all without.
+    /// Lets another instrument play a range of keys, as `C4..B5`; all if `None`.
     UseInstrument {
         /// Name or file of the instrument.
         instrument: String,
@@ -20,44 +20,41 @@ pub enum Request {
     },
     /// Reads the description of a model and lets its newest version play.
     Load {
-        /// The file of the description.
+        /// File of the description.
         description: String,
-        /// The keys, as `C4..B5`; without, those that play another version of it.
+        /// The keys, as `C4..B5`; if `None`, those that play another version of it.
         keys: Option<String>,
     },
-    /// Takes the force off all keys from the next tick on, and ends the run.
+    /// Removes the force of all keys from the next tick on, and ends the run.
     Stop {},
     /// Presses a key with its simulated finger; a force of zero releases it.
     Press {
-        /// Number of the key, 0 (A0) to 87 (C8).
         key: u8,
         /// Force of the finger (N).
         newtons: f64,
     },
     /// Holds a simulated key with a hand that grips it, pushes and pulls.
     Grip {
-        /// Number of the key, 0 (A0) to 87 (C8).
         key: u8,
-        /// Where the hand leads it, as a part of its dip; none lets go.
+        /// Depth to lead the key to, as a fraction of its dip; `None` releases it.
         depth: Option<f64>,
     },
-    /// Tries how many times its force a key may have and is still stable, as it plays now, and which
-    /// weights move it.
+    /// Measures by which factor a key's force may grow until it is unstable, as it plays now, and
+    /// the weights that move it.
     Margin {
         /// Number of the key, 0 (A0) to 87 (C8).
         key: u8,
     },
-    /// Lets a board show its light.
     Identify {
         /// Number of the line, in the order of the scene.
         line: u32,
         board: u32,
     },
-    /// Asks for the scene as it sounds now, as the text of a file.
+    /// Asks for the present scene as the text of a file.
     Scene {},
     /// Asks for the address of the host's stream.
     Where {},
-    /// Asks what the host does and how it goes.
+    /// Asks for the status of the host.
     Status {},
     /// Begins a recording, or ends it.
     Record {
@@ -83,7 +80,7 @@ pub struct Change {
 pub struct RenderSetting {
     /// Its path, as `render.passivity`.
     pub name: String,
-    /// The value as it stands in a scene, as `control` or `"400 N/m"`.
+    /// Value as written in a scene, as `control` or `"400 N/m"`.
     pub value: String,
 }
 
@@ -93,7 +90,7 @@ impl Change {
         format!("/key/{}/{}", self.key, self.parameter)
     }
 
-    /// Returns the change of the stream's parameter `name`, if there can be one.
+    /// Returns the change of the stream's parameter `name`, if its key exists.
     pub fn named(name: &str, value: f64) -> Option<Self> {
         let (key, parameter) = name.strip_prefix("/key/")?.split_once('/')?;
         let key = key.parse().ok().filter(|key| usize::from(*key) < crate::KEYS)?;
@@ -106,28 +103,26 @@ impl Change {
 #[serde(tag = "reply", rename_all = "snake_case")]
 pub enum Reply {
     Done {
-        /// A sentence on what was done.
+        /// Sentence about the result.
         text: String,
     },
-    /// All forces were taken away, and the run ends.
+    /// All forces were removed, and the run ends.
     Stopped {
-        /// A sentence on what was done.
         text: String,
-        /// Boards that were told to render no force.
+        /// Boards that received the order to render no force.
         told: u32,
-        /// Boards that were armed; where fewer were told, cut the power of the others.
+        /// Boards that were armed; if fewer received the order, cut the power of the others.
         boards: u32,
     },
-    /// The scene as it sounds now, as the text of a file.
+    /// The present scene as the text of a file.
     Scene { toml: String },
-    /// Asks for the address of the host's stream.
+    /// Address of the host's stream.
     Where {
-        /// Address as `ws://127.0.0.1:8765`; behind a `#` the fingerprint of its
-        /// certificate, if it has one.
+        /// Address as `ws://127.0.0.1:8765`; its certificate's fingerprint follows a `#`, if any.
         address: String,
         /// Token that the stream asks for.
         token: Option<String>,
     },
-    /// What the host does and how it goes.
+    /// Status of the host.
     Status { status: Box<HostStatus> },
 }

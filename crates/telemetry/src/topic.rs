@@ -1,4 +1,4 @@
-//! Topics: under which name a message travels, and what it then is.
+//! Topics: names of messages on the stream, and their types.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use crate::{
     Ticks, Voice,
 };
 
-/// The name under which a message travels.
+/// Name under which messages are sent.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Topic {
     Catalogue,
@@ -46,7 +46,6 @@ impl Topic {
         Self::COMMON.into_iter().chain(keys.flat_map(|key| [Self::Block(key), Self::State(key)]))
     }
 
-    /// Returns the topic called `name`, if there is one.
     pub fn named(name: &str) -> Option<Self> {
         if let Some((key, kind)) = name.strip_prefix("/key/").and_then(|it| it.split_once('/')) {
             let key = key_number(key)?;
@@ -59,7 +58,6 @@ impl Topic {
         Self::COMMON.into_iter().find(|topic| topic.common_name() == Some(name))
     }
 
-    /// Returns the name of a topic that is not of one key.
     const fn common_name(self) -> Option<&'static str> {
         match self {
             Self::Catalogue => Some("/catalogue"),
@@ -111,7 +109,7 @@ impl fmt::Display for Topic {
     }
 }
 
-/// Returns the key of a number that is written as a topic writes it: without a sign or zeros.
+/// Parses the number of a key as topics write it: without a sign or leading zeros.
 fn key_number(text: &str) -> Option<u8> {
     let is_plain = text.bytes().all(|byte| byte.is_ascii_digit());
     let has_zeros = text.len() > 1 && text.starts_with('0');
@@ -119,7 +117,7 @@ fn key_number(text: &str) -> Option<u8> {
     KeyIndex::new(number).map(KeyIndex::number)
 }
 
-/// Why bytes are no message of a topic.
+/// Reason why bytes are no message of a topic.
 #[derive(Debug, thiserror::Error)]
 #[error("what came under {topic} is no {schema}: {cause}", schema = .topic.schema())]
 pub struct TopicDecodeError {
@@ -134,7 +132,7 @@ pub enum Update {
     Voice(Voice),
     Overview(Overview),
     Block(KeyBlock),
-    /// A state, which does not say itself of which key it is.
+    /// A state, which does not itself contain its key.
     State(u8, KeyState),
     Event(Event),
     Ticks(Ticks),
@@ -145,7 +143,7 @@ pub enum Update {
 }
 
 impl Update {
-    /// Returns the topic under which it travels; none if its key is not one of the 88.
+    /// Returns its topic; `None` if its key is not one of the 88.
     pub fn topic(&self) -> Option<Topic> {
         let is_key = |key: u8| usize::from(key) < KEYS;
         match self {
@@ -165,7 +163,6 @@ impl Update {
         }
     }
 
-    /// Encodes the message as its topic's schema says.
     pub fn encode(&self) -> Vec<u8> {
         match self {
             Self::Catalogue(it) => it.encode_to_vec(),
@@ -182,16 +179,12 @@ impl Update {
         }
     }
 
-    /// Decodes a message of `topic`.
-    ///
-    /// # Errors
-    /// If the bytes are no such message.
     pub fn decode(topic: Topic, bytes: &[u8]) -> Result<Self, TopicDecodeError> {
         let decoded = match topic {
             Topic::Catalogue => Catalogue::decode(bytes).map(Self::Catalogue),
             Topic::Voices => Voice::decode(bytes).map(Self::Voice),
             Topic::Overview => Overview::decode(bytes).map(Self::Overview),
-            // Whose key it is says the topic, whatever is written in it.
+            // The topic determines the key, whatever the message contains.
             Topic::Block(key) => KeyBlock::decode(bytes)
                 .map(|block| Self::Block(KeyBlock { key: key.into(), ..block })),
             Topic::State(key) => KeyState::decode(bytes).map(|state| Self::State(key, state)),

@@ -1,7 +1,6 @@
-//! The committed messages are those that their description makes.
+//! The committed messages match their description.
 //!
-//! `UPDATE_MESSAGES=1 cargo test -p telemetry generated` makes them anew after the description
-//! was changed.
+//! `UPDATE_MESSAGES=1 cargo test -p telemetry generated` regenerates them.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::fs;
@@ -9,10 +8,9 @@ use std::path::{Path, PathBuf};
 
 use protox::prost::Message as _;
 
-/// The types, and the descriptors that viewers read.
 const FILES: [&str; 2] = ["letoff.telemetry.rs", "telemetry.binpb"];
 
-/// Makes the messages' types and descriptors from their description, into `out`.
+/// Generates the messages' types and descriptors into `out`.
 fn make(out: &Path) {
     let proto = Path::new(env!("CARGO_MANIFEST_DIR")).join("proto");
     let mut files = protox::compile(["letoff/telemetry.proto"], [proto]).expect("a description");

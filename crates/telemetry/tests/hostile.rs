@@ -1,4 +1,4 @@
-//! Whatever comes in by the network, a good client goes on being answered.
+//! A good client is served, whatever arrives by the network.
 
 #![expect(clippy::expect_used, reason = "a test that cannot go on fails")]
 #![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
@@ -18,7 +18,7 @@ use tokio_tungstenite::tungstenite::{Error, Message};
 use crate::test_server::synthetic::{self, KEY};
 use crate::test_server::{RawClient, TestServer, Watcher, eventually, set};
 
-/// A good client, and the host that it is a client of.
+/// A good client and its host.
 struct Scene {
     test_server: TestServer,
     good: Watcher,
@@ -41,7 +41,7 @@ impl Scene {
         Self::on(TestServer::within(limits))
     }
 
-    /// The good client sets a value and gets a message.
+    /// Asserts that the good client sets a value and gets a message.
     #[track_caller]
     fn is_served(&mut self) {
         self.count += 1;
@@ -54,7 +54,7 @@ impl Scene {
     }
 }
 
-/// Numbers without a pattern, the same in each run.
+/// Reproducible random numbers.
 struct Dice(u64);
 
 impl Dice {
@@ -76,7 +76,7 @@ impl Dice {
 
 fn send_bytes(test_server: &TestServer, dice: &mut Dice) {
     let mut stream = TcpStream::connect(test_server.address).expect("a connection");
-    // The server may well have closed it before the end.
+    // The server may have closed it before the end.
     let _either = stream.write_all(&dice.bytes(4096));
 }
 
@@ -105,7 +105,7 @@ fn random_bytes_where_tls_is_spoken() {
     }
 }
 
-/// What the protocol knows, to be spoiled.
+/// Returns valid texts of the protocol, to be corrupted.
 fn texts() -> Vec<String> {
     let parameters =
         vec![ParameterValue::new("/key/39/k2", 1.0), ParameterValue::new("/key/39/m", 0.5)];
@@ -165,7 +165,7 @@ fn random_messages() {
             raw_client.socket.send(message).expect("no client is cut for talking nonsense");
         }
         scene.is_served();
-        // A client that sent nonsense is still listened to.
+        // The server still answers a client that sent nonsense.
         raw_client.say(&FromClient::GetParameters {
             parameter_names: vec![],
             id: Some("sense".to_owned()),
@@ -184,7 +184,7 @@ fn a_set(number: u32) -> FromClient {
 
 #[test]
 fn a_flood_of_sets_each_of_which_is_answered() {
-    // So few that no machine is slow enough to take them all in.
+    // So few that even a slow machine exceeds them.
     let mut scene =
         Scene::within(ServerLimits { requests_per_second: 10, ..ServerLimits::default() });
     let mut raw_client = scene.test_server.raw_client();
@@ -217,7 +217,7 @@ fn a_flood_of_which_nothing_is_read() {
     for _ in 0..3 {
         let mut raw_client = scene.test_server.raw_client();
         for number in 0..2000 {
-            // It is cut when its answers find no room any more.
+            // The server cuts it when its answers find no room any more.
             if raw_client.socket.send(Message::text(a_set(number).encode().expect("text"))).is_err()
             {
                 break;
@@ -225,7 +225,7 @@ fn a_flood_of_which_nothing_is_read() {
         }
         scene.is_served();
     }
-    // A client that is cut takes its fingers from the keys.
+    // A client that is cut releases its keys.
     eventually("the host hears of all three", || scene.test_server.host.gone().len() == 3);
 }
 
@@ -248,25 +248,23 @@ fn a_thousand_clients() {
     }
     // One place is the good client's.
     assert_eq!((inside.len(), turned_away), (19, 981));
-    // A client that goes makes room.
     drop(inside);
     eventually("there is room", || RawClient::connect(scene.test_server.address, "/", &[]).is_ok());
     scene.is_served();
 }
 
-/// A secret of `role`.
 fn secret(role: Role) -> String {
     format!("{}-0123456789abcdef", role.name())
 }
 
-/// A server that lets in viewers and owners by their secrets.
+/// Starts a server that admits viewers and owners by their secrets.
 fn guarded(limits: ServerLimits) -> TestServer {
     let token = |role| Token { secret: secret(role), role };
     let tokens = vec![token(Role::Viewer), token(Role::Owner)];
     TestServer::with(ServerSettings { tokens, limits, ..ServerSettings::default() })
 }
 
-/// Comes in with a `secret`, or fails with the status of the refusal.
+/// Connects with a `secret`, or fails with the status of the rejection.
 fn knock(test_server: &TestServer, secret: &str) -> Result<RawClient, u16> {
     let bearer = format!("Bearer {secret}");
     let knocked = RawClient::connect(test_server.address, "/", &[("Authorization", &bearer)]);
@@ -309,7 +307,7 @@ fn connections_that_never_say_who_they_are() {
         let _either = stream.write_all(b"GET / HTTP/1.1\r\nHost: x\r\nUpgr");
     }
     scene.is_served();
-    // A new client takes the place of the oldest, though they hold on.
+    // A new client replaces the oldest, though they hold on.
     let mut new = scene.test_server.watcher();
     assert!(new.ask(Request::Scene {}).is_ok());
     scene.is_served();
@@ -341,7 +339,7 @@ fn messages_that_are_too_large() {
     scene.is_served();
 
     let mut raw_client = scene.test_server.raw_client();
-    // A frame that says it will be eight exabytes long.
+    // The frame announces a length of eight exabytes.
     let header = [0x82, 0xff, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0, 0, 0, 0];
     raw_client.socket.get_mut().write_all(&header).expect("it is sent");
     while raw_client.hear().is_ok() {}

@@ -1,4 +1,4 @@
-//! A client in another language, which shares no code with ours, gets along with the server.
+//! A client in another language, which shares no code with ours, works with the server.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,13 +11,9 @@ use telemetry::stream::Publisher;
 
 use crate::test_server::{TestServer, synthetic};
 
-/// What the client needs, of the Python Package Index.
 const PACKAGES: [&str; 2] = ["protobuf>=5", "websockets>=14"];
 
-/// A Python with these packages, made once in the target folder.
-///
-/// # Errors
-/// Why there is none, in a sentence.
+/// Returns a Python with these packages, made once in the target folder, or why there is none.
 fn python() -> Result<PathBuf, String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stream-python");
     let python = folder.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
@@ -34,7 +30,7 @@ fn python() -> Result<PathBuf, String> {
     Ok(python)
 }
 
-/// What a program printed, or why it did not end well.
+/// Returns the output of a program, or why it failed.
 fn run(command: &mut Command) -> Result<String, String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let Output { status, stdout, stderr } =
@@ -46,7 +42,7 @@ fn run(command: &mut Command) -> Result<String, String> {
     Err(format!("{name} ended with {status}: {stdout}{stderr}"))
 }
 
-/// Publishes blocks until it is over.
+/// Publishes blocks until `is_over`.
 fn publish(publisher: &Publisher, is_over: &AtomicBool) {
     let mut tick = 0;
     while !is_over.load(Ordering::Relaxed) {
@@ -61,7 +57,7 @@ fn an_independent_client_watches_sets_and_calls() {
     let python = match python() {
         Ok(python) => python,
         Err(reason) => {
-            // Past the test harness, which shows nothing of what goes well.
+            // Past the test harness, which shows no output of tests that pass.
             let text = format!("skipped: no client in Python: {reason}\n");
             return std::io::stderr().write_all(text.as_bytes()).expect("stderr");
         }

@@ -1,5 +1,4 @@
-//! Other people's reader reads our recordings: the Python packages `mcap` and
-//! `mcap-protobuf-support`.
+//! The Python packages `mcap` and `mcap-protobuf-support` read our recordings.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::io::{self, Write as _};
@@ -11,10 +10,10 @@ use telemetry::{KEYS, Update};
 
 use crate::common::{at, block, performance, record};
 
-/// What the script needs, at versions that were tried.
+/// Packages of the script, at tried versions.
 const PACKAGES: [&str; 2] = ["mcap==1.6.0", "mcap-protobuf-support==0.6.0"];
 
-/// Runs `command`; why it failed, if it did.
+/// Runs `command`; the error contains the reason.
 fn run(command: &mut Command) -> Result<String, String> {
     let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
     if output.status.success() {
@@ -23,7 +22,7 @@ fn run(command: &mut Command) -> Result<String, String> {
     Err(format!("{command:?}: {}", String::from_utf8_lossy(&output.stderr)))
 }
 
-/// A Python with the packages, made once for all runs of the tests.
+/// Returns a Python with the packages, made once for all runs of the tests.
 fn python() -> Result<PathBuf, String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("python-mcap");
     let python = folder.join("bin/python3");
@@ -36,7 +35,7 @@ fn python() -> Result<PathBuf, String> {
     Ok(python)
 }
 
-/// A number's bits, which no printing or reading rounds.
+/// Returns a number's bits, which no printing or reading rounds.
 fn bits(value: f64) -> String {
     format!("{:016x}", value.to_bits())
 }
@@ -46,7 +45,7 @@ fn python_reads_what_was_recorded() {
     let python = match python() {
         Ok(python) => python,
         Err(reason) => {
-            // Not by a macro, whose words are shown of failing tests only.
+            // Not by a macro, whose output is shown of failing tests only.
             let words = format!("skipped: no Python with {PACKAGES:?}: {reason}\n");
             io::stderr().write_all(words.as_bytes()).expect("somewhere to say it");
             return;
@@ -61,11 +60,10 @@ fn python_reads_what_was_recorded() {
     check(&serde_json::from_str(&printed).expect("JSON"), &told);
 }
 
-/// Whether `found` is what was `told`.
 #[track_caller]
 fn check(found: &Value, told: &[(u64, Update)]) {
     assert_eq!(found["profile"], "letoff");
-    // Metadata, catalogue and voices are said again behind the first chunk and at the end.
+    // Metadata, catalogue and voices are repeated behind the first chunk and at the end.
     let labels = json!({"format": "1.0", "part": "1", "run": "the run"});
     assert_eq!(found["metadata"], json!([labels, labels, labels, labels]));
     let again = |update: &Update| matches!(update, Update::Catalogue(_) | Update::Voice(_));
@@ -81,7 +79,6 @@ fn check(found: &Value, told: &[(u64, Update)]) {
         (0..20).map(|strike| json!([strike * 100, bits(0.1 + 0.2), 39, 1.25])).collect();
     assert_eq!(found["strikes"], json!(strikes));
 
-    // Every number to its last bit.
     let blocks = || (0..2000).step_by(20).map(|tick| (at(tick + 20), block(39, tick)));
     let (mut positions, mut signals) = (Vec::new(), Vec::new());
     for (when, update) in blocks() {

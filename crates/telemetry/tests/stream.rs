@@ -1,4 +1,4 @@
-//! Server and client: who sees what, who may do what, and what a slow one costs.
+//! Server and client: subscriptions, rights, and slow clients.
 
 #![expect(clippy::expect_used, clippy::panic, reason = "a test that cannot go on fails")]
 #![expect(clippy::wildcard_enum_match_arm, reason = "a test looks for one thing")]
@@ -31,7 +31,7 @@ fn with_token(test_server: &TestServer, token: &str) -> Dial {
     Dial { token: Some(token.to_owned()), ..dial(test_server) }
 }
 
-/// Secrets that are as long as they have to be.
+/// Secrets of the least allowed length.
 const SEE: &str = "see-0123456789abcdef";
 const TUNE: &str = "tune-0123456789abcdef";
 
@@ -56,7 +56,7 @@ fn whoever_comes_late_gets_the_catalogue_and_the_last_voice_of_every_key() {
     watcher.update(|update| (update == synthetic::catalogue()).then_some(()));
     watcher.update(|update| (update == synthetic::voice(39, 2)).then_some(()));
     watcher.update(|update| (update == synthetic::voice(40, 3)).then_some(()));
-    // What comes later comes too.
+    // Later messages arrive, too.
     test_server.publisher.publish(3, &synthetic::voice(39, 4));
     let update = watcher.update(Some);
     assert_eq!(update, synthetic::voice(39, 4));
@@ -201,7 +201,7 @@ fn a_stop_overtakes_what_takes_long() {
     assert_eq!(watcher.reply(slow), Ok(done("every key is played by grand")));
 }
 
-/// A host with a mistake in it.
+/// A host that panics on requests.
 struct Fragile;
 
 impl Backend for Fragile {
@@ -325,12 +325,13 @@ fn beyond_this_machine_only_with_token_and_tls() {
     );
 }
 
-/// Messages to the slow client, and their rows, which are 28 bytes each: more than any buffer of
-/// the system's holds.
+/// Messages to the slow client with their rows of 28 bytes each: more than any buffer of the system
+/// holds.
 const MESSAGES: u64 = 4000;
 const ROWS: u32 = 500;
 
-/// Reads messages of the only subscription until tick `last`; how many, and how many were dropped.
+/// Reads messages of the only subscription until tick `last`; returns the counts of read and
+/// dropped ones.
 fn read_until(raw_client: &mut RawClient, last: u64) -> (u64, u64) {
     let (mut came, mut dropped) = (0, 0);
     let mut is_last = false;
@@ -381,7 +382,7 @@ fn a_slow_client_loses_data_and_a_fast_one_nothing() {
 
     for tick in 1..=MESSAGES {
         test_server.publisher.publish(tick, &synthetic::block(tick, ROWS));
-        // Nothing is lost on the way to a client that takes each before the next is made.
+        // A client that reads each message before the next is made loses none.
         let got = fast.update(|update| match update {
             Update::Block(block) => Some(block.tick),
             other => panic!("nothing else was published: {other:?}"),
@@ -399,7 +400,7 @@ fn publishing_waits_for_nobody() {
     let test_server = TestServer::new();
     let mut watcher = test_server.watcher();
     test_server.meet(&mut watcher);
-    // The server's only thread stands still.
+    // The server's only thread is blocked.
     let (go_on, held) = std::sync::mpsc::channel::<()>();
     let (stand, stands) = std::sync::mpsc::channel();
     test_server.runtime.spawn(async move {
@@ -445,7 +446,7 @@ fn what_was_asked_of_a_host_that_goes_is_answered() {
     let slow = Request::UseInstrument { instrument: "grand".to_owned(), keys: None };
     let slow = watcher.client.ask(slow);
     eventually("it is asked", || !test_server.host.asked().is_empty());
-    // The runtime waits for what it has begun; the connections are gone before.
+    // The runtime waits for what it has begun; the connections end before.
     let gone = std::thread::spawn(move || drop(test_server));
     let refused = watcher.reply(slow).expect_err("the host is gone");
     assert!(refused.starts_with("the connection was lost before the host answered"), "{refused}");

@@ -1,6 +1,5 @@
-//! A host without keys, for viewers to look at: `cargo run -p telemetry --example stream_demo`.
-//!
-//! An address to listen at may be given; 127.0.0.1:8765 without.
+//! A host without keys, for viewers: `cargo run -p telemetry --example stream_demo [address]`.
+//! The default address is 127.0.0.1:8765.
 
 #![expect(clippy::print_stdout, reason = "says where it listens")]
 #![cfg_attr(test, allow(dead_code, reason = "it has no tests that ask"))]
@@ -15,7 +14,7 @@ use synthetic::{KEY, Synthetic, TICK_HZ};
 use telemetry::Topic;
 use telemetry::stream::{Publisher, ServerSettings, StreamServer, serve};
 
-/// Messages of all keys in a second.
+/// Rate of overviews (Hz).
 const FRAMES_HZ: u32 = 30;
 
 #[tokio::main(flavor = "current_thread")]
@@ -41,7 +40,6 @@ async fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Publishes without end.
 #[expect(clippy::infinite_loop, reason = "whoever waits for it ends it")]
 async fn swing(publisher: &Publisher, host: &Synthetic) {
     let mut frames = tokio::time::interval(Duration::from_secs(1) / FRAMES_HZ);
@@ -57,7 +55,6 @@ async fn swing(publisher: &Publisher, host: &Synthetic) {
     }
 }
 
-/// Nanoseconds since 1970.
 fn now() -> u64 {
     let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
     since.ok().and_then(|since| u64::try_from(since.as_nanos()).ok()).unwrap_or(0)

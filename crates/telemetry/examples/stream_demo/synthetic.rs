@@ -1,4 +1,4 @@
-//! A host without keys: two parameters of key 39, and messages that are made up.
+//! A host without keys: two parameters of key 39, and generated messages.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -10,28 +10,24 @@ use telemetry::{
     Catalogue, KEYS, KeyBlock, Model, Overview, Parameter, Reply, Request, Signal, Update, Voice,
 };
 
-/// The key that moves.
 pub(crate) const KEY: u8 = 39;
 
-/// Ticks in a second.
 pub(crate) const TICK_HZ: u32 = 1000;
 
-/// What can be changed: name, unit, smallest, largest, what it is, and at first.
+/// Parameters: name, unit, smallest, largest, meaning, and first value.
 const PARAMETERS: [(&str, &str, f64, f64, &str, f64); 2] = [
     ("k2", "N/m", 0.0, 1e5, "stiffness of the felt", 500.0),
     ("m", "kg", 0.01, 1.0, "mass of the hammer", 0.1),
 ];
 
-/// A host without keys.
 #[derive(Debug)]
 pub(crate) struct Synthetic {
     values: Mutex<BTreeMap<String, f64>>,
     asked: Mutex<Vec<(Request, Who)>>,
-    /// Where changed values are told.
+    /// Publisher of changed values, once known.
     publisher: OnceLock<Publisher>,
-    /// Clients that have gone.
     gone: Mutex<Vec<u64>>,
-    /// What another instrument waits for, as if it took long to build.
+    /// Lock that another instrument waits for, as if it took long to build.
     pub(crate) workshop: Mutex<()>,
 }
 
@@ -84,23 +80,21 @@ impl Backend for Synthetic {
 }
 
 impl Synthetic {
-    /// The value of key 39's parameter `name` now.
     pub(crate) fn value(&self, name: &str) -> Option<f64> {
         locked(&self.values).get(&format!("/key/{KEY}/{name}")).copied()
     }
 
-    /// What was asked so far, and by whom.
+    /// Returns the requests so far, with their clients.
     pub(crate) fn asked(&self) -> Vec<(Request, Who)> {
         locked(&self.asked).clone()
     }
 
-    /// Clients that have gone so far.
     #[cfg_attr(not(test), expect(dead_code, reason = "tests ask"))]
     pub(crate) fn gone(&self) -> Vec<u64> {
         locked(&self.gone).clone()
     }
 
-    /// Tells changed values by `publisher`, from the first that is given on.
+    /// Publishes changed values by the first given `publisher`.
     pub(crate) fn tell_by(&self, publisher: Publisher) {
         self.publisher.get_or_init(|| publisher);
     }
@@ -138,7 +132,7 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What there is to see and to change.
+/// Returns the catalogue: one model with the parameters.
 pub(crate) fn catalogue() -> Update {
     let parameters = PARAMETERS.map(|(name, unit, min, max, doc, _)| Parameter {
         name: name.to_owned(),
@@ -165,13 +159,12 @@ pub(crate) fn catalogue() -> Update {
     })
 }
 
-/// What a key is played by.
 pub(crate) fn voice(key: u32, revision: u32) -> Update {
     let values = PARAMETERS.map(|it| it.5).into();
     Update::Voice(Voice { key, revision, model: "sine".to_owned(), values, ..Voice::default() })
 }
 
-/// So many ticks of key 39, which swings once a second.
+/// Returns `ticks` ticks of key 39, which swings once a second.
 pub(crate) fn block(first: u64, ticks: u32) -> Update {
     let sine = |after: u32| {
         let seconds = (first + u64::from(after)) as f64 / f64::from(TICK_HZ);
@@ -189,7 +182,7 @@ pub(crate) fn block(first: u64, ticks: u32) -> Update {
     })
 }
 
-/// All keys, of which one swings.
+/// Returns all keys; one swings.
 #[expect(clippy::cast_possible_truncation, reason = "an overview is as fine as f32")]
 pub(crate) fn overview(tick: u64, ticks: u32) -> Update {
     let still = vec![0.0; KEYS];

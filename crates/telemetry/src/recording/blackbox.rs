@@ -11,7 +11,7 @@ use super::part::RecordingPart;
 use super::raw_message::RawMessage;
 use crate::Update;
 
-/// The last seconds of messages, and the catalogue and voices that they need, in bounded memory.
+/// The last seconds of messages, with their catalogue and voices, in bounded memory.
 #[derive(Clone, Debug)]
 pub struct BlackBox {
     /// Time for which a message is kept (ns).
@@ -20,13 +20,13 @@ pub struct BlackBox {
     /// The last seconds, the oldest first.
     ring: VecDeque<RawMessage>,
     bytes: usize,
-    /// The last catalogue and voices before them.
+    /// The last catalogue and voices before the ring.
     before: Latest,
     newest: u64,
 }
 
 impl BlackBox {
-    /// Creates a black box for the last `span`, or less if that is more than `most_bytes` (B).
+    /// Creates a black box for the last `span`, but at most `most_bytes` (B).
     pub fn new(span: Duration, most_bytes: usize) -> Self {
         Self {
             span: u64::try_from(span.as_nanos()).unwrap_or(u64::MAX),
@@ -38,10 +38,10 @@ impl BlackBox {
         }
     }
 
-    /// Keeps `update`, which was made at `at` (ns since 1970), and forgets what is too old.
+    /// Keeps `update` from `at` (ns since 1970), and forgets what is too old.
     ///
     /// # Errors
-    /// If the message is of no key; it is then not kept.
+    /// The message is of an unknown key; it is not kept.
     pub fn keep(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
         let raw = RawMessage::of(at, update)?;
         self.newest = self.newest.max(at);
@@ -55,15 +55,14 @@ impl BlackBox {
         Ok(())
     }
 
-    /// Returns the memory that the messages take (B).
     pub fn bytes(&self) -> usize {
         self.bytes + self.before.bytes()
     }
 
-    /// Writes what it holds of `run` as a recording to the new file `path`; returns its size (B).
+    /// Writes its messages of `run` as a recording to the new file `path`; returns its size (B).
     ///
     /// # Errors
-    /// If a file of this name is there already or cannot be written.
+    /// The file exists already or cannot be written.
     pub fn dump(&self, path: &Path, run: &str) -> Result<u64, RecordError> {
         let labels = Labels::new(run, 1);
         let mut part = RecordingPart::create(path, &labels)?;

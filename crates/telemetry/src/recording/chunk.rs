@@ -1,4 +1,4 @@
-//! What is inside a chunk.
+//! Contents of a chunk.
 
 use mcap::records::{MessageHeader, Record};
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
@@ -8,15 +8,14 @@ use super::declared::parse_record;
 use super::format::{LARGEST_CHUNK, LARGEST_RATIO};
 use super::zstd::Zstd;
 
-/// The records of one chunk, which is decompressed and checked before the first.
+/// Records of one chunk, which is decompressed and checked before the first.
 pub(super) struct Chunk {
     reader: LinearReader,
     is_at_end: bool,
-    /// Declared length of what is compressed, if that is too large (B).
+    /// Declared uncompressed length, if it is too large (B).
     too_large: Option<u64>,
 }
 
-/// A record of a chunk.
 pub(super) enum Inside {
     /// A channel: its number and the name of its topic.
     Channel(u16, String),
@@ -32,7 +31,7 @@ impl Chunk {
             .with_prevalidate_chunk_crcs(true)
             .with_record_length_limit(LARGEST_CHUNK);
         let mut reader = LinearReader::new_with_options(options);
-        // It is refused only without a name.
+        // Only a decompressor without a name is rejected.
         let _added = reader.add_decompressor(Zstd::default());
         reader.insert(record.len()).copy_from_slice(record);
         reader.notify_read(record.len());
@@ -58,7 +57,7 @@ impl Chunk {
                 Ok(LinearReadEvent::Record { opcode, data }) => {
                     inside(opcode, data, &mut wants).transpose()
                 }
-                // All of it has been given: it either ends here or is cut.
+                // All of it was supplied: the record either ends here or is cut.
                 Ok(LinearReadEvent::ReadRequest(_)) if self.is_at_end => {
                     Some(Err(McapError::UnexpectedEoc))
                 }
@@ -75,9 +74,9 @@ impl Chunk {
     }
 }
 
-/// Returns the length of what the chunk `record` says that it has compressed (B).
+/// Returns the uncompressed length that the chunk `record` declares (B).
 fn uncompressed(record: &[u8]) -> Option<u64> {
-    /// Behind opcode, length and two times.
+    /// Position behind opcode, length and two times.
     const PLACE: std::ops::Range<usize> = 25..33;
     Some(u64::from_le_bytes(record.get(PLACE)?.try_into().ok()?))
 }
@@ -88,7 +87,7 @@ fn inside(
     wants: &mut impl FnMut(&MessageHeader) -> bool,
 ) -> McapResult<Option<Inside>> {
     use mcap::records::op;
-    // The others say nothing that is needed, and are not even looked at.
+    // The others contain nothing that is needed, and are not parsed.
     if opcode != op::CHANNEL && opcode != op::MESSAGE {
         return Ok(None);
     }

@@ -1,5 +1,5 @@
-//! Lengths that records declare, compared with the bytes that are there: the parser makes room for
-//! what is declared before it reads.
+//! Lengths that records declare, compared with the available bytes: the parser allocates the
+//! declared length before it reads.
 
 use mcap::records::{Record, op};
 use mcap::{McapError, McapResult};
@@ -7,7 +7,7 @@ use mcap::{McapError, McapResult};
 /// A field of a record.
 #[derive(Clone, Copy)]
 enum DeclaredField {
-    /// Numbers that declare no length, of this size together (B).
+    /// Numbers that declare no length, of this total size (B).
     Fixed(usize),
     /// A length, and so many bytes.
     Text,
@@ -15,10 +15,7 @@ enum DeclaredField {
     Texts,
 }
 
-/// Parses the record of `opcode` in `body`.
-///
-/// # Errors
-/// If it is damaged: in particular, if it declares more than there is.
+/// Parses the record of `opcode` in `body`; rejects one that declares more than `body` contains.
 pub(super) fn parse_record(opcode: u8, body: &[u8]) -> McapResult<Record<'_>> {
     if fits(opcode, body) {
         mcap::parse_record(opcode, body)
@@ -27,7 +24,7 @@ pub(super) fn parse_record(opcode: u8, body: &[u8]) -> McapResult<Record<'_>> {
     }
 }
 
-/// Whether all that a record declares lies within `body`.
+/// Returns `true` if all that a record declares lies within `body`.
 fn fits(opcode: u8, body: &[u8]) -> bool {
     let mut rest = body;
     fields(opcode).iter().all(|field| match field {
@@ -44,8 +41,7 @@ fn fits(opcode: u8, body: &[u8]) -> bool {
     })
 }
 
-/// Returns the fields of a record up to the last that declares a length, for which the parser
-/// makes room.
+/// Returns the fields of a record up to the last one with a declared length.
 const fn fields(opcode: u8) -> &'static [DeclaredField] {
     match opcode {
         op::HEADER => &[DeclaredField::Text, DeclaredField::Text],
@@ -87,7 +83,7 @@ mod tests {
 
     use super::*;
 
-    /// Every record of a small file, by its opcode.
+    /// Returns every record of a small file, by its opcode.
     fn records() -> Vec<(u8, Vec<u8>)> {
         let mut file = Cursor::new(Vec::new());
         let mut writer = mcap::WriteOptions::new().profile("letoff").create(&mut file).unwrap();

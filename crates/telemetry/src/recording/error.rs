@@ -1,4 +1,4 @@
-//! What can go wrong with recordings, each in a sentence.
+//! Errors of recordings, each a sentence.
 
 use std::io;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use super::format::{FORMAT, LARGEST_CHUNK, LARGEST_RATIO, PROFILE};
 use super::missing::MissingPiece;
 use crate::topic;
 
-/// Why a message is not recorded, or a recording not written.
+/// Reason why a message is not recorded, or a recording not written.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
     #[error("{} is there already: choose another name, or move it away", shown(.0))]
@@ -29,7 +29,7 @@ pub enum RecordError {
         path: PathBuf,
         /// Free space (B).
         free: u64,
-        /// Space that is to stay free (B).
+        /// Space that must stay free (B).
         lowest: u64,
     },
     #[error(
@@ -41,26 +41,23 @@ pub enum RecordError {
         path: PathBuf,
         /// Free space (B).
         free: u64,
-        /// Space that is to stay free (B).
+        /// Space that must stay free (B).
         lowest: u64,
     },
     /// The message is of a key beyond the 88.
     #[error("a message is of key {key}, and there are keys 0 to 87: it is not recorded")]
     NoSuchKey { key: u32 },
-    /// The recording has ended already.
     #[error("the recording has ended already: begin another one")]
     Ended,
 }
 
-/// Why a file is not opened.
+/// Reason why a file is not opened.
 #[derive(Debug, thiserror::Error)]
 pub enum OpenError {
     #[error("{} cannot be read: {cause}", shown(.path))]
     Io { path: PathBuf, cause: io::Error },
-    /// The file is no MCAP file.
     #[error("{} is no recording: it does not begin as an MCAP file does", shown(.0))]
     NotMcap(PathBuf),
-    /// The file is an MCAP file of another program.
     #[error("{} is an MCAP file, but no recording of {PROFILE}'s: it does not say so", shown(.0))]
     NotOurs(PathBuf),
     #[error(
@@ -68,22 +65,20 @@ pub enum OpenError {
          use the {PROFILE} that recorded it", shown(.path)
     )]
     Version { path: PathBuf, found: String },
-    /// The file breaks off before the first message.
     #[error("{} breaks off before anything was recorded: there is nothing to read", shown(.0))]
     Empty(PathBuf),
 }
 
-/// Why a part of a recording is not read; what comes after it may well be.
+/// Reason why a piece of a recording is not read; later ones may be readable.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     #[error(transparent)]
     Missing(#[from] MissingPiece),
-    /// A message cannot be decoded.
     #[error("{}: {cause}", shown(.path))]
     Message { path: PathBuf, cause: topic::TopicDecodeError },
 }
 
-/// Why a recording is not made into tables.
+/// Reason why a recording is not exported to tables.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
     #[error("{} is there already: choose another folder, or move it away", shown(.0))]

@@ -1,4 +1,4 @@
-//! The bytes of a file or of a part of the program, read as they are asked for.
+//! Bytes of a file or of embedded data, read on demand.
 
 use std::fmt;
 use std::io::{self, Cursor, Read, Seek, SeekFrom};
@@ -8,12 +8,11 @@ use std::sync::{Mutex, PoisonError};
 
 use crate::file;
 
-/// Bytes that are read from any place.
 trait ReadSeek: Read + Seek + fmt::Debug + Send {}
 
 impl<T: Read + Seek + fmt::Debug + Send> ReadSeek for T {}
 
-/// The bytes of an open file, or of a file that is part of the program.
+/// Bytes of an open file, or of an embedded one.
 #[derive(Debug)]
 pub(super) struct FileBytes {
     file: Mutex<Box<dyn ReadSeek>>,
@@ -22,20 +21,18 @@ pub(super) struct FileBytes {
 }
 
 impl FileBytes {
-    /// Opens the file `path`.
     pub(super) fn open(path: &Path) -> io::Result<Self> {
         let file = file::open(path)?;
         let size = file.metadata()?.len();
         Ok(Self { file: Mutex::new(Box::new(file)), size, read: AtomicU64::new(0) })
     }
 
-    /// Creates the bytes of a file that is part of the program.
+    /// Creates the bytes of an embedded file.
     pub(super) fn of(bytes: &'static [u8]) -> Self {
         let file = Mutex::new(Box::new(Cursor::new(bytes)) as Box<dyn ReadSeek>);
         Self { file, size: bytes.len() as u64, read: AtomicU64::new(0) }
     }
 
-    /// Reads `length` bytes from `offset` on.
     pub(super) fn read(&self, offset: u64, length: u64) -> io::Result<Vec<u8>> {
         if offset.checked_add(length).is_none_or(|end| end > self.size) {
             return Err(io::ErrorKind::UnexpectedEof.into());
@@ -48,7 +45,6 @@ impl FileBytes {
         Ok(bytes)
     }
 
-    /// Returns how much was read so far (B).
     pub(super) fn bytes_read(&self) -> u64 {
         self.read.load(Ordering::Relaxed)
     }

@@ -1,4 +1,4 @@
-//! What our files have in common: names, numbers, versions.
+//! Names, numbers and versions of our files.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -7,32 +7,31 @@ use mcap::records::Metadata;
 
 use crate::Topic;
 
-/// Version of the format: files with another number before the point are refused.
+/// Version of the format: files with another number before the point are rejected.
 pub const FORMAT: &str = "1.0";
 
 /// Profile of the header, and name of the metadata.
 pub(super) const PROFILE: &str = "letoff";
 
-/// The name of the program that wrote a file.
 pub(super) const LIBRARY: &str = concat!("letoff ", env!("CARGO_PKG_VERSION"));
 
-/// A chunk is closed when so much is in it (B): small enough to be read at each move of a
-/// timeline, large enough to be worth compressing.
+/// Size at which a chunk is closed (B): small enough to be read at each move of a timeline, large
+/// enough to be worth compressing.
 pub(super) const CHUNK: u64 = 1 << 20;
 
-/// No chunk is larger than this (B), compressed or not; a length above it is a damaged one.
+/// Largest accepted chunk (B), compressed or not; a greater length is damage.
 pub(super) const LARGEST_CHUNK: usize = 64 << 20;
 
-/// No chunk is more than so many times larger than its record: that of lz4 is 255 at most, and what
-/// is told of keys comes nowhere near it.
+/// Largest accepted compression ratio of a chunk: lz4 reaches 255 at most, and messages of keys far
+/// less.
 pub(super) const LARGEST_RATIO: u64 = 1024;
 
-/// The labels of a file: its run, part and format.
+/// Labels of a file: its run, part and format.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Labels {
-    /// The name of the run: see `Catalogue.run`.
+    /// Name of the run: see `Catalogue.run`.
     pub(super) run: String,
-    /// The number of the file in the recording, from 1.
+    /// Number of the file in the recording, from 1.
     pub(super) part: u32,
     pub(super) format: String,
 }
@@ -58,19 +57,18 @@ impl Labels {
         }
         let entry = |name: &str| metadata.metadata.get(name).cloned();
         let part = entry("part").and_then(|part| part.parse().ok()).unwrap_or(1);
-        // What is no number was damaged, and is not another version.
+        // A text that is no number is damage, not another version.
         let is_version = |format: &String| format.split('.').all(|it| it.parse::<u32>().is_ok());
         Some(Self { run: entry("run")?, part, format: entry("format").filter(is_version)? })
     }
 
-    /// Returns whether this version reads the file.
     pub(super) fn is_ours(&self) -> bool {
         let major = |format: &str| format.split('.').next().map(str::to_owned);
         major(&self.format) == major(FORMAT)
     }
 }
 
-/// The first channel numbers of keys' blocks and states, 100 for each.
+/// First channel numbers of keys' blocks and states, 100 for each.
 const BLOCKS: u16 = 100;
 const STATES: u16 = 200;
 
@@ -101,15 +99,14 @@ pub(super) const fn schema(topic: Topic) -> u16 {
     }
 }
 
-/// Returns the topics by their numbers in files that Letoff writes.
-///
-/// Other tools may number them anew, and then name them in the file.
+/// Returns the topics by their numbers in files that Letoff writes. Other tools may renumber them
+/// and name them in the file.
 pub(super) fn topics() -> BTreeMap<u16, Topic> {
     Topic::all().map(|topic| (channel(topic), topic)).collect()
 }
 
-/// Returns the path of part `part` of the recording that begins with `first`: `take-0002.mcap` of
-/// `take.mcap`.
+/// Returns the path of part `part` of the recording with the first file `first`: `take-0002.mcap`
+/// of `take.mcap`.
 pub(super) fn part_path(first: &Path, part: u32) -> PathBuf {
     if part <= 1 {
         return first.to_owned();

@@ -1,4 +1,4 @@
-//! Where the chunks of a file are: from its summary, or, if it has none, by reading it all.
+//! Positions of a file's chunks: from its summary, or by reading the whole file.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -22,16 +22,16 @@ const FOOTER: u64 = RECORD + 20 + 8;
 /// The record that ends the data, just before the summary (B).
 const DATA_END: u64 = RECORD + 4;
 
-/// What is said of a piece in which there is no chunk, or only the beginning of one.
+/// Cause for a piece without a chunk, or with only the beginning of one.
 const NO_CHUNK: &str = "there is no whole chunk";
 
-/// Copies of the labels that are read besides the one at the beginning: a majority of three
-/// stands against one that is damaged.
+/// Copies of the labels that are read besides the first: a majority of three outvotes a damaged
+/// one.
 const COPIES: usize = 2;
-/// No metadata are longer than this (B).
+/// Largest metadata record (B).
 const LONGEST_METADATA: u64 = 4096;
 
-/// The position of a chunk in a file, with its times and topics.
+/// Position of a chunk in a file, with its times and topics.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct ChunkPosition {
     /// Offset and length of the whole record (B).
@@ -42,42 +42,40 @@ pub(super) struct ChunkPosition {
     pub(super) last: u64,
     /// Topics of its messages, if the index names them.
     pub(super) topics: Option<Vec<Topic>>,
-    /// What is wrong here, if it is known that nothing can be read.
+    /// Defect, if the chunk is known to be unreadable.
     pub(super) defect: Option<Defect>,
 }
 
 impl ChunkPosition {
-    /// Returns whether it may have messages of a wanted topic.
+    /// Returns `true` if it may have messages of a wanted topic.
     pub(super) fn may_have(&self, wanted: impl Fn(Topic) -> bool) -> bool {
         self.topics.as_ref().is_none_or(|topics| topics.iter().any(|topic| wanted(*topic)))
     }
 }
 
-/// The positions of the chunks of a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Index {
     /// Positions in the order of the file.
     pub(super) positions: Vec<ChunkPosition>,
     /// Topics by the numbers of their channels.
     pub(super) topics: BTreeMap<u16, Topic>,
-    /// Whether the file itself names a topic of Letoff's.
+    /// `true` if the file itself names a topic of Letoff's.
     pub(super) names_ours: bool,
     /// The last labels behind the file's beginning.
     pub(super) labels: Vec<Labels>,
-    /// What is wrong with the file from which this one was recovered, if that broke off.
+    /// Damage of the file from which this one was recovered, if that broke off.
     pub(super) breaks_off: Option<String>,
-    /// What a scan of the file found, if there was no summary.
+    /// Result of scanning the file, if there was no summary.
     pub(super) without_summary: Option<IndexScan>,
 }
 
-/// What was found in a file that was read without its summary.
+/// Result of scanning a file without its summary.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct IndexScan {
     /// End of the last whole record (B).
     pub(super) up_to: u64,
-    /// Whether the data had an end, so that nothing but the summary is missing.
+    /// `true` if the data had an end, so that only the summary is missing.
     pub(super) has_end: bool,
-    /// Number of damaged chunks.
     pub(super) damaged: u32,
 }
 
@@ -98,7 +96,7 @@ impl Index {
         self.names_ours |= topic.is_some();
         match topic {
             Some(topic) => self.topics.insert(channel, topic),
-            // Another program's: not to be taken for Letoff's of the same number.
+            // Another program's topic must not be taken for Letoff's with the same number.
             None => self.topics.remove(&channel),
         };
     }
@@ -116,7 +114,7 @@ impl Index {
         });
     }
 
-    /// Takes in what the metadata `record` at `offset` tell: labels, or what is missing.
+    /// Adds the metadata `record` at `offset`: labels, or a note of missing data.
     fn tell(&mut self, offset: u64, record: &[u8]) {
         let Some(metadata) = metadata_in(record) else { return };
         self.labels.extend(Labels::of(&metadata));
@@ -136,11 +134,11 @@ impl Index {
     }
 }
 
-/// Reads the index from the summary; none if there is no intact one.
+/// Reads the index from the summary; `None` if there is no intact one.
 pub(super) fn summary(file: &FileBytes) -> io::Result<Option<Index>> {
     let Some(start) = summary_start(file)? else { return Ok(None) };
     let bytes = file.read(start, file.size - start)?;
-    // The checksum of the whole summary is looked at before any of it is used.
+    // The checksum of the whole summary is checked before any of it is used.
     let Ok((mut index, metadata)) = read_summary(&bytes) else { return Ok(None) };
     let labels = metadata.iter().rev().filter(|at| at.name == PROFILE).take(COPIES);
     for at in labels.chain(metadata.iter().filter(|at| at.name == missing::NAME)) {
@@ -166,7 +164,7 @@ fn metadata_in(record: &[u8]) -> Option<Metadata> {
     }
 }
 
-/// Returns where the data end and the summary begins.
+/// Returns the end of the data, where the summary begins.
 fn summary_start(file: &FileBytes) -> io::Result<Option<u64>> {
     let Some(footer) = file.size.checked_sub(FOOTER) else { return Ok(None) };
     let tail = file.read(footer, FOOTER)?;
@@ -196,7 +194,7 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
         let LinearReadEvent::Record { opcode, data } = event? else {
             return Err(McapError::UnexpectedEof);
         };
-        // Only these are needed; the others are not even looked at.
+        // Only these are needed; the others are not parsed.
         let needed = [op::CHANNEL, op::CHUNK_INDEX, op::METADATA_INDEX, op::STATISTICS];
         if !needed.contains(&opcode) {
             continue;
@@ -212,7 +210,7 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
             expected = usize::try_from(statistics.chunk_count).ok();
         }
     }
-    // A writer may have left the positions out, or some of them.
+    // A writer may have omitted the positions, or some of them.
     if expected != Some(chunks.len()) {
         return Err(McapError::BadIndex);
     }
@@ -222,9 +220,8 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
     Ok((index, metadata))
 }
 
-/// Builds the index of a file without a usable summary by reading it from byte `start` on.
-///
-/// Where lengths do not lead on, it goes on at the next chunk that is whole.
+/// Builds the index of a file without a usable summary by reading it from byte `start` on. After
+/// damaged lengths it continues at the next intact chunk.
 pub(super) fn scan(file: &FileBytes, start: u64) -> io::Result<Index> {
     let mut index = Index::empty();
     let mut scan = IndexScan { up_to: start, has_end: false, damaged: 0 };
@@ -263,7 +260,7 @@ pub(super) fn scan(file: &FileBytes, start: u64) -> io::Result<Index> {
     Ok(index)
 }
 
-/// Returns the length of the damaged chunk at `offset`, whose own `length` may be wrong, too.
+/// Returns the length of the damaged chunk at `offset`, whose own `length` may be damaged, too.
 fn length_of_damaged(file: &FileBytes, offset: u64, length: u64) -> io::Result<u64> {
     if record_at(file, offset + length)?.is_some() {
         return Ok(length);
@@ -272,7 +269,6 @@ fn length_of_damaged(file: &FileBytes, offset: u64, length: u64) -> io::Result<u
     Ok(next.map_or(length, |next| next - offset))
 }
 
-/// Returns the position of a piece that cannot be read.
 fn damaged(offset: u64, length: u64, cause: &str) -> ChunkPosition {
     let defect = Some(Defect::damage(offset, cause));
     ChunkPosition { offset, length, first: 0, last: u64::MAX, topics: None, defect }
@@ -295,7 +291,7 @@ fn date_damaged(positions: &mut [ChunkPosition]) {
 /// Size of the piece that is searched at once (B).
 const WINDOW: u64 = 1 << 20;
 
-/// Returns where the next intact chunk begins, from byte `from` on.
+/// Returns the offset of the next intact chunk from byte `from` on.
 fn next_chunk(file: &FileBytes, from: u64) -> io::Result<Option<u64>> {
     let mut at = from;
     while at + RECORD < file.size {
@@ -309,13 +305,13 @@ fn next_chunk(file: &FileBytes, from: u64) -> io::Result<Option<u64>> {
                 return Ok(Some(offset));
             }
         }
-        // The last bytes of this window may begin a chunk that goes on in the next.
+        // The last bytes of this window may begin a chunk that continues in the next.
         at += (window.len() as u64).saturating_sub(RECORD - 1).max(1);
     }
     Ok(None)
 }
 
-/// Returns opcode and whole length of the record at `offset`; none if it is cut off.
+/// Returns opcode and whole length of the record at `offset`; `None` if it is cut off.
 fn record_at(file: &FileBytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
     let left = file.size.saturating_sub(offset);
     if left < RECORD {
@@ -325,12 +321,12 @@ fn record_at(file: &FileBytes, offset: u64) -> io::Result<Option<(u8, u64)>> {
     let Some((&opcode, length)) = head.split_first() else { return Ok(None) };
     let Ok(length) = <[u8; 8]>::try_from(length) else { return Ok(None) };
     let length = u64::from_le_bytes(length).checked_add(RECORD);
-    // No record is numbered 0, and a hole in the file reads as one; nor beyond the last.
+    // No record has number 0, as a hole in the file reads, nor one beyond the last.
     let is_one = (op::HEADER..=op::DATA_END).contains(&opcode);
     Ok(length.filter(|length| is_one && *length <= left).map(|length| (opcode, length)))
 }
 
-/// Reads times and topics of the chunk at `offset`, or why that cannot be done.
+/// Reads times and topics of the chunk at `offset`, or the cause of its damage.
 fn scan_chunk(
     file: &FileBytes,
     offset: u64,

@@ -1,4 +1,4 @@
-//! The last catalogue and the last voice of every key, without which nothing can be understood.
+//! The last catalogue and the last voice of every key, which all other messages need.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ pub(super) struct Latest {
 }
 
 impl Latest {
-    /// Remembers `raw` if it is a catalogue or a voice.
+    /// Stores `raw` if it is a catalogue or a voice.
     pub(super) fn note(&mut self, raw: &RawMessage) {
         if raw.topic == Topic::Catalogue {
             let old = self.catalogue.replace(raw.clone());
@@ -38,8 +38,8 @@ impl Latest {
         self.bytes -= old.map_or(0, |old| old.bytes.len());
     }
 
-    /// Returns them as repeated at `at` (ns since 1970), or right after the newest was made:
-    /// a repeated message is later than its publish time.
+    /// Returns them as repeated at `at` (ns since 1970), or right after the newest was made: a
+    /// repeated message is later than its publish time.
     pub(super) fn repeated(&self, at: u64) -> impl Iterator<Item = RawMessage> {
         let at = at.max(self.newest.saturating_add(1));
         self.catalogue
@@ -48,7 +48,6 @@ impl Latest {
             .map(move |raw| RawMessage { at, ..raw.clone() })
     }
 
-    /// Returns the size of the messages (B).
     pub(super) const fn bytes(&self) -> usize {
         self.bytes
     }

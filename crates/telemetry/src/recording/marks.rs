@@ -11,16 +11,16 @@ use crate::{Event, Topic, Update, key_name};
 /// Shortest time between two marked strikes, or two late ticks (ns).
 const THINNED: u64 = 1_000_000_000;
 
-/// Returns moments that are worth finding again: faults and recoveries, boards, ticks that
-/// were not in time, and strikes, these two at most once a second.
+/// Returns moments worth finding again: faults and recoveries, boards, late ticks and strikes,
+/// these two at most once a second.
 ///
-/// It reads every chunk that has events; what cannot be read is left out.
+/// It reads every chunk that has events; unreadable ones are skipped.
 pub fn marks(recording: &Recording) -> Marks<'_> {
     let events = recording.read(0, u64::MAX, &BTreeSet::from([Topic::Events]));
     Marks { events, strike: None, miss: None }
 }
 
-/// The moments that [`marks`] returns.
+/// Iterator of [`marks`].
 pub struct Marks<'a> {
     events: Messages<'a>,
     /// Time of the last mark (ns since 1970).

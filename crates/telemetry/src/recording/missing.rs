@@ -1,4 +1,4 @@
-//! Pieces of a recording that cannot be read, and how the file that was recovered tells of them.
+//! Unreadable pieces of a recording, and their notes in a recovered file.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -9,35 +9,33 @@ use mcap::records::Metadata;
 use super::format;
 use crate::Topic;
 
-/// Name of the metadata that tell of a piece.
+/// Name of the metadata that describe a piece.
 pub(super) const NAME: &str = "letoff.missing";
 
-/// What is wrong with a file, where something is missing in it.
+/// Damage of a file at a missing piece.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Defect {
-    /// What is said of the file.
+    /// Description with the file as its subject.
     pub(super) wrong: String,
-    /// Whether it is one of the file that this one was recovered from.
+    /// `true` if it is of the file from which this one was recovered.
     pub(super) is_left_out: bool,
 }
 
 impl Defect {
-    /// Returns a defect of the file itself.
     pub(super) const fn here(wrong: String) -> Self {
         Self { wrong, is_left_out: false }
     }
 
-    /// Returns a defect that a recovered file tells of.
+    /// Returns a defect that a recovered file reports.
     pub(super) const fn left_out(wrong: String) -> Self {
         Self { wrong, is_left_out: true }
     }
 
-    /// Returns the damage at byte `at`.
     pub(super) fn damage(at: u64, cause: &str) -> Self {
         Self::here(format!("is damaged at byte {at} ({cause})"))
     }
 
-    /// Returns what is said of a file that is recovered from `old`, which has this.
+    /// Returns the description for a file that is recovered from `old`, which has this defect.
     pub(super) fn recovered_from(&self, old: &Path) -> String {
         if self.is_left_out {
             return self.wrong.clone();
@@ -47,29 +45,29 @@ impl Defect {
     }
 }
 
-/// A piece of a recording that cannot be read.
+/// An unreadable piece of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MissingPiece {
     /// The file that lacks it.
     pub path: PathBuf,
     pub(super) defect: Defect,
-    /// Times of its first and its last message (ns since 1970), as far as they are known.
+    /// Times of its first and last message (ns since 1970), as far as known.
     pub span: (u64, u64),
     /// Time of the recording's beginning (ns since 1970).
     pub began: u64,
-    /// Topics of its messages, if they are known.
+    /// Topics of its messages, if known.
     pub topics: Option<Vec<Topic>>,
 }
 
 impl MissingPiece {
-    /// Whether it held only the catalogue and voices, which are repeated elsewhere.
+    /// Returns `true` if it held only the catalogue and voices, which are repeated elsewhere.
     pub fn is_said_again(&self) -> bool {
         self.topics.as_ref().is_some_and(|topics| {
             topics.iter().all(|it| matches!(it, Topic::Catalogue | Topic::Voices))
         })
     }
 
-    /// Returns what is wrong and what is left out, without advice.
+    /// Describes the damage and the missing data, without advice.
     pub fn what(&self) -> String {
         format!(
             "{} {}: what it had {} is left out",
@@ -101,18 +99,18 @@ impl fmt::Display for MissingPiece {
     }
 }
 
-/// What a recovered file tells, in the place of a piece, of what it could not be given.
+/// Note about a missing piece, which a recovered file contains in its place.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct MissingNote {
-    /// What is wrong with the file, as what is said of it.
+    /// Damage, with the file as the subject.
     pub(super) wrong: String,
-    /// Times of the first and the last message (ns since 1970); none if the file breaks off there.
+    /// Times of the first and last message (ns since 1970); `None` if the file breaks off.
     pub(super) span: Option<(u64, u64)>,
     pub(super) topics: Option<Vec<Topic>>,
 }
 
 impl MissingNote {
-    /// What a file tells of `piece` that is recovered from the one that lacks it.
+    /// Returns the note about `piece` for the file recovered from the one that lacks it.
     pub(super) fn new(piece: &MissingPiece) -> Self {
         let wrong = piece.defect.recovered_from(&piece.path);
         Self { wrong, span: Some(piece.span), topics: piece.topics.clone() }
@@ -143,7 +141,7 @@ impl MissingNote {
             channels.filter_map(|channel: u16| names.get(&channel).copied()).collect()
         });
         let span = time("first").zip(time("last"));
-        // Whoever made the file: no terminal obeys what it says.
+        // The file may be foreign: it must not control the terminal.
         let wrong = entry("wrong")?.replace(char::is_control, "\u{FFFD}");
         Some(Self { wrong, span, topics })
     }

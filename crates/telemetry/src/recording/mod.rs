@@ -1,29 +1,26 @@
-//! Recordings: what a host told, in files that public viewers read.
+//! Recordings of host telemetry, readable by public viewers.
 //!
-//! A recording is [MCAP](https://mcap.dev): the same topics and messages as on the stream, with
-//! their schemas, in compressed chunks.
-//! [`Recorder`] writes one and goes on in another file when one is full, [`Recording`] reads what
-//! is there of one, [`Playback`] lets a window see it as if it were live, [`BlackBox`] keeps the
-//! last seconds to be written when something fails, [`recover`] makes a complete file of one that
-//! breaks off, and [`export_csv`] makes tables of it.
+//! A recording is [MCAP](https://mcap.dev): the topics and messages of the stream with their
+//! schemas, in compressed chunks. [`Recorder`] writes one, file after file, and [`Recording`] reads
+//! it. [`Playback`] shows it to a window as if live, and [`BlackBox`] keeps the last seconds to be
+//! written when something fails. [`recover`] completes a file that breaks off, and [`export_csv`]
+//! writes tables. Nothing here reads a clock: time comes with the messages, or from the caller.
 //!
-//! Nothing here reads a clock: time comes with the messages, or from the caller.
+//! A file contains, in this order:
 //!
-//! A file holds, in this order:
-//!
-//! | what | why |
+//! | part | purpose |
 //! |---|---|
-//! | header, profile `letoff` | says who wrote it |
-//! | metadata `letoff` | format version, run, and which file of the recording it is |
+//! | header, profile `letoff` | names the program that wrote it |
+//! | metadata `letoff` | format version, run, and number of the file in the recording |
 //! | chunks | messages with their schemas; none is open for longer than a second |
-//! | metadata, catalogue and voices, said again | after the first chunk, every half minute and at the end: a damaged piece takes none of them away |
-//! | metadata `letoff.missing`, in a recovered file | what is not there in its place, and why; at the end, that the old file broke off |
-//! | summary | where the chunks are; missing if the host died, and then found again by reading |
+//! | metadata, catalogue and voices, repeated | after the first chunk, every half minute and at the end: a damaged piece destroys none of them |
+//! | metadata `letoff.missing`, in a recovered file | the data missing in its place, and why; at the end, that the old file broke off |
+//! | summary | positions of the chunks; missing if the host died, and then found by reading |
 //!
-//! A file that is not a recording's first begins with the last catalogue and the last voice of
-//! every key, so that it can be understood alone. Whatever is said again stands under the time at
-//! which that is done, with the time at which it was made as MCAP's publish time; who reads a
-//! recording gets it only where what was said before is not there or cannot be read.
+//! A file other than the first begins with the last catalogue and the last voice of every key, so
+//! that it can be understood alone. Repeated messages have the time of the repetition, and as
+//! MCAP's publish time the time at which they were made. A reader gets them only if the earlier
+//! ones are missing or unreadable.
 
 mod blackbox;
 mod chunk;

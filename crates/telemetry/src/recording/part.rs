@@ -31,8 +31,8 @@ const METADATA_INDEX: u64 = 40;
 
 /// One file that is being written.
 ///
-/// A chunk is put together in memory and written whole, so that what a dying host leaves behind
-/// ends between two chunks or within the last.
+/// A chunk is built in memory and written whole, so the file of a dying host ends between two
+/// chunks or within the last.
 pub(super) struct RecordingPart {
     path: PathBuf,
     writer: Writer<NoSeek<CountingFile>>,
@@ -46,7 +46,7 @@ pub(super) struct RecordingPart {
 }
 
 impl RecordingPart {
-    /// Makes the file; one that is there already is left alone.
+    /// Creates the file; an existing one is not touched.
     pub(super) fn create(path: &Path, labels: &Labels) -> Result<Self, RecordError> {
         let file = File::options().write(true).create_new(true).open(path).map_err(|cause| {
             let path = path.to_owned();
@@ -62,7 +62,7 @@ impl RecordingPart {
             Ok(writer)
         };
         let writer = begin().map_err(|error| {
-            // It was made a moment ago, and a later attempt would find it in its way.
+            // The file is new, and would block a later attempt.
             let _left = fs::remove_file(path);
             failed(path, &error)
         })?;
@@ -85,12 +85,10 @@ impl RecordingPart {
         self.messages
     }
 
-    /// Returns whether messages wait in memory.
     pub(super) const fn is_pending(&self) -> bool {
         self.pending > 0
     }
 
-    /// Returns whether the open chunk is as large as it should become.
     pub(super) const fn is_chunk_full(&self) -> bool {
         self.pending >= CHUNK
     }
@@ -120,7 +118,7 @@ impl RecordingPart {
         Ok(())
     }
 
-    /// Tells, before its first message, what a topic's messages are.
+    /// Writes schema and channel of a topic before its first message.
     fn introduce(&mut self, topic: Topic) -> Result<(), McapError> {
         if !self.topics.insert(topic) {
             return Ok(());
@@ -135,7 +133,7 @@ impl RecordingPart {
         Ok(())
     }
 
-    /// Closes the open chunk and gives everything to the system.
+    /// Closes the open chunk and passes everything to the system.
     pub(super) fn flush(&mut self) -> Result<(), RecordError> {
         if self.pending > 0 {
             self.summary += self.chunk_index();
@@ -144,12 +142,11 @@ impl RecordingPart {
         self.writer.flush().map_err(|error| failed(&self.path, &error))
     }
 
-    /// Tells what could not be read of the file that this one is made of.
+    /// Records data that could not be read from the file that this one is recovered from.
     pub(super) fn note_missing(&mut self, note: &MissingNote) -> Result<(), RecordError> {
         self.write_metadata(&note.metadata())
     }
 
-    /// Writes metadata behind what is given to the system.
     fn write_metadata(&mut self, metadata: &Metadata) -> Result<(), RecordError> {
         self.flush()?;
         self.summary += METADATA_INDEX;
@@ -157,7 +154,7 @@ impl RecordingPart {
         written.map_err(|error| failed(&self.path, &error))
     }
 
-    /// Says labels, catalogue and voices again at `at` (ns since 1970).
+    /// Repeats labels, catalogue and voices at `at` (ns since 1970).
     pub(super) fn repeat(
         &mut self,
         labels: &Labels,
@@ -168,14 +165,14 @@ impl RecordingPart {
         latest.repeated(at).try_for_each(|raw| self.add(&raw))
     }
 
-    /// Says everything again that the file could not be understood without, at its end.
+    /// Repeats everything that is needed to understand the file, at its end.
     pub(super) fn write_trailer(
         &mut self,
         labels: &Labels,
         latest: &Latest,
         at: u64,
     ) -> Result<(), RecordError> {
-        // Three labels and more, so that one that is damaged is found out.
+        // Three labels and more, so that a damaged one is outvoted.
         self.repeat(labels, latest, at)?;
         self.write_metadata(&labels.metadata())
     }
@@ -208,8 +205,8 @@ impl fmt::Debug for RecordingPart {
     }
 }
 
-/// lz4 takes two thirds of the time of zstd for keys that all move, and makes files that are a
-/// twelfth larger. Public viewers read both.
+/// Returns options for lz4. For keys that all move, it takes two thirds of the time of zstd, and
+/// its files are a twelfth larger. Public viewers read both.
 fn options() -> WriteOptions {
     WriteOptions::new()
         .profile(PROFILE)
@@ -220,12 +217,12 @@ fn options() -> WriteOptions {
         .disable_seeking(true)
 }
 
-/// Returns the size of a message in the file, not compressed (B).
+/// Returns the uncompressed size of a message in the file (B).
 const fn size(raw: &RawMessage) -> u64 {
     raw.bytes.len() as u64 + BESIDE_MESSAGE
 }
 
-/// Returns the size of what introduces a topic in a file (B).
+/// Returns the size of a topic's schema and channel in a file (B).
 const fn introduction() -> u64 {
     DESCRIPTORS.len() as u64 + BESIDE_TOPIC
 }
@@ -234,7 +231,7 @@ fn failed(path: &Path, error: &McapError) -> RecordError {
     RecordError::Write { path: path.to_owned(), cause: cause(error) }
 }
 
-/// A file that knows how much was written.
+/// A file that counts the written bytes.
 struct CountingFile {
     file: BufWriter<File>,
     written: Arc<AtomicU64>,

@@ -17,15 +17,14 @@ use super::missing::{Defect, MissingPiece};
 use super::raw_message::RawMessage;
 use crate::{Topic, Update};
 
-/// Size of the beginning in which header and metadata lie (B).
+/// Size of the beginning that contains header and metadata (B).
 const HEAD: u64 = 4096;
 
-/// One file of a recording.
 pub(super) struct PartFile {
     pub(super) path: PathBuf,
     pub(super) labels: Labels,
     pub(super) index: Index,
-    /// Whether its beginning is damaged, and its labels were found elsewhere.
+    /// `true` if its beginning is damaged, and its labels were found elsewhere.
     pub(super) has_damaged_start: bool,
     /// Time of the recording's beginning (ns since 1970).
     pub(super) began: u64,
@@ -73,7 +72,7 @@ impl PartFile {
             FileStart::Cut => (None, true),
             FileStart::Foreign | FileStart::NotMcap => (None, false),
         };
-        // Without a profile that can be read, it is ours if its topics are.
+        // Without a readable profile, the file is ours if its topics are.
         if first.is_none() && !self.index.names_ours {
             let is_empty = is_cut && self.bytes.size < HEAD;
             let path = self.path.clone();
@@ -81,7 +80,7 @@ impl PartFile {
         }
         let copies: Vec<&Labels> = first.iter().chain(&self.index.labels).collect();
         let votes = |it: &Labels| copies.iter().filter(|copy| **copy == it).count();
-        // Of those with as many votes the first, and one that can be read before one that cannot.
+        // With equal votes a readable copy wins, then the first.
         let best = copies.iter().rev().max_by_key(|it| (votes(it), it.is_ours()));
         Ok(best.map_or_else(|| self.labels_by_catalogue(), |it| (*it).clone()))
     }
@@ -97,11 +96,10 @@ impl PartFile {
         labels
     }
 
-    /// Returns the run that a catalogue in the chunk at `place` names, if one can be read.
+    /// Returns the run that a catalogue in the chunk at `position` names, if one is readable.
     fn run_in(&self, position: &ChunkPosition) -> Option<String> {
         let mut chunk = self.chunk(position).ok()?;
         let is_it = |header: &MessageHeader| self.topic(header) == Some(Topic::Catalogue);
-        // Bounded by the chunk.
         loop {
             let Inside::Message(_, bytes) = chunk.next(is_it)?.ok()? else { continue };
             if let Ok(Update::Catalogue(found)) = Update::decode(Topic::Catalogue, &bytes) {
@@ -110,7 +108,6 @@ impl PartFile {
         }
     }
 
-    /// Returns how much was read so far (B).
     pub(super) fn bytes_read(&self) -> u64 {
         self.bytes.bytes_read()
     }
@@ -119,7 +116,6 @@ impl PartFile {
         self.bytes.size
     }
 
-    /// Reads the chunk at `place`.
     pub(super) fn chunk(&self, position: &ChunkPosition) -> Result<Chunk, MissingPiece> {
         if let Some(defect) = &position.defect {
             return Err(self.missing(position, defect.clone()));
@@ -152,7 +148,7 @@ impl PartFile {
         }
     }
 
-    /// Returns what is wrong with it if it breaks off, or if that did from which it was recovered.
+    /// Returns the defect if this file breaks off, or the file from which it was recovered did.
     pub(super) fn breaks_off(&self) -> Option<Defect> {
         let scan = self.index.without_summary.filter(|scan| !scan.has_end);
         let at = scan.map(|scan| {
@@ -163,8 +159,8 @@ impl PartFile {
         at.or_else(|| self.index.breaks_off.clone().map(Defect::left_out))
     }
 
-    /// Notes that the recording goes on at `next` (ns since 1970) in another file: if this one
-    /// breaks off, what was between is missing.
+    /// Records that the recording continues at `next` (ns since 1970) in another file: if this one
+    /// breaks off, the data between are missing.
     pub(super) fn note_next(&mut self, next: u64) {
         let Some(defect) = self.breaks_off() else { return };
         let offset = self.index.without_summary.map_or(self.size(), |scan| scan.up_to);
@@ -204,11 +200,10 @@ impl fmt::Debug for PartFile {
     }
 }
 
-/// The beginning of a file.
 enum FileStart {
-    /// A recording, its labels, and where they end (B).
+    /// A recording, its labels, and their end (B).
     Ours(Labels, u64),
-    /// An MCAP file that does not say that it is a recording.
+    /// An MCAP file without the profile of a recording.
     Foreign,
     /// The file is cut off before its labels.
     Cut,
@@ -225,7 +220,7 @@ impl FileStart {
     }
 }
 
-/// Returns the part's number as its file name tells it; 1 without.
+/// Returns the part's number in its file name; 1 if there is none.
 fn part_number(path: &Path) -> u32 {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let number = stem.rsplit_once('-').filter(|(_, number)| number.len() == 4);

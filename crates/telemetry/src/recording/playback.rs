@@ -1,4 +1,4 @@
-//! A recording that a window sees as if it were a live host.
+//! A recording that a window shows as if it were a live host.
 
 use std::collections::{BTreeSet, VecDeque};
 use std::fmt;
@@ -20,24 +20,23 @@ use crate::log::Level;
 use crate::source::{Mark, Ticket};
 use crate::{Arrival, ConnectionState, Log, Request, Source, Timeline, Topic, Update};
 
-/// Time before a place that a window gets, too (ns): enough for its scopes.
+/// Time before a position that a window gets, too (ns): enough for its scopes.
 const BEFORE: u64 = 5_000_000_000;
 
-/// A clock: returns the time since any fixed moment (s).
+/// Clock that returns the time since any fixed moment (s).
 pub type PlaybackClock = Box<dyn Fn() -> f64 + Send>;
 
-/// A recording that a window sees as if it were a live host.
+/// A recording that a window shows as if it were a live host.
 ///
-/// It gives what was recorded up to where it is, in the order in which it was recorded, and it
-/// goes on by the clock that it is given. The catalogue and the voices come whatever is followed,
-/// because nothing can be understood without them; a topic that is followed anew begins with its
-/// last seconds, and a key's rows with the last ones before these. What cannot be read is said in a
-/// [`Log`] at its place.
+/// It delivers the messages up to its position in the order of recording, and moves by the given
+/// clock. The catalogue and the voices always come, because all else needs them. A newly followed
+/// topic begins with its last seconds, and a key's rows with the last ones before these. Unreadable
+/// data is reported by a [`Log`] in its place.
 pub struct Playback {
     recording: Arc<Recording>,
     clock: PlaybackClock,
     span: (u64, u64),
-    /// Place at the last change (ns since 1970), and the clock's time then (s).
+    /// Position at the last change (ns since 1970), and the clock's time then (s).
     at: u64,
     since: f64,
     speed: f64,
@@ -46,7 +45,7 @@ pub struct Playback {
     followed: BTreeSet<Topic>,
     /// Arrivals that come before all others.
     arrivals: VecDeque<Arrival>,
-    /// Last seconds of topics that are followed anew.
+    /// Last seconds of newly followed topics.
     past: VecDeque<PlaybackStream>,
     main: PlaybackStream,
     marks: Vec<Mark>,
@@ -55,9 +54,7 @@ pub struct Playback {
 }
 
 impl Playback {
-    /// Plays `recording` from its beginning, in the time of `clock`.
-    ///
-    /// Its marks are gathered on a thread beside.
+    /// Plays `recording` from its beginning, in the time of `clock`; a thread collects its marks.
     pub fn new(recording: Recording, clock: PlaybackClock) -> Self {
         let recording = Arc::new(recording);
         let span = recording.span().unwrap_or((0, 0));
@@ -84,19 +81,18 @@ impl Playback {
         playback
     }
 
-    /// Begins again at the end, from then on with [`Arrival::Anew`].
+    /// Begins again at each end, with [`Arrival::Anew`].
     #[must_use]
     pub fn repeating(mut self) -> Self {
         self.repeats = true;
         self
     }
 
-    /// Returns the recording that is played.
     pub fn recording(&self) -> &Recording {
         &self.recording
     }
 
-    /// Stays here from the clock's time on.
+    /// Sets the position to `at` from the clock's present time on.
     fn anchor(&mut self, at: u64) {
         self.at = at.clamp(self.span.0, self.span.1);
         self.since = (self.clock)();
@@ -107,7 +103,6 @@ impl Playback {
         self.followed.iter().copied().chain(always).collect()
     }
 
-    /// Returns the catalogue and the voices at `at` (ns since 1970).
     fn catalogue_and_voices(&self, at: u64) -> Result<Vec<Arrival>, ReadError> {
         let began = self.span.0;
         let catalogue = self.recording.catalogue()?.map(|it| (began, Update::Catalogue(it)));
@@ -116,15 +111,14 @@ impl Playback {
         Ok(catalogue.into_iter().chain(voices).map(|(at, update)| arrival(at, update)).collect())
     }
 
-    /// Returns the rows of keys among `topics` before `from` (ns since 1970): one that lies
-    /// still for long has none in the seconds before any place.
+    /// Returns the last rows of keys among `topics` before `from` (ns since 1970): a key that rests
+    /// has none in the seconds before a position.
     fn keys_before(&self, from: u64, topics: &BTreeSet<Topic>) -> Vec<Arrival> {
         let blocks = topics.iter().filter(|topic| matches!(topic, Topic::Block(_)));
         let last = blocks.filter_map(|topic| self.recording.last_before(*topic, from));
         last.map(|raw| self.arrive(Ok(raw))).collect()
     }
 
-    /// Returns the next message up to now.
     fn next_raw(&mut self) -> Option<Result<RawMessage, MissingPiece>> {
         let (now, parts) = (Timeline::at(self), self.recording.parts());
         for stream in &mut self.past {
@@ -245,10 +239,10 @@ impl fmt::Debug for Playback {
     }
 }
 
-/// Messages as their time comes.
+/// Messages in the order of their times.
 struct PlaybackStream {
     walk: Walk,
-    /// The next message, whose time has not come.
+    /// The next message, which is not due yet.
     due: Option<RawMessage>,
 }
 
@@ -279,13 +273,11 @@ fn log(at: u64, level: Level, text: String) -> Arrival {
     arrival(at, Update::Log(Log { level: level.into(), text }))
 }
 
-/// Gathers a recording's marks on a thread of its own.
-///
-/// Where there are no threads there are no marks.
+/// Collects a recording's marks on a separate thread; none if no thread can be started.
 fn gather(recording: Arc<Recording>) -> Receiver<Mark> {
     let (sender, receiver) = channel();
     let gatherer = thread::Builder::new().name("letoff-marks".to_owned());
-    // It ends by itself: at the end of the recording, or when the receiver is gone.
+    // The thread ends by itself: at the end of the recording, or when the receiver is dropped.
     drop(gatherer.spawn(move || marks(&recording).try_for_each(|mark| sender.send(mark))));
     receiver
 }

@@ -1,15 +1,13 @@
-//! A message as it lies in a file.
-
 use super::error::RecordError;
 use crate::topic::TopicDecodeError;
 use crate::{Topic, Update};
 
-/// A message as it lies in a file.
+/// A message as it is stored in a file.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct RawMessage {
     /// Time under which it is recorded (ns since 1970).
     pub(super) at: u64,
-    /// Time at which it was made (ns since 1970), earlier than `at` where it is repeated.
+    /// Time at which it was made (ns since 1970), earlier than `at` if it is repeated.
     pub(super) made: u64,
     pub(super) topic: Topic,
     pub(super) bytes: Vec<u8>,
@@ -26,7 +24,6 @@ impl RawMessage {
     }
 }
 
-/// Returns the key of an update that has no topic.
 fn key(update: &Update) -> u32 {
     match update {
         Update::Block(block) => block.key,

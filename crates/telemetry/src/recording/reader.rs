@@ -1,5 +1,3 @@
-//! Reads a recording.
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -18,24 +16,24 @@ use super::raw_message::RawMessage;
 use super::walk::Walk;
 use crate::{Catalogue, KEYS, Topic, Update, Voice};
 
-/// A recording, of one file or of several.
+/// A recording of one or several files.
 ///
-/// Opening it reads where its chunks are, and nothing else; a file whose host died, and which
-/// therefore does not say so, is read through once.
+/// Opening it reads only the positions of its chunks. A file whose host died has no summary and is
+/// read through once.
 #[derive(Debug)]
 pub struct Recording {
     parts: Vec<PartFile>,
     tear: Option<Tear>,
 }
 
-/// Where a recording breaks off, or what is missing from it.
+/// Break or gap in a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Tear {
     pub path: PathBuf,
     /// Offset up to which it could be read (B).
     pub at: u64,
     pub(super) what: String,
-    /// What can be read all the same, and what to do.
+    /// Data that is readable all the same, and the remedy.
     advice: String,
 }
 
@@ -46,10 +44,10 @@ impl fmt::Display for Tear {
 }
 
 impl Recording {
-    /// Opens the recording that begins with the file `path`, and those that go on from it.
+    /// Opens the recording that begins with the file `path`, and the files that continue it.
     ///
     /// # Errors
-    /// If the file is no recording that this version reads.
+    /// The file is no recording that this version reads.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, OpenError> {
         let mut recording = Self::open_file(path.as_ref())?;
         while let Some(next) = recording.next_path(1).filter(|next| next.exists()) {
@@ -69,27 +67,21 @@ impl Recording {
         Ok(recording)
     }
 
-    /// Opens the one file `path`, whatever it belongs to.
-    ///
-    /// # Errors
-    /// If it is no recording that this version reads.
+    /// Like [`Self::open`], but for the one file `path`, whatever recording it belongs to.
     pub fn open_file(path: &Path) -> Result<Self, OpenError> {
         let mut recording = Self { parts: Vec::new(), tear: None };
         recording.add(PartFile::open(path)?);
         Ok(recording)
     }
 
-    /// Opens a recording of one file that is part of the program, under the name `path`.
-    ///
-    /// # Errors
-    /// If it is no recording that this version reads.
+    /// Like [`Self::open`], but for an embedded recording of one file, under the name `path`.
     pub fn from_bytes(path: impl AsRef<Path>, bytes: &'static [u8]) -> Result<Self, OpenError> {
         let mut recording = Self { parts: Vec::new(), tear: None };
         recording.add(PartFile::of(path.as_ref(), FileBytes::of(bytes))?);
         Ok(recording)
     }
 
-    /// Returns where the recording breaks off or what is missing; `None` if it is complete.
+    /// Returns the break or gap in the recording; `None` if it is complete.
     pub const fn tear(&self) -> Option<&Tear> {
         self.tear.as_ref()
     }
@@ -99,7 +91,6 @@ impl Recording {
         self.parts.first().map_or("", |part| &part.labels.run)
     }
 
-    /// Returns the paths of its files, in their order.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         self.parts.iter().map(|part| part.path.as_path())
     }
@@ -111,16 +102,15 @@ impl Recording {
         Some((positions().map(|it| it.first).min()?, positions().map(|it| it.last).max()?))
     }
 
-    /// Returns how much of its files was read so far (B).
     pub fn bytes_read(&self) -> u64 {
         self.parts.iter().map(PartFile::bytes_read).sum()
     }
 
-    /// Returns messages of these topics from `from` on and before `to` (ns since 1970), in the
-    /// order in which they were written, and when each was made.
+    /// Returns messages of these topics from `from` on and before `to` (ns since 1970) in the order
+    /// of writing, with the time at which each was made.
     ///
-    /// Only chunks that may have such messages are read, one at a time. After an error it goes on
-    /// behind what is damaged.
+    /// Only chunks that may have such messages are read, one at a time. After an error the iterator
+    /// continues behind the damage.
     pub fn read(&self, from: u64, to: u64, topics: &BTreeSet<Topic>) -> Messages<'_> {
         // Nothing is before the beginning of time.
         let last = to.checked_sub(1);
@@ -128,33 +118,29 @@ impl Recording {
         Messages { recording: self, walk: Walk::new(from, last.unwrap_or(0), topics) }
     }
 
-    /// Returns every message, in the order in which they were written.
+    /// Returns every message, in the order of writing.
     pub fn messages(&self) -> Messages<'_> {
         Messages { recording: self, walk: Walk::new(0, u64::MAX, Topic::all().collect()) }
     }
 
-    /// Returns the catalogue; `None` if it was not recorded.
-    ///
-    /// # Errors
-    /// If it is damaged.
+    /// Returns the catalogue; `None` if it was not recorded, an error if all copies are damaged.
     pub fn catalogue(&self) -> Result<Option<Catalogue>, ReadError> {
         let mut wrong = None;
         for message in self.read(0, u64::MAX, &BTreeSet::from([Topic::Catalogue])) {
             match message {
                 Ok((_, Update::Catalogue(catalogue))) => return Ok(Some(catalogue)),
                 Ok(_) => {}
-                // It is said again further on.
+                // It is repeated further on.
                 Err(error) => wrong = wrong.or(Some(error)),
             }
         }
         wrong.map_or(Ok(None), Err)
     }
 
-    /// Returns the voices at `at` (ns since 1970) in the order of keys, each with its time (ns
-    /// since 1970).
+    /// Returns the voices at `at` in the order of keys, each with its time (both ns since 1970).
     ///
     /// # Errors
-    /// If it is damaged, and nothing is known of any.
+    /// All are damaged.
     pub fn voices_at(&self, at: u64) -> Result<Vec<(u64, Voice)>, ReadError> {
         let (mut voices, mut wrong) = (BTreeMap::new(), None);
         let mut last_part = None;
@@ -176,7 +162,7 @@ impl Recording {
             }
         }
         if voices.is_empty() && wrong.is_some() {
-            // They were said before, and lost, and are said again further on.
+            // Lost voices are repeated further on.
             let later = self.positions().filter(|(_, position)| at < position.last);
             voices = later
                 .filter(|(_, position)| position.may_have(|topic| topic == Topic::Voices))
@@ -190,8 +176,7 @@ impl Recording {
         }
     }
 
-    /// Returns the last message of `topic` before `at` (ns since 1970), however long before; what
-    /// is damaged is passed over.
+    /// Returns the last message of `topic` before `at` (ns since 1970); damage is skipped.
     pub(super) fn last_before(&self, topic: Topic, at: u64) -> Option<RawMessage> {
         let positions = self.positions().rev().filter(|(_, position)| position.first < at);
         let mut positions = positions.filter(|(_, position)| position.may_have(|it| it == topic));
@@ -232,13 +217,13 @@ impl Recording {
         self.parts.push(part);
     }
 
-    /// Notes that the recording does not go on in `next`, for the reason `why`.
+    /// Records that the recording does not continue in `next`, for the reason `why`.
     fn note_loss(&mut self, next: PathBuf, why: &str) {
         let (what, advice) = (why.to_owned(), "; what was recorded before it is there".to_owned());
         self.tear.get_or_insert(Tear { path: next, at: 0, what, advice });
     }
 
-    /// Returns the path of the file that would be number `after` behind its last.
+    /// Returns the path of the file with number `after` behind the last.
     fn next_path(&self, after: u32) -> Option<PathBuf> {
         let (first, last) = (self.parts.first()?, self.parts.last()?);
         let first = first_path(&first.path, first.labels.part);
@@ -253,14 +238,13 @@ impl Recording {
     }
 }
 
-/// An iterator over messages of a recording.
+/// Iterator over messages of a recording.
 pub struct Messages<'a> {
     recording: &'a Recording,
     walk: Walk,
 }
 
 impl Messages<'_> {
-    /// Returns the next message as it lies in the file.
     pub(super) fn next_raw(&mut self) -> Option<Result<RawMessage, MissingPiece>> {
         self.walk.next(&self.recording.parts)
     }
@@ -281,8 +265,7 @@ impl fmt::Debug for Messages<'_> {
     }
 }
 
-/// Decodes a message of `recording`; returns it behind the time at which it was made (ns since
-/// 1970).
+/// Decodes a message of `recording`; returns it with the time at which it was made (ns since 1970).
 pub(super) fn update(
     raw: Result<RawMessage, MissingPiece>,
     recording: &Recording,
@@ -315,7 +298,7 @@ fn voices_in(
     Ok(voices)
 }
 
-/// Returns what is missing of a file that has no summary or no beginning.
+/// Returns the gap of a file that has no summary or no beginning.
 fn tear(part: &PartFile) -> Option<Tear> {
     let path = shown(&part.path);
     let damaged = match part.index.without_summary.map_or(0, |scan| scan.damaged) {

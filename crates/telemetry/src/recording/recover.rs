@@ -1,4 +1,4 @@
-//! Makes a complete file of one that breaks off.
+//! Recovery of a complete file from one that breaks off.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,39 +13,38 @@ use super::part_file::PartFile;
 use super::raw_message::RawMessage;
 use super::reader::Recording;
 
-/// The result of recovering a file.
+/// Result of recovering a file.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Recovered {
     /// Number of messages in the new file.
     pub messages: u64,
-    /// Times of the first and the last of them (ns since 1970), if there are any.
+    /// Times of the first and the last of them (ns since 1970), if any.
     pub span: Option<(u64, u64)>,
     /// Size of the incomplete record at the old file's end (B).
     pub cut: u64,
     /// Number of damaged pieces of the old file, up to a second each.
     pub damaged: u64,
-    /// What was wrong with the old file, a sentence each; nothing if it was complete.
+    /// Damage of the old file, a sentence each; empty if it was complete.
     pub wrong: Vec<String>,
 }
 
-/// Why a file is not recovered.
+/// Reason why a file is not recovered.
 #[derive(Debug, thiserror::Error)]
 pub enum RecoverError {
     #[error(transparent)]
     Open(#[from] OpenError),
-    /// The old file has no message in it.
     #[error("{} has nothing in it that could be saved: no file is made of it", shown(.0))]
     Nothing(PathBuf),
     #[error(transparent)]
     Record(#[from] RecordError),
 }
 
-/// Writes what can be read of the file `path` to the new file `to`, which is then complete.
+/// Writes the readable messages of the file `path` to the new file `to`, which is then complete.
 ///
-/// The old file is not touched; what could not be completed is not left behind.
+/// The old file is not touched; an incomplete new file is removed.
 ///
 /// # Errors
-/// If `path` is no recording or has nothing in it, or `to` is there already or cannot be written.
+/// `path` is no recording or has no messages, or `to` exists already or cannot be written.
 pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     let old = Recording::open_file(path)?;
     let part = old.parts().first().ok_or_else(|| OpenError::Empty(path.to_owned()))?;
@@ -54,13 +53,13 @@ pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
         if saved.span.is_some() { Ok(saved) } else { Err(RecoverError::Nothing(path.to_owned())) }
     });
     if saved.is_err() {
-        // It was made a moment ago; one that cannot be removed is empty or breaks off.
+        // The file is new; if it cannot be removed it is empty or breaks off.
         let _left = fs::remove_file(to);
     }
     saved
 }
 
-/// Returns what the index tells of the old file.
+/// Returns the findings of the old file's index.
 fn before_reading(part: &PartFile) -> Recovered {
     let Some(scan) = part.index.without_summary else { return Recovered::default() };
     // Behind the end of the data there was nothing but the index.
@@ -68,7 +67,7 @@ fn before_reading(part: &PartFile) -> Recovered {
     Recovered { cut, ..Recovered::default() }
 }
 
-/// Moves every message of `old` that can be read to `new`, and completes that.
+/// Copies every readable message of `old` to `new`, and completes `new`.
 fn save(
     old: &Recording,
     mut new: RecordingPart,
@@ -87,7 +86,7 @@ fn save(
             }
             Err(piece) => {
                 new.note_missing(&MissingNote::new(&piece))?;
-                // What another file had lost before is no loss of this one.
+                // An earlier loss of another file is no loss of this one.
                 saved.damaged += u64::from(!piece.defect.is_left_out);
                 saved.wrong.push(piece.what());
             }
@@ -98,7 +97,7 @@ fn save(
         new.note_missing(&MissingNote { wrong, span: None, topics: None })?;
     }
     saved.messages = new.messages();
-    // Later than what the old file said again at its end, which is told from it by its time.
+    // Its time distinguishes this repetition from that at the old file's end: it is later.
     new.write_trailer(&part.labels, &latest, last.saturating_add(1))?;
     new.finish()?;
     Ok(saved)

@@ -1,16 +1,13 @@
-//! A key's block, row by row.
-
 use crate::KeyBlock;
 
-/// One tick of a key; see [`KeyBlock`] for what each is.
+/// One tick of a key; see [`KeyBlock`] for the fields.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Row<'a> {
     pub tick: u64,
     /// Displacement of the key's front (m).
     pub position: f64,
-    /// Ticks since the sample came.
     pub age: u32,
-    /// Ticks since the sample was taken, less what its way usually takes.
+    /// Ticks since the sample was taken, less the usual transport time.
     pub taken: f64,
     /// Force of the voice (N).
     pub force: f64,
@@ -29,7 +26,7 @@ pub struct Row<'a> {
 
 /// Returns the rows of `block`; `width` returns the number of signals of a revision's voice.
 ///
-/// A column that is too short reads as NaN or 0: blocks come from files and from far away.
+/// A missing value reads as NaN or 0: blocks come from files and from networks.
 pub fn rows<W: FnMut(u32) -> usize>(
     block: &KeyBlock,
     mut width: W,

@@ -1,9 +1,7 @@
-//! How a recording is to be written.
-
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// How a recording is to be written.
+/// Settings of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct RecordingSettings {
     /// The first file; the others are called `<name>-0002.mcap` and so on beside it.
@@ -15,19 +13,19 @@ pub struct RecordingSettings {
     pub flush: Duration,
 }
 
-/// How much of a disk a recording takes, and when it goes on in another file.
+/// Limits of a recording's files.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RecordingLimits {
     /// Largest size of a file (B); at least [`RecordingLimits::LEAST_FILE`].
     pub largest_file: u64,
-    /// Longest time that one file has messages of; without, only its size ends it.
+    /// Longest time covered by one file; if `None`, only its size ends it.
     pub longest_file: Option<Duration>,
-    /// Largest size of all files of the recording together (B).
+    /// Largest total size of the recording's files (B).
     ///
-    /// When they would be, the oldest is removed: of a run that is recorded for days, the last
-    /// hours stay. The file that is being written always does.
+    /// The oldest file is removed before this is exceeded, so a run of days keeps its last hours.
+    /// The open file always stays.
     pub largest_total: u64,
-    /// The recording ends, complete, when less than this is free on the disk (B).
+    /// Free space of the disk (B) below which the recording ends, complete.
     pub lowest_free: u64,
 }
 
@@ -35,12 +33,11 @@ impl RecordingLimits {
     /// Least limit of a file's size (B): in a smaller one schemas would be most of it.
     pub const LEAST_FILE: u64 = 1 << 20;
 
-    /// Returns [`RecordingLimits::largest_file`] as it is used (B): there is room for two.
+    /// Returns the effective limit of a file (B): there is room for two.
     pub(super) fn file_limit(&self) -> u64 {
         self.largest_file.min(self.largest_total / 2).max(Self::LEAST_FILE)
     }
 
-    /// Returns [`RecordingLimits::longest_file`] (ns).
     pub(super) fn file_ns(&self) -> u64 {
         let longest = self.longest_file.unwrap_or(Duration::MAX);
         u64::try_from(longest.as_nanos()).unwrap_or(u64::MAX)
@@ -60,7 +57,6 @@ impl Default for RecordingLimits {
 }
 
 impl RecordingSettings {
-    /// Creates settings for `run` at `path`, with the usual limits.
     pub fn new(path: impl Into<PathBuf>, run: impl Into<String>) -> Self {
         Self {
             path: path.into(),
@@ -70,7 +66,6 @@ impl RecordingSettings {
         }
     }
 
-    /// Returns [`RecordingSettings::flush`] as it is used (ns).
     pub(super) fn flush_ns(&self) -> u64 {
         let flush = self.flush.min(Duration::from_secs(1));
         u64::try_from(flush.as_nanos()).unwrap_or(u64::MAX)

@@ -1,4 +1,4 @@
-//! Through a recording's messages in the order in which they were written.
+//! A cursor over a recording's messages in the order of writing.
 
 use std::collections::BTreeSet;
 
@@ -8,23 +8,21 @@ use super::part_file::PartFile;
 use super::raw_message::RawMessage;
 use crate::Topic;
 
-/// A cursor in a recording's messages.
-///
-/// One chunk is in memory at a time.
+/// Cursor in a recording's messages, with one chunk in memory at a time.
 pub(super) struct Walk {
     part: usize,
     position: usize,
     open: Option<Chunk>,
     /// Number of messages passed in the open chunk.
     passed: usize,
-    /// Part, chunk and message at which it ends; the recording's end without.
+    /// Part, chunk and message of its end; `None` for the recording's end.
     stop: Option<(usize, usize, usize)>,
     pub(super) topics: BTreeSet<Topic>,
     /// Time of the first wanted messages (ns since 1970).
     from: u64,
     /// Time of the last wanted messages (ns since 1970).
     last: u64,
-    /// Whether a chunk could not be read since catalogue and voices came last.
+    /// `true` if a chunk was unreadable since catalogue and voices came last.
     has_lost: bool,
     /// Time of the repeated messages that make up for a loss (ns since 1970).
     made_up: Option<u64>,
@@ -46,13 +44,13 @@ impl Walk {
         }
     }
 
-    /// Returns a walk over what this one has passed, from `from` on (ns since 1970).
+    /// Returns a walk over the messages that this one has passed, from `from` on (ns since 1970).
     pub(super) fn past(&self, from: u64, topics: BTreeSet<Topic>) -> Self {
         let passed = if self.open.is_some() { self.passed } else { 0 };
         Self { stop: Some((self.part, self.position, passed)), ..Self::new(from, u64::MAX, topics) }
     }
 
-    /// Returns the next message; after an error it goes on behind what is damaged.
+    /// Returns the next message; after an error it continues behind the damage.
     pub(super) fn next(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, MissingPiece>> {
         loop {
             let is_open = if self.open.is_none() { self.open(parts)? } else { Ok(()) };
@@ -77,7 +75,7 @@ impl Walk {
         Some(self.open_next(parts)?.map(|chunk| self.open = Some(chunk)))
     }
 
-    /// Opens the chunk here, or the next one that may have wanted messages; none at the end.
+    /// Opens this chunk, or the next one that may have wanted messages; `None` at the end.
     fn open_next(&mut self, parts: &[PartFile]) -> Option<Result<Chunk, MissingPiece>> {
         loop {
             let part = parts.get(self.part)?;
@@ -100,7 +98,6 @@ impl Walk {
         }
     }
 
-    /// Returns the next wanted message of the open chunk.
     fn next_inside(&mut self, parts: &[PartFile]) -> Option<Result<RawMessage, MissingPiece>> {
         let part = parts.get(self.part)?;
         let position = part.index.positions.get(self.position)?;
@@ -111,7 +108,7 @@ impl Walk {
             let (has_lost, made_up) = (&mut self.has_lost, &mut self.made_up);
             let inside = chunk.next(|header| {
                 *passed += 1;
-                // What is said again was said before, unless that is not there or was lost.
+                // Skip repeated messages unless the earlier ones are missing or were lost.
                 let is_again = header.publish_time != header.log_time;
                 let is_beginning = here == (0, 0) && *passed == 1;
                 let begins = is_again && (is_beginning || std::mem::take(has_lost));

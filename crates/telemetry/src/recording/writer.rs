@@ -1,5 +1,3 @@
-//! Writes a recording.
-
 use std::collections::VecDeque;
 use std::fs;
 use std::path::PathBuf;
@@ -12,15 +10,15 @@ use super::raw_message::RawMessage;
 use super::settings::RecordingSettings;
 use crate::Update;
 
-/// Writes a recording, file after file.
+/// Writes a recording, file after file, for a thread beside the tick: it allocates, compresses and
+/// waits for the disk.
 ///
-/// For a thread beside the tick: it allocates, compresses and waits for the disk.
-/// What is written when it is dropped stays, but only [`Recorder::finish`] says whether it could
-/// be completed.
+/// A dropped recorder keeps its files, but only [`Recorder::finish`] reports whether the last is
+/// complete.
 #[derive(Debug)]
 pub struct Recorder {
     settings: RecordingSettings,
-    /// The file that is being written; none once it has ended.
+    /// The open file; `None` after the end.
     part: Option<RecordingPart>,
     number: u32,
     /// Time of the first message that is not repeated in it (ns since 1970).
@@ -35,29 +33,28 @@ pub struct Recorder {
     /// Times of the last flush, by messages' time and by the caller's (ns).
     flushed: Option<u64>,
     attended: Option<u64>,
-    /// When catalogue and voices are to be said again, and when the last message was made
-    /// (ns since 1970).
+    /// Times of the next repetition, and of the last message (ns since 1970).
     again: u64,
     last: u64,
 }
 
-/// Time between two repetitions of catalogue, voices and labels (ns): a damaged
-/// piece takes none of them away.
+/// Time between two repetitions of catalogue, voices and labels (ns): a damaged piece destroys none
+/// of them.
 const AGAIN: u64 = 30_000_000_000;
 
 /// Repetitions take at most one part in this many of a file.
 const SHARE: u64 = 8;
 
-/// The files of a recording, and what was left out.
+/// Files and counts of a recording.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct RecordingStatus {
     /// Its files, the oldest first.
     pub files: Vec<PathBuf>,
-    /// Their size (B).
+    /// Total size of its files (B).
     pub bytes: u64,
-    /// Messages that were recorded, those in removed files as well.
+    /// Recorded messages, including those in removed files.
     pub messages: u64,
-    /// Files that were removed, so that it did not become too large.
+    /// Files removed to limit the total size.
     pub removed: u32,
 }
 
@@ -65,7 +62,7 @@ impl Recorder {
     /// Begins a recording.
     ///
     /// # Errors
-    /// If a file of this name is there already or cannot be made, or the disk is all but full.
+    /// The file exists already or cannot be created, or the disk is almost full.
     pub fn create(settings: RecordingSettings) -> Result<Self, RecordError> {
         if let Err(RecordError::LowDisk { path, free, lowest }) =
             check_room(&settings, &settings.path)
@@ -95,10 +92,11 @@ impl Recorder {
         })
     }
 
-    /// Writes `update`, which was made at `at` (ns since 1970).
+    /// Writes `update` from `at` (ns since 1970).
     ///
     /// # Errors
-    /// If it cannot be written; but for [`RecordError::NoSuchKey`], the recording has then ended.
+    /// The message cannot be written. The recording has then ended, but for
+    /// [`RecordError::NoSuchKey`].
     pub fn write(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
         let raw = RawMessage::of(at, update)?;
         let part = self.part.as_ref().ok_or(RecordError::Ended)?;
@@ -118,13 +116,13 @@ impl Recorder {
         self.flush_by_message(at)
     }
 
-    /// Gives what waits to the system, if it has waited for long enough at `now` (ns).
+    /// Passes waiting messages to the system, if they have waited for long enough at `now` (ns).
     ///
-    /// `now` is of any clock that goes on by itself: call it some times a second, so that the
-    /// last messages before a silence do not wait for the next one.
+    /// `now` is of any running clock. Call it some times a second, so that the last messages before
+    /// a silence do not wait for the next one.
     ///
     /// # Errors
-    /// If it cannot be written; the recording has then ended.
+    /// The messages cannot be written; the recording has then ended.
     pub fn attend(&mut self, now: u64) -> Result<(), RecordError> {
         let since = now.saturating_sub(*self.attended.get_or_insert(now));
         if since < self.settings.flush_ns() {
@@ -139,7 +137,7 @@ impl Recorder {
     /// Ends the recording.
     ///
     /// # Errors
-    /// If the last file could not be completed; [`super::recover`] can still read it.
+    /// The last file is incomplete; [`super::recover`] can still read it.
     pub fn finish(mut self) -> Result<RecordingStatus, RecordError> {
         self.end()?;
         let bytes = self.complete.iter().map(|(_, bytes)| bytes).sum();
@@ -167,19 +165,18 @@ impl Recorder {
         Ok(())
     }
 
-    /// Returns whether files are large enough to repeat catalogue and voices.
+    /// Returns `true` if files are large enough to repeat catalogue and voices.
     fn repeats(&self) -> bool {
         let bytes = self.repeated_bytes();
         0 < self.latest.bytes() && bytes.saturating_mul(SHARE) <= self.settings.limits.file_limit()
     }
 
-    /// Returns the largest size of what is repeated (B).
+    /// Returns the largest size of a repetition (B).
     fn repeated_bytes(&self) -> u64 {
         // Each message has its own head, and there are 88 voices; labels come twice.
         self.latest.bytes() as u64 + 100 * 64 + 2 * 256
     }
 
-    /// Repeats catalogue, voices and labels.
     fn repeat(&mut self, at: u64) -> Result<(), RecordError> {
         let labels = Labels::new(&self.settings.run, self.number);
         let part = self.part.as_mut().ok_or(RecordError::Ended)?;
@@ -187,7 +184,6 @@ impl Recorder {
         self.or_end(repeated)
     }
 
-    /// Repeats catalogue, voices and labels at the end of the open file.
     fn write_trailer(&mut self) -> Result<(), RecordError> {
         let repeats = self.repeats();
         let Some(part) = self.part.as_mut().filter(|_| repeats) else { return Ok(()) };
@@ -199,7 +195,7 @@ impl Recorder {
     fn flush(&mut self) -> Result<(), RecordError> {
         let flushed = self.part.as_mut().ok_or(RecordError::Ended)?.flush();
         self.or_end(flushed)?;
-        // What waits from now on has not waited yet.
+        // Messages from now on have not waited yet.
         self.attended = None;
         let room = check_room(&self.settings, &part_path(&self.settings.path, self.number));
         if room.is_err() {
@@ -208,9 +204,9 @@ impl Recorder {
         room
     }
 
-    /// Completes the file and goes on in the next, which can be understood without it.
+    /// Completes the file and continues in the next, which can be understood alone.
     ///
-    /// It does not wait for the disk, or what is told meanwhile would find no room on its way here.
+    /// It does not wait for the disk, or the queue of messages to here would overflow.
     fn rotate(&mut self, at: u64) -> Result<(), RecordError> {
         self.write_trailer()?;
         self.again = 0;
@@ -229,7 +225,7 @@ impl Recorder {
         again.iter().try_for_each(|raw| self.add(raw))
     }
 
-    /// Removes the oldest files while another full one would be too much.
+    /// Removes the oldest files while another full one would exceed the limit.
     fn make_room(&mut self) -> Result<(), RecordError> {
         loop {
             let bytes: u64 = self.complete.iter().map(|(_, bytes)| bytes).sum();
@@ -242,7 +238,6 @@ impl Recorder {
         }
     }
 
-    /// Completes the file that is being written, if there is one.
     fn end(&mut self) -> Result<(), RecordError> {
         self.write_trailer()?;
         let Some(part) = self.part.take() else { return Ok(()) };
@@ -260,7 +255,7 @@ impl Recorder {
     }
 }
 
-/// Checks that the disk has the room that is to stay free.
+/// Checks that the disk has the room that must stay free.
 fn check_room(settings: &RecordingSettings, path: &std::path::Path) -> Result<(), RecordError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     match free(folder.unwrap_or_else(|| ".".as_ref())) {
@@ -272,14 +267,14 @@ fn check_room(settings: &RecordingSettings, path: &std::path::Path) -> Result<()
     }
 }
 
-/// Returns the free space of the disk of `folder` (B), if it is known.
+/// Returns the free space of the disk of `folder` (B), if known.
 #[cfg(unix)]
 fn free(folder: &std::path::Path) -> Option<u64> {
     let disk = rustix::fs::statvfs(folder).ok()?;
     Some(disk.f_bavail.saturating_mul(disk.f_frsize))
 }
 
-/// Returns the free space of the disk of `folder` (B), which is not known on this system.
+/// Returns `None`: the free space is not known on this system.
 #[cfg(not(unix))]
 const fn free(_: &std::path::Path) -> Option<u64> {
     None

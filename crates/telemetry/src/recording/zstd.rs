@@ -1,4 +1,4 @@
-//! Chunks that another program has compressed with zstd: the recorder itself uses lz4.
+//! Decompression of zstd, which other programs may use: the recorder itself uses lz4.
 
 use std::fmt::Display;
 use std::io::Read as _;
@@ -7,10 +7,11 @@ use mcap::sans_io::decompressor::{DecompressResult, Decompressor};
 use mcap::{McapError, McapResult};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 
-/// What the decoder may need to go on \[B\]: the largest block, its header and that of its frame.
+/// Input with which the decoder can always continue (B): the largest block, its header and that of
+/// its frame.
 const READ: usize = 128 * 1024 + 3 + 18;
 
-/// The frames of one chunk after another.
+/// Decoder of the frames of one chunk after another.
 #[derive(Default)]
 pub(super) struct Zstd {
     decoder: FrameDecoder,
@@ -29,7 +30,7 @@ impl Decompressor for Zstd {
             self.is_inside = true;
         }
         if self.decoder.can_collect() == 0 && !self.decoder.is_finished() {
-            // One at a time: a few bytes can be made into a great many.
+            // One block at a time: a few bytes can expand to a great many.
             let one = BlockDecodingStrategy::UptoBlocks(1);
             self.decoder.decode_blocks(&mut rest, one).map_err(damaged)?;
         }

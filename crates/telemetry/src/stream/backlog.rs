@@ -1,21 +1,21 @@
-//! A queue between a fast writer and a reader who may be slow.
+//! A queue between a fast writer and a reader that may be slow.
 
 use std::collections::VecDeque;
 
-/// What may become of something that waits in a queue.
+/// Rule by which a waiting entry may be dropped.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Worth {
     /// The oldest of these are dropped when there is no room.
     Passing,
-    /// Never dropped before there is a newer one with this number.
+    /// Dropped only for a newer one with this number.
     Latest(u16),
     Kept,
 }
 
-/// A queue bounded in bytes, of which a slow reader misses the oldest.
+/// Queue bounded in bytes; a slow reader misses the oldest entries.
 ///
-/// What is never dropped is bounded otherwise: of `Latest` there is one for each number, and of
-/// `Kept` there are as many as the reader asked for.
+/// Other entries have other bounds: one `Latest` for each number, and as many `Kept` as the reader
+/// requested.
 #[derive(Debug)]
 pub(crate) struct Backlog<T> {
     waiting: VecDeque<Waiting<T>>,
@@ -32,16 +32,15 @@ struct Waiting<T> {
     bytes: usize,
 }
 
-/// What an entry costs beside its content (bytes).
+/// Cost of an entry beside its content (bytes).
 const OVERHEAD: usize = 64;
 
 impl<T> Backlog<T> {
-    /// Creates a queue with room for `most` bytes.
     pub(crate) const fn new(most: usize) -> Self {
         Self { waiting: VecDeque::new(), bytes: 0, most, dropped: 0 }
     }
 
-    /// Adds `what`, whose content is so many bytes.
+    /// Adds `what` with `bytes` of content.
     pub(crate) fn push(&mut self, what: T, worth: Worth, bytes: usize) {
         let bytes = bytes.saturating_add(OVERHEAD);
         match worth {
@@ -53,7 +52,6 @@ impl<T> Backlog<T> {
         while self.bytes > self.most && self.drop_oldest() {}
     }
 
-    /// Takes the oldest entry.
     pub(crate) fn pop(&mut self) -> Option<T> {
         let entry = self.waiting.pop_front()?;
         self.release(&entry);
@@ -67,12 +65,12 @@ impl<T> Backlog<T> {
         self.bytes = passing.map(|entry| entry.bytes).sum();
     }
 
-    /// Returns how many were dropped since the last call.
+    /// Returns the number of dropped entries since the last call.
     pub(crate) const fn take_dropped(&mut self) -> u64 {
         std::mem::replace(&mut self.dropped, 0)
     }
 
-    /// Lets entries be dropped that a newer one replaces.
+    /// Marks the entries that a newer one replaces as droppable.
     fn outdate(&mut self, worth: Worth) {
         for entry in self.waiting.iter_mut().filter(|entry| entry.worth == worth) {
             entry.worth = Worth::Passing;

@@ -1,16 +1,15 @@
-//! What a certificate is recognised by.
+//! The fingerprint of a certificate.
 
 use std::fmt;
 use std::str::FromStr;
 
 use data_encoding::HEXUPPER;
 
-/// The SHA-256 of a certificate; written as 32 pairs of hexadecimal digits, with colons between.
+/// SHA-256 of a certificate; written as 32 pairs of hexadecimal digits, with colons between.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Fingerprint(pub [u8; 32]);
 
 impl Fingerprint {
-    /// Computes the fingerprint of the certificate `der`.
     pub fn of(der: &[u8]) -> Self {
         let digest = ring::digest::digest(&ring::digest::SHA256, der);
         let mut bytes = [0; 32];
@@ -31,7 +30,7 @@ impl fmt::Display for Fingerprint {
     }
 }
 
-/// Why a text is no fingerprint.
+/// Reason why a text is no fingerprint.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{0:?} is no fingerprint: it has 32 pairs of hexadecimal digits, as the host printed it")]
 pub struct NoFingerprint(String);

@@ -1,18 +1,17 @@
-//! The stream: a server for a host, and a client for a window, on other people's protocol.
+//! The stream: a server for a host, and a client for a window, on a public protocol.
 //!
-//! Both talk the [Foxglove WebSocket protocol](https://github.com/foxglove/ws-protocol), so that
-//! Foxglove, Lichtblick and PlotJuggler can watch a host as well as our own window does.
-//! What they share with ours: messages with their schemas, parameters, and services.
+//! Both use the [Foxglove WebSocket protocol](https://github.com/foxglove/ws-protocol), so that
+//! Foxglove, Lichtblick and PlotJuggler can watch a host like our own window. They share messages
+//! with their schemas, parameters, and services.
 //!
-//! | part | what it is |
+//! | part | contents |
 //! |---|---|
-//! | [`protocol`] | what travels: encoders, and decoders that take any bytes |
-//! | [`server`] | the host's end: who may come in, who follows what, who is too slow |
-//! | [`client`] | the window's end: a [`crate::Source`] that connects again by itself |
+//! | [`protocol`] | encoders, and decoders that accept any bytes |
+//! | [`server`] | the host's end: admission, subscriptions, slow clients |
+//! | [`client`] | the window's end: a [`crate::Source`] that reconnects by itself |
 //!
-//! Of ours on top, which others need not know:
-//! a reply that `parameterValues` carries beside the values (its field `reply`), and a refusal
-//! that is a `status` with the refused request's own id.
+//! Two extensions, which other clients may ignore: `parameterValues` carries a reply beside the
+//! values (field `reply`), and a rejection is a `status` with the request's own id.
 
 mod backlog;
 mod byte_stream;

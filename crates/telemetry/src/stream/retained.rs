@@ -1,10 +1,9 @@
-//! Retained messages: every client gets the last one, however late it comes.
+//! Retained messages: every client gets the last one, however late it connects.
 
 use crate::{KEYS, Update};
 
-/// Returns the slot of a retained message: it takes the place of the one before in its slot.
-///
-/// The catalogue has a slot, and each key's voice.
+/// Returns the slot of a retained message, where it replaces the one before: the catalogue has a
+/// slot, and each key's voice.
 pub(crate) fn retained_slot(update: &Update) -> Option<u16> {
     match update {
         Update::Catalogue(_) => Some(0),

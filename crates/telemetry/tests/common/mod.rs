@@ -1,4 +1,4 @@
-//! What a host might tell, and a recording of it.
+//! Messages of a host, and a recording of them.
 #![allow(dead_code, reason = "each test uses what it needs")]
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
@@ -11,18 +11,13 @@ use telemetry::{
     Ticks, Update, Voice,
 };
 
-/// When tick 0 was (ns since 1970).
+/// Time of tick 0 (ns since 1970).
 pub(crate) const BEGAN: u64 = 1_700_000_000_000_000_000;
-/// A tick (ns).
 pub(crate) const TICK: u64 = 1_000_000;
-/// Ticks in a block.
 pub(crate) const BLOCK: u64 = 20;
-/// Keys that move.
 pub(crate) const KEYS: [u32; 3] = [38, 39, 40];
-/// Signals of the model.
 pub(crate) const SIGNALS: [(&str, &str); 3] = [("hammer", "m"), ("speed", "m/s"), ("gap", "")];
 
-/// When `tick` was (ns since 1970).
 pub(crate) const fn at(tick: u64) -> u64 {
     BEGAN + tick * TICK
 }
@@ -59,7 +54,7 @@ pub(crate) fn voice(key: u32, revision: u32, model: &str, instrument: &str) -> U
     })
 }
 
-/// Something that looks like noise, and is the same each time: 0 to 1.
+/// Returns a reproducible number like noise: 0 to 1.
 pub(crate) fn noise(seed: u64) -> f64 {
     let mut bits = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5555_5555;
     bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -106,7 +101,7 @@ pub(crate) fn event(kind: Kind, tick: u64, theta: f64, key: u32) -> Update {
     Update::Event(Event { kind: kind.into(), ..event })
 }
 
-/// What a host tells in so many ticks: every topic, three keys.
+/// Returns the messages of a host in so many ticks: every topic, three keys.
 pub(crate) fn performance(ticks: u64) -> Vec<(u64, Update)> {
     let mut told = vec![(at(0), catalogue())];
     told.extend(KEYS.map(|key| (at(0), voice(key, key, "springs", "grand"))));
@@ -139,24 +134,21 @@ pub(crate) fn settings(path: &Path) -> RecordingSettings {
     }
 }
 
-/// Settings whose files have the least size.
+/// Returns settings whose files have the least size.
 pub(crate) fn small(path: &Path) -> RecordingSettings {
     limited(path, |limits| limits.largest_file = RecordingLimits::LEAST_FILE)
 }
 
-/// Settings with limits that `change` has changed.
 pub(crate) fn limited(path: &Path, change: impl FnOnce(&mut RecordingLimits)) -> RecordingSettings {
     let mut settings = settings(path);
     change(&mut settings.limits);
     settings
 }
 
-/// Writes `told` to `path`.
 pub(crate) fn record(path: &Path, told: &[(u64, Update)]) {
     record_as(settings(path), told);
 }
 
-/// Writes `told` as `settings` say.
 pub(crate) fn record_as(settings: RecordingSettings, told: &[(u64, Update)]) {
     let mut recorder = Recorder::create(settings).expect("a new file");
     for (at, update) in told {
@@ -165,7 +157,7 @@ pub(crate) fn record_as(settings: RecordingSettings, told: &[(u64, Update)]) {
     recorder.finish().expect("a complete file");
 }
 
-/// Everything that can be read, and the errors beside.
+/// Returns everything readable, and the errors.
 pub(crate) fn read(recording: &Recording) -> (Vec<(u64, Update)>, Vec<String>) {
     let (mut told, mut wrong) = (Vec::new(), Vec::new());
     for message in recording.messages() {

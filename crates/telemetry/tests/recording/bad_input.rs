@@ -1,4 +1,4 @@
-//! What is no recording is refused in a sentence.
+//! Files that are no recordings are rejected with a sentence.
 
 use std::fs;
 
@@ -7,7 +7,6 @@ use telemetry::recording::Recording;
 
 use crate::common::{performance, record};
 
-/// An MCAP file of this profile, with this metadata.
 fn mcap(profile: &str, entries: &[(&str, &str)]) -> Vec<u8> {
     let mut file = std::io::Cursor::new(Vec::new());
     let options = mcap::WriteOptions::new().profile(profile);
@@ -41,7 +40,7 @@ fn each_is_refused_in_a_sentence_of_its_own() {
         assert!(error.starts_with(&format!("{} {expected}", path.display())), "{error}");
         assert!(!error.contains('\n'), "{error}");
     }
-    // A smaller change of the format keeps it readable.
+    // A minor change of the format keeps it readable.
     let path = folder.path().join("newer");
     fs::write(&path, mcap("letoff", &ours)).expect("a file");
     assert!(Recording::open(&path).is_ok());
@@ -79,7 +78,7 @@ fn an_older_file_that_says_once_what_it_is_is_read_without_that() {
             Ok(recording) => {
                 assert_eq!(crate::common::read(&recording), (told.clone(), vec![]), "{hit}");
             }
-            // The one digit by which a later format would be told.
+            // The one digit that would mark a later format.
             Err(error) => {
                 assert!(error.to_string().contains(" is of format "), "{hit}: {error}");
                 refused += 1;
@@ -89,7 +88,7 @@ fn an_older_file_that_says_once_what_it_is_is_read_without_that() {
     assert!(refused <= 1, "{refused}");
 }
 
-/// The same messages with channels numbered as they come.
+/// Returns the same messages with channels numbered in the order of appearance.
 fn renumber(bytes: &[u8]) -> Vec<u8> {
     let mut file = std::io::Cursor::new(Vec::new());
     let options = mcap::WriteOptions::new().profile("letoff");
@@ -100,7 +99,7 @@ fn renumber(bytes: &[u8]) -> Vec<u8> {
     for message in mcap::MessageStream::new(bytes).expect("messages") {
         let message = message.expect("a message");
         if message.publish_time != message.log_time {
-            // It is said again.
+            // This channel is a repetition.
             continue;
         }
         let nothing = std::collections::BTreeMap::new();

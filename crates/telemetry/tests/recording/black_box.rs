@@ -1,5 +1,3 @@
-//! The last seconds, in bounded memory.
-
 use std::time::Duration;
 
 use telemetry::Update;

@@ -1,5 +1,3 @@
-//! A recording as tables.
-
 use std::collections::BTreeSet;
 use std::fs;
 
@@ -69,7 +67,7 @@ fn a_key_whose_model_changes_has_two_tables() {
         (at(0), voice(39, 39, "springs", "grand")),
         (at(1), Update::Event(switch)),
         (at(20), both),
-        // Told a little later than its first rows.
+        // A little later than its first rows.
         (at(21), voice(39, 40, "wall", "brick")),
         (at(22), event(Kind::Fault, 21, 0.0, 39)),
     ];

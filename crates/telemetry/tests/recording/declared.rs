@@ -1,4 +1,4 @@
-//! What a file declares is compared with what there is and what there can be, before it is done.
+//! Declared lengths are compared with the available and the possible ones before they are used.
 
 use std::fs;
 
@@ -6,12 +6,11 @@ use telemetry::recording::{Recording, recover};
 
 use crate::common::{performance, record};
 
-/// Opcode of a chunk.
 const CHUNK: u8 = 6;
-/// Data of a zstd block at most (B).
+/// Most data of a zstd block (B).
 const BLOCK: u64 = 128 << 10;
 
-/// A zstd frame of `length` zeros, a multiple of [`BLOCK`], in four bytes for each block.
+/// Returns a zstd frame of `length` zeros, a multiple of [`BLOCK`], in four bytes for each block.
 fn zeros(length: u64) -> Vec<u8> {
     let mut frame = vec![0x28, 0xb5, 0x2f, 0xfd, 0, 0x38];
     let n = length / BLOCK;
@@ -24,10 +23,9 @@ fn zeros(length: u64) -> Vec<u8> {
     frame
 }
 
-/// A chunk of `length` bytes that are compressed to `data`.
+/// Returns a chunk of `length` bytes, compressed to `data`.
 fn chunk(compression: &str, length: u64, data: &[u8]) -> Vec<u8> {
     let mut body = [0_u64.to_le_bytes(), 1_u64.to_le_bytes(), length.to_le_bytes()].concat();
-    // It has no checksum.
     body.extend(0_u32.to_le_bytes());
     body.extend(u32::try_from(compression.len()).expect("a word").to_le_bytes());
     body.extend(compression.as_bytes());

@@ -1,4 +1,4 @@
-//! A host that is killed loses a second at most.
+//! A killed host loses one second at most.
 
 use std::env;
 use std::io::{BufRead as _, BufReader, Write as _};
@@ -8,17 +8,17 @@ use telemetry::recording::{Recorder, Recording};
 
 use crate::common::{at, performance, read, settings};
 
-/// Says to [`it_records_until_it_is_killed`] where to.
+/// Variable with the path for [`it_records_until_it_is_killed`].
 const TO: &str = "LETOFF_TEST_RECORD_TO";
 
-/// The host; nothing if it is not asked for.
+/// The host; it does nothing without the variable.
 #[test]
 fn it_records_until_it_is_killed() {
     let Some(path) = env::var_os(TO) else { return };
     let mut recorder = Recorder::create(settings(path.as_ref())).expect("a new file");
     for (when, update) in performance(100_000) {
         recorder.write(when, &update).expect("written");
-        // Not by a macro, whose words a test keeps to itself.
+        // Not by a macro, whose output a test captures.
         writeln!(std::io::stdout(), "told {when}").expect("somebody listens");
     }
 }

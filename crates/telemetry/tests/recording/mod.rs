@@ -1,4 +1,4 @@
-//! Recordings: what was told comes back, whatever happened to the file.
+//! Recordings return their messages, whatever happened to the file.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 mod bad_input;

@@ -1,5 +1,3 @@
-//! A recording that is seen as if it were live.
-
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
@@ -12,7 +10,7 @@ use telemetry::{Arrival, ConnectionState, KEYS, Request, Source as _, Timeline, 
 
 use crate::common::{at, event, performance, record};
 
-/// A playback, and the milliseconds of its clock.
+/// Returns a playback, and the milliseconds of its clock.
 fn played(path: &Path) -> (Playback, Arc<AtomicU64>) {
     let millis = Arc::new(AtomicU64::new(0));
     let clock = Arc::clone(&millis);
@@ -21,7 +19,7 @@ fn played(path: &Path) -> (Playback, Arc<AtomicU64>) {
     (Playback::new(recording, Box::new(seconds)), millis)
 }
 
-/// What has come: topics with times; Anew as none.
+/// Returns the arrivals: topics with times; `None` for Anew.
 fn come(playback: &mut Playback) -> Vec<Option<(u64, Topic)>> {
     let mut come = Vec::new();
     while let Some(arrival) = playback.next() {
@@ -59,7 +57,7 @@ fn it_begins_with_catalogue_and_voices_and_goes_on_by_the_clock() {
     playback.set_speed(0.0);
     clock.store(10_000, Ordering::Relaxed);
     assert_eq!((come(&mut playback).len(), playback.at()), (0, at(70)));
-    // Not further than it goes, and not by nonsense.
+    // The end limits the position, and NaN has no effect.
     playback.set_speed(f64::NAN);
     assert!(playback.speed().abs() < f64::EPSILON);
     playback.set_speed(1e300);
@@ -84,7 +82,7 @@ fn a_repeating_playback_begins_again_at_its_end() {
     let anew = second.iter().position(Option::is_none).expect("it begins again");
     assert_eq!(second[anew + 1], Some((at(0), Topic::Catalogue)));
     assert_eq!(playback.at(), at(0));
-    // One that is paused at its end stays there.
+    // A playback that is paused at its end stays there.
     playback.set_speed(0.0);
     playback.seek(end);
     come(&mut playback);
@@ -105,7 +103,7 @@ fn another_place_begins_with_the_seconds_before_it() {
         let come = come(&mut playback);
         assert_eq!((come[0], come[1]), (None, Some((at(0), Topic::Catalogue))));
         assert_eq!(ticks(&come, Topic::Voices), [0; 3]);
-        // And the last rows before them: a key may have lain still since.
+        // The last rows before them come, too: a key may have rested since.
         let expected: Vec<_> = (place - 5020..=place).step_by(20).collect();
         assert_eq!(ticks(&come, Topic::Block(39)), expected);
     }
@@ -132,7 +130,6 @@ fn a_topic_that_is_followed_anew_begins_with_its_last_seconds_and_misses_nothing
     let expected: Vec<_> = (2000..=12_000).step_by(20).collect();
     assert_eq!(ticks(&all, Topic::Block(40)), expected);
     assert_eq!(ticks(&all, Topic::Block(39)), (7020..=12_000).step_by(20).collect::<Vec<_>>());
-    // And no longer followed is no longer given.
     playback.follow(&BTreeSet::new());
     playback.seek(at(6000));
     let rest = come(&mut playback);
@@ -161,7 +158,7 @@ fn a_topic_that_is_followed_anew_does_not_run_ahead() {
     let path = folder.path().join("take.mcap");
     record(&path, &performance(8000));
     let (mut playback, clock) = played(&path);
-    // Once a second: the place of the next is already known.
+    // Once a second: the position of the next is already known.
     playback.follow(&BTreeSet::from([Topic::Links]));
     clock.store(2100, Ordering::Relaxed);
     assert_eq!(ticks(&come(&mut playback), Topic::Links), [20, 1020, 2020]);
@@ -184,7 +181,7 @@ fn a_recording_refuses_what_is_asked() {
     record(&path, &performance(100));
     let (mut playback, _clock) = played(&path);
     let ticket = playback.ask(Request::Stop {});
-    // Going elsewhere loses no answer.
+    // Seeking loses no answer.
     playback.seek(at(50));
     let reply = std::iter::from_fn(|| playback.next()).find_map(|arrival| match arrival {
         Arrival::Reply { ticket, result } => Some((ticket, result)),
@@ -213,7 +210,6 @@ fn marks_are_what_is_worth_finding() {
     let recovery = ("C4 recovered".to_owned(), false);
     let expected = vec![strike; 5].into_iter().chain([fault, recovery, ("late".to_owned(), true)]);
     assert_eq!(found, expected.collect::<Vec<_>>());
-    // The same, gathered beside.
     let (mut playback, _clock) = played(&path);
     while playback.marks().len() < found.len() {
         playback.next();

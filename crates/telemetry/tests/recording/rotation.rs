@@ -1,4 +1,4 @@
-//! A recording of several files, and where it ends.
+//! A recording of several files, and its end.
 
 use std::fs;
 use std::time::Duration;
@@ -30,7 +30,7 @@ fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
     assert_eq!(recording.files().count(), recorded.files.len());
     assert_eq!(read(&recording), (told.clone(), vec![]));
 
-    // Each can be understood alone, and leads to those after it.
+    // Each file can be understood alone, and leads to those after it.
     let third = Recording::open(&recorded.files[2]).expect("a recording");
     assert_eq!(third.catalogue().expect("read").map(Update::Catalogue), Some(catalogue()));
     let (from, to) = third.span().expect("messages");
@@ -40,7 +40,7 @@ fn a_recording_goes_on_in_another_file_and_is_read_as_one() {
     assert_eq!((rest.len(), wrong), (told.len() - before(&told, from, rest.len()), vec![]));
 }
 
-/// How many messages are not among the last `rest`, of which the first four are said again.
+/// Counts the messages before the last `rest`, of which the first four are repetitions.
 fn before(told: &[(u64, Update)], from: u64, rest: usize) -> usize {
     let before = told.len() - (rest - 4);
     assert!(told[before].0 >= from);
@@ -189,7 +189,7 @@ fn a_message_of_no_key_is_refused_and_the_recording_goes_on() {
     assert_eq!(recorder.finish().expect("complete").messages, 1);
 }
 
-/// What a host that dies now would leave behind.
+/// Counts the messages that a host that dies now would leave.
 fn left_behind(path: &std::path::Path) -> usize {
     read(&Recording::open(path).expect("a recording")).0.len()
 }
@@ -208,7 +208,7 @@ fn nothing_waits_in_memory_for_longer_than_asked() {
             assert!(second_ago <= left_behind(&path));
         }
     }
-    // Now nothing is told any more, and only the caller's clock goes on.
+    // No more messages come, and only the caller's clock continues.
     recorder.attend(5_000_000_000).expect("attended");
     recorder.attend(6_000_000_000).expect("attended");
     assert_eq!(left_behind(&path), told.len());

@@ -1,4 +1,4 @@
-//! What was told comes back as it was told.
+//! Messages are read as they were recorded.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -30,7 +30,7 @@ fn every_topic_comes_back_in_order() {
     assert_eq!(read(&recording), (told, vec![]));
 }
 
-/// `zstd.mcap` is what a recorder wrote whose chunks the C library compressed.
+/// The recorder's chunks in `zstd.mcap` were compressed by the C library.
 #[test]
 fn what_is_compressed_with_zstd_is_read_as_well() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/recording/zstd.mcap");
@@ -39,7 +39,6 @@ fn what_is_compressed_with_zstd_is_read_as_well() {
     assert_eq!(read(&recording), (performance(500), vec![]));
 }
 
-/// What is damaged in it is told of and nothing more: the rest is read.
 #[test]
 fn damaged_zstd_loses_a_chunk_at_most() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/recording/zstd.mcap");
@@ -72,7 +71,7 @@ fn a_key_of_some_seconds_is_read_alone() {
         .filter(|(_, update)| update.topic().is_some_and(|topic| topics.contains(&topic)))
         .collect();
     assert_eq!(read, expected);
-    // Two seconds of twenty, and what their chunks reach beyond.
+    // Two seconds of twenty, and the rest of their chunks.
     let size = path.metadata().expect("the file").len();
     assert!(recording.bytes_read() - opened < size / 5, "{} of {size}", recording.bytes_read());
     assert_eq!(recording.read(0, 0, &topics).count(), 0);
@@ -86,7 +85,7 @@ fn opening_a_long_recording_reads_its_summary_only() {
     let recording = Recording::open(&path).expect("a recording");
     let size = path.metadata().expect("the file").len();
     assert!(10_000_000 < size, "{size}");
-    // Two hundred chunks with their places, and the messages' schemas.
+    // Two hundred chunks with their positions, and the messages' schemas.
     assert!(recording.bytes_read() < 120_000, "{}", recording.bytes_read());
 }
 

@@ -1,4 +1,4 @@
-//! A recording that was cut, or in which bytes were changed: no panic, and nothing lost before.
+//! A recording that was cut or changed: no panic, and no loss before the damage.
 
 use std::fs;
 use std::sync::LazyLock;
@@ -10,10 +10,10 @@ use telemetry::recording::{Recorder, Recording, recover};
 
 use crate::common::{noise, performance, read, record, settings};
 
-/// Messages, and when they were made (ns since 1970).
+/// Messages with their times (ns since 1970).
 type Told = Vec<(u64, Update)>;
 
-/// A small recording of several chunks: what was told, and the file.
+/// A small recording of several chunks: messages and file.
 static RECORDED: LazyLock<(Told, Vec<u8>)> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("whole.mcap");
@@ -22,7 +22,7 @@ static RECORDED: LazyLock<(Told, Vec<u8>)> = LazyLock::new(|| {
     (told, fs::read(path).expect("the file"))
 });
 
-/// How many messages are in whole chunks before byte `at`.
+/// Counts the messages in whole chunks before byte `at`.
 fn whole_before(bytes: &[u8], at: usize) -> usize {
     let mut messages = 0;
     let mut offset = mcap::MAGIC.len();
@@ -37,7 +37,7 @@ fn whole_before(bytes: &[u8], at: usize) -> usize {
             let record = mcap::parse_record(head[0], body).expect("a chunk");
             let mcap::records::Record::Chunk { header, data } = record else { unreachable!() };
             let inside = mcap::read::ChunkReader::new(header, &data).expect("a chunk");
-            // What is said again does not count.
+            // Repetitions do not count.
             let is_told = |it: &mcap::records::Record<'_>| {
                 matches!(it, mcap::records::Record::Message { header, .. }
                     if header.log_time == header.publish_time)
@@ -49,7 +49,7 @@ fn whole_before(bytes: &[u8], at: usize) -> usize {
     messages
 }
 
-/// How many messages of the first telling each chunk has; what is said again does not count.
+/// Counts the messages of each chunk without repetitions.
 fn messages_of_chunks(bytes: &[u8]) -> Vec<usize> {
     let summary = mcap::Summary::read(bytes).expect("a summary").expect("there is one");
     let mut chunks = summary.chunk_indexes.clone();
@@ -61,7 +61,7 @@ fn messages_of_chunks(bytes: &[u8]) -> Vec<usize> {
     chunks.iter().map(first_told).collect()
 }
 
-/// What is neither the catalogue nor a voice: these are said again where they were lost.
+/// Returns the messages except catalogue and voices, which are repeated after a loss.
 fn but_for_what_is_said_again(told: &[(u64, Update)]) -> Vec<&(u64, Update)> {
     let is_said_again = |it: &Update| matches!(it, Update::Catalogue(_) | Update::Voice(_));
     told.iter().filter(|(_, update)| !is_said_again(update)).collect()
@@ -123,7 +123,7 @@ fn what_is_said_again_is_read_once_and_in_the_place_of_what_was_lost() {
     fs::write(&path, &bytes).expect("a file");
     let recording = Recording::open(&path).expect("a recording");
     let (found, wrong) = read(&recording);
-    // The catalogue and three voices, as they were told at the beginning.
+    // The catalogue and three voices of the beginning.
     assert_eq!((&found[..4], wrong.len()), (&told[..4], 1));
     let said = |it: &Told| it.len() - but_for_what_is_said_again(it).len();
     assert_eq!((said(&found), said(told)), (4, 4));
@@ -131,7 +131,7 @@ fn what_is_said_again_is_read_once_and_in_the_place_of_what_was_lost() {
     let new = folder.path().join("new.mcap");
     let recovered = recover(&path, &new).expect("recovered");
     assert_eq!((recovered.messages, recovered.damaged), (found.len() as u64, 1));
-    // It says the same, and what it lacks, however often it is made whole.
+    // A second recovery reports the same messages and losses.
     let again = folder.path().join("again.mcap");
     let copied = recover(&new, &again).expect("a copy");
     assert_eq!((copied.messages, copied.damaged, copied.wrong.len()), (recovered.messages, 0, 1));
@@ -156,7 +156,7 @@ fn a_recording_that_breaks_off_and_is_damaged_is_read_behind_the_damage() {
     let (third, last) = (byte(chunks[2].chunk_start_offset), &chunks[chunks.len() - 2]);
     let cut = byte(last.chunk_start_offset + last.chunk_length);
     let lost = messages_of_chunks(whole)[2];
-    // The kind of the record, its length, and what is in it.
+    // The kind of the record, its length, and its contents.
     for hit in [third, third + 1, third + 3, third + 8, third + 100] {
         let mut bytes = whole[..cut].to_vec();
         bytes[hit] ^= 0x10;
@@ -204,7 +204,7 @@ fn a_hole_costs_the_chunks_that_it_hits_and_their_neighbours_at_most_and_garbage
     }
 }
 
-/// A place in a file of so many bytes: anywhere, near its beginning or near its end.
+/// Returns a place in a file: anywhere, near its beginning or near its end.
 fn place() -> impl Strategy<Value = Place> {
     prop_oneof![
         3 => any::<Index>().prop_map(Place::Anywhere),
@@ -213,7 +213,6 @@ fn place() -> impl Strategy<Value = Place> {
     ]
 }
 
-/// See [`place`].
 #[derive(Clone, Copy, Debug)]
 enum Place {
     Anywhere(Index),
@@ -281,7 +280,7 @@ proptest! {
         let lost = found.len() < told.len();
         prop_assert!(!lost || recording.tear().is_some() || !wrong.is_empty(), "lost in silence");
         prop_assert!(wrong.iter().all(|it| it.contains(" is damaged at byte ")), "{wrong:?}");
-        // The rest of what reads recordings must stand it as well.
+        // The other readers must bear it as well.
         let _voices = recording.voices_at(u64::MAX);
         let _catalogue = recording.catalogue();
         let _marks = telemetry::recording::marks(&recording).count();
@@ -314,7 +313,7 @@ fn what_a_dying_host_leaves_behind_is_read_and_made_whole() {
     for (at, update) in &told {
         recorder.write(*at, update).expect("written");
     }
-    // What is on the disk while it is still being written.
+    // The bytes on the disk while the file is still being written.
     let torn = folder.path().join("torn.mcap");
     fs::copy(&path, &torn).expect("a copy");
     let recording = Recording::open(&torn).expect("a recording");

@@ -1,4 +1,4 @@
-//! A synthetic host on its stream, clients of ours, and clients that talk as they please.
+//! A synthetic host on its stream, clients of ours, and raw clients.
 
 #![allow(dead_code, reason = "each test file uses its own part")]
 
@@ -25,10 +25,10 @@ use tokio_tungstenite::tungstenite::client::ClientRequestBuilder;
 use tokio_tungstenite::tungstenite::protocol::WebSocketConfig;
 use tokio_tungstenite::tungstenite::{Error, Message, WebSocket, client::client_with_config};
 
-/// Last resort on a machine that does much else.
+/// Last resort on a busy machine.
 pub(crate) const PATIENCE: Duration = Duration::from_mins(2);
 
-/// A host that is served, until it is dropped.
+/// A host that is served until it is dropped.
 pub(crate) struct TestServer {
     pub(crate) address: SocketAddr,
     pub(crate) url: String,
@@ -42,13 +42,13 @@ pub(crate) struct TestServer {
 }
 
 impl TestServer {
-    /// As `settings` say, at any port unless they say one.
+    /// Starts a server with `settings`, at any port unless they name one.
     pub(crate) fn with(settings: ServerSettings) -> Self {
         let host = Arc::new(Synthetic::default());
         Self::of(settings, Arc::clone(&host), host)
     }
 
-    /// The same, but `backend` is asked in place of `host`.
+    /// Like [`Self::with`], but asks `backend` instead of `host`.
     pub(crate) fn of(
         mut settings: ServerSettings,
         host: Arc<Synthetic>,
@@ -78,29 +78,27 @@ impl TestServer {
         Self { address, url, fingerprint, publisher, host, runtime: handle, closer, end, thread }
     }
 
-    /// At any port of this machine.
     pub(crate) fn new() -> Self {
         Self::with(ServerSettings::default())
     }
 
-    /// The same with other limits.
     pub(crate) fn within(limits: ServerLimits) -> Self {
         Self::with(ServerSettings { limits, ..ServerSettings::default() })
     }
 
-    /// A client of ours that is in.
+    /// Returns a client of ours that is connected.
     pub(crate) fn watcher(&self) -> Watcher {
         let mut watcher = Watcher::new(Dial { address: self.url.clone(), ..Dial::default() });
         watcher.connected();
         watcher
     }
 
-    /// A client that talks as it pleases, and has read nothing yet.
+    /// Returns a raw client that has read nothing yet.
     pub(crate) fn raw_client(&self) -> RawClient {
         RawClient::connect(self.address, "/", &[]).expect("a connection")
     }
 
-    /// Publishes an overview again and again until `watcher`, who follows them, gets one.
+    /// Publishes overviews until `watcher`, which follows them, gets one.
     pub(crate) fn meet(&self, watcher: &mut Watcher) {
         watcher.follow(&[Topic::Overview]);
         eventually("a client follows", || self.publisher.is_followed(Topic::Overview));
@@ -118,7 +116,6 @@ impl Drop for TestServer {
     }
 }
 
-/// Waits until something is so.
 #[track_caller]
 pub(crate) fn eventually(what: &str, mut is_so: impl FnMut() -> bool) {
     let begun = Instant::now();
@@ -128,7 +125,7 @@ pub(crate) fn eventually(what: &str, mut is_so: impl FnMut() -> bool) {
     }
 }
 
-/// A client of ours, which can be waited for.
+/// A client of ours with methods that wait.
 pub(crate) struct Watcher {
     pub(crate) client: Client,
     woken: Receiver<()>,
@@ -143,7 +140,6 @@ impl Watcher {
         Self { client: Client::connect(dial, Some(waker)), woken }
     }
 
-    /// Waits for what comes next.
     #[track_caller]
     pub(crate) fn next(&mut self) -> Arrival {
         loop {
@@ -154,13 +150,12 @@ impl Watcher {
         }
     }
 
-    /// Waits for a new connection.
     #[track_caller]
     pub(crate) fn connected(&mut self) {
         while self.next() != Arrival::Anew {}
     }
 
-    /// Waits for a message that `found` takes.
+    /// Waits for a message that `found` accepts.
     #[track_caller]
     pub(crate) fn update<T>(&mut self, found: impl Fn(Update) -> Option<T>) -> T {
         loop {
@@ -172,14 +167,12 @@ impl Watcher {
         }
     }
 
-    /// Waits for the answer to `request`.
     #[track_caller]
     pub(crate) fn ask(&mut self, request: Request) -> Result<Reply, String> {
         let ticket = self.client.ask(request);
         self.reply(ticket)
     }
 
-    /// Waits for an answer.
     #[track_caller]
     pub(crate) fn reply(&mut self, ticket: Ticket) -> Result<Reply, String> {
         loop {
@@ -194,7 +187,7 @@ impl Watcher {
         self.client.follow(&topics.iter().copied().collect());
     }
 
-    /// Waits until it stands as `is_so` says.
+    /// Waits for a state of the connection that `is_so` accepts.
     #[track_caller]
     pub(crate) fn stands(&mut self, is_so: impl Fn(&ConnectionState) -> bool) -> ConnectionState {
         eventually("the standing", || is_so(&self.client.standing()));
@@ -202,18 +195,18 @@ impl Watcher {
     }
 }
 
-/// A set of one of key 39's parameters.
+/// Returns a change of one of key 39's parameters.
 pub(crate) fn set(parameter: &str, value: f64) -> telemetry::request::Change {
     telemetry::request::Change { key: 39, parameter: parameter.to_owned(), value }
 }
 
-/// A client that talks as it pleases.
+/// A client that may violate the protocol.
 pub(crate) struct RawClient {
     pub(crate) socket: WebSocket<TcpStream>,
 }
 
 impl RawClient {
-    /// Tries to come in, with more headers.
+    /// Tries to connect with more headers.
     pub(crate) fn connect(
         address: SocketAddr,
         path: &str,
@@ -246,12 +239,11 @@ impl RawClient {
         self.socket.send(Message::text(text)).expect("it is sent");
     }
 
-    /// What the server says next.
     pub(crate) fn hear(&mut self) -> Result<Message, Box<Error>> {
         self.socket.read().map_err(Box::new)
     }
 
-    /// The next text of the server's that `found` takes.
+    /// Returns the next text of the server that `found` accepts.
     #[track_caller]
     pub(crate) fn hear_text<T>(&mut self, found: impl Fn(FromServer) -> Option<T>) -> T {
         loop {

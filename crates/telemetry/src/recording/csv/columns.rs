@@ -1,19 +1,17 @@
-//! What stands in the columns of a table.
+//! Contents of the columns of a table.
 
 use crate::{Catalogue, Model};
 
-/// Columns of the table of events.
 pub(super) const EVENTS: [&str; 10] =
     ["t [s]", "tick", "theta", "key", "kind", "from", "to", "guard", "speed [m/s]", "text"];
 
-/// Columns that every key has.
 const COLUMNS: [&str; 8] =
     ["t [s]", "tick", "position [m]", "force [N]", "sent [N]", "mode", "flags", "fault"];
 
-/// What each bit of `KeyBlock.flags` means.
+/// Meaning of each bit of `KeyBlock.flags`.
 const FLAGS: [&str; 8] = ["asleep", "late", "fresh", "not run", "other tick", "32", "64", "128"];
 
-/// What each value of `KeyBlock.fault` means.
+/// Meaning of each value of `KeyBlock.fault`.
 const FAULTS: [&str; 8] =
     ["", "not finite", "bad sample", "capped", "diverged", "panicked", "makes energy", "muted"];
 

@@ -14,41 +14,40 @@ use super::reader::Recording;
 use super::rows::{Row, rows};
 use crate::{Catalogue, Event, KEYS, KeyBlock, Model, Topic, Update, Voice};
 
-/// What of a recording becomes tables.
+/// Selection of a recording for tables.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Selection {
-    /// Which keys, 0 (A0) to 87 (C8).
+    /// Keys, 0 (A0) to 87 (C8).
     pub keys: BTreeSet<u8>,
-    /// Messages made from then on (ns since 1970) …
+    /// Messages from then on (ns since 1970) …
     pub from: u64,
     /// … and before then.
     pub to: u64,
 }
 
 impl Default for Selection {
-    /// Selects all keys and all times.
     fn default() -> Self {
         Self { keys: (0..=u8::MAX).take(KEYS).collect(), from: 0, to: u64::MAX }
     }
 }
 
-/// What has become of a recording.
+/// Result of an export.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Exported {
     pub files: Vec<PathBuf>,
     pub rows: u64,
     pub events: u64,
-    /// What could not be read, a sentence each.
+    /// Damage that prevented reading, a sentence each.
     pub wrong: Vec<String>,
 }
 
 /// Writes `key-<n>.csv` for each key that has rows, and `events.csv`, into `folder`.
 ///
 /// A row is a tick in which anything changed; `t` counts from tick 0.
-/// A key whose model changes goes on in `key-<n>-2.csv`, because its columns are others.
+/// A key whose model changes continues in `key-<n>-2.csv`, because its columns differ.
 ///
 /// # Errors
-/// If a table is there already or cannot be written, or the recording has no catalogue.
+/// A table exists already or cannot be written, or the recording has no catalogue.
 pub fn export_csv(
     recording: &Recording,
     folder: &Path,
@@ -69,11 +68,11 @@ pub fn export_csv(
     tables.finish()
 }
 
-/// A key's table, and whose columns it has.
+/// A key's table with the model of its columns.
 struct KeyTable {
     table: CsvTable,
     header: Vec<String>,
-    /// How many tables the key has.
+    /// Number of tables of the key.
     number: u32,
 }
 
@@ -82,9 +81,8 @@ struct CsvTables {
     catalogue: Catalogue,
     /// Models by their names and versions.
     models: BTreeMap<(String, u32), Rc<Model>>,
-    /// The model of each key's revisions.
+    /// Models of each key's revisions.
     revisions: BTreeMap<(u32, u32), Rc<Model>>,
-    /// The model of each key now.
     current: BTreeMap<u32, Rc<Model>>,
     keys: BTreeMap<u32, KeyTable>,
     events: CsvTable,
@@ -118,7 +116,7 @@ impl CsvTables {
         Ok(tables)
     }
 
-    /// Notes the model of each voice: a voice may be told after its first rows.
+    /// Collects the model of each voice: a voice may come after its first rows.
     fn note_revisions(&mut self, recording: &Recording) {
         let topics = BTreeSet::from([Topic::Catalogue, Topic::Voices]);
         for message in recording.read(0, u64::MAX, &topics) {
@@ -128,13 +126,12 @@ impl CsvTables {
                     let model = self.model_of(&voice);
                     self.revisions.insert((voice.key, voice.revision), model);
                 }
-                // What is damaged is said when its rows are read.
+                // Damage is reported when its rows are read.
                 Ok(_) | Err(_) => {}
             }
         }
     }
 
-    /// Notes an error once.
     fn say(&mut self, error: &ReadError) {
         let text = error.to_string();
         if !self.done.wrong.contains(&text) {
@@ -142,7 +139,6 @@ impl CsvTables {
         }
     }
 
-    /// Notes that the key of `voice` is played by it from now on.
     fn note(&mut self, voice: &Voice) {
         let model = self.model_of(voice);
         self.current.insert(voice.key, model);
@@ -204,7 +200,7 @@ impl CsvTables {
         let model = self.current.get(&event.key).map_or_else(Rc::default, Rc::clone);
         let is_switch = event.kind() == crate::event::Kind::Switch;
         let named = |of: u32| if is_switch { mode(&model, of) } else { String::new() };
-        // Seventeen digits tell any two numbers apart, also those that are read back elsewhere.
+        // Seventeen digits distinguish any two numbers, also for other readers.
         let fields = [
             format!("{:.16e}", seconds(&self.catalogue, event.tick, event.theta)),
             event.tick.to_string(),

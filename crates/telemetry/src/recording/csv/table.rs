@@ -1,5 +1,3 @@
-//! One table.
-
 use std::fs::File;
 use std::io;
 use std::path::PathBuf;

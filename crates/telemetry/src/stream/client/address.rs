@@ -1,8 +1,7 @@
-//! Where a host is.
+//! The address of a host.
 
 use tokio_tungstenite::tungstenite::http::Uri;
 
-/// The port at which hosts listen by default.
 const PORT: u16 = 8765;
 
 /// The address of a host.
@@ -14,20 +13,19 @@ pub(super) struct HostAddress {
     pub(super) port: u16,
 }
 
-/// How bytes travel: plain or encrypted.
+/// Encryption of a connection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Scheme {
     Ws,
     Wss,
 }
 
-/// Why a text is no address.
+/// Reason why a text is no address.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error("{0:?} is no host's address: give one as ws://127.0.0.1:8765")]
 pub(super) struct NoAddress(String);
 
 impl HostAddress {
-    /// Parses the address of a host.
     pub(super) fn parse(text: &str) -> Result<Self, NoAddress> {
         let no_address = || NoAddress(text.to_owned());
         let (scheme, rest) = match text.trim().split_once("://") {
@@ -52,7 +50,6 @@ impl HostAddress {
         Ok(Self { scheme, host, port: port.ok_or_else(no_address)? })
     }
 
-    /// Returns the address of the WebSocket handshake.
     pub(super) fn uri(&self) -> Option<Uri> {
         let is_ipv6 = self.host.contains(':');
         let host = if is_ipv6 { format!("[{}]", self.host) } else { self.host.clone() };

@@ -1,4 +1,4 @@
-//! What has come and waits for the window.
+//! Arrivals that wait for the window.
 
 use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -11,7 +11,7 @@ use crate::{Arrival, ConnectionState, Topic};
 /// Messages that wait for a window (bytes); more are dropped.
 const ROOM: usize = 32 << 20;
 
-/// The queue of what has arrived and waits for the window.
+/// Queue of arrivals for the window.
 pub(super) struct Arrivals {
     waiting: Mutex<Backlog<Arrival>>,
     state: Mutex<ConnectionState>,
@@ -19,7 +19,7 @@ pub(super) struct Arrivals {
 }
 
 impl Arrivals {
-    /// Creates an empty queue, which calls `waker` when something has arrived.
+    /// Creates an empty queue, which calls `waker` for each arrival.
     pub(super) fn new(waker: Option<Waker>) -> Self {
         Self {
             waiting: Mutex::new(Backlog::new(ROOM)),
@@ -28,26 +28,24 @@ impl Arrivals {
         }
     }
 
-    /// Adds what came, whose content is so many bytes.
+    /// Adds an arrival with `bytes` of content.
     pub(super) fn push(&self, arrival: Arrival, bytes: usize) {
         let worth = worth(&arrival);
         self.waiting().push(arrival, worth, bytes);
         self.wake();
     }
 
-    /// Begins anew: of what waits only replies are of use.
+    /// Clears the queue for a new connection: of older arrivals only replies are of use.
     pub(super) fn begin(&self) {
         self.waiting().forget(|arrival| !matches!(arrival, Arrival::Reply { .. }));
         self.push(Arrival::Anew, 0);
         self.set_state(ConnectionState::Live);
     }
 
-    /// Takes the oldest arrival.
     pub(super) fn pop(&self) -> Option<Arrival> {
         self.waiting().pop()
     }
 
-    /// Removes messages of other topics.
     pub(super) fn keep_only(&self, topics: &BTreeSet<Topic>) {
         self.waiting().forget(|arrival| match arrival {
             Arrival::Update { update, .. } => {
@@ -57,13 +55,11 @@ impl Arrivals {
         });
     }
 
-    /// Sets the state of the connection.
     pub(super) fn set_state(&self, state: ConnectionState) {
         *self.state.lock().unwrap_or_else(PoisonError::into_inner) = state;
         self.wake();
     }
 
-    /// Returns the state of the connection.
     pub(super) fn state(&self) -> ConnectionState {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }

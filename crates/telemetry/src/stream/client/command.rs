@@ -1,11 +1,9 @@
-//! What a window asks of its connection.
-
 use std::collections::BTreeSet;
 
 use crate::source::Ticket;
 use crate::{Request, Topic};
 
-/// What a window asks of its connection.
+/// Command of a window to its connection.
 #[derive(Debug)]
 pub(super) enum ClientCommand {
     Follow(BTreeSet<Topic>),

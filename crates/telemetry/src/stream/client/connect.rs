@@ -17,21 +17,19 @@ use super::{Dial, pin};
 use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::SUBPROTOCOLS;
 
-/// Longest time to connect.
 const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Longest message from a host (bytes).
 const MOST_BYTES: usize = 64 << 20;
 
-/// Why there is no connection, as a sentence.
+/// Reason why there is no connection, as a sentence.
 #[derive(Debug)]
 pub(super) enum ConnectError {
-    /// It is worth trying again.
+    /// Another attempt may succeed.
     Lost(String),
     Refused(String),
 }
 
-/// Connects as `dial` says.
 pub(super) async fn connect(dial: &Dial) -> Result<WebSocketStream<BoxedStream>, ConnectError> {
     let address = HostAddress::parse(&dial.address)
         .map_err(|error| ConnectError::Refused(error.to_string()))?;
@@ -75,7 +73,6 @@ async fn encrypted(
     }
 }
 
-/// Makes the WebSocket handshake.
 async fn handshake(
     dial: &Dial,
     address: &HostAddress,
@@ -109,7 +106,6 @@ fn connect_error(dial: &Dial, error: Error) -> ConnectError {
     ConnectError::Lost(format!("the host at {} speaks no WebSocket: {error}", dial.address))
 }
 
-/// Returns what an HTTP answer means.
 fn http_error(dial: &Dial, response: &Response) -> ConnectError {
     let body = response.body().as_deref().unwrap_or_default();
     let text = String::from_utf8_lossy(body).trim().to_owned();

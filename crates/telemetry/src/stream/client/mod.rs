@@ -1,8 +1,7 @@
 //! The window's end of the stream.
 //!
-//! A thread of its own connects, again and again; the window never waits.
-//! What the window has no time for is dropped, the oldest first; replies never are, and of the
-//! catalogue and of each key's voice the last one is kept.
+//! A separate thread connects and reconnects; the window never waits. If the window is slow, the
+//! oldest arrivals are dropped, but no replies, and not the last catalogue and voice of each key.
 
 mod address;
 mod arrivals;
@@ -27,22 +26,22 @@ use super::Fingerprint;
 use crate::source::Ticket;
 use crate::{Arrival, ConnectionState, Reply, Request, Source, Topic};
 
-/// Called when something has come, from the client's own thread.
+/// Callback for an arrival, from the client's own thread.
 pub type Waker = Box<dyn Fn() + Send + Sync>;
 
 /// The host to connect to.
 #[derive(Clone, Default)]
 pub struct Dial {
-    /// The address, as `ws://127.0.0.1:8765` or `wss://piano.local`; `ws://` and port 8765 without.
+    /// Address, as `wss://piano.local`; by default the scheme is `ws://` and the port 8765.
     pub address: String,
-    /// The token, if the host asks for one.
+    /// Token, if the host asks for one.
     pub token: Option<String>,
-    /// The fingerprint of the host's certificate, as the host printed it; `wss://` needs it.
+    /// Fingerprint of the host's certificate, as the host printed it; `wss://` needs it.
     pub pin: Option<Fingerprint>,
 }
 
 impl fmt::Debug for Dial {
-    /// Leaves out the token, which must not get into a log.
+    /// Omits the token, which must not get into a log.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let has_token = self.token.is_some();
         f.debug_struct("Dial")
@@ -53,7 +52,7 @@ impl fmt::Debug for Dial {
     }
 }
 
-/// A connection to a live host, which is made again when it is lost.
+/// Connection to a live host, which is restored when it is lost.
 pub struct Client {
     name: String,
     arrivals: Arc<Arrivals>,
@@ -62,7 +61,7 @@ pub struct Client {
 }
 
 impl Client {
-    /// Begins to connect, and keeps connecting until it is dropped.
+    /// Starts to connect, and keeps the connection until the client is dropped.
     pub fn connect(dial: Dial, waker: Option<Waker>) -> Self {
         let name = dial.address.clone();
         let arrivals = Arc::new(Arrivals::new(waker));
@@ -95,7 +94,7 @@ impl Source for Client {
 
     fn follow(&mut self, topics: &BTreeSet<Topic>) {
         self.arrivals.keep_only(topics);
-        // If the thread is gone, `standing` has said why.
+        // After the thread's end, `standing` reports why.
         let _gone = self.commands.send(ClientCommand::Follow(topics.clone()));
     }
 

@@ -1,4 +1,4 @@
-//! A host's certificate is recognised by its fingerprint; who signed it does not matter.
+//! Recognition of a host's certificate by its fingerprint; its signer does not matter.
 
 use std::io;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use tokio_rustls::rustls::{ClientConfig, DigitallySignedStruct, Error, Signature
 
 use crate::stream::Fingerprint;
 
-/// Returns what encrypts connections to the host whose certificate has this fingerprint.
+/// Returns the TLS connector for the host whose certificate has this fingerprint.
 pub(super) fn connector(pin: Fingerprint) -> Result<TlsConnector, Error> {
     let provider = Arc::new(crypto::ring::default_provider());
     let verifier = Arc::new(Pinned { pin, provider: Arc::clone(&provider) });
@@ -25,13 +25,12 @@ pub(super) fn connector(pin: Fingerprint) -> Result<TlsConnector, Error> {
     Ok(TlsConnector::from(Arc::new(config)))
 }
 
-/// Returns why TLS failed, if it is the wrong host.
+/// Returns the sentence for a failure of TLS because of another host's certificate.
 pub(super) fn refusal(error: &io::Error) -> Option<String> {
     let error = error.get_ref()?.downcast_ref::<Error>()?;
     if let Error::General(text) = error { Some(text.clone()) } else { None }
 }
 
-/// A verifier that accepts one certificate.
 #[derive(Debug)]
 struct Pinned {
     pin: Fingerprint,
@@ -72,7 +71,7 @@ impl ServerCertVerifier for Pinned {
         cert: &CertificateDer<'_>,
         dss: &DigitallySignedStruct,
     ) -> Result<HandshakeSignatureValid, Error> {
-        // The fingerprint says whose certificate it is, this that the host has its key.
+        // The fingerprint identifies the certificate, the signature proves possession of its key.
         let algorithms = &self.provider.signature_verification_algorithms;
         crypto::verify_tls13_signature(message, cert, dss, algorithms)
     }

@@ -13,13 +13,13 @@ use super::connect::{ConnectError, connect};
 use super::session::{ClientSession, SessionEnd};
 use crate::{Arrival, ConnectionState, Topic};
 
-/// The answer to a request while there is no connection.
+/// Answer to a request without a connection.
 pub(super) const NOT_CONNECTED: &str = "no host is connected: wait until one is, and ask again";
 
-/// Shortest and longest pause before it is tried again.
+/// Shortest and longest pause before another attempt.
 const PAUSES: (Duration, Duration) = (Duration::from_millis(250), Duration::from_secs(5));
 
-/// Connects to a host, and again whenever the connection is lost.
+/// Client that restores its connection.
 pub(super) struct ReconnectingClient {
     dial: Dial,
     arrivals: Arc<Arrivals>,
@@ -31,7 +31,6 @@ pub(super) struct ReconnectingClient {
 struct WindowClosed;
 
 impl ReconnectingClient {
-    /// Creates a client of the host at `dial`.
     pub(super) const fn new(
         dial: Dial,
         arrivals: Arc<Arrivals>,
@@ -40,7 +39,6 @@ impl ReconnectingClient {
         Self { dial, arrivals, commands, wanted: BTreeSet::new() }
     }
 
-    /// Runs until the window is gone.
     pub(super) fn run(mut self) {
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
         match runtime {
@@ -54,7 +52,7 @@ impl ReconnectingClient {
         }
     }
 
-    /// Keeps a connection, until the window is gone or the host refuses it.
+    /// Keeps a connection until the window is closed or the host rejects it.
     async fn keep_connected(&mut self) -> Result<std::convert::Infallible, WindowClosed> {
         let mut pause = PAUSES.0;
         loop {
@@ -80,7 +78,7 @@ impl ReconnectingClient {
         }
     }
 
-    /// Waits for `work`; what is asked meanwhile is refused.
+    /// Waits for `work`; rejects requests meanwhile.
     async fn wait_for<T>(&mut self, work: impl Future<Output = T>) -> Result<T, WindowClosed> {
         let mut work = std::pin::pin!(work);
         loop {

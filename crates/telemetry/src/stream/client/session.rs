@@ -20,48 +20,43 @@ use crate::stream::protocol::{
 };
 use crate::{Arrival, Log, Reply, Request, Topic, Update, log};
 
-/// Time between two pings.
 const PING: Duration = Duration::from_secs(5);
 
-/// Longest time in which nothing is heard of the host, or it takes nothing.
+/// Longest time without a message from the host, or without progress in sending.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-/// Longest time for closing the connection.
 const GRACE: Duration = Duration::from_secs(1);
 
-/// How a connection ended.
+/// Reason for the end of a connection.
 #[derive(Debug)]
 pub(super) enum SessionEnd {
-    /// The window is gone.
     Gone,
-    /// Why, in a sentence.
+    /// Lost for this reason, a sentence.
     Lost(String),
 }
 
-/// One connection to a host.
 pub(super) struct ClientSession<'a> {
     socket: WebSocketStream<BoxedStream>,
     arrivals: &'a Arrivals,
     channels: BTreeMap<Topic, u32>,
-    /// What is subscribed to, by our own number.
+    /// Subscribed topics by our own numbers.
     subscriptions: BTreeMap<u32, Topic>,
     services: BTreeMap<String, u32>,
-    /// That services will be named, but are not yet.
+    /// `true` until the announced services are named.
     awaits_services: bool,
     waiting: Vec<(Ticket, Request)>,
-    /// What is not answered yet: sets and calls.
+    /// Unanswered requests: sets and calls.
     sets: BTreeMap<String, Ticket>,
     calls: BTreeMap<u32, Ticket>,
     count: u32,
-    /// When the last message was made (ns since 1970).
+    /// Time of the newest message (ns since 1970).
     at: u64,
 }
 
-/// What is sent next.
+/// Messages to send next.
 type ToSend = Vec<Message>;
 
 impl<'a> ClientSession<'a> {
-    /// Creates a session on a connection that was just made.
     pub(super) const fn new(socket: WebSocketStream<BoxedStream>, arrivals: &'a Arrivals) -> Self {
         Self {
             socket,
@@ -78,7 +73,7 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// Runs until either side is gone; nothing that was asked stays without an answer.
+    /// Runs until either side ends; answers every request.
     pub(super) async fn run(
         mut self,
         commands: &mut UnboundedReceiver<ClientCommand>,
@@ -200,7 +195,7 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// Asks what had to wait for the services' numbers.
+    /// Sends the requests that waited for the services' numbers.
     fn ask_waiting(&mut self) -> ToSend {
         self.awaits_services = false;
         let waiting = std::mem::take(&mut self.waiting);
@@ -210,7 +205,7 @@ impl<'a> ClientSession<'a> {
     fn frame(&mut self, frame: &ServerFrame<'_>) -> ToSend {
         match *frame {
             ServerFrame::Message { subscription, at, payload } => {
-                // What was on its way when a topic was left is of no use.
+                // A message on its way when the topic was left is of no use.
                 let Some(topic) = self.subscriptions.get(&subscription) else { return vec![] };
                 self.at = at;
                 match Update::decode(*topic, payload) {
@@ -232,7 +227,7 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// Subscribes to what is wanted and there, and to nothing else.
+    /// Subscribes to the topics that are wanted and available, and to nothing else.
     fn follow(&mut self, wanted: &BTreeSet<Topic>) -> ToSend {
         let left: Vec<u32> = self
             .subscriptions
@@ -320,14 +315,14 @@ impl<'a> ClientSession<'a> {
         }
     }
 
-    /// Returns a number that nothing of this connection has yet.
+    /// Returns an unused number of this connection.
     const fn number(&mut self) -> u32 {
         self.count = self.count.wrapping_add(1);
         self.count
     }
 }
 
-/// Returns why the host ended the connection, as far as it said so.
+/// Returns the host's reason for closing the connection, as far as given.
 fn close_reason(frame: Option<CloseFrame>) -> String {
     match frame {
         Some(frame) if !frame.reason.is_empty() => {

@@ -1,4 +1,4 @@
-//! Binary messages: a byte that says what it is, numbers in little-endian order, then a payload.
+//! Binary messages: a byte with the kind, little-endian numbers, then a payload.
 
 use super::ProtocolError;
 
@@ -12,27 +12,26 @@ const SERVICE_RESPONSE: u8 = 3;
 pub enum ServerFrame<'a> {
     /// A message of a channel.
     Message {
-        /// To which subscription, by the client's own number.
+        /// Subscription, by the client's own number.
         subscription: u32,
-        /// When it was made (ns since 1970).
+        /// Time at which it was made (ns since 1970).
         at: u64,
         payload: &'a [u8],
     },
-    /// What time it is (ns since 1970).
+    /// Present time (ns since 1970).
     Time(u64),
     /// The answer to a call.
     Response {
         service: u32,
-        /// Which call, by the client's own number.
+        /// Call, by the client's own number.
         call: u32,
-        /// What the payload is, as `json`.
+        /// Encoding of the payload, as `json`.
         encoding: &'a str,
         payload: &'a [u8],
     },
 }
 
 impl<'a> ServerFrame<'a> {
-    /// Encodes the frame as the protocol says.
     pub fn encode(&self) -> Vec<u8> {
         match *self {
             Self::Message { subscription, at, payload } => {
@@ -50,10 +49,6 @@ impl<'a> ServerFrame<'a> {
         }
     }
 
-    /// Decodes a frame.
-    ///
-    /// # Errors
-    /// If the bytes are no frame.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, ProtocolError> {
         let mut reader = BinaryReader::new(bytes)?;
         match reader.opcode {
@@ -75,28 +70,22 @@ impl<'a> ServerFrame<'a> {
 /// A binary message from a client.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ClientFrame<'a> {
-    /// A call of a service.
     Request {
         service: u32,
-        /// Which call, by the client's own number.
+        /// Call, by the client's own number.
         call: u32,
-        /// What the payload is, as `json`.
+        /// Encoding of the payload, as `json`.
         encoding: &'a str,
         payload: &'a [u8],
     },
 }
 
 impl<'a> ClientFrame<'a> {
-    /// Encodes the frame as the protocol says.
     pub fn encode(&self) -> Vec<u8> {
         let Self::Request { service, call, encoding, payload } = *self;
         Exchange { service, call, encoding, payload }.encode(SERVICE_REQUEST)
     }
 
-    /// Decodes a frame.
-    ///
-    /// # Errors
-    /// If the bytes are no frame.
     pub fn decode(bytes: &'a [u8]) -> Result<Self, ProtocolError> {
         let mut reader = BinaryReader::new(bytes)?;
         match reader.opcode {
@@ -109,7 +98,7 @@ impl<'a> ClientFrame<'a> {
     }
 }
 
-/// What a call and its answer have alike.
+/// Common part of a call and its answer.
 struct Exchange<'a> {
     service: u32,
     call: u32,
@@ -142,7 +131,7 @@ impl<'a> Exchange<'a> {
     }
 }
 
-/// What is left to read of a binary message.
+/// Unread rest of a binary message.
 struct BinaryReader<'a> {
     opcode: u8,
     bytes: usize,
@@ -219,7 +208,7 @@ mod tests {
     proptest! {
         #[test]
         fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..64)) {
-            // What can be read is written the same way.
+            // A decoded frame is encoded to the same bytes.
             if let Ok(frame) = ServerFrame::decode(&bytes)
                 && !matches!(frame, ServerFrame::Time(_))
             {

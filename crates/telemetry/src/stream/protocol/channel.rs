@@ -14,19 +14,18 @@ pub struct Channel {
     /// Its number on this connection.
     pub id: u32,
     pub topic: String,
-    /// What its messages are: `protobuf`.
+    /// Encoding of its messages: `protobuf`.
     pub encoding: String,
     /// Full name of the messages' type.
     pub schema_name: String,
-    /// What the messages' type is, in base64.
+    /// Descriptors of the messages' type, in base64.
     pub schema: String,
-    /// What the schema is: `protobuf`.
+    /// Encoding of the schema: `protobuf`.
     #[serde(default)]
     pub schema_encoding: Option<String>,
 }
 
 impl Channel {
-    /// Returns the channel of `topic`.
     fn of(topic: Topic, schema: String) -> Self {
         Self {
             id: channel_id(topic),
@@ -41,7 +40,7 @@ impl Channel {
 
 /// Returns all channels of a host, which are always the same.
 pub fn channels() -> Vec<Channel> {
-    // Hundreds of channels have a dozen schemas.
+    // Hundreds of channels share a dozen schemas.
     let mut schemas = BTreeMap::new();
     let mut channel = |topic: Topic| {
         let schema = schemas.entry(topic.schema()).or_insert_with(|| schema(topic));
@@ -55,7 +54,7 @@ pub fn channel_id(topic: Topic) -> u32 {
     u32::try_from(place(topic) + 1).unwrap_or(0)
 }
 
-/// Returns the place of `topic` in [`Topic::all`]; one beyond its end if it is of no key.
+/// Returns the index of `topic` in [`Topic::all`]; one beyond its end if its key is unknown.
 pub(crate) fn place(topic: Topic) -> usize {
     match topic {
         Topic::Block(key) => Topic::COMMON.len() + 2 * usize::from(key),
@@ -75,7 +74,6 @@ pub(crate) fn place(topic: Topic) -> usize {
     }
 }
 
-/// Returns the topic whose channel has the number `id`, if there is one.
 pub fn topic_of(id: u32) -> Option<Topic> {
     let place = usize::try_from(id).ok()?.checked_sub(1)?;
     Topic::all().nth(place)

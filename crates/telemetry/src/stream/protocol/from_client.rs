@@ -1,5 +1,3 @@
-//! Texts from a client.
-
 use serde::{Deserialize, Serialize};
 
 use super::ParameterValue;
@@ -8,41 +6,41 @@ use super::ParameterValue;
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(tag = "op", rename_all = "camelCase", rename_all_fields = "camelCase")]
 pub enum FromClient {
-    /// Wants messages of channels.
+    /// Subscribes to messages of channels.
     Subscribe { subscriptions: Vec<Subscription> },
-    /// Wants no more messages.
+    /// Ends the subscriptions with these numbers.
     Unsubscribe { subscription_ids: Vec<u32> },
-    /// Wants to know parameters' values.
+    /// Asks for parameters' values.
     GetParameters {
-        /// Which; all if there are none.
+        /// Names of parameters; all if empty.
         parameter_names: Vec<String>,
-        /// What the answer shall be called.
+        /// Name of the answer, chosen by the client.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<String>,
     },
-    /// Wants other values: all of them or none.
+    /// Sets parameters: all of them or none.
     SetParameters {
         parameters: Vec<ParameterValue>,
-        /// What the answer shall be called.
+        /// Name of the answer, chosen by the client.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<String>,
     },
-    /// Wants to hear when values change.
+    /// Follows changes of values.
     SubscribeParameterUpdates {
-        /// Which; all if there are none.
+        /// Names of parameters; all if empty.
         parameter_names: Vec<String>,
     },
-    /// Wants to hear no more of it.
+    /// Stops following changes of values.
     UnsubscribeParameterUpdates {
-        /// Which; all if there are none.
+        /// Names of parameters; all if empty.
         parameter_names: Vec<String>,
     },
-    /// Something that this server never said it could.
+    /// An operation that this server never offered.
     #[serde(other, skip_serializing)]
     Other,
 }
 
-/// That a client wants messages of a channel.
+/// Subscription of a client to a channel.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Subscription {

@@ -1,5 +1,3 @@
-//! Texts from a server.
-
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
@@ -11,14 +9,14 @@ use crate::Reply;
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[serde(tag = "op", rename_all = "camelCase", rename_all_fields = "camelCase")]
 pub enum FromServer {
-    /// The name and capabilities of the server; the first message.
+    /// Name and capabilities of the server; the first message.
     ServerInfo {
         name: String,
         #[serde(default)]
         capabilities: Vec<String>,
         #[serde(default, skip_serializing_if = "Option::is_none")]
         supported_encodings: Option<Vec<String>>,
-        /// What else there is to know.
+        /// Further facts by name.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         metadata: Option<BTreeMap<String, String>>,
         /// Changes with each run.
@@ -29,48 +27,44 @@ pub enum FromServer {
     Status {
         level: Level,
         message: String,
-        /// Of a refusal: the request's own name.
+        /// The request's own name, in a rejection.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<String>,
     },
     /// Channels that can be followed.
     Advertise { channels: Vec<Channel> },
-    /// Channels that are gone.
+    /// Channels that no longer exist.
     Unadvertise { channel_ids: Vec<u32> },
     ParameterValues {
         parameters: Vec<ParameterValue>,
-        /// What the request was called, if this is an answer.
+        /// The request's own name, if this is an answer.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         id: Option<String>,
-        /// What became of the request; ours, and nothing to others.
+        /// Result of the request; our extension, which others ignore.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         reply: Option<Reply>,
     },
     /// Services that can be called.
     AdvertiseServices { services: Vec<AdvertisedService> },
-    /// Services that are gone.
+    /// Services that no longer exist.
     UnadvertiseServices { service_ids: Vec<u32> },
-    /// A call was refused.
+    /// A call was rejected.
     ServiceCallFailure {
         service_id: u32,
-        /// Which call, by the client's own number.
+        /// Call, by the client's own number.
         call_id: u32,
-        /// Why, in a sentence.
         message: String,
     },
-    /// Something that this client does not need.
+    /// A message that this client does not need.
     #[serde(other, skip_serializing)]
     Other,
 }
 
-/// The severity of a status.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 #[serde(into = "u8", from = "u8")]
 pub enum Level {
     Info,
-    /// Something is lost, or odd.
     Warning,
-    /// Something was refused, or failed.
     Error,
 }
 
@@ -85,7 +79,7 @@ impl From<Level> for u8 {
 }
 
 impl From<u8> for Level {
-    /// Takes a level above those known for an error.
+    /// Treats an unknown higher level as an error.
     fn from(number: u8) -> Self {
         match number {
             0 => Self::Info,

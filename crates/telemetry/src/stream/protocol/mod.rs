@@ -1,9 +1,8 @@
-//! What travels: the Foxglove WebSocket protocol, as much of it as a host and a window need.
+//! The Foxglove WebSocket protocol, as much of it as a host and a window need.
 //!
-//! Texts are JSON objects with an `op`: [`FromServer`] and [`FromClient`].
-//! Binary messages begin with a byte that says what they are: [`ServerFrame`] and [`ClientFrame`];
-//! their numbers are little-endian.
-//! Decoders take any bytes, and refuse in a sentence what they do not understand.
+//! Texts are JSON objects with an `op`: [`FromServer`] and [`FromClient`]. Binary messages begin
+//! with a byte for their kind: [`ServerFrame`] and [`ClientFrame`]; numbers are little-endian.
+//! Decoders accept any bytes, and reject unknown ones with a sentence.
 
 mod binary;
 mod channel;
@@ -26,5 +25,5 @@ pub use schema::schema;
 pub use service::{AdvertisedService, Service, ServiceSchema};
 pub use text::Text;
 
-/// Names that the protocol goes by, the present one first.
+/// Names of the protocol, the present one first.
 pub const SUBPROTOCOLS: [&str; 2] = ["foxglove.sdk.v1", "foxglove.websocket.v1"];

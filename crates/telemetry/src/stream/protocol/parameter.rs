@@ -9,16 +9,15 @@ use crate::request::Change;
 pub struct ParameterValue {
     /// Its name, as `/key/39/k2`.
     pub name: String,
-    /// Its value; whatever a client sends.
+    /// Its value; a client may send any JSON.
     #[serde(default)]
     pub value: serde_json::Value,
-    /// What the value is; without, 1 would not be known to be a number with a fraction.
+    /// Type of the value: without it, 1 would read as an integer.
     #[serde(default, rename = "type", skip_serializing_if = "Option::is_none")]
     pub kind: Option<String>,
 }
 
 impl ParameterValue {
-    /// Creates the parameter `name` with a number as its value.
     pub fn new(name: impl Into<String>, value: f64) -> Self {
         Self { name: name.into(), value: value.into(), kind: Some("float64".to_owned()) }
     }
@@ -26,7 +25,7 @@ impl ParameterValue {
     /// Returns the change that setting the parameter means.
     ///
     /// # Errors
-    /// If its name is no parameter's, or its value no number.
+    /// The name is not a parameter's, or the value is no finite number.
     pub fn change(&self) -> Result<Change, ParameterError> {
         let value = self.value.as_f64().filter(|value| value.is_finite());
         let value = value.ok_or_else(|| ParameterError::NoNumber(shortened(&self.name)))?;
@@ -35,13 +34,11 @@ impl ParameterValue {
     }
 }
 
-/// Why a parameter cannot be set.
+/// Reason why a parameter cannot be set.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum ParameterError {
-    /// Its value is no number.
     #[error("the value for {0} is no finite number: send a number in the parameter's unit")]
     NoNumber(String),
-    /// Its name is no parameter's.
     #[error("there is no parameter {0}: names are as /key/39/k2, keys 0 (A0) to 87 (C8)")]
     NoName(String),
 }

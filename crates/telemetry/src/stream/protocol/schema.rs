@@ -1,7 +1,7 @@
-//! What a channel's messages are made of: of all descriptors only those that it needs.
+//! Schema of a channel: of all descriptors only those that its messages need.
 //!
-//! There are two channels for each key, and each must bring its schema along: all descriptors, with
-//! their comments, would be megabytes for each client that comes.
+//! There are two channels for each key, and each must contain its schema: all descriptors, with
+//! their comments, would be megabytes for each new client.
 
 use std::collections::BTreeSet;
 
@@ -18,17 +18,17 @@ pub fn schema(topic: Topic) -> String {
 
 /// Returns the descriptors of the message type `name` and of those that it contains.
 fn descriptors(name: &str) -> Vec<u8> {
-    // They are ours, and a test reads them; whole they are right as well.
+    // The descriptors are ours, and a test decodes them; unreduced they are valid as well.
     let Ok(set) = FileDescriptorSet::decode(DESCRIPTORS) else { return DESCRIPTORS.to_vec() };
     let file = set.file.into_iter().map(|file| reduced(file, name)).collect();
     FileDescriptorSet { file }.encode_to_vec()
 }
 
-/// Reduces `file` to what the message type `name` needs.
+/// Reduces `file` to the types that the message type `name` needs.
 fn reduced(mut file: FileDescriptorProto, name: &str) -> FileDescriptorProto {
     let package = format!(".{}.", file.package());
     let mut needed = BTreeSet::from([format!(".{name}")]);
-    // Each round adds what the last one contains; there are not more rounds than types.
+    // Each round adds the types contained in the last ones; there are not more rounds than types.
     for _ in 0..file.message_type.len() {
         for message in &file.message_type {
             if needed.contains(&format!("{package}{}", message.name())) {

@@ -1,11 +1,11 @@
-//! Services: what may be asked beside parameters.
+//! Services: requests other than those of parameters.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::Request;
 
-/// A service; what it does is said at the [`Request`] of its name.
+/// A service; the [`Request`] of the same name describes it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Service {
     UseInstrument,
@@ -35,10 +35,10 @@ impl Service {
         Self::Render,
     ];
 
-    /// Returns the service by which `request` travels; none if it is of parameters.
+    /// Returns the service that carries `request`; `None` if it is of parameters.
     pub const fn of(request: &Request) -> Option<Self> {
         match request {
-            // A client knows where it is connected, and follows how it goes.
+            // A client knows its connection, and follows the status.
             Request::Set { .. } | Request::Where {} | Request::Status {} => None,
             Request::UseInstrument { .. } => Some(Self::UseInstrument),
             Request::Stop {} => Some(Self::Stop),
@@ -69,12 +69,11 @@ impl Service {
         }
     }
 
-    /// Returns the service with the number `id`, if there is one.
     pub fn numbered(id: u32) -> Option<Self> {
         Self::ALL.into_iter().find(|service| service.id() == id)
     }
 
-    /// Returns the name without `/letoff/`, which is also how [`Request`] writes it.
+    /// Returns the name without `/letoff/`, as [`Request`] writes it.
     pub const fn word(self) -> &'static str {
         match self {
             Self::UseInstrument => "use_instrument",
@@ -95,10 +94,7 @@ impl Service {
         format!("/letoff/{}", self.word())
     }
 
-    /// Decodes a request: JSON with the fields that the request has.
-    ///
-    /// # Errors
-    /// If it is none of this service's.
+    /// Decodes a request of this service: JSON with its fields.
     pub fn request(self, payload: &[u8]) -> Result<Request, String> {
         let refused =
             |cause: serde_json::Error| format!("{} was asked wrongly: {cause}", self.name());
@@ -119,7 +115,6 @@ impl Service {
         fields.to_string().into_bytes()
     }
 
-    /// Returns how the service is advertised.
     pub fn advertised(self) -> AdvertisedService {
         let word = self.word();
         AdvertisedService {
@@ -195,7 +190,6 @@ impl Service {
     }
 }
 
-/// Returns the JSON schema of a setting.
 fn setting() -> Value {
     json!({
         "type": "object",
@@ -207,7 +201,6 @@ fn setting() -> Value {
     })
 }
 
-/// Returns the JSON schema of a reply.
 fn reply() -> Value {
     json!({
         "type": "object",
@@ -228,7 +221,6 @@ pub struct AdvertisedService {
     /// Its number on this connection.
     pub id: u32,
     pub name: String,
-    /// The kind of service.
     #[serde(rename = "type")]
     pub kind: String,
     #[serde(default)]
@@ -237,16 +229,15 @@ pub struct AdvertisedService {
     pub response: Option<ServiceSchema>,
 }
 
-/// What a service takes or gives.
+/// Schema of a request or a reply.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct ServiceSchema {
-    /// How it is written: `json`.
+    /// Encoding of the payload: `json`.
     pub encoding: String,
     pub schema_name: String,
-    /// What the schema is: `jsonschema`.
+    /// Encoding of the schema: `jsonschema`.
     pub schema_encoding: String,
-    /// What its type is.
     pub schema: String,
 }
 
@@ -316,7 +307,7 @@ mod tests {
             let refused = Service::Press.request(payload).expect_err("wrong");
             assert!(refused.starts_with("/letoff/press was asked wrongly: "), "{refused}");
         }
-        // Naming another service leads nowhere.
+        // The name of another service has no effect.
         assert_eq!(Service::Scene.request(br#"{"service":"stop"}"#), Ok(Request::Scene {}));
     }
 }

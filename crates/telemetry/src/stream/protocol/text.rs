@@ -1,4 +1,4 @@
-//! What both sides' texts have in common: they are JSON.
+//! JSON encoding of both sides' texts.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -12,10 +12,6 @@ pub trait Text: Serialize + DeserializeOwned {
         serde_json::to_string(self).ok()
     }
 
-    /// Decodes a JSON text.
-    ///
-    /// # Errors
-    /// If it is nothing of the protocol's.
     fn decode(text: &str) -> Result<Self, ProtocolError> {
         Ok(serde_json::from_str(text)?)
     }

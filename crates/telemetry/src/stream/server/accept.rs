@@ -1,4 +1,4 @@
-//! Lets clients in, a bounded number at once.
+//! Admission of clients, a bounded number at once.
 
 use std::collections::VecDeque;
 use std::io;
@@ -22,7 +22,7 @@ use super::state::ServerState;
 use super::{Backend, Role, StreamServer, Who};
 use crate::stream::byte_stream::BoxedStream;
 
-/// Closes a server: what was asked is answered, and each client is told why.
+/// Closes a server after its last answers, and tells each client why.
 #[derive(Clone, Debug)]
 pub struct Closer(watch::Sender<Option<String>>);
 
@@ -33,16 +33,16 @@ impl Default for Closer {
 }
 
 impl Closer {
-    /// Lets [`serve`] answer what was asked already, tell every client `why`, and return.
+    /// Lets [`serve`] answer earlier requests, send every client `why`, and return.
     pub fn close(&self, why: String) {
         self.0.send_replace(Some(why));
     }
 }
 
-/// Answers clients, until its [`Closer`] closes it or it is dropped; with it go all connections.
+/// Serves clients until its [`Closer`] closes it or it is dropped, with all connections.
 ///
 /// # Errors
-/// If the runtime cannot use the listening socket.
+/// The runtime cannot use the listening socket.
 pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Result<()> {
     /// Longest time from closing to the return.
     const CLOSING: Duration = Duration::from_secs(3);
@@ -74,7 +74,7 @@ pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Resul
     Ok(())
 }
 
-/// Receives clients, until it is dropped.
+/// Receives clients until it is dropped.
 #[expect(clippy::infinite_loop, reason = "a future that is dropped ends")]
 async fn receive_all(state: &Arc<ServerState>, listener: TcpListener, tasks: &mut JoinSet<()>) {
     let mut handshakes = Handshakes::default();
@@ -85,15 +85,14 @@ async fn receive_all(state: &Arc<ServerState>, listener: TcpListener, tasks: &mu
     }
 }
 
-/// Clients that are not in yet, the oldest first; each waits for the end of its own channel.
+/// Clients before admission, the oldest first; each waits for the end of its own channel.
 #[derive(Default)]
 struct Handshakes(VecDeque<oneshot::Sender<()>>);
 
 impl Handshakes {
-    /// Takes in another one, of `most` at once; returns what ends when newer ones have taken its
-    /// place.
+    /// Adds another one, of `most` at once; the returned receiver ends when newer ones replace it.
     ///
-    /// A client that means well is in after milliseconds: the oldest is the one that says nothing.
+    /// An honest client is admitted after milliseconds: the oldest one sends nothing.
     fn begin(&mut self, most: usize) -> oneshot::Receiver<()> {
         self.0.retain(|it| !it.is_closed());
         let crowded = (self.0.len() + 1).saturating_sub(most.max(1));
@@ -104,7 +103,7 @@ impl Handshakes {
     }
 }
 
-/// Waits for the next connection, and forgets meanwhile those that have ended.
+/// Waits for the next connection; meanwhile forgets those that have ended.
 async fn next(listener: &TcpListener, tasks: &mut JoinSet<()>) -> (TcpStream, SocketAddr) {
     /// Pause when the system has no more descriptors.
     const PAUSE: Duration = Duration::from_millis(50);
@@ -119,7 +118,6 @@ async fn next(listener: &TcpListener, tasks: &mut JoinSet<()>) -> (TcpStream, So
     }
 }
 
-/// A client that was let in.
 struct AdmittedClient {
     socket: WebSocketStream<BoxedStream>,
     who: Who,
@@ -132,7 +130,7 @@ struct ClientPlace {
     _other: Option<OwnedSemaphorePermit>,
 }
 
-/// Lets a client in, unless it is crowded out before, and holds its connection.
+/// Admits a client, unless it is crowded out before, and serves its connection.
 async fn receive(
     state: Arc<ServerState>,
     stream: TcpStream,
@@ -150,7 +148,7 @@ async fn receive(
     connection::run(&state, client.socket, client.who).await;
 }
 
-/// Encrypts the stream if it is to be, and returns it if it asks for a WebSocket.
+/// Encrypts the stream if required; returns it if it asks for a WebSocket.
 async fn open(state: &ServerState, stream: TcpStream, address: SocketAddr) -> Option<BoxedStream> {
     stream.set_nodelay(true).ok()?;
     let stream: BoxedStream = match &state.acceptor {
@@ -160,8 +158,8 @@ async fn open(state: &ServerState, stream: TcpStream, address: SocketAddr) -> Op
     plain_http::websocket_or_answer(state, stream, address).await
 }
 
-/// Makes both handshakes; returns nothing if the client is refused or asks for no WebSocket,
-/// which it has been told.
+/// Makes both handshakes; returns `None` after answering a client that is rejected or asks for no
+/// WebSocket.
 async fn enter(
     state: &ServerState,
     stream: TcpStream,
@@ -200,7 +198,7 @@ fn admit(
 }
 
 fn config(state: &ServerState) -> WebSocketConfig {
-    /// Large enough for what clients usually send (bytes).
+    /// Large enough for the usual messages of clients (bytes).
     const READ_BUFFER: usize = 16 << 10;
     let most = Some(state.settings.limits.message_bytes);
     WebSocketConfig::default()

@@ -1,4 +1,4 @@
-//! Which clients are let in: by their origin, their protocol and their token.
+//! Admission of clients by their origin, protocol and token.
 
 use subtle::ConstantTimeEq as _;
 use tokio_tungstenite::tungstenite::handshake::server::{ErrorResponse, Request};
@@ -7,15 +7,13 @@ use tokio_tungstenite::tungstenite::http::{HeaderMap, Response, StatusCode, head
 use super::{Role, ServerSettings, Token};
 use crate::stream::protocol::SUBPROTOCOLS;
 
-/// Why a client is not let in.
+/// Reason why a client is not admitted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum AdmissionError {
     /// The origin of a web page is not listed.
     Origin,
     Protocol,
-    /// The token is missing or unknown.
     Token,
-    /// All places are taken.
     Full,
 }
 
@@ -29,7 +27,6 @@ impl AdmissionError {
         }
     }
 
-    /// Returns the reason as a sentence for the client.
     pub(super) const fn text(self) -> &'static str {
         match self {
             Self::Origin => {
@@ -44,7 +41,6 @@ impl AdmissionError {
         }
     }
 
-    /// Returns the answer to the handshake.
     pub(super) fn response(self) -> ErrorResponse {
         let mut response = Response::new(Some(format!("{}\n", self.text())));
         *response.status_mut() = self.status();
@@ -56,10 +52,7 @@ impl AdmissionError {
     }
 }
 
-/// Returns the role of a client, and the protocol in which it is spoken to.
-///
-/// # Errors
-/// If it is not let in.
+/// Returns the role of a client, and the protocol to use.
 pub(super) fn admit(
     settings: &ServerSettings,
     request: &Request,
@@ -88,27 +81,23 @@ fn protocol(headers: &HeaderMap) -> Result<&'static str, AdmissionError> {
     SUBPROTOCOLS.into_iter().find(|ours| offered.contains(ours)).ok_or(AdmissionError::Protocol)
 }
 
-/// Returns the role of the token that a request gives.
-///
-/// # Errors
-/// If it gives none that is known, and one is needed.
+/// Returns the role of the request's token; an error if one is needed and not known.
 pub(super) fn role(tokens: &[Token], request: &Request) -> Result<Role, AdmissionError> {
     if tokens.is_empty() {
         return Ok(Role::Owner);
     }
     let given = given(request).ok_or(AdmissionError::Token)?;
-    // All are compared to the end, so that the time tells nothing.
+    // All are compared to the end, so that the time reveals nothing.
     let known =
         tokens.iter().filter(|token| bool::from(token.secret.as_bytes().ct_eq(given.as_bytes())));
     known.map(|token| token.role).max().ok_or(AdmissionError::Token)
 }
 
-/// Returns whether a request gives a token that is not known, as one that guesses does.
+/// Returns `true` if a request has an unknown token, as a guessing client does.
 pub(super) fn guesses(tokens: &[Token], request: &Request) -> bool {
     !tokens.is_empty() && given(request).is_some() && role(tokens, request).is_err()
 }
 
-/// Returns the token that a request gives.
 fn given(request: &Request) -> Option<&str> {
     bearer(request.headers()).or_else(|| queried(request.uri().query()?))
 }

@@ -1,4 +1,4 @@
-//! What the host supplies.
+//! The host's side of the stream.
 
 use std::fmt;
 use std::net::SocketAddr;
@@ -8,19 +8,17 @@ use crate::{Reply, Request};
 
 /// The host, as the stream knows it.
 pub trait Backend: Send + Sync {
-    /// Returns parameters by their names, in any order; all without names. Those that are not known
-    /// are left out.
+    /// Returns parameters by their names, in any order; all if `None`. Unknown names are left out.
     fn parameters(&self, names: Option<&[String]>) -> Vec<ParameterSetting>;
 
-    /// Does what is asked, and returns when it is done; a set is done as a whole or not at all.
+    /// Executes a request and returns after it; a set is done as a whole or not at all.
     ///
-    /// It is called on a thread that may wait, for each client one call after the other, except for
-    /// a stop, which overtakes.
-    /// A client that set values gets them as the answer; those that follow parameters are told by
-    /// the host, with [`super::Publisher::parameters_changed`].
+    /// The calling thread may wait. Calls of one client come one after the other, except for a
+    /// stop, which overtakes. A client that set values gets them as the answer; the host informs
+    /// those that follow parameters with [`super::Publisher::parameters_changed`].
     ///
     /// # Errors
-    /// If it is refused; a sentence.
+    /// The host rejects the request; a sentence.
     fn ask(&self, request: Request, who: &Who) -> Result<Reply, String>;
 
     /// Returns figures in the text format of Prometheus, for `GET /metrics`; it must not wait.
@@ -28,20 +26,20 @@ pub trait Backend: Send + Sync {
         None
     }
 
-    /// Hears that `who` has come in.
+    /// Handles the arrival of `who`.
     fn connected(&self, who: &Who) {
         let _ = who;
     }
 
-    /// Hears that the connection of `who` is over, however it ended: what it had pressed is to
-    /// be let go. No press of this client is asked for afterwards.
+    /// Handles the disconnection of `who`, for any reason: its pressed keys must be released. No
+    /// press of this client follows.
     ///
-    /// It is called on the runtime's thread and must not wait.
+    /// The runtime's thread calls this; it must not wait.
     fn disconnected(&self, who: &Who) {
         let _ = who;
     }
 
-    /// Hears that a client at `address` was refused, and why.
+    /// Handles the rejection of a client at `address`.
     fn refused(&self, address: SocketAddr, why: &str) {
         let _ = (address, why);
     }

@@ -1,4 +1,4 @@
-//! Who follows what, as the host asks before it computes anything.
+//! Subscriptions by topic, which the host queries before it computes anything.
 
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
@@ -13,21 +13,18 @@ pub(super) struct Following {
 }
 
 impl Default for Following {
-    /// Creates counts of zero.
     fn default() -> Self {
         let counts = [const { AtomicU32::new(0) }; Topic::COMMON.len() + 2 * KEYS];
         Self { counts, begun: AtomicU64::new(0) }
     }
 }
 
-// Counts are relaxed: a message more or less at the moment when a client comes is the same.
+// Counts are relaxed: one message more or less as a client connects makes no difference.
 impl Following {
-    /// Returns whether a client follows `topic`.
     pub(super) fn has(&self, topic: Topic) -> bool {
         self.counts.get(place(topic)).is_some_and(|count| count.load(Ordering::Relaxed) > 0)
     }
 
-    /// Counts a client that follows `topic`.
     pub(super) fn add(&self, topic: Topic) {
         if let Some(count) = self.counts.get(place(topic)) {
             count.fetch_add(1, Ordering::Relaxed);
@@ -40,7 +37,6 @@ impl Following {
         self.begun.load(Ordering::Acquire)
     }
 
-    /// Counts a client less that follows `topic`.
     pub(super) fn remove(&self, topic: Topic) {
         if let Some(count) = self.counts.get(place(topic)) {
             count.fetch_sub(1, Ordering::Relaxed);

@@ -1,4 +1,4 @@
-//! The hub: which clients are there, what each follows, and who gets which sample.
+//! The hub: clients, their subscriptions, and the distribution of samples.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,34 +10,33 @@ use super::watched::WatchedParameters;
 use crate::Topic;
 use crate::stream::protocol::{FromServer, Level, ParameterValue, Subscription, topic_of};
 
-/// The clients, what each follows, and what comes in for them.
+/// The clients with their subscriptions, and the receivers of samples and commands.
 #[derive(Debug)]
 pub(super) struct Hub {
     handle: Arc<HubHandle>,
     receivers: HubReceivers,
-    /// The last sample of each slot, which every client gets.
+    /// The last sample of each slot, for every client.
     latest: BTreeMap<u16, StreamSample>,
     members: BTreeMap<ClientNumber, Member>,
 }
 
-/// A client of the hub.
 #[derive(Debug)]
 struct Member {
     outbox: Arc<Outbox>,
-    /// The followed topics, and the client's own number for each.
+    /// The followed topics with the client's own numbers.
     follows: BTreeMap<Topic, u32>,
     watched: WatchedParameters,
 }
 
 impl Hub {
-    /// Creates a hub without clients, and the way to it.
+    /// Creates a hub without clients, and its handle.
     pub(super) fn new() -> (Arc<HubHandle>, Self) {
         let (handle, receivers) = HubHandle::channel();
         let (latest, members) = (BTreeMap::new(), BTreeMap::new());
         (Arc::clone(&handle), Self { handle, receivers, latest, members })
     }
 
-    /// Hands out samples until it is dropped.
+    /// Distributes samples until it is dropped.
     pub(super) async fn run(mut self) {
         loop {
             tokio::select! {
@@ -92,7 +91,7 @@ impl Hub {
                 Err(refusal) => refusals.push(refusal),
             }
         }
-        // One sentence for all, or a long list of nonsense would be answered at length.
+        // One sentence for all, so that a long list of nonsense gets no long answer.
         if let Some(first) = refusals.first() {
             let text = format!("{first} ({} of {} refused)", refusals.len(), wanted.len());
             member.outbox.status(Level::Warning, text, None);
@@ -108,7 +107,7 @@ impl Hub {
         }
     }
 
-    /// Takes what found no room in the queue.
+    /// Takes the samples that found no room in the queue.
     fn take_retained(&mut self) {
         for sample in self.handle.take_retained().into_values() {
             self.take(&sample);
@@ -118,7 +117,7 @@ impl Hub {
     fn take(&mut self, sample: &StreamSample) {
         if let Some((slot, order)) = sample.retained {
             let last = self.latest.get(&slot).and_then(|last| last.retained);
-            // What was put aside may have overtaken what still waited in the queue.
+            // A sample put aside may have overtaken those that waited in the queue.
             if last.is_some_and(|(_, last)| last > order) {
                 return;
             }

@@ -1,4 +1,4 @@
-//! The way to the hub, from any thread.
+//! Access to the hub from any thread.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -19,7 +19,7 @@ const QUEUE: usize = 4096;
 /// The number of a client, counted in a run.
 pub(super) type ClientNumber = u64;
 
-/// What connections and publishers tell the hub.
+/// Command of a connection or publisher to the hub.
 #[derive(Debug)]
 pub(super) enum HubCommand {
     Join(ClientNumber, Arc<Outbox>),
@@ -33,7 +33,7 @@ pub(super) enum HubCommand {
     Changed(Vec<ParameterValue>),
 }
 
-/// What publishers and the hub share.
+/// Shared state of publishers and the hub.
 #[derive(Debug)]
 pub(super) struct HubHandle {
     pub(super) following: Following,
@@ -47,7 +47,6 @@ pub(super) struct HubHandle {
     pub(super) lost: AtomicU64,
 }
 
-/// The ends of a [`HubHandle`] from which a hub receives.
 #[derive(Debug)]
 pub(super) struct HubReceivers {
     pub(super) samples: mpsc::Receiver<StreamSample>,
@@ -55,7 +54,6 @@ pub(super) struct HubReceivers {
 }
 
 impl HubHandle {
-    /// Creates a handle, and the ends from which its hub receives.
     pub(super) fn channel() -> (Arc<Self>, HubReceivers) {
         let (sender, samples) = mpsc::channel(QUEUE);
         let (commands, received) = mpsc::unbounded_channel();
@@ -71,30 +69,28 @@ impl HubHandle {
         (Arc::new(handle), HubReceivers { samples, commands: received })
     }
 
-    /// Sends `update`, made at `at` (ns since 1970), which takes the place of others numbered
-    /// `slot`.
+    /// Sends `update` from `at` (ns since 1970), which replaces earlier ones in `slot`.
     pub(super) fn send_retained(&self, topic: Topic, at: u64, update: &Update, slot: u16) {
         let order = self.order.fetch_add(1, Ordering::Relaxed);
         self.send(StreamSample::new(topic, at, update).retained(slot, order));
     }
 
-    /// Keeps a sample for which the queue has no room if it must not be dropped.
+    /// Keeps a sample without room in the queue if it must not be dropped.
     fn put_aside(&self, sample: StreamSample) {
         let Some((slot, _)) = sample.retained else {
             self.lost.fetch_add(1, Ordering::Relaxed);
             return;
         };
-        // Held only to put in or to take out, never while anything is sent.
+        // Locked only to insert or remove, never while anything is sent.
         self.retained.lock().unwrap_or_else(PoisonError::into_inner).insert(slot, sample);
         self.is_retained.notify_one();
     }
 
-    /// Takes what was put aside since the last call.
     pub(super) fn take_retained(&self) -> BTreeMap<u16, StreamSample> {
         std::mem::take(&mut *self.retained.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// Hands a sample to the hub, or puts it aside if it must not be dropped.
+    /// Passes a sample to the hub, or puts it aside if it must not be dropped.
     pub(super) fn send(&self, sample: StreamSample) {
         match self.samples.try_send(sample) {
             Ok(()) => {}

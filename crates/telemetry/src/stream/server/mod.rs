@@ -3,14 +3,14 @@
 //! ```text
 //! any thread: Publisher ──bounded, never waits──▶ hub ──▶ a client's outbox ──▶ its connection
 //!                                                  ▲        control: never dropped, or it is cut
-//! a connection's requests ──who follows what───────┘        data: the oldest are dropped
-//!                         ──what is asked──▶ Backend, beside the runtime's thread
+//! a connection's requests ──subscriptions──────────┘        data: the oldest are dropped
+//!                         ──calls──▶ Backend, beside the runtime's thread
 //! ```
 //!
-//! A browser sends where its page comes from, a program does not: only listed origins are let in,
-//! or any page that is open on the machine could move motors.
-//! Any user of a machine reaches its loopback: a server gives every client that should come in a
-//! token ([`Token::random`] makes one for a run), and beyond loopback it needs TLS as well.
+//! A browser sends the origin of its page, a program sends none: only listed origins are admitted,
+//! or any page open on the machine could move motors. Any user of a machine reaches its loopback,
+//! so a server gives each client a token ([`Token::random`] makes one for a run). Beyond loopback
+//! it needs TLS as well.
 
 mod accept;
 mod admission;
@@ -42,7 +42,7 @@ pub use settings::{ServerLimits, ServerSettings, Tls, Token, Unsafe};
 
 use super::Fingerprint;
 
-/// A server that listens, and does not answer before [`serve`] is run.
+/// A server that listens, and does not answer before [`serve`] runs.
 #[derive(Debug)]
 pub struct StreamServer {
     listener: TcpListener,
@@ -55,11 +55,11 @@ pub struct StreamServer {
 }
 
 impl StreamServer {
-    /// Listens as `settings` say.
+    /// Listens with `settings`.
     ///
     /// # Errors
-    /// If they are not safe or not consistent, a certificate cannot be had, or the address cannot
-    /// be listened at; in a sentence.
+    /// The settings are unsafe or inconsistent, a certificate is not available, or the address is
+    /// not; in a sentence.
     pub fn listen(settings: ServerSettings) -> io::Result<Self> {
         settings.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
         let tls = settings.tls.as_ref().map(tls::TlsIdentity::new).transpose()?;
@@ -77,7 +77,7 @@ impl StreamServer {
         Ok(Self { listener, address, settings, tls, publisher, hub, closer })
     }
 
-    /// Returns the address at which it listens, with the port that the system chose for port 0.
+    /// Returns the listening address, with the port that the system chose for port 0.
     pub const fn address(&self) -> SocketAddr {
         self.address
     }
@@ -88,17 +88,15 @@ impl StreamServer {
         format!("{scheme}://{}", self.address)
     }
 
-    /// Returns the fingerprint of its certificate, if it has one.
     pub fn fingerprint(&self) -> Option<Fingerprint> {
         self.tls.as_ref().map(|identity| identity.fingerprint)
     }
 
-    /// Returns what ends [`serve`] in good order.
+    /// Returns the handle that ends [`serve`] in good order.
     pub fn closer(&self) -> Closer {
         self.closer.clone()
     }
 
-    /// Returns what hands in messages.
     pub fn publisher(&self) -> Publisher {
         self.publisher.clone()
     }

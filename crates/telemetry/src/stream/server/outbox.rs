@@ -1,4 +1,4 @@
-//! What waits for a client: a queue that is never dropped, and one of which it may miss something.
+//! Messages that wait for a client: a queue that is never dropped, and one that may lose samples.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -21,12 +21,11 @@ pub(super) struct Outbox {
     data: Mutex<Backlog<QueuedSample>>,
     is_data: Notify,
     is_cut: Notify,
-    /// Whether nothing more is added.
+    /// `true` if nothing more is added.
     is_finished: AtomicBool,
     finishes: Notify,
 }
 
-/// A sample for a subscription.
 #[derive(Debug)]
 struct QueuedSample {
     subscription: u32,
@@ -50,19 +49,19 @@ impl Outbox {
         (outbox, receiver)
     }
 
-    /// Adds a text; a client that does not take it is cut.
+    /// Adds a text; a client without room for it is cut.
     pub(super) fn tell(&self, message: &FromServer) {
         if let Some(text) = message.encode() {
             self.send(Message::text(text));
         }
     }
 
-    /// Adds a sentence for people; of a refusal with the request's own name.
+    /// Adds a sentence for people; a rejection has the request's own name as `id`.
     pub(super) fn status(&self, level: Level, message: String, id: Option<String>) {
         self.tell(&FromServer::Status { level, message, id });
     }
 
-    /// Adds a message; a client that does not take it is cut.
+    /// Adds a message; a client without room for it is cut.
     pub(super) fn send(&self, message: Message) {
         let before = self.control_bytes.fetch_add(message.len(), Ordering::Relaxed);
         if before > self.most_control_bytes || self.control.try_send(message).is_err() {
@@ -70,25 +69,23 @@ impl Outbox {
         }
     }
 
-    /// Counts that `message` of the control queue does not wait any more.
+    /// Removes `message` from the size of the control queue.
     pub(super) fn taken(&self, message: &Message) {
         self.control_bytes.fetch_sub(message.len(), Ordering::Relaxed);
     }
 
-    /// Marks that nothing more is added.
     pub(super) fn finish(&self) {
         self.is_finished.store(true, Ordering::Release);
         self.finishes.notify_one();
     }
 
-    /// Waits until nothing more is added.
+    /// Waits for [`Self::finish`].
     pub(super) async fn finished(&self) {
         while !self.is_finished.load(Ordering::Acquire) {
             self.finishes.notified().await;
         }
     }
 
-    /// Waits until the client is to be cut.
     pub(super) async fn cut(&self) {
         self.is_cut.notified().await;
     }
@@ -101,12 +98,11 @@ impl Outbox {
         self.is_data.notify_one();
     }
 
-    /// Forgets samples for a subscription that is no more.
+    /// Removes the samples of a subscription that has ended.
     pub(super) fn forget(&self, subscription: u32) {
         self.with_data(|data| data.forget(|queued| queued.subscription == subscription));
     }
 
-    /// Waits for the next sample.
     pub(super) async fn sample(&self) -> Message {
         loop {
             if let Some(queued) = self.with_data(Backlog::pop) {
@@ -116,7 +112,7 @@ impl Outbox {
         }
     }
 
-    /// Returns how many samples were dropped since the last call.
+    /// Returns the number of dropped samples since the last call.
     pub(super) fn take_dropped(&self) -> u64 {
         self.with_data(Backlog::take_dropped)
     }

@@ -1,6 +1,6 @@
-//! Requests at the stream's port that ask for no WebSocket: the metrics, or a proper refusal.
+//! Requests at the stream's port that ask for no WebSocket: the metrics, or a proper rejection.
 //!
-//! The head of every request is read here first; what asks for a WebSocket gets it back unread.
+//! The head of every request is read here first; a request for a WebSocket is passed on unread.
 
 use std::io::{self, Cursor};
 use std::net::{IpAddr, SocketAddr};
@@ -14,19 +14,17 @@ use super::state::ServerState;
 use crate::metrics::{CONTENT_TYPE, lost_messages};
 use crate::stream::byte_stream::BoxedStream;
 
-/// Longest head of a request (bytes): as long as the WebSocket library takes.
+/// Longest head of a request (bytes), as for the WebSocket library.
 const MOST_HEAD: usize = 16 << 10;
 
-/// Most header fields of a request: as many as the WebSocket library takes.
+/// Most header fields of a request, as for the WebSocket library.
 const MOST_HEADERS: usize = 124;
 
-/// The path of the metrics.
 const METRICS: &str = "/metrics";
 
 /// Reads the head of a request from `stream`.
 ///
-/// Returns the stream as if it were not read, if a WebSocket is asked for; anything else is
-/// answered here.
+/// Returns the stream as if unread, if a WebSocket is requested; anything else is answered here.
 pub(super) async fn websocket_or_answer(
     state: &ServerState,
     mut stream: BoxedStream,
@@ -64,7 +62,6 @@ async fn read_head(stream: &mut BoxedStream) -> io::Result<Vec<u8>> {
     Ok(head)
 }
 
-/// Returns the request that `head` is, if it is one.
 fn parse(head: &[u8]) -> Option<Request> {
     let mut fields = [httparse::EMPTY_HEADER; MOST_HEADERS];
     let mut parsed = httparse::Request::new(&mut fields);
@@ -81,7 +78,6 @@ fn asks_for_websocket(request: &Request) -> bool {
     upgrade.is_some_and(|it| it.as_bytes().eq_ignore_ascii_case(b"websocket"))
 }
 
-/// An answer with a text.
 struct PlainAnswer {
     status: StatusCode,
     /// Further header fields, each with its end of line.
@@ -96,7 +92,6 @@ impl PlainAnswer {
         Self { status, fields, content_type, text: format!("{text}\n") }
     }
 
-    /// Returns the head of the answer, up to its text.
     fn head(&self) -> String {
         let Self { status, fields, content_type, text } = self;
         format!(
@@ -146,8 +141,8 @@ fn metrics(state: &ServerState, request: &Request, address: SocketAddr) -> Plain
     }
 }
 
-/// Lets a client read the metrics that gives a token, or is a program of this machine; a web page
-/// must be listed, as on the stream.
+/// Returns `true` for a client with a token or a program of this machine; a web page must be
+/// listed, as on the stream.
 fn may_read(
     state: &ServerState,
     request: &Request,
@@ -160,8 +155,8 @@ fn may_read(
     admission::role(&state.settings.tokens, request).map(drop)
 }
 
-/// Returns whether the request was made to this machine by its own name or address: a page of
-/// another name that leads here is none of its programs.
+/// Returns `true` if the request was made to this machine by its own name or address. A page with
+/// another name that leads here is not one of its programs.
 fn names_this_machine(request: &Request) -> bool {
     let host = request.headers().get(header::HOST).and_then(|host| host.to_str().ok());
     let Some(host) = host else { return true };

@@ -1,24 +1,21 @@
-//! Roles: what a client may do.
-
 use serde::{Deserialize, Serialize};
 
 use crate::Request;
 use crate::stream::protocol::Service;
 
-/// What a client may do; each role may do what those before it may.
+/// Rights of a client; each role includes those before it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
-    /// Watches, and may take all forces away.
+    /// Watches, and may remove all forces.
     Viewer,
-    /// Changes how keys feel.
     Tuner,
     /// Writes files, and reads the scene.
     Owner,
 }
 
 impl Role {
-    /// Returns the least role that may ask for `request`.
+    /// Returns the least role that may send `request`.
     pub const fn for_request(request: &Request) -> Self {
         match Service::of(request) {
             Some(service) => Self::for_service(service),
@@ -27,9 +24,8 @@ impl Role {
         }
     }
 
-    /// Returns the least role that may ask for `service`.
-    ///
-    /// A stop needs the least of all: every client that sees that something goes wrong may end it.
+    /// Returns the least role that may call `service`. The least of all may stop: every client that
+    /// sees a failure may end it.
     pub const fn for_service(service: Service) -> Self {
         match service {
             Service::Stop => Self::Viewer,
@@ -44,7 +40,7 @@ impl Role {
         }
     }
 
-    /// Returns the role's name, as it stands in a file of tokens.
+    /// Returns the role's name in a file of tokens.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Viewer => "viewer",
@@ -53,10 +49,7 @@ impl Role {
         }
     }
 
-    /// Checks that the role may ask for `request`.
-    ///
-    /// # Errors
-    /// If it may not; a sentence.
+    /// Checks that the role may send `request`; the error is a sentence.
     pub fn check(self, request: &Request) -> Result<(), String> {
         let needed = Self::for_request(request);
         if self >= needed {

@@ -1,5 +1,3 @@
-//! Messages on their way to clients.
-
 use tokio_tungstenite::tungstenite::Bytes;
 
 use crate::{Topic, Update};
@@ -8,20 +6,19 @@ use crate::{Topic, Update};
 #[derive(Clone, Debug)]
 pub(super) struct StreamSample {
     pub(super) topic: Topic,
-    /// Its slot, if every client gets the last sample of that, and how many came before it.
+    /// Its slot, if every client gets the slot's last sample, and its order in the slot.
     pub(super) retained: Option<(u16, u64)>,
-    /// When it was made (ns since 1970).
+    /// Time at which it was made (ns since 1970).
     pub(super) at: u64,
     pub(super) payload: Bytes,
 }
 
 impl StreamSample {
-    /// Encodes `update`, which was made at `at` (ns since 1970).
     pub(super) fn new(topic: Topic, at: u64, update: &Update) -> Self {
         Self { topic, retained: None, at, payload: update.encode().into() }
     }
 
-    /// Returns the same sample as the last one of `slot`, which every client gets.
+    /// Returns this sample as the last one of `slot`, which every client gets.
     pub(super) const fn retained(mut self, slot: u16, order: u64) -> Self {
         self.retained = Some((slot, order));
         self

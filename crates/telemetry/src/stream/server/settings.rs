@@ -1,4 +1,4 @@
-//! How a server listens, and what it puts up with.
+//! Settings and limits of a server.
 
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -9,22 +9,20 @@ use ring::rand::SecureRandom as _;
 
 use super::Role;
 
-/// How a server listens.
 #[derive(Clone, Debug)]
 pub struct ServerSettings {
-    /// The address; port 0 takes any that is free.
+    /// The address; port 0 takes any free one.
     pub address: SocketAddr,
-    /// The name that viewers show.
+    /// Name that viewers show.
     pub name: String,
-    /// The name of the run, by which viewers know that another one has begun.
+    /// Name of the run, by which viewers recognise a new one.
     pub session: String,
     /// Web pages that may connect, as `https://app.example`; programs send no origin.
     pub origins: Vec<String>,
-    /// Tokens and what each allows; without any, every client is an owner.
+    /// Tokens with their roles; if empty, every client is an owner.
     pub tokens: Vec<Token>,
-    /// How it is encrypted, if it is.
     pub tls: Option<Tls>,
-    /// Listens even where others could read along or need no token.
+    /// Allows addresses at which others could read along or need no token.
     pub insecure: bool,
     pub limits: ServerLimits,
 }
@@ -45,10 +43,10 @@ impl Default for ServerSettings {
     }
 }
 
-/// A secret, and what it is good for.
+/// A secret, and the role that it grants.
 #[derive(Clone)]
 pub struct Token {
-    /// At least [`Self::SHORTEST`] letters, digits and `-._~`, so that it can stand in an address.
+    /// At least [`Self::SHORTEST`] letters, digits and `-._~`, so that it is valid in an address.
     pub secret: String,
     pub role: Role,
 }
@@ -57,10 +55,7 @@ impl Token {
     /// Fewest characters of a secret: 64 random bits in hexadecimal digits.
     pub const SHORTEST: usize = 16;
 
-    /// Makes a token of `role` with a secret of 256 random bits.
-    ///
-    /// # Errors
-    /// If the system gives no random numbers.
+    /// Makes a token of `role` with a secret of 256 random bits, if the system has random numbers.
     pub fn random(role: Role) -> io::Result<Self> {
         let mut bytes = [0; 32];
         let filled = ring::rand::SystemRandom::new().fill(&mut bytes);
@@ -70,29 +65,29 @@ impl Token {
         Ok(Self { secret, role })
     }
 
-    /// Returns whether the secret can stand in an address as it is.
+    /// Returns `true` if the secret is valid in an address as it is.
     pub fn is_plain(&self) -> bool {
         let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-._~".contains(&byte);
         self.secret.bytes().all(is_plain)
     }
 
-    /// Returns whether nobody can guess the secret, if it is random.
+    /// Returns `true` if the secret is long enough not to be guessed, if random.
     pub const fn is_long(&self) -> bool {
         Self::SHORTEST <= self.secret.len()
     }
 }
 
 impl std::fmt::Debug for Token {
-    /// Leaves out the secret, which must not get into a log.
+    /// Omits the secret, which must not get into a log.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Token").field("role", &self.role).finish_non_exhaustive()
     }
 }
 
-/// Where a certificate comes from.
+/// Source of a certificate.
 #[derive(Clone, Debug)]
 pub enum Tls {
-    /// From files in PEM form.
+    /// Files in PEM form.
     Files {
         /// The server's certificate, and those that vouch for it.
         chain: PathBuf,
@@ -102,39 +97,37 @@ pub enum Tls {
     SelfMade {
         /// Names and addresses of the machine.
         names: Vec<String>,
-        /// The folder in which it is kept; without, it is another one in each run.
+        /// Folder that keeps it; if `None`, each run has another one.
         folder: Option<PathBuf>,
     },
 }
 
-/// The limits of a server.
 #[derive(Clone, Copy, Debug)]
 pub struct ServerLimits {
-    /// Clients at once; the next ones are turned away.
+    /// Clients at once; further ones are rejected.
     pub clients: usize,
-    /// Of these, places that only owners take.
+    /// Places among these for owners only.
     pub owners: usize,
-    /// Clients at once that are not in yet; the next one takes the place of the oldest.
+    /// Clients at once before admission; the next one replaces the oldest.
     pub handshakes: usize,
     /// Longest message from a client (bytes).
     pub message_bytes: usize,
     /// Messages from a client (1/s); one that sends more is read more slowly.
     pub messages_per_second: u32,
-    /// Requests from a client (1/s); more are refused.
+    /// Requests from a client (1/s); more are rejected.
     pub requests_per_second: u32,
     /// Data that waits for a slow client (bytes); the oldest are dropped.
     pub data_bytes: usize,
     /// Replies and the like that wait for a slow client; one with more is cut.
     pub control_messages: usize,
-    /// The same (bytes).
+    /// Like `control_messages`, in bytes.
     pub control_bytes: usize,
-    /// Longest time to get in.
     pub handshake: Duration,
-    /// Time until a wrong token is refused.
+    /// Time until a wrong token is rejected.
     pub wrong_token: Duration,
-    /// Longest time in which a client takes nothing; then it is cut.
+    /// Longest time in which a client reads nothing; then it is cut.
     pub stall: Duration,
-    /// Longest time in which nothing is heard of a client, which is pinged three times meanwhile.
+    /// Longest time in which a client sends nothing; it is pinged three times meanwhile.
     pub idle: Duration,
 }
 
@@ -158,19 +151,18 @@ impl Default for ServerLimits {
     }
 }
 
-/// Why a server does not listen as it is told.
+/// Reason why a server rejects its settings.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum Unsafe {
-    /// Beyond this machine, without what keeps others out.
+    /// An address beyond this machine, without protection.
     #[error(
         "the stream would listen at {0} without {1}: give it both --tokens and --tls, or listen at \
          127.0.0.1"
     )]
     Open(SocketAddr, &'static str),
-    /// A token that cannot stand in an address.
+    /// A token that is not valid in an address.
     #[error("a token of the stream has other than letters, digits and -._~ in it")]
     Token,
-    /// A token that can be guessed.
     #[error(
         "a token of the stream has fewer than {shortest} characters: `openssl rand -hex 16` makes \
          one that nobody guesses",
@@ -185,10 +177,7 @@ pub enum Unsafe {
 }
 
 impl ServerSettings {
-    /// Checks that the settings are safe; a server listens with no others.
-    ///
-    /// # Errors
-    /// If they are not, and why.
+    /// Checks that the settings are safe; a server accepts no others.
     pub fn check(&self) -> Result<(), Unsafe> {
         let is_open = !self.address.ip().is_loopback() && !self.insecure;
         if let Some(lack) = self.missing_protection().filter(|_lack| is_open) {
@@ -206,7 +195,7 @@ impl ServerSettings {
         }
     }
 
-    /// Returns what is missing to keep other machines out.
+    /// Returns the protection that is missing against other machines.
     const fn missing_protection(&self) -> Option<&'static str> {
         match (self.tokens.is_empty(), self.tls.is_none()) {
             (true, true) => Some("tokens and TLS"),
@@ -217,9 +206,8 @@ impl ServerSettings {
     }
 }
 
-/// Returns whether a web page can have this origin: a scheme and a name, without a path.
-///
-/// Every sandboxed frame has the origin "null", of whatever page it is.
+/// Returns `true` if a web page can have this origin: a scheme and a name, without a path. Every
+/// sandboxed frame has the origin "null", whatever its page.
 fn is_origin(text: &str) -> bool {
     let parts = text.split_once("://");
     parts.is_some_and(|(scheme, name)| {

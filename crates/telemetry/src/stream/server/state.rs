@@ -1,5 +1,3 @@
-//! What all connections of a server share.
-
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
@@ -9,7 +7,7 @@ use tokio_tungstenite::tungstenite::Message;
 
 use super::{Backend, Publisher, ServerSettings};
 
-/// What all connections share.
+/// Shared state of all connections.
 pub(super) struct ServerState {
     pub(super) settings: ServerSettings,
     pub(super) publisher: Publisher,
@@ -17,25 +15,24 @@ pub(super) struct ServerState {
     /// The channels, encoded once for all clients.
     pub(super) advertised: Message,
     pub(super) acceptor: Option<TlsAcceptor>,
-    /// A permit for each client that is let in.
+    /// Permits for admitted clients.
     pub(super) places: Arc<Semaphore>,
-    /// A permit for each of those that are no owners.
+    /// Permits for clients that are no owners.
     pub(super) others: Arc<Semaphore>,
-    /// Number of clients that were let in so far.
+    /// Number of clients that were admitted so far.
     pub(super) count: AtomicU64,
-    /// Why the server closes, once it does.
+    /// Reason why the server closes, once it does.
     pub(super) closing: watch::Receiver<Option<String>>,
 }
 
 impl ServerState {
-    /// Waits until the server closes.
     pub(super) async fn closing(&self) {
         if self.closing.clone().wait_for(Option::is_some).await.is_err() {
             std::future::pending::<()>().await;
         }
     }
 
-    /// Returns why the server closes; nothing as long as it does not.
+    /// Returns the reason why the server closes; empty until then.
     pub(super) fn reason(&self) -> String {
         self.closing.borrow().clone().unwrap_or_default()
     }

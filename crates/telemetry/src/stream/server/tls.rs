@@ -1,4 +1,4 @@
-//! Certificates, and what is encrypted with them.
+//! Certificates, and encryption with them.
 
 use std::fs;
 use std::io;
@@ -14,14 +14,12 @@ use tokio_rustls::rustls::{self, ServerConfig, crypto, version};
 use super::Tls;
 use crate::stream::Fingerprint;
 
-/// The certificate and the key of a server.
 pub(super) struct TlsIdentity {
     pub(super) fingerprint: Fingerprint,
     pub(super) acceptor: TlsAcceptor,
 }
 
 impl std::fmt::Debug for TlsIdentity {
-    /// Leaves out the key.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("TlsIdentity")
             .field("fingerprint", &self.fingerprint)
@@ -33,7 +31,6 @@ impl std::fmt::Debug for TlsIdentity {
 type Identity = (Vec<CertificateDer<'static>>, PrivateKeyDer<'static>);
 
 impl TlsIdentity {
-    /// Reads or makes the certificate that `tls` describes.
     pub(super) fn new(tls: &Tls) -> io::Result<Self> {
         let (chain, key) = match tls {
             Tls::Files { chain, key } => read(chain, key)?,
@@ -62,7 +59,7 @@ fn config(
         .with_single_cert(chain, key)
 }
 
-/// Reads the self-made certificate in `folder`, and makes it first if it is not there.
+/// Reads the self-made certificate in `folder`, or makes it if it is missing.
 fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
     let (chain, key) = (folder.join("certificate.pem"), folder.join("key.pem"));
     if !(chain.exists() && key.exists()) {
@@ -82,7 +79,7 @@ fn kept(names: &[String], folder: &Path) -> io::Result<Identity> {
     read(&chain, &key)
 }
 
-/// Writes what only this user may read.
+/// Writes a file that only this user may read.
 fn write_secret(path: &Path, text: &str) -> io::Result<()> {
     use io::Write as _;
 

@@ -1,5 +1,3 @@
-//! The parameters whose values a client follows.
-
 use std::collections::BTreeSet;
 
 use crate::request::Change;
@@ -19,12 +17,11 @@ pub(super) enum WatchedParameters {
 }
 
 impl WatchedParameters {
-    /// Creates an empty set.
     pub(super) const fn none() -> Self {
         Self::Only(BTreeSet::new())
     }
 
-    /// Adds names; all parameters if there are none.
+    /// Adds names; all parameters if `names` is empty.
     pub(super) fn add(&mut self, names: Vec<String>) {
         match self {
             Self::All => {}
@@ -36,9 +33,9 @@ impl WatchedParameters {
         }
     }
 
-    /// Removes names; all of them if there are none.
+    /// Removes names; all of them if `names` is empty.
     ///
-    /// A client that hears of all goes on hearing of all, as one cannot be left out.
+    /// A client that follows all parameters keeps following all, as no single one can be left out.
     pub(super) fn remove(&mut self, names: &[String]) {
         if names.is_empty() {
             *self = Self::none();
@@ -50,7 +47,7 @@ impl WatchedParameters {
         }
     }
 
-    /// Returns those of `changed` that the client hears of.
+    /// Returns those of `changed` that the client follows.
     pub(super) fn of(&self, changed: &[ParameterValue]) -> Vec<ParameterValue> {
         match self {
             Self::All => changed.to_vec(),
@@ -61,7 +58,7 @@ impl WatchedParameters {
     }
 }
 
-/// Returns whether there may be a parameter of this name; others need no memory.
+/// Returns `true` if a parameter of this name may exist; others need no memory.
 fn can_change(name: &str) -> bool {
     name.len() <= LONGEST_NAME && Change::named(name, 0.0).is_some()
 }

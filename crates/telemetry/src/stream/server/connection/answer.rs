@@ -1,4 +1,4 @@
-//! What is asked of the host, and answered beside the runtime's thread.
+//! Requests to the host, answered beside the runtime's thread.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -18,34 +18,33 @@ pub(super) struct PendingAnswer {
     pub(super) request: ClientRequest,
 }
 
-/// How an answer is addressed.
+/// Address of an answer.
 #[derive(Clone, Debug)]
 pub(super) enum Receipt {
     /// The client's name of a request for parameters, if it has one.
     Parameters(Option<String>),
-    /// The numbers of the service and of the client's call.
+    /// Numbers of the service and of the client's call.
     Call(u32, u32),
 }
 
 /// A request of a client.
 #[derive(Debug)]
 pub(super) enum ClientRequest {
-    /// Values of parameters; of all without names.
+    /// Values of parameters; of all if empty.
     Get(Vec<String>),
     Set(Vec<ParameterValue>),
-    /// A call of a service, or why it is not understood.
+    /// A call of a service, or the reason why it is invalid.
     Call(Result<Request, String>),
 }
 
 impl PendingAnswer {
-    /// Returns whether it overtakes others.
+    /// Returns `true` if it overtakes others.
     pub(super) const fn is_urgent(&self) -> bool {
         matches!(self.request, ClientRequest::Call(Ok(Request::Stop {})))
     }
 }
 
 impl Receipt {
-    /// Answers that it is not done.
     pub(super) fn refuse(self, outbox: &Outbox, message: String) {
         match self {
             Self::Parameters(id) => outbox.status(Level::Error, message, id),
@@ -55,7 +54,7 @@ impl Receipt {
         }
     }
 
-    /// Answers what became of it; `values` are those that were asked for or set.
+    /// Answers with the reply; `values` are those that were requested or set.
     fn tell(self, outbox: &Outbox, values: &[ParameterSetting], reply: Option<Reply>) {
         let parameters = values.iter().map(|it| ParameterValue::new(it.name.clone(), it.value));
         match self {
@@ -73,7 +72,6 @@ impl Receipt {
     }
 }
 
-/// The answerer of one client.
 #[derive(Clone)]
 pub(super) struct Answerer(Arc<Parts>);
 
@@ -81,32 +79,29 @@ struct Parts {
     state: Arc<ServerState>,
     outbox: Arc<Outbox>,
     who: Who,
-    /// Whether the client is gone; held while a key is pressed.
+    /// `true` if the client is disconnected; locked while a key is pressed.
     is_gone: Mutex<bool>,
 }
 
 impl Answerer {
-    /// Creates an answerer of `who`, which answers through `outbox`.
     pub(super) fn new(state: Arc<ServerState>, outbox: Arc<Outbox>, who: Who) -> Self {
         Self(Arc::new(Parts { state, outbox, who, is_gone: Mutex::new(false) }))
     }
 
-    /// Tells the backend that the client is there.
     pub(super) fn arrive(&self) {
         self.0.state.backend.connected(&self.0.who);
     }
 
-    /// Tells the backend that the client is gone: what it had pressed is let go.
+    /// Reports to the backend that the client is disconnected: its pressed keys are released.
     pub(super) fn leave(&self) {
         *self.0.is_gone.lock().unwrap_or_else(PoisonError::into_inner) = true;
         self.0.state.backend.disconnected(&self.0.who);
     }
 
-    /// Answers one answer after the other.
     pub(super) async fn run(&self, mut pending: mpsc::Receiver<PendingAnswer>) {
         while let Some(PendingAnswer { receipt, request }) = pending.recv().await {
             let (parts, copy) = (Arc::clone(&self.0), receipt.clone());
-            // What was begun is finished and told to others, even if this client goes.
+            // A request that was begun is completed and published, even if this client disconnects.
             let answered = tokio::task::spawn_blocking(move || parts.answer(copy, request)).await;
             if answered.is_err() {
                 let text = "the host failed over this request: whether it was done is not known";
@@ -143,7 +138,7 @@ impl Parts {
                 None
             }
         };
-        // A client that was refused learns what is the case instead.
+        // A rejected client gets the present values instead.
         if is_named {
             receipt.tell(&self.outbox, &values, reply);
         }
@@ -164,7 +159,7 @@ impl Parts {
         if !matches!(request, Request::Press { .. } | Request::Grip { .. }) {
             return self.state.backend.ask(request, &self.who);
         }
-        // Held until it is done: a key that is pressed after its client has gone stays pressed.
+        // Locked to the end: a key pressed after its client's disconnection would stay pressed.
         let is_gone = self.is_gone.lock().unwrap_or_else(PoisonError::into_inner);
         if *is_gone {
             return Err("the key was not pressed: its client is gone".to_owned());

@@ -26,13 +26,12 @@ use super::{Publisher, Role, ServerSettings, Who};
 use crate::stream::byte_stream::BoxedStream;
 use crate::stream::protocol::{FromServer, Service, Text as _, channels};
 
-/// Longest time for the last answers of a server that closes, and for the client to hear them.
+/// Longest time for the last answers of a closing server, and for the client to read them.
 const CLOSING: Duration = Duration::from_secs(1);
 
-/// Requests of a client that wait for those before; more are refused.
+/// Requests of a client that wait for earlier ones; more are rejected.
 const WAITING: usize = 64;
 
-/// Holds the connection of `who` until either side ends it.
 pub(super) async fn run(state: &Arc<ServerState>, socket: WebSocketStream<BoxedStream>, who: Who) {
     let limits = &state.settings.limits;
     let (outbox, control) = Outbox::new(limits);
@@ -57,7 +56,7 @@ pub(super) async fn run(state: &Arc<ServerState>, socket: WebSocketStream<BoxedS
         () = outbox.cut() => ConnectionEnd::Stalled,
         () = state.closing() => ConnectionEnd::Over,
     };
-    // Nothing more is taken from the client: the answers come to their end.
+    // Nothing more is read from the client: the pending answers are completed.
     drop(reader);
     if end == ConnectionEnd::Over {
         let last_answers = async {
@@ -71,12 +70,12 @@ pub(super) async fn run(state: &Arc<ServerState>, socket: WebSocketStream<BoxedS
     drop(presence);
     write::close(&mut sink, end, &state.reason()).await;
     if end == ConnectionEnd::Over {
-        // A client that is still heard reads what was sent; one that is not might lose it.
+        // A client that is still reading gets what was sent; otherwise it might be lost.
         let _gone = timeout(CLOSING, async { while stream.next().await.is_some() {} }).await;
     }
 }
 
-/// The backend knows that a client is there as long as this is.
+/// Registration of a client with the backend, until it is dropped.
 struct Presence(Answerer);
 
 impl Presence {
@@ -92,20 +91,20 @@ impl Drop for Presence {
     }
 }
 
-/// How a connection ended.
+/// Reason for the end of a connection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum ConnectionEnd {
     Left,
-    /// The client does not take what is sent.
+    /// The client does not read.
     Stalled,
-    /// Nothing was heard of the client.
+    /// The client sent nothing.
     Silent,
-    /// A message was larger than is taken.
+    /// A message exceeded the limit.
     TooLarge,
     Over,
 }
 
-/// The hub knows that a client is there as long as this is.
+/// Registration of a client with the hub, until it is dropped.
 struct Membership {
     publisher: Publisher,
     number: u64,
@@ -124,7 +123,7 @@ impl Drop for Membership {
     }
 }
 
-/// Returns what a client of this role is told first.
+/// Returns the first message to a client of this role.
 fn information(settings: &ServerSettings, role: Role) -> FromServer {
     let capabilities = ["parameters", "parametersSubscribe", "services"];
     FromServer::ServerInfo {
@@ -142,7 +141,6 @@ pub(super) fn advertised() -> Message {
     Message::text(advertise.encode().unwrap_or_default())
 }
 
-/// Returns the services that this role may call.
 fn services(role: Role) -> FromServer {
     let may_ask = |service: &Service| Role::for_service(*service) <= role;
     let services = Service::ALL.into_iter().filter(may_ask).map(Service::advertised).collect();

@@ -1,4 +1,4 @@
-//! What a client says, and where it goes.
+//! Messages of a client, and their dispatch.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -21,10 +21,9 @@ use crate::stream::server::outbox::Outbox;
 use crate::stream::server::state::ServerState;
 use crate::stream::server::{Publisher, Who};
 
-/// Subscriptions in one message; there are fewer channels.
+/// Most subscriptions in one message; there are fewer channels.
 const MOST_SUBSCRIPTIONS: usize = 1000;
 
-/// Reads the messages of a client.
 pub(super) struct RequestReader {
     publisher: Publisher,
     outbox: Arc<Outbox>,
@@ -37,7 +36,7 @@ pub(super) struct RequestReader {
 }
 
 impl RequestReader {
-    /// Creates a reader for `who`, which hands requests on to `asked`, and a stop to `urgent`.
+    /// Creates a reader for `who`, which passes requests to `asked`, and a stop to `urgent`.
     pub(super) fn new(
         state: &ServerState,
         outbox: Arc<Outbox>,
@@ -59,7 +58,7 @@ impl RequestReader {
         }
     }
 
-    /// Reads until the client has nothing more to say, or nothing is heard of it.
+    /// Reads until the client closes the connection or falls silent.
     pub(super) async fn run(
         &mut self,
         stream: &mut SplitStream<WebSocketStream<BoxedStream>>,
@@ -72,7 +71,7 @@ impl RequestReader {
                 Err(_elapsed) => return ConnectionEnd::Silent,
             };
             let wait = self.messages.book(Instant::now());
-            // Even no time at all would be rounded up to a tick of the timer.
+            // Even a wait of zero would be rounded up to a tick of the timer.
             if !wait.is_zero() {
                 sleep(wait).await;
             }
@@ -128,11 +127,11 @@ impl RequestReader {
         self.ask(Receipt::Call(service, call), ClientRequest::Call(request));
     }
 
-    /// Hands on what is asked, unless too much is.
+    /// Passes a request on, unless there are too many.
     fn ask(&mut self, receipt: Receipt, request: ClientRequest) {
         let answer = PendingAnswer { receipt, request };
         let queue = if answer.is_urgent() { &self.urgent } else { &self.asked };
-        // A stop is done however much else the client asks for.
+        // A stop is executed however many other requests there are.
         if !answer.is_urgent() && !self.requests.take(Instant::now()) {
             let text = "too many requests come at once: this one was not done, ask more slowly";
             return answer.receipt.refuse(&self.outbox, text.to_owned());
@@ -148,7 +147,6 @@ impl RequestReader {
     }
 }
 
-/// Decodes the call of a service.
 fn request(service: u32, encoding: &str, payload: &[u8]) -> Result<Request, String> {
     let service =
         Service::numbered(service).ok_or_else(|| format!("there is no service {service} here"))?;

@@ -1,10 +1,8 @@
-//! A token bucket: how often something may be done.
-
 use std::time::Duration;
 
 use tokio::time::Instant;
 
-/// A rate (1/s), of which twice as many are let through at once after a pause.
+/// Token bucket for a rate (1/s); after a pause twice as many are allowed at once.
 #[derive(Debug)]
 pub(super) struct TokenBucket {
     per_second: f64,
@@ -13,13 +11,12 @@ pub(super) struct TokenBucket {
 }
 
 impl TokenBucket {
-    /// Creates a full bucket.
     pub(super) fn new(per_second: u32, now: Instant) -> Self {
         let per_second = f64::from(per_second.max(1));
         Self { per_second, level: 2.0 * per_second, since: now }
     }
 
-    /// Returns whether one more may be done now, and counts it then.
+    /// Returns `true` and counts one more if it is allowed now.
     pub(super) fn take(&mut self, now: Instant) -> bool {
         self.fill(now);
         let is_free = self.level >= 1.0;
@@ -27,7 +24,7 @@ impl TokenBucket {
         is_free
     }
 
-    /// Counts one more, and returns how long it has to wait.
+    /// Counts one more; returns the time that it has to wait.
     pub(super) fn book(&mut self, now: Instant) -> Duration {
         self.fill(now);
         self.level -= 1.0;

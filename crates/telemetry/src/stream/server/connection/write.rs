@@ -1,4 +1,4 @@
-//! What is sent to a client, and in which order.
+//! Messages to a client, and their order.
 
 use futures_util::SinkExt as _;
 use futures_util::stream::SplitSink;
@@ -15,16 +15,15 @@ use crate::stream::protocol::Level;
 use crate::stream::server::ServerLimits;
 use crate::stream::server::outbox::Outbox;
 
-/// The sending end of a connection.
 type FrameSink = SplitSink<WebSocketStream<BoxedStream>, Message>;
 
-/// Pings in the time after which a client counts as gone.
+/// Pings in the time after which a silent client is cut.
 const PINGS: u32 = 3;
 
-/// Shortest time between two sentences on what was dropped.
+/// Shortest time between two warnings about dropped samples.
 const BETWEEN_WARNINGS: Duration = Duration::from_secs(1);
 
-/// Sends what waits, control first, until the client takes no more or all is sent.
+/// Sends waiting messages, control first, until the client accepts no more or all are sent.
 pub(super) async fn run(
     sink: &mut FrameSink,
     mut control: mpsc::Receiver<Message>,
@@ -48,7 +47,7 @@ pub(super) async fn run(
             message = outbox.sample() => message,
             () = outbox.finished() => return ConnectionEnd::Over,
         };
-        // A client that takes nothing for so long is gone, or will not catch up.
+        // A client that does not read for so long is gone, or will not catch up.
         match timeout(limits.stall, sink.send(next)).await {
             Ok(Ok(())) => {}
             Ok(Err(_gone)) => return ConnectionEnd::Left,
@@ -57,13 +56,11 @@ pub(super) async fn run(
     }
 }
 
-/// Sends the close frame with the reason, if the client may still hear it.
-///
-/// `closing` is why the server closes, if it does.
+/// Sends the close frame with the reason, if the client may still read it; `closing` is the
+/// server's reason for closing, if it closes.
 pub(super) async fn close(sink: &mut FrameSink, end: ConnectionEnd, closing: &str) {
-    /// Longest time for sending it.
     const GRACE: Duration = Duration::from_secs(1);
-    /// Longest reason that a close frame carries (bytes).
+    /// Longest reason in a close frame (bytes).
     const LONGEST: usize = 123;
     let (code, reason) = match end {
         ConnectionEnd::Left => return,
@@ -83,7 +80,7 @@ fn interval(period: Duration) -> Interval {
     interval
 }
 
-/// Sends how many samples were dropped, if any were.
+/// Sends the number of dropped samples, if any.
 fn warn(outbox: &Outbox) {
     let dropped = outbox.take_dropped();
     if dropped > 0 {
