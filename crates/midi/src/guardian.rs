@@ -20,6 +20,7 @@ pub const SILENT_AFTER: f64 = 0.5;
 #[derive(Clone, PartialEq, Debug)]
 enum HostSign {
     Absent,
+    /// Time of its last sign (s).
     Heard(f64),
     /// The host is silent, and these notes and pedals of its were ended.
     Interrupted(HeldNotes),

@@ -90,6 +90,7 @@ pub struct Player<O: Output> {
     pedals: PedalValues,
     /// Pressure of each key that applies to the channel.
     pressed: [u8; KEYS],
+    /// Latest time of an event (s).
     now: f64,
     /// `true` if anything was sent since the last silence.
     stirred: bool,

@@ -17,6 +17,7 @@ const QUARTER_US: u32 = 500_000;
 /// Ticks per quarter note: a tick is 20 µs, so a time is off by at most 10 µs.
 const TICKS_PER_QUARTER: u16 = 25_000;
 
+/// Length of a tick (s).
 const TICK: f64 = QUARTER_US as f64 * 1e-6 / TICKS_PER_QUARTER as f64;
 
 /// Longest pause between two events (ticks), about 1.5 h; longer ones are split.
@@ -210,6 +211,7 @@ mod tests {
         Folder(path)
     }
 
+    /// Returns the times (s) of all channel events in a file.
     fn times(bytes: &[u8]) -> Vec<f64> {
         let smf = midly::Smf::parse(bytes).unwrap();
         assert_eq!(smf.header.timing, Timing::Metrical(u15::new(TICKS_PER_QUARTER)));
