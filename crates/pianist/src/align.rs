@@ -21,7 +21,6 @@ impl AlignmentScore {
     }
 }
 
-/// Decision of an alignment about a note and the last strike that it may have.
 #[derive(Clone, Copy)]
 enum AlignmentStep {
     LeaveNote,
@@ -29,7 +28,6 @@ enum AlignmentStep {
     Pair,
 }
 
-/// Choices for one note, a step for each strike within reach.
 struct NoteChoices {
     first: usize,
     steps: Vec<AlignmentStep>,

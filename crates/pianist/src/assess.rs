@@ -33,6 +33,7 @@ pub struct ExpectedNote {
 pub struct Struck {
     /// Key, 0 ..= 87.
     pub key: u8,
+    /// Time of the strike (s).
     pub at: f64,
     /// Strength as a MIDI velocity, 1 ..= 127.
     pub velocity: u8,
@@ -75,7 +76,6 @@ impl ErrorCounts {
 /// Result of a performance.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Assessment {
-    /// Notes that were wanted.
     pub played: usize,
     pub struck: usize,
     /// Notes without a strike.
@@ -108,6 +108,7 @@ pub enum DeviationKind {
     Extra,
     /// The strike is more than [`WINDOW`] after the onset.
     Late {
+        /// Lateness of the strike (s).
         by: f64,
     },
 }
@@ -136,12 +137,10 @@ pub fn assess(expected: &[ExpectedNote], struck: &[Struck]) -> Assessment {
     found.assessment()
 }
 
-/// Results of all passes so far.
 #[derive(Clone, PartialEq, Debug, Default)]
 struct NoteFindings {
     played: usize,
     struck: usize,
-    /// Notes with a strike.
     paired: usize,
     /// Distances of these strikes from their onsets, early or late (us).
     onset: ErrorCounts,
@@ -221,9 +220,8 @@ impl NoteFindings {
     }
 }
 
-/// Compares a performance with its strikes while it is played, once or repeatedly.
-///
-/// The assessor keeps the strikes of one pass, and the counts of earlier passes.
+/// Compares a performance with its strikes while it is played, once or repeatedly. Keeps the
+/// strikes of one pass, and the counts of earlier passes.
 #[derive(Clone, Debug)]
 pub struct Assessor {
     expected: Vec<ExpectedNote>,
@@ -231,7 +229,6 @@ pub struct Assessor {
     left_out: Vec<ExpectedNote>,
     /// Length of a pass (s), if there are several.
     repeat: Option<f64>,
-    /// Number of finished passes.
     passes: u64,
     /// Strikes of the present pass, in time from its beginning.
     struck: Vec<Struck>,

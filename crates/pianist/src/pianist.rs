@@ -78,10 +78,8 @@ impl Performance {
 }
 
 impl Pianist {
-    /// Prepares the performance of `score`.
-    ///
-    /// `instrument` makes a key (0 ..= 87) at rest at time 0; several threads call it. The thread
-    /// that rehearsed a stroke calls `progress` after it.
+    /// Prepares `score`. Several threads call `instrument`, which makes a key (0 ..= 87) at rest at
+    /// time 0; the thread that rehearsed a stroke calls `progress` after it.
     pub fn prepare<R: Rehearsal>(
         &self,
         score: &Score,
@@ -175,7 +173,6 @@ impl Pianist {
     }
 }
 
-/// Findings about one key.
 struct KeyFindings {
     strokes: Vec<RehearsedStroke>,
     /// Softest and loudest hammer speed (m/s).
@@ -202,7 +199,6 @@ fn wanted(stroke: &PlannedStroke) -> ExpectedNote {
     ExpectedNote { key, onset, speed, velocity: velocity.get() }
 }
 
-/// Runs `worker` on `n_workers` threads; returns all their results.
 fn run<T: Send>(n_workers: usize, worker: &(impl Fn() -> Vec<T> + Sync)) -> Vec<T> {
     thread::scope(|scope| {
         let workers: Vec<_> = (0..n_workers).map(|_| scope.spawn(worker)).collect();

@@ -46,10 +46,8 @@ pub struct PlannedStroke {
     pub lift: f64,
 }
 
-/// Plans the strokes of every key, 88 lists in order of onset.
-///
-/// Onsets are later than the score's by the technique's lead-in; no note ends after the next onset
-/// on its key.
+/// Plans the strokes of every key, 88 lists in order of onset. Onsets are later than the score's by
+/// the technique's lead-in; no note ends after the next onset on its key.
 pub fn plan(score: &Score, curve: VelocityCurve, technique: &Technique) -> Vec<Vec<PlannedStroke>> {
     let mut keys = vec![Vec::new(); KEYS];
     for note in &score.notes {

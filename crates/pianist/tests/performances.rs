@@ -66,7 +66,7 @@ fn every_piece_is_long_enough_dynamic_and_playable() {
     }
 }
 
-/// Shortest time between two onsets of one key (s).
+/// Returns the shortest time between two onsets of one key (s).
 fn shortest_repetition(score: &Score) -> f64 {
     let onsets = |key| score.notes.iter().filter(move |n| n.key == key).map(|n| n.onset);
     let gaps = (0..88).flat_map(|key| onsets(key).skip(1).zip(onsets(key)).map(|(b, a)| b - a));

@@ -12,9 +12,8 @@ use pianist::{
 /// Time from a release to the fall of the damper (s).
 const FALL: f64 = 0.04;
 
-/// A key that throws its hammer four times as fast as the finger, 10 mm after its start.
-///
-/// Shortly after a release the key still rises and throws up to 20 % faster.
+/// A key that throws its hammer four times as fast as the finger, 10 mm after its start. Shortly
+/// after a release it still rises and throws up to 20 % faster.
 #[derive(Clone, Debug, Default)]
 struct Toy {
     now: f64,
@@ -111,6 +110,7 @@ fn check_script(toy: &Toy, rehearsed: &[RehearsedStroke]) {
     }
 }
 
+/// Returns the release of a played stroke (s).
 #[track_caller]
 fn release(stroke: &RehearsedStroke) -> f64 {
     stroke.gesture.expect("it is played").release

@@ -21,6 +21,7 @@ const MASS: f64 = 0.25;
 /// Force that lifts the key (N): it rises in 50 ms, a little slower than a grand's.
 const RETURN: f64 = 2.0;
 
+/// Dip of the key (m).
 const DIP: f64 = 0.010;
 
 /// Depths of let-off (m) and of the jack's reset (m).

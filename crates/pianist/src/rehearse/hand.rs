@@ -23,7 +23,6 @@ const UP: f64 = 0.3e-3;
 /// Deepest start of a stroke (m): a key that stayed deeper has not reset its action.
 pub(super) const DEEPEST: f64 = 6.5e-3;
 
-/// Rise of a key after its release.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct KeyRise {
     /// Time when the finger begins to lift (s).
@@ -47,8 +46,8 @@ impl KeyRise {
 #[derive(Clone, Debug)]
 pub(super) struct PlannedKey<R> {
     instrument: R,
+    /// Present time of the instrument (s).
     now: f64,
-    /// Gestures that still matter.
     script: Vec<Gesture>,
 }
 

@@ -25,7 +25,6 @@ pub(super) struct Last<R> {
     pub(super) index: usize,
 }
 
-/// Result of another release of the previous stroke.
 pub(super) struct Room<R> {
     pub(super) hand: PlannedKey<R>,
     /// The previous stroke with that release.

@@ -43,10 +43,8 @@ const USUAL_RISE: f64 = 35e-3;
 
 /// A key with its action for trials, at rest at time 0 when new; a copy is a snapshot.
 pub trait Rehearsal: Clone {
-    /// Plays from the key's present time until `until` (s).
-    ///
-    /// `gestures`, in order of start, are all that matter from now on: the one that may be under
-    /// way, and later ones. The motion before a release does not depend on the time of the release.
+    /// Plays until `until` (s). `gestures`, in order of start, are all that matter from now on. The
+    /// motion before a release does not depend on the time of the release.
     fn play(&mut self, gestures: &[Gesture], until: f64) -> PlayOutcome;
 
     /// Returns the depth of the key's front (m), down positive.
@@ -64,6 +62,7 @@ pub struct PlayOutcome {
 /// A meeting of hammer and string.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Strike {
+    /// Time of the strike (s).
     pub at: f64,
     /// Hammer speed at the string (m/s).
     pub speed: f64,
@@ -77,11 +76,10 @@ pub struct RehearsedStroke {
     pub gesture: Option<Gesture>,
     /// Reason why it is not played as written, if it is not.
     pub shortfall: Option<Shortfall>,
-    /// The first strike of the gesture, if any.
     pub strike: Option<Strike>,
     /// Number of strikes; more than one is a bouncing hammer.
     pub n_strikes: usize,
-    /// Fall of the damper (s), if seen.
+    /// Time of the damper's fall (s), if seen.
     pub damper_fall: Option<f64>,
     pub n_tries: u32,
 }
@@ -110,9 +108,7 @@ pub struct Practice<'a> {
 }
 
 impl Practice<'_> {
-    /// Finds gestures for `strokes`, all of one key and in order of onset, on `instrument`.
-    ///
-    /// Calls `progress` after every stroke.
+    /// Finds gestures for `strokes`, of one key in order of onset; calls `progress` after each.
     pub fn rehearse<R: Rehearsal>(
         &self,
         instrument: R,

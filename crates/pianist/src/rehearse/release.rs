@@ -22,17 +22,15 @@ const PATIENCE: f64 = 0.25;
 /// Largest accepted distance from the wanted end (s).
 const TOLERANCE: f64 = 3e-3;
 
-/// Most simulations for one release.
 const MAX_TRIES: u32 = 7;
 
 /// Delay of a damper's fall per second of a longer lift: the lift passes the key's bottom after a
 /// third of its time, and the damper's height half-way.
 const FALL_PER_LIFT: f64 = 0.4;
 
-/// Chooses the release of the gesture in `found`, and gives the gesture to the key.
-///
-/// The damper falls as near to the wanted end as a release by `latest` (s) allows, when the next
-/// stroke needs the key.
+/// Chooses the release of the gesture in `found`, and gives the gesture to the key. The damper
+/// falls as near to the wanted end as a release by `latest` (s) allows, when the next stroke needs
+/// the key.
 pub(super) fn choose<R: Rehearsal>(
     practice: &Practice<'_>,
     hand: &mut PlannedKey<R>,
@@ -104,7 +102,6 @@ impl ReleaseWindow {
     }
 }
 
-/// A release with its outcome.
 struct Released {
     release: f64,
     outcome: PlayOutcome,

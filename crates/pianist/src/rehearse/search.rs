@@ -18,10 +18,8 @@ const ONSET_TOLERANCE: f64 = 1e-4;
 /// Cost above which the other touch is tried too: see [`Try::cost`].
 const ACCEPTABLE_COST: f64 = 1.0;
 
-/// Cost of each extra strike.
 const EXTRA_COST: f64 = 100.0;
 
-/// Cost of no strike.
 const MISS_COST: f64 = 1e6;
 
 /// Cost of a stroke that misses if a tick is lost on the way.
@@ -57,7 +55,6 @@ pub(super) fn reach(delay: f64) -> f64 {
     2.0 * delay + MARGIN
 }
 
-/// A gesture that was tried.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Try {
     pub(super) gesture: Gesture,
@@ -77,7 +74,6 @@ impl Try {
     }
 }
 
-/// Returns the best of at most [`MAX_TRIES`] gestures of `touch`.
 pub(super) fn find<R: Rehearsal>(
     practice: &Practice<'_>,
     hand: &PlannedKey<R>,
@@ -102,7 +98,6 @@ pub(super) fn find<R: Rehearsal>(
     Try { n_tries, ..best }
 }
 
-/// State of the search: the next gesture to try.
 struct StrokeSearch<'a> {
     practice: &'a Practice<'a>,
     wanted: &'a PlannedStroke,
@@ -110,12 +105,12 @@ struct StrokeSearch<'a> {
     /// Time from which the finger is free (s).
     earliest: f64,
     rise: &'a KeyRise,
+    /// Start of the gesture (s).
     start: f64,
     bracket: SpeedBracket,
 }
 
 impl<'a> StrokeSearch<'a> {
-    /// Starts from the speed and delay of the key at rest.
     fn new(
         practice: &'a Practice<'a>,
         (earliest, rise): (f64, &'a KeyRise),
@@ -130,10 +125,9 @@ impl<'a> StrokeSearch<'a> {
         search
     }
 
-    /// Sets the start so that the strike is expected at `at` (s), or as early as possible.
-    ///
-    /// A later start finds the key higher and has a longer path, so the start is between the
-    /// earliest and that from rest.
+    /// Sets the start so that the strike is expected at `at` (s), or as early as possible. A later
+    /// start finds the key higher and has a longer path, so it is between the earliest and that
+    /// from rest.
     fn aim(&mut self, at: f64) {
         let from_rest = at - self.delay_from(f64::INFINITY);
         if self.rise.depth(from_rest) == 0.0 && self.earliest <= from_rest {
@@ -149,6 +143,7 @@ impl<'a> StrokeSearch<'a> {
         self.start = early;
     }
 
+    /// Returns the gesture of the present speed that starts at `start` (s).
     fn gesture_from(&self, start: f64) -> Gesture {
         let Self { practice, touch, .. } = *self;
         let speed = self.bracket.guess.exp();
@@ -202,7 +197,6 @@ impl<'a> StrokeSearch<'a> {
     }
 }
 
-/// Returns the try of `gesture` with its `outcome`.
 fn judge(
     practice: &Practice<'_>,
     wanted: &PlannedStroke,
@@ -268,6 +262,7 @@ struct SpeedBracket {
 }
 
 impl SpeedBracket {
+    /// Starts at finger speed `command` (m/s).
     fn new(touch: Touch, command: f64) -> Self {
         let limits = (table::slowest(touch).ln(), table::FASTEST.ln());
         let guess = command.ln().clamp(limits.0, limits.1);

@@ -7,7 +7,6 @@ use super::shortfall::IsFree;
 use super::{Practice, Rehearsal, RehearsedStroke, Shortfall, release};
 use crate::stroke::PlannedStroke;
 
-/// Strokes of one key; those before the present one are rehearsed.
 pub(super) struct KeyStrokes<'a, R> {
     practice: &'a Practice<'a>,
     strokes: &'a [PlannedStroke],
@@ -81,7 +80,6 @@ impl<'a, R: Rehearsal> KeyStrokes<'a, R> {
         found
     }
 
-    /// Plays the stroke `index` as `found`.
     fn keep(&mut self, index: usize, found: Try, shortfall: Option<Shortfall>) {
         let before = self.hand.clone();
         let latest = self.latest_release(index);

@@ -39,9 +39,9 @@ const USUAL_RATIO: f64 = 5.0;
 /// Guess for an empty table: path of a finger until the strike (m).
 const USUAL_WAY: f64 = 0.01;
 
-/// Response to one finger speed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct TablePoint {
+    /// Speed that the finger commands (m/s).
     command: f64,
     /// Hammer speed at the string (m/s).
     hammer: f64,
@@ -49,10 +49,8 @@ struct TablePoint {
     delay: f64,
 }
 
-/// Responses of a key at rest to gestures of one touch.
-///
-/// Hammer speed rises strictly with finger speed. Other trials, and those without exactly one
-/// strike, are left out.
+/// Responses of a key at rest to gestures of one touch. Hammer speed rises strictly with finger
+/// speed; other trials, and those without exactly one strike, are left out.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct StrokeTable {
     points: Vec<TablePoint>,
@@ -77,6 +75,7 @@ impl StrokeTable {
     }
 }
 
+/// Tables of a key, one for each touch.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct StrokeTables {
     /// Finger resting on the key.
@@ -132,12 +131,14 @@ pub(super) fn slowest(touch: Touch) -> f64 {
     }
 }
 
+/// Returns the time from the release of a held key to the fall of its damper (s).
 fn fall<R: Rehearsal>(instrument: &R, technique: &Technique) -> Option<f64> {
     let gesture = technique.gesture(Touch::Pressed, EASY.0, 0.0, EASY.1);
     let outcome = instrument.clone().play(&[gesture], EASY.1 + LONGEST_FALL);
     outcome.damper_fall.map(|at| at - EASY.1).filter(|fall| *fall > 0.0)
 }
 
+/// Returns the time from the quick release of a held key until it can be struck (s).
 fn rise<R: Rehearsal>(instrument: &R, technique: &Technique) -> Option<f64> {
     let (speed, release) = EASY;
     let press = technique.gesture(Touch::Pressed, speed, 0.0, release);

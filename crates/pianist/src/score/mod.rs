@@ -108,9 +108,8 @@ pub enum ScoreError {
 
 /// Reads a MIDI file; never panics on any bytes.
 ///
-/// All tracks are merged; tempo changes, metrical and SMPTE times are supported.
-/// A note without an end ends with the file. A tempo of zero, and bytes after the last track, are
-/// ignored.
+/// All tracks are merged; tempo changes, metrical and SMPTE times are supported. A note without an
+/// end ends with the file. A tempo of zero, and bytes after the last track, are ignored.
 ///
 /// # Errors
 /// The bytes are not a complete MIDI file with at least one note on the 88 keys.
@@ -140,12 +139,8 @@ pub fn read(bytes: &[u8]) -> Result<Score, ScoreError> {
     Ok(score)
 }
 
-/// Returns the chunks at the start of `bytes`, without other bytes after the last track.
-///
-/// The parser accepts truncated files, but a performance must not stop in the middle.
-///
-/// # Errors
-/// A chunk has fewer bytes, or the file fewer tracks, than announced.
+/// Returns the chunks at the start of `bytes`, without other bytes after the last track. Rejects a
+/// truncated file, which the parser accepts: a performance must not stop in the middle.
 fn whole_chunks(bytes: &[u8]) -> Result<&[u8], ScoreError> {
     let declared = bytes.get(10..12).and_then(|pair| pair.try_into().ok()).map(u16::from_be_bytes);
     let declared = declared.unwrap_or(0);

@@ -19,10 +19,12 @@ pub(super) struct NoteCollector {
     open: BTreeMap<(u8, u8), VecDeque<usize>>,
     pedals: Vec<PedalMove>,
     skipped: u32,
+    /// Time of the latest event (s).
     now: f64,
 }
 
 impl NoteCollector {
+    /// Adds an event at time `at` (s).
     pub(super) fn hear(&mut self, at: f64, event: TrackEventKind<'_>) {
         self.now = at;
         if let TrackEventKind::Midi { channel, message } = event {
@@ -90,9 +92,8 @@ impl NoteCollector {
     }
 }
 
-/// Ends every note where the next on its key begins, and counts the affected notes.
-///
-/// Of notes that begin together on one key, the loudest stays and lasts as long as the longest.
+/// Ends every note where the next on its key begins, and counts the affected notes. Of notes that
+/// begin together on one key, the loudest stays and lasts as long as the longest.
 fn part(mut notes: Vec<ScoreNote>) -> (Vec<ScoreNote>, u32) {
     notes.sort_by(|a, b| a.key.cmp(&b.key).then(a.onset.total_cmp(&b.onset)));
     let mut parted: Vec<ScoreNote> = Vec::with_capacity(notes.len());

@@ -38,9 +38,7 @@ impl Map {
         at + tick.saturating_sub(from) as f64 * self.tick
     }
 
-    /// Changes the tempo if `event` at `tick` does.
-    ///
-    /// A tempo of zero is ignored: all that follows would sound at once.
+    /// Follows a tempo event; ignores a tempo of zero, after which all would sound at once.
     pub(super) fn follow(&mut self, tick: u64, event: TrackEventKind<'_>) {
         let Some(per_quarter) = self.per_quarter else { return };
         if let TrackEventKind::Meta(MetaMessage::Tempo(us)) = event
