@@ -47,6 +47,7 @@ pub type WallClock = Arc<dyn Fn() -> u64 + Send + Sync>;
 /// Callback from any thread for an arrival, with the time within which to draw a frame.
 pub type RepaintWaker = Arc<dyn Fn(Duration) + Send + Sync>;
 
+/// Returns a clock of the system's time (ns since 1970).
 pub fn wall_clock() -> WallClock {
     Arc::new(|| {
         let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);

@@ -126,6 +126,7 @@ fn tuning_with_its_steps() {
     for (y, to) in [(147.0, 220.0), (172.0, 120.0), (247.0, 260.0)] {
         canvas.drag([180.0, y], [to, y]);
     }
+    // Undo, then the list.
     canvas.drag([26.0, 90.0], [26.0, 90.0]);
     canvas.drag([131.0, 90.0], [131.0, 90.0]);
     canvas.check("tuning_steps");

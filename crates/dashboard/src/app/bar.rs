@@ -35,7 +35,6 @@ pub(super) fn bar_ui(ui: &mut Ui, app: &mut App) {
     stop_state_ui(ui, &mut app.state);
 }
 
-/// Draws the connection, the run, and the last answer.
 fn status_ui(ui: &mut Ui, app: &mut App) {
     ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Truncate);
     connection_ui(ui, &app.state);
@@ -166,7 +165,6 @@ fn run_ui(ui: &mut Ui, state: &AppState) {
     }
 }
 
-/// Draws latency and dropped messages.
 fn figures_ui(ui: &mut Ui, state: &AppState) {
     let dropped = state.store.summaries.dropped;
     if 0 < dropped {

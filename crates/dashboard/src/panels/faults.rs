@@ -13,7 +13,6 @@ use crate::{names, number, theme};
 /// Most events that are listed.
 const SHOWN: usize = 100;
 
-/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 

@@ -154,7 +154,6 @@ impl View {
         self.lowest..=(self.lowest + SPAN - 1).min(names::LAST)
     }
 
-    /// Draws the keys; returns the mouse's actions.
     fn keys_ui(&self, ui: &mut Ui) -> BTreeMap<u8, Hand> {
         let size = vec2(ui.available_width(), (ui.available_height()).clamp(60.0, 200.0));
         let (area, _) = ui.allocate_exact_size(size, Sense::hover());

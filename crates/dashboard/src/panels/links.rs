@@ -42,7 +42,6 @@ const BOARDS: [ColumnHeader; 10] = [
     ("state", "", "What the board says of itself."),
 ];
 
-/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 

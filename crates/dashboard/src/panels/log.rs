@@ -8,7 +8,6 @@ use super::nothing_ui;
 use crate::app_state::AppState;
 use crate::theme;
 
-/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 

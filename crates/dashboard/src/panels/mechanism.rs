@@ -79,7 +79,6 @@ fn follow(follower: &Follower, value: &impl Fn(&str) -> f64) -> f64 {
     follower.offset + follower.scale * value(&follower.signal)
 }
 
-/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 

@@ -106,7 +106,6 @@ impl Panels {
         self.keyboard.release(state);
     }
 
-    /// Draws the window to write a scene or a preset to a file.
     pub(crate) fn file_ui(&mut self, ctx: &eframe::egui::Context, state: &mut AppState) {
         self.tuning.file_ui(ctx, state);
     }

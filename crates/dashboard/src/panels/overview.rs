@@ -17,7 +17,6 @@ const TRAVEL: f32 = 10e-3;
 /// Bit of `KeyBlock.flags` for a key whose model is not run.
 const NOT_RUN: u8 = 8;
 
-/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 

@@ -112,7 +112,6 @@ impl View {
         });
     }
 
-    /// Draws the setting `name` with the value `now` as a row.
     fn setting_ui(&mut self, ui: &mut Ui, name: String, now: String) {
         let mut text = self.typed.get(&name).cloned().unwrap_or(now);
         let label = ui.label(&name);

@@ -15,7 +15,6 @@ use crate::{number, theme};
 /// Speeds to choose from.
 const SPEEDS: [f64; 6] = [0.01, 0.1, 0.5, 1.0, 2.0, 8.0];
 
-/// The panel saves no state.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(super) struct View;
 

@@ -34,6 +34,7 @@ pub struct Scope {
     pub has_cursors: bool,
     /// `true` if the scope has its own window.
     pub is_popped: bool,
+    /// Times of the cursors (s).
     #[serde(skip)]
     pub cursors: [f64; 2],
     /// End of the view (s); if `None`, the view follows the newest time.

@@ -121,6 +121,7 @@ impl Store {
         self.version += 1;
     }
 
+    /// Returns the period of a tick (s).
     pub fn period(&self) -> f64 {
         let hz = self.catalogue.as_ref().map_or(USUAL_HZ, |it| it.tick_hz.max(1));
         1.0 / f64::from(hz)
@@ -135,6 +136,7 @@ impl Store {
         number::floor(seconds / self.period() + 1e-6)
     }
 
+    /// Returns the time of an event (s).
     pub fn when(&self, event: &Event) -> f64 {
         let theta = if event.theta.is_finite() { event.theta } else { 0.0 };
         (event.tick as f64 + theta) * self.period()
@@ -147,6 +149,7 @@ impl Store {
         self.seconds(tick)
     }
 
+    /// Returns the time of the newest message (ns since 1970).
     pub const fn newest_at(&self) -> u64 {
         self.newest_at
     }

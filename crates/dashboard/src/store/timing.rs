@@ -6,6 +6,7 @@ use super::journal::Journal;
 
 const KEPT: usize = 60_000;
 
+/// Outcome of a tick, with the cause of a miss.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TickOutcome {
     InTime,

@@ -41,7 +41,6 @@ impl TestClock {
     }
 }
 
-/// Source behind the window.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Behind {
     Live,

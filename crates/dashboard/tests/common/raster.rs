@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use eframe::egui::epaint::{ClippedPrimitive, ImageData, ImageDelta, Mesh, Primitive, Vertex};
 use eframe::egui::{Color32, Pos2, Rect, TextureId, TexturesDelta};
 
-/// A picture, premultiplied.
 #[derive(Clone, Debug)]
 pub(crate) struct Picture {
     pub(crate) width: usize,
@@ -13,7 +12,6 @@ pub(crate) struct Picture {
     pub(crate) pixels: Vec<Color32>,
 }
 
-/// Known textures, to draw with.
 #[derive(Default)]
 pub(crate) struct Rasteriser {
     textures: BTreeMap<u64, Picture>,
@@ -120,7 +118,6 @@ fn span(low: f32, high: f32, size: usize) -> std::ops::Range<usize> {
     limit((low - 0.5).ceil())..limit((high - 0.5).ceil())
 }
 
-/// Returns the colour between the corners, times the texture's.
 fn shade(texture: &Picture, corners: [Vertex; 3], shares: [f32; 3]) -> [f32; 4] {
     let mut color = [0.0; 4];
     let (mut u, mut v) = (0.0, 0.0);
@@ -136,7 +133,6 @@ fn shade(texture: &Picture, corners: [Vertex; 3], shares: [f32; 3]) -> [f32; 4] 
     std::array::from_fn(|i| color[i] * texel[i] / 255.0)
 }
 
-/// Interpolates the texture between four of its pixels.
 fn sample(texture: &Picture, x: f32, y: f32) -> [f32; 4] {
     let (left, top) = (x.floor(), y.floor());
     let (right, down) = (x - left, y - top);
@@ -152,7 +148,6 @@ fn sample(texture: &Picture, x: f32, y: f32) -> [f32; 4] {
     std::array::from_fn(|i| (0..4).map(|k| corners[k][i] * shares[k]).sum())
 }
 
-/// Blends one premultiplied colour over another.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cast saturates")]
 fn over(above: [f32; 4], below: Color32) -> Color32 {
     let rest = 1.0 - above[3] / 255.0;

@@ -19,7 +19,6 @@ const CLOSE: u8 = 12;
 /// Accepted number of other pixels in a million.
 const FEW: usize = 200;
 
-/// A window that is drawn to pixels.
 pub(crate) struct Canvas {
     ctx: egui::Context,
     app: App,

@@ -46,7 +46,6 @@ pub(super) fn cursors_ui(ui: &Ui, scope: &mut Scope, frames: &[PlotTransform]) {
     }
 }
 
-/// Draws times, differences, and values of each key's channels at the cursors.
 pub(super) fn table_ui(
     ui: &mut Ui,
     scope: &Scope,
@@ -74,7 +73,6 @@ pub(super) fn table_ui(
 
 type CursorColumn<'a> = (u8, &'a str);
 
-/// Draws the channels, with their keys if there are several.
 fn header_ui(ui: &mut Ui, keys: &[u8], columns: &[CursorColumn<'_>]) {
     ui.weak("");
     for (key, channel) in columns {

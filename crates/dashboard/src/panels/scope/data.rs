@@ -152,6 +152,7 @@ pub(super) fn shades(store: &Store, key: u8, view: (f64, f64)) -> Vec<Shade> {
     (first..last).map(shade).filter(|shade| shade.from < shade.to).collect()
 }
 
+/// Returns the times of a key's events in the view (s).
 pub(super) fn events(store: &Store, key: u8, kind: Kind, view: (f64, f64)) -> Vec<f64> {
     // Newest last: what is before the view needs no check.
     let recent = store.events.iter().rev().take_while(|it| view.0 <= store.when(it) + 1.0);

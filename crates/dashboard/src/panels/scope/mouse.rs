@@ -47,6 +47,7 @@ pub(super) fn handle(
     }
 }
 
+/// Returns the turn of the wheel (points), if any.
 pub(super) fn wheel(ui: &Ui) -> Option<f64> {
     let turned = ui.input(|input| {
         let scrolled = input.smooth_scroll_delta();

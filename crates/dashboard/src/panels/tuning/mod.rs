@@ -179,7 +179,6 @@ impl View {
         }
     }
 
-    /// Draws the window to write a scene or a preset to a file.
     pub(super) fn file_ui(&mut self, ctx: &Context, state: &mut AppState) {
         file::file_ui(ctx, &mut self.file, state);
     }

@@ -136,7 +136,6 @@ fn reset_ui(ui: &mut Ui, row: &ParameterRow<'_>) -> Option<f64> {
     if reset.clicked() { row.usual } else { None }
 }
 
-/// Draws the lock, and a sign for a pending answer.
 fn lock_ui(ui: &mut Ui, tuner: &mut Tuner, key: u8, row: &ParameterRow<'_>) {
     let name = &row.parameter.name;
     let mut locked = tuner.is_locked(name);
