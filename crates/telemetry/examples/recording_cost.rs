@@ -15,6 +15,7 @@ use telemetry::{Catalogue, KeyBlock, Overview, Source as _, Timeline as _, Topic
 const SIGNALS: usize = 10;
 /// Ticks of a block: from 16 to 33, as the window's frames fall.
 const BLOCKS: [u64; 4] = [16, 33, 20, 27];
+/// Length of a tick (ns).
 const TICK: u64 = 1_000_000;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -24,6 +24,7 @@ pub enum Arrival {
     Anew,
 }
 
+/// State of a source's connection.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ConnectionState {
     Connecting,

@@ -38,10 +38,7 @@ impl BlackBox {
         }
     }
 
-    /// Keeps `update` from `at` (ns since 1970), and forgets what is too old.
-    ///
-    /// # Errors
-    /// The message is of an unknown key; it is not kept.
+    /// Keeps `update` from `at` (ns since 1970), and forgets old ones; rejects an unknown key.
     pub fn keep(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
         let raw = RawMessage::of(at, update)?;
         self.newest = self.newest.max(at);
@@ -59,10 +56,7 @@ impl BlackBox {
         self.bytes + self.before.bytes()
     }
 
-    /// Writes its messages of `run` as a recording to the new file `path`; returns its size (B).
-    ///
-    /// # Errors
-    /// The file exists already or cannot be written.
+    /// Writes its messages of `run` to the new file `path`; returns its size (B).
     pub fn dump(&self, path: &Path, run: &str) -> Result<u64, RecordError> {
         let labels = Labels::new(run, 1);
         let mut part = RecordingPart::create(path, &labels)?;

@@ -40,9 +40,8 @@ impl Chunk {
         Self { reader, is_at_end: false, too_large }
     }
 
-    /// Returns the next channel, or the next message whose header `wants` accepts.
-    ///
-    /// After an error there are no further records.
+    /// Returns the next channel, or the next message whose header `wants` accepts; no more after an
+    /// error.
     pub(super) fn next(
         &mut self,
         mut wants: impl FnMut(&MessageHeader) -> bool,

@@ -4,7 +4,6 @@
 use mcap::records::{Record, op};
 use mcap::{McapError, McapResult};
 
-/// A field of a record.
 #[derive(Clone, Copy)]
 enum DeclaredField {
     /// Numbers that declare no length, of this total size (B).
@@ -83,7 +82,6 @@ mod tests {
 
     use super::*;
 
-    /// Returns every record of a small file, by its opcode.
     fn records() -> Vec<(u8, Vec<u8>)> {
         let mut file = Cursor::new(Vec::new());
         let mut writer = mcap::WriteOptions::new().profile("letoff").create(&mut file).unwrap();

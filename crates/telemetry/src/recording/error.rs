@@ -92,7 +92,6 @@ pub enum ExportError {
     Read(#[from] ReadError),
 }
 
-/// Returns the text of an error, which is the system's own if that failed.
 pub(super) fn cause(error: &mcap::McapError) -> String {
     if let mcap::McapError::Io(error) = error {
         error.to_string()

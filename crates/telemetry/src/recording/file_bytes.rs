@@ -27,7 +27,6 @@ impl FileBytes {
         Ok(Self { file: Mutex::new(Box::new(file)), size, read: AtomicU64::new(0) })
     }
 
-    /// Creates the bytes of an embedded file.
     pub(super) fn of(bytes: &'static [u8]) -> Self {
         let file = Mutex::new(Box::new(Cursor::new(bytes)) as Box<dyn ReadSeek>);
         Self { file, size: bytes.len() as u64, read: AtomicU64::new(0) }

@@ -22,8 +22,7 @@ pub(super) const CHUNK: u64 = 1 << 20;
 /// Largest accepted chunk (B), compressed or not; a greater length is damage.
 pub(super) const LARGEST_CHUNK: usize = 64 << 20;
 
-/// Largest accepted compression ratio of a chunk: lz4 reaches 255 at most, and messages of keys far
-/// less.
+/// Largest accepted compression ratio of a chunk: lz4 reaches 255, and messages of keys far less.
 pub(super) const LARGEST_RATIO: u64 = 1024;
 
 /// Labels of a file: its run, part and format.
@@ -94,7 +93,6 @@ pub(super) const fn schema(topic: Topic) -> u16 {
     match channel(topic) {
         STATES.. => 11,
         BLOCKS.. => 10,
-        // One topic, one type.
         common => common,
     }
 }

@@ -25,8 +25,7 @@ const DATA_END: u64 = RECORD + 4;
 /// Cause for a piece without a chunk, or with only the beginning of one.
 const NO_CHUNK: &str = "there is no whole chunk";
 
-/// Copies of the labels that are read besides the first: a majority of three outvotes a damaged
-/// one.
+/// Copies of the labels read besides the first: a majority of three outvotes a damaged one.
 const COPIES: usize = 2;
 /// Largest metadata record (B).
 const LONGEST_METADATA: u64 = 4096;
@@ -155,7 +154,6 @@ pub(super) fn summary(file: &FileBytes) -> io::Result<Option<Index>> {
     Ok(index.positions.iter().all(is_inside).then_some(index))
 }
 
-/// Returns the metadata in `record`, which begins with its opcode and length.
 fn metadata_in(record: &[u8]) -> Option<Metadata> {
     let body = record.strip_prefix(&[op::METADATA])?.get(8..)?;
     match parse_record(op::METADATA, body) {
@@ -194,7 +192,6 @@ fn read_summary(bytes: &[u8]) -> McapResult<(Index, Vec<MetadataIndex>)> {
         let LinearReadEvent::Record { opcode, data } = event? else {
             return Err(McapError::UnexpectedEof);
         };
-        // Only these are needed; the others are not parsed.
         let needed = [op::CHANNEL, op::CHUNK_INDEX, op::METADATA_INDEX, op::STATISTICS];
         if !needed.contains(&opcode) {
             continue;

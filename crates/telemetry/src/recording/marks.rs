@@ -12,9 +12,7 @@ use crate::{Event, Topic, Update, key_name};
 const THINNED: u64 = 1_000_000_000;
 
 /// Returns moments worth finding again: faults and recoveries, boards, late ticks and strikes,
-/// these two at most once a second.
-///
-/// It reads every chunk that has events; unreadable ones are skipped.
+/// these two at most once a second. Reads every chunk that has events; skips unreadable ones.
 pub fn marks(recording: &Recording) -> Marks<'_> {
     let events = recording.read(0, u64::MAX, &BTreeSet::from([Topic::Events]));
     Marks { events, strike: None, miss: None }

@@ -110,7 +110,6 @@ pub(super) struct MissingNote {
 }
 
 impl MissingNote {
-    /// Returns the note about `piece` for the file recovered from the one that lacks it.
     pub(super) fn new(piece: &MissingPiece) -> Self {
         let wrong = piece.defect.recovered_from(&piece.path);
         Self { wrong, span: Some(piece.span), topics: piece.topics.clone() }

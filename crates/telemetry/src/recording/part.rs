@@ -29,10 +29,8 @@ const CHUNK_INDEX: (u64, u64) = (120, 10);
 /// Size of metadata in the summary (B).
 const METADATA_INDEX: u64 = 40;
 
-/// One file that is being written.
-///
-/// A chunk is built in memory and written whole, so the file of a dying host ends between two
-/// chunks or within the last.
+/// File that is being written. A chunk is built in memory and written whole, so the file of a dying
+/// host ends between two chunks or within the last.
 pub(super) struct RecordingPart {
     path: PathBuf,
     writer: Writer<NoSeek<CountingFile>>,
@@ -231,7 +229,6 @@ fn failed(path: &Path, error: &McapError) -> RecordError {
     RecordError::Write { path: path.to_owned(), cause: cause(error) }
 }
 
-/// A file that counts the written bytes.
 struct CountingFile {
     file: BufWriter<File>,
     written: Arc<AtomicU64>,

@@ -100,6 +100,7 @@ impl PartFile {
     fn run_in(&self, position: &ChunkPosition) -> Option<String> {
         let mut chunk = self.chunk(position).ok()?;
         let is_it = |header: &MessageHeader| self.topic(header) == Some(Topic::Catalogue);
+        // The chunk bounds the loop.
         loop {
             let Inside::Message(_, bytes) = chunk.next(is_it)?.ok()? else { continue };
             if let Ok(Update::Catalogue(found)) = Update::decode(Topic::Catalogue, &bytes) {

@@ -28,10 +28,9 @@ pub type PlaybackClock = Box<dyn Fn() -> f64 + Send>;
 
 /// A recording that a window shows as if it were a live host.
 ///
-/// It delivers the messages up to its position in the order of recording, and moves by the given
-/// clock. The catalogue and the voices always come, because all else needs them. A newly followed
-/// topic begins with its last seconds, and a key's rows with the last ones before these. Unreadable
-/// data is reported by a [`Log`] in its place.
+/// It delivers the messages up to its position, which follows the given clock. The catalogue and
+/// the voices always come, because all else needs them. A newly followed topic begins with its last
+/// seconds, and a key's rows with the last ones before these. A [`Log`] reports unreadable data.
 pub struct Playback {
     recording: Arc<Recording>,
     clock: PlaybackClock,
@@ -103,6 +102,7 @@ impl Playback {
         self.followed.iter().copied().chain(always).collect()
     }
 
+    /// Returns the catalogue and the voices at `at` (ns since 1970).
     fn catalogue_and_voices(&self, at: u64) -> Result<Vec<Arrival>, ReadError> {
         let began = self.span.0;
         let catalogue = self.recording.catalogue()?.map(|it| (began, Update::Catalogue(it)));
@@ -239,7 +239,6 @@ impl fmt::Debug for Playback {
     }
 }
 
-/// Messages in the order of their times.
 struct PlaybackStream {
     walk: Walk,
     /// The next message, which is not due yet.

@@ -16,10 +16,8 @@ use super::raw_message::RawMessage;
 use super::walk::Walk;
 use crate::{Catalogue, KEYS, Topic, Update, Voice};
 
-/// A recording of one or several files.
-///
-/// Opening it reads only the positions of its chunks. A file whose host died has no summary and is
-/// read through once.
+/// A recording of one or several files. Opening it reads only the positions of its chunks; a file
+/// whose host died has no summary and is read through once.
 #[derive(Debug)]
 pub struct Recording {
     parts: Vec<PartFile>,
@@ -45,9 +43,6 @@ impl fmt::Display for Tear {
 
 impl Recording {
     /// Opens the recording that begins with the file `path`, and the files that continue it.
-    ///
-    /// # Errors
-    /// The file is no recording that this version reads.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, OpenError> {
         let mut recording = Self::open_file(path.as_ref())?;
         while let Some(next) = recording.next_path(1).filter(|next| next.exists()) {
@@ -107,10 +102,8 @@ impl Recording {
     }
 
     /// Returns messages of these topics from `from` on and before `to` (ns since 1970) in the order
-    /// of writing, with the time at which each was made.
-    ///
-    /// Only chunks that may have such messages are read, one at a time. After an error the iterator
-    /// continues behind the damage.
+    /// of writing, each with its time. Only chunks that may have such messages are read, one at a
+    /// time. After an error the iterator continues behind the damage.
     pub fn read(&self, from: u64, to: u64, topics: &BTreeSet<Topic>) -> Messages<'_> {
         // Nothing is before the beginning of time.
         let last = to.checked_sub(1);
@@ -137,10 +130,8 @@ impl Recording {
         wrong.map_or(Ok(None), Err)
     }
 
-    /// Returns the voices at `at` in the order of keys, each with its time (both ns since 1970).
-    ///
-    /// # Errors
-    /// All are damaged.
+    /// Returns the voices at `at` in the order of keys, each with its time (both ns since 1970); an
+    /// error if all are damaged.
     pub fn voices_at(&self, at: u64) -> Result<Vec<(u64, Voice)>, ReadError> {
         let (mut voices, mut wrong) = (BTreeMap::new(), None);
         let mut last_part = None;
@@ -223,7 +214,6 @@ impl Recording {
         self.tear.get_or_insert(Tear { path: next, at: 0, what, advice });
     }
 
-    /// Returns the path of the file with number `after` behind the last.
     fn next_path(&self, after: u32) -> Option<PathBuf> {
         let (first, last) = (self.parts.first()?, self.parts.last()?);
         let first = first_path(&first.path, first.labels.part);
@@ -298,7 +288,6 @@ fn voices_in(
     Ok(voices)
 }
 
-/// Returns the gap of a file that has no summary or no beginning.
 fn tear(part: &PartFile) -> Option<Tear> {
     let path = shown(&part.path);
     let damaged = match part.index.without_summary.map_or(0, |scan| scan.damaged) {

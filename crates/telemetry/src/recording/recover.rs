@@ -40,11 +40,7 @@ pub enum RecoverError {
 }
 
 /// Writes the readable messages of the file `path` to the new file `to`, which is then complete.
-///
 /// The old file is not touched; an incomplete new file is removed.
-///
-/// # Errors
-/// `path` is no recording or has no messages, or `to` exists already or cannot be written.
 pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     let old = Recording::open_file(path)?;
     let part = old.parts().first().ok_or_else(|| OpenError::Empty(path.to_owned()))?;
@@ -59,7 +55,6 @@ pub fn recover(path: &Path, to: &Path) -> Result<Recovered, RecoverError> {
     saved
 }
 
-/// Returns the findings of the old file's index.
 fn before_reading(part: &PartFile) -> Recovered {
     let Some(scan) = part.index.without_summary else { return Recovered::default() };
     // Behind the end of the data there was nothing but the index.

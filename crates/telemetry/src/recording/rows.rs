@@ -24,9 +24,8 @@ pub struct Row<'a> {
     pub signals: &'a [f32],
 }
 
-/// Returns the rows of `block`; `width` returns the number of signals of a revision's voice.
-///
-/// A missing value reads as NaN or 0: blocks come from files and from networks.
+/// Returns the rows of `block`; `width` returns the number of signals of a revision's voice. A
+/// missing value reads as NaN or 0: blocks come from files and from networks.
 pub fn rows<W: FnMut(u32) -> usize>(
     block: &KeyBlock,
     mut width: W,

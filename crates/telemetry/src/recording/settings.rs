@@ -20,10 +20,8 @@ pub struct RecordingLimits {
     pub largest_file: u64,
     /// Longest time covered by one file; if `None`, only its size ends it.
     pub longest_file: Option<Duration>,
-    /// Largest total size of the recording's files (B).
-    ///
-    /// The oldest file is removed before this is exceeded, so a run of days keeps its last hours.
-    /// The open file always stays.
+    /// Largest total size of the recording's files (B). The oldest file is removed before this is
+    /// exceeded, so a run of days keeps its last hours; the open file always stays.
     pub largest_total: u64,
     /// Free space of the disk (B) below which the recording ends, complete.
     pub lowest_free: u64,

@@ -11,10 +11,7 @@ use super::settings::RecordingSettings;
 use crate::Update;
 
 /// Writes a recording, file after file, for a thread beside the tick: it allocates, compresses and
-/// waits for the disk.
-///
-/// A dropped recorder keeps its files, but only [`Recorder::finish`] reports whether the last is
-/// complete.
+/// waits for the disk. Only [`Recorder::finish`] reports whether the last file is complete.
 #[derive(Debug)]
 pub struct Recorder {
     settings: RecordingSettings,
@@ -59,10 +56,7 @@ pub struct RecordingStatus {
 }
 
 impl Recorder {
-    /// Begins a recording.
-    ///
-    /// # Errors
-    /// The file exists already or cannot be created, or the disk is almost full.
+    /// Begins a recording; fails on an existing file or an almost full disk.
     pub fn create(settings: RecordingSettings) -> Result<Self, RecordError> {
         if let Err(RecordError::LowDisk { path, free, lowest }) =
             check_room(&settings, &settings.path)
@@ -92,10 +86,7 @@ impl Recorder {
         })
     }
 
-    /// Writes `update` from `at` (ns since 1970).
-    ///
-    /// # Errors
-    /// The message cannot be written. The recording has then ended, but for
+    /// Writes `update` from `at` (ns since 1970). After an error the recording has ended, but for
     /// [`RecordError::NoSuchKey`].
     pub fn write(&mut self, at: u64, update: &Update) -> Result<(), RecordError> {
         let raw = RawMessage::of(at, update)?;
@@ -117,12 +108,10 @@ impl Recorder {
     }
 
     /// Passes waiting messages to the system, if they have waited for long enough at `now` (ns).
+    /// After an error the recording has ended.
     ///
     /// `now` is of any running clock. Call it some times a second, so that the last messages before
     /// a silence do not wait for the next one.
-    ///
-    /// # Errors
-    /// The messages cannot be written; the recording has then ended.
     pub fn attend(&mut self, now: u64) -> Result<(), RecordError> {
         let since = now.saturating_sub(*self.attended.get_or_insert(now));
         if since < self.settings.flush_ns() {
@@ -134,10 +123,7 @@ impl Recorder {
         }
     }
 
-    /// Ends the recording.
-    ///
-    /// # Errors
-    /// The last file is incomplete; [`super::recover`] can still read it.
+    /// Ends the recording. [`super::recover`] can read a last file left incomplete by an error.
     pub fn finish(mut self) -> Result<RecordingStatus, RecordError> {
         self.end()?;
         let bytes = self.complete.iter().map(|(_, bytes)| bytes).sum();
@@ -204,9 +190,8 @@ impl Recorder {
         room
     }
 
-    /// Completes the file and continues in the next, which can be understood alone.
-    ///
-    /// It does not wait for the disk, or the queue of messages to here would overflow.
+    /// Completes the file and continues in the next, which can be understood alone. Does not wait
+    /// for the disk, or the queue of messages to here would overflow.
     fn rotate(&mut self, at: u64) -> Result<(), RecordError> {
         self.write_trailer()?;
         self.again = 0;
@@ -255,7 +240,6 @@ impl Recorder {
     }
 }
 
-/// Checks that the disk has the room that must stay free.
 fn check_room(settings: &RecordingSettings, path: &std::path::Path) -> Result<(), RecordError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     match free(folder.unwrap_or_else(|| ".".as_ref())) {
@@ -274,7 +258,6 @@ fn free(folder: &std::path::Path) -> Option<u64> {
     Some(disk.f_bavail.saturating_mul(disk.f_frsize))
 }
 
-/// Returns `None`: the free space is not known on this system.
 #[cfg(not(unix))]
 const fn free(_: &std::path::Path) -> Option<u64> {
     None

@@ -7,11 +7,9 @@ use mcap::sans_io::decompressor::{DecompressResult, Decompressor};
 use mcap::{McapError, McapResult};
 use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 
-/// Input with which the decoder can always continue (B): the largest block, its header and that of
-/// its frame.
+/// Input with which the decoder can always continue (B): largest block, its and its frame's header.
 const READ: usize = 128 * 1024 + 3 + 18;
 
-/// Decoder of the frames of one chunk after another.
 #[derive(Default)]
 pub(super) struct Zstd {
     decoder: FrameDecoder,

@@ -12,10 +12,8 @@ pub(crate) enum Worth {
     Kept,
 }
 
-/// Queue bounded in bytes; a slow reader misses the oldest entries.
-///
-/// Other entries have other bounds: one `Latest` for each number, and as many `Kept` as the reader
-/// requested.
+/// Queue bounded in bytes; a slow reader misses the oldest `Passing` entries. There is one `Latest`
+/// for each number, and as many `Kept` as the reader requested.
 #[derive(Debug)]
 pub(crate) struct Backlog<T> {
     waiting: VecDeque<Waiting<T>>,

@@ -13,11 +13,13 @@ use telemetry::{
 
 /// Time of tick 0 (ns since 1970).
 pub(crate) const BEGAN: u64 = 1_700_000_000_000_000_000;
+/// Length of a tick (ns).
 pub(crate) const TICK: u64 = 1_000_000;
 pub(crate) const BLOCK: u64 = 20;
 pub(crate) const KEYS: [u32; 3] = [38, 39, 40];
 pub(crate) const SIGNALS: [(&str, &str); 3] = [("hammer", "m"), ("speed", "m/s"), ("gap", "")];
 
+/// Returns the time of `tick` (ns since 1970).
 pub(crate) const fn at(tick: u64) -> u64 {
     BEGAN + tick * TICK
 }

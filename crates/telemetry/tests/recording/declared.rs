@@ -26,6 +26,7 @@ fn zeros(length: u64) -> Vec<u8> {
 /// Returns a chunk of `length` bytes, compressed to `data`.
 fn chunk(compression: &str, length: u64, data: &[u8]) -> Vec<u8> {
     let mut body = [0_u64.to_le_bytes(), 1_u64.to_le_bytes(), length.to_le_bytes()].concat();
+    // It has no checksum.
     body.extend(0_u32.to_le_bytes());
     body.extend(u32::try_from(compression.len()).expect("a word").to_le_bytes());
     body.extend(compression.as_bytes());

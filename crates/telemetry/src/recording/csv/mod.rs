@@ -19,9 +19,9 @@ use crate::{Catalogue, Event, KEYS, KeyBlock, Model, Topic, Update, Voice};
 pub struct Selection {
     /// Keys, 0 (A0) to 87 (C8).
     pub keys: BTreeSet<u8>,
-    /// Messages from then on (ns since 1970) …
+    /// Messages from this time on (ns since 1970).
     pub from: u64,
-    /// … and before then.
+    /// Messages before this time (ns since 1970).
     pub to: u64,
 }
 
@@ -43,8 +43,8 @@ pub struct Exported {
 
 /// Writes `key-<n>.csv` for each key that has rows, and `events.csv`, into `folder`.
 ///
-/// A row is a tick in which anything changed; `t` counts from tick 0.
-/// A key whose model changes continues in `key-<n>-2.csv`, because its columns differ.
+/// A row is a tick in which anything changed; `t` counts from tick 0. A key whose model changes
+/// continues in `key-<n>-2.csv`, because its columns differ.
 ///
 /// # Errors
 /// A table exists already or cannot be written, or the recording has no catalogue.
@@ -68,7 +68,6 @@ pub fn export_csv(
     tables.finish()
 }
 
-/// A key's table with the model of its columns.
 struct KeyTable {
     table: CsvTable,
     header: Vec<String>,
@@ -175,7 +174,6 @@ impl CsvTables {
         Ok(())
     }
 
-    /// Returns the key's table with the columns of `model`.
     fn key_table(&mut self, key: u32, model: &Model) -> Result<&mut KeyTable, ExportError> {
         let header = header(model);
         let number = match self.keys.get(&key) {

@@ -4,7 +4,6 @@ use tokio_tungstenite::tungstenite::http::Uri;
 
 const PORT: u16 = 8765;
 
-/// The address of a host.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct HostAddress {
     pub(super) scheme: Scheme,
@@ -13,7 +12,6 @@ pub(super) struct HostAddress {
     pub(super) port: u16,
 }
 
-/// Encryption of a connection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Scheme {
     Ws,
@@ -39,7 +37,7 @@ impl HostAddress {
         let port = match uri.authority().and_then(|it| it.as_str().strip_prefix(host)) {
             Some("") => Some(PORT),
             Some(port) => port.strip_prefix(':').and_then(|digits| digits.parse().ok()),
-            // There is a user before it.
+            // A user name precedes the host.
             None => None,
         };
         let host = host.trim_start_matches('[').trim_end_matches(']').to_owned();

@@ -98,7 +98,6 @@ impl<'a> ClientFrame<'a> {
     }
 }
 
-/// Common part of a call and its answer.
 struct Exchange<'a> {
     service: u32,
     call: u32,
@@ -131,7 +130,6 @@ impl<'a> Exchange<'a> {
     }
 }
 
-/// Unread rest of a binary message.
 struct BinaryReader<'a> {
     opcode: u8,
     bytes: usize,

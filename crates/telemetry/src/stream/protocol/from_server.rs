@@ -60,6 +60,7 @@ pub enum FromServer {
     Other,
 }
 
+/// Severity of a status.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 #[serde(into = "u8", from = "u8")]
 pub enum Level {

@@ -23,9 +23,6 @@ impl ParameterValue {
     }
 
     /// Returns the change that setting the parameter means.
-    ///
-    /// # Errors
-    /// The name is not a parameter's, or the value is no finite number.
     pub fn change(&self) -> Result<Change, ParameterError> {
         let value = self.value.as_f64().filter(|value| value.is_finite());
         let value = value.ok_or_else(|| ParameterError::NoNumber(shortened(&self.name)))?;

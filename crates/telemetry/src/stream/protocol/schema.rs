@@ -1,7 +1,5 @@
-//! Schema of a channel: of all descriptors only those that its messages need.
-//!
-//! There are two channels for each key, and each must contain its schema: all descriptors, with
-//! their comments, would be megabytes for each new client.
+//! Schema of a channel: of all descriptors only those that its messages need. Each of the two
+//! channels of a key must contain its schema, and all descriptors would be megabytes per client.
 
 use std::collections::BTreeSet;
 
@@ -41,7 +39,6 @@ fn reduced(mut file: FileDescriptorProto, name: &str) -> FileDescriptorProto {
     file
 }
 
-/// Returns full names of the types of a message's fields.
 fn contained(message: &DescriptorProto) -> impl Iterator<Item = String> {
     let types = message.field.iter().filter_map(|field| field.type_name.clone());
     types.filter(|name| !name.is_empty())

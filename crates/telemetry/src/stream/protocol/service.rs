@@ -106,7 +106,6 @@ impl Service {
         serde_json::from_value(Value::Object(fields)).map_err(refused)
     }
 
-    /// Encodes `request` as the payload of a call.
     pub fn payload(request: &Request) -> Vec<u8> {
         let mut fields = serde_json::to_value(request).unwrap_or_default();
         if let Some(fields) = fields.as_object_mut() {
@@ -126,7 +125,6 @@ impl Service {
         }
     }
 
-    /// Returns the JSON schema of a request's fields.
     fn fields(self) -> Value {
         let key = json!({"type": "integer", "minimum": 0, "maximum": 87});
         let (properties, required) = match self {

@@ -40,9 +40,6 @@ impl Closer {
 }
 
 /// Serves clients until its [`Closer`] closes it or it is dropped, with all connections.
-///
-/// # Errors
-/// The runtime cannot use the listening socket.
 pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Result<()> {
     /// Longest time from closing to the return.
     const CLOSING: Duration = Duration::from_secs(3);
@@ -74,7 +71,6 @@ pub async fn serve(server: StreamServer, backend: Arc<dyn Backend>) -> io::Resul
     Ok(())
 }
 
-/// Receives clients until it is dropped.
 #[expect(clippy::infinite_loop, reason = "a future that is dropped ends")]
 async fn receive_all(state: &Arc<ServerState>, listener: TcpListener, tasks: &mut JoinSet<()>) {
     let mut handshakes = Handshakes::default();
@@ -91,7 +87,6 @@ struct Handshakes(VecDeque<oneshot::Sender<()>>);
 
 impl Handshakes {
     /// Adds another one, of `most` at once; the returned receiver ends when newer ones replace it.
-    ///
     /// An honest client is admitted after milliseconds: the oldest one sends nothing.
     fn begin(&mut self, most: usize) -> oneshot::Receiver<()> {
         self.0.retain(|it| !it.is_closed());
@@ -124,7 +119,6 @@ struct AdmittedClient {
     _place: ClientPlace,
 }
 
-/// A place among the clients, and among those that are no owners.
 struct ClientPlace {
     _any: OwnedSemaphorePermit,
     _other: Option<OwnedSemaphorePermit>,

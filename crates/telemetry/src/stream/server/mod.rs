@@ -55,11 +55,7 @@ pub struct StreamServer {
 }
 
 impl StreamServer {
-    /// Listens with `settings`.
-    ///
-    /// # Errors
-    /// The settings are unsafe or inconsistent, a certificate is not available, or the address is
-    /// not; in a sentence.
+    /// Listens with `settings`; an error is a sentence.
     pub fn listen(settings: ServerSettings) -> io::Result<Self> {
         settings.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
         let tls = settings.tls.as_ref().map(tls::TlsIdentity::new).transpose()?;

@@ -22,9 +22,8 @@ const MOST_HEADERS: usize = 124;
 
 const METRICS: &str = "/metrics";
 
-/// Reads the head of a request from `stream`.
-///
-/// Returns the stream as if unread, if a WebSocket is requested; anything else is answered here.
+/// Reads the head of a request from `stream`. Returns the stream as if unread, if a WebSocket is
+/// requested; anything else is answered here.
 pub(super) async fn websocket_or_answer(
     state: &ServerState,
     mut stream: BoxedStream,
@@ -51,7 +50,6 @@ pub(super) async fn websocket_or_answer(
     None
 }
 
-/// Reads until the empty line behind the header fields.
 async fn read_head(stream: &mut BoxedStream) -> io::Result<Vec<u8>> {
     let mut head = Vec::new();
     while !head.windows(4).any(|it| it == b"\r\n\r\n") && head.len() < MOST_HEAD {

@@ -14,6 +14,7 @@ pub(super) struct StreamSample {
 }
 
 impl StreamSample {
+    /// Encodes `update` from `at` (ns since 1970).
     pub(super) fn new(topic: Topic, at: u64, update: &Update) -> Self {
         Self { topic, retained: None, at, payload: update.encode().into() }
     }

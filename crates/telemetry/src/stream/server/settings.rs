@@ -9,6 +9,7 @@ use ring::rand::SecureRandom as _;
 
 use super::Role;
 
+/// Settings of a server.
 #[derive(Clone, Debug)]
 pub struct ServerSettings {
     /// The address; port 0 takes any free one.
@@ -102,6 +103,7 @@ pub enum Tls {
     },
 }
 
+/// Limits of a server.
 #[derive(Clone, Copy, Debug)]
 pub struct ServerLimits {
     /// Clients at once; further ones are rejected.
@@ -120,7 +122,7 @@ pub struct ServerLimits {
     pub data_bytes: usize,
     /// Replies and the like that wait for a slow client; one with more is cut.
     pub control_messages: usize,
-    /// Like `control_messages`, in bytes.
+    /// Total size of these (bytes).
     pub control_bytes: usize,
     pub handshake: Duration,
     /// Time until a wrong token is rejected.

@@ -33,9 +33,8 @@ impl WatchedParameters {
         }
     }
 
-    /// Removes names; all of them if `names` is empty.
-    ///
-    /// A client that follows all parameters keeps following all, as no single one can be left out.
+    /// Removes names; all if `names` is empty. A client that follows all parameters keeps following
+    /// all, as no single one can be left out.
     pub(super) fn remove(&mut self, names: &[String]) {
         if names.is_empty() {
             *self = Self::none();
