@@ -35,9 +35,9 @@ pub(crate) fn text(
         format!(
             "{}: {} ticks in {time} time, {} skipped, {} strikes, {} notes; seed {}, digest {:016x}",
             choice.scene.name,
-            run.ticks,
-            run.skipped,
-            run.strikes,
+            run.extent.ticks,
+            run.extent.skipped,
+            run.totals.strikes,
             played.sounds.notes,
             choice.seed,
             digest.0
