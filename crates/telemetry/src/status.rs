@@ -37,7 +37,6 @@ impl HostState {
 /// Status of a host, as `letoff status --json` prints it.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct HostStatus {
-    /// Process id.
     pub process: u32,
     pub scene: String,
     pub state: HostState,

@@ -74,11 +74,9 @@ pub enum TelemetryMessage {
     /// A voice that may be put in from now on, and the probe that reads its model.
     Voice(Box<Voice>, Option<Box<dyn ModelProbe>>),
     Update(Box<Update>),
-    /// The current catalogue.
     Catalogue(Box<Catalogue>),
     /// Watch over the links and boards.
     Links(Box<LinksWatch>),
-    /// A further sink.
     Sink(Box<dyn MessageSink>),
 }
 

@@ -48,7 +48,7 @@ struct ReleaseWatch {
     was_armed: bool,
     /// Time at which the board lost that right, while its motors still push.
     fading: Option<Nanos>,
-    /// Longest fade.
+    /// Longest time from the loss of that right until the motors rest.
     quiet_after: Option<Nanos>,
     /// Largest force without that right (N).
     force_while_safe: f64,
