@@ -23,6 +23,7 @@ pub(super) struct RunAttendant<'a> {
     pub(super) log: &'a StderrLog,
     pub(super) counters: Arc<LiveCounters>,
     pub(super) line: StatusLine,
+    /// Lines for the log, after the first tick.
     pub(super) news: Vec<String>,
     pub(super) stop: Arc<AtomicBool>,
     pub(super) file: Option<SceneFile>,

@@ -43,7 +43,7 @@ fn beside_a_host(links: &[String], look: impl FnOnce(&RunHandle, &Receiver<Updat
     run_while(session, || look(&handle, &told));
 }
 
-/// Returns the next message about links with `is_it`.
+/// Returns the next message about links for which `is_it` holds.
 fn links(told: &Receiver<Update>, is_it: impl Fn(&Links) -> bool) -> Links {
     loop {
         if let Update::Links(it) = told.recv_timeout(PATIENCE).expect("links in time")

@@ -40,7 +40,7 @@ const LONGEST: usize = 44;
 const TITLE: f64 = 15.0;
 const TEXT: f64 = 12.0;
 const SMALL: f64 = 11.0;
-/// Width of a letter of the labels above the panels, and their least distance (pixels).
+/// Height of a letter of the labels above the panels, and their least distance (pixels).
 const LETTER: f64 = 5.8;
 const APART: f64 = 14.0;
 /// Approximate distances of an axis's numbers, across and up (pixels).
@@ -72,6 +72,7 @@ pub struct PicturePanel {
     pub y: Vec<PictureAxis>,
     pub areas: Vec<PictureArea>,
     pub curves: Vec<PictureCurve>,
+    /// Labelled values of the left axis.
     pub levels: Vec<(f64, String)>,
 }
 
@@ -198,6 +199,7 @@ struct DrawnPanel<'a> {
     corners: [Pixel; 2],
     x: Axis,
     y: Vec<Axis>,
+    /// `true` if its x axis has numbers and a title.
     has_feet: bool,
     has_strip: bool,
 }

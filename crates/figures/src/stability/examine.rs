@@ -32,6 +32,7 @@ pub struct RangeStability {
 pub struct UnstableKey {
     pub key: KeyIndex,
     pub model: &'static str,
+    /// Symptom of the key.
     pub does: &'static str,
     pub finger: &'static str,
     pub tick_hz: u32,

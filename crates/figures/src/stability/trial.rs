@@ -140,6 +140,7 @@ struct TrialLog {
     /// Strikes since the start of the latest stroke.
     strikes: usize,
     stroke: usize,
+    /// Motion in both halves of the trial's end.
     end: [Swing; 2],
     position: f64,
 }

@@ -13,6 +13,7 @@ const LONGEST: usize = 16;
 pub struct AdaptiveWindow {
     /// Displacement of one count (m).
     quantum: f64,
+    /// Samples, the newest first.
     past: [TimedPosition; LONGEST],
     len: usize,
 }

@@ -54,7 +54,7 @@ pub struct EstimatorSettings {
 }
 
 impl EstimatorSettings {
-    /// Highest frequency of a finger's motion (Hz).
+    /// Cutoff above the frequencies of a finger's motion (Hz).
     pub const KEY_CUTOFF: f64 = 100.0;
 
     /// Jerk of a key that is struck (m/s³): 100 m/s² within 5 ms (estimate).

@@ -1,6 +1,7 @@
 /// Largest acceleration of a key's front (m/s²): that of a hard blow on a key of 50 g.
 const ACCELERATION: f64 = 300.0;
 
+/// Maximum delay of a force (ticks).
 const MOST_LATE: usize = 8;
 
 /// Fraction of the estimated sampling energy kept per tick. It is low enough that a force-limited
@@ -43,6 +44,7 @@ pub struct PassivityController {
     last: Option<(u64, f64)>,
     /// Forces of the newest ticks (N), the newest first.
     forces: [f64; MOST_LATE + 1],
+    /// Delay of a force (ticks).
     late: usize,
     /// Motion in the previous tick (m).
     moved: f64,

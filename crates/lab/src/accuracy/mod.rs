@@ -47,6 +47,7 @@ pub struct MeasuredScenario {
     pub entry: ScenarioEntry,
     /// End of the scenario (s).
     pub until: f64,
+    /// The runs by method, the longest step first.
     pub rows: Vec<StudyRow>,
 }
 

@@ -24,6 +24,7 @@ pub struct StudyRow {
 pub struct EvaluationCounts {
     pub derivatives_per_ms: f64,
     pub jacobians_per_ms: f64,
+    /// Evaluations of single guards per simulated ms.
     pub guards_per_ms: f64,
     pub readouts_per_ms: f64,
     pub worst_derivatives: u32,

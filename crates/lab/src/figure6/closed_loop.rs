@@ -63,6 +63,7 @@ pub struct RigRow {
 #[derive(Clone, PartialEq, Debug)]
 pub struct ClosedLoop {
     pub pace: Pace,
+    /// The paper's step, which was in the loop.
     pub paper: ModelRun,
     /// Same samples, held, with located events.
     pub located: ModelRun,

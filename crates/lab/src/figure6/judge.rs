@@ -27,6 +27,7 @@ pub enum StepKind {
 }
 
 impl StepKind {
+    /// All, from the worst to the best.
     pub const ALL: [Self; 5] =
         [Self::Paper, Self::Held, Self::Linear, Self::Quadratic, Self::Exact];
 

@@ -12,6 +12,7 @@ use crate::scenario::{BadFile, Scenario as _, figure_6};
 pub struct Figure6 {
     /// Model time is slower than the hand's, as in the paper.
     pub slow_motion: ClosedLoop,
+    /// Model time equals the hand's.
     pub real_time: ClosedLoop,
     /// Angle of the hammer at the string (rad).
     pub string: f64,

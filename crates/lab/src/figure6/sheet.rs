@@ -97,6 +97,7 @@ fn events() -> Table {
 fn event_rows(name: &str, it: &ClosedLoop) -> Vec<Vec<TableCell>> {
     let row = |event: &EventTimes<'_>| {
         let words = [name, event.guard, event.from, event.to].map(TableCell::words);
+        // The clock of the steps has a resolution of 1 ms.
         let paper = (1e3 * event.paper).round() / 1e3;
         let times = [Some(paper), event.located, event.exact].map(TableCell::maybe);
         words.into_iter().chain(times).collect()

@@ -90,7 +90,9 @@ pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMi
 
 struct StrokeScan {
     file: String,
+    /// Columns of time, travel and force.
     places: [Option<usize>; 3],
+    /// Line, time, travel and force of each row; a static curve has no times.
     rows: Vec<(u64, [f64; 3])>,
     mistakes: Vec<DataMistake>,
 }

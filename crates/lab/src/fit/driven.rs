@@ -78,6 +78,7 @@ impl DrivenStroke {
         let mut key = model.visit(Opener { values });
         let mut t = 0.0;
         let found = self.times.iter().map(|end| {
+            // Equal ticks to the row, none longer than TICK.
             let ticks = ((end - t) / TICK).ceil();
             let h = (end - t) / ticks.max(1.0);
             while end - t > 0.5 * h {

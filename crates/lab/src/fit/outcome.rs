@@ -62,6 +62,7 @@ pub struct FittedStroke {
 pub struct FitOutcome {
     pub instrument: String,
     pub parameters: Vec<FittedParameter>,
+    /// Correlation of each determined parameter with each, in their order.
     pub correlations: Vec<Vec<f64>>,
     /// Warnings and notes, a sentence each.
     pub remarks: Vec<String>,
@@ -106,12 +107,15 @@ struct Fitting<'a> {
     start: Vec<f64>,
     values: Vec<f64>,
     now: Differences,
+    /// Indices of the parameters that the data may determine.
     fitted: Vec<usize>,
+    /// Sentences on the parameters that the data do not determine.
     left: Vec<String>,
 }
 
 struct Known {
     certainty: FitCertainty,
+    /// Relative difference of two derivatives of each fitted parameter.
     errors: Vec<f64>,
 }
 

@@ -58,6 +58,7 @@ impl ForceHold {
 #[derive(Clone, Copy)]
 pub struct ShakenVoice<'a> {
     pub maker: VoiceMaker<'a>,
+    /// Order of the voices, with its own period and delay.
     pub order: VoiceOrder<'a>,
     /// Travel of the key's front (m).
     pub depth: f64,

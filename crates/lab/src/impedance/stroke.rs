@@ -13,7 +13,7 @@ use nalgebra_of_lm::Complex;
 use crate::impedance::curve::{ImpedanceCurve, ImpedancePoint};
 use crate::impedance::sampled::ForceHold;
 
-/// Cycles of the lowest frequency in a segment: its window separates so many.
+/// Cycles of the lowest frequency in a segment: the resolution of its window.
 const CYCLES: f64 = 4.0;
 /// Minimum segments: with one all would be coherent.
 const SEGMENTS: usize = 4;

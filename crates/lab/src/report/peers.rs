@@ -26,6 +26,7 @@ pub struct Peer {
     pub event_error_s: Option<f64>,
     /// Largest error of the state away from events, each entry over its largest magnitude.
     pub state_error: Option<f64>,
+    /// Evaluations of the right-hand side in the whole run.
     pub rhs: Option<f64>,
     pub ns_per_ms_min: Option<f64>,
     pub ns_per_ms_median: Option<f64>,

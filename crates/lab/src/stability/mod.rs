@@ -1,4 +1,4 @@
-//! Where a closed loop is stable: a wall or an instrument, on a key that is knocked and left alone.
+//! Stability of a closed loop: a wall or an instrument, on a key that is knocked and left alone.
 //!
 //! ```text
 //! quantity.rs  variables of a loop               axis.rs     variables of a map

@@ -44,7 +44,7 @@ pub struct MapSummary {
     pub estimator: &'static str,
     pub cells: VerdictCounts,
     pub boundary: Vec<BoundaryRow>,
-    /// Distance of the measured boundary from each theory's.
+    /// Ratio of the measured boundary to each theory's.
     pub ratios: BTreeMap<&'static str, BoundaryRatio>,
 }
 

@@ -31,6 +31,7 @@ struct PixelColumn {
     low: TrackPoint,
     high: TrackPoint,
     last: TrackPoint,
+    /// `true` if `low` came before `high`.
     rises: bool,
     /// `true` if the curve starts here after a gap.
     is_start: bool,

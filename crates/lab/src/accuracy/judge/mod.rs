@@ -59,7 +59,7 @@ pub(super) fn judge<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M
 fn sequence<M: Model>(reference: &Reference<M>, observed: &ObservedRun<M>) -> SequenceVerdict {
     if let Some(difference) = difference(reference, &observed.events) {
         return match &observed.trouble {
-            // What happens after a cap or a fault is its consequence.
+            // Later events are consequences of a cap or a fault.
             Some((t, why)) => SequenceVerdict::Failed(format!("{why} at {t:.4} s")),
             None => SequenceVerdict::Wrong(difference),
         };
