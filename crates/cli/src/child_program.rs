@@ -9,8 +9,7 @@ use rustix::process::{Pid, Signal, kill_process};
 use super::Failure;
 use super::signals::Signals;
 
-/// Returns the path of our program `name`, which `package` builds: beside this program, or on the
-/// path.
+/// Returns the path of our program `name` (of `package`): beside this program, or on the path.
 pub(super) fn program_beside(name: &str, package: &str) -> Result<PathBuf, Failure> {
     let name = format!("{name}{}", std::env::consts::EXE_SUFFIX);
     let beside = std::env::current_exe().ok().map(|own| own.with_file_name(&name));

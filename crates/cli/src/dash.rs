@@ -160,8 +160,7 @@ fn wants_one(why: &str, out: &mut dyn Write) -> Result<bool, Failure> {
     Ok(matches!(line.trim(), "" | "y" | "Y" | "yes"))
 }
 
-/// Starts a host on the simulated keybed, which only the window plays, and waits for its stream;
-/// `None` after a signal.
+/// Starts a host on the simulated keybed, and waits for its stream; `None` after a signal.
 async fn start(signals: &mut Signals) -> Result<Option<(ChildProgram, DashTarget)>, Failure> {
     let failed = |error| Failure::Running(format!("the host cannot be started: {error}"));
     let own = std::env::current_exe().map_err(failed)?;

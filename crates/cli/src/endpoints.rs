@@ -55,8 +55,7 @@ impl Endpoints {
         requests.map(watch_descriptions).transpose().map_err(system)
     }
 
-    /// Lowers the fidelity of resting keys while a tick has more work than time, until the result
-    /// is dropped.
+    /// Lowers the fidelity of resting keys while ticks are overloaded, until the result is dropped.
     pub(super) fn watch_load(&self) -> Result<Option<RepeatedLook>, Failure> {
         let requests = self.requests.as_ref().map(Arc::clone);
         requests.map(follow_load).transpose().map_err(system)
@@ -94,8 +93,7 @@ impl Endpoints {
         [Some(plays), streams].into_iter().flatten().collect()
     }
 
-    /// Waits until all clients have their answer, sends `why` to those of the stream, and closes
-    /// it.
+    /// Waits until all clients have their answer, and closes the stream with the reason `why`.
     pub(super) async fn leave(self, why: &str) {
         /// Upper bound of the time to close a stream.
         const GRACE: Duration = Duration::from_secs(4);

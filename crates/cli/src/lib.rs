@@ -143,8 +143,7 @@ impl Failure {
     }
 }
 
-/// Converts errors of the output, which commands write with `?`; other errors of the system are
-/// named where they occur.
+/// Converts errors of the output, for `?`; other system errors are named where they occur.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {

@@ -79,8 +79,7 @@ const WAITING: usize = 256;
 
 /// Writes lines until it is dropped.
 ///
-/// A pipe without a reader blocks the writing thread: that is this one, never the one that waits
-/// for signals.
+/// A pipe without a reader blocks this thread, never the one that waits for signals.
 #[derive(Debug)]
 pub(super) struct StderrLog {
     lines: Option<SyncSender<(Level, String)>>,

@@ -1,5 +1,4 @@
-//! The scene's file, read at the start and at SIGHUP, and the copy of its last accepted version for
-//! a restart after a crash.
+//! The scene's file, read at the start and at SIGHUP, and its last accepted copy.
 
 use std::fs;
 use std::io::{self, IsTerminal as _};
@@ -30,8 +29,7 @@ pub(super) struct SceneFile {
 }
 
 impl SceneFile {
-    /// Returns the file of the scene that was typed with `overrides`, with its last text in `last`;
-    /// `None` for a built-in scene.
+    /// Returns the file of the scene `typed`; `None` for a built-in scene.
     pub(super) fn of(typed: &str, overrides: Vec<Override>, last: Option<PathBuf>) -> Option<Self> {
         let exists = Path::new(typed).is_file() || last.as_deref().is_some_and(Path::is_file);
         let is_file = exists && !scene::scenes().any(|it| it == typed);
@@ -59,8 +57,7 @@ impl SceneFile {
         self.scene(text)
     }
 
-    /// Stores `text`, which was accepted, for a restart after a crash, which then depends on no
-    /// file that is being edited.
+    /// Stores the accepted `text`, so that a restart after a crash needs no file under editing.
     pub(super) fn keep(&self, text: &str) {
         let Some(last) = &self.last else { return };
         let part = last.with_extension("part");
@@ -104,8 +101,7 @@ impl SceneFile {
     }
 }
 
-/// Returns the meaning of a hang-up to a run: reload for a scene with a `file`, but the end if a
-/// terminal closes.
+/// Returns the meaning of a hang-up: reload for a scene with a `file`, end for a closed terminal.
 pub(super) fn meaning(file: Option<&SceneFile>) -> HangUp {
     let has_terminal = io::stdin().is_terminal() || io::stderr().is_terminal();
     match file {

@@ -337,15 +337,13 @@ const fn has_boards(scene: &Scene) -> bool {
     matches!(scene.links, LinksConfig::Boards(_))
 }
 
-/// Returns the log of a run: in virtual time it writes only if there are boards, the only source of
-/// news there.
+/// Returns the log of a run: in virtual time only boards have news, so it writes only with boards.
 fn log_with_boards(log: StderrLog, scene: &Scene, args: &RunArgs) -> Result<StderrLog, Failure> {
     let is_wanted = args.virtual_time && has_boards(scene) && !args.quiet;
     if is_wanted { StderrLog::start().map_err(system) } else { Ok(log) }
 }
 
-/// Logs the events of the run; in real time also keeps the last seconds for a voice's failure, and
-/// notes the state of the run.
+/// Logs the events of the run; in real time also notes its state, and keeps the last seconds.
 fn observe(session: &RunSession, scene: &Scene, args: &RunArgs, log: &StderrLog) {
     if !args.virtual_time || has_boards(scene) {
         let lines = log.lines();
@@ -406,8 +404,7 @@ fn keep_black_box(session: &RunSession, wanted: Option<&Path>) {
     }
 }
 
-/// Returns the user's own folder for state files, or one among temporary files; `None` if another
-/// user has made that one.
+/// Returns a folder for state files, also a temporary one; `None` if another user made that one.
 fn state_folder() -> Option<PathBuf> {
     streaming::own_state_folder().or_else(|| temporary_folder().ok())
 }

@@ -14,8 +14,7 @@ pub(super) fn refuse_unstable(scene: &Scene) -> Result<(), Failure> {
     if unstable.is_empty() { Ok(()) } else { Err(Failure::Usage(unstable.join("\nletoff: "))) }
 }
 
-/// Tries the keys of the valid scene in `file`; returns the results of each range with its margin,
-/// or the mistakes.
+/// Tries the keys of the valid scene in `file`; returns each range with its margin, or mistakes.
 pub(super) fn check_stability(file: &Path) -> Result<Vec<RangeStability>, Diagnostics> {
     let scene = Scene::load(&Library::default(), &file.to_string_lossy(), &[])?;
     let wrong = |message: String, help: String| Diagnostic {

@@ -57,8 +57,7 @@ pub(super) struct WantedStream {
 }
 
 impl StreamArgs {
-    /// Returns the requested stream, if any; `folder` keeps our own certificate, which otherwise
-    /// differs in each run.
+    /// Returns the requested stream, if any; `folder` keeps our own certificate between runs.
     pub(super) fn wanted(
         &self,
         name: &str,

@@ -146,8 +146,7 @@ fn a_changed_bit_is_found_where_it_is() {
     assert!(first.text.contains("sent force"), "{first}");
 }
 
-/// A key whose first turn needs a thousand steps, in real time: the cut depends on the speed of
-/// this machine.
+/// A key whose first turn needs a thousand steps: this machine's speed decides the cut.
 #[test]
 fn a_turn_that_was_cut_off_is_cut_off_at_the_same_place_again() {
     let file = folder("cut-off").join("a.mcap");

@@ -19,8 +19,7 @@ pub(crate) struct Host<'a> {
 }
 
 impl<'a> Host<'a> {
-    /// Starts an idle host on simulated keys, with more `arguments` and an `environment`, and waits
-    /// until it answers.
+    /// Starts an idle host on simulated keys, and waits until it answers.
     pub(crate) fn start(
         folder: &'a Folder,
         arguments: &[&str],

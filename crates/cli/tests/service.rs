@@ -1,5 +1,4 @@
-//! The host as a service: status, notifications of a service manager, reloads of its scene, and
-//! metrics; with real processes.
+//! The host as a service: status, notifications, reloads and metrics; with real processes.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read as _, Write as _};

@@ -18,8 +18,7 @@ const PATIENCE: Duration = Duration::from_mins(1);
 pub(crate) struct Stranger(WebSocket<TcpStream>);
 
 impl Stranger {
-    /// Connects to `url`, as `ws://127.0.0.1:8765`, with more headers; or returns the status of the
-    /// rejection.
+    /// Connects to `url`, as `ws://127.0.0.1:8765`, or returns the status of the rejection.
     pub(crate) fn knock(url: &str, headers: &[(&str, &str)]) -> Result<Self, u16> {
         let address = url.strip_prefix("ws://").expect("an address");
         let stream = TcpStream::connect(address).expect("a connection");
@@ -71,8 +70,7 @@ impl Stranger {
         });
     }
 
-    /// Returns the result of `request`, even if its service is not advertised; `None` if there is
-    /// no service for it.
+    /// Returns the result of `request`, even if not advertised; `None` without a service for it.
     pub(crate) fn ask(&mut self, request: &Request) -> Option<Result<(), String>> {
         if let Request::Set { changes } = request {
             let parameters = changes.iter().map(|it| ParameterValue::new(it.name(), it.value));

@@ -18,8 +18,7 @@ use crate::stranger::Stranger;
 /// Maximum wait, for any machine: it only ends failed tests.
 const PATIENCE: Duration = Duration::from_mins(1);
 
-/// Runs an idle host on simulated keys, with `clients` of its stream, who get its address and the
-/// control socket's handler.
+/// Runs an idle host, with `clients` who get the stream's address and the request handler.
 fn beside_a_host(clients: impl FnOnce(&str, &RequestHandler)) {
     let silent = [("pianist.performance".to_owned(), "none".to_owned())];
     let scene =

@@ -92,8 +92,7 @@ impl Drop for Folder {
     }
 }
 
-/// Creates a cable at `path`, which accepts all bytes: also open for writing, since the death of a
-/// writer must not end it.
+/// Creates a cable at `path`: also open for writing, since a writer's death must not end it.
 pub(crate) fn cable(path: &Path) -> File {
     mknodat(CWD, path, FileType::Fifo, Mode::RUSR | Mode::WUSR, 0).expect("a FIFO");
     File::options().read(true).write(true).open(path).expect("both ends")

@@ -1,5 +1,4 @@
-//! Weights that move a key, and that make it sound at a velocity, found on a simulated key in its
-//! loop.
+//! Weights that move a key, or make it sound at a velocity, found on a key in its loop.
 
 use std::fmt;
 
@@ -50,8 +49,7 @@ pub enum WeightError {
     Rehearsal(#[from] RehearsalError),
 }
 
-/// Returns the smallest weight (N) that makes `key` of `scene`, at rest, sound at `velocity` or
-/// more.
+/// Returns the smallest weight (N) that makes the resting `key` sound at `velocity` or more.
 ///
 /// # Errors
 /// If the key has no voice, or the largest weight is too small.
@@ -94,8 +92,7 @@ impl fmt::Display for TouchWeights {
     }
 }
 
-/// Returns the weights that move `key` of `scene`; `None` if 10 N do not move it, or if it is not
-/// lifted again.
+/// Returns the weights that move `key`; `None` if 10 N do not, or if it is not lifted again.
 ///
 /// The weight grows by 0.1 N/s until the key passes 4.5 mm of a grand's 10.16 mm, and shrinks from
 /// there until it returns to 2 mm: before the damper and the let-off, as technicians measure.
@@ -109,8 +106,7 @@ pub fn touch_weights(scene: &Scene, key: KeyIndex) -> Result<Option<TouchWeights
     Ok(down.zip(up).map(|(down, up)| TouchWeights { down, up }))
 }
 
-/// Changes the weight on a key slowly between two weights (N); returns the weight at which
-/// `is_there` holds.
+/// Changes the weight on a key slowly (N); returns the weight at which `is_there` holds.
 fn weighed(
     key: &mut RehearsedKey,
     (from, to): (f64, f64),

@@ -27,8 +27,7 @@ impl Swing {
         2.0 * self.up.min(self.down)
     }
 
-    /// Returns `true` if a key starts to shake, with the oscillations `now` and `before` as
-    /// fractions of its dip.
+    /// Returns `true` if a key starts to shake; oscillations are fractions of its dip.
     pub fn grows(before: f64, now: f64) -> bool {
         let (least, times) = Self::GROWING;
         least.max(times * before) < now

@@ -1,5 +1,4 @@
-//! Tools for some tests: emulators, a tracer, and a target. Tests without them are skipped, and
-//! report it.
+//! Optional tools of tests: emulators, a tracer, a target. Tests without them report a skip.
 
 use std::process::Command;
 

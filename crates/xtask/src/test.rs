@@ -113,8 +113,7 @@ fn stages(program: &Path, no_bare_target: Option<&'static str>) -> Vec<Stage> {
             skipped: no_bare_target,
             ..stage("the same on bare metal", &no_std(&["--target", BARE_TARGET]))
         },
-        // Show every failing test, not only the first crate's. Outside `cargo bench` each bench
-        // runs once.
+        // Show all crates' failures. Outside `cargo bench` each bench runs once.
         stage("tests, examples and benches", &test(&["--workspace", "--all-targets"])),
         stage("examples in the documentation", &test(&["--workspace", "--doc"])),
         Stage {

@@ -135,8 +135,7 @@ pub(super) fn run(args: &CalibrateArgs, out: &mut dyn Write) -> Result<(), Failu
     if wrong.is_empty() { Ok(()) } else { Err(Failure::Running(wrong.join("\nletoff: "))) }
 }
 
-/// Runs `find`, which arms no board, and `measure` with its result, on threads that signals and
-/// `letoff stop` end.
+/// Runs `find`, which arms no board, then `measure`; signals and `letoff stop` end both.
 fn attended<F: Send + 'static, M: Send + 'static>(
     find: impl FnOnce() -> Result<F, Failure> + Send + 'static,
     measure: impl FnOnce(F, &Endings) -> Result<M, Failure> + Send + 'static,

@@ -47,8 +47,7 @@ impl Operator {
         }
     }
 
-    /// Asks for an action, and keeps the boards armed until it is done; returns `false` if stopped
-    /// meanwhile.
+    /// Asks for an action, and keeps the boards armed meanwhile; returns `false` if stopped.
     pub(super) fn wait_for(bench: &mut Bench, what: &str) -> bool {
         tell(&format!("{what}, then press Enter (Ctrl-D stops) "));
         // The thread ends with the line, or with the program.

@@ -108,8 +108,7 @@ fn key(
     Ok(((travelled.bottom - rested.position, travelled), ranges))
 }
 
-/// Returns the results beside the theory of the scene's rig, behind a link with this round `trip`
-/// (s).
+/// Returns results and theory of the scene's rig, behind a link with this round `trip` (s).
 fn report(scene: &Scene, trip: f64, key: KeyIndex, ranges: &[RangeFound]) -> RangeReport {
     let rig = &scene.rig;
     let period = 1.0 / f64::from(scene.tick_hz);

@@ -56,8 +56,7 @@ pub(super) struct CalibrationRecord {
 }
 
 impl CalibrationRecord {
-    /// Writes a board's measurements into its file, or beside it if keys were never measured, and
-    /// records the reasons.
+    /// Writes a board's measurements into its file, or beside it, with reasons, if keys lack.
     pub(super) fn keep(&mut self, board: &MeasuredBoard, outcome: MeasureOutcome) {
         let MeasureOutcome { keys, refusals, is_stopped } = outcome;
         self.wrong.extend(refusals.iter().map(ToString::to_string));
@@ -93,8 +92,7 @@ impl CalibrationRecord {
             ));
         }
         if self.write(board, &board.file, &measured, &merged) {
-            // The file now contains all of it; a remaining partial file is overwritten the next
-            // time.
+            // The file is complete now; a remaining partial file is overwritten the next time.
             let _gone = std::fs::remove_file(file::partial(&board.file));
             self.untold.push((board.clone(), all));
         }
@@ -145,8 +143,7 @@ impl From<&(KeyIndex, KeyCalibration)> for MeasuredKeyRow {
     }
 }
 
-/// Returns the earlier measurements of the `n` keys of a board, from its file or the partial one
-/// beside it.
+/// Returns the earlier measurements of the `n` keys, from the board's file or the partial one.
 fn before(board: &MeasuredBoard, n: usize) -> Vec<Option<KeyCalibration>> {
     let (uid, path) = (board.found.uid(), &board.file);
     // An unreadable file is replaced; the old file is kept as .bak.

@@ -19,8 +19,7 @@ const CRUMB: f64 = 1e-9;
 const TOLERANCES: (f64, f64) = (1e-16, 0.5);
 const LAST_KEY: u8 = 87;
 
-/// Tick (s) for the choice of `by-need`, for any step: a shorter step that checks a result uses the
-/// same method.
+/// Tick (s) of the choice of `by-need`, so that a shorter step for a check keeps the method.
 const USUAL_TICK: f64 = 1e-3;
 
 /// Returns the method with its tolerance; RK4 after a mistake.
@@ -85,8 +84,7 @@ impl TickClock {
         if tick + 1 < self.ticks { self.step } else { self.until - tick as f64 * self.step }
     }
 
-    /// Returns the instant `theta` of tick `tick` (s); one tick's end equals the next one's start
-    /// bit for bit.
+    /// Returns the instant `theta` of tick `tick` (s); its end is the next start bit for bit.
     pub(super) fn time(&self, tick: u64, theta: f64) -> f64 {
         if tick + 1 < self.ticks {
             return (tick as f64 + theta) * self.step;

@@ -32,8 +32,7 @@ use self::input::{HeldInput, InputSignal};
 use self::output::OutputFiles;
 pub use self::studied_method::{MethodVisitor, StudiedMethod};
 
-/// Simulates as `args` ask; writes the summary to `out`, and warnings on the input to `note`
-/// beforehand.
+/// Simulates as `args` ask; writes warnings on the input to `note`, then the summary to `out`.
 ///
 /// # Errors
 /// [`SimulateError::Usage`] with every mistake before anything is run or written; the

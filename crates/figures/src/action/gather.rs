@@ -23,8 +23,7 @@ const GF: f64 = 9.806_65e-3;
 /// Travel of touch weights, of a dip of 10.16 mm: before the damper (m).
 const WEIGHED: (f64, f64) = (2e-3, 4.5e-3);
 
-/// Number of jobs: curves, strokes of both touches, a sweep per key, softest, two repetitions and
-/// the return.
+/// Number of jobs: curves, strokes of both touches, sweeps, softest, two repetitions, return.
 pub const JOBS: usize = SLOPES.len() + 2 * STROKES as usize + 88 + 4;
 
 /// Measurements of an instrument.

@@ -19,8 +19,7 @@ const CONVERGED: f64 = 1e-14;
 /// Relative difference to the steady gain that counts as none.
 const STEADY: f64 = 1e-9;
 
-/// Maximum distinguished time between samples, in periods: the covariance then contains only the
-/// new position.
+/// Maximum time between samples (periods): beyond it only the new position counts.
 const FORGOTTEN: f64 = 1e4;
 
 /// Variance of a uniform rounding to one unit.
@@ -99,8 +98,7 @@ impl Kalman {
         }
     }
 
-    /// Returns a filter for samples with a measured speed, rounded to `step` (m/s). Not for the
-    /// tick.
+    /// Adds measured speeds, rounded to `step` (m/s). Not for the tick.
     ///
     /// # Panics
     /// Unless `step` is finite and positive.
@@ -299,8 +297,7 @@ fn corrected(predicted: &Matrix3<f64>, speed_variance: Option<f64>) -> (KalmanGa
     (KalmanGains { position, speed: Some(speed) }, after)
 }
 
-/// Returns the optimal gain on a measurement of entry `row` of the state with this `variance`, and
-/// the covariance after it.
+/// Returns the optimal gain on entry `row` with this `variance`, and the covariance after it.
 fn measured(before: &Matrix3<f64>, row: usize, variance: f64) -> ([f64; 3], Matrix3<f64>) {
     let gain = before.column(row) / (before[(row, row)] + variance);
     let looked_at = Matrix3::identity().row(row).into_owned();
@@ -327,13 +324,11 @@ mod tests {
         core::array::from_fn(|i| core::array::from_fn(|j| a[i][j] + scale * b[i][j]))
     }
 
-    /// Computes the steady gain in SI units, plain arrays, Joseph's form, by a fixed long
-    /// iteration.
+    /// Computes the steady gain in SI units by Joseph's form and a fixed long iteration.
     fn joseph_gain(period: f64, quantum: f64, jerk_density: f64) -> [f64; 3] {
         let (t, r) = (period, quantum * quantum / 12.0);
         let f = [[1.0, t, t * t / 2.0], [0.0, 1.0, t], [0.0, 0.0, 1.0]];
-        // Integral of the impulse response's outer product, by Gauss-Legendre of order 6, exact for
-        // polynomials of degree 4.
+        // Gauss-Legendre of order 6 integrates the outer product (polynomials of degree 4) exactly.
         let mut q = [[0.0; 3]; 3];
         for (node, weight) in [(-0.6_f64.sqrt(), 5.0), (0.0, 8.0), (0.6_f64.sqrt(), 5.0)] {
             let s = t * (1.0 + node) / 2.0;

@@ -6,8 +6,7 @@ const GAINS: [f64; 3] = [2.0, 2.12, 1.1];
 /// Newton steps for the innovation: five converge to rounding if it exists.
 const NEWTON_STEPS: usize = 8;
 
-/// Robust exact sliding-mode differentiator of second order: exact for a key of bounded jerk after
-/// a finite time.
+/// Exact sliding-mode differentiator of second order, for keys of bounded jerk, in finite time.
 ///
 /// The step is implicit, so it does not chatter at any sample rate: an innovation that the last
 /// power alone can explain is used as it is. `[Lev03]` (gains of second order), `[CL19]` (the
@@ -53,8 +52,7 @@ impl Estimator for Levant {
     }
 }
 
-/// Returns y ≥ 0 with y³ + a y² + b y + c = `ahead`, where `[a, b, c]` are `moves`; 0 where c alone
-/// is more.
+/// Returns y ≥ 0 with y³ + a y² + b y + c = `ahead` for `[a, b, c]` = `moves`; 0 if c is more.
 ///
 /// # Real-time
 /// Eight Newton steps, from above, where the cubic is convex.

@@ -109,8 +109,7 @@ impl PassivityController {
         limited
     }
 
-    /// Records that the action stored `stored` (J) and dissipated `lost` (J) by its own equations
-    /// in this tick.
+    /// Records that the action stored `stored` (J) and dissipated `lost` (J) in this tick.
     pub const fn take(&mut self, stored: f64, lost: f64) {
         // Energy that an action generates is no negative loss.
         self.taken = stored + lost.max(0.0);

@@ -46,8 +46,7 @@ impl PassivityObserver {
         Self { stored: bound.stored, leak: bound.leak * period, returned: 0.0, last: None }
     }
 
-    /// Returns `true` if all energy that was returned until `tick`, with the key at `position` (m),
-    /// can have been put in before.
+    /// Returns `true` if all energy returned until `tick`, at `position` (m), can have been put in.
     ///
     /// Adds the work since the previous tick, if [`Self::hold`] recorded its force; the force in
     /// skipped ticks is unknown.

@@ -17,8 +17,7 @@ const BRACED_DAMPING: f64 = 7.0 / 4.0;
 pub enum Grasp {
     /// Lies on the key: pushes and never pulls.
     Pushes,
-    /// Holds the key on both sides, as the hand in the paper's experiment: pushes and pulls.
-    /// `[GC93]` §6
+    /// Holds the key on both sides, as in the paper's experiment: pushes and pulls. `[GC93]` §6
     Grips,
 }
 

@@ -201,8 +201,7 @@ impl KeyRig {
         self.hold(place);
     }
 
-    /// Lays a weight on the key's front, which presses with `newtons` at any position; 0, and any
-    /// invalid force, removes it.
+    /// Lays a weight of `newtons` on the key's front; 0, and any invalid force, removes it.
     pub fn lay(&mut self, newtons: f64) {
         self.weight = if newtons.is_finite() { newtons.max(0.0) } else { 0.0 };
     }

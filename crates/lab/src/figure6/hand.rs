@@ -95,8 +95,7 @@ impl<S: Fn(f64) -> Motion> HandPath<S> {
         }
     }
 
-    /// Returns the expected force at the model's time `t` (s), in N, and its slope (N/s); before 0
-    /// it is constant.
+    /// Returns the expected force (N) and its slope (N/s) at model time `t` (s); constant before 0.
     fn expected(&self, t: f64) -> (f64, f64) {
         let place = (t / self.step).max(0.0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]

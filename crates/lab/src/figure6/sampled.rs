@@ -29,8 +29,7 @@ impl<'a> SampledModel<'a> {
         Self { model, step, mode, state, made: 0.0, run }
     }
 
-    /// Advances by a step under the sampled angle `s` (rad); returns the force on the hand at its
-    /// end (N), up positive.
+    /// Advances by a step under the sampled angle `s` (rad); returns the force at its end (N), up.
     pub(super) fn advance(&mut self, s: f64) -> f64 {
         let (input, before) = (still(s), (self.mode, self.state));
         // The input's jump is work of the hand; everything else conserves the energy.

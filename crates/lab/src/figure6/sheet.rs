@@ -36,8 +36,7 @@ const BESIDE: &str = "The first figure's gesture once more: the force under the 
 const STORY: &str = "The paper's text: held still for 0.3 s, thrown, free, caught at 0.9 s, thrown \
     harder so that the string was hit, landed at 1.5 s, bounced several times.";
 
-/// Writes the page, the figure in both readings, the errors as charts, and CSV and JSON into
-/// `folder`.
+/// Writes the page, both figures, the errors as charts, and CSV and JSON into `folder`.
 ///
 /// # Errors
 /// If a file cannot be written; files written before are complete.

@@ -70,8 +70,7 @@ impl fmt::Display for DataMistake {
     }
 }
 
-/// Reads a stroke; a file without times is a static curve at `speed` (m/s). Returns the first
-/// mistakes if there are any.
+/// Reads a stroke, or its mistakes; a file without times is a static curve at `speed` (m/s).
 pub fn read_stroke(path: &Path, speed: f64) -> Result<MeasuredStroke, Vec<DataMistake>> {
     let file = shown(path);
     let mut scan = StrokeScan { file, places: [None; 3], rows: Vec::new(), mistakes: Vec::new() };

@@ -113,9 +113,8 @@ fn track(samples: &[(f64, f64)], how: Reconstruct) -> (InputTable, Vec<f64>) {
     (InputTable::through(&all, how), times)
 }
 
-/// Returns the path from rest to the first of `samples` (s, m), with their speed at its end; empty
-/// if they begin at rest. It is a cubic without reversal: a speed above three times the mean
-/// would reverse.
+/// Returns the path from rest to the first of `samples` (s, m) and their speed there, if they move:
+/// a cubic without reversal, as a speed above three times the mean would reverse.
 fn lead_in(samples: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let (start, travel) = samples[0];
     let (later, further) = samples[(samples.len() - 1).min(3)];

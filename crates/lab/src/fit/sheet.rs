@@ -13,8 +13,7 @@ const HOW: &str = "The front of the key is driven as it was measured, and its fo
     Intervals are of 95 %: they take the differences that remain for noise, whose neighbours may be \
     alike, and the model for linear within them. A parameter without one is not determined.";
 
-/// Writes the page, its charts, the parameters as CSV, and the instrument (file name and text), if
-/// any, into `folder`.
+/// Writes the page, its charts, the parameters as CSV, and the instrument (file name and text).
 ///
 /// # Errors
 /// If a file cannot be written; files written before are complete.

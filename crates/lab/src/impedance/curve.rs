@@ -138,8 +138,7 @@ impl ActiveBand {
     }
 }
 
-/// Returns the zero of Re Z between two points, or the second if one of them is missing or
-/// unknown.
+/// Returns the zero of Re Z between two points, or the second if one is missing or unknown.
 fn crossing(before: Option<&ImpedancePoint>, after: &ImpedancePoint) -> f64 {
     match before {
         Some(before) if before.real * after.real < 0.0 => {

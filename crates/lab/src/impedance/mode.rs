@@ -130,8 +130,7 @@ impl Visitor for Lineariser<'_> {
     }
 }
 
-/// Returns mode and state after the input went slowly to `to` (its unit) and stayed; `None` if the
-/// model fails.
+/// Moves the input slowly to `to` (its unit), and waits; `None` if the model fails.
 fn pressed<M: Playable>(model: M, to: f64) -> Option<(M::Mode, M::State)> {
     let stepper = Any::named("rodas4").unwrap_or_default();
     let limits = Limits { longest_step: TICK, ..Limits::default() };

@@ -156,8 +156,7 @@ impl StabilityStudy<'_> {
         }
     }
 
-    /// Runs the loop at every point, and between points with different verdicts; calls `done` after
-    /// each cell.
+    /// Runs the loop at every point, and locates boundaries; calls `done` after each cell.
     pub fn measure(&self, estimator: EstimatorName, done: &(dyn Fn() + Sync)) -> StabilityMap {
         let [across, up] = [0, 1].map(|axis| self.axes[axis].cells(self.cells));
         let cells: Vec<_> = (0..across).flat_map(|x| (0..up).map(move |y| (x, y))).collect();

@@ -167,8 +167,7 @@ impl LoopQuantity {
 pub struct LoopValues([f64; QUANTITIES.len()]);
 
 impl LoopValues {
-    /// Returns a wall that meets the theory: the key of `rig` without friction, motor lag, delay or
-    /// encoder steps.
+    /// Returns the theory's wall on the key of `rig`: no friction, motor lag, delay or counts.
     pub const fn ideal(rig: &RigParameters, period: f64, jerk_density: f64) -> Self {
         let (mass, damping) = (rig.key.mass, rig.key.damping);
         Self([2e3, 0.0, period, 0.0, 0.0, 0.0, mass, damping, 0.0, jerk_density, 0.0])

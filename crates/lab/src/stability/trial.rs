@@ -50,8 +50,7 @@ impl LoopKnock {
     /// A stroke of an action: the key reaches its bed and is released, and its hammer strikes.
     pub(super) const STROKE: Self = Self { settle: 0.3, weight: 3.0, duration: 0.3, window: 0.4 };
 
-    /// Returns the ticks of `period` (s) before the knock, of the knock, and of a window: at least
-    /// 100, 10 and 100.
+    /// Returns the ticks of `period` (s) of rest, knock and window: at least 100, 10 and 100.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousands")]
     fn ticks(&self, period: f64) -> [u64; 3] {
         let ticks = |time: f64, least: f64| (time / period).ceil().max(least) as u64;

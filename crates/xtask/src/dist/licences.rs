@@ -51,8 +51,7 @@ impl LinkedCrate {
     }
 }
 
-/// Returns the list of all linked crates with the texts of their licences; fails if a licence
-/// forbids to link its crate.
+/// Lists all linked crates with their licences' texts; fails if a licence forbids linking.
 pub(super) fn third_party() -> Result<String, Error> {
     let crates = linked()?;
     let accepted = accepted()?;

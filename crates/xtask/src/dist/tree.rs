@@ -8,8 +8,7 @@ use crate::command;
 use crate::error::Error;
 use crate::files;
 
-/// Copied files with their destinations. Documents keep their relative places, so that their links
-/// work.
+/// Copied files with their destinations; documents keep relative places for their links.
 const COPIES: [(&str, &str); 5] = [
     ("configs/service/letoff.service", "usr/lib/systemd/system/letoff.service"),
     ("configs/service/letoff.sysusers", "usr/lib/sysusers.d/letoff.conf"),

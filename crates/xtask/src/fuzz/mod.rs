@@ -1,5 +1,4 @@
-//! Gives damaged files of every kind to the program: it must end in time, with a documented exit
-//! code, and without a panic.
+//! Gives damaged files to the program: it must end in time, with a documented code and no panic.
 
 mod kinds;
 mod mutate;

@@ -83,8 +83,7 @@ fn read(output: ChildStdout, part: &'static str, console: Sender<ConsoleLine>) {
     });
 }
 
-/// Prints all lines of `n_guests`, and judges by them; ends with the last guest or at the limits of
-/// time.
+/// Prints and judges all lines of `n_guests`, until the last guest ends or the time is over.
 pub(super) fn listen(
     lines: &Receiver<ConsoleLine>,
     n_guests: usize,

@@ -1,5 +1,4 @@
-//! Installs the package under a real systemd in a guest, and exercises the service; `checks.sh`
-//! contains the expectations.
+//! Installs the package under a real systemd in a guest; `checks.sh` exercises the service.
 
 use std::time::Duration;
 

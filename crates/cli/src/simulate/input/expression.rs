@@ -16,8 +16,7 @@ use super::{InputMistake, NAME, is_finite};
 /// Symbol and argument of t.
 const TIME: (Place, Argument) = (Place::Extra(0), Argument::Extra(0));
 
-/// Maximum work on the graph before the next derivative: a derivative of n factors has n products
-/// of them.
+/// Maximum work before the next derivative: a derivative of n factors has n products of them.
 const MAX_WORK: u64 = 30_000;
 
 /// s(t) and its rates.

@@ -54,8 +54,7 @@ pub(super) struct ModelInstant<'a, M: Described> {
     pub(super) outputs: &'a [f64],
 }
 
-/// Returns all curves of a model. Speeds and outputs other than forces are omitted: the figure
-/// shows contact.
+/// Returns all curves: only forces of the outputs and no speeds, since the figure shows contact.
 pub(super) fn all(entry: &ModelEntry, guards: &[&'static str], axis: Columns) -> Vec<SignalCurve> {
     let sources = [(entry.input, CurveSource::Input)].into_iter();
     let sources = sources.chain(indexed(&entry.states, CurveSource::State));

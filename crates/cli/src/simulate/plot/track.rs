@@ -72,8 +72,7 @@ impl DecimatedCurve {
         Self { axis, columns: vec![None; axis.n], is_cut: true }
     }
 
-    /// Adds `value` at `t` (s), not before the last one; `None` or a value that is not finite
-    /// interrupts the curve.
+    /// Adds `value` at `t` (s), not before the last; a missing or infinite value cuts the curve.
     pub(super) fn add(&mut self, t: f64, value: Option<f64>) {
         let Some(value) = value.filter(|value| value.is_finite()) else {
             self.is_cut = true;

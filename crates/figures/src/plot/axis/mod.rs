@@ -35,8 +35,7 @@ impl Axis {
         Self { scale: AxisScale::Linear, ends: (range.start, range.end), places }
     }
 
-    /// Returns a logarithmic axis over `values` with room at both ends; over one decade around 1 if
-    /// there are none.
+    /// Returns a logarithmic axis over `values` with room; one decade around 1 without values.
     pub fn logarithmic(values: impl Iterator<Item = f64>, places: (f64, f64)) -> Self {
         Self { scale: AxisScale::Logarithmic, ends: logarithmic::ends(values), places }
     }

@@ -33,8 +33,7 @@ fn verdict(values: LoopValues) -> LoopVerdict {
     study.verdict(EstimatorName::BackwardDifference, &study.base)
 }
 
-/// Returns the stiffness (N/m) at which the loop stops coming to rest, between a stable and an
-/// unstable one, to 1 %.
+/// Bisects for the stiffness (N/m) at which the loop stops coming to rest, to 1 %.
 #[track_caller]
 fn stiffest(values: LoopValues, (stable, unstable): (f64, f64)) -> f64 {
     let rests = |stiffness| {
@@ -61,8 +60,7 @@ fn under_the_worst_load_a_wall_is_stable_up_to_colgate_and_schenkels_boundary() 
         let (period, device, damping) = (*period, *device, share * device);
         let wall = SampledWall { stiffness: 0.0, damping, period, delay: 0.0 };
         let theory = wall.passive_stiffness(device);
-        // The worst case: a mass that vanishes within a fiftieth of a period, in steps of a
-        // five-hundredth.
+        // Worst case: the mass vanishes within 1/50 of a period, in steps of 1/500.
         let changes = [
             (LoopQuantity::Mass, 0.02 * device * period),
             (LoopQuantity::DeviceDamping, device),
