@@ -9,21 +9,21 @@ use crate::locate::Bracket;
 use crate::model::Resets;
 use crate::outcome::Fault;
 use crate::series::{Fall, GuardPolynomial, first_fall};
-use crate::stepper::Stepper;
+use crate::stepper::{Memory as _, Stepper};
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Whether all `guards` of the mode are known along the step just taken.
     #[inline]
     pub(super) fn has_series(&self, guards: usize) -> bool {
         let [memory, ..] = &self.memory;
-        T::IS_EXPANDED && T::guards(memory.method()).is_some_and(|it| it.known >= guards)
+        T::IS_EXPANDED && memory.method().guards().is_some_and(|it| it.known >= guards)
     }
 
     /// The guard at the place `index` along the step just taken, if the method knows it.
     #[inline]
     pub(super) fn guard_along(&self, index: usize) -> Option<GuardPolynomial> {
         let [memory, ..] = &self.memory;
-        T::guards(memory.method())?.guard(index)
+        memory.method().guards()?.guard(index)
     }
 
     /// Takes over a guard's values at both ends of a step of `h` (s), and says whether it may

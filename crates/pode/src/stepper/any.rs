@@ -290,12 +290,6 @@ macro_rules! any {
                 }
             }
 
-            fn name_in(&self, nature: &Nature) -> &'static str {
-                match self {
-                    $(Self::$name(stepper) => stepper.name_in(nature)),+
-                }
-            }
-
             fn is_smooth_inside(&self) -> bool {
                 match self {
                     $(Self::$name(stepper) => stepper.is_smooth_inside()),+
@@ -397,6 +391,18 @@ impl Any {
     /// Names of the methods that heed a tolerance.
     pub const TOLERANT: &[&str] =
         &[ByNeed::NAME, BogackiShampine::NAME, Tsitouras5::NAME, Dop853::NAME];
+
+    /// Returns the name of the method that steps in a mode of this `nature`: its own, unless it
+    /// hands the mode on.
+    pub fn name_in(&self, nature: &Nature) -> &'static str {
+        if let Self::ByNeed(method) = self {
+            method.choice(nature, f64::INFINITY).method.name()
+        } else if matches!(self, Self::Exact(_)) && !nature.is_linear() {
+            Rk4::NAME
+        } else {
+            self.name()
+        }
+    }
 
     /// The same method as precise as `tolerance` says, in ticks of `tick` (s): see [`ByNeed`]
     /// and [`Controlled`]. `None` for a method that has no say in its error.

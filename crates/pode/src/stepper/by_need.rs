@@ -217,10 +217,6 @@ impl Stepper for ByNeed {
         self.choice(nature, f64::INFINITY).method == NeededMethod::Rk4
     }
 
-    fn name_in(&self, nature: &Nature) -> &'static str {
-        self.choice(nature, f64::INFINITY).method.name()
-    }
-
     #[inline]
     fn longest_step(&self, nature: &Nature, own: f64) -> f64 {
         self.choice(nature, own).step

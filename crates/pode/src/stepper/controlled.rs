@@ -150,10 +150,6 @@ impl<T: Stepper> Stepper for Controlled<T> {
         self.method.aims(nature)
     }
 
-    fn name_in(&self, nature: &Nature) -> &'static str {
-        self.method.name_in(nature)
-    }
-
     fn is_smooth_inside(&self) -> bool {
         self.method.is_smooth_inside()
     }

@@ -79,10 +79,6 @@ impl Stepper for Exact {
         !nature.is_linear() && Rk4.aims(nature)
     }
 
-    fn name_in(&self, nature: &Nature) -> &'static str {
-        if nature.is_linear() { Self::NAME } else { Rk4::NAME }
-    }
-
     #[inline]
     fn longest_step(&self, nature: &Nature, own: f64) -> f64 {
         if !nature.is_linear() {

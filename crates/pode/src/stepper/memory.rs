@@ -2,6 +2,8 @@
 
 use core::fmt::Debug;
 
+use crate::series::GuardSeries;
+
 /// What a method knows from the steps before.
 pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     /// The state has jumped, or the mode has changed, or the step was cut short:
@@ -30,6 +32,12 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
     #[inline]
     fn scale(&self) -> f64 {
         f64::INFINITY
+    }
+
+    /// The mode's guards along the step just taken, where the method knows them.
+    #[inline]
+    fn guards(&self) -> Option<GuardSeries<'_>> {
+        None
     }
 }
 

@@ -61,7 +61,6 @@ use core::fmt::Debug;
 use crate::dense::Dense;
 use crate::nature::Nature;
 use crate::quadrature::HIGH;
-use crate::series::GuardSeries;
 use crate::state::State;
 
 /// A step that was taken.
@@ -140,12 +139,6 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     ) {
     }
 
-    /// The mode's guards along the step just taken, where the method knows them.
-    #[inline]
-    fn guards<S: State>(_memory: &Self::Memory<S>) -> Option<GuardSeries<'_>> {
-        None
-    }
-
     /// Brings the dense output of the step just taken to its full order, where that costs
     /// evaluations of its own: asked for only where the inside of a step is looked at.
     #[inline]
@@ -169,12 +162,6 @@ pub trait Stepper: Copy + Default + Debug + PartialEq {
     #[inline]
     fn is_smooth_inside(&self) -> bool {
         Self::DENSE >= HIGH
-    }
-
-    /// The name of the method that it takes in a mode of this `nature`: its own, unless it
-    /// hands some modes on.
-    fn name_in(&self, _nature: &Nature) -> &'static str {
-        Self::NAME
     }
 
     /// Whether the parts of a mode, in a state with `entries` entries, are stepped apart.

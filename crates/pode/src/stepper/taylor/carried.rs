@@ -68,9 +68,11 @@ impl<S: State> TaylorMemory<S> {
     pub(super) const fn follow(&mut self, reach: f64) {
         (self.reach, self.scale) = (reach, reach);
     }
+}
 
-    /// The guards along the step just taken.
-    pub(super) const fn guards(&self) -> Option<GuardSeries<'_>> {
+impl<S: State> Memory for TaylorMemory<S> {
+    #[inline]
+    fn guards(&self) -> Option<GuardSeries<'_>> {
         let SeriesStage::Taken(ratio) = self.stage else { return None };
         Some(GuardSeries {
             terms: &self.expansion.guards,
@@ -79,9 +81,7 @@ impl<S: State> TaylorMemory<S> {
             ratio,
         })
     }
-}
 
-impl<S: State> Memory for TaylorMemory<S> {
     #[inline]
     fn restart(&mut self) {
         self.stage = SeriesStage::Ahead;

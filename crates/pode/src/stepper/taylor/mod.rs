@@ -8,7 +8,7 @@ pub use carried::TaylorMemory;
 
 use crate::dense::Polynomial;
 use crate::nature::Nature;
-use crate::series::{Expansion, GuardSeries, MOST_ORDER, TERMS};
+use crate::series::{Expansion, MOST_ORDER, TERMS};
 use crate::state::State;
 use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, Tsitouras5};
 
@@ -96,11 +96,6 @@ impl Stepper for Taylor {
         let step = substitute.step(field, x0, &mut memory.substitute, h);
         memory.follow(memory.substitute.reach());
         step.map(|dense| dense.lengthened())
-    }
-
-    #[inline]
-    fn guards<S: State>(memory: &TaylorMemory<S>) -> Option<GuardSeries<'_>> {
-        memory.guards()
     }
 
     /// One expansion serves all parts.
