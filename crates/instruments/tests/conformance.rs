@@ -273,7 +273,8 @@ fn values_are_finite<M: Playable>(model: M) {
     for Place { label, model, mode, x, input } in places(&model, 5, 2) {
         let scale = model.input_per_metre();
         assert!(scale.is_finite() && scale.abs() > 0.0, "{label}: {scale}");
-        assert!(model.longest_step(mode) > 1e-5, "{label}: {}", model.longest_step(mode));
+        let longest_step = model.nature(mode).longest_step;
+        assert!(longest_step > 1e-5, "{label}: {longest_step}");
         let scalars = [
             model.readout(mode, &x, &input),
             model.energy(mode, &x, &input),

@@ -3,7 +3,7 @@
 use core::ops::Add;
 
 use crate::input::Signal;
-use crate::model::Model;
+use crate::model::Guarded;
 use crate::state::State as _;
 use crate::watch::{Event, EventCause, Piece, Watch};
 
@@ -36,7 +36,7 @@ impl Add for EnergyBalance {
 /// [`Energetic::energy`], [`Energetic::supplied`] and [`Energetic::dissipated`] are the sums of
 /// [`Energetic::balance_of_state`] and [`Energetic::balance_of_input`]. A model overrides these
 /// two where its energy and powers share costly terms.
-pub trait Energetic: Model {
+pub trait Energetic: Guarded {
     /// Energy stored in `x` (J).
     fn energy(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 

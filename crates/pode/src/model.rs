@@ -37,7 +37,7 @@ pub trait Model {
     /// Parts of the state that move by equations in `mode` and do not touch each other, at most
     /// [`MAX_PARTS`](crate::MAX_PARTS).
     ///
-    /// What is in no part is slaved: [`constrain`](Self::constrain) puts it in place, and no method
+    /// What is in no part is slaved: [`Guarded::constrain`] puts it in place, and no method
     /// integrates it. A mode without parts has no degree of freedom, and takes no derivative.
     #[inline]
     fn parts(&self, _mode: Self::Mode) -> &[Part] {
@@ -77,6 +77,28 @@ pub trait Model {
         differences(x, |x| self.derivative(mode, x, input))
     }
 
+    /// Returns what is constant in `mode`, so that a method and a step can be chosen by need.
+    fn nature(&self, _mode: Self::Mode) -> Nature {
+        Nature::default()
+    }
+}
+
+/// Conditions of a mode: constraints on the state, and guards that end it, in reach of a step.
+///
+/// A model that is always valid has none: `impl Guarded for X {}`.
+pub trait Guarded: Model {
+    /// Returns `x` with the coordinates that `mode` slaves to the input put in place.
+    fn constrain(&self, _mode: Self::Mode, x: &Self::State, _input: &Self::Input) -> Self::State {
+        *x
+    }
+
+    /// Longest step (s) from `x` on, where that depends on the state: a felt that is pressed hard
+    /// is stiffer than the mode's usual motion shows. At most [`Nature::longest_step`].
+    #[inline]
+    fn longest_step_at(&self, mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
+        self.nature(mode).longest_step
+    }
+
     /// Expands the motion of `mode` as a power series in time, and its guards along it.
     ///
     /// `out` says from which state, up to which order, and in units of which time; `input` has the
@@ -92,40 +114,6 @@ pub trait Model {
         false
     }
 
-    /// What the equations of `mode` are like, so that a method can be chosen by need.
-    fn nature(&self, _mode: Self::Mode) -> Nature {
-        Nature::default()
-    }
-
-    /// Longest step (s) that resolves the motion in `mode`; a tick is cut to fit.
-    fn longest_step(&self, _mode: Self::Mode) -> f64 {
-        f64::INFINITY
-    }
-
-    /// Longest step (s) from `x` on, where that depends on the state: a felt that is pressed hard
-    /// is stiffer than the mode's usual motion shows. At most [`longest_step`](Self::longest_step).
-    #[inline]
-    fn longest_step_at(&self, mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
-        self.longest_step(mode)
-    }
-
-    /// Returns `x` with the coordinates that `mode` slaves to the input put in place.
-    fn constrain(&self, _mode: Self::Mode, x: &Self::State, _input: &Self::Input) -> Self::State {
-        *x
-    }
-
-    /// How far an event that leads to `mode` may move a coordinate onto a constraint, in the unit
-    /// of that coordinate; farther is a fault. Switching to a constraint that the state does not
-    /// meet is where rigid models become unstable. `[GC93]` §6
-    fn longest_projection(&self, _mode: Self::Mode) -> f64 {
-        f64::INFINITY
-    }
-}
-
-/// Conditions under which a mode stops being valid.
-///
-/// A model that is always valid has no guards: `impl Guarded for X {}`.
-pub trait Guarded: Model {
     /// The guards of `mode`, at most [`MAX_GUARDS`](crate::MAX_GUARDS), in any order.
     ///
     /// The model may keep the list among its own values: their number and their scales then

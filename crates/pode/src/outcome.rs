@@ -40,7 +40,7 @@ pub enum Fault {
     /// The readout or an impulse left the set of finite numbers.
     Readout,
     /// An event moved a coordinate onto its constraint by more than
-    /// [`Model::longest_projection`](crate::Model::longest_projection).
+    /// [`Nature::longest_projection`](crate::Nature::longest_projection).
     Projection,
 }
 

@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 use std::vec::Vec;
 
 use crate::input::Signal;
-use crate::model::Model;
+use crate::model::{Guarded, Model};
 use crate::outcome::{Tick, Work};
 use crate::watch::{Event, Piece, Watch};
 
@@ -68,7 +68,7 @@ pub struct RunRecorder<M: Model> {
     ticks: Vec<Tick>,
 }
 
-impl<M: Model> RunRecorder<M> {
+impl<M: Guarded> RunRecorder<M> {
     /// A recorder of events for ticks of `h` (s), of which tick 0 begins at the time 0.
     pub const fn new(h: f64) -> Self {
         Self {
@@ -169,7 +169,7 @@ impl<M: Model> RunRecorder<M> {
     }
 }
 
-impl<M: Model> Watch<M> for RunRecorder<M> {
+impl<M: Guarded> Watch<M> for RunRecorder<M> {
     fn piece<S: Signal<M::Input>>(&mut self, model: &M, piece: &Piece<'_, M, S>) {
         if let Some(every) = self.every {
             self.sample(every, model, piece);

@@ -1,7 +1,7 @@
 //! How the readout goes on for a moment: what a board renders between two ticks.
 
 use crate::input::Motion;
-use crate::model::Model;
+use crate::model::Guarded;
 
 /// Slopes of the readout by the input, at one instant.
 ///
@@ -16,7 +16,7 @@ pub struct ReadoutSlopes {
 
 /// A model whose readout has slopes; those of a mode that slaves coordinates to the input
 /// take them along.
-pub trait Sloped: Model<Input = Motion> {
+pub trait Sloped: Guarded<Input = Motion> {
     /// The slopes in `mode` at `x`; by central differences unless a model knows better.
     fn slopes(&self, mode: Self::Mode, x: &Self::State, input: &Motion) -> ReadoutSlopes {
         differenced_slopes(self, mode, x, input)
@@ -24,7 +24,7 @@ pub trait Sloped: Model<Input = Motion> {
 }
 
 /// The slopes of a model's readout by central differences.
-pub fn differenced_slopes<M: Model<Input = Motion> + ?Sized>(
+pub fn differenced_slopes<M: Guarded<Input = Motion> + ?Sized>(
     model: &M,
     mode: M::Mode,
     x: &M::State,

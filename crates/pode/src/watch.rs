@@ -3,7 +3,7 @@
 use crate::dense::Dense;
 use crate::guard::GuardSpec;
 use crate::input::Signal;
-use crate::model::Model;
+use crate::model::{Guarded, Model};
 use crate::outcome::Tick;
 
 /// A stretch of one tick in which one mode held, with its dense output.
@@ -32,7 +32,7 @@ pub struct Piece<'a, M: Model, S> {
     pub signal: &'a S,
 }
 
-impl<M: Model, S: Signal<M::Input>> Piece<'_, M, S> {
+impl<M: Guarded, S: Signal<M::Input>> Piece<'_, M, S> {
     /// State and input at the fraction `part` of the piece, 0 ..= 1.
     #[inline]
     pub fn at(&self, part: f64) -> (M::State, M::Input) {

@@ -4,7 +4,7 @@ use crate::common::no_input;
 use pode::stepper::{Controlled, Dop853, Heun, Rk4};
 use pode::{
     Advance, Bracket, Cap, Fault, GuardId, GuardSpec, GuardValue, Guarded, Limits, MAX_GUARDS,
-    Model, Piece, Reset, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
+    Model, Nature, Piece, Reset, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
 };
 
 /// x' = rate, with what a careless modeller may say of it.
@@ -42,16 +42,16 @@ impl Model for Careless {
         x[0]
     }
 
-    fn longest_step(&self, (): ()) -> f64 {
-        self.longest_step
-    }
-
-    fn constrain(&self, (): (), x: &[f64; 1], (): &()) -> [f64; 1] {
-        [self.pinned.unwrap_or(x[0])]
+    fn nature(&self, (): ()) -> Nature {
+        Nature::default().with_longest_step(self.longest_step)
     }
 }
 
 impl Guarded for Careless {
+    fn constrain(&self, (): (), x: &[f64; 1], (): &()) -> [f64; 1] {
+        [self.pinned.unwrap_or(x[0])]
+    }
+
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
         self.guards
     }

@@ -83,10 +83,7 @@ impl Sided for Block {
             if is_coulomb { EquationKind::Affine } else { EquationKind::Smooth },
             self.omega(),
         )
-    }
-
-    fn longest_step(&self) -> f64 {
-        RADIANS / self.omega()
+        .with_longest_step(RADIANS / self.omega())
     }
 }
 

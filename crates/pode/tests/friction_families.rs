@@ -9,7 +9,7 @@
 
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
-use pode::{Advance, Limits, Motion, Simulator};
+use pode::{Advance, Limits, Motion, Nature, Simulator};
 use proptest::prelude::*;
 
 use crate::driven::{root, run_driven};
@@ -64,8 +64,8 @@ impl Sided for Belt {
         Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift }
     }
 
-    fn longest_step(&self) -> f64 {
-        RADIANS / OMEGA.max(self.frequency)
+    fn nature(&self, _: SurfaceSide) -> Nature {
+        Nature::default().with_longest_step(RADIANS / OMEGA.max(self.frequency))
     }
 }
 

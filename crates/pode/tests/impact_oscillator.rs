@@ -9,7 +9,8 @@
 
 use pode::stepper::Rk4;
 use pode::{
-    Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Reset, Resets, Simulator,
+    Advance, GuardId, GuardSpec, GuardValue, Guarded, Limits, Model, Nature, Reset, Resets,
+    Simulator,
 };
 use proptest::prelude::*;
 
@@ -96,8 +97,8 @@ impl Model for Oscillator {
         0.0
     }
 
-    fn longest_step(&self, (): ()) -> f64 {
-        RADIANS / self.omega.max(1.0)
+    fn nature(&self, (): ()) -> Nature {
+        Nature::default().with_longest_step(RADIANS / self.omega.max(1.0))
     }
 }
 

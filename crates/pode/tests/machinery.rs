@@ -67,13 +67,13 @@ impl Model for Broken {
     fn readout(&self, (): (), _: &[f64; 1], _: &Motion) -> f64 {
         self.readout
     }
-
-    fn constrain(&self, (): (), x: &[f64; 1], input: &Motion) -> [f64; 1] {
-        [x[0] + 0.0 * input.position]
-    }
 }
 
 impl Guarded for Broken {
+    fn constrain(&self, (): (), x: &[f64; 1], input: &Motion) -> [f64; 1] {
+        [x[0] + 0.0 * input.position]
+    }
+
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
         &ONE
     }

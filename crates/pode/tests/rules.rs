@@ -53,8 +53,8 @@ impl Model for Rocking {
         0.0
     }
 
-    fn longest_step(&self, _: Edge) -> f64 {
-        0.01
+    fn nature(&self, _: Edge) -> Nature {
+        Nature::default().with_longest_step(0.01)
     }
 }
 
@@ -176,16 +176,16 @@ impl Model for OnFloor {
         0.0
     }
 
-    fn constrain(&self, flies: bool, x: &[f64; 2], s: &Motion) -> [f64; 2] {
-        if flies { *x } else { [s.position, s.rate] }
-    }
-
-    fn longest_projection(&self, _: bool) -> f64 {
-        1e-3
+    fn nature(&self, _: bool) -> Nature {
+        Nature { longest_projection: 1e-3, ..Nature::default() }
     }
 }
 
 impl Guarded for OnFloor {
+    fn constrain(&self, flies: bool, x: &[f64; 2], s: &Motion) -> [f64; 2] {
+        if flies { *x } else { [s.position, s.rate] }
+    }
+
     fn guards(&self, flies: bool) -> &[GuardSpec] {
         if flies { const { &[GuardSpec::new(0, "floor")] } } else { &[] }
     }

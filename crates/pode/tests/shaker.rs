@@ -47,16 +47,16 @@ impl Model for Ball {
             Mode::Flight => 0.0,
         }
     }
+}
 
+impl Guarded for Ball {
     fn constrain(&self, mode: Mode, x: &[f64; 2], table: &Motion) -> [f64; 2] {
         match mode {
             Mode::OnTable => [table.position, table.rate],
             Mode::Flight => *x,
         }
     }
-}
 
-impl Guarded for Ball {
     fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
         const LIFT: [GuardSpec; 1] = [GuardSpec::new(0, "lift-off").scaled(G)];
         const GAP: [GuardSpec; 1] = [GuardSpec::new(1, "landing").scaled(0.2)];

@@ -3,9 +3,9 @@
 //! Error model: RK4, with r the part of a radian (or of a time constant) per step, errs by
 //! r⁴/120 of what it follows; what holds the state on the surface errs by rounding only.
 
-use pode::filippov::{Branch, Filippov, Mode, Sided, Surface};
+use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
-use pode::{Limits, Simulator, State as _};
+use pode::{Limits, Nature, Simulator, State as _};
 
 use crate::common::{all_completed, close, each_step_and_phase, run};
 use crate::driven::{Clock, root, run_driven};
@@ -37,8 +37,8 @@ impl Sided for Switched {
         Surface { value, gradient: [self.lambda, 1.0], drift: 0.0 }
     }
 
-    fn longest_step(&self) -> f64 {
-        0.02 / self.lambda
+    fn nature(&self, _: SurfaceSide) -> Nature {
+        Nature::default().with_longest_step(0.02 / self.lambda)
     }
 }
 

@@ -54,16 +54,16 @@ impl Model for Pendulum {
     fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
         [x[1], -SQUARE * x[0].sin()]
     }
+}
 
+impl Guarded for Pendulum {
     fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 2]>) -> bool {
         if self.has_series {
             expand(out);
         }
         self.has_series
     }
-}
 
-impl Guarded for Pendulum {
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
         const { &[GuardSpec::new(0, "wall")] }
     }
@@ -216,14 +216,15 @@ impl Model for Free {
     fn derivative(&self, (): (), x: &[f64; 2], (): &()) -> [f64; 2] {
         self.0.derivative((), x, &())
     }
+}
 
+impl Guarded for Free {
     fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 2]>) -> bool {
         expand(out);
         true
     }
 }
 
-impl Guarded for Free {}
 impl Resets for Free {}
 
 /// A gap that is a parabola in time: it dips to −depth at 0.123456789 s.
@@ -243,7 +244,9 @@ impl Model for Graze {
     fn derivative(&self, (): (), _: &[f64; 1], (): &()) -> [f64; 1] {
         [1.0]
     }
+}
 
+impl Guarded for Graze {
     fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 1]>) -> bool {
         let from = out.terms[0][0] - LOWEST;
         for k in 1..=out.order {
@@ -256,9 +259,7 @@ impl Model for Graze {
         out.known_guards = 1;
         true
     }
-}
 
-impl Guarded for Graze {
     fn guards(&self, (): ()) -> &'static [GuardSpec] {
         const { &[GuardSpec::new(0, "gap").on_crossing()] }
     }
@@ -305,7 +306,9 @@ impl Model for Bent {
     fn derivative(&self, (): (), x: &[f64; 1], (): &()) -> [f64; 1] {
         [self.way * (1.0 + x[0].max(0.0))]
     }
+}
 
+impl Guarded for Bent {
     fn series(&self, (): (), _: &[(); INPUT_TERMS], out: &mut Expansion<[f64; 1]>) -> bool {
         let is_above = out.terms[0][0] > 0.0;
         for k in 0..out.order {
@@ -322,7 +325,6 @@ impl Model for Bent {
     }
 }
 
-impl Guarded for Bent {}
 impl Resets for Bent {}
 
 #[test]

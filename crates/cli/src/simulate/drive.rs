@@ -36,8 +36,10 @@ fn handed_on<M: Playable>(method: &StudiedMethod, model: &M) -> Vec<(&'static st
 }
 
 fn choices<M: Playable>(by_need: &ByNeed, model: &M, step: f64) -> Vec<(&'static str, Choice)> {
-    let choice =
-        |mode: M::Mode| by_need.choice(&model.nature(mode), model.longest_step(mode).min(step));
+    let choice = |mode: M::Mode| {
+        let nature = model.nature(mode);
+        by_need.choice(&nature, nature.longest_step.min(step))
+    };
     model.modes().map(|(mode, name)| (name, choice(mode))).collect()
 }
 

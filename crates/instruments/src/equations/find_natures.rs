@@ -1,6 +1,6 @@
 //! How natures are found: from Jacobians where the model rests.
 
-use pode::{EquationKind, Guarded as _, Model as _, Motion, Nature, Part};
+use pode::{EquationKind, Guarded as _, Motion, Nature, Part};
 
 use crate::equations::jacobian_bound::{RADIANS, fastest_once};
 use crate::equations::mode_number::ModeNumber;
@@ -35,10 +35,17 @@ impl ModeNatures {
         });
         for (number, table) in (0..).zip(&model.table().modes) {
             let rates = Rates::of(model, ModeNumber(number), &poses);
-            let nature = Nature::new(model.kind(table.kind, table.loss), rates.whole);
+            let nature = Nature {
+                kind: model.kind(table.kind, table.loss),
+                rate: rates.whole,
+                longest_step: RADIANS / rates.whole,
+                longest_projection: table
+                    .longest_projection
+                    .map_or(f64::INFINITY, |limit| model.of_constants(limit)),
+            };
             let first = natures.add_parts(model, table, &rates, &mut next);
             if let Some(mode) = natures.modes.get_mut(usize::from(number)) {
-                *mode = ModeNature { nature, longest_step: RADIANS / rates.whole, first };
+                *mode = ModeNature { nature, first };
             }
         }
         natures

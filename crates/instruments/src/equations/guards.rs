@@ -1,6 +1,10 @@
 //! The guards of a mode, and where each leads.
 
-use pode::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Motion, Reset, Resets};
+use pode::series::{Expansion, INPUT_TERMS};
+use pode::{
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model as _, Motion, Reset,
+    Resets,
+};
 
 use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::{EquationModel, rates_of};
@@ -15,6 +19,37 @@ const STILL: f64 = 1e-10;
 const HOP: f64 = 1e-5;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationModel<F, N, C> {
+    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
+    #[inline(always)]
+    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
+        let mode = self.mode_table(mode);
+        if mode.slaved.is_none() && mode.projection.is_none() {
+            return *x;
+        }
+        let mut in_place = *x;
+        self.put_in_place(mode, &mut in_place, input);
+        in_place
+    }
+
+    #[inline]
+    fn longest_step_at(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
+        let longest = self.nature(mode).longest_step;
+        if self.mode_table(mode).is_stiffening {
+            self.step_at(mode, longest, x, input)
+        } else {
+            longest
+        }
+    }
+
+    fn series(
+        &self,
+        mode: ModeNumber,
+        input: &[Motion; INPUT_TERMS],
+        out: &mut Expansion<[f64; N]>,
+    ) -> bool {
+        self.mode_table(mode).series.is_some_and(|table| self.expand(&table, input, out))
+    }
+
     #[inline]
     fn guards(&self, mode: ModeNumber) -> &[GuardSpec] {
         &self.mode_table(mode).guard_specs

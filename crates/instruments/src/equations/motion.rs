@@ -1,12 +1,11 @@
 //! A table's model as `pode` steps it.
 
-use pode::series::{Expansion, INPUT_TERMS};
 use pode::{Model, Motion, Nature, Part, State};
 
 use crate::equations::jacobian_bound::matrix;
 use crate::equations::mode_number::ModeNumber;
 use crate::equations::model::{EquationModel, rates_of};
-use crate::equations::table::{Equations, ModeTable};
+use crate::equations::table::Equations;
 
 impl<F: Equations + Clone, const N: usize, const C: usize> Model for EquationModel<F, N, C> {
     type Mode = ModeNumber;
@@ -68,64 +67,8 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Model for EquationMod
         matrix(&self.jacobian_rows(self.mode_table(mode).jacobian, x, input))
     }
 
-    fn series(
-        &self,
-        mode: ModeNumber,
-        input: &[Motion; INPUT_TERMS],
-        out: &mut Expansion<[f64; N]>,
-    ) -> bool {
-        self.mode_table(mode).series.is_some_and(|table| self.expand(&table, input, out))
-    }
-
     #[inline]
     fn nature(&self, mode: ModeNumber) -> Nature {
         self.natures().nature(mode)
-    }
-
-    #[inline]
-    fn longest_step(&self, mode: ModeNumber) -> f64 {
-        self.natures().longest_step(mode)
-    }
-
-    #[inline]
-    fn longest_step_at(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
-        let longest = self.natures().longest_step(mode);
-        if self.mode_table(mode).is_stiffening {
-            self.step_at(mode, longest, x, input)
-        } else {
-            longest
-        }
-    }
-
-    #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
-    #[inline(always)]
-    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
-        let mode = self.mode_table(mode);
-        if mode.slaved.is_none() && mode.projection.is_none() {
-            return *x;
-        }
-        let mut in_place = *x;
-        self.put_in_place(mode, &mut in_place, input);
-        in_place
-    }
-
-    fn longest_projection(&self, mode: ModeNumber) -> f64 {
-        self.mode_table(mode)
-            .longest_projection
-            .map_or(f64::INFINITY, |limit| self.of_constants(limit))
-    }
-}
-
-impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
-    /// Puts what the mode slaves in place, and the state on the mode's constraints.
-    #[inline(never)]
-    fn put_in_place(&self, mode: &ModeTable, x: &mut [f64; N], input: &Motion) {
-        if let Some(slaved) = mode.slaved {
-            let before = *x;
-            self.call(slaved, &before, input, x);
-        }
-        if let Some(projection) = mode.projection {
-            *x = self.projected(projection, mode, *x, input);
-        }
     }
 }

@@ -22,8 +22,6 @@ pub(crate) struct ModeNatures {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct ModeNature {
     pub(crate) nature: Nature,
-    /// Longest step (s).
-    pub(crate) longest_step: f64,
     /// Where its parts begin; they are the table's own beyond the list.
     pub(crate) first: usize,
 }
@@ -31,7 +29,7 @@ pub(crate) struct ModeNature {
 impl Default for ModeNatures {
     fn default() -> Self {
         let nature = Nature::new(EquationKind::Smooth, 0.0);
-        let mode = ModeNature { nature, longest_step: f64::INFINITY, first: MAX_MODE_PARTS };
+        let mode = ModeNature { nature, first: MAX_MODE_PARTS };
         Self { modes: [mode; MAX_MODES], parts: [Part::WHOLE; MAX_MODE_PARTS] }
     }
 }
@@ -44,11 +42,6 @@ impl ModeNatures {
     #[inline]
     pub(crate) fn nature(&self, mode: ModeNumber) -> Nature {
         self.mode(mode).nature
-    }
-
-    #[inline]
-    pub(crate) fn longest_step(&self, mode: ModeNumber) -> f64 {
-        self.mode(mode).longest_step
     }
 
     /// The parts of `mode`; the table's own where it has only one.

@@ -6,6 +6,18 @@ use crate::equations::model::EquationModel;
 use crate::equations::table::{Equations, FunctionId, ModeTable};
 
 impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C> {
+    /// Puts what the mode slaves in place, and the state on the mode's constraints.
+    #[inline(never)]
+    pub(super) fn put_in_place(&self, mode: &ModeTable, x: &mut [f64; N], input: &Motion) {
+        if let Some(slaved) = mode.slaved {
+            let before = *x;
+            self.call(slaved, &before, input, x);
+        }
+        if let Some(projection) = mode.projection {
+            *x = self.projected(projection, mode, *x, input);
+        }
+    }
+
     /// The state on the constraints that are not solved in closed form, by a few Newton steps.
     #[cold]
     pub(crate) fn projected(

@@ -5,7 +5,7 @@
 //! follow the slope, long ones are Newton's. Contacts act by their own laws where their surfaces
 //! overlap, so that what lies on something comes to lie on it.
 
-use pode::{Matrix as _, Model as _, Motion, State};
+use pode::{Guarded as _, Matrix as _, Motion, State};
 
 use crate::equations::jacobian_bound::matrix;
 use crate::equations::mode_number::ModeNumber;

@@ -1,6 +1,6 @@
 //! Where a model rests: an equilibrium of the mode that is meant, or of another one that holds.
 
-use pode::{Fires, Guarded as _, Matrix as _, Model as _, Motion, State};
+use pode::{Fires, Guarded as _, Matrix as _, Motion, State};
 
 use crate::equations::jacobian_bound::matrix;
 use crate::equations::mode_number::ModeNumber;

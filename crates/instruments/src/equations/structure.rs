@@ -4,12 +4,12 @@ use core::array;
 
 use pode::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactSpec, ContactSystem,
-    FrictionForces, FrictionLimits, WithContacts,
+    FrictionForces, FrictionLimits, FrictionalContacts, GuardedContacts, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::{
-    Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded as _, Model,
-    Motion, Nature, ReadoutSlopes, Reset, Sloped,
+    Enclosure, EquationKind, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, Model, Motion,
+    Nature, ReadoutSlopes, Reset, Sloped,
 };
 
 use crate::equations::mode_number::ModeNumber;
@@ -104,6 +104,51 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         rates
     }
 
+    fn readout(
+        &self,
+        mode: ModeNumber,
+        closed: ContactIndices,
+        forces: &FrictionForces,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> f64 {
+        Model::readout(self, mode, x, input)
+            + self.contact_sums((mode, closed), x, input)[0]
+            + self.friction_readout(mode, forces, x, input)
+    }
+
+    /// Those of the structure and of each closed contact; none where a friction is felt at the input.
+    fn slopes(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Option<ReadoutSlopes> {
+        let mut all = Sloped::slopes(self, mode, x, input);
+        for contact in contacts.closed() {
+            let slopes = self.contact(mode, contact)?.slopes?;
+            let [per_position, per_rate] = self.values(slopes, x, input);
+            all.per_position += per_position;
+            all.per_rate += per_rate;
+        }
+        Some(all)
+    }
+
+    /// A closed contact's rate is that of the state, hence left to the longest step.
+    fn nature(&self, mode: ModeNumber, contacts: ContactSet) -> Nature {
+        let nature = self.natures().nature(mode);
+        if contacts.closed().is_empty() {
+            nature
+        } else {
+            Nature { kind: EquationKind::Smooth, ..nature }
+        }
+    }
+}
+
+impl<F: Equations + Clone, const N: usize, const C: usize> FrictionalContacts
+    for EquationModel<F, N, C>
+{
     fn slip(
         &self,
         mode: ModeNumber,
@@ -137,38 +182,11 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         let [stiction, kinetic] = self.contact_values(limits, x, input).unwrap_or([0.0; 2]);
         FrictionLimits { stiction, kinetic }
     }
+}
 
-    fn readout(
-        &self,
-        mode: ModeNumber,
-        closed: ContactIndices,
-        forces: &FrictionForces,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        Model::readout(self, mode, x, input)
-            + self.contact_sums((mode, closed), x, input)[0]
-            + self.friction_readout(mode, forces, x, input)
-    }
-
-    /// Those of the structure and of each closed contact; none where a friction is felt at the input.
-    fn slopes(
-        &self,
-        mode: ModeNumber,
-        contacts: ContactSet,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> Option<ReadoutSlopes> {
-        let mut all = Sloped::slopes(self, mode, x, input);
-        for contact in contacts.closed() {
-            let slopes = self.contact(mode, contact)?.slopes?;
-            let [per_position, per_rate] = self.values(slopes, x, input);
-            all.per_position += per_position;
-            all.per_rate += per_rate;
-        }
-        Some(all)
-    }
-
+impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
+    for EquationModel<F, N, C>
+{
     fn structure_guards(&self) -> &[GuardSpec] {
         &self.table().guard_specs
     }
@@ -185,60 +203,6 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         input: &Motion,
     ) -> GuardValue {
         self.guard(mode, guard, x, input)
-    }
-
-    fn reset(
-        &self,
-        mode: ModeNumber,
-        contacts: ContactSet,
-        guard: GuardId,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> Reset<WithContacts<Self>> {
-        let leads = self.leads(mode, guard, x, input);
-        let with = |structure| ContactMode { structure, contacts };
-        let reset = Reset::to(with(leads.to), leads.state).with_impulse(leads.impulse);
-        match leads.rests {
-            Some((to, state)) => reset.resting(with(to), state),
-            None => reset,
-        }
-    }
-
-    /// A closed contact's rate is that of the state, hence left to the longest step.
-    fn nature(&self, mode: ModeNumber, contacts: ContactSet) -> Nature {
-        let nature = self.natures().nature(mode);
-        if contacts.closed().is_empty() {
-            nature
-        } else {
-            Nature::new(EquationKind::Smooth, nature.rate)
-        }
-    }
-
-    fn longest_step(&self, mode: ModeNumber, _contacts: ContactSet) -> f64 {
-        self.natures().longest_step(mode)
-    }
-
-    /// By the Jacobian with the contacts that touch: two of them in each step, and a derivative.
-    fn longest_step_at(
-        &self,
-        mode: ModeNumber,
-        contacts: ContactSet,
-        x: &[f64; N],
-        input: &Motion,
-    ) -> f64 {
-        let closed = contacts.closed();
-        if closed.is_empty() {
-            return Model::longest_step_at(self, mode, x, input);
-        }
-        let jacobian = |x: &[f64; N]| {
-            let mut rows = self.jacobian_rows(self.mode_table(mode).jacobian, x, input);
-            for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
-                add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
-            }
-            rows
-        };
-        let rates = ContactSystem::derivative(self, mode, closed, x, input);
-        self.step_by(jacobian, (self.natures().longest_step(mode), rates), x)
     }
 
     #[inline]
@@ -263,11 +227,47 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
         self.bound(bound, over)
     }
 
-    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
-        Model::constrain(self, mode, x, input)
+    /// By the Jacobian with the contacts that touch: two of them in each step, and a derivative.
+    fn longest_step_at(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> f64 {
+        let closed = contacts.closed();
+        if closed.is_empty() {
+            return Guarded::longest_step_at(self, mode, x, input);
+        }
+        let jacobian = |x: &[f64; N]| {
+            let mut rows = self.jacobian_rows(self.mode_table(mode).jacobian, x, input);
+            for contact in closed.iter().filter_map(|contact| self.contact(mode, contact)) {
+                add_rows(&mut rows, &self.contact_rows(contact.jacobian, x, input));
+            }
+            rows
+        };
+        let rates = ContactSystem::derivative(self, mode, closed, x, input);
+        self.step_by(jacobian, (self.natures().nature(mode).longest_step, rates), x)
     }
 
-    fn longest_projection(&self, mode: ModeNumber) -> f64 {
-        Model::longest_projection(self, mode)
+    fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
+        Guarded::constrain(self, mode, x, input)
+    }
+
+    fn reset(
+        &self,
+        mode: ModeNumber,
+        contacts: ContactSet,
+        guard: GuardId,
+        x: &[f64; N],
+        input: &Motion,
+    ) -> Reset<WithContacts<Self>> {
+        let leads = self.leads(mode, guard, x, input);
+        let with = |structure| ContactMode { structure, contacts };
+        let reset = Reset::to(with(leads.to), leads.state).with_impulse(leads.impulse);
+        match leads.rests {
+            Some((to, state)) => reset.resting(with(to), state),
+            None => reset,
+        }
     }
 }

@@ -55,7 +55,7 @@ fn the_rate_is_that_of_the_pose_at_rest() {
     let nature = model.nature(SWING);
     assert_eq!(nature.kind, EquationKind::Conservative);
     assert!((nature.rate - 5.0).abs() < 1e-9, "√(20 + 5) at rest, not {}", nature.rate);
-    assert!((model.longest_step(SWING) - 0.15).abs() < 1e-9);
+    assert!((nature.longest_step - 0.15).abs() < 1e-9);
 }
 
 #[test]

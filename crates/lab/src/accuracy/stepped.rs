@@ -47,6 +47,22 @@ impl<M: Model> Model for Stepped<M> {
         self.model.jacobian(mode, x, input)
     }
 
+    #[inline]
+    fn nature(&self, mode: M::Mode) -> Nature {
+        let nature = self.model.nature(mode);
+        match self.stepping {
+            Stepping::Ticks => nature.with_longest_step(f64::INFINITY),
+            Stepping::Models => nature,
+        }
+    }
+}
+
+impl<M: Guarded> Guarded for Stepped<M> {
+    #[inline]
+    fn constrain(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> M::State {
+        self.model.constrain(mode, x, input)
+    }
+
     fn series(
         &self,
         mode: M::Mode,
@@ -56,26 +72,6 @@ impl<M: Model> Model for Stepped<M> {
         self.model.series(mode, input, out)
     }
 
-    #[inline]
-    fn nature(&self, mode: M::Mode) -> Nature {
-        self.model.nature(mode)
-    }
-
-    #[inline]
-    fn longest_step(&self, mode: M::Mode) -> f64 {
-        match self.stepping {
-            Stepping::Ticks => f64::INFINITY,
-            Stepping::Models => self.model.longest_step(mode),
-        }
-    }
-
-    #[inline]
-    fn constrain(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> M::State {
-        self.model.constrain(mode, x, input)
-    }
-}
-
-impl<M: Guarded> Guarded for Stepped<M> {
     #[inline]
     fn guards(&self, mode: M::Mode) -> &[GuardSpec] {
         self.model.guards(mode)

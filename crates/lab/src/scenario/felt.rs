@@ -76,17 +76,13 @@ impl Model for FeltPenetration {
         if touched { self.k * x[0].max(0.0).powf(POWER) * (1.0 + LOSS * x[1]) } else { 0.0 }
     }
 
+    /// Steps in contact are a tenth of a radian at the deepest point.
     fn nature(&self, touched: bool) -> Nature {
         if touched {
-            Nature::new(EquationKind::Smooth, self.rate())
+            Nature::new(EquationKind::Smooth, self.rate()).with_longest_step(0.1 / self.rate())
         } else {
             Nature::new(EquationKind::Affine, 0.0)
         }
-    }
-
-    /// Returns a tenth of a radian at the deepest point.
-    fn longest_step(&self, touched: bool) -> f64 {
-        if touched { 0.1 / self.rate() } else { f64::INFINITY }
     }
 }
 

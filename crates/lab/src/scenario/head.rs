@@ -109,15 +109,11 @@ impl Model for FallingHead {
     }
 
     fn nature(&self, mode: Mode) -> Nature {
-        let rate = if mode == Mode::Contact { self.omega() } else { 0.0 };
-        Nature::new(EquationKind::Affine, rate)
-    }
-
-    fn longest_step(&self, mode: Mode) -> f64 {
-        match mode {
-            Mode::Flight => f64::INFINITY,
-            Mode::Contact => RADIANS / self.omega(),
-        }
+        let (rate, longest) = match mode {
+            Mode::Flight => (0.0, f64::INFINITY),
+            Mode::Contact => (self.omega(), RADIANS / self.omega()),
+        };
+        Nature::new(EquationKind::Affine, rate).with_longest_step(longest)
     }
 }
 

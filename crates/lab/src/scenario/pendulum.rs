@@ -36,13 +36,10 @@ impl Model for Pendulum {
         0.0
     }
 
+    /// Steps are a tenth of a radian of the smallest swing.
     fn nature(&self, (): ()) -> Nature {
         Nature::new(EquationKind::Conservative, STIFFNESS.sqrt())
-    }
-
-    /// Returns a tenth of a radian of the smallest swing.
-    fn longest_step(&self, (): ()) -> f64 {
-        0.1 / STIFFNESS.sqrt()
+            .with_longest_step(0.1 / STIFFNESS.sqrt())
     }
 }
 

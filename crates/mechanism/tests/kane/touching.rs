@@ -1,9 +1,7 @@
 use instruments::equations::ModeNumber;
 use pode::contacts::{ContactState, WithContacts};
 use pode::stepper::Rk4;
-use pode::{
-    Auditor, Energetic as _, Guarded as _, Limits, Model as _, Motion, RunRecorder, Simulator,
-};
+use pode::{Auditor, Energetic as _, Guarded as _, Limits, Motion, RunRecorder, Simulator};
 
 use crate::kane::by_hand::touching;
 use crate::kane::runnable::{Runnable, runnable};

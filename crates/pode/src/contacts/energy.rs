@@ -1,10 +1,10 @@
 //! Where the energy of a mechanism with contacts came from and went.
 
-use crate::contacts::{ContactIndices, ContactMode, ContactSystem, FrictionForces, WithContacts};
+use crate::contacts::{ContactIndices, ContactMode, FrictionForces, GuardedContacts, WithContacts};
 use crate::{Energetic, EnergyBalance};
 
 /// A mechanism that can account for its energy; what friction takes is known without it.
-pub trait EnergeticContacts: ContactSystem {
+pub trait EnergeticContacts: GuardedContacts {
     /// Returns the energy stored in `x` and in the `closed` contacts, which does not depend on the
     /// friction `forces`, the power that the drive of the input puts in, by friction too, as a belt
     /// does, and the power that dampers and the `closed` contacts take, without friction.

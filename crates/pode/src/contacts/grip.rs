@@ -1,7 +1,7 @@
 //! How well a friction holds, and which way it goes where it does not.
 
 use crate::contacts::point::{ContactMotion, ContactPoint};
-use crate::contacts::{ContactState, ContactSystem, FrictionSpec};
+use crate::contacts::{ContactState, FrictionSpec, GuardedContacts};
 use crate::filippov::Surface;
 use crate::{GuardSpec, GuardValue};
 
@@ -9,13 +9,13 @@ use crate::{GuardSpec, GuardValue};
 pub(super) const UNIT: GuardSpec = GuardSpec::new(0, "");
 
 /// A friction at a point of the motion.
-pub(super) struct Friction<'a, M: ContactSystem> {
+pub(super) struct Friction<'a, M: GuardedContacts> {
     pub(super) point: ContactPoint<'a, M>,
     pub(super) contact: usize,
     pub(super) spec: FrictionSpec,
 }
 
-impl<M: ContactSystem> Friction<'_, M> {
+impl<M: GuardedContacts> Friction<'_, M> {
     /// The guard of the friction in the state of its mode; positive while that goes on.
     pub(super) fn guard(&self) -> GuardValue {
         let state = self.point.mode.contacts.state(self.contact);
@@ -63,7 +63,7 @@ impl<M: ContactSystem> Friction<'_, M> {
             return GuardValue::new(-1.0, 0.0);
         }
         let value = self.margin_with(&self.point, motion.forces.at(self.contact));
-        let dt = self.point.system.moment();
+        let dt = M::MOMENT;
         let [late, early] =
             [dt, -dt].map(|dt| self.point.after(dt, &motion.flow, |point| self.margin(point)));
         GuardValue::new(value, (late - early) / (2.0 * dt))
@@ -114,7 +114,7 @@ impl<M: ContactSystem> Friction<'_, M> {
         /// Part of a moment: a force that is at its limit sooner does not hold.
         const SOON: f64 = 1.0 / 4096.0;
         let grip = self.stick_guard();
-        let lost = (-grip.rate).max(0.0) * SOON * self.point.system.moment();
+        let lost = (-grip.rate).max(0.0) * SOON * M::MOMENT;
         grip.value > UNIT.band() + lost || (grip.value.abs() <= UNIT.band() && grip.rate >= 0.0)
     }
 

@@ -4,7 +4,7 @@ use crate::Guarded;
 use crate::contacts::grip::Friction;
 use crate::contacts::spec::{ContactGuard, FRICTIONS, STRUCTURE};
 use crate::contacts::{
-    ContactMode, ContactState, ContactSystem, MAX_CONTACTS, MAX_FRICTIONS, WithContacts,
+    ContactMode, ContactState, GuardedContacts, MAX_CONTACTS, MAX_FRICTIONS, WithContacts,
 };
 use crate::{Enclosure, GuardBound};
 use crate::{GuardId, GuardSpec, GuardValue, MAX_GUARDS};
@@ -35,7 +35,7 @@ impl GuardList {
     const CONTACT_PRIORITY: u8 = 64;
     const FRICTION_PRIORITY: u8 = 128;
 
-    pub(super) fn of<M: ContactSystem>(system: &M) -> Result<Self, TooManyGuards> {
+    pub(super) fn of<M: GuardedContacts>(system: &M) -> Result<Self, TooManyGuards> {
         let mut list = Self { specs: [GuardSpec::new(0, ""); MAX_GUARDS], len: 0 };
         let contacts = system.contacts();
         if contacts.len() > MAX_CONTACTS {
@@ -72,7 +72,16 @@ impl GuardList {
     }
 }
 
-impl<M: ContactSystem> Guarded for WithContacts<M> {
+impl<M: GuardedContacts> Guarded for WithContacts<M> {
+    fn longest_step_at(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> f64 {
+        self.system.longest_step_at(mode.structure, mode.contacts, x, input)
+    }
+
+    fn constrain(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> M::State {
+        let x = self.system.constrain(mode.structure, x, input);
+        if mode.contacts.sticking().is_empty() { x } else { self.stopped(mode, &x, input) }
+    }
+
     fn guards(&self, _: ContactMode<M::Structure>) -> &[GuardSpec] {
         self.guards.specs()
     }
@@ -124,7 +133,7 @@ impl<M: ContactSystem> Guarded for WithContacts<M> {
     }
 }
 
-impl<M: ContactSystem> WithContacts<M> {
+impl<M: GuardedContacts> WithContacts<M> {
     /// The bound of a friction's guard: of a slide the slip speed, in parts of its size. What holds
     /// a stick depends on all that act with it, and nothing bounds it.
     fn friction_bound(

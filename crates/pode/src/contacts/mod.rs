@@ -52,8 +52,9 @@
 //!
 //! An open contact costs the evaluation of its gap where guards are taken, and nothing in the
 //! derivative. A derivative costs one [`ContactSystem::derivative`], to which only the closed
-//! contacts are given, one [`ContactSystem::response`] and [`ContactSystem::friction`] for each
-//! contact that slides, and one response and [`ContactSystem::slip`] for each that sticks. The
+//! contacts are given, one [`FrictionalContacts::response`] and [`FrictionalContacts::friction`]
+//! for each contact that slides, and one response and [`FrictionalContacts::slip`] for each that
+//! sticks. The
 //! guard of a slide costs one derivative and that of a stick three, which
 //! [`Work`](crate::Work) counts as one guard each; a change of n frictions at one instant costs
 //! at most 16 n² derivatives.
@@ -95,7 +96,7 @@ pub use forces::FrictionForces;
 pub use guards::TooManyGuards;
 pub use set::{ContactIndices, ContactSet, ContactState, IndexIter, MAX_CONTACTS};
 pub use spec::{ContactGuard, ContactSpec, FrictionSpec, MAX_FRICTIONS};
-pub use system::{ContactSystem, FrictionLimits};
+pub use system::{ContactSystem, FrictionLimits, FrictionalContacts, GuardedContacts};
 
 use guards::GuardList;
 use point::ContactPoint;
@@ -116,7 +117,7 @@ pub struct WithContacts<M> {
     guards: GuardList,
 }
 
-impl<M: ContactSystem> WithContacts<M> {
+impl<M: GuardedContacts> WithContacts<M> {
     /// Makes a model of `system`, with the contacts that it has now.
     ///
     /// # Errors

@@ -2,9 +2,9 @@
 
 use crate::Model;
 use crate::Nature;
-use crate::contacts::{ContactMode, ContactState, ContactSystem, WithContacts};
+use crate::contacts::{ContactMode, ContactState, GuardedContacts, WithContacts};
 
-impl<M: ContactSystem> Model for WithContacts<M> {
+impl<M: GuardedContacts> Model for WithContacts<M> {
     type Mode = ContactMode<M::Structure>;
     type State = M::State;
     type Input = M::Input;
@@ -27,28 +27,16 @@ impl<M: ContactSystem> Model for WithContacts<M> {
     fn nature(&self, mode: Self::Mode) -> Nature {
         self.system.nature(mode.structure, mode.contacts)
     }
-
-    fn longest_step(&self, mode: Self::Mode) -> f64 {
-        self.system.longest_step(mode.structure, mode.contacts)
-    }
-
-    fn longest_step_at(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> f64 {
-        self.system.longest_step_at(mode.structure, mode.contacts, x, input)
-    }
-
-    fn longest_projection(&self, mode: Self::Mode) -> f64 {
-        self.system.longest_projection(mode.structure)
-    }
-
-    fn constrain(&self, mode: Self::Mode, x: &M::State, input: &M::Input) -> M::State {
-        let x = self.system.constrain(mode.structure, x, input);
-        if mode.contacts.sticking().is_empty() { x } else { self.stopped(mode, &x, input) }
-    }
 }
 
-impl<M: ContactSystem> WithContacts<M> {
+impl<M: GuardedContacts> WithContacts<M> {
     /// The state with the slip speeds of what sticks at zero.
-    fn stopped(&self, mode: ContactMode<M::Structure>, x: &M::State, input: &M::Input) -> M::State {
+    pub(super) fn stopped(
+        &self,
+        mode: ContactMode<M::Structure>,
+        x: &M::State,
+        input: &M::Input,
+    ) -> M::State {
         let point = self.point(mode, x, input);
         let (mut held, mut moves) = (mode.contacts, false);
         for contact in mode.contacts.sticking() {

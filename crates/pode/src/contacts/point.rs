@@ -3,12 +3,12 @@
 use crate::State as _;
 use crate::contacts::solve::{Mobility, PerFriction, least_norm};
 use crate::contacts::{
-    ContactIndices, ContactMode, ContactSystem, FrictionForces, FrictionLimits, MAX_FRICTIONS,
+    ContactIndices, ContactMode, FrictionForces, FrictionLimits, GuardedContacts, MAX_FRICTIONS,
 };
 use crate::filippov::{Continued as _, Surface};
 
 /// A state and an input of a system, and the contacts that are to hold there.
-pub(super) struct ContactPoint<'a, M: ContactSystem> {
+pub(super) struct ContactPoint<'a, M: GuardedContacts> {
     pub(super) system: &'a M,
     pub(super) mode: ContactMode<M::Structure>,
     pub(super) x: &'a M::State,
@@ -29,7 +29,7 @@ struct Held<S> {
     mobility: Mobility,
 }
 
-impl<'a, M: ContactSystem> ContactPoint<'a, M> {
+impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
     /// The same mode with another state and input.
     const fn moved<'b>(&self, x: &'b M::State, input: &'b M::Input) -> ContactPoint<'b, M>
     where

@@ -3,12 +3,12 @@
 
 use crate::GuardId;
 use crate::contacts::{
-    ContactGuard, ContactIndices, ContactMode, ContactSet, ContactState, ContactSystem,
+    ContactGuard, ContactIndices, ContactMode, ContactSet, ContactState, GuardedContacts,
     WithContacts,
 };
-use crate::{Model as _, Reset, Resets};
+use crate::{Guarded as _, Reset, Resets};
 
-impl<M: ContactSystem> Resets for WithContacts<M> {
+impl<M: GuardedContacts> Resets for WithContacts<M> {
     fn reset(
         &self,
         mode: ContactMode<M::Structure>,
@@ -40,7 +40,7 @@ impl<S> ContactMode<S> {
     }
 }
 
-impl<M: ContactSystem> WithContacts<M> {
+impl<M: GuardedContacts> WithContacts<M> {
     /// The mode in which `x` starts in `structure`, and `x` with what sticks put to rest.
     ///
     /// A contact starts closed where its gap is negative; its friction slides where the slip

@@ -1,10 +1,10 @@
 //! How the readout of a mechanism with contacts goes on for a moment.
 
-use crate::contacts::{ContactMode, ContactSystem, WithContacts};
+use crate::contacts::{ContactMode, GuardedContacts, WithContacts};
 use crate::{Model, Motion, ReadoutSlopes, Sloped, differenced_slopes};
 
 /// With the contacts as they are: as the system knows them, else by central differences.
-impl<M: ContactSystem<Input = Motion>> Sloped for WithContacts<M> {
+impl<M: GuardedContacts<Input = Motion>> Sloped for WithContacts<M> {
     fn slopes(
         &self,
         mode: ContactMode<M::Structure>,

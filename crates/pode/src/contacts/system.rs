@@ -1,4 +1,4 @@
-//! What a modeller implements: a structure, its contacts, and what friction does to it.
+//! The traits of a modeller: a mechanism, its frictions, and the guards of its structure.
 
 use core::fmt::Debug;
 
@@ -74,6 +74,45 @@ pub trait ContactSystem: Sized {
         input: &Self::Input,
     ) -> Self::State;
 
+    /// Returns the readout, with the friction forces as they are (N).
+    fn readout(
+        &self,
+        _structure: Self::Structure,
+        _closed: ContactIndices,
+        _forces: &FrictionForces,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> f64 {
+        0.0
+    }
+
+    /// Returns the slopes of the readout with these contacts as they are; none where differences
+    /// are to be taken.
+    fn slopes(
+        &self,
+        _structure: Self::Structure,
+        _contacts: ContactSet,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> Option<ReadoutSlopes> {
+        None
+    }
+
+    /// Returns what is constant while these contacts touch; [`Nature::longest_projection`] is that of
+    /// the structure.
+    fn nature(&self, _structure: Self::Structure, _contacts: ContactSet) -> Nature {
+        Nature::default()
+    }
+}
+
+/// The frictions of a mechanism with contacts.
+///
+/// One without friction needs no more than `impl FrictionalContacts for X {}`.
+pub trait FrictionalContacts: ContactSystem {
+    /// A time (s) in which the motion changes little, and over which the rate of a holding
+    /// force is taken by differences.
+    const MOMENT: f64 = 1e-6;
+
     /// Returns the slip speed of a closed contact with friction (m/s), with its derivatives.
     fn slip(
         &self,
@@ -111,31 +150,12 @@ pub trait ContactSystem: Sized {
     ) -> FrictionLimits {
         FrictionLimits::coulomb(0.0)
     }
+}
 
-    /// Returns the readout, with the friction forces as they are (N).
-    fn readout(
-        &self,
-        _structure: Self::Structure,
-        _closed: ContactIndices,
-        _forces: &FrictionForces,
-        _x: &Self::State,
-        _input: &Self::Input,
-    ) -> f64 {
-        0.0
-    }
-
-    /// Returns the slopes of the readout with these contacts as they are; none where differences
-    /// are to be taken.
-    fn slopes(
-        &self,
-        _structure: Self::Structure,
-        _contacts: ContactSet,
-        _x: &Self::State,
-        _input: &Self::Input,
-    ) -> Option<ReadoutSlopes> {
-        None
-    }
-
+/// What ends a structural mode of a mechanism with contacts, and how far a step may go.
+///
+/// One with a single structure needs no more than `impl GuardedContacts for X {}`.
+pub trait GuardedContacts: FrictionalContacts {
     /// Returns the guards of all structural modes, with ids below 128 and priorities below 64:
     /// walls, latches, what ends a structure.
     fn structure_guards(&self) -> &[GuardSpec] {
@@ -158,6 +178,39 @@ pub trait ContactSystem: Sized {
         GuardValue::new(1.0, 0.0)
     }
 
+    /// Bounds what a gap, a slip speed or a guard of the structure does along a computed orbit, as
+    /// [`Guarded::guard_bound`](crate::Guarded::guard_bound) does.
+    fn guard_bound(
+        &self,
+        _structure: Self::Structure,
+        _guard: ContactGuard,
+        _over: &Enclosure<Self::State, Self::Input>,
+    ) -> GuardBound {
+        GuardBound::UNKNOWN
+    }
+
+    /// Longest step (s) from `x` on, where that depends on the state: a felt that is pressed
+    /// hard is stiff. At most [`Nature::longest_step`].
+    fn longest_step_at(
+        &self,
+        structure: Self::Structure,
+        contacts: ContactSet,
+        _x: &Self::State,
+        _input: &Self::Input,
+    ) -> f64 {
+        self.nature(structure, contacts).longest_step
+    }
+
+    /// Returns `x` with the coordinates that `structure` slaves to the input put in place.
+    fn constrain(
+        &self,
+        _structure: Self::Structure,
+        x: &Self::State,
+        _input: &Self::Input,
+    ) -> Self::State {
+        *x
+    }
+
     /// Applies the reset map of a guard of the structure; the contacts follow by themselves.
     ///
     /// A friction of finite force takes no part in an impulse: where it leaves a slip speed,
@@ -171,60 +224,5 @@ pub trait ContactSystem: Sized {
         _input: &Self::Input,
     ) -> Reset<WithContacts<Self>> {
         Reset::to(super::ContactMode { structure, contacts }, *x)
-    }
-
-    /// What the equations are like while these contacts touch.
-    fn nature(&self, _structure: Self::Structure, _contacts: ContactSet) -> Nature {
-        Nature::default()
-    }
-
-    /// Longest step (s) that resolves the motion while these contacts touch.
-    fn longest_step(&self, _structure: Self::Structure, _contacts: ContactSet) -> f64 {
-        f64::INFINITY
-    }
-
-    /// Longest step (s) from `x` on, where that depends on the state: a felt that is pressed
-    /// hard is stiff. At most [`Self::longest_step`].
-    fn longest_step_at(
-        &self,
-        structure: Self::Structure,
-        contacts: ContactSet,
-        _x: &Self::State,
-        _input: &Self::Input,
-    ) -> f64 {
-        self.longest_step(structure, contacts)
-    }
-
-    /// Bounds what a gap, a slip speed or a guard of the structure does along a computed orbit, as
-    /// [`Guarded::guard_bound`](crate::Guarded::guard_bound) does.
-    fn guard_bound(
-        &self,
-        _structure: Self::Structure,
-        _guard: ContactGuard,
-        _over: &Enclosure<Self::State, Self::Input>,
-    ) -> GuardBound {
-        GuardBound::UNKNOWN
-    }
-
-    /// Returns `x` with the coordinates that `structure` slaves to the input put in place.
-    fn constrain(
-        &self,
-        _structure: Self::Structure,
-        x: &Self::State,
-        _input: &Self::Input,
-    ) -> Self::State {
-        *x
-    }
-
-    /// How far an event that leads to `structure` may move a coordinate onto a constraint, in the
-    /// unit of that coordinate; farther is a fault.
-    fn longest_projection(&self, _structure: Self::Structure) -> f64 {
-        f64::INFINITY
-    }
-
-    /// A time (s) in which the motion changes little, and over which the rate of a holding
-    /// force is taken by differences.
-    fn moment(&self) -> f64 {
-        1e-6
     }
 }

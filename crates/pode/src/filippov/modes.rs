@@ -65,14 +65,24 @@ impl<M: Sided> Model for Filippov<M> {
                     above.kind == EquationKind::Stiff || below.kind == EquationKind::Stiff;
                 let kind = if is_stiff { EquationKind::Stiff } else { EquationKind::Smooth };
                 Nature::new(kind, above.rate.max(below.rate))
+                    .with_longest_step(above.longest_step.min(below.longest_step))
             }
         }
     }
+}
 
-    fn longest_step(&self, _mode: Mode) -> f64 {
-        self.0.longest_step()
-    }
+impl<M: Sided> Filippov<M> {
+    const ABOVE: [GuardSpec; 1] = [GuardSpec::new(0, "meets from above").scaled(M::SIZE)];
+    const BELOW: [GuardSpec; 1] = [GuardSpec::new(1, "meets from below").scaled(M::SIZE)];
+    const SLIDING: [GuardSpec; 3] = [
+        GuardSpec::new(2, "leaves upwards").scaled(M::RATE),
+        GuardSpec::new(3, "leaves downwards").scaled(M::RATE),
+        // A side is looked for before a share is asked for.
+        GuardSpec::new(4, "torn off").scaled(M::SLACK).with_priority(0),
+    ];
+}
 
+impl<M: Sided> Guarded for Filippov<M> {
     fn constrain(&self, mode: Mode, x: &M::State, input: &M::Input) -> M::State {
         /// From a jump of [`Sided::SLACK`], each one squares what is left; the last one
         /// is for the rounding.
@@ -93,20 +103,7 @@ impl<M: Sided> Model for Filippov<M> {
         }
         x
     }
-}
 
-impl<M: Sided> Filippov<M> {
-    const ABOVE: [GuardSpec; 1] = [GuardSpec::new(0, "meets from above").scaled(M::SIZE)];
-    const BELOW: [GuardSpec; 1] = [GuardSpec::new(1, "meets from below").scaled(M::SIZE)];
-    const SLIDING: [GuardSpec; 3] = [
-        GuardSpec::new(2, "leaves upwards").scaled(M::RATE),
-        GuardSpec::new(3, "leaves downwards").scaled(M::RATE),
-        // A side is looked for before a share is asked for.
-        GuardSpec::new(4, "torn off").scaled(M::SLACK).with_priority(0),
-    ];
-}
-
-impl<M: Sided> Guarded for Filippov<M> {
     fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
         match mode {
             Mode::Above => &Self::ABOVE,

@@ -90,13 +90,8 @@ pub trait Sided {
     /// Returns the surface function with its derivatives.
     fn surface(&self, x: &Self::State, input: &Self::Input) -> Surface<Self::State>;
 
-    /// What the equations of a side are like.
+    /// Returns what is constant on a side; both longest steps hold along the surface too.
     fn nature(&self, _side: SurfaceSide) -> Nature {
         Nature::default()
-    }
-
-    /// Longest step (s) that resolves the motion, on either side and along the surface.
-    fn longest_step(&self) -> f64 {
-        f64::INFINITY
     }
 }

@@ -1,6 +1,6 @@
 //! Taylor coefficients, one order after another.
 //!
-//! A model that knows its own series ([`Model::series`](crate::Model::series)) gives the solution
+//! A model that knows its own series ([`Guarded::series`](crate::Guarded::series)) gives the solution
 //! from a state on as a power series in time, of any order, and its guards along with it.
 //! [`Taylor`](crate::stepper::Taylor) makes steps of them. Coefficients are scaled by powers of a
 //! time that is about as long as the step, so that high orders neither overflow nor vanish.

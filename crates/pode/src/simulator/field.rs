@@ -1,7 +1,7 @@
 //! One mode's equations over one step, with its evaluations counted.
 
 use crate::input::Signal;
-use crate::model::Model;
+use crate::model::{Guarded, Model};
 use crate::nature::Nature;
 use crate::outcome::Work;
 use crate::part::Part;
@@ -29,7 +29,7 @@ pub(super) struct ModeField<'a, M: Model, S> {
     jacobians: u32,
 }
 
-impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
+impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
     /// The equations of a part of `mode` from one θ of the tick to another, with the `input` at the
     /// first.
     #[inline]
@@ -111,7 +111,7 @@ impl<'a, M: Model, S: Signal<M::Input>> ModeField<'a, M, S> {
     }
 }
 
-impl<M: Model, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
+impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
     #[inline]
     fn coords(&self) -> usize {
         self.model.coordinates()

@@ -3,7 +3,7 @@
 use super::field::{ModeField, TOGETHER};
 use crate::dense::Dense;
 use crate::input::Signal;
-use crate::model::Model;
+use crate::model::{Guarded, Model};
 use crate::outcome::Work;
 use crate::part::{MAX_PARTS, Part};
 use crate::state::State;
@@ -120,7 +120,7 @@ fn together<S: State, D: Dense<S>>(
     }
 }
 
-impl<M: Model, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
+impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
     /// The equations of a part up to `end` of the tick.
     fn field(&self, (index, part): (usize, Part), end: f64) -> ModeField<'_, M, S> {
         let theta = (self.theta.0, end);

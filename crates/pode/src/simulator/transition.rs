@@ -65,7 +65,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let from = self.mode;
         let projection = self.projection(reset.mode, &input);
         run.projection = run.projection.max(projection);
-        if projection > self.model.longest_projection(reset.mode) {
+        if projection > self.model.nature(reset.mode).longest_projection {
             run.fail(Fault::Projection);
             return false;
         }

@@ -49,11 +49,7 @@ impl Model for Busy {
     }
 
     fn nature(&self, _: bool) -> Nature {
-        self.nature
-    }
-
-    fn longest_step(&self, _: bool) -> f64 {
-        self.longest_step
+        self.nature.with_longest_step(self.longest_step)
     }
 }
 

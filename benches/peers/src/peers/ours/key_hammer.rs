@@ -127,6 +127,13 @@ impl Model for KeyHammer {
         0.0
     }
 
+    fn nature(&self, mode: Mode) -> Nature {
+        let rate = self.rates[mode as usize];
+        Nature::new(EquationKind::Conservative, rate).with_longest_step(RADIANS / rate)
+    }
+}
+
+impl Guarded for KeyHammer {
     fn series(
         &self,
         mode: Mode,
@@ -140,16 +147,6 @@ impl Model for KeyHammer {
         true
     }
 
-    fn nature(&self, mode: Mode) -> Nature {
-        Nature::new(EquationKind::Conservative, self.rates[mode as usize])
-    }
-
-    fn longest_step(&self, mode: Mode) -> f64 {
-        RADIANS / self.rates[mode as usize]
-    }
-}
-
-impl Guarded for KeyHammer {
     fn guards(&self, mode: Mode) -> &'static [GuardSpec] {
         match mode {
             Mode::Coupled => &COUPLED,

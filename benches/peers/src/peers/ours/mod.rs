@@ -76,8 +76,8 @@ where
     let ticks = STEPS.into_iter().flat_map(|h| by_tick(ours, t_end, h));
     let tolerances = tolerances(13).flat_map(|tolerance| by_tolerance(ours, t_end, tolerance));
     let (mode, _) = ours.start;
-    let longest = ours.model.longest_step(mode);
-    let is_resolved = longest.is_finite() || ours.model.nature(mode).is_linear();
+    let nature = ours.model.nature(mode);
+    let is_resolved = nature.longest_step.is_finite() || nature.is_linear();
     let whole = is_resolved.then(|| one_tick(ours, t_end)).into_iter().flatten();
     ticks.chain(tolerances).chain(whole).collect()
 }

@@ -12,7 +12,7 @@ use instruments::equations::ModeNumber;
 use mechanism::kane::assemble::Program;
 use mechanism::kane::derive_model;
 use pode::series::{Expansion, INPUT_TERMS};
-use pode::{Model as _, Motion};
+use pode::{Guarded as _, Model as _, Motion};
 
 use crate::kane::evaluation::Numbers;
 use crate::kane::runnable::{Runnable, ShippedModel};

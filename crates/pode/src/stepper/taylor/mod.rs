@@ -16,7 +16,7 @@ use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, T
 /// allow, and the dense output is the series.
 ///
 /// For offline work, as long steps as a tolerance allows, and for the smallest errors: the work
-/// grows with the square of the digits. One expansion a step ([`Model::series`]), and no step is
+/// grows with the square of the digits. One expansion a step ([`Guarded::series`]), and no step is
 /// ever refused. Where the equations change their form along the series, as where a felt is left,
 /// the step ends. A step from a state at which the model has no series, since it has none at all
 /// or a felt is just being touched, is one of Tsitouras' method under the same tolerance.
@@ -25,7 +25,7 @@ use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, T
 /// expands too are searched as polynomials, without an evaluation. Nothing is carried over steps
 /// but their length.
 ///
-/// [`Model::series`]: crate::Model::series
+/// [`Guarded::series`]: crate::Guarded::series
 ///
 /// # References
 /// `[JZ05]`: recursions, order and step size.

@@ -146,19 +146,15 @@ impl Model for Adversary<'_> {
     }
 
     fn nature(&self, mode: u8) -> Nature {
-        self.mode(mode).nature
-    }
-
-    fn longest_step(&self, mode: u8) -> f64 {
-        self.mode(mode).longest_step
-    }
-
-    fn constrain(&self, mode: u8, x: &[f64; STATE], input: &Motion) -> [f64; STATE] {
-        self.mode(mode).constrain(x, input)
+        self.mode(mode).nature.with_longest_step(self.mode(mode).longest_step)
     }
 }
 
 impl Guarded for Adversary<'_> {
+    fn constrain(&self, mode: u8, x: &[f64; STATE], input: &Motion) -> [f64; STATE] {
+        self.mode(mode).constrain(x, input)
+    }
+
     fn guards(&self, mode: u8) -> &'static [GuardSpec] {
         let is_forgotten = self.is_forgetful && count(&self.calls.lists) % 3 == 2;
         if is_forgotten { &[] } else { self.lists[usize::from(mode % MODES)] }

@@ -1,8 +1,8 @@
 //! What a tick promises, whatever the model does.
 
 use pode::{
-    Advance, Event, EventCause, Fault, Limits, Model as _, Piece, Signal, Simulator, Stepper, Tick,
-    Watch,
+    Advance, Event, EventCause, Fault, Guarded as _, Limits, Piece, Signal, Simulator, Stepper,
+    Tick, Watch,
 };
 
 use super::plan::{Deed, Plan, TICKS};

@@ -2,7 +2,7 @@
 
 use pode::contacts::{
     ContactIndices, ContactSpec, ContactState, ContactSystem, FrictionLimits, FrictionSpec,
-    WithContacts,
+    FrictionalContacts, GuardedContacts, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::stepper::Rk4;
@@ -38,6 +38,9 @@ impl ContactSystem for Springs {
         [x[1], -(closed.len() as f64) * each * x[0] - G]
     }
 }
+
+impl FrictionalContacts for Springs {}
+impl GuardedContacts for Springs {}
 
 const NAMES: [&str; 13] = ["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m"];
 
@@ -96,7 +99,9 @@ impl ContactSystem for Shared {
     fn derivative(&self, (): (), _: ContactIndices, x: &[f64; 2], _: &Motion) -> [f64; 2] {
         [x[1], -100.0 * x[0]]
     }
+}
 
+impl FrictionalContacts for Shared {
     fn slip(&self, (): (), _: usize, x: &[f64; 2], belt: &Motion) -> Surface<[f64; 2]> {
         Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift: -belt.acceleration }
     }
@@ -110,6 +115,8 @@ impl ContactSystem for Shared {
         FrictionLimits { stiction: 1.5 * kinetic, kinetic }
     }
 }
+
+impl GuardedContacts for Shared {}
 
 fn shared(n: usize, belt: Motion) -> Simulator<WithContacts<Shared>, Rk4> {
     let contacts = NAMES[..n]

@@ -5,7 +5,8 @@
 
 use pode::contacts::{
     ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, EnergeticContacts,
-    FrictionForces, FrictionLimits, FrictionSpec, WithContacts,
+    FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts, GuardedContacts,
+    WithContacts,
 };
 use pode::filippov::Surface;
 use pode::stepper::Exact;
@@ -57,18 +58,6 @@ impl ContactSystem for Block {
         [x[1], -self.k * x[0] / self.mass]
     }
 
-    fn slip(&self, (): (), _: usize, x: &[f64; 2], belt: &Motion) -> Surface<[f64; 2]> {
-        Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift: -belt.acceleration }
-    }
-
-    fn response(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> [f64; 2] {
-        [0.0, 1.0 / self.mass]
-    }
-
-    fn friction(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> FrictionLimits {
-        FrictionLimits { stiction: self.stiction, kinetic: self.kinetic }
-    }
-
     fn readout(
         &self,
         (): (),
@@ -80,6 +69,26 @@ impl ContactSystem for Block {
         forces.at(0)
     }
 
+    fn nature(&self, (): (), _: ContactSet) -> Nature {
+        Nature::new(EquationKind::Linear, self.omega())
+    }
+}
+
+impl FrictionalContacts for Block {
+    fn slip(&self, (): (), _: usize, x: &[f64; 2], belt: &Motion) -> Surface<[f64; 2]> {
+        Surface { value: x[1] - belt.rate, gradient: [0.0, 1.0], drift: -belt.acceleration }
+    }
+
+    fn response(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> [f64; 2] {
+        [0.0, 1.0 / self.mass]
+    }
+
+    fn friction(&self, (): (), _: usize, _: &[f64; 2], _: &Motion) -> FrictionLimits {
+        FrictionLimits { stiction: self.stiction, kinetic: self.kinetic }
+    }
+}
+
+impl GuardedContacts for Block {
     fn structure_guards(&self) -> &[GuardSpec] {
         &STOP
     }
@@ -98,10 +107,6 @@ impl ContactSystem for Block {
     ) -> Reset<WithContacts<Self>> {
         let mode = pode::contacts::ContactMode { structure, contacts };
         Reset::to(mode, [self.stop, -self.restitution * x[1]])
-    }
-
-    fn nature(&self, (): (), _: ContactSet) -> Nature {
-        Nature::new(EquationKind::Linear, self.omega())
     }
 }
 

@@ -3,11 +3,12 @@
 
 use pode::contacts::{
     ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, EnergeticContacts,
-    FrictionForces, FrictionLimits, FrictionSpec, WithContacts,
+    FrictionForces, FrictionLimits, FrictionSpec, FrictionalContacts, GuardedContacts,
+    WithContacts,
 };
 use pode::filippov::Surface;
 use pode::stepper::Rk4;
-use pode::{EnergyAudit, EnergyBalance, GuardValue, Limits, Simulator};
+use pode::{EnergyAudit, EnergyBalance, GuardValue, Limits, Nature, Simulator};
 use proptest::prelude::*;
 
 use crate::common::{all_completed, close};
@@ -55,6 +56,12 @@ impl ContactSystem for Chain {
         std::array::from_fn(|i| if i < 3 { x[3 + i] } else { pushed(i - 3) })
     }
 
+    fn nature(&self, (): (), _: ContactSet) -> Nature {
+        Nature::default().with_longest_step(1e-3)
+    }
+}
+
+impl FrictionalContacts for Chain {
     fn slip(&self, (): (), contact: usize, x: &[f64; 6], _: &Clock) -> Surface<[f64; 6]> {
         let weights = SLIPS[contact];
         let gradient = std::array::from_fn(|i| if i < 3 { 0.0 } else { weights[i - 3] });
@@ -71,11 +78,9 @@ impl ContactSystem for Chain {
         let [stiction, kinetic] = self.friction[contact];
         FrictionLimits { stiction, kinetic }
     }
-
-    fn longest_step(&self, (): (), _: ContactSet) -> f64 {
-        1e-3
-    }
 }
+
+impl GuardedContacts for Chain {}
 
 impl EnergeticContacts for Chain {
     fn balance(

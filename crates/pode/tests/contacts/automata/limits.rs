@@ -1,8 +1,8 @@
 //! What a model cannot have too much of.
 
 use pode::contacts::{
-    ContactGuard, ContactIndices, ContactSpec, ContactSystem, FrictionSpec, MAX_FRICTIONS,
-    TooManyGuards, WithContacts,
+    ContactGuard, ContactIndices, ContactSpec, ContactSystem, FrictionSpec, FrictionalContacts,
+    GuardedContacts, MAX_FRICTIONS, TooManyGuards, WithContacts,
 };
 use pode::{GuardId, GuardSpec, GuardValue, Guarded as _, MAX_GUARDS};
 
@@ -22,20 +22,24 @@ impl ContactSystem for Lists {
         &self.contacts
     }
 
-    fn structure_guards(&self) -> &[GuardSpec] {
-        &self.structure
-    }
-
-    fn is_watched(&self, structure: bool, guard: GuardId) -> bool {
-        structure == (guard == GuardId(0))
-    }
-
     fn gap(&self, _: bool, _: usize, x: &[f64; 1], (): &()) -> GuardValue {
         GuardValue::new(x[0], 0.0)
     }
 
     fn derivative(&self, _: bool, _: ContactIndices, _: &[f64; 1], (): &()) -> [f64; 1] {
         [0.0]
+    }
+}
+
+impl FrictionalContacts for Lists {}
+
+impl GuardedContacts for Lists {
+    fn structure_guards(&self) -> &[GuardSpec] {
+        &self.structure
+    }
+
+    fn is_watched(&self, structure: bool, guard: GuardId) -> bool {
+        structure == (guard == GuardId(0))
     }
 }
 

@@ -3,7 +3,7 @@
 
 use pode::contacts::{
     ContactIndices, ContactSpec, ContactState, ContactSystem, FrictionLimits, FrictionSpec,
-    WithContacts,
+    FrictionalContacts, GuardedContacts, WithContacts,
 };
 use pode::filippov::Surface;
 use pode::stepper::Rk4;
@@ -57,7 +57,9 @@ impl ContactSystem for Stack {
     fn derivative(&self, (): (), _: ContactIndices, x: &[f64; 4], t: &Clock) -> [f64; 4] {
         [x[2], x[3], self.pull(t.0) / self.m[0], 0.0]
     }
+}
 
+impl FrictionalContacts for Stack {
     fn slip(&self, (): (), contact: usize, x: &[f64; 4], _: &Clock) -> Surface<[f64; 4]> {
         let gradient = if contact == 0 { [0.0, 0.0, 1.0, 0.0] } else { [0.0, 0.0, -1.0, 1.0] };
         let value = if contact == 0 { x[2] } else { x[3] - x[2] };
@@ -73,6 +75,8 @@ impl ContactSystem for Stack {
         FrictionLimits { stiction: self.stiction[contact], kinetic: self.kinetic[contact] }
     }
 }
+
+impl GuardedContacts for Stack {}
 
 /// Times of the changes, with what both frictions do from there, and the speeds.
 type Phases = [(f64, [ContactState; 2], [f64; 2]); 7];

@@ -7,7 +7,10 @@
 
 use std::cell::Cell;
 
-use pode::contacts::{ContactIndices, ContactSpec, ContactSystem, FrictionLimits, FrictionSpec};
+use pode::contacts::{
+    ContactIndices, ContactSpec, ContactSystem, FrictionLimits, FrictionSpec, FrictionalContacts,
+    GuardedContacts,
+};
 use pode::filippov::Surface;
 use pode::{GuardValue, State as _};
 
@@ -188,7 +191,9 @@ impl ContactSystem for Body {
         }
         flow
     }
+}
 
+impl FrictionalContacts for Body {
     fn slip(&self, (): (), contact: usize, x: &BodyState, _: &Clock) -> Surface<BodyState> {
         let it = self.kinematics(contact, x);
         let turn = -x[5] * dot(it.t, it.arm);
@@ -210,3 +215,5 @@ impl ContactSystem for Body {
         FrictionLimits { stiction: it.pad.stiction * normal, kinetic: it.pad.kinetic * normal }
     }
 }
+
+impl GuardedContacts for Body {}
