@@ -29,7 +29,7 @@
 //! # Examples
 //!
 //! ```
-//! use crate::contacts::restitution::{ContactJacobian, ImpactEnding};
+//! use pode::contacts::restitution::{ContactJacobian, ImpactEnding};
 //!
 //! // Three balls of 1 kg that touch; the first one arrives with 1 m/s.
 //! let row = ContactJacobian {
