@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use haptics::Touch;
 use host::session::{RunOptions, RunSession};
-use instruments::{Described as _, LoadedModel, ModeCode, Playable, SmallModel, Visitor};
+use instruments::{LoadedModel, ModeCode, NamedModes as _, Playable, SmallModel, Visitor};
 use pode::input::Cubic;
 use pode::stepper::{ByNeed, Rk4, Stepper};
 use pode::{Auditor, Limits, Motion, Silent, Simulator, Watch, Work};

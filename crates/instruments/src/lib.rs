@@ -24,6 +24,6 @@ pub use crate::equations::table::{MidiTable, PressureKind, PressureTable};
 pub use model::{
     Damper, Described, DoesNotLoad, FileContents, GuardEntry, LARGEST, LoadedModel,
     MAX_CODED_CONTACTS, ModeCode, ModeEntry, ModeName, ModelEntry, ModelParts, ModelSource,
-    Parameter, Playable, Preset, SharedFunctions, SmallModel, Sounding, Visitor, draw,
+    NamedModes, Parameter, Playable, Preset, SharedFunctions, SmallModel, Sounding, Visitor, draw,
     hammer_speed,
 };

@@ -102,7 +102,7 @@ fn entry_is_true<M: Playable>(model: M) {
     for (index, ((mode, name), listed)) in (0..).zip(modes.into_iter().zip(&entry.modes)) {
         let number = model.mode_code(mode);
         assert_eq!((number, model.mode(number)), (ModeCode::structural(index), Some(mode)));
-        assert_eq!(ModeName::new(&model, number).to_string(), name, "{label}");
+        assert_eq!(ModeName { model: model.shared(), mode: number }.to_string(), name, "{label}");
         let guards: Vec<_> = model.guards(mode).iter().map(|guard| guard.name).collect();
         let named: Vec<_> = listed.guards.iter().map(|guard| guard.name).collect();
         assert_eq!(guards, named, "{label} {name}");
@@ -112,7 +112,11 @@ fn entry_is_true<M: Playable>(model: M) {
         assert_eq!(free, 2 * usize::from(listed.p), "{label} {name}: coordinates and speeds");
     }
     assert_eq!(model.mode(ModeCode::structural(u8::MAX)), None, "{label}");
-    assert_eq!(ModeName::new(&model, ModeCode::NONE).to_string(), "?", "{label}");
+    assert_eq!(
+        ModeName { model: model.shared(), mode: ModeCode::NONE }.to_string(),
+        "?",
+        "{label}"
+    );
 }
 
 #[test]

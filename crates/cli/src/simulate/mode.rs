@@ -2,7 +2,7 @@ use instruments::{Described, ModeName};
 
 /// Returns the name of a mode: the structural one's, with the contacts that are not open.
 pub(super) fn mode_name<M: Described>(model: &M, mode: M::Mode) -> String {
-    ModeName::new(model, model.mode_code(mode)).to_string()
+    ModeName { model: model.shared(), mode: model.mode_code(mode) }.to_string()
 }
 
 pub(super) fn mode_index<M: Described>(model: &M, mode: M::Mode) -> usize {

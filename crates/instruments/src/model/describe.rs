@@ -1,22 +1,41 @@
 //! What a model says about itself: names, parameters, presets, how a key plays it.
 
 use alloc::sync::Arc;
-use core::fmt;
 
-use crate::equations::table::MidiTable;
+use crate::equations::table::{Equations as _, MidiTable};
 use pode::{Energetic, GuardId, Model, Motion, Resets, Sloped};
 
 use crate::model::draw::Sketch;
-use crate::model::entry::ModelEntry;
+use crate::model::entry::{ModeEntry, ModelEntry};
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
+
+/// A model whose structural modes have names, and each mode a number.
+pub trait NamedModes: Model {
+    /// Returns what all voices of the model share.
+    fn shared(&self) -> &Arc<ModelParts>;
+
+    /// Returns the number of `mode`.
+    fn mode_code(&self, mode: Self::Mode) -> ModeCode;
+
+    /// Returns the mode with this number, if there is one.
+    fn mode(&self, number: ModeCode) -> Option<Self::Mode>;
+
+    /// Returns every structural mode with its name, with all contacts open.
+    fn modes(&self) -> impl Iterator<Item = (Self::Mode, &'static str)> {
+        let named = |(index, mode): (u8, &ModeEntry)| {
+            Some((self.mode(ModeCode::structural(index))?, mode.name))
+        };
+        (0..=u8::MAX).zip(&self.shared().modes).filter_map(named)
+    }
+}
 
 /// A model with a name, parameters, and names for all that it has.
 ///
 /// All of it belongs to the value, not to the type: one type is every model that is read from a
 /// file. Its state is an array, so that entries can be set by name: `x.as_mut()[index]`.
 pub trait Described:
-    Model<Input = Motion, State: AsMut<[f64]>>
+    NamedModes<Input = Motion, State: AsMut<[f64]>>
     + Resets
     + Energetic
     + Sloped
@@ -25,10 +44,7 @@ pub trait Described:
     + Send
     + 'static
 {
-    /// Returns what all voices of the model share.
-    fn shared(&self) -> &Arc<ModelParts>;
-
-    /// Names, units, parameters and presets.
+    /// Returns names, units, parameters and presets.
     fn entry(&self) -> &ModelEntry {
         self.shared()
     }
@@ -38,36 +54,12 @@ pub trait Described:
     #[must_use]
     fn with_values(&self, values: &[f64]) -> Self;
 
-    /// The number of `mode`.
-    fn mode_code(&self, mode: Self::Mode) -> ModeCode;
-
-    /// The mode with this number, if there is one.
-    fn mode(&self, number: ModeCode) -> Option<Self::Mode>;
-
-    /// Writes the name of the mode with this number: the structural mode's, where the model has no
-    /// contacts; `?` if there is none.
-    ///
-    /// # Errors
-    /// If `to` takes no text.
-    fn write_mode(&self, number: ModeCode, to: &mut dyn fmt::Write) -> fmt::Result {
-        let mode = self.entry().modes.get(usize::from(number.structure()));
-        to.write_str(mode.filter(|_| self.mode(number).is_some()).map_or("?", |mode| mode.name))
-    }
-
-    /// Every structural mode with its name, with all contacts open.
-    fn modes(&self) -> impl Iterator<Item = (Self::Mode, &'static str)> {
-        let named = |(index, mode): (u8, &crate::model::entry::ModeEntry)| {
-            Some((self.mode(ModeCode::structural(index))?, mode.name))
-        };
-        (0..=u8::MAX).zip(&self.entry().modes).filter_map(named)
-    }
-
     /// Writes the outputs, forces first, for files and plots.
     fn outputs(&self, mode: Self::Mode, x: &Self::State, input: &Motion, out: &mut [f64]);
 
-    /// Tells each condition on the parameters that these values do not meet, as people read it:
-    /// `string > trip`.
-    fn unmet(&self, _tell: &mut dyn FnMut(&str)) {}
+    /// Calls `report` with each condition on the parameters that these values do not meet, as people
+    /// read it: `string > trip`.
+    fn unmet(&self, report: &mut dyn FnMut(&str));
 
     /// At rest under a constant input, or where the parameters say that it starts: a
     /// `y0` above 0 is a drop.
@@ -89,17 +81,18 @@ pub trait Described:
 pub trait Playable: Described {
     /// The damper that the key lifts.
     fn damper(&self) -> Damper {
-        Damper::USUAL
+        let damper = self.shared().table().damper;
+        damper.map_or(Damper::USUAL, |it| Damper { lift: it.lift, fall: it.fall })
     }
 
     /// Speed below which what strikes touches the string but does not sound (m/s).
     fn softest_tone(&self) -> f64 {
-        Damper::USUAL_SOFTEST_TONE
+        self.shared().table().damper.map_or(Damper::USUAL_SOFTEST_TONE, |it| it.softest_tone)
     }
 
     /// What becomes of strikes and of the key's force in MIDI.
     fn midi(&self) -> MidiTable {
-        MidiTable::HAMMER
+        self.shared().table().midi
     }
 
     /// Input per metre of key-front travel (unit of the input / m); a force at the

@@ -10,7 +10,7 @@ mod mode_name;
 mod parts;
 mod source;
 
-pub use describe::{Damper, Described, Playable, Sounding, hammer_speed};
+pub use describe::{Damper, Described, NamedModes, Playable, Sounding, hammer_speed};
 pub use entry::{GuardEntry, ModeEntry, ModelEntry, Parameter, Preset};
 pub use equation_model::MAX_CODED_CONTACTS;
 pub use loaded_model::{DoesNotLoad, LARGEST, LoadedModel, SharedFunctions, SmallModel, Visitor};

@@ -2,26 +2,43 @@
 
 use core::fmt;
 
-use crate::model::describe::Described;
-use crate::model::mode_code::ModeCode;
+use pode::contacts::ContactState;
 
-/// Writes the name of a mode of a model: that of the structural mode, and behind it the contacts
-/// that are not open.
+use crate::equations::table::Equations as _;
+use crate::model::equation_model::decoded;
+use crate::model::mode_code::ModeCode;
+use crate::model::parts::ModelParts;
+
+/// Writes the name of a structural mode and each contact that is not open, `B1 string=closed`; `?`
+/// for the number of no mode.
 #[derive(Clone, Copy, Debug)]
-pub struct ModeName<'a, M> {
-    model: &'a M,
-    mode: ModeCode,
+pub struct ModeName<'a> {
+    pub model: &'a ModelParts,
+    pub mode: ModeCode,
 }
 
-impl<'a, M: Described> ModeName<'a, M> {
-    /// The name of the mode with this number in `model`.
-    pub const fn new(model: &'a M, mode: ModeCode) -> Self {
-        Self { model, mode }
+impl fmt::Display for ModeName<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let specs = &self.model.table().contact_specs;
+        let mode = self.model.modes.get(usize::from(self.mode.structure()));
+        let contacts = decoded(self.mode.contacts(), specs.len());
+        let Some((mode, contacts)) = mode.zip(contacts) else { return f.write_str("?") };
+        f.write_str(mode.name)?;
+        for contact in contacts.closed() {
+            let name = specs.get(contact).map_or("?", |contact| contact.name);
+            write!(f, " {name}={}", word(contacts.state(contact)))?;
+        }
+        Ok(())
     }
 }
 
-impl<M: Described> fmt::Display for ModeName<'_, M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.model.write_mode(self.mode, f)
+/// The word for what a contact that is not open does.
+const fn word(state: ContactState) -> &'static str {
+    match state {
+        ContactState::Open => "open",
+        ContactState::Closed => "closed",
+        ContactState::Stick => "stick",
+        ContactState::SlideUp => "up",
+        ContactState::SlideDown => "down",
     }
 }

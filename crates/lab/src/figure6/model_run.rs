@@ -1,6 +1,6 @@
 //! Record of a model's run: a row at the end of each step, and its events.
 
-use instruments::Described as _;
+use instruments::NamedModes as _;
 use instruments::SmallModel;
 use pode::{Energetic as _, Model, Motion};
 

@@ -5,7 +5,7 @@
 //! Entries that the mode slaves to the input are no states.
 
 use figures::digits::rounded;
-use instruments::{LoadedModel, Playable, Visitor};
+use instruments::{LoadedModel, ModeName, Playable, Visitor};
 use nalgebra_of_lm::{Complex, DMatrix, DVector};
 use pode::stepper::Any;
 use pode::{Advance, Limits, Motion, Silent, Simulator};
@@ -191,10 +191,9 @@ impl<M: Playable> ModePlace<M> {
             let (size, [up, down]) = self.beside(&state, *entry);
             (self.readout(&up, &self.input) - self.readout(&down, &self.input)) / (2.0 * size)
         });
-        let mut mode = String::new();
-        let _written = self.model.write_mode(self.model.mode_code(self.mode), &mut mode);
+        let mode = self.model.mode_code(self.mode);
         LinearMode {
-            mode,
+            mode: ModeName { model: self.model.shared(), mode }.to_string(),
             force: scale * self.readout(&state, &self.input),
             is_at_rest,
             scale,

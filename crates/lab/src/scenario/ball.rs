@@ -3,7 +3,7 @@
 //! t1 = √(2/g), t_n = t1 (1 + 2e(1 − eⁿ⁻¹)/(1 − e)), accumulating at t1 (1 + e)/(1 − e).
 
 use instruments::SmallModel;
-use instruments::{Described as _, ModeCode};
+use instruments::{ModeCode, NamedModes as _};
 use pode::Motion;
 
 use super::{BadFile, ExpectedEvent, ForceKind, MS, ModeOf, Plan, Reference, Scenario};

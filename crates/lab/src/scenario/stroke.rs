@@ -1,6 +1,6 @@
 //! Instruments under a stroke, against trajectories of independent programs.
 
-use instruments::Described as _;
+use instruments::NamedModes as _;
 use instruments::SmallModel;
 use pode::Motion;
 use pode::series::INPUT_TERMS;

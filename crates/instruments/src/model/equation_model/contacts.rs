@@ -1,16 +1,14 @@
 //! The same with contacts: a mode is a structural mode, and what each contact does.
 
 use alloc::sync::Arc;
-use core::fmt;
 
-use crate::equations::table::MidiTable;
 use crate::equations::{EquationModel, ModeNumber};
 use pode::contacts::{
     ContactGuard, ContactMode, ContactSet, ContactState, ContactSystem as _, WithContacts,
 };
 use pode::{GuardId, Motion};
 
-use crate::model::describe::{Damper, Described, Playable, Sounding};
+use crate::model::describe::{Described, NamedModes, Playable, Sounding};
 use crate::model::draw::Sketch;
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
@@ -38,7 +36,7 @@ fn code(contacts: &ContactSet, count: usize) -> u64 {
 }
 
 /// The states of `count` contacts of which this is the code; none if it is of more contacts.
-fn decoded(code: u64, count: usize) -> Option<ContactSet> {
+pub(in crate::model) fn decoded(code: u64, count: usize) -> Option<ContactSet> {
     let (mut set, mut rest) = (ContactSet::OPEN, code);
     for contact in 0..count.min(MAX_CODED_CONTACTS) {
         let digit = usize::from((rest % 5).to_le_bytes()[0]);
@@ -48,27 +46,11 @@ fn decoded(code: u64, count: usize) -> Option<ContactSet> {
     (rest == 0).then_some(set)
 }
 
-/// The word for what a contact that is not open does.
-const fn word(state: ContactState) -> &'static str {
-    match state {
-        ContactState::Open => "open",
-        ContactState::Closed => "closed",
-        ContactState::Stick => "stick",
-        ContactState::SlideUp => "up",
-        ContactState::SlideDown => "down",
-    }
-}
-
-impl<const N: usize, const C: usize> Described
+impl<const N: usize, const C: usize> NamedModes
     for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
 {
     fn shared(&self) -> &Arc<ModelParts> {
         self.system().shared()
-    }
-
-    /// What had few enough contacts has them again.
-    fn with_values(&self, values: &[f64]) -> Self {
-        Self::new(self.system().with_values(values)).unwrap_or_else(|_unchanged| self.clone())
     }
 
     fn mode_code(&self, mode: ContactMode<ModeNumber>) -> ModeCode {
@@ -81,16 +63,14 @@ impl<const N: usize, const C: usize> Described
         let contacts = decoded(code.contacts(), self.system().contacts().len())?;
         Some(ContactMode { structure, contacts })
     }
+}
 
-    /// Writes the structural mode's name and each contact that is not open: `B1 string=closed`.
-    fn write_mode(&self, code: ModeCode, to: &mut dyn fmt::Write) -> fmt::Result {
-        let Some(mode) = self.mode(code) else { return to.write_str("?") };
-        self.system().write_mode(ModeCode::structural(code.structure()), to)?;
-        for contact in mode.contacts.closed() {
-            let name = self.system().contacts().get(contact).map_or("?", |contact| contact.name);
-            write!(to, " {name}={}", word(mode.contacts.state(contact)))?;
-        }
-        Ok(())
+impl<const N: usize, const C: usize> Described
+    for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
+{
+    /// What had few enough contacts has them again.
+    fn with_values(&self, values: &[f64]) -> Self {
+        Self::new(self.system().with_values(values)).unwrap_or_else(|_unchanged| self.clone())
     }
 
     fn outputs(
@@ -103,8 +83,8 @@ impl<const N: usize, const C: usize> Described
         self.system().outputs(mode.structure, x, input, out);
     }
 
-    fn unmet(&self, tell: &mut dyn FnMut(&str)) {
-        Described::unmet(self.system(), tell);
+    fn unmet(&self, report: &mut dyn FnMut(&str)) {
+        Described::unmet(self.system(), report);
     }
 
     /// What overlaps at rest is closed, and what has friction sticks.
@@ -137,18 +117,6 @@ impl<const N: usize, const C: usize> Described
 impl<const N: usize, const C: usize> Playable
     for WithContacts<EquationModel<Arc<ModelParts>, N, C>>
 {
-    fn damper(&self) -> Damper {
-        self.system().damper()
-    }
-
-    fn softest_tone(&self) -> f64 {
-        self.system().softest_tone()
-    }
-
-    fn midi(&self) -> MidiTable {
-        self.system().midi()
-    }
-
     fn input_per_metre(&self) -> f64 {
         self.system().input_per_metre()
     }

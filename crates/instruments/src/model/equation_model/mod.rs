@@ -7,31 +7,20 @@ mod drawing;
 
 use alloc::sync::Arc;
 
-use crate::equations::table::{MidiTable, ModelTable};
 use crate::equations::{EquationModel, ModeNumber};
 use pode::{GuardId, Motion};
 
-use crate::model::describe::{Damper, Described, Playable, Sounding};
+use crate::model::describe::{Described, NamedModes, Playable, Sounding};
 use crate::model::draw::Sketch;
 use crate::model::mode_code::ModeCode;
 use crate::model::parts::ModelParts;
 
 pub use contacts::MAX_CODED_CONTACTS;
+pub(super) use contacts::decoded;
 
-/// The damper of a table, and the speed below which nothing sounds (m/s); the usual ones where it says nothing.
-fn damper(table: &ModelTable) -> (Damper, f64) {
-    table.damper.map_or((Damper::USUAL, Damper::USUAL_SOFTEST_TONE), |it| {
-        (Damper { lift: it.lift, fall: it.fall }, it.softest_tone)
-    })
-}
-
-impl<const N: usize, const C: usize> Described for EquationModel<Arc<ModelParts>, N, C> {
+impl<const N: usize, const C: usize> NamedModes for EquationModel<Arc<ModelParts>, N, C> {
     fn shared(&self) -> &Arc<ModelParts> {
         self.functions()
-    }
-
-    fn with_values(&self, values: &[f64]) -> Self {
-        self.with_values(values)
     }
 
     fn mode_code(&self, mode: ModeNumber) -> ModeCode {
@@ -42,13 +31,19 @@ impl<const N: usize, const C: usize> Described for EquationModel<Arc<ModelParts>
         let is_one = usize::from(code.structure()) < self.table().modes.len();
         (is_one && code.contacts() == 0).then_some(ModeNumber(code.structure()))
     }
+}
+
+impl<const N: usize, const C: usize> Described for EquationModel<Arc<ModelParts>, N, C> {
+    fn with_values(&self, values: &[f64]) -> Self {
+        self.with_values(values)
+    }
 
     fn outputs(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, out: &mut [f64]) {
         self.outputs(mode, x, input, out);
     }
 
-    fn unmet(&self, tell: &mut dyn FnMut(&str)) {
-        Self::unmet(self).for_each(|condition| tell(&condition.text));
+    fn unmet(&self, report: &mut dyn FnMut(&str)) {
+        Self::unmet(self).for_each(|condition| report(&condition.text));
     }
 
     fn at_rest(&self, input: &Motion) -> (ModeNumber, [f64; N]) {
@@ -57,18 +52,6 @@ impl<const N: usize, const C: usize> Described for EquationModel<Arc<ModelParts>
 }
 
 impl<const N: usize, const C: usize> Playable for EquationModel<Arc<ModelParts>, N, C> {
-    fn damper(&self) -> Damper {
-        damper(self.table()).0
-    }
-
-    fn softest_tone(&self) -> f64 {
-        damper(self.table()).1
-    }
-
-    fn midi(&self) -> MidiTable {
-        self.table().midi
-    }
-
     fn input_per_metre(&self) -> f64 {
         self.input_per_metre()
     }
