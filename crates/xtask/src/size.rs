@@ -19,6 +19,9 @@ const OTHER: [&str; 4] = ["tests", "benches", "examples", "fuzz"];
 /// Number of structs and traits to print.
 const SHOWN: usize = 10;
 
+/// Largest number of fields of a struct, and of methods of a trait, provided ones included.
+const MAX_MEMBERS: [usize; 2] = [15, 7];
+
 /// File with the allowed number of lines.
 const ALLOWANCE: &str = "tests/size.toml";
 
@@ -94,8 +97,9 @@ impl ProjectSize {
         let mut crates: Vec<_> = self.crates.iter().collect();
         crates.sort_by_key(|(_, lines)| Reverse(**lines));
         lines.extend(crates.iter().map(|(name, lines)| format!("  {lines:6} {name}")));
-        for (what, items) in [("fields", &self.structs), ("methods", &self.traits)] {
-            lines.push(format!("\nmost {what}:"));
+        let items = [("fields", &self.structs), ("methods", &self.traits)];
+        for ((what, items), max) in items.into_iter().zip(MAX_MEMBERS) {
+            lines.push(format!("\nmost {what}, of {max} allowed:"));
             let mut items: Vec<_> = items.iter().collect();
             items.sort_by_key(|it| Reverse(*it));
             let item = |it: &&CountedItem| format!("  {:6} {} in {}", it.members, it.name, it.file);
@@ -219,6 +223,19 @@ mod tests {
         assert!(product <= allowed.product, "{product} lines of product: delete as many");
         assert!(all <= allowed.all, "{all} lines of Rust: delete as many");
         assert!(product > allowed.product / 2, "{product} lines of product were found");
+    }
+
+    #[test]
+    fn structs_and_traits_are_small() {
+        let size = match count() {
+            Ok(size) => size,
+            Err(why) => return eprintln!("SKIPPED: {why}"),
+        };
+        for (items, max) in [&size.structs, &size.traits].into_iter().zip(MAX_MEMBERS) {
+            let is_large = |it: &&CountedItem| max < it.members && !it.file.contains("/generated/");
+            let large: Vec<_> = items.iter().filter(is_large).collect();
+            assert!(large.is_empty(), "more than {max} members, group or split them: {large:#?}");
+        }
     }
 
     const FILE: &str = "\
