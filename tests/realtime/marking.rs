@@ -1,13 +1,12 @@
 //! Marks the threads of the lanes, from inside: with a voice that runs on them.
 
-use std::any::Any;
 use std::ops::Range;
 
 use engine::realtime::pool::BoxedVoice;
 use scheduler::motion::KeySample;
 use scheduler::observation::VoiceObservation;
 use scheduler::values::ModelValues;
-use scheduler::voice::{Voice, VoiceOutput};
+use scheduler::voice::{Voice, VoiceInternals, VoiceOutput};
 
 use crate::trap::{self, Zone};
 
@@ -46,8 +45,8 @@ impl Voice for Marking {
         self.voice.take_over(before)
     }
 
-    fn memory(&self) -> Option<&dyn Any> {
-        self.voice.memory()
+    fn internals(&self) -> VoiceInternals<'_> {
+        self.voice.internals()
     }
 }
 

@@ -13,8 +13,7 @@ use scheduler::motion::{KeyEvent, KeySample, Moment};
 use scheduler::safety::KeyGate;
 use scheduler::slot::Slot;
 use scheduler::time::Period;
-use scheduler::voice::{Voice, VoiceOutput};
-use scheduler::work::TurnLimit;
+use scheduler::voice::{TurnRules, Voice, VoiceOutput};
 
 use engine::voice::{BuildError, RehearsableVoice, VoiceBuilder};
 
@@ -100,8 +99,8 @@ impl Voice for Copied {
         self.0.tick(tick, sample, turn);
     }
 
-    fn limit_work(&mut self, limit: TurnLimit) {
-        self.0.limit_work(limit);
+    fn restrict(&mut self, rules: TurnRules) {
+        self.0.restrict(rules);
     }
 
     fn reset(&mut self, sample: &KeySample) {

@@ -5,7 +5,7 @@ use crate::observation::{FollowedKeys, VoiceObservation};
 use crate::overload::Simplifications;
 use crate::port::TickRules;
 use crate::values::ModelValues;
-use crate::voice::{Voice, VoiceFault, VoiceOutput};
+use crate::voice::{TurnRules, Voice, VoiceFault, VoiceOutput};
 use crate::work::{TurnLimit, VoiceKind};
 
 const OCTAVE: usize = 12;
@@ -86,8 +86,8 @@ pub struct Slot<V> {
     told_ran: u32,
     rules: TickRules,
     limit: SlotLimit,
-    /// Simplifications and limit that were sent to the voice last.
-    told: (Simplifications, Option<TurnLimit>),
+    /// Rules that were sent to the voice last.
+    told: Option<TurnRules>,
     kind: Option<VoiceKind>,
     last_turn: LastTurn,
 }
@@ -133,7 +133,7 @@ impl<V> Slot<V> {
             told_ran: 0,
             rules: NO_RULES,
             limit: SlotLimit::Recorded(TurnLimit::NONE),
-            told: (Simplifications::NONE, None),
+            told: None,
             kind: None,
             last_turn: LastTurn { force: 0.0, idle: false, units: 0 },
         }
@@ -154,7 +154,7 @@ impl<V> Slot<V> {
     pub const fn replace(&mut self, voice: V) -> V {
         self.fresh = true;
         self.lockout = Lockout { level: 0, muted: false };
-        (self.told, self.kind) = ((Simplifications::NONE, None), None);
+        (self.told, self.kind) = (None, None);
         core::mem::replace(&mut self.voice, voice)
     }
 }
@@ -192,7 +192,7 @@ impl<V: Voice> Slot<V> {
 
     #[inline]
     pub fn kind(&mut self) -> VoiceKind {
-        *self.kind.get_or_insert_with(|| self.voice.kind())
+        *self.kind.get_or_insert_with(|| self.voice.internals().kind)
     }
 
     /// Returns the expected work of the next turn: the units of the last one.
@@ -214,11 +214,7 @@ impl<V: Voice> Slot<V> {
 
     /// Sends the voice those of its rules that changed.
     fn tell(&mut self) {
-        let (simplified, told) = self.told;
-        if simplified != self.rules.simplified {
-            self.told.0 = self.rules.simplified;
-            self.voice.simplify(self.told.0);
-        }
+        let told = self.told.map(|told| told.limit);
         let limit = match self.limit {
             SlotLimit::Budget(units) if self.lockout.is_suspicious() => {
                 new_limit(TurnLimit::of(units), told)
@@ -228,9 +224,13 @@ impl<V: Voice> Slot<V> {
             }
             SlotLimit::Recorded(limit) => Some(limit).filter(|_| told != Some(limit)),
         };
-        if let Some(limit) = limit {
-            self.told.1 = Some(limit);
-            self.voice.limit_work(limit);
+        let is_simplified = self.told.is_some_and(|told| told.simplified != self.rules.simplified);
+        if is_simplified || limit.is_some() {
+            // A voice that was told nothing yet has a new limit.
+            let limit = limit.or(told).unwrap_or(TurnLimit::NONE);
+            let rules = TurnRules { simplified: self.rules.simplified, limit };
+            self.told = Some(rules);
+            self.voice.restrict(rules);
         }
     }
 
@@ -328,6 +328,7 @@ impl<V: Voice> Slot<V> {
 mod tests {
     use super::*;
     use crate::observation::Switch;
+    use crate::voice::VoiceInternals;
 
     #[test]
     fn neighbours_and_octaves_are_on_different_lanes() {
@@ -569,8 +570,8 @@ mod tests {
             }
         }
 
-        fn limit_work(&mut self, limit: TurnLimit) {
-            (self.told, self.calls) = (Some(limit), self.calls + 1);
+        fn restrict(&mut self, rules: TurnRules) {
+            (self.told, self.calls) = (Some(rules.limit), self.calls + 1);
         }
 
         fn reset(&mut self, _sample: &KeySample) {}
@@ -644,13 +645,13 @@ mod tests {
         }
 
         fn take_over(&mut self, before: &dyn Voice) -> bool {
-            let ticks = before.memory().and_then(|it| it.downcast_ref::<u32>());
+            let ticks = before.internals().memory.and_then(|it| it.downcast_ref::<u32>());
             self.ticks = ticks.copied().unwrap_or(0);
             ticks.is_some()
         }
 
-        fn memory(&self) -> Option<&dyn core::any::Any> {
-            Some(&self.ticks)
+        fn internals(&self) -> VoiceInternals<'_> {
+            VoiceInternals { memory: Some(&self.ticks), ..VoiceInternals::default() }
         }
 
         fn retune(&mut self, values: &ModelValues) -> bool {

@@ -32,30 +32,20 @@ pub trait Voice {
         let _ = seen;
     }
 
-    /// Leaves out what of `simplified` it can leave out, from the next tick on; nothing at first.
+    /// Sets the rules of the turns from the next tick on; [`TurnRules::FREE`] hold at first.
     ///
-    /// Its force goes on without a step: it is computed from the same state.
+    /// A simplification leaves no step in the force, which is computed from the same state. A voice
+    /// with turns that are all alike may ignore the limit.
     ///
     /// # Real-time
     /// Copies numbers.
-    fn simplify(&mut self, simplified: Simplifications) {
-        let _ = simplified;
+    fn restrict(&mut self, rules: TurnRules) {
+        let _ = rules;
     }
 
-    /// Limits the work of each turn from the next tick on; a turn that needs more ends as
-    /// [`VoiceFault::Capped`].
-    ///
-    /// A voice whose turns are all alike may ignore it.
-    ///
-    /// # Real-time
-    /// Copies two numbers.
-    fn limit_work(&mut self, limit: TurnLimit) {
-        let _ = limit;
-    }
-
-    /// Returns the kind of the voice, by which the cost of its work is learned.
-    fn kind(&self) -> VoiceKind {
-        VoiceKind::default()
+    /// Returns what its lane and its successor need beyond what is observed.
+    fn internals(&self) -> VoiceInternals<'_> {
+        VoiceInternals::default()
     }
 
     /// Puts the voice at rest at `sample`: before its first tick, and after a fault.
@@ -78,11 +68,28 @@ pub trait Voice {
     fn take_over(&mut self, _before: &dyn Voice) -> bool {
         false
     }
+}
 
-    /// Returns what the voice that takes its place needs beyond what is observed of it.
-    fn memory(&self) -> Option<&dyn Any> {
-        None
-    }
+/// Rules of a voice's turns.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct TurnRules {
+    pub simplified: Simplifications,
+    /// A turn that needs more work ends as [`VoiceFault::Capped`].
+    pub limit: TurnLimit,
+}
+
+impl TurnRules {
+    /// Nothing is left out, and nothing limited.
+    pub const FREE: Self = Self { simplified: Simplifications::NONE, limit: TurnLimit::NONE };
+}
+
+/// Internals of a voice for those that do not know its type.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct VoiceInternals<'a> {
+    /// By which the cost of its work is learned.
+    pub kind: VoiceKind,
+    /// State for the voice that takes its place, as [`Voice::take_over`] may know it.
+    pub memory: Option<&'a dyn Any>,
 }
 
 /// A voice's turn: what it did in one tick, and how far that can be trusted.

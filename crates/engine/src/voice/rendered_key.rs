@@ -1,6 +1,5 @@
 //! A pode model as the scheduler's voice: sample in, force out.
 
-use std::any::Any;
 use std::sync::Arc;
 
 use haptics::{DeviceCompensation, ForceGate, KeyMotion, PassivityController, PassivityObserver};
@@ -14,8 +13,10 @@ use scheduler::motion::{KeyEvent, KeySample, KeySlope, Loudness, Moment};
 use scheduler::observation::{Switch, Switches, VoiceObservation};
 use scheduler::overload::{Simplification, Simplifications};
 use scheduler::values::ModelValues;
-use scheduler::voice::{Events, Voice, VoiceFault, VoiceOutput, VoiceWork};
-use scheduler::work::{TurnLimit, VoiceKind};
+use scheduler::voice::{
+    Events, TurnRules, Voice, VoiceFault, VoiceInternals, VoiceOutput, VoiceWork,
+};
+use scheduler::work::VoiceKind;
 
 use crate::voice::aftertouch::PressureTracker;
 use crate::voice::audit::AuditCell;
@@ -422,18 +423,15 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         }
     }
 
-    fn simplify(&mut self, simplified: Simplifications) {
+    fn restrict(&mut self, TurnRules { simplified, limit }: TurnRules) {
         self.simplified = simplified;
         let is_coarse = simplified.contains(Simplification::Steps);
         self.simulator.set_stretch(if is_coarse { 2.0 } else { 1.0 });
+        self.simulator.limit_work(WorkLimit { early: limit.early, most: limit.most });
     }
 
-    fn limit_work(&mut self, TurnLimit { early, most }: TurnLimit) {
-        self.simulator.limit_work(WorkLimit { early, most });
-    }
-
-    fn kind(&self) -> VoiceKind {
-        self.constants.kind
+    fn internals(&self) -> VoiceInternals<'_> {
+        VoiceInternals { kind: self.constants.kind, memory: Some(&self.memory) }
     }
 
     fn reset(&mut self, sample: &KeySample) {
@@ -472,7 +470,7 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
     }
 
     fn take_over(&mut self, before: &dyn Voice) -> bool {
-        let memory = before.memory().and_then(|it| it.downcast_ref::<KeyMemory>());
+        let memory = before.internals().memory.and_then(|it| it.downcast_ref::<KeyMemory>());
         let Some(memory) = memory else { return false };
         let entry: &ModelEntry = &memory.model;
         let mut seen = VoiceObservation::default();
@@ -498,10 +496,6 @@ impl<M: Playable, T: Stepper + 'static> Voice for RenderedKey<M, T> {
         self.simulator.place(mode, state);
         self.begin_account();
         true
-    }
-
-    fn memory(&self) -> Option<&dyn Any> {
-        Some(&self.memory)
     }
 }
 

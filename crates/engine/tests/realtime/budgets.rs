@@ -15,8 +15,8 @@ use engine::realtime::thread::ThreadPlan;
 use scheduler::motion::{KEYS, KeySample, KeySlope};
 use scheduler::port::{FinishedTick, KeyBus, TickObserver};
 use scheduler::time::{Nanos, Period, Timetable};
-use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
-use scheduler::work::{TurnLimit, VoiceKind};
+use scheduler::voice::{TurnRules, Voice, VoiceFault, VoiceInternals, VoiceOutput};
+use scheduler::work::VoiceKind;
 
 const HZ: u32 = 1000;
 
@@ -54,12 +54,12 @@ impl Voice for Burner {
         (turn.force, turn.work.units) = (1.0, done);
     }
 
-    fn limit_work(&mut self, limit: TurnLimit) {
-        self.limit = limit.early;
+    fn restrict(&mut self, rules: TurnRules) {
+        self.limit = rules.limit.early;
     }
 
-    fn kind(&self) -> VoiceKind {
-        VoiceKind(self.kind)
+    fn internals(&self) -> VoiceInternals<'_> {
+        VoiceInternals { kind: VoiceKind(self.kind), memory: None }
     }
 
     fn reset(&mut self, _sample: &KeySample) {}

@@ -6,7 +6,7 @@ use engine::realtime::clock;
 use engine::voice::AnyVoice;
 use scheduler::motion::KeySample;
 use scheduler::time::Period;
-use scheduler::voice::VoiceOutput;
+use scheduler::voice::{TurnRules, VoiceOutput};
 use scheduler::work::{TurnLimit, VoiceKind};
 
 /// Voices of each kind that are tried; the cheapest counts.
@@ -30,7 +30,8 @@ pub(super) struct UnitCosts {
 impl UnitCosts {
     /// Tries `voice`, which is left as it is, in ticks of `period`, if others of its kind were not.
     pub(super) fn try_voice(&mut self, voice: &AnyVoice, period: Period) {
-        let (cost, n_tried) = self.known.entry(voice.kind().0).or_insert((f64::INFINITY, 0));
+        let (cost, n_tried) =
+            self.known.entry(voice.internals().kind.0).or_insert((f64::INFINITY, 0));
         if *n_tried < TRIED {
             *n_tried += 1;
             *cost = cost.min(measured(voice, period).unwrap_or(f64::INFINITY));
@@ -47,7 +48,7 @@ impl UnitCosts {
 /// Returns what a unit of a voice costs (ns), if it did any work.
 fn measured(voice: &AnyVoice, period: Period) -> Option<f64> {
     let mut voice = voice.copy();
-    voice.limit_work(TurnLimit::of(LIMIT));
+    voice.restrict(TurnRules { limit: TurnLimit::of(LIMIT), ..TurnRules::FREE });
     voice.reset(&KeySample::fresh(0.0));
     let step = STEP * 1000.0 * period.as_secs_f64();
     let (mut units, mut turn) = (0, VoiceOutput::default());

@@ -1,13 +1,10 @@
-use std::any::Any;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use scheduler::motion::KeySample;
 use scheduler::observation::VoiceObservation;
-use scheduler::overload::Simplifications;
 use scheduler::values::ModelValues;
-use scheduler::voice::{Voice, VoiceFault, VoiceOutput};
-use scheduler::work::{TurnLimit, VoiceKind};
+use scheduler::voice::{TurnRules, Voice, VoiceFault, VoiceInternals, VoiceOutput};
 
 /// Voice of any kind, on any lane.
 pub type BoxedVoice = Box<dyn Voice + Send>;
@@ -51,16 +48,12 @@ impl Voice for PanicGuard {
         }
     }
 
-    fn simplify(&mut self, simplified: Simplifications) {
-        self.guarded(|voice| voice.simplify(simplified)).unwrap_or_default();
+    fn restrict(&mut self, rules: TurnRules) {
+        self.guarded(|voice| voice.restrict(rules)).unwrap_or_default();
     }
 
-    fn limit_work(&mut self, limit: TurnLimit) {
-        self.guarded(|voice| voice.limit_work(limit)).unwrap_or_default();
-    }
-
-    fn kind(&self) -> VoiceKind {
-        if self.panicked { VoiceKind::default() } else { self.voice.kind() }
+    fn internals(&self) -> VoiceInternals<'_> {
+        if self.panicked { VoiceInternals::default() } else { self.voice.internals() }
     }
 
     fn reset(&mut self, sample: &KeySample) {
@@ -73,10 +66,6 @@ impl Voice for PanicGuard {
 
     fn take_over(&mut self, before: &dyn Voice) -> bool {
         self.guarded(|voice| voice.take_over(before)).unwrap_or(false)
-    }
-
-    fn memory(&self) -> Option<&dyn Any> {
-        if self.panicked { None } else { self.voice.memory() }
     }
 }
 
