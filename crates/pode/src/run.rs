@@ -28,10 +28,17 @@ pub(crate) struct TickRun<'a, S, W> {
     pub(crate) integral: f64,
     pub(crate) impulse: f64,
     pub(crate) readout: Option<f64>,
-    pub(crate) local_error: f64,
-    /// How far a coordinate was moved onto a constraint at an event, at most.
-    pub(crate) projection: f64,
+    pub(crate) errors: TickErrors,
     pub(crate) advance: Advance,
+}
+
+/// The largest errors of a tick so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct TickErrors {
+    /// Estimate of an entry's error in one step, in the unit of the entry.
+    pub(crate) local: f64,
+    /// Distance by which an event moved a coordinate onto a constraint.
+    pub(crate) projection: f64,
 }
 
 impl<'a, S, W> TickRun<'a, S, W> {
@@ -50,8 +57,7 @@ impl<'a, S, W> TickRun<'a, S, W> {
             integral: 0.0,
             impulse: 0.0,
             readout: None,
-            local_error: 0.0,
-            projection: 0.0,
+            errors: TickErrors::default(),
             advance: Advance::Completed,
         }
     }
@@ -150,8 +156,8 @@ impl<'a, S, W> TickRun<'a, S, W> {
             mean_readout,
             end_readout,
             impulse: self.impulse,
-            local_error: self.local_error,
-            projection: self.projection,
+            local_error: self.errors.local,
+            projection: self.errors.projection,
             work: self.work,
         }
     }

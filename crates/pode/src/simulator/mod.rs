@@ -400,7 +400,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             self.sum_readout(run, &taken.step.dense, &mut piece);
         }
         run.watch.piece(&self.model, &piece);
-        run.local_error = run.local_error.max(largest(&taken.step.error));
+        run.errors.local = run.errors.local.max(largest(&taken.step.error));
         self.impacts.pass(tau * taken.h);
         self.state = end;
     }

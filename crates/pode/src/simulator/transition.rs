@@ -64,7 +64,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let reset = self.model.reset(self.mode, spec.id, &self.state, &input);
         let from = self.mode;
         let projection = self.projection(reset.mode, &input);
-        run.projection = run.projection.max(projection);
+        run.errors.projection = run.errors.projection.max(projection);
         if projection > self.model.nature(reset.mode).longest_projection {
             run.fail(Fault::Projection);
             return false;
