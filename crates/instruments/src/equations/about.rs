@@ -13,7 +13,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     pub fn outputs(&self, mode: ModeNumber, x: &[f64; N], input: &Motion, out: &mut [f64]) {
         /// Most outputs that are found where there is no place for all of them.
         const MOST: usize = 64;
-        let function = self.mode_table(mode).outputs;
+        let function = self.mode_table(mode).forces.outputs;
         let count = self.table().outputs.len();
         if out.len() >= count {
             self.call(function, x, input, out);

@@ -22,14 +22,15 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Energetic for Equatio
     /// All of it: the three share most of their terms.
     #[inline]
     fn balance_of_input(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> EnergyBalance {
-        let [energy, supplied, dissipated] = self.values(self.mode_table(mode).balance, x, input);
+        let [energy, supplied, dissipated] =
+            self.values(self.mode_table(mode).forces.balance, x, input);
         EnergyBalance { energy, supplied, dissipated }
     }
 }
 
 impl<F: Equations + Clone, const N: usize, const C: usize> Sloped for EquationModel<F, N, C> {
     fn slopes(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> ReadoutSlopes {
-        let [per_position, per_rate] = self.values(self.mode_table(mode).slopes, x, input);
+        let [per_position, per_rate] = self.values(self.mode_table(mode).forces.slopes, x, input);
         ReadoutSlopes { per_position, per_rate }
     }
 }

@@ -40,6 +40,7 @@ impl ModeNatures {
                 rate: rates.whole,
                 longest_step: RADIANS / rates.whole,
                 longest_projection: table
+                    .constraints
                     .longest_projection
                     .map_or(f64::INFINITY, |limit| model.of_constants(limit)),
             };

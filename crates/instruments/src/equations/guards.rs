@@ -23,7 +23,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Guarded for EquationM
     #[inline(always)]
     fn constrain(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> [f64; N] {
         let mode = self.mode_table(mode);
-        if mode.slaved.is_none() && mode.projection.is_none() {
+        if mode.constraints.slaved.is_none() && mode.constraints.projection.is_none() {
             return *x;
         }
         let mut in_place = *x;

@@ -54,7 +54,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> Model for EquationMod
     fn readout(&self, mode: ModeNumber, x: &[f64; N], input: &Motion) -> f64 {
         let (rates, mut out) = (rates_of(input), [f64::NAN]);
         let arguments = self.arguments(x, &rates, &[]);
-        self.functions().call(self.mode_table(mode).readout, &arguments, &mut out);
+        self.functions().call(self.mode_table(mode).forces.readout, &arguments, &mut out);
         out[0]
     }
 

@@ -9,11 +9,11 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
     /// Puts what the mode slaves in place, and the state on the mode's constraints.
     #[inline(never)]
     pub(super) fn put_in_place(&self, mode: &ModeTable, x: &mut [f64; N], input: &Motion) {
-        if let Some(slaved) = mode.slaved {
+        if let Some(slaved) = mode.constraints.slaved {
             let before = *x;
             self.call(slaved, &before, input, x);
         }
-        if let Some(projection) = mode.projection {
+        if let Some(projection) = mode.constraints.projection {
             *x = self.projected(projection, mode, *x, input);
         }
     }
@@ -31,7 +31,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         const STEPS: usize = 8;
         /// What is left of a constraint (m or rad).
         const NOTHING: f64 = 1e-14;
-        let (count, drifts) = (self.table().states.len(), mode.projected);
+        let (count, drifts) = (self.table().states.len(), mode.constraints.projected);
         let mut x = x;
         for _ in 0..STEPS {
             let mut out = [[0.0; N]; 3];

@@ -90,7 +90,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
         let table = self.mode_table(mode);
         match descent {
             Descent::Energy => {
-                let [energy, ..]: [f64; 3] = self.values(table.balance, x, input);
+                let [energy, ..]: [f64; 3] = self.values(table.forces.balance, x, input);
                 let overlapping = self.overlapping(table, x, input);
                 let one = |balance| self.values::<4>(balance, x, input)[1];
                 energy + overlapping.filter_map(|it| it.balance).map(one).sum::<f64>()

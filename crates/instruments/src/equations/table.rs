@@ -158,23 +158,8 @@ pub struct ModeTable {
     pub parts: Vec<PartTable>,
     /// The same parts without natures of their own.
     pub part_list: Vec<Part>,
-    /// To the whole state with slaved entries in place; none if nothing is slaved.
-    pub slaved: Option<FunctionId>,
-    /// To the state after one Newton step towards the constraints, and behind it how far each was
-    /// from zero.
-    pub projection: Option<FunctionId>,
-    /// How many constraints those are.
-    pub projected: usize,
-    /// From constants to how far an event may move a coordinate onto the mode's constraints, in the
-    /// coordinate's unit; farther is a fault. None lets it move any distance.
-    pub longest_projection: Option<FunctionId>,
-    pub readout: FunctionId,
-    /// To the readout's slopes by the input's position and by its rate, along the constraints.
-    pub slopes: FunctionId,
-    /// To the values of all outputs.
-    pub outputs: FunctionId,
-    /// To energy (J), supplied and dissipated power (W), without contacts.
-    pub balance: FunctionId,
+    pub constraints: ConstraintTable,
+    pub forces: ForceTable,
     /// To the derivative's derivative by the state, row by row.
     pub jacobian: FunctionId,
     /// Its Taylor series, where it has one.
@@ -195,6 +180,34 @@ pub struct ModeTable {
     pub freedom: Freedom,
 }
 
+/// The functions that keep a state on the constraints of a mode.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ConstraintTable {
+    /// Puts the slaved entries of the whole state in place; `None` if nothing is slaved.
+    pub slaved: Option<FunctionId>,
+    /// Takes one Newton step towards the constraints that are not slaved; behind the state stands
+    /// how far each was from zero.
+    pub projection: Option<FunctionId>,
+    /// Number of constraints of the projection.
+    pub projected: usize,
+    /// Computes from the constants how far an event may move a coordinate onto the constraints, in
+    /// the unit of the coordinate; farther is a fault. `None` allows any distance.
+    pub longest_projection: Option<FunctionId>,
+}
+
+/// The functions of what a mode is felt and seen by, without contacts.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ForceTable {
+    pub readout: FunctionId,
+    /// Computes the slopes of the readout by the input's position and by its rate, along the
+    /// constraints.
+    pub slopes: FunctionId,
+    /// Computes all outputs of the model.
+    pub outputs: FunctionId,
+    /// Computes energy (J), supplied and dissipated power (W).
+    pub balance: FunctionId,
+}
+
 impl ModeTable {
     /// A number that no function has.
     const NO_FUNCTION: FunctionId = FunctionId::MAX;
@@ -205,14 +218,18 @@ impl ModeTable {
         derivative: Self::NO_FUNCTION,
         parts: Vec::new(),
         part_list: Vec::new(),
-        slaved: None,
-        projection: None,
-        projected: 0,
-        longest_projection: None,
-        readout: Self::NO_FUNCTION,
-        slopes: Self::NO_FUNCTION,
-        outputs: Self::NO_FUNCTION,
-        balance: Self::NO_FUNCTION,
+        constraints: ConstraintTable {
+            slaved: None,
+            projection: None,
+            projected: 0,
+            longest_projection: None,
+        },
+        forces: ForceTable {
+            readout: Self::NO_FUNCTION,
+            slopes: Self::NO_FUNCTION,
+            outputs: Self::NO_FUNCTION,
+            balance: Self::NO_FUNCTION,
+        },
         jacobian: Self::NO_FUNCTION,
         series: None,
         kind: EquationKind::Smooth,

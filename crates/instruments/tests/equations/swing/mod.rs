@@ -5,9 +5,9 @@
 use std::sync::LazyLock;
 
 use instruments::equations::table::{
-    Arguments, DrawingTable, Equations, Freedom, FunctionId, Functions, GuardTable, ModeTable,
-    ModelTable, NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable, RestTable,
-    WayTable,
+    Arguments, DrawingTable, Equations, ForceTable, Freedom, FunctionId, Functions, GuardTable,
+    ModeTable, ModelTable, NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable,
+    RestTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -88,10 +88,7 @@ fn mode() -> ModeTable {
             reads: Reads::StateAndInput,
         }],
         part_list: vec![Part::WHOLE],
-        readout: READOUT,
-        slopes: SLOPES,
-        outputs: OUTPUTS,
-        balance: BALANCE,
+        forces: ForceTable { readout: READOUT, slopes: SLOPES, outputs: OUTPUTS, balance: BALANCE },
         jacobian: JACOBIAN,
         kind: EquationKind::Conservative,
         guards: vec![GuardTable {

@@ -1,6 +1,6 @@
 //! The table of one mode.
 
-use instruments::equations::table::{Freedom, FunctionId, ModeTable};
+use instruments::equations::table::{ConstraintTable, ForceTable, Freedom, FunctionId, ModeTable};
 
 use super::builder::{ModeBuilder, ModeContext};
 use super::functions::FunctionList;
@@ -30,16 +30,16 @@ pub(super) fn mode(
     let contacts = contacts::contacts(graph, functions, &builder)?;
     Ok(ModeTable {
         name: names::name(name),
-        readout: forces.readout,
-        slopes: forces.slopes,
-        outputs: forces.outputs,
-        balance: forces.balance,
+        forces,
         series: series::series(graph, functions, &builder)?,
         guards,
         guard_specs,
         contacts,
         freedom: freedom(context.mechanism, number),
-        longest_projection: longest_projection(graph, functions, context.mechanism, number)?,
+        constraints: ConstraintTable {
+            longest_projection: longest_projection(graph, functions, context.mechanism, number)?,
+            ..motion.constraints
+        },
         ..motion
     })
 }
@@ -77,9 +77,12 @@ fn motion(
         derivative,
         parts,
         part_list,
-        slaved: slaved.transpose()?,
-        projection: projection(graph, functions, builder)?,
-        projected: equations.drift.len(),
+        constraints: ConstraintTable {
+            slaved: slaved.transpose()?,
+            projection: projection(graph, functions, builder)?,
+            projected: equations.drift.len(),
+            longest_projection: None,
+        },
         jacobian: builder.add(graph, functions, "jacobian", &flat)?,
         kind,
         loss: loss.function(graph, functions, &format!("{}_loss", builder.name))?,
@@ -102,19 +105,11 @@ fn projection(
     builder.add(graph, functions, "projection", &outputs).map(Some)
 }
 
-/// The functions of what a mode is felt and seen by.
-struct ForceFunctions {
-    readout: FunctionId,
-    slopes: FunctionId,
-    outputs: FunctionId,
-    balance: FunctionId,
-}
-
 fn forces(
     graph: &mut Graph,
     functions: &mut FunctionList,
     builder: &ModeBuilder<'_>,
-) -> Result<ForceFunctions, AssemblyError> {
+) -> Result<ForceTable, AssemblyError> {
     let equations = builder.equations;
     let zero = graph.constant(0.0);
     let readout = equations.readout.unwrap_or(zero);
@@ -122,7 +117,7 @@ fn forces(
         [0, 1].map(|rate| builder.state.direction(graph, Place::Input(rate)).of(graph, readout));
     let balance = [equations.energy, equations.supplied, equations.dissipated]
         .map(|node| node.unwrap_or(zero));
-    Ok(ForceFunctions {
+    Ok(ForceTable {
         readout: builder.add(graph, functions, "readout", &[readout])?,
         slopes: builder.add(graph, functions, "slopes", &slopes)?,
         outputs: builder.add(graph, functions, "outputs", &equations.outputs)?,
