@@ -28,7 +28,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
 
     /// Returns the input per metre of key-front travel (unit of the input / m).
     pub fn input_per_metre(&self) -> f64 {
-        self.of_constants(self.table().input_per_metre)
+        self.of_constants(self.table().input.per_metre)
     }
 
     /// Returns the speed (m/s) of what strikes where `guard` fires from the state `before`; none
@@ -58,7 +58,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             let margin = self.of_constants(it.margin);
             margin.is_nan() || margin <= 0.0
         };
-        self.table().requirements.iter().filter(is_unmet)
+        self.table().constants.requirements.iter().filter(is_unmet)
     }
 
     /// Writes the numbers of the drawing, as many as

@@ -93,7 +93,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> EquationModel<F, N, C
             input: &[0.0; 4],
             extra: &[],
         };
-        self.functions.call(self.table().derive_constants, &arguments, &mut derived);
+        self.functions.call(self.table().constants.derive, &arguments, &mut derived);
         for (constant, value) in constants.iter_mut().skip(count).zip(derived) {
             *constant = value;
         }
@@ -231,7 +231,7 @@ pub(crate) const fn rates_of(input: &Motion) -> [f64; 4] {
 
 /// Whether the table has room in a state of `room.0` entries and with `room.1` constants.
 fn fits(table: &ModelTable, room: (usize, usize)) -> Result<(), DoesNotFit> {
-    let (states, constants, modes) = (table.states.len(), table.constants, table.modes.len());
+    let (states, constants, modes) = (table.states.len(), table.constants.count, table.modes.len());
     if states > room.0 {
         Err(DoesNotFit::States(states))
     } else if constants > room.1 || table.parameters.len() > room.1 {

@@ -78,7 +78,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> ContactSystem
     }
 
     fn contacts(&self) -> &[ContactSpec] {
-        &self.table().contact_specs
+        &self.table().automata.contacts
     }
 
     #[inline]
@@ -188,7 +188,7 @@ impl<F: Equations + Clone, const N: usize, const C: usize> GuardedContacts
     for EquationModel<F, N, C>
 {
     fn structure_guards(&self) -> &[GuardSpec] {
-        &self.table().guard_specs
+        &self.table().automata.guards
     }
 
     fn is_watched(&self, mode: ModeNumber, guard: GuardId) -> bool {

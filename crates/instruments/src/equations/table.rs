@@ -80,29 +80,52 @@ pub struct ModelTable {
     pub parameters: Vec<ParameterTable>,
     /// Named values; the first is the default.
     pub presets: Vec<PresetTable>,
-    /// What must be positive for the values to be possible.
-    pub requirements: Vec<RequirementTable>,
     pub states: Vec<NamedQuantity>,
     /// How many leading states are coordinates.
     pub coordinates: usize,
-    /// How many constants there are, the parameters included.
-    pub constants: usize,
-    /// From the parameters, `constants[..parameters.len()]`, to the constants after them.
-    pub derive_constants: FunctionId,
-    pub input: NamedQuantity,
-    /// From constants to the input per metre of key-front travel.
-    pub input_per_metre: FunctionId,
+    pub constants: ConstantTable,
+    pub input: InputTable,
     pub modes: Vec<ModeTable>,
     pub contacts: Vec<ContactTable>,
-    /// The same contacts as their automata have them.
-    pub contact_specs: Vec<ContactSpec>,
-    /// The guards of all modes, each id once, for a model with contacts.
-    pub guard_specs: Vec<GuardSpec>,
+    pub automata: AutomatonTable,
     pub outputs: Vec<NamedQuantity>,
     pub rest: RestTable,
+    pub sound: SoundTable,
+    pub drawing: DrawingTable,
+}
+
+/// The parameters and what follows from them alone.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ConstantTable {
+    /// Number of constants, the parameters included.
+    pub count: usize,
+    /// Computes the constants behind the parameters from `constants[..parameters.len()]`.
+    pub derive: FunctionId,
+    /// Conditions under which the values are possible.
+    pub requirements: Vec<RequirementTable>,
+}
+
+/// What drives a model.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct InputTable {
+    pub quantity: NamedQuantity,
+    /// Computes the input per metre of key-front travel from the constants.
+    pub per_metre: FunctionId,
+}
+
+/// A model's contacts and guards as `pode` watches them.
+#[derive(Clone, PartialEq, Debug)]
+pub struct AutomatonTable {
+    pub contacts: Vec<ContactSpec>,
+    /// The guards of all modes, each id once, for a model with contacts.
+    pub guards: Vec<GuardSpec>,
+}
+
+/// What sounds, and what becomes of it in MIDI.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct SoundTable {
     pub damper: Option<DamperTable>,
     pub midi: MidiTable,
-    pub drawing: DrawingTable,
 }
 
 /// A quantity with its name and unit.

@@ -81,18 +81,19 @@ pub trait Described:
 pub trait Playable: Described {
     /// The damper that the key lifts.
     fn damper(&self) -> Damper {
-        let damper = self.shared().table().damper;
+        let damper = self.shared().table().sound.damper;
         damper.map_or(Damper::USUAL, |it| Damper { lift: it.lift, fall: it.fall })
     }
 
     /// Speed below which what strikes touches the string but does not sound (m/s).
     fn softest_tone(&self) -> f64 {
-        self.shared().table().damper.map_or(Damper::USUAL_SOFTEST_TONE, |it| it.softest_tone)
+        let damper = self.shared().table().sound.damper;
+        damper.map_or(Damper::USUAL_SOFTEST_TONE, |it| it.softest_tone)
     }
 
     /// What becomes of strikes and of the key's force in MIDI.
     fn midi(&self) -> MidiTable {
-        self.shared().table().midi
+        self.shared().table().sound.midi
     }
 
     /// Input per metre of key-front travel (unit of the input / m); a force at the

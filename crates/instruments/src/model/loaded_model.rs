@@ -86,7 +86,7 @@ impl Prototype {
     fn new(parts: Arc<ModelParts>) -> Result<Self, DoesNotLoad> {
         let table = parts.table();
         let (states, contacts) = (table.states.len(), table.contacts.len());
-        let constants = table.constants.max(table.parameters.len());
+        let constants = table.constants.count.max(table.parameters.len());
         let fits = |room: (usize, usize)| states <= room.0 && constants <= room.1;
         Ok(if contacts > MAX_CODED_CONTACTS {
             return Err(DoesNotLoad::Contacts(contacts));

@@ -19,7 +19,7 @@ pub struct ModeName<'a> {
 
 impl fmt::Display for ModeName<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let specs = &self.model.table().contact_specs;
+        let specs = &self.model.table().automata.contacts;
         let mode = self.model.modes.get(usize::from(self.mode.structure()));
         let contacts = decoded(self.mode.contacts(), specs.len());
         let Some((mode, contacts)) = mode.zip(contacts) else { return f.write_str("?") };

@@ -115,7 +115,7 @@ fn fault(
         return None;
     }
     let table = functions.table();
-    match (table.states.len(), table.constants) {
+    match (table.states.len(), table.constants.count) {
         (..=16, ..=384) => fault_of::<16, 384>(functions, ranges, case),
         _ => fault_of::<32, 2048>(functions, ranges, case),
     }

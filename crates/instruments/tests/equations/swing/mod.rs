@@ -5,9 +5,9 @@
 use std::sync::LazyLock;
 
 use instruments::equations::table::{
-    Arguments, DrawingTable, Equations, ForceTable, Freedom, FunctionId, Functions, GuardTable,
-    ModeTable, ModelTable, NamedQuantity, ParameterTable, PartTable, PresetTable, RequirementTable,
-    RestTable, WayTable,
+    Arguments, AutomatonTable, ConstantTable, DrawingTable, Equations, ForceTable, Freedom,
+    FunctionId, Functions, GuardTable, InputTable, MidiTable, ModeTable, ModelTable, NamedQuantity,
+    ParameterTable, PartTable, PresetTable, RequirementTable, RestTable, SoundTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
 
@@ -130,21 +130,20 @@ pub static TABLE: LazyLock<ModelTable> = LazyLock::new(|| ModelTable {
     summary: "a pendulum on a spring".into(),
     parameters: vec![parameter("k"), parameter("weight")],
     presets: vec![PresetTable { name: "default", doc: "graded".into(), values: PRESET }],
-    requirements: vec![RequirementTable { text: "k > 1".into(), margin: MARGIN }],
     states: vec![quantity("angle"), quantity("rate")],
     coordinates: 1,
-    constants: 3,
-    derive_constants: CONSTANTS,
-    input: quantity("s"),
-    input_per_metre: PER_METRE,
+    constants: ConstantTable {
+        count: 3,
+        derive: CONSTANTS,
+        requirements: vec![RequirementTable { text: "k > 1".into(), margin: MARGIN }],
+    },
+    input: InputTable { quantity: quantity("s"), per_metre: PER_METRE },
     modes: vec![mode()],
     contacts: vec![],
-    contact_specs: vec![],
-    guard_specs: vec![STOP],
+    automata: AutomatonTable { contacts: vec![], guards: vec![STOP] },
     outputs: vec![quantity("angle"), quantity("F"), quantity("sum")],
     rest: RestTable { mode: 0, instead: vec![], state: REST, is_improved: true },
-    damper: None,
-    midi: instruments::equations::table::MidiTable::HAMMER,
+    sound: SoundTable { damper: None, midi: MidiTable::HAMMER },
     drawing: DrawingTable { numbers: DRAWING, count: 5, bodies: vec![], springs: vec![] },
 });
 

@@ -1,8 +1,8 @@
 //! The table of a whole model.
 
 use instruments::equations::table::{
-    DamperTable, FunctionId, ModelTable, NamedQuantity, ParameterTable, PresetTable,
-    RequirementTable, RestTable,
+    AutomatonTable, ConstantTable, DamperTable, FunctionId, InputTable, ModelTable, NamedQuantity,
+    ParameterTable, PresetTable, RequirementTable, RestTable, SoundTable,
 };
 use pode::GuardSpec;
 
@@ -45,34 +45,35 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
     let first_pose = outputs.len().saturating_sub(3 * mechanism.drawing.frames.len());
     let drawing = drawing::table(graph, &mut functions, &mechanism, first_pose)?;
     let values = Values::of(graph, &mut functions, &mechanism, &state)?;
-    let (derive_constants, constants) = constants(graph, &mut functions, parameters)?;
+    let (derive, count) = constants(graph, &mut functions, parameters)?;
     let table = ModelTable {
         name: names::name(&mechanism.name),
         summary: mechanism.summary.as_str().into(),
         parameters: mechanism.parameters.iter().map(parameter).collect(),
         presets: values.presets,
-        requirements: values.requirements,
         states: named(state.iter().map(|place| quantity(&mechanism, *place))),
         coordinates,
-        constants,
-        derive_constants,
-        input: NamedQuantity {
-            name: names::name(&mechanism.input.name),
-            unit: names::name(&mechanism.input.unit),
+        constants: ConstantTable { count, derive, requirements: values.requirements },
+        input: InputTable {
+            quantity: NamedQuantity {
+                name: names::name(&mechanism.input.name),
+                unit: names::name(&mechanism.input.unit),
+            },
+            per_metre: values.input_per_metre,
         },
-        input_per_metre: values.input_per_metre,
-        guard_specs: all_specs(&tables),
+        automata: AutomatonTable { contacts: contact_specs, guards: all_specs(&tables) },
         modes: tables,
         contacts: contact_tables,
-        contact_specs,
         outputs,
         rest: values.rest,
-        damper: mechanism.sound.map(|it| DamperTable {
-            lift: it.lift,
-            fall: it.fall,
-            softest_tone: it.softest_tone,
-        }),
-        midi: mechanism.midi,
+        sound: SoundTable {
+            damper: mechanism.sound.map(|it| DamperTable {
+                lift: it.lift,
+                fall: it.fall,
+                softest_tone: it.softest_tone,
+            }),
+            midi: mechanism.midi,
+        },
         drawing,
     };
     let FunctionList { functions, names, .. } = functions;
