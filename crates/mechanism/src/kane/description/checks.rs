@@ -17,7 +17,7 @@ const KEYS: u8 = 88;
 impl MechanismReader {
     pub(super) fn check(&mut self) {
         let is_whole = self.names.vague.is_empty()
-            && self.mechanism.presets.len() == self.preset_places.len()
+            && self.mechanism.presets.len() == self.places.presets.len()
             && self.parameters.iter().all(|it| it.value.is_some());
         if is_whole {
             for preset in 0..self.mechanism.presets.len() {
@@ -108,7 +108,7 @@ impl MechanismReader {
             self.preset_name(preset)
         );
         let help = format!("keep it within {low} to {high} {unit}");
-        let places = self.preset_places.get(preset);
+        let places = self.places.presets.get(preset);
         let place = places.and_then(|it| it.get(index)).copied().unwrap_or_default();
         self.report.say(place, message.replace("  ", " "), help.trim_end());
     }
@@ -120,7 +120,7 @@ impl MechanismReader {
             quoted(&requirement.text),
             self.preset_name(preset)
         );
-        let place = self.requirement_places.get(index).copied().unwrap_or_default();
+        let place = self.places.requirements.get(index).copied().unwrap_or_default();
         self.report.say(place, message, "change the preset, or what is required");
     }
 
@@ -197,7 +197,8 @@ impl MechanismReader {
             self.preset_name(preset)
         );
         let help = format!("keep it within {low} to {high}, or widen the range");
-        let place = self.rest_places.get(index).copied().flatten().unwrap_or(self.rest_place);
+        let place =
+            self.places.rest_coordinates.get(index).copied().flatten().unwrap_or(self.places.rest);
         self.report.say(place, message, help);
     }
 

@@ -35,8 +35,8 @@ impl MechanismReader {
         node: &TomlNode,
         form: Form,
     ) -> Option<FileExpression> {
-        self.expressions += 1;
-        if self.expressions > MOST_EXPRESSIONS {
+        self.size.expressions += 1;
+        if self.size.expressions > MOST_EXPRESSIONS {
             self.fill(node.place, &format!("there are more than {MOST_EXPRESSIONS} expressions"));
             return None;
         }
@@ -74,7 +74,7 @@ impl MechanismReader {
 
     /// Returns the value of `file`, which may depend on `allowed`.
     pub(super) fn value(&mut self, file: &FileExpression, allowed: Dependence) -> Option<Measured> {
-        if self.is_full {
+        if self.size.is_full {
             return None;
         }
         let mut scope = NamesInUse { names: &mut self.names, allowed };

@@ -35,7 +35,7 @@ impl MechanismReader {
             let guard = self.guard(&mut keys, mode, guards.len());
             keys.finish(&mut self.report);
             let Some((guard, place)) = guard else {
-                self.has_lost_ways = true;
+                self.exits.has_lost = true;
                 continue;
             };
             if guards.iter().any(|it| it.name == guard.name) {
@@ -206,7 +206,7 @@ impl MechanismReader {
         let mut branches = Vec::new();
         for item in items {
             let branch = self.branch(item, mode, changes);
-            self.has_lost_ways |= branch.is_none();
+            self.exits.has_lost |= branch.is_none();
             branches.extend(branch);
         }
         let last = branches.len().saturating_sub(1);

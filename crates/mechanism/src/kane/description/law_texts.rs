@@ -89,7 +89,7 @@ impl MechanismReader {
         }
         let scale =
             keys.take("scale").and_then(|it| self.constant("scale", &it.node, Dimension::LENGTH));
-        self.contact_scales.push((at, scale.unwrap_or(1e-3)));
+        self.built.contact_scales.push((at, scale.unwrap_or(1e-3)));
     }
 
     pub(super) fn friction_text(
@@ -101,7 +101,7 @@ impl MechanismReader {
         match kind {
             LawKind::Bearing(contact) => {
                 let text = self.friction_fields(keys, contact, entry.name.clone());
-                self.frictions.push(text);
+                self.built.frictions.push(text);
             }
             LawKind::Contact(contact) => {
                 let Some(friction) = keys.take("friction") else { return };
@@ -109,7 +109,7 @@ impl MechanismReader {
                 let name = format!("{}_friction", entry.name);
                 let text = self.friction_fields(&mut keys, contact, name);
                 keys.finish(&mut self.report);
-                self.frictions.push(text);
+                self.built.frictions.push(text);
             }
             LawKind::Spring(_) | LawKind::Felt(_) | LawKind::Force(_) => {}
         }

@@ -31,7 +31,7 @@ impl MechanismReader {
         let Some((place, (force, dimension))) = built else { return };
         self.names.laws.set(index, (place, dimension));
         if let LawPlace::Force(at) = place {
-            self.built_forces.push((at, force));
+            self.built.forces.push((at, force));
         }
     }
 
@@ -148,7 +148,7 @@ impl MechanismReader {
             Some(file) => Some(self.node("sounds", file, STATE, Dimension::SPEED)?),
             None => None,
         };
-        let scale = self.contact_scales.iter().find(|(contact, _)| *contact == at);
+        let scale = self.built.contact_scales.iter().find(|(contact, _)| *contact == at);
         let contact = MechanismContact {
             name: item.name.clone(),
             gap: Some(gap.node),
@@ -157,13 +157,13 @@ impl MechanismReader {
             friction: None,
             sounds,
         };
-        self.built_contacts.push((at, contact));
+        self.built.contacts.push((at, contact));
         Some((force, dimension))
     }
 
     /// Builds a bearing: its friction alone, with limits that are built after all forces.
     fn bearing(&mut self, item: &DescribedItem, index: usize, at: usize) {
-        let text = self.frictions.iter().find(|it| it.contact == at).cloned();
+        let text = self.built.frictions.iter().find(|it| it.contact == at).cloned();
         let Some(slip) = text.and_then(|it| it.slip) else { return };
         let Some(slip) = self.value(&slip, STATE) else { return };
         let dimension = Dimension::POWER.over(slip.dimension);
@@ -177,14 +177,14 @@ impl MechanismReader {
             friction: None,
             sounds: None,
         };
-        self.built_contacts.push((at, contact));
+        self.built.contacts.push((at, contact));
     }
 
     /// Builds slips and limits, which may contain the forces of all springs and contacts.
     pub(super) fn build_frictions(&mut self) {
-        for text in std::mem::take(&mut self.frictions) {
+        for text in std::mem::take(&mut self.built.frictions) {
             let Some(friction) = self.friction(&text) else { continue };
-            let found = self.built_contacts.iter_mut().find(|(at, _)| *at == text.contact);
+            let found = self.built.contacts.iter_mut().find(|(at, _)| *at == text.contact);
             if let Some((_, contact)) = found {
                 contact.friction = Some(friction);
             }
@@ -226,7 +226,7 @@ impl MechanismReader {
         let tension = |(at, force): &(usize, Force)| {
             (Place::Extra(number(*at)), if acts(*at) { force.tension } else { zero })
         };
-        Substitution::new(self.built_forces.iter().map(tension).collect::<Vec<_>>())
+        Substitution::new(self.built.forces.iter().map(tension).collect::<Vec<_>>())
     }
 }
 

@@ -49,7 +49,7 @@ impl MechanismReader {
         if let Some(mut keys) = keys {
             keys.text(&mut self.report, "doc");
             if keys.is_set(&mut self.report, "final") {
-                self.final_modes.push(number);
+                self.exits.lasting.push(number);
             }
             if let Some(names) = self.name_list(&mut keys, "constraints") {
                 constraints = self.constraint_numbers(&names);

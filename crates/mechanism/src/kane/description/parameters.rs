@@ -156,7 +156,7 @@ impl MechanismReader {
             let place = self.report.position(file.place).unwrap_or((1, 1));
             let text = file.expression.text.clone();
             self.mechanism.requirements.push(Requirement { text, margin: value.node, place });
-            self.requirement_places.push(file.place);
+            self.places.requirements.push(file.place);
         }
     }
 }

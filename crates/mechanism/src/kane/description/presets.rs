@@ -55,7 +55,7 @@ impl MechanismReader {
         }
         let places =
             written.iter().map(|it| it.as_ref().map_or_else(SourcePlace::default, |it| it.place));
-        self.preset_places.push(places.collect());
+        self.places.presets.push(places.collect());
         let nodes = self.preset_values(&written);
         let values: Option<Vec<_>> = nodes.iter().map(|it| it.map(|it| it.node)).collect();
         if let Some(values) = values {

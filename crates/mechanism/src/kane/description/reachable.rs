@@ -6,7 +6,7 @@ impl MechanismReader {
     /// Reports modes that cannot be reached, and modes that cannot be left.
     pub(super) fn check_modes(&mut self) {
         // A branch that was not understood may be the missing one.
-        if !self.are_modes_whole || self.mechanism.modes.len() < 2 {
+        if !self.exits.are_whole || self.mechanism.modes.len() < 2 {
             return;
         }
         let reached = self.reached_modes();
@@ -21,7 +21,7 @@ impl MechanismReader {
                 let mut ways = it.guards.iter().flat_map(|guard| &guard.branches);
                 ways.any(|way| way.to != index || way.impact.is_some_and(|it| it.settles.is_some()))
             });
-            if !has_exit && !self.final_modes.contains(&index) {
+            if !has_exit && !self.exits.lasting.contains(&index) {
                 let message = format!("the mode {} has no exit", quoted(&name));
                 let help = "give it a guard that leads elsewhere; if it is meant to last, write final = true";
                 self.report.say(place, message, help);

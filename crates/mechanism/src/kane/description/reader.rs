@@ -57,29 +57,56 @@ pub(super) struct MechanismReader {
     pub(super) watched: Vec<WatchedNode>,
     /// Place and name of each mode.
     pub(super) modes: Vec<(String, SourcePlace)>,
-    /// Whether all of the modes was understood.
-    pub(super) are_modes_whole: bool,
-    /// A way out of a mode was not understood.
-    pub(super) has_lost_ways: bool,
-    /// Modes that are meant to last.
-    pub(super) final_modes: Vec<usize>,
-    pub(super) rest_place: SourcePlace,
-    pub(super) rest_places: Vec<Option<SourcePlace>>,
-    /// Where each parameter's value stands, for each preset.
-    pub(super) preset_places: Vec<Vec<SourcePlace>>,
-    pub(super) requirement_places: Vec<SourcePlace>,
+    pub(super) exits: ModeExits,
+    pub(super) places: ItemPlaces,
     /// Frame and place in it of each point.
     pub(super) point_places: Vec<Option<(usize, [Node; 3])>>,
     /// Frames of the drawing that are others in some modes.
     pub(super) drawn_frames: Vec<DrawnFrame>,
+    pub(super) built: BuiltLaws,
+    pub(super) size: DescriptionSize,
+}
+
+/// How modes end.
+#[derive(Debug, Default)]
+pub(super) struct ModeExits {
+    /// Whether all of the modes was understood.
+    pub(super) are_whole: bool,
+    /// A way out of a mode was not understood.
+    pub(super) has_lost: bool,
+    /// Modes that are meant to last.
+    pub(super) lasting: Vec<usize>,
+}
+
+/// Where values stand in the file that are checked when all is read.
+#[derive(Debug, Default)]
+pub(super) struct ItemPlaces {
+    pub(super) rest: SourcePlace,
+    pub(super) rest_coordinates: Vec<Option<SourcePlace>>,
+    /// The value of each parameter, for each preset.
+    pub(super) presets: Vec<Vec<SourcePlace>>,
+    pub(super) requirements: Vec<SourcePlace>,
+}
+
+/// The laws that were built, each with its number in the order of the file.
+#[derive(Debug, Default)]
+pub(super) struct BuiltLaws {
+    pub(super) constraints: Vec<(usize, Constraint)>,
+    pub(super) forces: Vec<(usize, Force)>,
+    pub(super) contacts: Vec<(usize, MechanismContact)>,
+    /// Typical sizes of gaps (m).
     pub(super) contact_scales: Vec<(usize, f64)>,
+    /// Frictions that wait for their contacts.
     pub(super) frictions: Vec<FrictionText>,
-    /// What was built, with its number in the order of the file.
-    pub(super) built_constraints: Vec<(usize, Constraint)>,
-    pub(super) built_forces: Vec<(usize, Force)>,
-    pub(super) built_contacts: Vec<(usize, MechanismContact)>,
+}
+
+/// The size of what was read so far.
+#[derive(Debug, Default)]
+pub(super) struct DescriptionSize {
     pub(super) expressions: usize,
+    /// Operands of all expressions.
     weight: usize,
+    /// Nodes of the graph that are counted in `weight`.
     weighed: usize,
     pub(super) is_full: bool,
 }
@@ -120,8 +147,8 @@ impl MechanismReader {
         let before = self.report.len();
         self.modes(&mut root);
         self.rest(&mut root);
-        self.are_modes_whole =
-            self.report.len() == before && !self.report.is_broken && !self.has_lost_ways;
+        self.exits.are_whole =
+            self.report.len() == before && !self.report.is_broken && !self.exits.has_lost;
         self.outputs(&mut root);
         self.damper(&mut root);
         self.midi(&mut root);
@@ -184,22 +211,22 @@ impl MechanismReader {
     /// Counts what was built since the last time.
     pub(super) fn weigh(&mut self, place: SourcePlace) {
         let mut count = 0;
-        for node in self.graph.nodes_from(self.weighed) {
+        for node in self.graph.nodes_from(self.size.weighed) {
             count += 1;
             self.graph.operation(node).operands(|_| count += 1);
         }
-        self.weighed = self.graph.len();
-        self.weight += count;
-        if self.weight > HEAVIEST {
+        self.size.weighed = self.graph.len();
+        self.size.weight += count;
+        if self.size.weight > HEAVIEST {
             self.fill(place, "the expressions are too large together");
         }
     }
 
     pub(super) fn fill(&mut self, place: SourcePlace, message: &str) {
-        if !self.is_full {
+        if !self.size.is_full {
             self.report.say(place, message, "make the description smaller");
         }
-        self.is_full = true;
+        self.size.is_full = true;
     }
 
     /// Reports a name that stands twice.

@@ -180,7 +180,8 @@ impl MechanismReader {
         self.names.constraints.set(index, Dimension::POWER.over(rate.dimension));
         self.watch(file, zero, None);
         let name = item.name.clone();
-        self.built_constraints
+        self.built
+            .constraints
             .push((index, Constraint { name, kind, zero: zero.node, rate: rate.node }));
     }
 
@@ -199,12 +200,12 @@ impl MechanismReader {
     }
 
     fn collect_built(&mut self) {
-        self.built_constraints.sort_by_key(|(index, _)| *index);
+        self.built.constraints.sort_by_key(|(index, _)| *index);
         self.mechanism.constraints =
-            self.built_constraints.iter().map(|(_, it)| it.clone()).collect();
-        self.built_forces.sort_by_key(|(index, _)| *index);
-        self.mechanism.forces = self.built_forces.iter().map(|(_, it)| it.clone()).collect();
-        self.built_contacts.sort_by_key(|(index, _)| *index);
-        self.mechanism.contacts = self.built_contacts.iter().map(|(_, it)| it.clone()).collect();
+            self.built.constraints.iter().map(|(_, it)| it.clone()).collect();
+        self.built.forces.sort_by_key(|(index, _)| *index);
+        self.mechanism.forces = self.built.forces.iter().map(|(_, it)| it.clone()).collect();
+        self.built.contacts.sort_by_key(|(index, _)| *index);
+        self.mechanism.contacts = self.built.contacts.iter().map(|(_, it)| it.clone()).collect();
     }
 }

@@ -13,8 +13,8 @@ impl MechanismReader {
         let mut rest =
             Rest { coordinates: vec![None; self.names.coordinates.len()], ..Rest::default() };
         let entry = root.take("rest");
-        self.rest_places = vec![None; self.names.coordinates.len()];
-        self.rest_place = entry.map_or(root.place, |it| it.place);
+        self.places.rest_coordinates = vec![None; self.names.coordinates.len()];
+        self.places.rest = entry.map_or(root.place, |it| it.place);
         if let Some(entry) = entry
             && let Some(mut keys) = KeyReader::new(&mut self.report, entry)
         {
@@ -79,7 +79,7 @@ impl MechanismReader {
         let dimension = self.names.coordinates.get(index).copied().unwrap_or_default();
         let reach = CONSTANT.and(Dependence::INPUT);
         let value = self.node(&entry.name, &file, reach, dimension);
-        if let Some(slot) = self.rest_places.get_mut(index) {
+        if let Some(slot) = self.places.rest_coordinates.get_mut(index) {
             *slot = Some(entry.place);
         }
         if let Some(slot) = rest.coordinates.get_mut(index) {
