@@ -28,36 +28,46 @@ pub struct Mechanism {
     pub graph: Graph,
     /// Name in scenes and on the command line.
     pub name: String,
-    /// What it is, in one line.
-    pub summary: String,
+    pub instrument: InstrumentSpec,
     pub parameters: Vec<MechanismParameter>,
-    /// Named values of the parameters; the first is the default.
-    pub presets: Vec<MechanismPreset>,
-    /// Must be positive, on every key: with what to say if one is not.
-    pub requirements: Vec<Requirement>,
     pub input: InputSpec,
     pub coordinates: Vec<Coordinate>,
     pub speeds: Vec<Speed>,
     /// The first is the ground.
     pub frames: Vec<ReferenceFrame>,
-    pub bodies: Vec<RigidBody>,
-    /// Acceleration of free fall in the ground's axes (m/s²).
-    pub gravity: [Option<Node>; 3],
+    pub masses: Masses,
     pub forces: Vec<Force>,
     pub contacts: Vec<MechanismContact>,
     pub constraints: Vec<Constraint>,
     pub modes: Vec<Mode>,
+    pub outputs: Vec<MechanismOutput>,
+    /// The mode at rest, and each coordinate there as a function of the input.
+    pub rest: Rest,
+}
+
+/// The texts, values, sound and looks of the instrument that a mechanism makes.
+#[derive(Clone, Debug, Default)]
+pub struct InstrumentSpec {
+    /// Description in one line.
+    pub summary: String,
+    /// Named values of the parameters; the first is the default.
+    pub presets: Vec<MechanismPreset>,
+    /// Must be positive, on every key: with what to say if one is not.
+    pub requirements: Vec<Requirement>,
     /// Configurations of rigid contacts that are left out, since their constraints depend on one
     /// another.
     pub left_out: Vec<String>,
-    pub outputs: Vec<MechanismOutput>,
-    /// Generalised force on what drives the input, where it is stated; else it is derived.
-    pub readout: Option<Node>,
-    /// The mode at rest, and each coordinate there as a function of the input.
-    pub rest: Rest,
     pub sound: Option<StringDamper>,
     pub midi: MidiTable,
     pub drawing: Drawing,
+}
+
+/// The bodies, and their weight.
+#[derive(Clone, Debug, Default)]
+pub struct Masses {
+    pub bodies: Vec<RigidBody>,
+    /// Acceleration of free fall in the ground's axes (m/s²).
+    pub gravity: [Option<Node>; 3],
 }
 
 /// A parameter with its unit and range.
@@ -103,6 +113,8 @@ pub struct InputSpec {
     pub unit: String,
     /// Input per metre of key-front travel (unit of the input / m).
     pub per_metre: Option<Node>,
+    /// Generalised force on what drives the input, where it is stated; else it is derived.
+    pub readout: Option<Node>,
 }
 
 /// A coordinate with its unit and range.

@@ -64,7 +64,11 @@ doc = "the cart is between the walls"
     let derived = described(&rigid);
     let names: Vec<_> = derived.program.table.modes.iter().map(|it| it.name).collect();
     assert_eq!(names, ["free", "free+left", "free+right"]);
-    assert_eq!(derived.system.mechanism.left_out, ["free+left+right"], "one wall at a time");
+    assert_eq!(
+        derived.system.mechanism.instrument.left_out,
+        ["free+left+right"],
+        "one wall at a time"
+    );
     let (one, other) = (story::<4>(&rigid, 4.0, to_and_fro), story::<4>(&written, 4.0, to_and_fro));
     let rests = other.0.iter().filter(|it| it.1 > 0).count();
     assert!(other.0.len() > 20 && rests >= 2, "it rebounds and is held: {:?}", other.0);

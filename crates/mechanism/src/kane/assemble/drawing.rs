@@ -14,7 +14,7 @@ pub(super) fn table(
     mechanism: &Mechanism,
     first_pose: usize,
 ) -> Result<DrawingTable, AssemblyError> {
-    let drawing = &mechanism.drawing;
+    let drawing = &mechanism.instrument.drawing;
     let zero = graph.constant(0.0);
     let mut numbers: Vec<Node> = drawing.view.map_or(vec![zero; 4], |view| view.to_vec());
     let mut bodies = Vec::new();

@@ -42,13 +42,13 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
     }
     let (contact_tables, contact_specs) = contacts::specs(&mechanism);
     let outputs = named(mechanism.outputs.iter().map(|it| (&it.name, &it.unit)));
-    let first_pose = outputs.len().saturating_sub(3 * mechanism.drawing.frames.len());
+    let first_pose = outputs.len().saturating_sub(3 * mechanism.instrument.drawing.frames.len());
     let drawing = drawing::table(graph, &mut functions, &mechanism, first_pose)?;
     let values = Values::of(graph, &mut functions, &mechanism, &state)?;
     let (derive, count) = constants(graph, &mut functions, parameters)?;
     let table = ModelTable {
         name: names::name(&mechanism.name),
-        summary: mechanism.summary.as_str().into(),
+        summary: mechanism.instrument.summary.as_str().into(),
         parameters: mechanism.parameters.iter().map(parameter).collect(),
         presets: values.presets,
         states: named(state.iter().map(|place| quantity(&mechanism, *place))),
@@ -67,12 +67,12 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
         outputs,
         rest: values.rest,
         sound: SoundTable {
-            damper: mechanism.sound.map(|it| DamperTable {
+            damper: mechanism.instrument.sound.map(|it| DamperTable {
                 lift: it.lift,
                 fall: it.fall,
                 softest_tone: it.softest_tone,
             }),
-            midi: mechanism.midi,
+            midi: mechanism.instrument.midi,
         },
         drawing,
     };
@@ -110,14 +110,14 @@ impl Values {
         state: &[Place],
     ) -> Result<Self, AssemblyError> {
         let mut presets = Vec::new();
-        for preset in &mechanism.presets {
+        for preset in &mechanism.instrument.presets {
             let name = format!("preset_{}", preset.name);
             let values = functions.add_whole(graph, &name, &preset.values)?;
             let (name, doc) = (names::name(&preset.name), preset.doc.as_str().into());
             presets.push(PresetTable { name, doc, values });
         }
         let mut requirements = Vec::new();
-        for (number, requirement) in mechanism.requirements.iter().enumerate() {
+        for (number, requirement) in mechanism.instrument.requirements.iter().enumerate() {
             let name = format!("requirement_{number}");
             let margin = functions.add_whole(graph, &name, &[requirement.margin])?;
             requirements.push(RequirementTable { text: requirement.text.as_str().into(), margin });

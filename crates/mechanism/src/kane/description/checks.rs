@@ -17,16 +17,16 @@ const KEYS: u8 = 88;
 impl MechanismReader {
     pub(super) fn check(&mut self) {
         let is_whole = self.names.vague.is_empty()
-            && self.mechanism.presets.len() == self.places.presets.len()
+            && self.mechanism.instrument.presets.len() == self.places.presets.len()
             && self.parameters.iter().all(|it| it.value.is_some());
         if is_whole {
-            for preset in 0..self.mechanism.presets.len() {
+            for preset in 0..self.mechanism.instrument.presets.len() {
                 self.check_preset(preset);
             }
         }
         if self.report.is_empty() {
             let mut said = BTreeSet::new();
-            for preset in 0..self.mechanism.presets.len() {
+            for preset in 0..self.mechanism.instrument.presets.len() {
                 self.check_pose(preset, &mut said);
             }
         }
@@ -55,15 +55,18 @@ impl MechanismReader {
     }
 
     fn preset_name(&self, preset: usize) -> String {
-        quoted(self.mechanism.presets.get(preset).map_or("", |it| &it.name))
+        quoted(self.mechanism.instrument.presets.get(preset).map_or("", |it| &it.name))
     }
 
     /// Checks ranges and requirements on all keys.
     fn check_preset(&mut self, preset: usize) {
-        let Some(values) = self.mechanism.presets.get(preset).map(|it| it.values.clone()) else {
+        let Some(values) =
+            self.mechanism.instrument.presets.get(preset).map(|it| it.values.clone())
+        else {
             return;
         };
-        let margins: Vec<_> = self.mechanism.requirements.iter().map(|it| it.margin).collect();
+        let margins: Vec<_> =
+            self.mechanism.instrument.requirements.iter().map(|it| it.margin).collect();
         let (Some(tape), Some(requirements)) = (self.tape(&values), self.tape(&margins)) else {
             return;
         };
@@ -114,7 +117,7 @@ impl MechanismReader {
     }
 
     fn say_requirement(&mut self, preset: usize, index: usize, key: u8) {
-        let Some(requirement) = self.mechanism.requirements.get(index) else { return };
+        let Some(requirement) = self.mechanism.instrument.requirements.get(index) else { return };
         let message = format!(
             "{} does not hold in preset {} on key {key}",
             quoted(&requirement.text),
@@ -126,7 +129,9 @@ impl MechanismReader {
 
     /// Checks values at the rest pose, with a preset's values for the lowest key.
     fn check_pose(&mut self, preset: usize, said: &mut BTreeSet<SourcePlace>) {
-        let Some(values) = self.mechanism.presets.get(preset).map(|it| it.values.clone()) else {
+        let Some(values) =
+            self.mechanism.instrument.presets.get(preset).map(|it| it.values.clone())
+        else {
             return;
         };
         let Some(tape) = self.tape(&values) else { return };

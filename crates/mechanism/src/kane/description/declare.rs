@@ -72,7 +72,7 @@ impl MechanismReader {
             self.symbol(&symbol, SymbolKind::Input);
         }
         self.names.input = dimension;
-        self.mechanism.input = InputSpec { name: name.to_owned(), unit, per_metre: None };
+        self.mechanism.input = InputSpec { name: name.to_owned(), unit, ..InputSpec::default() };
         let fields = [("per_metre", per_metre)];
         self.item(ItemKind::Input, entry, fields, Vec::new());
     }

@@ -13,7 +13,7 @@ impl MechanismReader {
         let Some(entry) = root.take("drawing") else { return };
         let Some(mut keys) = KeyReader::new(&mut self.report, entry) else { return };
         if let Some(entry) = keys.take("view") {
-            self.mechanism.drawing.view = self.view(entry);
+            self.mechanism.instrument.drawing.view = self.view(entry);
         }
         for entry in keys.table(&mut self.report, "frames") {
             self.frame_by_mode(entry);
@@ -106,7 +106,7 @@ impl MechanismReader {
 
     /// Returns the number of the body called `name` on a frame; of any body without a name.
     pub(super) fn drawn_body(&mut self, frame: DrawnFrame, name: Option<&str>) -> usize {
-        let drawing = &mut self.mechanism.drawing;
+        let drawing = &mut self.mechanism.instrument.drawing;
         let named = name.unwrap_or(&frame.name).to_owned();
         let is_still = frame.frames.iter().all(|it| *it == 0);
         let known = drawing.frames.iter().position(|it| it.frames == frame.frames);
@@ -136,7 +136,7 @@ impl MechanismReader {
         let modes = self.drawn_modes(&mut keys);
         keys.finish(&mut self.report);
         if let (Some(from), Some(to)) = (from, to) {
-            self.mechanism.drawing.springs.push(DrawnSpring { name, from, to, modes });
+            self.mechanism.instrument.drawing.springs.push(DrawnSpring { name, from, to, modes });
         }
     }
 

@@ -82,7 +82,7 @@ impl MechanismReader {
 
     pub(super) fn bodies(&mut self, root: &mut KeyReader<'_>) {
         let gravity = self.triple(root, "gravity");
-        self.mechanism.gravity = gravity.map(|file| {
+        self.mechanism.masses.gravity = gravity.map(|file| {
             let file = file?;
             let node = self.node("gravity", &file, CONSTANT, Dimension::ACCELERATION)?;
             (!self.graph.is_zero(node)).then_some(node)
@@ -124,7 +124,7 @@ impl MechanismReader {
         let Some(mass) = mass else { return };
         let inertia = if about_origin { self.shifted(mass, centre, inertia) } else { inertia };
         let (name, frame) = (entry.name.clone(), frame.index);
-        self.mechanism.bodies.push(RigidBody { name, frame, mass, centre, inertia });
+        self.mechanism.masses.bodies.push(RigidBody { name, frame, mass, centre, inertia });
     }
 
     /// Returns a value over the parameters; `None` for one that is 0.

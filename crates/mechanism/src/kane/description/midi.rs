@@ -20,7 +20,7 @@ impl MechanismReader {
             if has_speeds { self.rising(&mut keys, "speeds", Dimension::SPEED) } else { None };
         let pressure = self.pressure(&mut keys);
         keys.finish(&mut self.report);
-        self.mechanism.midi = MidiTable { speeds, velocity, pressure };
+        self.mechanism.instrument.midi = MidiTable { speeds, velocity, pressure };
     }
 
     fn velocity(&mut self, keys: &mut KeyReader<'_>) -> Option<u8> {

@@ -12,7 +12,7 @@ impl MechanismReader {
     pub(super) fn modes(&mut self, root: &mut KeyReader<'_>) {
         let entries = root.table(&mut self.report, "modes");
         self.modes = entries.iter().map(|it| (it.name.clone(), it.place)).collect();
-        self.mechanism.readout = self.readout(root, None);
+        self.mechanism.input.readout = self.readout(root, None);
         self.requirements(root);
         if entries.is_empty() {
             let (constraints, forces, contacts) = self.everything();

@@ -65,7 +65,7 @@ impl MechanismReader {
         let is_closed = is_closed || !shapes[0];
         let (Some(frame), Some(place), Some(points)) = (frame, place, points) else { return };
         let points: Vec<_> = points.into_iter().map(|it| self.placed(place, it)).collect();
-        let lines = self.mechanism.drawing.bodies.iter().flat_map(|body| &body.outlines);
+        let lines = self.mechanism.instrument.drawing.bodies.iter().flat_map(|body| &body.outlines);
         let drawn: usize = lines.map(|it| it.points.len()).sum();
         if drawn + points.len() > MOST_POINTS {
             let help = format!("there are {MOST_POINTS} at most");
@@ -73,7 +73,7 @@ impl MechanismReader {
             return;
         }
         let body = self.drawn_body(frame.clone(), Some(name.unwrap_or(&frame.name)));
-        if let Some(body) = self.mechanism.drawing.bodies.get_mut(body) {
+        if let Some(body) = self.mechanism.instrument.drawing.bodies.get_mut(body) {
             body.outlines.push(Outline { material, is_closed, points, modes });
         }
     }

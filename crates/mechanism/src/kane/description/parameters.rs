@@ -155,7 +155,11 @@ impl MechanismReader {
             let Some(value) = self.value(&file, CONSTANT) else { continue };
             let place = self.report.position(file.place).unwrap_or((1, 1));
             let text = file.expression.text.clone();
-            self.mechanism.requirements.push(Requirement { text, margin: value.node, place });
+            self.mechanism.instrument.requirements.push(Requirement {
+                text,
+                margin: value.node,
+                place,
+            });
             self.places.requirements.push(file.place);
         }
     }

@@ -59,7 +59,11 @@ impl MechanismReader {
         let nodes = self.preset_values(&written);
         let values: Option<Vec<_>> = nodes.iter().map(|it| it.map(|it| it.node)).collect();
         if let Some(values) = values {
-            self.mechanism.presets.push(MechanismPreset { name: name.to_owned(), doc, values });
+            self.mechanism.instrument.presets.push(MechanismPreset {
+                name: name.to_owned(),
+                doc,
+                values,
+            });
         }
     }
 

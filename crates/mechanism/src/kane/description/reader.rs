@@ -175,7 +175,7 @@ impl MechanismReader {
             None => {}
         }
         if let Some((summary, _)) = root.text(&mut self.report, "summary") {
-            summary.clone_into(&mut self.mechanism.summary);
+            summary.clone_into(&mut self.mechanism.instrument.summary);
         }
         root.text(&mut self.report, "doc").map(|(doc, _)| doc.trim().to_owned()).unwrap_or_default()
     }

@@ -109,6 +109,6 @@ impl MechanismReader {
             let help = "lift above fall, so that a key held there does not chatter";
             self.report.say(entry.place, "the damper is lifted no higher than it falls", help);
         }
-        self.mechanism.sound = Some(StringDamper { lift, fall, softest_tone });
+        self.mechanism.instrument.sound = Some(StringDamper { lift, fall, softest_tone });
     }
 }

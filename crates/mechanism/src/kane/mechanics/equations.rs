@@ -59,7 +59,7 @@ impl ModeScope<'_> {
         self.project(graph, &mut equations);
         let scope = ContactScope { mechanism, inertia: self.inertia, motion, state: self.state };
         equations.contacts = scope.all(graph, &mut forms, mode);
-        let stated = mode.readout.or(mechanism.readout);
+        let stated = mode.readout.or(mechanism.input.readout);
         let readout = stated.or(motion.driving).map(|it| forms.value(graph, it));
         let rate = graph.symbol(Place::Input(1));
         equations.readout = readout;
@@ -79,7 +79,7 @@ impl ModeScope<'_> {
         let mut obstacles = Vec::new();
         let guards = mode.guards.iter().map(|guard| guard.value);
         let outputs = mechanism.outputs.iter().filter_map(|it| it.values.get(self.number).copied());
-        let readout = mode.readout.or(mechanism.readout);
+        let readout = mode.readout.or(mechanism.input.readout);
         for node in guards.chain(outputs).chain(readout) {
             obstacles.extend(forms.obstacle(graph, mechanism, node));
         }

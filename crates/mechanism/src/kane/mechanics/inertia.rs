@@ -42,9 +42,9 @@ impl InertiaTerms {
             potential: Vec::new(),
             direct: Vec::new(),
         };
-        for (body, motion) in mechanism.bodies.iter().zip(&bodies) {
+        for (body, motion) in mechanism.masses.bodies.iter().zip(&bodies) {
             let inertia = body.inertia.map(|it| it.unwrap_or(zero));
-            let gravity = FrameVector::of(0, mechanism.gravity.map(|it| it.unwrap_or(zero)));
+            let gravity = FrameVector::of(0, mechanism.masses.gravity.map(|it| it.unwrap_or(zero)));
             let one = BodyTerms { frame: body.frame, mass: body.mass, inertia, gravity, motion };
             one.enter(graph, &mut axes, &places, &mut sums);
         }

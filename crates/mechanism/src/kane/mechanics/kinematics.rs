@@ -46,6 +46,7 @@ pub(super) fn bodies(
         moving.frames.push(motion);
     }
     mechanism
+        .masses
         .bodies
         .iter()
         .map(|body| {

@@ -21,7 +21,7 @@ pub(super) fn leave_out(mechanism: &mut Mechanism, gone: &[usize]) {
     let mut numbers = Vec::new();
     for (number, mode) in mechanism.modes.iter().enumerate() {
         if gone.contains(&number) {
-            mechanism.left_out.push(mode.name.clone());
+            mechanism.instrument.left_out.push(mode.name.clone());
             numbers.push(None);
         } else {
             numbers.push(Some(next));
@@ -37,7 +37,7 @@ pub(super) fn leave_out(mechanism: &mut Mechanism, gone: &[usize]) {
     for output in &mut mechanism.outputs {
         keep(&mut output.values, gone);
     }
-    let drawing = &mut mechanism.drawing;
+    let drawing = &mut mechanism.instrument.drawing;
     for frame in &mut drawing.frames {
         keep(&mut frame.frames, gone);
     }

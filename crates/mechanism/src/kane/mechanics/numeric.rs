@@ -27,7 +27,8 @@ impl NumericPose {
         for j in 0..mechanism.speeds.len() {
             pose.set(Place::Speed(number(j)), 0.0);
         }
-        let defaults = mechanism.presets.first().map(|preset| pose.all(graph, &preset.values));
+        let defaults =
+            mechanism.instrument.presets.first().map(|preset| pose.all(graph, &preset.values));
         for i in 0..mechanism.parameters.len() {
             let value = defaults.as_ref().and_then(|all| all.get(i).copied()).unwrap_or(1.0);
             pose.set(Place::Parameter(number(i)), value);

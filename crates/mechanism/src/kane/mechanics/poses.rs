@@ -3,7 +3,7 @@ use crate::kane::mechanism::{Mechanism, MechanismOutput};
 
 /// Adds the poses of the drawn frames to the outputs: x, y (m) and angle (rad) of each.
 pub(super) fn add(graph: &mut Graph, mechanism: &mut Mechanism) {
-    for drawn in mechanism.drawing.frames.clone() {
+    for drawn in mechanism.instrument.drawing.frames.clone() {
         let mut poses = Vec::new();
         for frame in &drawn.frames {
             poses.push(pose(graph, mechanism, *frame));

@@ -13,7 +13,7 @@ pub fn system_equations(system: &EquationSystem, notation: Notation) -> String {
         text.push_str(&mode_equations(system, mode, notation));
         text.push('\n');
     }
-    for name in &system.mechanism.left_out {
+    for name in &system.mechanism.instrument.left_out {
         text.push_str("no mode ");
         text.push_str(name);
         text.push_str(": its constraints depend on one another\n");

@@ -42,7 +42,11 @@ impl MechanismBuilder {
             new.values.push(*value);
         }
         let values = new.values.iter().map(|value| new.it.graph.constant(*value)).collect();
-        new.it.presets.push(MechanismPreset { name: "default".into(), doc: String::new(), values });
+        new.it.instrument.presets.push(MechanismPreset {
+            name: "default".into(),
+            doc: String::new(),
+            values,
+        });
         for name in coordinates {
             new.coordinate(name);
         }
@@ -126,12 +130,12 @@ impl MechanismBuilder {
         inertia: [Option<Node>; 6],
     ) {
         let (mass, centre) = (self.e(mass), self.vector(centre));
-        let name = format!("body{}", self.it.bodies.len());
-        self.it.bodies.push(RigidBody { name, frame, mass, centre, inertia });
+        let name = format!("body{}", self.it.masses.bodies.len());
+        self.it.masses.bodies.push(RigidBody { name, frame, mass, centre, inertia });
     }
 
     pub(crate) fn gravity(&mut self, at: &[&str]) {
-        self.it.gravity = self.vector(at);
+        self.it.masses.gravity = self.vector(at);
     }
 
     /// Returns the rate of a function of coordinates and the input.

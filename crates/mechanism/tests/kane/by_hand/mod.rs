@@ -7,8 +7,8 @@ pub mod touching;
 use mechanism::kane::assemble::Program;
 use mechanism::kane::graph::{Graph, Node, Place};
 use mechanism::kane::mechanism::{
-    Coordinate, Fires, GuardBranch, InputSpec, Mechanism, MechanismParameter, MechanismPreset,
-    Mode, Rest, Speed,
+    Coordinate, Fires, GuardBranch, InputSpec, InstrumentSpec, Mechanism, MechanismParameter,
+    MechanismPreset, Mode, Rest, Speed,
 };
 use mechanism::kane::system::{EquationSystem, GuardEquations, ModeEquations, Way};
 
@@ -41,7 +41,7 @@ impl Draft {
         }
         let mechanism = Mechanism {
             parameters: parameters.iter().map(parameter).collect(),
-            presets: vec![preset],
+            instrument: InstrumentSpec { presets: vec![preset], ..InstrumentSpec::default() },
             input: InputSpec { name: "s".to_owned(), ..InputSpec::default() },
             coordinates: places,
             speeds,

@@ -30,11 +30,11 @@ doc = "a weight of steel"
     let description = read("test.toml", text, &shelf("")).expect("it is good");
     let mechanism = &description.mechanism;
     assert_eq!(mechanism.name, "heavier");
-    assert_eq!(mechanism.summary, "a weight on a spring");
+    assert_eq!(mechanism.instrument.summary, "a weight on a spring");
     assert_eq!(mechanism.parameters[1].range, (0.001, 10.0));
-    let presets: Vec<_> = mechanism.presets.iter().map(|it| it.name.as_str()).collect();
+    let presets: Vec<_> = mechanism.instrument.presets.iter().map(|it| it.name.as_str()).collect();
     assert_eq!(presets, ["heavy", "steel"]);
-    assert_eq!(mechanism.graph.number(mechanism.presets[1].values[1]), Some(3.0));
+    assert_eq!(mechanism.graph.number(mechanism.instrument.presets[1].values[1]), Some(3.0));
     assert_eq!(mechanism.outputs.len(), 1);
     let names: Vec<_> = description.sources.iter().map(|it| it.name.as_str()).collect();
     assert_eq!(names, ["test.toml", "weight.toml"]);

@@ -35,7 +35,7 @@ fn weight_with_lid() -> String {
 
 #[test]
 fn bodies_are_named_and_stand_on_the_frames_of_their_names() {
-    let drawing = good(&weight_with_lid()).mechanism.drawing;
+    let drawing = good(&weight_with_lid()).mechanism.instrument.drawing;
     let bodies: Vec<_> = drawing.bodies.iter().map(|it| (it.name.as_str(), it.frame)).collect();
     assert_eq!(bodies, [("wall", None), ("W", Some(0)), ("lid", Some(1))]);
     let frames: Vec<_> = drawing.frames.iter().map(|it| it.frames.as_slice()).collect();
@@ -50,7 +50,7 @@ fn points_are_multiplied_then_turned_then_moved() {
     let mechanism = good(&weight_with_lid()).mechanism;
     let of = |node| value(&mechanism, node, &[0.0; 2], [0.0; 4]);
     let points = |body: usize| -> Vec<[f64; 2]> {
-        let points = &mechanism.drawing.bodies[body].outlines[0].points;
+        let points = &mechanism.instrument.drawing.bodies[body].outlines[0].points;
         points.iter().map(|it| it.map(of)).collect()
     };
     assert_eq!(points(0), [[0.0, 1.0], [2.0, 1.0], [2.0, 3.0], [0.0, 3.0]]);
@@ -59,7 +59,7 @@ fn points_are_multiplied_then_turned_then_moved() {
         assert!(apart < 1e-15, "{found:?} is not {expected:?}");
     }
     // The shelf's height over the parameters: the light weight has 20 g.
-    let view = mechanism.drawing.view.expect("a view").map(of);
+    let view = mechanism.instrument.drawing.view.expect("a view").map(of);
     assert_eq!(view, [-1.0, -1.0, 1.0, 0.04]);
 }
 
@@ -82,7 +82,7 @@ fn a_frame_of_a_mode_is_that_of_its_configurations() {
     let mechanism = good(&text).mechanism;
     let modes: Vec<_> = mechanism.modes.iter().map(|it| it.name.as_str()).collect();
     assert_eq!(modes, ["free", "leaning", "free+stop"]);
-    assert_eq!(mechanism.drawing.frames[1].frames, [2, 1, 2]);
+    assert_eq!(mechanism.instrument.drawing.frames[1].frames, [2, 1, 2]);
 }
 
 #[test]

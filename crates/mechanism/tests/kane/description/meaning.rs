@@ -27,7 +27,8 @@ pub(super) fn value(mechanism: &Mechanism, node: Node, state: &[f64], input: [f6
         layout.place(Place::Input(order), Argument::Input(order));
     }
     let graph = &mechanism.graph;
-    let values = Tape::lower(graph, &layout, &mechanism.presets[0].values).expect("of the key");
+    let values =
+        Tape::lower(graph, &layout, &mechanism.instrument.presets[0].values).expect("of the key");
     let constants = values.evaluate(&TapeArguments { extra: &[0.0], ..TapeArguments::default() });
     let tape = Tape::lower(graph, &layout, &[node]).expect("over the state");
     tape.evaluate(&TapeArguments { constants: &constants, state, input, extra: &[] })[0]

@@ -122,7 +122,7 @@ impl Derived {
 fn preset_values(mechanism: &Mechanism, preset: usize) -> Vec<f64> {
     let mut layout = ArgumentLayout::default();
     layout.place(Place::Key, Argument::Extra(0));
-    let preset = &mechanism.presets[preset];
+    let preset = &mechanism.instrument.presets[preset];
     let tape = Tape::lower(&mechanism.graph, &layout, &preset.values).expect("over the key");
     tape.evaluate(&TapeArguments { extra: &[40.0], ..TapeArguments::default() })
 }

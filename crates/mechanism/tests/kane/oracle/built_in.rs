@@ -14,7 +14,7 @@ pub(super) fn cases() -> Vec<Value> {
     let mut all = Vec::new();
     let mut numbers = Numbers::new(21);
     for folder in MECHANISMS {
-        let presets = Derived::built_in(folder, 0).system.mechanism.presets.len();
+        let presets = Derived::built_in(folder, 0).system.mechanism.instrument.presets.len();
         for preset in [0, presets - 1] {
             let mut derived = Derived::built_in(folder, preset);
             unlike_any_preset(&mut derived);
