@@ -340,41 +340,23 @@ macro_rules! any {
 
 any! {
     named {
-        /// [`ByNeed`].
         ByNeed(ByNeed),
-        /// [`ExplicitEuler`].
         ExplicitEuler(ExplicitEuler),
-        /// [`SemiImplicitEuler`].
         SemiImplicitEuler(SemiImplicitEuler),
-        /// [`Heun`].
         Heun(Heun),
-        /// [`VelocityVerlet`].
         VelocityVerlet(VelocityVerlet),
-        /// [`AdamsBashforth2`].
         AdamsBashforth2(AdamsBashforth2),
-        /// [`AdamsBashforth3`].
         AdamsBashforth3(AdamsBashforth3),
-        /// [`BogackiShampine`].
         BogackiShampine(BogackiShampine),
-        /// [`Rk4`].
         Rk4(Rk4),
-        /// [`Tsitouras5`].
         Tsitouras5(Tsitouras5),
-        /// [`Dop853`].
         Dop853(Dop853),
-        /// [`LinearImplicitMidpoint`].
         LinearImplicitMidpoint(LinearImplicitMidpoint),
-        /// [`Ros2`].
         Ros2(Ros2),
-        /// [`Rodas3`].
         Rodas3(Rodas3),
-        /// [`Rodas4`].
         Rodas4(Rodas4),
-        /// [`ExponentialRosenbrock`].
         ExponentialRosenbrock(ExponentialRosenbrock),
-        /// [`Exprb32`].
         Exprb32(Exprb32),
-        /// [`Exact`].
         Exact(Exact),
     }
     controlled {

@@ -24,15 +24,10 @@ pub struct ByNeed {
 /// A method that `ByNeed` may take.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NeededMethod {
-    /// [`Exact`].
     Exact,
-    /// [`Heun`].
     Heun,
-    /// [`VelocityVerlet`].
     VelocityVerlet,
-    /// [`Rk4`].
     Rk4,
-    /// [`Rodas3`].
     Rodas3,
 }
 
