@@ -1,6 +1,6 @@
 use std::path::PathBuf;
 
-use clap::{Parser, ValueEnum};
+use clap::{Args, Parser, ValueEnum};
 use pode::stepper::{Rk4, Stepper as _};
 
 const EXAMPLES: &str = "\
@@ -94,6 +94,17 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "THETA", allow_negative_numbers = true)]
     pub event_tolerance: Option<f64>,
 
+    #[command(flatten)]
+    pub output: OutputArgs,
+
+    /// The fields with which its JSON begins: which program made it, and when.
+    #[arg(skip)]
+    pub header: serde_json::Map<String, serde_json::Value>,
+}
+
+/// What `letoff simulate` writes.
+#[derive(Args, Clone, PartialEq, Eq, Debug)]
+pub struct OutputArgs {
     /// File for the trajectory: one row at t = 0 and one at the end of every tick.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -110,10 +121,6 @@ pub struct SimulateArgs {
     /// Print counts, final state and energy audit as one JSON object.
     #[arg(long)]
     pub json: bool,
-
-    /// The fields with which its JSON begins: which program made it, and when.
-    #[arg(skip)]
-    pub header: serde_json::Map<String, serde_json::Value>,
 }
 
 const MIDDLE_C: u8 = 39;

@@ -102,9 +102,9 @@ pub(super) fn rest(args: &SimulateArgs, mistakes: &mut Vec<SimulateMistake>) {
     let input = args.input.as_ref().map(PathBuf::from);
     let files = [
         ("--input", &input),
-        ("--out", &args.out),
-        ("--events", &args.events),
-        ("--plot", &args.plot),
+        ("--out", &args.output.out),
+        ("--events", &args.output.events),
+        ("--plot", &args.output.plot),
     ];
     for (index, (first, a)) in files.iter().enumerate() {
         for (second, b) in &files[index + 1..] {

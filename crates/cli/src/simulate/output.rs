@@ -52,9 +52,9 @@ impl OutputFiles {
             let sheet = CsvFile::create(path?, &header);
             sheet.map_err(|mistake| mistakes.push(mistake)).ok()
         };
-        let trajectory = create(args.out.as_ref(), trajectory_header(&start.model, &guards));
-        let events = create(args.events.as_ref(), event_header(&start.model));
-        let plot = args.plot.as_ref().map(|path| Plot::create(path, args, start, &guards));
+        let trajectory = create(args.output.out.as_ref(), trajectory_header(&start.model, &guards));
+        let events = create(args.output.events.as_ref(), event_header(&start.model));
+        let plot = args.output.plot.as_ref().map(|path| Plot::create(path, args, start, &guards));
         let plot = plot.transpose().map_err(|mistake| mistakes.push(mistake)).ok().flatten();
         let outputs = vec![0.0; start.model.entry().outputs.len()];
         let files = Self { trajectory, events, plot, guards, outputs, failure: None };

@@ -314,14 +314,16 @@ pub(super) fn write(
     args: &SimulateArgs,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    if args.json {
+    if args.output.json {
         let mut json = report.json();
         json.as_object_mut().into_iter().for_each(|json| json.extend(args.header.clone()));
         serde_json::to_writer_pretty(&mut *out, &json)?;
         return writeln!(out);
     }
     writeln!(out, "{}", report.text())?;
-    for (what, path) in [("rows", &args.out), ("events", &args.events), ("plot", &args.plot)] {
+    for (what, path) in
+        [("rows", &args.output.out), ("events", &args.output.events), ("plot", &args.output.plot)]
+    {
         if let Some(path) = path {
             writeln!(out, "{what:<7} {}", shown(path))?;
         }
