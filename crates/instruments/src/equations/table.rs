@@ -84,7 +84,7 @@ pub struct ModelTable {
     /// How many leading states are coordinates.
     pub coordinates: usize,
     pub constants: ConstantTable,
-    pub input: InputTable,
+    pub input: DriveTable,
     pub modes: Vec<ModeTable>,
     pub contacts: Vec<ContactTable>,
     pub automata: AutomatonTable,
@@ -107,7 +107,7 @@ pub struct ConstantTable {
 
 /// What drives a model.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct InputTable {
+pub struct DriveTable {
     pub quantity: NamedQuantity,
     /// Computes the input per metre of key-front travel from the constants.
     pub per_metre: FunctionId,

@@ -5,8 +5,8 @@
 use std::sync::LazyLock;
 
 use instruments::equations::table::{
-    Arguments, AutomatonTable, ConstantTable, DrawingTable, Equations, ForceTable, Freedom,
-    FunctionId, Functions, GuardTable, InputTable, MidiTable, ModeTable, ModelTable, NamedQuantity,
+    Arguments, AutomatonTable, ConstantTable, DrawingTable, DriveTable, Equations, ForceTable,
+    Freedom, FunctionId, Functions, GuardTable, MidiTable, ModeTable, ModelTable, NamedQuantity,
     ParameterTable, PartTable, PresetTable, RequirementTable, RestTable, SoundTable, WayTable,
 };
 use pode::{EquationKind, Fires, GuardId, GuardSpec, Part, Reads};
@@ -137,7 +137,7 @@ pub static TABLE: LazyLock<ModelTable> = LazyLock::new(|| ModelTable {
         derive: CONSTANTS,
         requirements: vec![RequirementTable { text: "k > 1".into(), margin: MARGIN }],
     },
-    input: InputTable { quantity: quantity("s"), per_metre: PER_METRE },
+    input: DriveTable { quantity: quantity("s"), per_metre: PER_METRE },
     modes: vec![mode()],
     contacts: vec![],
     automata: AutomatonTable { contacts: vec![], guards: vec![STOP] },

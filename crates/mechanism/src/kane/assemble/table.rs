@@ -1,7 +1,7 @@
 //! The table of a whole model.
 
 use instruments::equations::table::{
-    AutomatonTable, ConstantTable, DamperTable, FunctionId, InputTable, ModelTable, NamedQuantity,
+    AutomatonTable, ConstantTable, DamperTable, DriveTable, FunctionId, ModelTable, NamedQuantity,
     ParameterTable, PresetTable, RequirementTable, RestTable, SoundTable,
 };
 use pode::GuardSpec;
@@ -54,7 +54,7 @@ pub(super) fn assemble(system: EquationSystem) -> Result<Program, AssemblyError>
         states: named(state.iter().map(|place| quantity(&mechanism, *place))),
         coordinates,
         constants: ConstantTable { count, derive, requirements: values.requirements },
-        input: InputTable {
+        input: DriveTable {
             quantity: NamedQuantity {
                 name: names::name(&mechanism.input.name),
                 unit: names::name(&mechanism.input.unit),
