@@ -48,7 +48,6 @@ pub struct Mechanism {
 /// The texts, values, sound and looks of the instrument that a mechanism makes.
 #[derive(Clone, Debug, Default)]
 pub struct InstrumentSpec {
-    /// Description in one line.
     pub summary: String,
     /// Named values of the parameters; the first is the default.
     pub presets: Vec<MechanismPreset>,
@@ -79,9 +78,7 @@ pub struct MechanismParameter {
     pub title: String,
     /// SI unit; `"1"` for a ratio.
     pub unit: String,
-    /// Smallest and largest allowed value.
     pub range: (f64, f64),
-    /// What it is, in one line.
     pub doc: String,
 }
 

@@ -1,13 +1,11 @@
 //! The guards of all contacts, frictions and structural modes in one list.
 
-use crate::Guarded;
 use crate::contacts::grip::Friction;
 use crate::contacts::spec::{ContactGuard, FRICTIONS, STRUCTURE};
 use crate::contacts::{
     ContactMode, ContactState, GuardedContacts, MAX_CONTACTS, MAX_FRICTIONS, WithContacts,
 };
-use crate::{Enclosure, GuardBound};
-use crate::{GuardId, GuardSpec, GuardValue, MAX_GUARDS};
+use crate::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, MAX_GUARDS};
 
 /// A model with more parts than can be followed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

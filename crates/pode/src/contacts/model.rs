@@ -1,8 +1,7 @@
 //! The equations of motion with the friction forces of the mode.
 
-use crate::Model;
-use crate::Nature;
 use crate::contacts::{ContactMode, ContactState, GuardedContacts, WithContacts};
+use crate::{Model, Nature};
 
 impl<M: GuardedContacts> Model for WithContacts<M> {
     type Mode = ContactMode<M::Structure>;

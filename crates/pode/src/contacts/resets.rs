@@ -1,12 +1,11 @@
 //! In which mode a state starts, and what follows where a contact opens or closes, a friction
 //! sticks or slips, or the structure changes.
 
-use crate::GuardId;
 use crate::contacts::{
     ContactGuard, ContactIndices, ContactMode, ContactSet, ContactState, GuardedContacts,
     WithContacts,
 };
-use crate::{Guarded as _, Reset, Resets};
+use crate::{GuardId, Guarded as _, Reset, Resets};
 
 impl<M: GuardedContacts> Resets for WithContacts<M> {
     fn reset(

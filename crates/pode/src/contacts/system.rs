@@ -2,15 +2,13 @@
 
 use core::fmt::Debug;
 
-use crate::Nature;
-use crate::Reset;
-use crate::State;
 use crate::contacts::{
     ContactGuard, ContactIndices, ContactSet, ContactSpec, FrictionForces, WithContacts,
 };
 use crate::filippov::{Continued, Surface};
-use crate::{Enclosure, GuardBound};
-use crate::{GuardId, GuardSpec, GuardValue, ReadoutSlopes};
+use crate::{
+    Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Nature, ReadoutSlopes, Reset, State,
+};
 
 /// The largest friction forces of a closed contact (N, or N m).
 #[derive(Clone, Copy, PartialEq, Debug)]
