@@ -99,7 +99,7 @@ pub enum Command {
     Stop,
     /// Offline studies with reports.
     #[command(disable_help_flag = true)]
-    Lab(lab::LabArgs),
+    Lab(lab::StudyArgs),
     /// Writes man pages of all commands, and completions for bash, zsh and fish.
     #[command(hide = true)]
     Manual(manual::ManualArgs),

@@ -192,25 +192,25 @@ impl CostErrorPoint {
     }
 }
 
-type Figure = fn(&CostErrorPoint) -> Option<f64>;
+type PointFigure = fn(&CostErrorPoint) -> Option<f64>;
 
 #[derive(Clone, Copy, Debug)]
 struct Quantities {
     x_title: &'static str,
     y_title: &'static str,
-    x: Figure,
-    y: Figure,
+    x: PointFigure,
+    y: PointFigure,
 }
 
-const PER_MS: (&str, Figure) = ("ns per simulated ms", |point| point.per_ms);
-const EVALUATIONS: (&str, Figure) =
+const PER_MS: (&str, PointFigure) = ("ns per simulated ms", |point| point.per_ms);
+const EVALUATIONS: (&str, PointFigure) =
     ("evaluations of the derivative per simulated ms", |point| point.evaluations);
 
-const EVENTS: (&str, Figure) = ("error of event times [s]", |point| point.event_error);
-const STATES: (&str, Figure) =
+const EVENTS: (&str, PointFigure) = ("error of event times [s]", |point| point.event_error);
+const STATES: (&str, PointFigure) =
     ("error of states away from events, of their size", |point| point.state_error);
 
-const fn panel(y: (&'static str, Figure), x: (&'static str, Figure)) -> Quantities {
+const fn panel(y: (&'static str, PointFigure), x: (&'static str, PointFigure)) -> Quantities {
     Quantities { x_title: x.0, y_title: y.0, x: x.1, y: y.1 }
 }
 
