@@ -1,8 +1,14 @@
+//! Arguments of several commands.
+
+use boards::links::LINKS;
+use boards::links::address::listed;
 use firmware_protocol::key::KeyIndex;
 
-pub const LINK: &str = "A link to boards, whatever the scene says: serial:PORT[@BAUD], \
-                               can:INTERFACE, classic-can:INTERFACE, or 'rig:PROGRAM ARGUMENTS' \
-                               for a program that lives boards in virtual time; once for each";
+/// Returns the help of `--link`.
+pub(super) fn link_help() -> String {
+    let forms = listed(LINKS.iter().map(|it| it.help), ", or ");
+    format!("A link to boards, whatever the scene says: {forms}; once for each")
+}
 
 /// Parses a duration (s), above 0.
 pub fn seconds(text: &str) -> Result<f64, String> {

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use boards::plan::{BusPlan, BusVerdict, Proposal};
+use boards::plan::{BusPlan, BusVerdict, NoPlan, Proposal};
 use clap::Args;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::stable::refuse_unstable;
 use super::target::SceneTarget;
 use super::{Failure, print_json};
-use host::connected_boards::planning::{self, NoPlan};
+use host::connected_boards::planning;
 use scene::{BoardBus, Boards, FORCES, SAMPLES};
 
 /// What `letoff plan` takes.
@@ -89,9 +89,9 @@ fn rows(boards: &Boards, plans: &[Result<BusPlan, NoPlan>]) -> Vec<PlanRow> {
 }
 
 fn row(bus: &BoardBus, plan: &Result<BusPlan, NoPlan>) -> PlanRow {
-    let medium = host::connected_boards::medium(bus).filter(|_| *plan != Err(NoPlan::Virtual));
+    let medium = host::connected_boards::medium(bus).ok();
     PlanRow {
-        link: bus.address.name(),
+        link: bus.address.place.clone(),
         medium: medium.map(|it| it.to_string()),
         planned: plan.as_ref().ok().map(planned),
         sentences: match plan {

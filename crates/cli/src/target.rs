@@ -4,7 +4,7 @@ use boards::links::address::Address;
 use clap::Args;
 
 use super::Failure;
-use super::arguments::{LINK, assignment};
+use super::arguments::{assignment, link_help};
 use scene::{Boards, Library, LinksConfig, Override, Scene, link_overrides};
 
 /// A scene, with other links or values than its own.
@@ -14,7 +14,7 @@ pub struct SceneTarget {
     #[arg(default_value = "default")]
     pub scene: String,
     /// Links instead of those of the scene.
-    #[arg(long = "link", value_name = "LINK", help = LINK, value_parser = Address::parse)]
+    #[arg(long = "link", value_name = "LINK", help = link_help(), value_parser = Address::parse)]
     pub links: Vec<Address>,
     /// Any value of the scene, as `tick_hz=4000` or `links.bus.0.bit_rate=500000`.
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = assignment)]

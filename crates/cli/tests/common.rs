@@ -31,7 +31,7 @@ impl Board {
     /// Starts a board of this make, on a watched thread.
     pub(crate) fn start(make: BoardMake, watch: &WaitWatch) -> Self {
         let placed = place(make.id, &WireEndpoint::Pty).expect("a pseudo-terminal");
-        let port = placed.address.name().into();
+        let port = placed.address.place.clone().into();
         let mut living =
             BoardProcess::new(make, placed, 0.0, Vec::new()).expect("a possible board");
         let stop = Arc::new(AtomicBool::new(false));

@@ -1,5 +1,5 @@
-use boards::links::address::Address;
-use boards::links::can::CanMode;
+//! Writes a scene as a complete file, with the present values of its keys.
+
 use instruments::ModelEntry;
 use keyboard::KeyIndex;
 use keyboard::KeyRange;
@@ -100,10 +100,9 @@ fn bus(it: &BoardBus) -> Value {
         Ok(Value::InlineTable(table)) => table,
         Ok(_) | Err(_) => InlineTable::new(),
     };
-    if let Address::Can { mode, .. } = &it.address {
-        table.insert("bit_rate", i64::from(it.bit_rates.0).into());
-        if *mode == CanMode::Fd {
-            table.insert("data_bit_rate", i64::from(it.bit_rates.1).into());
+    for (key, rate) in [("bit_rate", it.bit_rates.0), ("data_bit_rate", it.bit_rates.1)] {
+        if it.address.kind.options.contains(&key) {
+            table.insert(key, i64::from(rate).into());
         }
     }
     let boards: Array = it.boards.iter().map(|(number, keys)| board(*number, *keys)).collect();

@@ -18,7 +18,7 @@ mod tested_board;
 use firmware_protocol::frame::hello::Introduction;
 use serde::Serialize;
 
-pub use tested_board::{TestedBoard, TestedLink, introductions};
+pub use tested_board::{TestedBoard, introductions};
 
 /// Largest force that is asked for on any key (mN): a weight of 5 g, up.
 pub const MOST_FORCE_MN: i32 = 50;

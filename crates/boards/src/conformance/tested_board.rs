@@ -3,11 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::links::address::Address;
-use crate::links::can::BusSide;
-use crate::links::lockstep::Lockstep;
-use crate::links::serial::Serial;
-use crate::links::{HostClock, Link, RecvError, SendError};
+use crate::links::{HostClock, Link, RecvError};
 use firmware_protocol::acyclic::arm::{Arm, Disarmed};
 use firmware_protocol::acyclic::{AcyclicReply, Operation, Status};
 use firmware_protocol::frame::broadcast::{self, Broadcast};
@@ -31,71 +27,14 @@ const LATE_US: u64 = 250_000;
 /// Times that a request is sent with the same id.
 const TRIES: u8 = 3;
 
-/// A link over which frames can be damaged, if it has checksums of ours.
-pub enum TestedLink {
-    Serial(Box<Serial>),
-    Lockstep(Box<Lockstep>),
-    Other(Box<dyn Link + Send>),
-}
-
-impl std::fmt::Debug for TestedLink {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("TestedLink").finish_non_exhaustive()
-    }
-}
-
-impl TestedLink {
-    /// Opens the link at `address` for a host that lives by `clock`.
-    ///
-    /// # Errors
-    /// Says what is wrong with the port, interface or program, and what to do.
-    pub fn open(address: &Address, clock: &HostClock) -> Result<Self, crate::links::Error> {
-        match address {
-            Address::Serial { port, baud } => {
-                Ok(Self::Serial(Box::new(Serial::open(port, *baud)?)))
-            }
-            Address::Rig { command } => {
-                Ok(Self::Lockstep(Box::new(Lockstep::start(command, clock)?)))
-            }
-            Address::Can { .. } => Ok(Self::Other(address.open(BusSide::Host, clock)?)),
-        }
-    }
-
-    /// Returns why the link is down for good, if it is.
-    pub fn fault(&self) -> Option<&crate::links::Error> {
-        match self {
-            Self::Serial(serial) => serial.fault(),
-            Self::Lockstep(program) => program.fault(),
-            Self::Other(other) => other.fault(),
-        }
-    }
-
-    fn link(&mut self) -> &mut dyn Link {
-        match self {
-            Self::Serial(serial) => serial.as_mut(),
-            Self::Lockstep(program) => program.as_mut(),
-            Self::Other(other) => other.as_mut(),
-        }
-    }
-
-    /// Sends a frame with a wrong checksum; nothing on a link whose checksums are not ours.
-    fn try_send_damaged(&mut self, frame: &[u8]) -> Option<Result<(), SendError>> {
-        match self {
-            Self::Serial(serial) => Some(serial.try_send_damaged(frame)),
-            Self::Lockstep(program) => Some(program.try_send_damaged(frame)),
-            Self::Other(_) => None,
-        }
-    }
-
-    /// Returns the next whole frame; what is no frame is passed over.
-    fn frame(&mut self) -> Option<Vec<u8>> {
-        let mut frame = [0; MAX_FRAME];
-        loop {
-            match self.link().try_recv(&mut frame) {
-                Ok(len) => return len.map(|len| frame[..len.min(MAX_FRAME)].to_vec()),
-                Err(RecvError::Corrupt | RecvError::BufferTooShort { .. }) => {}
-                Err(RecvError::Down) => return None,
-            }
+/// Returns the next whole frame on `link`; what is no frame is passed over.
+fn next_frame(link: &mut dyn Link) -> Option<Vec<u8>> {
+    let mut frame = [0; MAX_FRAME];
+    loop {
+        match link.try_recv(&mut frame) {
+            Ok(len) => return len.map(|len| frame[..len.min(MAX_FRAME)].to_vec()),
+            Err(RecvError::Corrupt | RecvError::BufferTooShort { .. }) => {}
+            Err(RecvError::Down) => return None,
         }
     }
 }
@@ -103,7 +42,7 @@ impl TestedLink {
 /// Asks who is on a link for `patience_us`, or until nothing new comes for a third of a second;
 /// returns the hellos that can be read, by number.
 pub fn introductions(
-    link: &mut TestedLink,
+    link: &mut dyn Link,
     clock: &HostClock,
     patience_us: u64,
 ) -> Vec<Introduction> {
@@ -119,9 +58,9 @@ pub fn introductions(
             let mut frame = [0; broadcast::MAX_LEN];
             let len = Broadcast::WhoIsThere { version: PROTOCOL_VERSION }.encode(&mut frame);
             // What is not taken is asked again.
-            let _lost = link.link().try_send(&frame[..len]);
+            let _lost = link.try_send(&frame[..len]);
         }
-        while let Some(frame) = link.frame() {
+        while let Some(frame) = next_frame(link) {
             if let Ok(it) = Introduction::decode(&frame)
                 && found.insert(it.board.number(), it).is_none()
             {
@@ -151,9 +90,8 @@ pub(super) struct TimedSamples {
 }
 
 /// A board that is tested.
-#[derive(Debug)]
 pub struct TestedBoard<'l> {
-    link: &'l mut TestedLink,
+    link: &'l mut dyn Link,
     pub(super) number: BoardId,
     clock: HostClock,
     pub(super) layout: SampleLayout,
@@ -164,9 +102,15 @@ pub struct TestedBoard<'l> {
     pub(super) late_us: u64,
 }
 
+impl std::fmt::Debug for TestedBoard<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("TestedBoard").field("number", &self.number).finish_non_exhaustive()
+    }
+}
+
 impl<'l> TestedBoard<'l> {
     /// Returns the board on `link` that said `introduction`.
-    pub fn new(link: &'l mut TestedLink, introduction: &Introduction, clock: HostClock) -> Self {
+    pub fn new(link: &'l mut dyn Link, introduction: &Introduction, clock: HostClock) -> Self {
         let n_keys = introduction.hello.n_keys.into();
         let layout = SampleLayout { packing: SamplePacking::Position24, n_keys };
         let [next_id, ..] = clock.now_us().to_le_bytes();
@@ -194,7 +138,7 @@ impl<'l> TestedBoard<'l> {
     pub(super) fn exchange(&mut self, request: &[u8]) -> Option<TimedReply> {
         let sent_us = self.now_us();
         for attempt in 1..=u64::from(TRIES) {
-            let _lost = self.link.link().try_send(request);
+            let _lost = self.link.try_send(request);
             let reply = self.wait(request, sent_us, sent_us + attempt * LATE_US);
             if reply.is_some() {
                 return reply;
@@ -216,7 +160,7 @@ impl<'l> TestedBoard<'l> {
 
     /// Returns the answer to `request` if it has come.
     fn reply_to(&mut self, request: &[u8], sent_us: u64) -> Option<TimedReply> {
-        while let Some(frame) = self.link.frame() {
+        while let Some(frame) = next_frame(self.link) {
             let Ok(AcyclicReply { board, status, record, .. }) = AcyclicReply::decode(&frame)
             else {
                 continue;
@@ -284,7 +228,7 @@ impl<'l> TestedBoard<'l> {
     pub(super) fn stop(&mut self) {
         let mut frame = [0; broadcast::MAX_LEN];
         let len = Broadcast::EmergencyStop { reason: 1 }.encode(&mut frame);
-        let _lost = self.link.link().try_send(&frame[..len]);
+        let _lost = self.link.try_send(&frame[..len]);
     }
 
     /// Listens for `for_us`, and answers each frame of samples as `answer` says, with the same
@@ -300,7 +244,7 @@ impl<'l> TestedBoard<'l> {
             let now = self.now_us();
             self.late_us += now.saturating_sub(looked + IN_TIME_US);
             looked = now;
-            while let Some(frame) = self.link.frame() {
+            while let Some(frame) = next_frame(self.link) {
                 heard.extend(self.take_samples(&frame, &answer));
             }
             self.clock.pause(LOOK);
@@ -335,7 +279,7 @@ impl<'l> TestedBoard<'l> {
         let mut frame = [0; key_forces::MAX_LEN];
         let header = Header { flag: false, ..header };
         let len = KeyForces { header, forces, slopes: PerKey::default() }.encode(&mut frame);
-        let _lost = self.link.link().try_send(&frame[..len]);
+        let _lost = self.link.try_send(&frame[..len]);
     }
 
     /// Arms it with the nonce of a disarming, for forces that are valid for `valid_ms`.

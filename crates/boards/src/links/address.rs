@@ -1,61 +1,99 @@
-//! Where a link leads: what a scene or the command line says, and how it is opened.
+//! Addresses of links, as the command line and scenes spell them, and the kinds that they name.
 
 use std::fmt;
-use std::path::PathBuf;
 
-use super::Link;
-use super::can::{BusSide, Can, CanMode};
+use super::{BusSide, LINKS, Link};
 use crate::links::{Error, HostClock};
+use crate::plan::{Medium, NoPlan};
 
-/// Bits per second of a serial port of which nothing is said; USB devices ignore it.
-pub const BAUD: u32 = 2_000_000;
+/// A link of any kind, as an address opens it.
+pub type BoxedLink = Box<dyn Link + Send>;
 
-/// Where a link leads.
+/// A kind of link. Addresses, scenes, plans and help texts read the list of them, [`LINKS`].
+#[derive(Clone, Copy, Debug)]
+pub struct LinkKind {
+    /// Scheme of its addresses: `serial` in `serial:/dev/ttyACM0`.
+    pub scheme: &'static str,
+    /// Forms of its addresses, for messages: `can:INTERFACE`.
+    pub forms: &'static str,
+    /// Forms of its addresses, for the help of `--link`.
+    pub help: &'static str,
+    /// Key of `[[links.bus]]` in a scene. Kinds with the same key differ by their mode.
+    pub key: &'static str,
+    /// Value of `mode` in a scene that selects this kind; the first kind with a key is its default.
+    pub mode: Option<&'static str>,
+    /// Further keys of `[[links.bus]]` that this kind accepts.
+    pub options: &'static [&'static str],
+    /// Noun in "a bus is either ...".
+    pub noun: &'static str,
+    /// Subject in "... has no \"baud\"".
+    pub subject: &'static str,
+    /// Default baud rate, if its addresses have one (bit/s).
+    pub baud: Option<u32>,
+    /// `true` if it leads to a program in lockstep, which lives in virtual time only.
+    pub is_in_lockstep: bool,
+    /// Opens the link at an address for one end.
+    pub open: fn(&Address, BusSide, &HostClock) -> Result<BoxedLink, Error>,
+    /// Returns the medium at an address, with the bit rates of arbitration and data (bit/s).
+    pub medium: fn(&Address, (u32, u32)) -> Result<Medium, NoPlan>,
+}
+
+impl PartialEq for LinkKind {
+    fn eq(&self, other: &Self) -> bool {
+        self.scheme == other.scheme
+    }
+}
+
+impl Eq for LinkKind {}
+
+impl LinkKind {
+    /// Returns the kind of a scene's `key` and `mode`; without a mode the key's first kind.
+    pub fn find(key: &str, mode: Option<&str>) -> Option<&'static Self> {
+        let mut kinds = LINKS.iter().filter(|it| it.key == key);
+        let first = kinds.clone().next();
+        kinds.find(|it| mode.is_some() && it.mode == mode).or(first)
+    }
+}
+
+/// Place to which a link leads.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Address {
-    Serial {
-        port: PathBuf,
-        baud: u32,
-    },
-    Can {
-        interface: String,
-        mode: CanMode,
-    },
-    /// A program in lockstep, with its arguments behind it; see `lockstep`.
-    Rig {
-        command: String,
-    },
+pub struct Address {
+    pub kind: &'static LinkKind,
+    /// Port, interface or program with its arguments, as messages name the link.
+    pub place: String,
+    /// Bits per second, if addresses of this kind have them.
+    pub baud: Option<u32>,
 }
 
 impl Address {
-    /// Reads `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0`,
-    /// `classic-can:can0`, or `rig:PROGRAM ARGUMENTS`, split at white space.
+    /// Reads `serial:/dev/ttyACM0`, `serial:/dev/ttyUSB0@1000000`, `can:can0`, or another form of
+    /// a kind in [`LINKS`].
     ///
     /// # Errors
     /// A sentence on what is wrong, and what to write.
     pub fn parse(text: &str) -> Result<Self, String> {
-        const KINDS: &str = "write serial:PORT, serial:PORT@BAUD, can:INTERFACE, \
-                             classic-can:INTERFACE or rig:PROGRAM";
-        let unknown = || format!("\"{text}\" is no link: {KINDS}");
-        let (kind, rest) = text.split_once(':').ok_or_else(unknown)?;
-        let interface = rest.to_owned();
-        match kind {
-            _ if rest.trim().is_empty() => Err(unknown()),
-            "serial" => serial(rest),
-            "can" => Ok(Self::Can { interface, mode: CanMode::Fd }),
-            "classic-can" => Ok(Self::Can { interface, mode: CanMode::Classic }),
-            "rig" => Ok(Self::Rig { command: rest.trim().to_owned() }),
-            _ => Err(unknown()),
-        }
+        let unknown = || {
+            let forms = listed(LINKS.iter().map(|it| it.forms), " or ");
+            format!("\"{text}\" is no link: write {forms}")
+        };
+        let (scheme, rest) = text.split_once(':').ok_or_else(unknown)?;
+        let kind = LINKS.iter().find(|it| it.scheme == scheme).ok_or_else(unknown)?;
+        let (place, baud) = match rest.rsplit_once('@') {
+            Some((place, baud)) if kind.baud.is_some() => {
+                let number = baud.parse().ok().filter(|baud| *baud != 0);
+                let wrong = || format!("\"{baud}\" is no baud rate: write 2000000");
+                (place, Some(number.ok_or_else(wrong)?))
+            }
+            Some(_) | None => (rest, kind.baud),
+        };
+        if rest.trim().is_empty() { Err(unknown()) } else { Ok(Self::new(kind, place, baud)) }
     }
 
-    /// Returns what it is called in sentences: the port, the interface, or the program.
-    pub fn name(&self) -> String {
-        match self {
-            Self::Serial { port, .. } => port.display().to_string(),
-            Self::Can { interface, .. } => interface.clone(),
-            Self::Rig { command } => command.clone(),
-        }
+    /// Returns the address of `place`, without white space around it. `baud` counts only if
+    /// addresses of this kind have one.
+    pub fn new(kind: &'static LinkKind, place: &str, baud: Option<u32>) -> Self {
+        let baud = kind.baud.map(|usual| baud.unwrap_or(usual));
+        Self { kind, place: place.trim().to_owned(), baud }
     }
 
     /// Returns what is typed for it in a shell: in quotes if it has several words.
@@ -64,71 +102,29 @@ impl Address {
         if text.contains(char::is_whitespace) { format!("'{text}'") } else { text }
     }
 
-    /// Returns whether it leads to a program in lockstep, which lives in virtual time only.
-    pub const fn is_in_lockstep(&self) -> bool {
-        match self {
-            Self::Rig { .. } => true,
-            Self::Serial { .. } | Self::Can { .. } => false,
-        }
-    }
-
     /// Opens it for one end, which lives by `clock`.
     ///
     /// # Errors
     /// Says what is wrong with the port, interface or program, and what to do.
-    pub fn open(&self, side: BusSide, clock: &HostClock) -> Result<Box<dyn Link + Send>, Error> {
-        match self {
-            Self::Serial { port, baud } => open_serial(port, *baud),
-            Self::Can { interface, mode } => Ok(Box::new(Can::open(interface, *mode, side)?)),
-            Self::Rig { command } => start(command, clock),
-        }
+    pub fn open(&self, side: BusSide, clock: &HostClock) -> Result<BoxedLink, Error> {
+        (self.kind.open)(self, side, clock)
     }
-}
-
-#[cfg(unix)]
-fn open_serial(port: &std::path::Path, baud: u32) -> Result<Box<dyn Link + Send>, Error> {
-    Ok(Box::new(super::serial::Serial::open(port, baud)?))
-}
-
-#[cfg(not(unix))]
-fn open_serial(port: &std::path::Path, _baud: u32) -> Result<Box<dyn Link + Send>, Error> {
-    let source = std::io::Error::from(std::io::ErrorKind::Unsupported);
-    Err(Error::Unreadable { path: port.to_owned(), source })
-}
-
-#[cfg(unix)]
-fn start(command: &str, clock: &HostClock) -> Result<Box<dyn Link + Send>, Error> {
-    Ok(Box::new(super::lockstep::Lockstep::start(command, clock)?))
-}
-
-#[cfg(not(unix))]
-fn start(command: &str, _clock: &HostClock) -> Result<Box<dyn Link + Send>, Error> {
-    let why = std::io::Error::from(std::io::ErrorKind::Unsupported);
-    let why = super::trouble::ProgramTrouble::NotStarted(why);
-    Err(Error::Program { command: command.to_owned(), why })
-}
-
-fn serial(rest: &str) -> Result<Address, String> {
-    let (port, baud) = match rest.rsplit_once('@') {
-        None => (rest, BAUD),
-        Some((port, baud)) => {
-            let number = baud.parse().ok().filter(|baud| *baud != 0);
-            (port, number.ok_or_else(|| format!("\"{baud}\" is no baud rate: write 2000000"))?)
-        }
-    };
-    Ok(Address::Serial { port: port.into(), baud })
 }
 
 impl fmt::Display for Address {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Serial { port, baud } => write!(f, "serial:{}@{baud}", port.display()),
-            Self::Can { interface, mode: CanMode::Fd } => write!(f, "can:{interface}"),
-            Self::Can { interface, mode: CanMode::Classic } => {
-                write!(f, "classic-can:{interface}")
-            }
-            Self::Rig { command } => write!(f, "rig:{command}"),
-        }
+        write!(f, "{}:{}", self.kind.scheme, self.place)?;
+        self.baud.map_or(Ok(()), |baud| write!(f, "@{baud}"))
+    }
+}
+
+/// Joins words with commas, and the last one with `or`.
+pub fn listed(words: impl IntoIterator<Item = &'static str>, or: &str) -> String {
+    let words: Vec<_> = words.into_iter().collect();
+    match words.split_last() {
+        Some((last, [])) => (*last).to_owned(),
+        Some((last, others)) => [&others.join(", "), or, last].concat(),
+        None => String::new(),
     }
 }
 
@@ -143,7 +139,7 @@ mod tests {
             assert_eq!(Address::parse(text).unwrap().to_string(), text);
         }
         let usual = Address::parse("serial:/dev/ttyACM0").unwrap();
-        assert_eq!(usual, Address::Serial { port: "/dev/ttyACM0".into(), baud: BAUD });
+        assert_eq!((&*usual.place, usual.baud), ("/dev/ttyACM0", Some(2_000_000)));
     }
 
     #[test]

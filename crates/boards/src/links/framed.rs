@@ -70,7 +70,7 @@ impl<L: Link> Framed<'_, L> {
     ///
     /// # Errors
     /// If the link rejects the frame.
-    pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
+    pub(super) fn send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
         let (mut wire, len) = wire(frame)?;
         // The byte stuffing puts one byte before the frame.
         wire[2] ^= 0x40;

@@ -22,7 +22,6 @@ pub mod discovery;
 mod error;
 pub mod faulty;
 pub mod framed;
-#[cfg(unix)]
 pub mod lockstep;
 pub mod loopback;
 mod obstacle;
@@ -30,10 +29,8 @@ mod pause;
 mod queued_frame;
 pub mod random;
 pub mod reconnecting;
-#[cfg(unix)]
 pub mod serial;
 pub mod trouble;
-#[cfg(unix)]
 pub mod wire;
 
 pub use clock::HostClock;
@@ -41,7 +38,21 @@ pub use error::Error;
 pub use pause::pause;
 pub use queued_frame::MAX_LEN;
 
+use address::LinkKind;
+use firmware_protocol::key::BoardId;
 use queued_frame::QueuedFrame;
+
+/// All kinds of links that an address can name.
+pub static LINKS: &[LinkKind] = &[serial::KIND, can::FD, can::CLASSIC, lockstep::KIND];
+
+/// Which end of a link this is; a bus passes on only what is for it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BusSide {
+    /// The host: hears what boards say.
+    Host,
+    /// A board: hears what is for it and for all boards.
+    Board(BoardId),
+}
 
 /// A transport that was opened before and never blocks, but for those of [`lockstep`].
 pub trait Link {
@@ -66,6 +77,11 @@ pub trait Link {
     fn fault(&self) -> Option<&Error> {
         None
     }
+
+    /// Sends `frame` with a wrong checksum; `None` on a link whose checksums are not ours.
+    fn try_send_damaged(&mut self, _frame: &[u8]) -> Option<Result<(), SendError>> {
+        None
+    }
 }
 
 impl<L: Link + ?Sized> Link for &mut L {
@@ -84,6 +100,10 @@ impl<L: Link + ?Sized> Link for &mut L {
     fn fault(&self) -> Option<&Error> {
         (**self).fault()
     }
+
+    fn try_send_damaged(&mut self, frame: &[u8]) -> Option<Result<(), SendError>> {
+        (**self).try_send_damaged(frame)
+    }
 }
 
 impl<L: Link + ?Sized> Link for Box<L> {
@@ -101,6 +121,10 @@ impl<L: Link + ?Sized> Link for Box<L> {
 
     fn fault(&self) -> Option<&Error> {
         (**self).fault()
+    }
+
+    fn try_send_damaged(&mut self, frame: &[u8]) -> Option<Result<(), SendError>> {
+        (**self).try_send_damaged(frame)
     }
 }
 

@@ -129,6 +129,33 @@ impl fmt::Display for Medium {
     }
 }
 
+/// The reason why nothing is planned for a link.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum NoPlan {
+    /// It exists in memory only.
+    Virtual,
+    /// Its rate does not follow from its name.
+    NoRates,
+    /// No board is left for it.
+    NoBoards,
+}
+
+impl fmt::Display for NoPlan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Virtual => "it is virtual and takes no time, so nothing is planned",
+            Self::NoRates => {
+                "it takes any rate and keeps none, as USB devices and pseudo-terminals do, so \
+                 nothing is planned"
+            }
+            Self::NoBoards => {
+                "no board is left for it, so nothing is planned; list its boards in the scene, or \
+                 leave it out"
+            }
+        })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

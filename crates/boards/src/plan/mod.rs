@@ -25,7 +25,7 @@ pub mod usb;
 pub mod verdict;
 
 pub use bus::{BusPlan, Extras, standard};
-pub use medium::Medium;
+pub use medium::{Medium, NoPlan};
 pub use meter::{LinkMeter, MeterWindow};
 pub use packing::{ForcePacking, SamplePacking};
 pub use propose::Proposal;

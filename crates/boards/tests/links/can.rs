@@ -11,8 +11,8 @@ use std::process::Command;
 use std::thread;
 use std::time::{Duration, Instant};
 
-use boards::links::can::{BusSide, Can, CanMode};
-use boards::links::{Health, Link as _, RecvError, SendError, WireState};
+use boards::links::can::{Can, CanMode};
+use boards::links::{BusSide, Health, Link as _, RecvError, SendError, WireState};
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
 use socketcan::{CanErrorFrame, CanFdSocket, Socket as _};

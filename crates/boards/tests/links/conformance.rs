@@ -4,13 +4,13 @@
 
 use std::io::Write as _;
 
-use boards::links::can::{BusSide as CanSide, Can, CanMode};
+use boards::links::can::{Can, CanMode};
 use boards::links::faulty::{FaultPlan, Faults};
 use boards::links::framed::Framing;
 use boards::links::loopback::Loopback;
 use boards::links::serial::{Pty, Serial};
 use boards::links::wire::{Wire, WirePlan};
-use boards::links::{Health, Link, RecvError, SendError};
+use boards::links::{BusSide, Health, Link, RecvError, SendError};
 use firmware_protocol::MAX_FRAME;
 use firmware_protocol::key::BoardId;
 
@@ -64,14 +64,14 @@ fn can_where_there_is_an_interface() {
     };
     for mode in [CanMode::Fd, CanMode::Classic] {
         let open = |side| Can::open(&name, mode, side);
-        let mut host = match open(CanSide::Host) {
+        let mut host = match open(BusSide::Host) {
             Ok(host) => host,
             Err(error) => {
                 skip(&format!("{mode:?} was not tested: {error}"));
                 continue;
             }
         };
-        let mut board = open(CanSide::Board(BoardId::new(3).unwrap())).unwrap();
+        let mut board = open(BusSide::Board(BoardId::new(3).unwrap())).unwrap();
         check(&mut |side, turn| match side {
             Side::Host => turn(&mut host),
             Side::Board => turn(&mut board),

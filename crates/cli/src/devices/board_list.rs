@@ -114,7 +114,7 @@ pub(super) fn run(args: &DevicesArgs, out: &mut dyn Write) -> Result<(), Failure
 /// Asks who is on a link, and does with them what is wanted.
 fn look(address: &Address, args: &DevicesArgs) -> OnLink {
     let (boards, refusals, unwritten) = (Vec::new(), Vec::new(), Vec::new());
-    let mut link = OnLink { link: address.name(), boards, refusals, unwritten };
+    let mut link = OnLink { link: address.place.clone(), boards, refusals, unwritten };
     let bus = BoardBus::new(address.clone());
     let clock = clock(std::slice::from_ref(&bus));
     let line = match open(&bus, &clock) {

@@ -9,7 +9,7 @@ use documents::shown;
 use firmware_protocol::key::KeyIndex;
 use serde::Serialize;
 
-use super::arguments::{LINK, note};
+use super::arguments::{link_help, note};
 use super::{Failure, print_json};
 use boards::conformance::ConformanceDepth;
 
@@ -41,7 +41,7 @@ pub struct DevicesArgs {
     #[arg(long)]
     pub boards: bool,
     /// Links to be asked.
-    #[arg(long = "link", value_name = "LINK", help = LINK, value_parser = Address::parse,
+    #[arg(long = "link", value_name = "LINK", help = link_help(), value_parser = Address::parse,
           requires = "boards")]
     pub links: Vec<Address>,
     /// Lets the board with this number blink.

@@ -3,11 +3,11 @@
 use std::io::Write;
 
 use boards::conformance::{
-    ConformanceDepth, ConformanceItem, ConformanceOutcome, MOST_FORCE_MN, TestedBoard, TestedLink,
-    conformance, introductions,
+    ConformanceDepth, ConformanceItem, ConformanceOutcome, MOST_FORCE_MN, TestedBoard, conformance,
+    introductions,
 };
 use boards::identity::Uid;
-use boards::links::address::Address;
+use boards::links::{BusSide, address::Address};
 use serde::Serialize;
 
 use super::{DevicesArgs, PATIENCE_US};
@@ -80,8 +80,8 @@ fn on_link(
     depth: ConformanceDepth,
 ) -> Result<Vec<BoardTest>, String> {
     let clock = clock(&[BoardBus::new(address.clone())]);
-    let mut link = TestedLink::open(address, &clock).map_err(|error| error.to_string())?;
-    let mut found = introductions(&mut link, &clock, PATIENCE_US);
+    let mut link = address.open(BusSide::Host, &clock).map_err(|error| error.to_string())?;
+    let mut found = introductions(&mut *link, &clock, PATIENCE_US);
     found.retain(|it| only.is_none_or(|number| it.board.number() == number));
     if let Some(fault) = link.fault() {
         return Err(fault.to_string());
@@ -90,13 +90,13 @@ fn on_link(
         return Err(format!(
             "no hello of protocol 2 came over {}; see that the board has power and answers the \
              broadcast Who, as firmware-protocol/PROTOCOL.md says",
-            address.name()
+            address.place
         ));
     }
     let tested = found.iter().map(|introduction| {
-        let mut board = TestedBoard::new(&mut link, introduction, clock.clone());
+        let mut board = TestedBoard::new(&mut *link, introduction, clock.clone());
         BoardTest {
-            link: address.name(),
+            link: address.place.clone(),
             number: introduction.board.number(),
             uid: Uid(introduction.hello.uid).to_string(),
             items: conformance(&mut board, introduction, depth),

@@ -6,12 +6,9 @@ use std::path::PathBuf;
 
 use boards::calibration::{KeyCalibration, file};
 use boards::keybed::{Armed, FoundBoard, Keybed, NamedLink};
-use boards::links::HostClock;
-use boards::links::address::Address;
-use boards::links::can::{BusSide, CanMode};
 use boards::links::reconnecting::ReconnectingLink;
-use boards::plan::Medium;
-use boards::plan::uart::Wiring;
+use boards::links::{BusSide, HostClock};
+use boards::plan::{Medium, NoPlan};
 use boards::refusal::{BoardName, Refusal};
 use documents::shown;
 use firmware_protocol::frame::hello::feature;
@@ -25,9 +22,6 @@ use scene::{BoardBus, Boards};
 /// Longest time for boards to answer, and to be armed (us).
 pub const PATIENCE_US: u64 = 4_000_000;
 
-/// Begins of the names of serial ports whose bits take their time on a wire.
-const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
-
 /// Returns the host's clock, as boards' clocks are compared with it (us).
 pub fn now_us() -> u64 {
     clock::monotonic().as_u64() / 1_000
@@ -36,7 +30,7 @@ pub fn now_us() -> u64 {
 /// Returns the clock of a host with boards behind `buses`: a virtual one that begins at 0 if all
 /// of them lead to programs in lockstep.
 pub fn clock(buses: &[BoardBus]) -> HostClock {
-    let is_virtual = !buses.is_empty() && buses.iter().all(|bus| bus.address.is_in_lockstep());
+    let is_virtual = !buses.is_empty() && buses.iter().all(|bus| bus.address.kind.is_in_lockstep);
     if is_virtual { HostClock::virtual_time() } else { HostClock::Monotonic(now_us) }
 }
 
@@ -48,13 +42,13 @@ pub fn clock(buses: &[BoardBus]) -> HostClock {
 pub fn open(bus: &BoardBus, clock: &HostClock) -> Result<NamedLink, boards::links::Error> {
     let (address, its_clock) = (bus.address.clone(), clock.clone());
     let open = move || address.open(BusSide::Host, &its_clock);
-    let link = if bus.address.is_in_lockstep() {
+    let link = if bus.address.kind.is_in_lockstep {
         open()?
     } else {
         Box::new(ReconnectingLink::open(open)?)
     };
-    let medium = medium(bus).filter(|_| !is_virtual(&bus.address));
-    let (name, address) = (bus.address.name(), bus.address.typed());
+    let medium = medium(bus).ok();
+    let (name, address) = (bus.address.place.clone(), bus.address.typed());
     Ok(NamedLink { name, address, link, medium })
 }
 
@@ -73,35 +67,12 @@ pub fn open_all(buses: &[BoardBus], clock: &HostClock) -> Result<Vec<NamedLink>,
     if wrong.is_empty() { Ok(lines) } else { Err(wrong.join("\nletoff: ")) }
 }
 
-/// Returns what a link is made of, as far as its name and its rates tell.
+/// Returns the medium of a link, as far as its address and its rates determine it.
 ///
-/// USB devices and pseudo-terminals take any baud rate and keep none.
-pub fn medium(bus: &BoardBus) -> Option<Medium> {
-    let (nominal, data) = bus.bit_rates;
-    match &bus.address {
-        Address::Can { mode: CanMode::Fd, .. } => Some(Medium::CanFd { nominal, data }),
-        Address::Can { mode: CanMode::Classic, .. } => {
-            Some(Medium::ClassicCan { bitrate: nominal })
-        }
-        Address::Serial { port, baud } => {
-            let device = std::fs::canonicalize(port).unwrap_or_else(|_absent| port.clone());
-            let name = device.file_name()?.to_str()?;
-            let is_uart = UARTS.iter().any(|start| name.starts_with(start));
-            is_uart.then_some(Medium::Uart { baud: *baud, wiring: Wiring::FullDuplex })
-        }
-        Address::Rig { .. } => None,
-    }
-}
-
-/// Returns whether a link exists in memory only, and takes no time.
-pub fn is_virtual(address: &Address) -> bool {
-    match address {
-        Address::Can { interface, .. } => {
-            interface.starts_with("vcan") || interface.starts_with("vxcan")
-        }
-        Address::Serial { .. } => false,
-        Address::Rig { .. } => true,
-    }
+/// # Errors
+/// If it takes no time, or keeps no rate.
+pub fn medium(bus: &BoardBus) -> Result<Medium, NoPlan> {
+    (bus.address.kind.medium)(&bus.address, bus.bit_rates)
 }
 
 /// Returns the folder of calibration files.
@@ -172,12 +143,18 @@ fn alike(found: &FoundBoard, calibration: KeyCalibration) -> PerKey<KeyCalibrati
 
 #[cfg(test)]
 mod tests {
+    use boards::links::address::Address;
+
     use super::*;
 
     #[track_caller]
     fn check(address: &str, medium: Option<&str>) {
         let bus = BoardBus::new(Address::parse(address).unwrap());
-        assert_eq!(super::medium(&bus).map(|it| it.to_string()).as_deref(), medium, "{address}");
+        assert_eq!(
+            super::medium(&bus).ok().map(|it| it.to_string()).as_deref(),
+            medium,
+            "{address}"
+        );
     }
 
     #[test]

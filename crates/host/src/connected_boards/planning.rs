@@ -1,40 +1,11 @@
 //! The load of a scene's links, and whether they can carry it.
 
-use std::fmt;
-
 use boards::keybed::{Calibrated, Keybed};
-use boards::plan::{BusPlan, BusVerdict, Extras, standard};
+use boards::plan::{BusPlan, BusVerdict, Extras, NoPlan, standard};
 use firmware_protocol::key::BOARDS;
 use keyboard::KeyRange;
 
 use scene::{BoardBus, Boards};
-
-/// The reason why nothing is planned for a link.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum NoPlan {
-    /// It exists in memory only.
-    Virtual,
-    /// Its rate does not follow from its name.
-    NoRates,
-    /// No board is left for it.
-    NoBoards,
-}
-
-impl fmt::Display for NoPlan {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Virtual => "it is virtual and takes no time, so nothing is planned",
-            Self::NoRates => {
-                "it takes any rate and keeps none, as USB devices and pseudo-terminals do, so \
-                 nothing is planned"
-            }
-            Self::NoBoards => {
-                "no board is left for it, so nothing is planned; list its boards in the scene, or \
-                 leave it out"
-            }
-        })
-    }
-}
 
 /// Returns the plans of the links of `boards` at `tick_hz` with the boards that the scene lists; a
 /// link without a list, or whose times are not known, has none.
@@ -76,14 +47,11 @@ fn plan(
     keys: Vec<KeyRange>,
     tick_hz: u32,
 ) -> Result<BusPlan, NoPlan> {
-    if super::is_virtual(&bus.address) {
-        return Err(NoPlan::Virtual);
-    }
-    let medium = super::medium(bus).ok_or(NoPlan::NoRates)?;
+    let medium = super::medium(bus)?;
     if keys.is_empty() {
         return Err(NoPlan::NoBoards);
     }
-    Ok(of(boards, bus.address.name(), medium, keys, tick_hz))
+    Ok(of(boards, bus.address.place.clone(), medium, keys, tick_hz))
 }
 
 fn of(

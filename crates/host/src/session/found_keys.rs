@@ -86,10 +86,12 @@ impl FoundKeys {
 /// Refuses boards that do not go by the time of the run.
 fn refuse_other_time(boards: &Boards, options: RunOptions) -> Result<(), SessionError> {
     let (programs, real): (Vec<_>, Vec<_>) =
-        boards.buses.iter().map(|bus| &bus.address).partition(|it| it.is_in_lockstep());
+        boards.buses.iter().map(|bus| &bus.address).partition(|it| it.kind.is_in_lockstep);
     match (options.virtual_time, programs.first(), real.first()) {
         (true, _, Some(_)) => Err(SessionError::RealBoards),
-        (false, Some(program), _) => Err(SessionError::VirtualBoards { program: program.name() }),
+        (false, Some(program), _) => {
+            Err(SessionError::VirtualBoards { program: program.place.clone() })
+        }
         (true, _, None) | (false, None, _) => Ok(()),
     }
 }

@@ -1,13 +1,12 @@
 //! The links of simulated boards: pseudo-terminals or a CAN interface.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use boards::links::address::Address;
-use boards::links::can::BusSide;
 use boards::links::reconnecting::ReconnectingLink;
-use boards::links::serial::{Pty, Serial};
+use boards::links::serial::{self, Pty, Serial};
 use boards::links::wire::{Wire, WirePlan};
-use boards::links::{HostClock, Link};
+use boards::links::{BusSide, HostClock, Link};
 use firmware_protocol::key::BoardId;
 
 use crate::connected_boards::now_us;
@@ -46,14 +45,14 @@ pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, boards::links:
     match at {
         WireEndpoint::Pty => {
             let Pty { board, path } = Pty::open()?;
-            Ok(Placed { link: Box::new(board), address: serial(path), _wire: None })
+            Ok(Placed { link: Box::new(board), address: serial(&path), _wire: None })
         }
         WireEndpoint::Wire(plan) => {
             // Each board has random faults of its own.
             let seed = plan.seed.wrapping_add(u64::from(board.number()));
             let wire = Wire::open(WirePlan { seed, ..*plan })?;
             let link = Box::new(Serial::open(wire.board(), 2_000_000)?);
-            Ok(Placed { link, address: serial(wire.host().to_owned()), _wire: Some(wire) })
+            Ok(Placed { link, address: serial(wire.host()), _wire: Some(wire) })
         }
         WireEndpoint::Shared(address) => {
             let its_address = address.clone();
@@ -65,6 +64,6 @@ pub fn place(board: BoardId, at: &WireEndpoint) -> Result<Placed, boards::links:
     }
 }
 
-fn serial(port: PathBuf) -> Address {
-    Address::Serial { port, baud: boards::links::address::BAUD }
+fn serial(port: &Path) -> Address {
+    Address::new(&serial::KIND, &port.to_string_lossy(), None)
 }

@@ -1,7 +1,7 @@
 //! `[[links.bus]]`: a link, and what it is like.
 
-use boards::links::address::{Address, BAUD};
-use boards::links::can::CanMode;
+use boards::links::LINKS;
+use boards::links::address::{Address, LinkKind, listed};
 
 use super::board::{self, Listed};
 use super::{BIT_RATES, BoardBus};
@@ -13,11 +13,8 @@ use documents::toml::{FindingList, TomlNode};
 const BAUD_RATE: Quantity = Quantity { unit: "1", range: (9_600.0, 20e6) };
 const BIT_RATE: Quantity = Quantity { unit: "1", range: (10e3, 20e6) };
 
-/// Names of what a bus leads to.
-const PLACES: [&str; 3] = ["serial", "can", "rig"];
-
-/// Names that only a CAN bus has.
-const OF_CAN: [&str; 3] = ["mode", "bit_rate", "data_bit_rate"];
+/// Keys that only some kinds of links have.
+const OPTIONS: [&str; 4] = ["mode", "bit_rate", "data_bit_rate", "baud"];
 
 /// Reads every `[[links.bus]]` of a scene.
 pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<BoardBus> {
@@ -32,8 +29,8 @@ pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<BoardBu
         board::refuse_shared_numbers(report, &boards);
         listed.extend_from_slice(&boards);
         let Some(bus) = bus else { continue };
-        if buses.iter().any(|other| other.address.name() == bus.address.name()) {
-            let message = format!("{} stands here twice", quoted(&bus.address.name()));
+        if buses.iter().any(|other| other.address.place == bus.address.place) {
+            let message = format!("{} stands here twice", quoted(&bus.address.place));
             report.say(node.place, message, "leave one of them out");
         }
         buses.push(BoardBus { boards: boards.iter().filter_map(Listed::checked).collect(), ..bus });
@@ -44,57 +41,36 @@ pub(super) fn read_all(report: &mut FindingList, node: &TomlNode) -> Vec<BoardBu
 
 /// Reads a bus without its boards.
 fn read(report: &mut FindingList, reader: &mut TableReader<'_>) -> Option<BoardBus> {
-    let [serial, can, rig] = PLACES.map(|name| reader.text(report, name));
-    let baud = reader.whole(report, "baud", BAUD_RATE).unwrap_or(BAUD);
-    let modes = [("fd", CanMode::Fd), ("classic", CanMode::Classic)];
-    let mode = reader.choice(report, "mode", "there is no mode", &modes).unwrap_or(CanMode::Fd);
+    let keys = || LINKS.iter().filter(|it| LinkKind::find(it.key, None) == Some(it));
+    let places: Vec<_> = keys().map(|it| reader.text(report, it.key)).collect();
+    let baud = reader.whole(report, "baud", BAUD_RATE);
+    let modes: Vec<_> = LINKS.iter().filter_map(|it| Some((it.mode?, it.mode?))).collect();
+    let mode = reader.choice(report, "mode", "there is no mode", &modes);
     let nominal = reader.whole(report, "bit_rate", BIT_RATE).unwrap_or(BIT_RATES.0);
     let data = reader.whole(report, "data_bit_rate", BIT_RATE).unwrap_or(BIT_RATES.1);
-    let address = match PLACES.map(|name| reader.take(name)) {
-        [Some(_), None, None] => {
-            refuse(report, reader, &OF_CAN, "a serial port has");
-            Address::Serial { port: serial?.0.into(), baud }
-        }
-        [None, Some(_), None] => {
-            refuse(report, reader, &["baud"], "a CAN bus has");
-            if mode == CanMode::Classic {
-                refuse(report, reader, &["data_bit_rate"], "classic CAN has");
-            }
-            Address::Can { interface: can?.0, mode }
-        }
-        [None, None, Some(_)] => {
-            for names in [&OF_CAN[..], &["baud"]] {
-                refuse(report, reader, names, "a program in lockstep has");
-            }
-            Address::Rig { command: rig?.0.trim().to_owned() }
-        }
-        [Some(_), Some(other), _] | [_, Some(_), Some(other)] | [Some(_), None, Some(other)] => {
-            let message = "a bus is either serial, CAN or a program in lockstep";
-            let help = "give each its own [[links.bus]]";
-            report.say(other.node.place, message, help);
-            return None;
-        }
-        [None, None, None] => {
-            let message = "this bus leads nowhere";
-            let help = "give serial = \"/dev/ttyACM0\" or can = \"can0\"; \
-                        `letoff devices` lists what there is";
-            report.miss(reader.place, message, help);
-            return None;
-        }
+    let given =
+        keys().zip(places).filter_map(|(kind, text)| Some((reader.take(kind.key)?, kind, text)));
+    let mut given = given.collect::<Vec<_>>().into_iter();
+    let Some((_, usual, place)) = given.next() else {
+        let message = "this bus leads nowhere";
+        let help = "give serial = \"/dev/ttyACM0\" or can = \"can0\"; \
+                    `letoff devices` lists what there is";
+        report.miss(reader.place, message, help);
+        return None;
     };
-    Some(BoardBus { bit_rates: (nominal, data), ..BoardBus::new(address) })
-}
-
-/// Refuses what this kind of bus does not have.
-fn refuse(
-    report: &mut FindingList,
-    reader: &mut TableReader<'_>,
-    names: &[&'static str],
-    has: &str,
-) {
-    for name in names {
-        if let Some(entry) = reader.take(name) {
-            report.say(entry.place, format!("{has} no {}", quoted(name)), "leave it out");
+    if let Some((other, ..)) = given.next() {
+        let message = format!("a bus is either {}", listed(keys().map(|it| it.noun), " or "));
+        report.say(other.node.place, message, "give each its own [[links.bus]]");
+        return None;
+    }
+    let kind = LinkKind::find(usual.key, mode)?;
+    for name in OPTIONS {
+        let lacking = [usual, kind].into_iter().find(|it| !it.options.contains(&name));
+        if let (Some(it), Some(entry)) = (lacking, reader.take(name)) {
+            let message = format!("{} has no {}", it.subject, quoted(name));
+            report.say(entry.place, message, "leave it out");
         }
     }
+    let address = Address::new(kind, &place?.0, baud);
+    Some(BoardBus { bit_rates: (nominal, data), ..BoardBus::new(address) })
 }

@@ -6,8 +6,7 @@ mod table;
 
 use std::path::PathBuf;
 
-use boards::links::address::Address;
-use boards::links::can::CanMode;
+use boards::links::address::{Address, LinkKind};
 use firmware_protocol::acyclic::arm::VALID_MS;
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
@@ -93,16 +92,12 @@ pub fn overrides(addresses: &[Address]) -> Vec<Override> {
 
 /// Returns a bus in a scene that leads to `address`.
 pub(super) fn bus_at(address: &Address) -> String {
-    match address {
-        Address::Serial { port, baud } => {
-            format!("{{ serial = {:?}, baud = {baud} }}", port.to_string_lossy())
-        }
-        Address::Can { interface, mode: CanMode::Fd } => format!("{{ can = {interface:?} }}"),
-        Address::Can { interface, mode: CanMode::Classic } => {
-            format!("{{ can = {interface:?}, mode = \"classic\" }}")
-        }
-        Address::Rig { command } => format!("{{ rig = {command:?} }}"),
-    }
+    let Address { kind, place, baud } = address;
+    let baud = baud.map(|baud| format!(", baud = {baud}"));
+    let is_usual = LinkKind::find(kind.key, None) == Some(*kind);
+    let mode = kind.mode.filter(|_| !is_usual).map(|mode| format!(", mode = {mode:?}"));
+    let (baud, mode) = (baud.unwrap_or_default(), mode.unwrap_or_default());
+    format!("{{ {} = {place:?}{baud}{mode} }}", kind.key)
 }
 
 /// Names of how samples are packed.

@@ -13,12 +13,47 @@ mod port;
 #[cfg(target_os = "linux")]
 mod socket;
 
-use firmware_protocol::key::BoardId;
-
 #[cfg(target_os = "linux")]
 use self::{port::CanPort, socket::Socket};
-use super::{Health, Link, RecvError, SendError};
+use super::address::LinkKind;
+use super::{BusSide, Health, Link, RecvError, SendError};
 use crate::links::Error;
+use crate::plan::{Medium, NoPlan};
+
+/// CAN FD, as addresses and scenes name it.
+pub const FD: LinkKind = LinkKind {
+    scheme: "can",
+    forms: "can:INTERFACE",
+    help: "can:INTERFACE",
+    key: "can",
+    mode: Some("fd"),
+    options: &["mode", "bit_rate", "data_bit_rate"],
+    noun: "CAN",
+    subject: "a CAN bus",
+    baud: None,
+    is_in_lockstep: false,
+    open: |address, side, _clock| Ok(Box::new(Can::open(&address.place, CanMode::Fd, side)?)),
+    medium: |address, (nominal, data)| medium(&address.place, Medium::CanFd { nominal, data }),
+};
+
+/// Classic CAN, as addresses and scenes name it.
+pub const CLASSIC: LinkKind = LinkKind {
+    scheme: "classic-can",
+    forms: "classic-can:INTERFACE",
+    help: "classic-can:INTERFACE",
+    mode: Some("classic"),
+    options: &["mode", "bit_rate"],
+    subject: "classic CAN",
+    open: |address, side, _clock| Ok(Box::new(Can::open(&address.place, CanMode::Classic, side)?)),
+    medium: |address, (bitrate, _)| medium(&address.place, Medium::ClassicCan { bitrate }),
+    ..FD
+};
+
+/// Returns `real` for a controller; a virtual interface takes no time.
+fn medium(interface: &str, real: Medium) -> Result<Medium, NoPlan> {
+    let is_virtual = ["vcan", "vxcan"].iter().any(|start| interface.starts_with(start));
+    if is_virtual { Err(NoPlan::Virtual) } else { Ok(real) }
+}
 
 /// What a bus carries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -27,15 +62,6 @@ pub enum CanMode {
     Fd,
     /// Classic CAN: eight bytes.
     Classic,
-}
-
-/// Which end of the bus this is; the kernel passes on only what is for it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum BusSide {
-    /// The host: hears what boards say.
-    Host,
-    /// A board: hears what is for it and for all boards.
-    Board(BoardId),
 }
 
 /// A CAN interface that was opened, and never waits.

@@ -24,10 +24,28 @@ use rustix::fd::AsFd;
 use rustix::fs::{OFlags, fcntl_getfl, fcntl_setfl};
 use rustix::io::Errno;
 
+use super::address::LinkKind;
 use super::framed::Framing;
 use super::trouble::ProgramTrouble;
 use super::{Link, RecvError, SendError};
 use crate::links::{Error, HostClock, pause};
+use crate::plan::NoPlan;
+
+/// Programs in lockstep, as addresses and scenes name them.
+pub const KIND: LinkKind = LinkKind {
+    scheme: "rig",
+    forms: "rig:PROGRAM",
+    help: "'rig:PROGRAM ARGUMENTS' for a program that lives boards in virtual time",
+    key: "rig",
+    mode: None,
+    options: &[],
+    noun: "a program in lockstep",
+    subject: "a program in lockstep",
+    baud: None,
+    is_in_lockstep: true,
+    open: |address, _side, clock| Ok(Box::new(Lockstep::start(&address.place, clock)?)),
+    medium: |_address, _rates| Err(NoPlan::Virtual),
+};
 
 /// Time without a byte after which a program counts as hung (s): longer than a busy machine takes.
 const PATIENCE_S: i64 = 5;
@@ -63,16 +81,6 @@ impl Lockstep {
             .map_err(|why| Error::Program { command: command.to_owned(), why })?;
         Ok(Self { framing: Framing::default(), program })
     }
-
-    /// Sends `frame` with a wrong checksum, as [`Framed::try_send_damaged`] does.
-    ///
-    /// # Errors
-    /// If the link rejects the frame.
-    ///
-    /// [`Framed::try_send_damaged`]: super::framed::Framed::try_send_damaged
-    pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
-        self.framing.around(&mut self.program).try_send_damaged(frame)
-    }
 }
 
 impl Link for Lockstep {
@@ -86,6 +94,10 @@ impl Link for Lockstep {
 
     fn fault(&self) -> Option<&Error> {
         self.program.fault.as_ref()
+    }
+
+    fn try_send_damaged(&mut self, frame: &[u8]) -> Option<Result<(), SendError>> {
+        Some(self.framing.around(&mut self.program).send_damaged(frame))
     }
 }
 

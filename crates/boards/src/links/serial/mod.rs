@@ -15,14 +15,47 @@ use rustix::fs::{Mode, OFlags};
 use serialport::{ClearBuffer, ErrorKind, SerialPort as _, TTYPort};
 
 use self::carrier::SerialCarrier;
+use super::address::LinkKind;
 use super::framed::Framing;
 use super::trouble::PortTrouble;
 use super::{Health, Link, RecvError, SendError};
 use crate::links::Error;
+use crate::plan::uart::Wiring;
+use crate::plan::{Medium, NoPlan};
 
 pub use pty::Pty;
 pub(super) use pty::PtyPair;
 pub(super) use stream::{Disconnected, NonBlockingFd};
+
+/// Serial ports, as addresses and scenes name them. USB devices ignore the baud rate.
+pub const KIND: LinkKind = LinkKind {
+    scheme: "serial",
+    forms: "serial:PORT, serial:PORT@BAUD",
+    help: "serial:PORT[@BAUD]",
+    key: "serial",
+    mode: None,
+    options: &["baud"],
+    noun: "serial",
+    subject: "a serial port",
+    baud: Some(2_000_000),
+    is_in_lockstep: false,
+    open: |address, _side, _clock| {
+        let baud = address.baud.unwrap_or_default();
+        Ok(Box::new(Serial::open(Path::new(&address.place), baud)?))
+    },
+    medium: |address, _rates| medium(Path::new(&address.place), address.baud.unwrap_or_default()),
+};
+
+/// Prefixes of the names of serial ports whose bits take their time on a wire.
+const UARTS: [&str; 7] = ["ttyS", "ttyUSB", "ttyAMA", "ttyO", "ttyTHS", "ttymxc", "cu.usbserial"];
+
+/// Returns the medium of a UART. USB devices and pseudo-terminals take any baud rate and keep none.
+fn medium(port: &Path, baud: u32) -> Result<Medium, NoPlan> {
+    let device = std::fs::canonicalize(port).unwrap_or_else(|_absent| port.to_owned());
+    let name = device.file_name().map(|it| it.to_string_lossy().into_owned()).unwrap_or_default();
+    let is_uart = UARTS.iter().any(|start| name.starts_with(start));
+    is_uart.then_some(Medium::Uart { baud, wiring: Wiring::FullDuplex }).ok_or(NoPlan::NoRates)
+}
 
 /// A serial port that was opened, and never waits.
 ///
@@ -63,14 +96,6 @@ impl Serial {
         Self { framing, carrier, _keeper: keeper }
     }
 
-    /// Sends `frame` with a wrong checksum, as [`super::framed::Framed::try_send_damaged`] does.
-    ///
-    /// # Errors
-    /// If the link rejects the frame.
-    pub fn try_send_damaged(&mut self, frame: &[u8]) -> Result<(), SendError> {
-        self.framing.around(&mut self.carrier).try_send_damaged(frame)
-    }
-
     /// Returns the frames that were dropped because those before were still on their way.
     pub const fn dropped(&self) -> u64 {
         self.carrier.dropped()
@@ -91,6 +116,10 @@ impl Link for Serial {
 
     fn health(&self) -> Health {
         Health { dropped: self.carrier.dropped(), ..Health::default() }
+    }
+
+    fn try_send_damaged(&mut self, frame: &[u8]) -> Option<Result<(), SendError>> {
+        Some(self.framing.around(&mut self.carrier).send_damaged(frame))
     }
 }
 

@@ -33,7 +33,7 @@ fn an_exchange_is_made_when_time_has_passed_and_the_last_bytes_arrive_too() {
         assert_eq!(&buffer[..3], frame);
         assert_eq!(link.try_recv(&mut buffer), Ok(None));
     }
-    link.try_send_damaged(b"three").unwrap();
+    link.try_send_damaged(b"three").unwrap().unwrap();
     drop(link);
     let told = std::fs::read_to_string(&report).unwrap();
     std::fs::remove_file(report).unwrap();
