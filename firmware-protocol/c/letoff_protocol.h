@@ -88,6 +88,25 @@
 #define LETOFF_OPERATION_KEY_HEALTH 15u
 #define LETOFF_OPERATION_MUTE_KEY 16u
 #define LETOFF_OPERATION_BOOTLOADER 17u
+/* ONE(NAME, function, request, answer) for each operation. */
+#define LETOFF_OPERATIONS(ONE) \
+    ONE(HELLO, hello, nothing, hello) \
+    ONE(STREAM, stream, stream, nothing) \
+    ONE(DISARM, disarm, nothing, disarmed) \
+    ONE(ARM, arm, arm, nothing) \
+    ONE(PING, ping, nothing, pong) \
+    ONE(READ_CONFIG, read_config, read_config, config) \
+    ONE(WRITE_CONFIG, write_config, write_config, config) \
+    ONE(READ_CALIBRATION, read_calibration, read_calibration, key_calibration) \
+    ONE(WRITE_CALIBRATION, write_calibration, key_calibration, nothing) \
+    ONE(READ_LOG, read_log, read_log, log_line) \
+    ONE(LIGHT, light, light, nothing) \
+    ONE(COUNTERS, counters, nothing, counters) \
+    ONE(FINGER, finger, finger, nothing) \
+    ONE(BOARD_HEALTH, board_health, nothing, board_health) \
+    ONE(KEY_HEALTH, key_health, read_key_health, key_health) \
+    ONE(MUTE_KEY, mute_key, mute_key, nothing) \
+    ONE(BOOTLOADER, bootloader, bootloader, nothing)
 #define LETOFF_STATUS_DONE 0u
 #define LETOFF_STATUS_UNKNOWN 1u
 #define LETOFF_STATUS_BAD_VALUE 2u
@@ -188,7 +207,7 @@ static inline int32_t letoff_signed(uint64_t value, unsigned bits)
 #define LETOFF_HELLO_SAFE_REASON_AT 47u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_HELLO_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_hello(ONE, MANY) \
     MANY(magic, 4) \
     ONE(major) \
     ONE(minor) \
@@ -294,7 +313,7 @@ static inline bool letoff_hello_take(struct letoff_hello *record, const uint8_t 
 #define LETOFF_STREAM_PHASE_US_AT 3u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_STREAM_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_stream(ONE, MANY) \
     ONE(period_us) \
     ONE(packing) \
     ONE(phase_us)
@@ -334,7 +353,7 @@ static inline bool letoff_stream_take(struct letoff_stream *record, const uint8_
 #define LETOFF_DISARMED_NONCE_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_DISARMED_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_disarmed(ONE, MANY) \
     ONE(nonce)
 
 struct letoff_disarmed {
@@ -368,7 +387,7 @@ static inline bool letoff_disarmed_take(struct letoff_disarmed *record, const ui
 #define LETOFF_ARM_VALID_MS_AT 5u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_ARM_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_arm(ONE, MANY) \
     ONE(nonce) \
     ONE(packing) \
     ONE(valid_ms)
@@ -408,7 +427,7 @@ static inline bool letoff_arm_take(struct letoff_arm *record, const uint8_t *byt
 #define LETOFF_PONG_BOARD_US_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_PONG_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_pong(ONE, MANY) \
     ONE(board_us)
 
 struct letoff_pong {
@@ -440,7 +459,7 @@ static inline bool letoff_pong_take(struct letoff_pong *record, const uint8_t *b
 #define LETOFF_READ_CONFIG_SETTING_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_READ_CONFIG_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_read_config(ONE, MANY) \
     ONE(setting)
 
 struct letoff_read_config {
@@ -467,50 +486,13 @@ static inline bool letoff_read_config_take(struct letoff_read_config *record, co
     return true;
 }
 
-/* write config */
-#define LETOFF_WRITE_CONFIG_LEN 5u
-#define LETOFF_WRITE_CONFIG_SETTING_AT 0u
-#define LETOFF_WRITE_CONFIG_VALUE_AT 1u
-
-/* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_WRITE_CONFIG_FIELDS(ONE, MANY) \
-    ONE(setting) \
-    ONE(value)
-
-struct letoff_write_config {
-    uint8_t setting;
-    int32_t value;
-};
-
-/* Writes the record; returns its length, or 0 if there is no room. */
-static inline size_t letoff_write_config_put(const struct letoff_write_config *record, uint8_t *bytes, size_t room)
-{
-    if (room < LETOFF_WRITE_CONFIG_LEN) {
-        return 0;
-    }
-    letoff_put(bytes + 0, record->setting, 1);
-    letoff_put(bytes + 1, (uint64_t)record->value, 4);
-    return LETOFF_WRITE_CONFIG_LEN;
-}
-
-/* Reads the record from the start of the bytes, if they are enough. */
-static inline bool letoff_write_config_take(struct letoff_write_config *record, const uint8_t *bytes, size_t len)
-{
-    if (len < LETOFF_WRITE_CONFIG_LEN) {
-        return false;
-    }
-    record->setting = (uint8_t)letoff_take(bytes + 0, 1);
-    record->value = (int32_t)letoff_signed(letoff_take(bytes + 1, 4), 32);
-    return true;
-}
-
 /* config */
 #define LETOFF_CONFIG_LEN 8u
 #define LETOFF_CONFIG_VALUE_AT 0u
 #define LETOFF_CONFIG_CONFIG_CRC_AT 4u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_CONFIG_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_config(ONE, MANY) \
     ONE(value) \
     ONE(config_crc)
 
@@ -541,12 +523,49 @@ static inline bool letoff_config_take(struct letoff_config *record, const uint8_
     return true;
 }
 
+/* write config */
+#define LETOFF_WRITE_CONFIG_LEN 5u
+#define LETOFF_WRITE_CONFIG_SETTING_AT 0u
+#define LETOFF_WRITE_CONFIG_VALUE_AT 1u
+
+/* ONE(name) for a number, MANY(name, len) for bytes. */
+#define LETOFF_FIELDS_write_config(ONE, MANY) \
+    ONE(setting) \
+    ONE(value)
+
+struct letoff_write_config {
+    uint8_t setting;
+    int32_t value;
+};
+
+/* Writes the record; returns its length, or 0 if there is no room. */
+static inline size_t letoff_write_config_put(const struct letoff_write_config *record, uint8_t *bytes, size_t room)
+{
+    if (room < LETOFF_WRITE_CONFIG_LEN) {
+        return 0;
+    }
+    letoff_put(bytes + 0, record->setting, 1);
+    letoff_put(bytes + 1, (uint64_t)record->value, 4);
+    return LETOFF_WRITE_CONFIG_LEN;
+}
+
+/* Reads the record from the start of the bytes, if they are enough. */
+static inline bool letoff_write_config_take(struct letoff_write_config *record, const uint8_t *bytes, size_t len)
+{
+    if (len < LETOFF_WRITE_CONFIG_LEN) {
+        return false;
+    }
+    record->setting = (uint8_t)letoff_take(bytes + 0, 1);
+    record->value = (int32_t)letoff_signed(letoff_take(bytes + 1, 4), 32);
+    return true;
+}
+
 /* read calibration */
 #define LETOFF_READ_CALIBRATION_LEN 1u
 #define LETOFF_READ_CALIBRATION_SLOT_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_READ_CALIBRATION_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_read_calibration(ONE, MANY) \
     ONE(slot)
 
 struct letoff_read_calibration {
@@ -581,7 +600,7 @@ static inline bool letoff_read_calibration_take(struct letoff_read_calibration *
 #define LETOFF_KEY_CALIBRATION_GAIN_PERMILLE_AT 9u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_KEY_CALIBRATION_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_key_calibration(ONE, MANY) \
     ONE(slot) \
     ONE(rest) \
     ONE(bottom) \
@@ -625,7 +644,7 @@ static inline bool letoff_key_calibration_take(struct letoff_key_calibration *re
 #define LETOFF_READ_LOG_LINE_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_READ_LOG_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_read_log(ONE, MANY) \
     ONE(line)
 
 struct letoff_read_log {
@@ -659,7 +678,7 @@ static inline bool letoff_read_log_take(struct letoff_read_log *record, const ui
 #define LETOFF_LOG_LINE_TEXT_AT 6u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_LOG_LINE_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_log_line(ONE, MANY) \
     ONE(lines) \
     ONE(board_us) \
     MANY(text, 48)
@@ -699,7 +718,7 @@ static inline bool letoff_log_line_take(struct letoff_log_line *record, const ui
 #define LETOFF_LIGHT_SECONDS_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_LIGHT_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_light(ONE, MANY) \
     ONE(seconds)
 
 struct letoff_light {
@@ -740,7 +759,7 @@ static inline bool letoff_light_take(struct letoff_light *record, const uint8_t 
 #define LETOFF_COUNTERS_UNSENT_AT 32u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_COUNTERS_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_counters(ONE, MANY) \
     ONE(samples) \
     ONE(forces) \
     ONE(corrupt) \
@@ -815,7 +834,7 @@ static inline bool letoff_counters_take(struct letoff_counters *record, const ui
 #define LETOFF_FINGER_LIFT_AT 22u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_FINGER_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_finger(ONE, MANY) \
     ONE(slot) \
     ONE(touch) \
     ONE(start_us) \
@@ -878,7 +897,7 @@ static inline bool letoff_finger_take(struct letoff_finger *record, const uint8_
 #define LETOFF_BOARD_HEALTH_MUTED_AT 8u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_BOARD_HEALTH_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_board_health(ONE, MANY) \
     ONE(boots) \
     ONE(homed) \
     ONE(faults) \
@@ -922,7 +941,7 @@ static inline bool letoff_board_health_take(struct letoff_board_health *record, 
 #define LETOFF_READ_KEY_HEALTH_SLOT_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_READ_KEY_HEALTH_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_read_key_health(ONE, MANY) \
     ONE(slot)
 
 struct letoff_read_key_health {
@@ -956,7 +975,7 @@ static inline bool letoff_read_key_health_take(struct letoff_read_key_health *re
 #define LETOFF_KEY_HEALTH_CURRENT_AT 3u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_KEY_HEALTH_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_key_health(ONE, MANY) \
     ONE(fault) \
     ONE(temperature) \
     ONE(current)
@@ -997,7 +1016,7 @@ static inline bool letoff_key_health_take(struct letoff_key_health *record, cons
 #define LETOFF_MUTE_KEY_MUTED_AT 1u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_MUTE_KEY_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_mute_key(ONE, MANY) \
     ONE(slot) \
     ONE(muted)
 
@@ -1033,7 +1052,7 @@ static inline bool letoff_mute_key_take(struct letoff_mute_key *record, const ui
 #define LETOFF_BOOTLOADER_MAGIC_AT 0u
 
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_BOOTLOADER_FIELDS(ONE, MANY) \
+#define LETOFF_FIELDS_bootloader(ONE, MANY) \
     MANY(magic, 4)
 
 struct letoff_bootloader {

@@ -1,7 +1,8 @@
-//! Prints `c/letoff_protocol.h`: the numbers and records of this crate, for firmware in C99.
+//! Writes `c/letoff_protocol.h`, the numbers and records of this crate for firmware in C99, and
+//! the tables of operations and records in `PROTOCOL.md`.
 //!
 //! ```text
-//! cargo run -p firmware-protocol --example c_header > firmware-protocol/c/letoff_protocol.h
+//! cargo run -p firmware-protocol --example c_header
 //! ```
 //!
 //! What is a list here is a list there; what is code here is written by hand there, and held
@@ -9,31 +10,24 @@
 #![expect(clippy::disallowed_macros, reason = "text is made at the edge")]
 
 use core::fmt::{Debug, Display, Write as _};
-use std::io::Write as _;
+use std::path::Path;
 
-use firmware_protocol::acyclic::arm::{self, Arm, Disarmed};
-use firmware_protocol::acyclic::bootloader::{self, Bootloader};
-use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
-use firmware_protocol::acyclic::config::{Config, ReadConfig, WriteConfig, setting};
-use firmware_protocol::acyclic::counters::Counters;
-use firmware_protocol::acyclic::finger::{self, Finger};
-use firmware_protocol::acyclic::health::{
-    BoardHealth, KeyHealth, MuteKey, NOT_MEASURED, ReadKeyHealth, key_fault,
-};
-use firmware_protocol::acyclic::light::Light;
-use firmware_protocol::acyclic::log::{LogLine, ReadLog};
-use firmware_protocol::acyclic::ping::{self, Pong};
-use firmware_protocol::acyclic::stream::Stream;
+use firmware_protocol::acyclic::arm;
+use firmware_protocol::acyclic::bootloader;
+use firmware_protocol::acyclic::config::setting;
+use firmware_protocol::acyclic::finger;
+use firmware_protocol::acyclic::health::{NOT_MEASURED, key_fault};
+use firmware_protocol::acyclic::ping;
 use firmware_protocol::acyclic::{self, Operation, Status};
 use firmware_protocol::can::{self, Class, pieces};
-use firmware_protocol::frame::hello::{self, Hello, feature, safe_reason};
+use firmware_protocol::frame::hello::{self, feature, safe_reason};
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::frame::{self, FrameKind, broadcast, multicast_forces};
 use firmware_protocol::key::{BoardId, KEYS, MOST_KEYS};
 use firmware_protocol::quantity::{Counts, SlopeCode, SpeedCode};
 use firmware_protocol::version::PROTOCOL_VERSION;
-use firmware_protocol::{MAX_FRAME, Record, RecordField, schema, serial};
+use firmware_protocol::{MAX_FRAME, RecordField, RecordLayout, schema, serial};
 
 const TOP: &str = "\
 /* The numbers and records of the Letoff protocol, for C99.
@@ -87,7 +81,7 @@ pub(crate) fn header() -> String {
         requests(),
         boards(),
         SCALARS.to_owned(),
-        records(),
+        layouts().into_iter().map(record).collect(),
         "\n#endif\n".to_owned(),
     ];
     parts.concat()
@@ -158,6 +152,8 @@ fn frames() -> String {
 fn requests() -> String {
     let mut text = title("requests and replies");
     numbers(&mut text, "OPERATION", Operation::ALL.map(|operation| (operation, operation as u8)));
+    line(&mut text, "/* ONE(NAME, function, request, answer) for each operation. */");
+    line(&mut text, &format!("#define LETOFF_OPERATIONS(ONE){}", operations().concat()));
     numbers(&mut text, "STATUS", Status::ALL.map(|status| (status, status as u8)));
     let settings = [
         ("BOARD", setting::BOARD),
@@ -232,40 +228,35 @@ fn key_health(text: &mut String) {
     signed(text, "NOT_MEASURED", NOT_MEASURED.into());
 }
 
-fn records() -> String {
-    let all = [
-        record::<Hello>("hello"),
-        record::<Stream>("stream"),
-        record::<Disarmed>("disarmed"),
-        record::<Arm>("arm"),
-        record::<Pong>("pong"),
-        record::<ReadConfig>("read_config"),
-        record::<WriteConfig>("write_config"),
-        record::<Config>("config"),
-        record::<ReadCalibration>("read_calibration"),
-        record::<KeyCalibration>("key_calibration"),
-        record::<ReadLog>("read_log"),
-        record::<LogLine>("log_line"),
-        record::<Light>("light"),
-        record::<Counters>("counters"),
-        record::<Finger>("finger"),
-        record::<BoardHealth>("board_health"),
-        record::<ReadKeyHealth>("read_key_health"),
-        record::<KeyHealth>("key_health"),
-        record::<MuteKey>("mute_key"),
-        record::<Bootloader>("bootloader"),
-    ];
-    all.concat()
+/// The entries of the list of operations, for macros.
+fn operations() -> Vec<String> {
+    let entry = |operation: Operation| {
+        let (name, entry) = (screaming(&format!("{operation:?}")), operation.entry());
+        let [request, answer] = [entry.request, entry.answer].map(|it| snake(it.name));
+        format!(" \\\n    ONE({name}, {}, {request}, {answer})", entry.function)
+    };
+    Operation::ALL.map(entry).into()
+}
+
+/// The records of all operations, in their order.
+pub(crate) fn layouts() -> Vec<RecordLayout> {
+    let entries = Operation::ALL.map(Operation::entry);
+    let all = entries.into_iter().flat_map(|it| [it.request, it.answer]);
+    let all: Vec<_> = all.filter(|it| !it.fields.is_empty()).collect();
+    let is_first = |(n, it): &(usize, &RecordLayout)| !all[..*n].contains(*it);
+    all.iter().enumerate().filter(is_first).map(|(_, it)| *it).collect()
 }
 
 /// One record: its places, its fields as a list for macros, a struct, and how it travels.
-fn record<R: Record>(name: &str) -> String {
+fn record(layout: RecordLayout) -> String {
+    let name = &snake(layout.name);
     let mut text = title(name);
     let upper = name.to_uppercase();
-    define(&mut text, &format!("{upper}_LEN"), R::LEN);
+    let len: usize = layout.fields.iter().map(|it| it.len).sum();
+    define(&mut text, &format!("{upper}_LEN"), len);
     let (mut at, mut list) = (0, String::new());
     let (mut fields, mut puts, mut takes) = (String::new(), String::new(), String::new());
-    for field in R::FIELDS {
+    for field in layout.fields {
         define(&mut text, &format!("{upper}_{}_AT", field.name.to_uppercase()), at);
         list.push_str(" \\\n    ");
         list.push_str(&listed(field));
@@ -277,7 +268,7 @@ fn record<R: Record>(name: &str) -> String {
     let own = format!(
         "
 /* ONE(name) for a number, MANY(name, len) for bytes. */
-#define LETOFF_{upper}_FIELDS(ONE, MANY){list}
+#define LETOFF_FIELDS_{name}(ONE, MANY){list}
 
 struct letoff_{name} {{
 {fields}}};
@@ -314,12 +305,12 @@ fn listed(field: &RecordField) -> String {
 }
 
 fn declared(field: &RecordField) -> String {
-    let RecordField { name, c_type, len } = field;
+    let RecordField { name, c_type, len, .. } = field;
     if is_array(field) { format!("uint8_t {name}[{len}]") } else { format!("{c_type} {name}") }
 }
 
 fn put(field: &RecordField, at: usize) -> String {
-    let RecordField { name, len, c_type } = field;
+    let RecordField { name, len, c_type, .. } = field;
     if is_array(field) {
         return format!("memcpy(bytes + {at}, record->{name}, {len});");
     }
@@ -329,7 +320,7 @@ fn put(field: &RecordField, at: usize) -> String {
 }
 
 fn take(field: &RecordField, at: usize) -> String {
-    let RecordField { name, len, c_type } = field;
+    let RecordField { name, len, c_type, .. } = field;
     let raw = format!("letoff_take(bytes + {at}, {len})");
     if is_array(field) {
         format!("memcpy(record->{name}, bytes + {at}, {len});")
@@ -376,6 +367,66 @@ pub(crate) fn screaming(name: &str) -> String {
     screaming
 }
 
+fn snake(name: &str) -> String {
+    screaming(name).to_lowercase()
+}
+
+/// PROTOCOL.md with the tables of operations and records of this crate in place of those in `old`.
+pub(crate) fn document(old: &str) -> String {
+    let rows = Operation::ALL.map(|operation| {
+        let entry = operation.entry();
+        let [request, answer] = [entry.request, entry.answer].map(|it| match it.fields {
+            [] => "nothing".to_owned(),
+            _ => format!("`{}`", snake(it.name)),
+        });
+        let (number, needed, meaning) = (operation as u8, entry.needed, entry.meaning);
+        format!("| {number} | `{operation:?}` | {needed} | {request} | {answer} | {meaning} |\n")
+    });
+    let head = "| operation | name | needed | record of the request | record of the answer \
+                | meaning |\n|---|---|---|---|---|---|\n";
+    let with_operations = with_table(old, "Operations", &(head.to_owned() + &rows.concat()));
+    layouts().into_iter().fold(with_operations, |text, layout| {
+        let title = format!("Record `{}`", snake(layout.name));
+        with_table(&text, &title, &record_table(layout))
+    })
+}
+
+fn record_table(layout: RecordLayout) -> String {
+    let mut table = "| offset | field | type | meaning |\n|---|---|---|---|\n".to_owned();
+    let mut at = 0;
+    for field in layout.fields {
+        let RecordField { name, c_type, len, meaning } = field;
+        let kind = c_type.replace("uint", "u").replace("int", "i").replace("_t", "");
+        let kind = kind.replace("[]", &format!("[{len}]"));
+        let meaning = meaning.trim().trim_end_matches('.').replace('(', "[").replace(')', "]");
+        let meaning = match meaning.split_at_checked(1) {
+            // An abbreviation, as CRC, keeps its capitals.
+            Some((first, rest)) if rest.starts_with(|it: char| !it.is_uppercase()) => {
+                first.to_lowercase() + rest
+            }
+            Some(_) | None => meaning,
+        };
+        line(&mut table, &format!("| {at} | `{name}` | {kind} | {meaning} |"));
+        at += len;
+    }
+    table
+}
+
+/// `text` with `table` below its heading `title`; a new heading comes behind all records.
+fn with_table(text: &str, title: &str, table: &str) -> String {
+    let heading = format!("#### {title}\n\n");
+    let behind_records = "## The states of a board\n";
+    if let Some((before, after)) = text.split_once(&heading) {
+        let rest = after.split_inclusive('\n').skip_while(|line| line.starts_with('|'));
+        return [before, &heading, table, &rest.collect::<String>()].concat();
+    }
+    text.replacen(behind_records, &[&heading, table, "\n", behind_records].concat(), 1)
+}
+
 fn main() -> std::io::Result<()> {
-    std::io::stdout().write_all(header().as_bytes())
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    std::fs::write(root.join("c/letoff_protocol.h"), header())?;
+    let path = root.join("PROTOCOL.md");
+    let old = std::fs::read_to_string(&path)?;
+    std::fs::write(path, document(&old))
 }

@@ -65,7 +65,7 @@ pub mod sequence;
 pub mod serial;
 pub mod version;
 
-pub use record::{Nothing, Record, RecordField};
+pub use record::{Nothing, Record, RecordField, RecordLayout};
 
 /// The longest frame that any link carries: CAN FD's (bytes).
 pub const MAX_FRAME: usize = 64;

@@ -1,14 +1,14 @@
 //! Fixed records: fields one after the other, little-endian, without gaps.
 //!
-//! A record is written down once, in [`record!`]; reading, writing, and the C header come
-//! from that list.
+//! A record is written down once, in [`record!`]; reading, writing, the C header and the tables of
+//! PROTOCOL.md come from that list.
 
 /// A record that stands in a frame.
 pub trait Record: Sized + Copy {
     /// Bytes on the wire.
     const LEN: usize;
-    /// Its fields, in the order of the wire.
-    const FIELDS: &'static [RecordField];
+    /// Its name and fields, for generated code and documents.
+    const LAYOUT: RecordLayout;
 
     /// Writes the record to the start of `bytes`; nothing if there is no room.
     fn put(&self, bytes: &mut [u8]) -> Option<usize>;
@@ -19,10 +19,19 @@ pub trait Record: Sized + Copy {
     fn take(bytes: &[u8]) -> Option<Self>;
 }
 
+/// A record's name and its fields in the order of the wire.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct RecordLayout {
+    pub name: &'static str,
+    pub fields: &'static [RecordField],
+}
+
 /// A field of a record, for those who generate code from it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct RecordField {
     pub name: &'static str,
+    /// Its documentation, which PROTOCOL.md prints.
+    pub meaning: &'static str,
     /// Its type, as C99 has it: `uint16_t`; bytes are an array of `uint8_t`.
     pub c_type: &'static str,
     /// Length of the field (bytes).
@@ -74,24 +83,30 @@ impl<const N: usize> Scalar for [u8; N] {
 }
 
 /// Defines a record: a struct whose fields stand on the wire in this order.
+///
+/// PROTOCOL.md prints the comments of the fields, with units in square brackets.
 macro_rules! record {
     (
         $(#[$doc:meta])+
-        $name:ident { $($(#[$field_doc:meta])* $field:ident: $type:ty,)* }
+        $name:ident { $($(#[doc = $meaning:literal])+ $field:ident: $type:ty,)* }
     ) => {
         $(#[$doc])+
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
         pub struct $name {
-            $($(#[$field_doc])* pub $field: $type,)*
+            $($(#[doc = $meaning])+ pub $field: $type,)*
         }
 
         impl $crate::Record for $name {
             const LEN: usize = 0 $(+ <$type as $crate::record::Scalar>::LEN)*;
-            const FIELDS: &'static [$crate::RecordField] = &[$($crate::RecordField {
-                name: stringify!($field),
-                c_type: <$type as $crate::record::Scalar>::C_TYPE,
-                len: <$type as $crate::record::Scalar>::LEN,
-            },)*];
+            const LAYOUT: $crate::RecordLayout = $crate::RecordLayout {
+                name: stringify!($name),
+                fields: &[$($crate::RecordField {
+                    name: stringify!($field),
+                    meaning: concat!($($meaning),+),
+                    c_type: <$type as $crate::record::Scalar>::C_TYPE,
+                    len: <$type as $crate::record::Scalar>::LEN,
+                },)*],
+            };
 
             fn put(&self, bytes: &mut [u8]) -> Option<usize> {
                 let rest = bytes.get_mut(..<Self as $crate::Record>::LEN)?;
@@ -126,7 +141,7 @@ pub struct Nothing;
 
 impl Record for Nothing {
     const LEN: usize = 0;
-    const FIELDS: &'static [RecordField] = &[];
+    const LAYOUT: RecordLayout = RecordLayout { name: "Nothing", fields: &[] };
 
     fn put(&self, _bytes: &mut [u8]) -> Option<usize> {
         Some(0)

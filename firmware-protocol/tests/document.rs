@@ -64,7 +64,6 @@ fn every_number_in_the_document_is_that_of_the_code() {
     check(" Force packings", "FORCES_", &[]);
     check(" Messages", "BROADCAST_", &["MAX_LEN"]);
     check(" Safe reasons", "SAFE_", &[]);
-    check(" Operations", "OPERATION_", &[]);
     check(" Statuses", "STATUS_", &[]);
     check(" Settings", "SETTING_", &["COUNT"]);
     check(" CAN classes", "CLASS_", &[]);
@@ -81,38 +80,9 @@ fn every_number_in_the_document_is_that_of_the_code() {
 }
 
 #[test]
-fn every_record_in_the_document_is_that_of_the_code() {
-    let header = header();
-    let records: Vec<_> =
-        header.split("\nstruct letoff_").skip(1).filter_map(|it| it.split_once(" {\n")).collect();
-    assert!(10 < records.len());
-    for (name, rest) in records {
-        let (fields, _) = rest.split_once("\n}").expect("its end");
-        let places = defined(&format!("{}_", name.to_uppercase()));
-        let fields = fields.lines().map(|line| {
-            let (kind, field) = line.trim().trim_end_matches(';').split_once(' ').expect("a field");
-            let (field, many) = field.split_once('[').map_or((field, None), |(a, b)| (a, Some(b)));
-            let kind = kind.trim_end_matches("_t").replace("uint", "u").replace("int", "i");
-            let kind = many.map_or(kind.clone(), |many| format!("{kind}[{many}"));
-            Vec::from([
-                places[&format!("{}_AT", field.to_uppercase())].clone(),
-                field.to_owned(),
-                kind,
-            ])
-        });
-        let said = table(&format!(" Record `{name}`")).into_iter().map(|it| it[..3].to_vec());
-        assert_eq!(said.collect::<Rows>(), fields.collect::<Rows>(), "{name}");
-    }
-}
-
-#[test]
-fn the_records_of_every_operation_are_described() {
-    let document = document();
-    for row in table(" Operations") {
-        for record in row[3..5].iter().filter(|it| *it != "nothing") {
-            assert!(document.contains(&format!("#### Record `{record}`")), "{row:?}");
-        }
-    }
+fn the_generated_tables_are_current() {
+    let hint = "run: cargo run -p firmware-protocol --example c_header";
+    assert!(document() == crate::c_header::document(&document()), "PROTOCOL.md is old; {hint}");
 }
 
 #[test]

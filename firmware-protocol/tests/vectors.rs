@@ -4,20 +4,7 @@
 
 use core::fmt::Debug;
 
-use firmware_protocol::acyclic::arm::{Arm, Disarmed};
-use firmware_protocol::acyclic::bootloader::Bootloader;
-use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
-use firmware_protocol::acyclic::config::{Config, ReadConfig, WriteConfig};
-use firmware_protocol::acyclic::counters::Counters;
-use firmware_protocol::acyclic::finger::Finger;
-use firmware_protocol::acyclic::health::{BoardHealth, KeyHealth, MuteKey, ReadKeyHealth};
-use firmware_protocol::acyclic::light::Light;
-use firmware_protocol::acyclic::log::{LogLine, ReadLog};
-use firmware_protocol::acyclic::ping::Pong;
-use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::acyclic::{
-    AcyclicReply, AcyclicRequest, Operation, Status, encode_reply, encode_request,
-};
+use firmware_protocol::acyclic::*;
 use firmware_protocol::can::{self, pieces};
 use firmware_protocol::frame::broadcast::{self, Broadcast};
 use firmware_protocol::frame::hello::{Hello, Introduction};
@@ -171,31 +158,31 @@ fn check_hello(vector: &Vector) {
     check(vector, &bytes[..len], (introduction.board, introduction.safe), expected);
 }
 
-#[track_caller]
-fn check_request(vector: &Vector) {
-    let operation = Operation::new(vector.number("operation")).expect("an operation");
-    match operation {
-        Operation::Stream => request_with::<Stream>(vector),
-        Operation::Arm => request_with::<Arm>(vector),
-        Operation::ReadConfig => request_with::<ReadConfig>(vector),
-        Operation::WriteConfig => request_with::<WriteConfig>(vector),
-        Operation::ReadCalibration => request_with::<ReadCalibration>(vector),
-        Operation::WriteCalibration => request_with::<KeyCalibration>(vector),
-        Operation::ReadLog => request_with::<ReadLog>(vector),
-        Operation::Light => request_with::<Light>(vector),
-        Operation::Finger => request_with::<Finger>(vector),
-        Operation::KeyHealth => request_with::<ReadKeyHealth>(vector),
-        Operation::MuteKey => request_with::<MuteKey>(vector),
-        Operation::Bootloader => request_with::<Bootloader>(vector),
-        Operation::Hello
-        | Operation::Disarm
-        | Operation::Ping
-        | Operation::Counters
-        | Operation::BoardHealth => {
-            request_with::<Nothing>(vector);
+macro_rules! check_operations {
+    ($(
+        $number:literal $name:ident = $function:ident($request:ty) -> $answer:ty,
+        $needed:ident, $meaning:literal;
+    )+) => {
+        #[track_caller]
+        fn check_request(vector: &Vector) {
+            match Operation::new(vector.number("operation")).expect("an operation") {
+                $(Operation::$name => request_with::<$request>(vector),)+
+            }
         }
-    }
+
+        #[track_caller]
+        fn check_reply(vector: &Vector) {
+            if vector.number::<u8>("status") != 0 {
+                return reply_with::<Nothing>(vector);
+            }
+            match Operation::new(vector.number("operation")).expect("an operation") {
+                $(Operation::$name => reply_with::<$answer>(vector),)+
+            }
+        }
+    };
 }
+
+firmware_protocol::operations!(check_operations);
 
 #[track_caller]
 fn request_with<R: Record + Debug>(vector: &Vector) {
@@ -209,34 +196,6 @@ fn request_with<R: Record + Debug>(vector: &Vector) {
     let len = encode_request(request.board, request.id, operation, &record, &mut bytes);
     let expected = (board(vector), vector.number("id"), vector.number("operation"));
     check(vector, &bytes[..len], got, expected);
-}
-
-#[track_caller]
-fn check_reply(vector: &Vector) {
-    if vector.number::<u8>("status") != 0 {
-        return reply_with::<Nothing>(vector);
-    }
-    match Operation::new(vector.number("operation")).expect("an operation") {
-        Operation::Hello => reply_with::<Hello>(vector),
-        Operation::Disarm => reply_with::<Disarmed>(vector),
-        Operation::Ping => reply_with::<Pong>(vector),
-        Operation::ReadConfig | Operation::WriteConfig => reply_with::<Config>(vector),
-        Operation::ReadCalibration | Operation::WriteCalibration => {
-            reply_with::<KeyCalibration>(vector);
-        }
-        Operation::ReadLog => reply_with::<LogLine>(vector),
-        Operation::Counters => reply_with::<Counters>(vector),
-        Operation::BoardHealth => reply_with::<BoardHealth>(vector),
-        Operation::KeyHealth => reply_with::<KeyHealth>(vector),
-        Operation::Stream
-        | Operation::Arm
-        | Operation::Light
-        | Operation::Finger
-        | Operation::MuteKey
-        | Operation::Bootloader => {
-            reply_with::<Nothing>(vector);
-        }
-    }
 }
 
 #[track_caller]

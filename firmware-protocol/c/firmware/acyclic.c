@@ -13,7 +13,12 @@ struct asked {
     size_t reply_len;
 };
 
-static uint8_t hello(struct asked *asked)
+/* The function of each operation. One that no file defines is NULL, and its operation unknown. */
+#define DECLARE(NAME, function, request, answer) \
+    __attribute__((weak)) uint8_t answer_##function(struct asked *asked);
+LETOFF_OPERATIONS(DECLARE)
+
+uint8_t answer_hello(struct asked *asked)
 {
     struct letoff_hello hello = state_hello(asked->state, asked->now_us);
     asked->reply_len = letoff_hello_put(&hello, asked->reply, asked->room);
@@ -29,7 +34,7 @@ static uint32_t first_due(const struct bus_clock *bus, const struct letoff_strea
     return now_us + (stream->phase_us + stream->period_us - into) % stream->period_us;
 }
 
-static uint8_t stream(struct asked *asked)
+uint8_t answer_stream(struct asked *asked)
 {
     struct letoff_stream wanted;
     if (!letoff_stream_take(&wanted, asked->record, asked->len)) {
@@ -48,7 +53,7 @@ static uint8_t stream(struct asked *asked)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t disarm(struct asked *asked)
+uint8_t answer_disarm(struct asked *asked)
 {
     struct letoff_disarmed disarmed;
     uint8_t status = arm_disarm(&asked->state->arm, asked->now_us, &disarmed.nonce);
@@ -60,7 +65,7 @@ static uint8_t disarm(struct asked *asked)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t arm(struct asked *asked)
+uint8_t answer_arm(struct asked *asked)
 {
     struct letoff_arm wanted;
     if (!letoff_arm_take(&wanted, asked->record, asked->len)) {
@@ -74,7 +79,7 @@ static uint8_t arm(struct asked *asked)
     return status;
 }
 
-static uint8_t ping(struct asked *asked)
+uint8_t answer_ping(struct asked *asked)
 {
     struct letoff_pong pong = {asked->now_us};
     asked->reply_len = letoff_pong_put(&pong, asked->reply, asked->room);
@@ -91,7 +96,7 @@ static uint8_t config(struct asked *asked, uint8_t setting)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t read_config(struct asked *asked)
+uint8_t answer_read_config(struct asked *asked)
 {
     struct letoff_read_config wanted;
     if (!letoff_read_config_take(&wanted, asked->record, asked->len) ||
@@ -101,7 +106,7 @@ static uint8_t read_config(struct asked *asked)
     return config(asked, wanted.setting);
 }
 
-static uint8_t write_config(struct asked *asked)
+uint8_t answer_write_config(struct asked *asked)
 {
     /* The largest value of each setting. */
     static const int32_t most[LETOFF_SETTING_COUNT] = {LETOFF_MAX_BOARD, LETOFF_KEYS - 1u,
@@ -126,7 +131,7 @@ static uint8_t calibration(struct asked *asked, uint8_t slot)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t read_calibration(struct asked *asked)
+uint8_t answer_read_calibration(struct asked *asked)
 {
     struct letoff_read_calibration wanted;
     if (!letoff_read_calibration_take(&wanted, asked->record, asked->len) ||
@@ -136,7 +141,7 @@ static uint8_t read_calibration(struct asked *asked)
     return calibration(asked, wanted.slot);
 }
 
-static uint8_t write_calibration(struct asked *asked)
+uint8_t answer_write_calibration(struct asked *asked)
 {
     struct letoff_key_calibration wanted;
     if (!letoff_key_calibration_take(&wanted, asked->record, asked->len) ||
@@ -150,7 +155,7 @@ static uint8_t write_calibration(struct asked *asked)
     return calibration(asked, wanted.slot);
 }
 
-static uint8_t read_log(struct asked *asked)
+uint8_t answer_read_log(struct asked *asked)
 {
     struct letoff_read_log wanted;
     struct letoff_log_line line;
@@ -162,7 +167,7 @@ static uint8_t read_log(struct asked *asked)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t light(struct asked *asked)
+uint8_t answer_light(struct asked *asked)
 {
     struct letoff_light wanted;
     if (!letoff_light_take(&wanted, asked->record, asked->len)) {
@@ -173,7 +178,7 @@ static uint8_t light(struct asked *asked)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t counters(struct asked *asked)
+uint8_t answer_counters(struct asked *asked)
 {
     struct letoff_counters counters = asked->state->counters;
     counters.trips = asked->state->arm.trips;
@@ -183,7 +188,7 @@ static uint8_t counters(struct asked *asked)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t finger(struct asked *asked)
+uint8_t answer_finger(struct asked *asked)
 {
     struct letoff_finger wanted;
     if (!letoff_finger_take(&wanted, asked->record, asked->len) || N_KEYS <= wanted.slot) {
@@ -200,7 +205,7 @@ static uint8_t finger(struct asked *asked)
     return gestures_add(gestures, &wanted) ? LETOFF_STATUS_DONE : LETOFF_STATUS_WRONG_STATE;
 }
 
-static uint8_t board_health(struct asked *asked)
+uint8_t answer_board_health(struct asked *asked)
 {
     struct letoff_board_health health = {
         .boots = unit_boots(),
@@ -212,7 +217,7 @@ static uint8_t board_health(struct asked *asked)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t key_health(struct asked *asked)
+uint8_t answer_key_health(struct asked *asked)
 {
     struct letoff_read_key_health wanted;
     if (!letoff_read_key_health_take(&wanted, asked->record, asked->len) ||
@@ -224,7 +229,7 @@ static uint8_t key_health(struct asked *asked)
     return LETOFF_STATUS_DONE;
 }
 
-static uint8_t mute_key(struct asked *asked)
+uint8_t answer_mute_key(struct asked *asked)
 {
     struct letoff_mute_key wanted;
     if (!letoff_mute_key_take(&wanted, asked->record, asked->len) || N_KEYS <= wanted.slot ||
@@ -238,7 +243,7 @@ static uint8_t mute_key(struct asked *asked)
 }
 
 /* QEMU has none. */
-static uint8_t bootloader(struct asked *asked)
+uint8_t answer_bootloader(struct asked *asked)
 {
     (void)asked;
     return LETOFF_STATUS_IMPOSSIBLE;
@@ -246,25 +251,8 @@ static uint8_t bootloader(struct asked *asked)
 
 static uint8_t do_it(struct asked *asked, uint8_t operation)
 {
-    static uint8_t (*const operations[])(struct asked *) = {
-        [LETOFF_OPERATION_HELLO] = hello,
-        [LETOFF_OPERATION_STREAM] = stream,
-        [LETOFF_OPERATION_DISARM] = disarm,
-        [LETOFF_OPERATION_ARM] = arm,
-        [LETOFF_OPERATION_PING] = ping,
-        [LETOFF_OPERATION_READ_CONFIG] = read_config,
-        [LETOFF_OPERATION_WRITE_CONFIG] = write_config,
-        [LETOFF_OPERATION_READ_CALIBRATION] = read_calibration,
-        [LETOFF_OPERATION_WRITE_CALIBRATION] = write_calibration,
-        [LETOFF_OPERATION_READ_LOG] = read_log,
-        [LETOFF_OPERATION_LIGHT] = light,
-        [LETOFF_OPERATION_COUNTERS] = counters,
-        [LETOFF_OPERATION_FINGER] = finger,
-        [LETOFF_OPERATION_BOARD_HEALTH] = board_health,
-        [LETOFF_OPERATION_KEY_HEALTH] = key_health,
-        [LETOFF_OPERATION_MUTE_KEY] = mute_key,
-        [LETOFF_OPERATION_BOOTLOADER] = bootloader,
-    };
+#define ENTRY(NAME, function, request, answer) [LETOFF_OPERATION_##NAME] = answer_##function,
+    static uint8_t (*const operations[])(struct asked *) = {LETOFF_OPERATIONS(ENTRY)};
     if (sizeof operations / sizeof *operations <= operation || operations[operation] == NULL) {
         return LETOFF_STATUS_UNKNOWN;
     }

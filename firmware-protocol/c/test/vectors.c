@@ -136,16 +136,37 @@ static void check_bytes(const char *name, const uint8_t *bytes, size_t len)
 #define ONE(field) check(#field, number(#field) == (uint64_t)record.field);
 #define MANY(field, len) check_bytes(#field, record.field, len);
 /* Reads a record behind `head` bytes, compares each field, and writes it there again. */
-#define RECORD(type, FIELDS, head)                                                        \
+#define RECORD(type, head)                                                        \
     do {                                                                                  \
         struct letoff_##type record;                                                      \
         uint8_t again[LETOFF_MAX_FRAME];                                                  \
         check(#type, letoff_##type##_take(&record, golden + (head), golden_len - (head))); \
-        FIELDS(ONE, MANY)                                                                 \
+        LETOFF_FIELDS_##type(ONE, MANY)                                                   \
         memcpy(again, golden, (head));                                                    \
         size_t put = letoff_##type##_put(&record, again + (head), sizeof again - (head)); \
         check_frame(#type, again, (head) + put);                                          \
     } while (false)
+
+/* A record without fields. */
+struct letoff_nothing {
+    bool none;
+};
+
+#define LETOFF_FIELDS_nothing(ONE, MANY)
+
+static bool letoff_nothing_take(struct letoff_nothing *record, const uint8_t *bytes, size_t len)
+{
+    (void)bytes;
+    record->none = true;
+    return len == 0;
+}
+
+static size_t letoff_nothing_put(const struct letoff_nothing *record, uint8_t *bytes, size_t room)
+{
+    (void)bytes;
+    (void)room;
+    return record->none ? 0 : 1;
+}
 
 static void check_request(void)
 {
@@ -157,43 +178,13 @@ static void check_request(void)
     uint8_t head[LETOFF_REQUEST_HEAD];
     letoff_request_head(head, request.board, request.id, request.operation);
     check("head", memcmp(head, golden, sizeof head) == 0);
+#define CASE(NAME, function, request, answer)      \
+    case LETOFF_OPERATION_##NAME:                  \
+        RECORD(request, LETOFF_REQUEST_HEAD);      \
+        break;
     switch (request.operation) {
-    case LETOFF_OPERATION_STREAM:
-        RECORD(stream, LETOFF_STREAM_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_ARM:
-        RECORD(arm, LETOFF_ARM_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_READ_CONFIG:
-        RECORD(read_config, LETOFF_READ_CONFIG_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_WRITE_CONFIG:
-        RECORD(write_config, LETOFF_WRITE_CONFIG_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_READ_CALIBRATION:
-        RECORD(read_calibration, LETOFF_READ_CALIBRATION_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_WRITE_CALIBRATION:
-        RECORD(key_calibration, LETOFF_KEY_CALIBRATION_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_READ_LOG:
-        RECORD(read_log, LETOFF_READ_LOG_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_LIGHT:
-        RECORD(light, LETOFF_LIGHT_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_FINGER:
-        RECORD(finger, LETOFF_FINGER_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_KEY_HEALTH:
-        RECORD(read_key_health, LETOFF_READ_KEY_HEALTH_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_MUTE_KEY:
-        RECORD(mute_key, LETOFF_MUTE_KEY_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
-    case LETOFF_OPERATION_BOOTLOADER:
-        RECORD(bootloader, LETOFF_BOOTLOADER_FIELDS, LETOFF_REQUEST_HEAD);
-        break;
+        LETOFF_OPERATIONS(CASE)
+#undef CASE
     default:
         check("nothing behind the head", request.record_len == 0);
     }
@@ -210,35 +201,13 @@ static void check_reply(void)
     uint8_t head[LETOFF_REPLY_HEAD];
     letoff_reply_head(head, reply.board, reply.id, reply.operation, reply.status);
     check("head", memcmp(head, golden, sizeof head) == 0);
+#define CASE(NAME, function, request, answer)      \
+    case LETOFF_OPERATION_##NAME:                  \
+        RECORD(answer, LETOFF_REPLY_HEAD);         \
+        break;
     switch (reply.status == LETOFF_STATUS_DONE ? reply.operation : 0) {
-    case LETOFF_OPERATION_HELLO:
-        RECORD(hello, LETOFF_HELLO_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_DISARM:
-        RECORD(disarmed, LETOFF_DISARMED_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_PING:
-        RECORD(pong, LETOFF_PONG_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_READ_CONFIG:
-    case LETOFF_OPERATION_WRITE_CONFIG:
-        RECORD(config, LETOFF_CONFIG_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_READ_CALIBRATION:
-        RECORD(key_calibration, LETOFF_KEY_CALIBRATION_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_READ_LOG:
-        RECORD(log_line, LETOFF_LOG_LINE_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_COUNTERS:
-        RECORD(counters, LETOFF_COUNTERS_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_BOARD_HEALTH:
-        RECORD(board_health, LETOFF_BOARD_HEALTH_FIELDS, LETOFF_REPLY_HEAD);
-        break;
-    case LETOFF_OPERATION_KEY_HEALTH:
-        RECORD(key_health, LETOFF_KEY_HEALTH_FIELDS, LETOFF_REPLY_HEAD);
-        break;
+        LETOFF_OPERATIONS(CASE)
+#undef CASE
     default:
         check("nothing behind the head", reply.record_len == 0);
     }
@@ -251,7 +220,7 @@ static void check_hello(void)
     check("a hello", letoff_introduction_take(&who, golden, golden_len) == LETOFF_TAKEN);
     check("board", who.board == small("board"));
     check("flag", who.safe == (small("flag") == 1));
-    RECORD(hello, LETOFF_HELLO_FIELDS, 1u);
+    RECORD(hello, 1u);
     check_frame("hello", again, letoff_introduction_put(&who, again));
 }
 

@@ -20,7 +20,7 @@
 record! {
     /// The answer to a disarming.
     Disarmed {
-        /// What arming must say.
+        /// Number that the next Arm must contain; another one after every Disarm.
         nonce: u32,
     }
 }
@@ -28,12 +28,11 @@ record! {
 record! {
     /// What forces will be like.
     Arm {
-        /// What the disarming answered.
+        /// The nonce of the last Disarm.
         nonce: u32,
-        /// Number of a [`crate::frame::key_forces::ForcePacking`].
+        /// Number of the force packing.
         packing: u8,
-        /// How long forces are valid after the samples that they answer (ms), `5 ..= 100`; when
-        /// the last have expired, the board is safe.
+        /// Time for which forces are valid after the samples that they answer (ms).
         valid_ms: u8,
     }
 }

@@ -3,7 +3,7 @@
 record! {
     /// Ends the firmware, and starts the bootloader; how that is spoken to is the board's own.
     Bootloader {
-        /// [`MAGIC`], so that nothing else is taken for it.
+        /// `42 4F 4F 54`, the letters BOOT; another value is answered with `BadValue`.
         magic: [u8; 4],
     }
 }

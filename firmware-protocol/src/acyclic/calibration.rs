@@ -6,6 +6,7 @@
 record! {
     /// Asks for the calibration of the key in a slot.
     ReadCalibration {
+        /// Place of the key on the board, from 0.
         slot: u8,
     }
 }
@@ -13,12 +14,13 @@ record! {
 record! {
     /// The calibration of the key in a slot.
     KeyCalibration {
+        /// Place of the key on the board, from 0.
         slot: u8,
         /// Reading at rest (counts).
         rest: i32,
-        /// Reading at the key bottom (counts).
+        /// Reading at the key bottom (counts), above `rest`.
         bottom: i32,
-        /// Force of the motor for a force of 1 N asked for, in thousandths.
+        /// Force of the motor for 1 N asked, in thousandths.
         gain_permille: u16,
     }
 }

@@ -6,7 +6,7 @@
 record! {
     /// Asks for the value of a setting.
     ReadConfig {
-        /// Its number, one of [`setting`].
+        /// Number of the setting.
         setting: u8,
     }
 }
@@ -14,8 +14,9 @@ record! {
 record! {
     /// A setting and its value.
     WriteConfig {
-        /// Its number, one of [`setting`].
+        /// Number of the setting.
         setting: u8,
+        /// Its new value.
         value: i32,
     }
 }
@@ -23,8 +24,9 @@ record! {
 record! {
     /// A setting as it is now.
     Config {
+        /// The value as it is now.
         value: i32,
-        /// CRC-32 of all settings, as the hello has it.
+        /// CRC-32 of all settings as they are now.
         config_crc: u32,
     }
 }

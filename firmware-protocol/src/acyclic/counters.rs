@@ -3,25 +3,25 @@
 record! {
     /// What a board has counted since it started; each stops at its largest value.
     Counters {
-        /// Frames of samples that it sent.
+        /// Frames of samples that were sent.
         samples: u32,
-        /// Frames of forces that it took.
+        /// Frames of forces that were taken.
         forces: u32,
-        /// Pieces of the stream that were no frames.
+        /// Pieces of the byte stream that were no frames.
         corrupt: u32,
-        /// Whole frames that were not to be understood, or not for it.
+        /// Frames that were not understood, and forces while it was not armed.
         refused: u32,
-        /// Forces that were stale, and not taken.
+        /// Frames of forces that were stale.
         stale: u32,
         /// Samples that were never answered.
         unanswered: u32,
-        /// Times that forces expired and it became safe.
+        /// Times that forces expired.
         trips: u16,
         /// Times that it was armed.
         armings: u16,
-        /// Oldest samples that forces which it rendered answered (us).
+        /// Oldest samples that a taken force answered (us).
         oldest_us: u32,
-        /// Samples that it could not send.
+        /// Samples that the link did not take.
         unsent: u32,
     }
 }

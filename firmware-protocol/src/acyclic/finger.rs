@@ -5,20 +5,21 @@
 record! {
     /// A gesture on one key; a new one is added to those that wait.
     Finger {
+        /// Place of the key on the board, from 0.
         slot: u8,
-        /// [`PRESSED`], [`STRUCK`], or [`FORGET`].
+        /// 0 pressed, 1 struck, 255 forget all gestures of the key.
         touch: u8,
-        /// When the finger meets the key (us), board time.
+        /// Time at which the finger meets the key (us).
         start_us: u32,
-        /// When it lets go (us), board time.
+        /// Time at which it lets go (us).
         release_us: u32,
-        /// How fast it moves (um/s).
+        /// Speed of the finger (um/s).
         speed: u32,
-        /// How deep it holds the key (um).
+        /// Depth at which it holds the key (um).
         hold: u32,
-        /// Depth at which a pressed finger starts (um): where its key is then.
+        /// Depth at which a pressed finger starts (um).
         from: u32,
-        /// Time that lifting takes (us); 0 is the usual one, 50 ms.
+        /// Time that lifting takes (us); 0 is 50 ms.
         lift: u32,
     }
 }

@@ -5,13 +5,13 @@
 record! {
     /// How a board is; in 16 bits the key in slot 0 has bit 0.
     BoardHealth {
-        /// Times that it was started in its life; stops at the largest value.
+        /// Times that the board was started in its life; stops at the largest value.
         boots: u32,
-        /// Keys whose encoders know where they are since the start.
+        /// Keys whose encoders know where they are since the start, slot 0 in bit 0.
         homed: u16,
         /// Keys that have failed.
         faults: u16,
-        /// Keys whose motors are off by [`MuteKey`].
+        /// Keys whose motors are off by MuteKey.
         muted: u16,
     }
 }
@@ -19,6 +19,7 @@ record! {
 record! {
     /// Asks how the key in a slot is.
     ReadKeyHealth {
+        /// Place of the key on the board, from 0.
         slot: u8,
     }
 }
@@ -26,11 +27,11 @@ record! {
 record! {
     /// How a key is.
     KeyHealth {
-        /// What has failed, one of [`key_fault`].
+        /// Number of the key fault, 0 for none.
         fault: u8,
-        /// Temperature of its motor (0.1 °C); [`NOT_MEASURED`] if nobody measures it.
+        /// Temperature of the motor (0.1 °C); −32768 if it is not measured.
         temperature: i16,
-        /// Current of its motor (mA), positive for a force upwards; [`NOT_MEASURED`] likewise.
+        /// Current of the motor (mA), positive for a force upwards; −32768 if it is not measured.
         current: i16,
     }
 }
@@ -38,8 +39,9 @@ record! {
 record! {
     /// Takes the motor of the key in a slot off, or back on, until the board is started anew.
     MuteKey {
+        /// Place of the key on the board, from 0.
         slot: u8,
-        /// 1 for off, 0 for on.
+        /// 1 takes the motor off, 0 on; other values are answered with `BadValue`.
         muted: u8,
     }
 }

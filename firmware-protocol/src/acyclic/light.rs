@@ -3,7 +3,7 @@
 record! {
     /// Lets the board blink its light.
     Light {
-        /// For how long (s); 0 stops.
+        /// Time for which the board blinks (s); 0 stops it.
         seconds: u8,
     }
 }

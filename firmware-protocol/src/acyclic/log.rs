@@ -3,7 +3,7 @@
 record! {
     /// Asks for a line of the log.
     ReadLog {
-        /// Its number, from 0.
+        /// Number of the line, from 0.
         line: u16,
     }
 }
@@ -11,9 +11,9 @@ record! {
 record! {
     /// A line of the log.
     LogLine {
-        /// How many lines there are by now.
+        /// Number of lines that there are now.
         lines: u16,
-        /// When it was written (us).
+        /// Time at which the line was written (us).
         board_us: u32,
         /// UTF-8, filled with zeros.
         text: [u8; 48],

@@ -12,6 +12,9 @@
 //!
 //! Requests are never on the tick's path, and cost the bus less than a hundredth.
 
+#[macro_use]
+mod operation;
+
 pub mod arm;
 pub mod bootloader;
 pub mod calibration;
@@ -24,9 +27,63 @@ pub mod log;
 pub mod ping;
 pub mod stream;
 
+use crate::frame::hello::Hello;
 use crate::frame::{ALL_BOARDS, DecodeError, FrameKind, check_board, head};
 use crate::key::BoardId;
-use crate::{MAX_FRAME, Record};
+use crate::{MAX_FRAME, Nothing, Record, RecordLayout};
+
+/// Passes the table of operations to the macro `with`: number, name, function with the records of
+/// request and answer, what a board shall, should or may have, and the meaning.
+///
+/// The enum [`Operation`], the functions of a board in Rust and in C, and the tables of PROTOCOL.md
+/// are made from it. New operations may be added in a minor version.
+#[macro_export]
+macro_rules! operations {
+    ($with:ident) => {
+        $with! {
+            1 Hello = hello(Nothing) -> Hello, shall, "who are you?";
+            2 Stream = stream(stream::Stream) -> Nothing, shall, "send samples from now on";
+            3 Disarm = disarm(Nothing) -> arm::Disarmed,
+                shall, "render no force, and make a new nonce";
+            4 Arm = arm(arm::Arm) -> Nothing, shall, "render forces from now on";
+            5 Ping = ping(Nothing) -> ping::Pong, shall, "what time is it?";
+            6 ReadConfig = read_config(config::ReadConfig) -> config::Config,
+                should, "read a setting";
+            7 WriteConfig = write_config(config::WriteConfig) -> config::Config,
+                should, "write a setting";
+            8 ReadCalibration = read_calibration(calibration::ReadCalibration) -> calibration::KeyCalibration,
+                may, "read what the board keeps of a key";
+            9 WriteCalibration = write_calibration(calibration::KeyCalibration) -> Nothing,
+                may, "write it";
+            10 ReadLog = read_log(log::ReadLog) -> log::LogLine, may, "read a line of the log";
+            11 Light = light(light::Light) -> Nothing, should, "show which board you are";
+            12 Counters = counters(Nothing) -> counters::Counters,
+                should, "what was counted since the start?";
+            13 Finger = finger(finger::Finger) -> Nothing, may, "move a simulated finger";
+            14 BoardHealth = board_health(Nothing) -> health::BoardHealth, may, "how are you?";
+            15 KeyHealth = key_health(health::ReadKeyHealth) -> health::KeyHealth,
+                may, "how is a key?";
+            16 MuteKey = mute_key(health::MuteKey) -> Nothing,
+                may, "take the motor of a key off or on";
+            17 Bootloader = bootloader(bootloader::Bootloader) -> Nothing,
+                may, "end the firmware, and start the bootloader";
+        }
+    };
+}
+
+operations!(define_operations);
+
+/// An operation as generated code and documents list it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct OperationEntry {
+    /// Name of its function in [`BoardOperations`], and in C behind `answer_`.
+    pub function: &'static str,
+    /// Obligation of boards: `shall`, `should` or `may`.
+    pub needed: &'static str,
+    pub request: RecordLayout,
+    pub answer: RecordLayout,
+    pub meaning: &'static str,
+}
 
 /// Longest time until a board has answered a request (ms).
 pub const ANSWER_MS: u32 = 20;
@@ -38,75 +95,6 @@ pub const RETRY_MS: u32 = 25;
 pub const REQUEST_HEAD: usize = 3;
 /// Bytes before the record of a reply.
 pub const REPLY_HEAD: usize = 4;
-
-/// What is asked for. New ones may be added in a minor version: boards that do not know one
-/// answer [`Status::Unknown`].
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-#[repr(u8)]
-pub enum Operation {
-    /// Who are you? Answered with the record of a hello.
-    Hello = 1,
-    /// Send samples from now on: [`stream`].
-    Stream = 2,
-    /// Render no force, and say the nonce for arming: [`arm`].
-    Disarm = 3,
-    /// Render forces from now on: [`arm`].
-    Arm = 4,
-    /// What time is it? [`ping`].
-    Ping = 5,
-    /// Read a setting: [`config`].
-    ReadConfig = 6,
-    /// Write a setting: [`config`].
-    WriteConfig = 7,
-    /// Read a key's calibration: [`calibration`].
-    ReadCalibration = 8,
-    /// Write a key's calibration: [`calibration`].
-    WriteCalibration = 9,
-    /// Read the log: [`log`].
-    ReadLog = 10,
-    /// Show which board you are: [`light`].
-    Light = 11,
-    /// What was counted: [`counters`].
-    Counters = 12,
-    /// Move a simulated finger: [`finger`].
-    Finger = 13,
-    /// How are you? [`health`].
-    BoardHealth = 14,
-    /// How is a key? [`health`].
-    KeyHealth = 15,
-    /// Take a key's motor off or on: [`health`].
-    MuteKey = 16,
-    /// End the firmware, and start the bootloader: [`bootloader`].
-    Bootloader = 17,
-}
-
-impl Operation {
-    /// All operations, in the order of their numbers.
-    pub const ALL: [Self; 17] = [
-        Self::Hello,
-        Self::Stream,
-        Self::Disarm,
-        Self::Arm,
-        Self::Ping,
-        Self::ReadConfig,
-        Self::WriteConfig,
-        Self::ReadCalibration,
-        Self::WriteCalibration,
-        Self::ReadLog,
-        Self::Light,
-        Self::Counters,
-        Self::Finger,
-        Self::BoardHealth,
-        Self::KeyHealth,
-        Self::MuteKey,
-        Self::Bootloader,
-    ];
-
-    /// Returns the operation with this number.
-    pub fn new(number: u8) -> Option<Self> {
-        Self::ALL.get(usize::from(number).checked_sub(1)?).copied()
-    }
-}
 
 /// How a request was answered.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

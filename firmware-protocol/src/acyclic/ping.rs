@@ -3,7 +3,7 @@
 record! {
     /// The board's time when it answered.
     Pong {
-        /// Its clock (us); wraps after 71 minutes.
+        /// The board's clock when it answers (us); wraps.
         board_us: u32,
     }
 }

@@ -3,12 +3,13 @@
 record! {
     /// The samples that are wanted.
     Stream {
-        /// Time between two frames (us); 0 for none.
+        /// Time between two frames (us); 0 stops the samples.
         period_us: u16,
-        /// Number of a [`crate::frame::key_samples::SamplePacking`].
+        /// Number of the sample packing.
         packing: u8,
-        /// When in its period this board shall begin to send (us), so that boards on a bus begin in
-        /// turns: by the bus's time where it knows that, else from the request on.
+        /// Time in its period at which the board begins to send (us), less than the period, so that
+        /// boards on a bus take turns: by the bus's time if the board knows it, else from the
+        /// request on.
         phase_us: u16,
     }
 }

@@ -54,39 +54,43 @@ pub mod safe_reason {
 record! {
     /// Who a board is.
     Hello {
+        /// `4C 54 4F 46`, the letters LTOF.
         magic: [u8; 4],
-        /// Major number of the protocol that it speaks.
+        /// Major number of the protocol, 2.
         major: u8,
+        /// Minor number of the protocol.
         minor: u8,
-        /// [`crate::schema::HASH`] of the cyclic layouts that it was built with.
+        /// Schema hash, see Versions.
         schema: u64,
-        /// Who it is, among all boards that were ever made.
+        /// Identity of the board; no other board has the same.
         uid: [u8; 6],
-        /// Its first key, `0 ..= 87`.
+        /// Its first key, 0 for A0 to 87 for C8.
         first_key: u8,
-        /// Its keys, `1 ..= 12`.
+        /// Number of its keys, 1 to 12, in a row.
         n_keys: u8,
+        /// Sum of feature bits.
         features: u16,
-        /// Highest rate of samples (1/s).
+        /// Highest rate of samples (1/s), above 0.
         max_sample_hz: u16,
-        /// Highest rate of forces (1/s).
+        /// Highest rate of forces (1/s), above 0.
         max_force_hz: u16,
-        /// How often it works out its motors' forces (1/s).
+        /// Rate at which it computes the forces of its motors (1/s), above 0.
         law_hz: u16,
-        /// What a count means (nm).
+        /// Displacement of the key's front for one count (nm), 1 to 1 000 000.
         quantum_nm: u32,
-        /// Its motors' largest force (mN).
+        /// Largest force of its motors (mN), above 0.
         max_force_mn: u16,
-        /// CRC-32 of its configuration; the same one need not be written again.
+        /// CRC-32 of its settings.
         config_crc: u32,
-        /// Its own clock (us); wraps.
+        /// Its clock (us); wraps.
         board_us: u32,
         /// Major number of its firmware.
         firmware_major: u8,
+        /// Minor number of its firmware.
         firmware_minor: u8,
-        /// Why it started; free for the firmware, 1 for power.
+        /// 1 for power on; other values are free for the firmware.
         reset_reason: u8,
-        /// Why it renders no force, [`safe_reason`].
+        /// Reason why it renders no force.
         safe_reason: u8,
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::links::Link;
 use firmware_protocol::acyclic::arm::{Arm, Disarmed, LONGEST_VALID_MS, SHORTEST_VALID_MS};
+use firmware_protocol::acyclic::bootloader::Bootloader;
 use firmware_protocol::acyclic::calibration::{KeyCalibration, ReadCalibration};
 use firmware_protocol::acyclic::config::{self, Config, ReadConfig, WriteConfig, setting};
 use firmware_protocol::acyclic::counters::Counters;
@@ -13,12 +14,12 @@ use firmware_protocol::acyclic::light::Light;
 use firmware_protocol::acyclic::log::{LogLine, ReadLog};
 use firmware_protocol::acyclic::ping::Pong;
 use firmware_protocol::acyclic::stream::Stream;
-use firmware_protocol::acyclic::{AcyclicRequest, Operation, Status, encode_reply};
-use firmware_protocol::frame::hello::safe_reason;
+use firmware_protocol::acyclic::{AcyclicRequest, BoardOperations, Status, answer};
+use firmware_protocol::frame::hello::{Hello, safe_reason};
 use firmware_protocol::frame::key_forces::ForcePacking;
 use firmware_protocol::frame::key_samples::SamplePacking;
 use firmware_protocol::key::{BoardId, KeyIndex, MOST_KEYS};
-use firmware_protocol::{MAX_FRAME, Nothing, Record};
+use firmware_protocol::{MAX_FRAME, Nothing};
 use haptics::plant::{Gesture, Touch};
 
 use super::{BoardMake, FakeIdentity, SimulatedBoard};
@@ -35,6 +36,8 @@ pub(super) struct BoardRequestHandler {
     log: Vec<LogLine>,
     /// The last reply, in case its request comes again: its number and operation.
     last: Option<((u8, u8), [u8; MAX_FRAME], usize)>,
+    /// Time from which the current request holds (us).
+    asked_us: u64,
     /// The light is on until then (us).
     light_until_us: u64,
     /// Times that it was started.
@@ -53,6 +56,7 @@ impl BoardRequestHandler {
             calibration: [None; MOST_KEYS],
             log: Vec::with_capacity(LOG),
             last: None,
+            asked_us: 0,
             light_until_us: 0,
             boots: 1,
             muted: 0,
@@ -109,98 +113,60 @@ impl BoardRequestHandler {
     }
 }
 
-/// Reads a request's record.
-fn record<R: Record>(request: &AcyclicRequest<'_>) -> Result<R, Status> {
-    R::take(request.record).ok_or(Status::BadValue)
-}
-
-/// A reply, built in place.
-struct ReplyBuffer<'a> {
-    request: AcyclicRequest<'a>,
-    operation: u8,
-    bytes: [u8; MAX_FRAME],
-    len: usize,
-}
-
-impl ReplyBuffer<'_> {
-    fn with<R: Record>(&mut self, outcome: Result<R, Status>) {
-        let AcyclicRequest { board, id, .. } = self.request;
-        self.len = encode_reply(board, id, self.operation, outcome, &mut self.bytes);
-    }
-}
-
 impl SimulatedBoard {
     /// Answers a request; the same one again is answered again and not done again.
     ///
-    /// What it asks for holds from `from_us` on; what it is told is by the clock.
+    /// The request holds from `from_us` on; times in the reply are of the clock.
     pub(super) fn serve(&mut self, from_us: u64, frame: &[u8], link: &mut impl Link) {
         let Ok(request) = AcyclicRequest::decode(frame) else {
             self.counts.refused += 1;
             return;
         };
         let operation = request.operation.map_or_else(|it| it, |it| it as u8);
-        // A host that starts anew may come upon the same number with another wish.
+        // A host that starts again may send the same number with another operation.
         let this = (request.id, operation);
         match self.requests.last {
             Some((last, bytes, len)) if last == this => self.send(&bytes[..len], link),
             Some(_) | None => {
-                let mut answer = ReplyBuffer { request, operation, bytes: [0; MAX_FRAME], len: 0 };
-                self.work_out(from_us, &mut answer);
-                self.requests.last = Some((this, answer.bytes, answer.len));
-                self.send(&answer.bytes[..answer.len], link);
+                let mut bytes = [0; MAX_FRAME];
+                self.requests.asked_us = from_us;
+                let len = answer(self, &request, &mut bytes);
+                self.requests.last = Some((this, bytes, len));
+                self.send(&bytes[..len], link);
             }
         }
     }
 
-    /// Does what is asked for, and writes the answer.
-    fn work_out(&mut self, from_us: u64, answer: &mut ReplyBuffer<'_>) {
-        let request = answer.request;
-        let Ok(operation) = request.operation else {
-            return answer.with(Err::<Nothing, _>(Status::Unknown));
-        };
-        match operation {
-            Operation::Hello => answer.with(Ok(self.introduction().hello)),
-            Operation::Ping => answer.with(Ok(Pong { board_us: self.clock_us() })),
-            Operation::Stream => answer.with(record(&request).and_then(|it| self.stream(it))),
-            Operation::Disarm => answer.with(self.disarm(from_us)),
-            Operation::Arm => answer.with(record(&request).and_then(|it| self.arm(it))),
-            Operation::ReadConfig => {
-                answer.with(record(&request).and_then(|it| self.read_config(it)));
-            }
-            Operation::WriteConfig => {
-                answer.with(record(&request).and_then(|it| self.write_config(it)));
-            }
-            Operation::ReadCalibration => {
-                answer.with(record(&request).and_then(|it| self.read_calibration(it)));
-            }
-            Operation::WriteCalibration => {
-                answer.with(record(&request).and_then(|it| self.write_calibration(it)));
-            }
-            Operation::ReadLog => answer.with(record(&request).and_then(|it| self.read_log(it))),
-            Operation::Light => answer.with(record(&request).map(|it| self.light(it))),
-            Operation::Counters => answer.with(Ok(self.counters())),
-            Operation::Finger => answer.with(record(&request).and_then(|it| self.finger(it))),
-            Operation::BoardHealth => answer.with(Ok(self.health())),
-            Operation::KeyHealth => {
-                answer.with(record(&request).and_then(|it| self.key_health(it)));
-            }
-            Operation::MuteKey => answer.with(record(&request).and_then(|it| self.mute(it))),
-            // There is none in a simulation.
-            Operation::Bootloader => answer.with(Err::<Nothing, _>(Status::Impossible)),
-        }
+    /// Returns `true` if the light is on that shows which board it is.
+    pub fn is_lit(&self) -> bool {
+        self.requests.is_lit(self.now_us())
+    }
+}
+
+impl BoardOperations for SimulatedBoard {
+    fn hello(&mut self, _request: Nothing) -> Result<Hello, Status> {
+        Ok(self.introduction().hello)
     }
 
-    fn health(&self) -> BoardHealth {
+    fn ping(&mut self, _request: Nothing) -> Result<Pong, Status> {
+        Ok(Pong { board_us: self.clock_us() })
+    }
+
+    fn bootloader(&mut self, _request: Bootloader) -> Result<Nothing, Status> {
+        Err(Status::Impossible)
+    }
+
+    fn board_health(&mut self, _request: Nothing) -> Result<BoardHealth, Status> {
         let BoardRequestHandler { boots, muted, .. } = self.requests;
-        // Which key a fault is of nobody says: the first.
+        // The simulated fault names no key, so it is reported for slot 0.
         let faults = u16::from(self.safe_reason() == safe_reason::KEY_FAULT);
-        BoardHealth { boots, homed: !(u16::MAX << self.make.n_keys), faults, muted }
+        Ok(BoardHealth { boots, homed: !(u16::MAX << self.make.n_keys), faults, muted })
     }
 
-    fn key_health(&self, wanted: ReadKeyHealth) -> Result<KeyHealth, Status> {
+    fn key_health(&mut self, request: ReadKeyHealth) -> Result<KeyHealth, Status> {
         /// Force of the motor for a current (N/A).
         const NEWTONS_PER_AMPERE: f64 = 10.0;
-        let slot = usize::from(wanted.slot);
+        let slot = usize::from(request.slot);
         let newtons = self.rig(slot).ok_or(Status::BadValue)?.motor_force();
         let has_failed = slot == 0 && self.safe_reason() == safe_reason::KEY_FAULT;
         let fault = if has_failed { key_fault::OTHER } else { key_fault::NONE };
@@ -209,8 +175,8 @@ impl SimulatedBoard {
         Ok(KeyHealth { fault, temperature: NOT_MEASURED, current })
     }
 
-    fn mute(&mut self, wanted: MuteKey) -> Result<Nothing, Status> {
-        let MuteKey { slot, muted } = wanted;
+    fn mute_key(&mut self, request: MuteKey) -> Result<Nothing, Status> {
+        let MuteKey { slot, muted } = request;
         if self.make.n_keys <= usize::from(slot) || 1 < muted {
             return Err(Status::BadValue);
         }
@@ -219,9 +185,9 @@ impl SimulatedBoard {
         Ok(Nothing)
     }
 
-    fn stream(&mut self, wanted: Stream) -> Result<Nothing, Status> {
-        let packing = SamplePacking::new(wanted.packing).ok_or(Status::BadValue)?;
-        let ticks = f64::from(wanted.period_us) * 1e-6 / self.make.period;
+    fn stream(&mut self, request: Stream) -> Result<Nothing, Status> {
+        let packing = SamplePacking::new(request.packing).ok_or(Status::BadValue)?;
+        let ticks = f64::from(request.period_us) * 1e-6 / self.make.period;
         // A board can send at its own ticks only.
         if 1e-6 < (ticks - ticks.round()).abs() {
             return Err(Status::BadValue);
@@ -229,25 +195,25 @@ impl SimulatedBoard {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "16 bits")]
         let (every, phase) = (
             ticks.round() as u32,
-            (f64::from(wanted.phase_us) * 1e-6 / self.make.period).round() as u32,
+            (f64::from(request.phase_us) * 1e-6 / self.make.period).round() as u32,
         );
         self.samples.packing = packing;
         self.every = (0 < every).then_some((every, every + phase));
         Ok(Nothing)
     }
 
-    fn disarm(&mut self, from_us: u64) -> Result<Disarmed, Status> {
-        let nonce = self.interlock.disarm(from_us).ok_or(Status::WrongState)?;
+    fn disarm(&mut self, _request: Nothing) -> Result<Disarmed, Status> {
+        let nonce = self.interlock.disarm(self.requests.asked_us).ok_or(Status::WrongState)?;
         Ok(Disarmed { nonce })
     }
 
-    fn arm(&mut self, wanted: Arm) -> Result<Nothing, Status> {
-        let packing = ForcePacking::new(wanted.packing).ok_or(Status::BadValue)?;
-        if !(SHORTEST_VALID_MS..=LONGEST_VALID_MS).contains(&wanted.valid_ms) {
+    fn arm(&mut self, request: Arm) -> Result<Nothing, Status> {
+        let packing = ForcePacking::new(request.packing).ok_or(Status::BadValue)?;
+        if !(SHORTEST_VALID_MS..=LONGEST_VALID_MS).contains(&request.valid_ms) {
             return Err(Status::BadValue);
         }
-        let valid_us = u64::from(wanted.valid_ms) * 1_000;
-        self.interlock.arm(wanted.nonce, valid_us).map_err(|why| match why {
+        let valid_us = u64::from(request.valid_ms) * 1_000;
+        self.interlock.arm(request.nonce, valid_us).map_err(|why| match why {
             NotArmed::NotDisarmed => Status::WrongState,
             NotArmed::WrongNonce => Status::WrongNonce,
         })?;
@@ -257,14 +223,14 @@ impl SimulatedBoard {
         Ok(Nothing)
     }
 
-    fn read_config(&self, wanted: ReadConfig) -> Result<Config, Status> {
-        let value = self.requests.settings.get(usize::from(wanted.setting));
+    fn read_config(&mut self, request: ReadConfig) -> Result<Config, Status> {
+        let value = self.requests.settings.get(usize::from(request.setting));
         let value = *value.ok_or(Status::BadValue)?;
         Ok(Config { value, config_crc: self.requests.config_crc() })
     }
 
-    fn write_config(&mut self, wanted: WriteConfig) -> Result<Config, Status> {
-        let WriteConfig { setting, value } = wanted;
+    fn write_config(&mut self, request: WriteConfig) -> Result<Config, Status> {
+        let WriteConfig { setting, value } = request;
         let possible = match setting {
             setting::BOARD => 0..=i32::from(BoardId::MAX.number()),
             setting::FIRST_KEY => 0..=i32::from(KeyIndex::HIGHEST.number()),
@@ -278,45 +244,40 @@ impl SimulatedBoard {
         Ok(Config { value, config_crc: self.requests.config_crc() })
     }
 
-    fn read_calibration(&self, wanted: ReadCalibration) -> Result<KeyCalibration, Status> {
-        let slot = usize::from(wanted.slot);
+    fn read_calibration(&mut self, request: ReadCalibration) -> Result<KeyCalibration, Status> {
+        let slot = usize::from(request.slot);
         if self.make.n_keys <= slot {
             return Err(Status::BadValue);
         }
         self.requests.calibration[slot].ok_or(Status::Impossible)
     }
 
-    fn write_calibration(&mut self, wanted: KeyCalibration) -> Result<Nothing, Status> {
-        let slot = usize::from(wanted.slot);
+    fn write_calibration(&mut self, request: KeyCalibration) -> Result<Nothing, Status> {
+        let slot = usize::from(request.slot);
         if self.make.n_keys <= slot {
             return Err(Status::BadValue);
         }
-        self.requests.calibration[slot] = Some(wanted);
+        self.requests.calibration[slot] = Some(request);
         Ok(Nothing)
     }
 
-    fn read_log(&self, wanted: ReadLog) -> Result<LogLine, Status> {
-        let line = self.requests.log.get(usize::from(wanted.line)).ok_or(Status::BadValue)?;
+    fn read_log(&mut self, request: ReadLog) -> Result<LogLine, Status> {
+        let line = self.requests.log.get(usize::from(request.line)).ok_or(Status::BadValue)?;
         let lines = u16::try_from(self.requests.log.len()).unwrap_or(u16::MAX);
         Ok(LogLine { lines, ..*line })
     }
 
-    fn light(&mut self, wanted: Light) -> Nothing {
-        self.requests.light_until_us = self.now_us() + u64::from(wanted.seconds) * 1_000_000;
+    fn light(&mut self, request: Light) -> Result<Nothing, Status> {
+        self.requests.light_until_us = self.now_us() + u64::from(request.seconds) * 1_000_000;
         self.requests.note(self.clock_us(), "light");
-        Nothing
+        Ok(Nothing)
     }
 
-    /// Tells whether the light that shows which board it is burns.
-    pub fn is_lit(&self) -> bool {
-        self.requests.is_lit(self.now_us())
-    }
-
-    fn counters(&self) -> Counters {
+    fn counters(&mut self, _request: Nothing) -> Result<Counters, Status> {
         let it = self.counts();
         let count = |value: u64| u32::try_from(value).unwrap_or(u32::MAX);
         let short = |value: u64| u16::try_from(value).unwrap_or(u16::MAX);
-        Counters {
+        Ok(Counters {
             samples: count(it.samples),
             forces: count(it.forces),
             corrupt: count(it.corrupt),
@@ -327,13 +288,13 @@ impl SimulatedBoard {
             armings: short(it.armings),
             oldest_us: count(it.oldest_us),
             unsent: count(it.unsent),
-        }
+        })
     }
 
-    fn finger(&mut self, wanted: Finger) -> Result<Nothing, Status> {
+    fn finger(&mut self, request: Finger) -> Result<Nothing, Status> {
         let now_us = self.now_us();
-        let key = self.keys.get_mut(usize::from(wanted.slot)).ok_or(Status::BadValue)?;
-        let touch = match wanted.touch {
+        let key = self.keys.get_mut(usize::from(request.slot)).ok_or(Status::BadValue)?;
+        let touch = match request.touch {
             finger::FORGET => {
                 key.play(Vec::new());
                 return Ok(Nothing);
@@ -344,13 +305,13 @@ impl SimulatedBoard {
         };
         let seconds = |us: u32| whole(now_us, us) as f64 * 1e-6;
         key.add(Gesture {
-            start: seconds(wanted.start_us),
-            release: seconds(wanted.release_us),
+            start: seconds(request.start_us),
+            release: seconds(request.release_us),
             touch,
-            speed: f64::from(wanted.speed) * 1e-6,
-            hold: f64::from(wanted.hold) * 1e-6,
-            from: f64::from(wanted.from) * 1e-6,
-            lift: if wanted.lift == 0 { Gesture::LIFT } else { f64::from(wanted.lift) * 1e-6 },
+            speed: f64::from(request.speed) * 1e-6,
+            hold: f64::from(request.hold) * 1e-6,
+            from: f64::from(request.from) * 1e-6,
+            lift: if request.lift == 0 { Gesture::LIFT } else { f64::from(request.lift) * 1e-6 },
         });
         Ok(Nothing)
     }
