@@ -8,7 +8,7 @@ const STEP: Duration = Duration::from_micros(500);
 ///
 /// Returns nothing without Python, and prints it.
 fn start(how: &str) -> Option<(Lockstep, HostClock, PathBuf)> {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lockstep/program.py");
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/links/lockstep/program.py");
     let report = std::env::temp_dir().join(format!("letoff-{}-{how}", std::process::id()));
     let command = format!("python3 -B {} {how} {}", source.display(), report.display());
     let clock = HostClock::virtual_time();
