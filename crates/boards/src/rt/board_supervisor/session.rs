@@ -312,6 +312,7 @@ impl BoardSession {
         }
     }
 
+    #[expect(clippy::wildcard_enum_match_arm, reason = "a session asks for some operations only")]
     fn on_done(&mut self, done: Operation, record: &[u8], sent_us: Option<u64>, now: u64) {
         match done {
             Operation::BoardHealth => {
@@ -333,17 +334,12 @@ impl BoardSession {
             }
             // A gesture that was never answered is handed over again.
             Operation::Finger => self.gestures.advance(),
-            Operation::Counters => self.counters.take(Counters::take(record)),
-            Operation::Light
-            | Operation::ReadConfig
-            | Operation::WriteConfig
-            | Operation::ReadCalibration
-            | Operation::WriteCalibration
-            | Operation::ReadLog
-            | Operation::Bootloader => {}
+            Operation::Counters => self.count(Counters::take(record)),
+            _ => {}
         }
     }
 
+    #[expect(clippy::wildcard_enum_match_arm, reason = "a session asks for some operations only")]
     fn on_declined(&mut self, asked: Operation, status: Status, now: u64) {
         if self.state().is_barred() {
             self.replies.declined += 1;
@@ -372,15 +368,7 @@ impl BoardSession {
             Operation::Ping if !self.timing.is_known() => {
                 self.arming.on_declined(asked, status, now);
             }
-            Operation::Ping
-            | Operation::Counters
-            | Operation::Light
-            | Operation::ReadConfig
-            | Operation::WriteConfig
-            | Operation::ReadCalibration
-            | Operation::WriteCalibration
-            | Operation::ReadLog
-            | Operation::Bootloader => self.replies.declined += 1,
+            _ => self.declined += 1,
         }
     }
 }
