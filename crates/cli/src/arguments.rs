@@ -5,7 +5,7 @@ use boards::links::address::listed;
 use firmware_protocol::key::KeyIndex;
 
 /// Returns the help of `--link`.
-pub(super) fn link_help() -> String {
+pub fn link_help() -> String {
     let forms = listed(LINKS.iter().map(|it| it.help), ", or ");
     format!("A link to boards, whatever the scene says: {forms}; once for each")
 }

@@ -334,7 +334,7 @@ impl BoardSession {
             }
             // A gesture that was never answered is handed over again.
             Operation::Finger => self.gestures.advance(),
-            Operation::Counters => self.count(Counters::take(record)),
+            Operation::Counters => self.counters.take(Counters::take(record)),
             _ => {}
         }
     }
@@ -368,7 +368,7 @@ impl BoardSession {
             Operation::Ping if !self.timing.is_known() => {
                 self.arming.on_declined(asked, status, now);
             }
-            _ => self.declined += 1,
+            _ => self.replies.declined += 1,
         }
     }
 }
