@@ -9,7 +9,7 @@ use pode::{Limits, RunRecorder, Simulator, stepper::Rk4};
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Block;
 
-/// Stiffness of the spring (N/m), speed of the belt (m/s), friction that holds and that slips (N).
+/// Stiffness of the spring (N/m), speed of the belt (m/s), static and sliding friction (N).
 const STIFFNESS: f64 = 100.0;
 const BELT: f64 = 0.1;
 const HELD: f64 = 2.0;
@@ -26,7 +26,7 @@ impl Sided for Block {
         [x[1], self.readout(branch, x, &()) - STIFFNESS * x[0]]
     }
 
-    /// The friction (N).
+    /// Returns the friction (N).
     fn readout(&self, branch: Branch, _: &[f64; 2], (): &()) -> f64 {
         -branch.side.sign() * if branch.holds { HELD } else { KINETIC }
     }

@@ -1,4 +1,4 @@
-//! Where the energy of a simulation came from and where it went.
+//! Sources and sinks of a simulation's energy.
 
 use core::ops::Add;
 
@@ -12,9 +12,9 @@ use crate::watch::{Event, EventCause, Piece, Watch};
 pub struct EnergyBalance {
     /// Energy stored (J).
     pub energy: f64,
-    /// Power that the input's driver puts in (W).
+    /// Power from the input's driver (W).
     pub supplied: f64,
-    /// Power that dampers and friction take (W).
+    /// Power that dampers and friction absorb (W).
     pub dissipated: f64,
 }
 
@@ -33,30 +33,27 @@ impl Add for EnergyBalance {
 
 /// A model that can account for its energy.
 ///
-/// [`Energetic::energy`], [`Energetic::supplied`] and [`Energetic::dissipated`] are the sums of
-/// [`Energetic::balance_of_state`] and [`Energetic::balance_of_input`]. A model overrides these
-/// two where its energy and powers share costly terms.
+/// The first three functions are the sums of [`Energetic::balance_of_state`] and
+/// [`Energetic::balance_of_input`], which a model with costly common terms overrides.
 pub trait Energetic: Guarded {
-    /// Energy stored in `x` (J).
+    /// Returns the energy stored in `x` (J).
     fn energy(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
-    /// Power that the drive of the input puts in (W).
+    /// Returns the power from the input's driver (W).
     fn supplied(&self, mode: Self::Mode, x: &Self::State, input: &Self::Input) -> f64;
 
-    /// Power that dampers and friction take (W).
+    /// Returns the power that dampers and friction absorb (W).
     fn dissipated(&self, _mode: Self::Mode, _x: &Self::State, _input: &Self::Input) -> f64 {
         0.0
     }
 
-    /// Returns the part of the balance that depends on the state alone.
-    ///
-    /// An audit evaluates it once per state, even where the input jumps.
+    /// Returns the share of the balance that depends on the state alone, evaluated once per state,
+    /// even where the input jumps.
     #[inline]
     fn balance_of_state(&self, _mode: Self::Mode, _x: &Self::State) -> EnergyBalance {
         EnergyBalance::default()
     }
 
-    /// Returns the rest of the balance.
     #[inline]
     fn balance_of_input(
         &self,
@@ -72,38 +69,33 @@ pub trait Energetic: Guarded {
     }
 }
 
-/// Sums of energy (J) since the start:
+/// Energy sums (J) since the start:
 /// supplied − dissipated + jumps + sampling + integration = stored.
 ///
-/// What a finger does to a model whose input is sampled is `supplied + sampling`: the input moves
-/// as it is continued between two samples, and jumps to where it is at each.
+/// A finger does the work `supplied + sampling` on a model with a sampled input: between two
+/// samples the input is extrapolated, and at each sample it jumps to the measured value.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct EnergyAudit {
-    /// Work done by what drives the input.
     pub supplied: f64,
-    /// Taken by dampers and friction.
     pub dissipated: f64,
-    /// Change at events: what impacts took (negative) or reset maps added, and what the input did
-    /// while many impacts were taken in one move.
+    /// Change at events: impacts (negative), reset maps, and the input's work while many impacts
+    /// are taken in one move.
     pub jumps: f64,
-    /// Change where the input jumps between two ticks, with what is slaved to it.
+    /// Change where the input and the entries slaved to it jump between two ticks.
     pub sampling: f64,
-    /// What the method added or took: the integration error, as energy.
+    /// Integration error, as energy.
     pub integration: f64,
-    /// Change of the stored energy.
     pub stored: f64,
-    /// Energy stored at the end of what was audited last, if there was any.
     pub level: Option<f64>,
 }
 
 impl EnergyAudit {
-    /// What the sums leave unexplained (J): rounding.
+    /// Returns the unexplained rest of the sums (J): rounding.
     pub fn residual(&self) -> f64 {
         let known = self.supplied - self.dissipated + self.jumps + self.sampling;
         self.stored - (known + self.integration)
     }
 
-    /// Adds another audit's sums.
     pub fn add(&mut self, other: &Self) {
         self.supplied += other.supplied;
         self.dissipated += other.dissipated;
@@ -113,12 +105,12 @@ impl EnergyAudit {
         self.stored += other.stored;
     }
 
-    /// Forgets the level: state or parameters are set anew, by nobody's work.
+    /// Clears the level: a change of state or parameters does no work.
     pub const fn forget(&mut self) {
         self.level = None;
     }
 
-    /// Goes on at the level `energy` (J); returns how far that is above where the audit was.
+    /// Sets the level to `energy` (J); returns its rise since the last piece.
     #[inline]
     fn rise_to(&mut self, energy: f64) -> f64 {
         let rise = self.level.map_or(0.0, |level| energy - level);
@@ -127,7 +119,7 @@ impl EnergyAudit {
         rise
     }
 
-    /// Adds a piece, where the state alone gives the balances `start` and `end` at its ends.
+    /// Adds a piece; the state alone gives the balances `start` and `end` at its ends.
     #[expect(clippy::inline_always, reason = "a call takes the piece through memory")]
     #[inline(always)]
     fn add_piece<M: Energetic, S: Signal<M::Input>>(
@@ -153,14 +145,12 @@ impl EnergyAudit {
         self.integration += self.rise_to(end.energy) - (supplied - dissipated);
     }
 
-    /// Adds what an event changes.
     fn add_event<M: Energetic>(&mut self, model: &M, event: &Event<'_, M>) {
         let energy = |(mode, x): &(M::Mode, M::State)| model.energy(*mode, x, &event.input);
         let jump = self.rise_to(energy(&event.before));
         let before = match event.cause {
             EventCause::Guard(_) if event.theta == 0.0 => &mut self.sampling,
             EventCause::Guard(_) => &mut self.integration,
-            // Many impacts in one move, over which the input goes on.
             EventCause::Impacts(_) | EventCause::Settled => &mut self.jumps,
         };
         *before += jump;
@@ -168,7 +158,7 @@ impl EnergyAudit {
     }
 }
 
-/// Simpson's rule, of the dense output's own order.
+/// Simpson's rule, of the same order as the dense output.
 #[inline]
 fn mean(start: f64, middle: f64, end: f64) -> f64 {
     (start + 4.0 * middle + end) / 6.0
@@ -187,16 +177,12 @@ impl<M: Energetic> Watch<M> for EnergyAudit {
     }
 }
 
-/// An energy audit that evaluates the balance of each state once: the end of a piece is the
-/// start of the next.
+/// An energy audit that evaluates each state's balance once: a piece starts where the last ended.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Auditor<M: Energetic> {
-    /// The sums so far.
     pub sums: EnergyAudit,
-    /// Evaluations of the balance so far, of the state's part and of the input's, and of the
-    /// energy at events.
+    /// Evaluations of the balance, by state and by input, and of the energy at events.
     pub evaluations: u64,
-    /// Mode and state at the end of the last piece, and the balance of that state.
     mode: Option<M::Mode>,
     state: M::State,
     balance: EnergyBalance,
@@ -215,14 +201,14 @@ impl<M: Energetic> Default for Auditor<M> {
 }
 
 impl<M: Energetic> Auditor<M> {
-    /// Forgets the last state's balance: the model's parameters have changed.
+    /// Clears the last state's balance after a change of the model's parameters.
     pub const fn forget(&mut self) {
         self.mode = None;
         self.sums.forget();
     }
 }
 
-/// The balance of a state that no piece has ended in; apart, since it is seldom needed.
+/// Computes the balance of a state that ended no piece; out of line, since it is seldom needed.
 #[cold]
 #[inline(never)]
 fn balance_anew<M: Energetic>(model: &M, mode: M::Mode, x: M::State) -> EnergyBalance {
@@ -237,7 +223,7 @@ impl<M: Energetic> Watch<M> for Auditor<M> {
         let start =
             if is_known { self.balance } else { balance_anew(model, piece.mode, piece.start) };
         let end = model.balance_of_state(piece.mode, &piece.end);
-        // Three of the input, and of the state in the middle, at the end and where it is unknown.
+        // Three of the input; of the state in the middle, at the end and, if unknown, at the start.
         self.evaluations += 5 + u64::from(!is_known);
         self.sums.add_piece(model, piece, (start, end));
         (self.mode, self.state, self.balance) = (Some(piece.mode), piece.end, end);

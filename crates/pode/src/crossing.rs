@@ -1,8 +1,8 @@
-//! Whether a guard crosses zero within a step, and where it is shut in.
+//! Detection and bracketing of a guard's zero crossing within a step.
 //!
-//! Found are: a sign change; a pair of roots, by looking at the true guard where its cubic,
-//! and what is learnt by looking, is lowest; a guard that starts at zero or below, rises and
-//! falls again; and one that rests at zero and then turns negative.
+//! Four kinds are detected: a sign change; a pair of roots, by evaluating the true guard where its
+//! cubic, corrected by earlier evaluations, is lowest; a guard that starts at zero or below, rises
+//! and falls again; and one that rests at zero and then turns negative.
 
 use crate::cubic::{Cubic, Turns};
 use crate::dip::Dip;
@@ -12,7 +12,6 @@ use crate::guard::{GuardSpec, GuardValue};
 use crate::isolate::{self, Isolated, isolate};
 use crate::locate::Bracket;
 
-/// One guard over one step: its stand and its values at both ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct GuardSpan {
     pub(crate) spec: GuardSpec,
@@ -25,41 +24,36 @@ pub(crate) struct GuardSpan {
     pub(crate) bend: f64,
 }
 
-/// What a step holds for a guard.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Crossing {
     None,
-    /// It fires at the very start of the step.
     AtStart,
-    /// It falls through `level` (zero, or just below) inside the bracket.
+    /// Falls through `level` (zero, or just below) inside the bracket.
     Within {
         bracket: Bracket,
         level: f64,
-        /// Where the guard's cubic vanishes, and its slope there.
+        /// Root of the guard's cubic, and its slope there.
         seed: Option<(f64, f64)>,
     },
 }
 
 impl GuardSpan {
-    /// Most evaluations of the true guard that [`Self::crossing`] takes.
     pub(crate) const LOOKS: u32 = isolate::LOOKS + Dip::LOOKS + TRIES;
 
-    /// Whether the guard is positive all over the step for certain.
+    /// Returns `true` if the guard is certainly positive over the whole step.
     #[inline]
     pub(crate) fn is_clear(&self) -> bool {
         let [start, end] = [self.start, self.end].map(|it| it.value - self.spec.band());
         self.stand == Stand::Armed && least(start, end, self.bend) > 0.0
     }
 
-    /// Whether the first root up to a crossing at `tau`, if that is one, cannot have been missed:
-    /// from a positive start the guard lies above a parabola that first vanishes there.
+    /// Returns `true` if no root before a crossing at `tau` can have been missed: from a positive
+    /// start the guard lies above a parabola that first vanishes there.
     pub(crate) fn is_first(&self, tau: f64) -> bool {
         self.stand == Stand::Armed && self.start.value > 0.5 * self.bend * tau * tau
     }
 
-    /// Whether the values at both ends leave room for a crossing.
-    ///
-    /// Far guards cost this and nothing else.
+    /// Returns `true` if the values at both ends permit a crossing; the only cost of a far guard.
     #[expect(clippy::inline_always, reason = "two comparisons for most guards of most ticks")]
     #[inline(always)]
     pub(crate) fn may_cross(&self) -> bool {
@@ -68,14 +62,14 @@ impl GuardSpan {
             Stand::Resting => self.end.value < -self.spec.band(),
             Stand::Disarmed | Stand::Spent if self.ends_below() => self.may_turn(-1.0),
             Stand::Disarmed | Stand::Spent => self.may_dip(),
-            // A bound that leaves room for a root is looked into, whatever the cubic says.
+            // The bound permits a root, so search, whatever the cubic's shape.
             Stand::Armed if self.bend < f64::INFINITY => true,
             Stand::Armed => self.ends_below() || self.may_turn(1.0),
             Stand::Unwatched => false,
         }
     }
 
-    /// Looks for the first crossing, and tells whether none before it can have been missed;
+    /// Searches for the first crossing; the flag is `true` if no earlier one can have been missed.
     /// `guard` evaluates the true guard inside the step.
     #[inline]
     pub(crate) fn crossing(&self, mut guard: impl FnMut(f64) -> f64) -> (Crossing, bool) {
@@ -91,7 +85,7 @@ impl GuardSpan {
         (crossing, false)
     }
 
-    /// The first crossing by what the guard's bend allows, and otherwise by its cubic.
+    /// Finds the first crossing by the bound of the guard's bend, otherwise by its cubic.
     fn isolated(&self, guard: &mut impl FnMut(f64) -> f64) -> (Crossing, bool) {
         let ends = (self.start.value, self.end.value);
         match isolate(ends, self.bend, self.spec.band(), &mut *guard) {
@@ -107,7 +101,7 @@ impl GuardSpan {
         }
     }
 
-    /// What was `found`, or the crossing before `hi` where the guard was seen to be negative.
+    /// Returns `found`, or an earlier crossing before `hi`, where the guard is negative.
     fn no_later(&self, found: Crossing, hi: f64, at_hi: f64) -> Crossing {
         match found {
             Crossing::Within { bracket, .. } if bracket.hi <= hi => found,
@@ -125,14 +119,12 @@ impl GuardSpan {
         Cubic::hermite(start.value, start.rate * self.h, end.value, end.rate * self.h)
     }
 
-    /// Whether the end of the step lies below zero, or on it and falling.
     #[inline]
     fn ends_below(&self) -> bool {
         self.end.value < -self.spec.band() || (self.end.value <= 0.0 && self.end.rate < 0.0)
     }
 
-    /// Whether `sign` times the guard can dip to zero inside a step at both ends of which
-    /// it is positive.
+    /// Returns `true` if `sign` times the guard, positive at both ends, can dip to zero inside.
     #[inline]
     fn may_turn(&self, sign: f64) -> bool {
         let (g0, g1) = (sign * self.start.value, sign * self.end.value);
@@ -150,7 +142,7 @@ impl GuardSpan {
             || (d0 <= 0.0 && d1 <= 0.0 && d0.min(d1) < rise)
     }
 
-    /// The first fall of a guard that starts positive, or at zero on its way up.
+    /// Finds the first fall of a guard that starts positive, or at zero on its way up.
     #[inline]
     fn falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
@@ -159,7 +151,6 @@ impl GuardSpan {
         }
         let turns = cubic.turns();
         let (maximum, minimum) = turns;
-        // A touch within rounding is not a crossing.
         let band = self.spec.band();
         let low = minimum.and_then(|tau| Dip::below(&cubic, tau, band, &mut guard));
         let low = low.or_else(|| self.ends_below().then_some((1.0, self.end.value)));
@@ -172,7 +163,7 @@ impl GuardSpan {
         high.map_or(Crossing::AtStart, |(lo, at_lo)| shut_in((&cubic, turns), lo, at_lo, hi, at_hi))
     }
 
-    /// The fall of a guard that bends down all the way: there is one, wherever it turns.
+    /// Finds the only fall of a guard that is concave over the whole step.
     #[inline]
     fn falls_once(&self, cubic: &Cubic, guard: impl FnMut(f64) -> f64) -> Crossing {
         let root = cubic.root_between(0.0, 1.0);
@@ -188,8 +179,7 @@ impl GuardSpan {
         })
     }
 
-    /// Whether a guard that starts below zero and ends above can be there twice: it has to
-    /// rise, fall and rise again.
+    /// Returns `true` if a guard from below to above zero can rise, fall and rise again.
     #[inline]
     fn may_dip(&self) -> bool {
         self.start.rate > 0.0 && self.end.rate > 0.0 && {
@@ -198,7 +188,7 @@ impl GuardSpan {
         }
     }
 
-    /// The fall of a guard that starts below zero, if it is positive in between.
+    /// Finds the fall of a guard that starts below zero, if it is positive in between.
     fn rises_and_falls(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
         let cubic = self.cubic();
         let turns = cubic.turns();
@@ -212,14 +202,14 @@ impl GuardSpan {
         } else {
             minimum.and_then(|tau| Dip::below(&cubic, tau, self.spec.band(), guard))
         };
-        // A guard that is no cubic may be found low before its cubic's top.
+        // The low point of a guard that is no cubic may lie before its cubic's maximum.
         let low = low.filter(|(tau, _)| *tau > top);
         low.map_or(Crossing::None, |(hi, at_hi)| shut_in((&cubic, turns), top, at_top, hi, at_hi))
     }
 
-    /// Where a guard that rests at zero turns negative.
+    /// Finds where a guard that rests at zero turns negative.
     fn falls_from_rest(&self, mut guard: impl FnMut(f64) -> f64) -> Crossing {
-        /// Where the guard's own curvature is compared with its cubic's.
+        /// Fraction of the step at which the guard's curvature is compared with its cubic's.
         const NEAR: f64 = 1.0 / 1024.0;
         let curvature = self.cubic().curvature();
         if curvature < -self.spec.band() {
@@ -229,11 +219,11 @@ impl GuardSpan {
                 return Crossing::AtStart;
             }
         }
-        // No derivative says when it turns negative.
+        // No derivative gives the time at which it turns negative.
         self.leaves_zero()
     }
 
-    /// Where a guard that starts at zero, as far as can be told, is negative for certain.
+    /// Returns the fall of a guard that starts at zero, where it is surely negative.
     fn leaves_zero(&self) -> Crossing {
         let level = -self.spec.band();
         let at_lo = (self.start.value - level).max(f64::MIN_POSITIVE);
@@ -242,22 +232,20 @@ impl GuardSpan {
     }
 }
 
-/// The crossing between a high and a low point, with the cubic's own root as the seed.
+/// Returns the crossing between a high and a low point, seeded by the cubic's root.
 fn shut_in((cubic, turns): (&Cubic, Turns), lo: f64, at_lo: f64, hi: f64, at_hi: f64) -> Crossing {
     let seed = cubic.first_root(turns, lo, hi).map(|tau| (tau, cubic.slope(tau)));
     Crossing::Within { bracket: Bracket { lo, at_lo, hi, at_hi }, level: 0.0, seed }
 }
 
-/// Looks for a place where a guard is positive.
 const TRIES: u32 = 3;
 
-/// A point before `hi` at which a guard that started at zero is positive.
 fn high_point(
     maximum: Option<f64>,
     hi: f64,
     mut guard: impl FnMut(f64) -> f64,
 ) -> Option<(f64, f64)> {
-    // After the cubic's own maximum, two places ever nearer to the start.
+    // After the cubic's maximum, two places nearer to the start.
     let places: [_; TRIES as usize] = [maximum, Some(hi / 16.0), Some(hi / 1024.0)];
     places.into_iter().flatten().map(|tau| (tau, guard(tau))).find(|(_, value)| *value > 0.0)
 }
@@ -268,7 +256,7 @@ mod tests {
 
     #[test]
     fn a_dip_before_the_top_is_no_fall() {
-        // The guard's cubic rises to 5/8 and falls to 2/3; the guard itself does otherwise.
+        // The guard's cubic rises to 5/8 and falls to 2/3; the true guard differs.
         let span = GuardSpan {
             spec: GuardSpec::new(0, "g"),
             stand: Stand::Disarmed,

@@ -1,8 +1,8 @@
-//! A guard's cubic Hermite over one step, and where it turns and vanishes.
+//! A guard's cubic Hermite over one step, with its extrema and roots.
 
 use crate::math::sqrt;
 
-/// Where a cubic has its interior local maximum and minimum.
+/// Interior local maximum and minimum of a cubic, each if there is one in (0, 1).
 pub(crate) type Turns = (Option<f64>, Option<f64>);
 
 /// p(τ) = a + b τ + c τ² + d τ³ on 0 ..= 1.
@@ -15,7 +15,7 @@ pub(crate) struct Cubic {
 }
 
 impl Cubic {
-    /// The cubic with values `g0`, `g1` and slopes `d0`, `d1` (per step) at the ends.
+    /// Builds the cubic with values `g0`, `g1` and slopes `d0`, `d1` (per step) at the ends.
     #[inline]
     pub(crate) fn hermite(g0: f64, d0: f64, g1: f64, d1: f64) -> Self {
         let rise = g1 - g0;
@@ -35,18 +35,15 @@ impl Cubic {
         self.b + tau * (2.0 * self.c + tau * 3.0 * self.d)
     }
 
-    /// Returns the second derivative with respect to τ.
     pub(crate) fn bend(&self, tau: f64) -> f64 {
         2.0 * self.c + tau * 6.0 * self.d
     }
 
-    /// Whether it bends down all the way from 0 to 1.
     #[inline]
     pub(crate) fn is_concave(&self) -> bool {
         self.c <= 0.0 && self.c + 3.0 * self.d <= 0.0
     }
 
-    /// The interior local maximum and minimum, each if there is one in (0, 1).
     pub(crate) fn turns(&self) -> Turns {
         let inside = |tau: f64| (tau > 0.0 && tau < 1.0).then_some(tau);
         let discriminant = self.c * self.c - 3.0 * self.b * self.d;
@@ -64,8 +61,8 @@ impl Cubic {
         (maximum, minimum)
     }
 
-    /// The first root in (`lo`, `hi`] reached from above, if the cubic has one; `turns` are
-    /// its own.
+    /// Returns the first root in (`lo`, `hi`] reached from above, if any, given the cubic's
+    /// `turns`.
     pub(crate) fn first_root(&self, turns: Turns, lo: f64, hi: f64) -> Option<f64> {
         let clipped = |turn: Option<f64>| turn.map_or(hi, |tau| tau.clamp(lo, hi));
         let (maximum, minimum) = (clipped(turns.0), clipped(turns.1));
@@ -79,8 +76,8 @@ impl Cubic {
         None
     }
 
-    /// Where the parabola through both ends with the slope at the start falls through zero,
-    /// and how steeply; NaN or elsewhere if it does not.
+    /// Returns the falling root of the parabola through both ends with the slope at the start, and
+    /// the slope there; NaN or outside the step if there is none.
     #[inline]
     fn parabola_root(&self) -> (f64, f64) {
         let c = self.c + self.d;
@@ -91,15 +88,15 @@ impl Cubic {
         (tau, fall)
     }
 
-    /// The root of a monotone stretch, by Newton kept inside its bracket.
+    /// Returns the root of a monotone stretch, by Newton kept inside its bracket.
     #[inline]
     pub(crate) fn root_between(&self, mut lo: f64, mut hi: f64) -> f64 {
-        /// Newton on a monotone cubic doubles its digits; 12 rounds reach the last one
-        /// from any start, and bisection covers the flat ends.
+        /// Newton on a monotone cubic doubles its digits: 12 rounds reach the last one from any
+        /// start, and bisection covers the flat ends.
         const ROUNDS: usize = 12;
-        /// A Newton step this short leaves an error of its square.
+        /// A Newton step this short leaves its square as error.
         const LAST: f64 = 1e-9;
-        /// A parabola, as far as can be told: its root is the cubic's.
+        /// Relative size of the cubic's term that is rounding: the parabola's root is the cubic's.
         const STRAIGHT: f64 = 1e-14;
         let (start, fall) = self.parabola_root();
         let is_inside = start > lo && start < hi;

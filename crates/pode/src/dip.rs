@@ -1,19 +1,18 @@
-//! How low a guard gets between two ends where it is not: by its cubic, and better.
+//! Search for a dip of a guard below zero between two positive ends.
 //!
-//! The cubic Hermite of a step does not know where a guard that is no cubic is lowest, and
-//! a dip of 1e-12 is narrow. Each look at the true guard makes the polynomial through all
-//! that is known one degree better, and its own lowest place is where to look next.
+//! The cubic Hermite of a step misplaces the minimum of a guard that is no cubic, and a dip of
+//! 1e-12 is narrow. Each evaluation of the true guard raises the degree of the interpolating
+//! polynomial by one, and the minimum of that polynomial is the next place to evaluate.
 
 use crate::cubic::Cubic;
 
-/// Looks that are learnt from: all but the last.
+/// Evaluations that correct the polynomial: all but the last.
 const PLACES: usize = Dip::LOOKS as usize - 1;
 
-/// The cubic of a step, corrected by looks at the true guard inside it:
-/// p(τ) = c(τ) + w(τ) n(τ) with w = τ² (1 − τ)², which leaves both ends and their slopes.
+/// The cubic of a step, corrected by evaluations of the true guard inside it:
+/// p(τ) = c(τ) + w(τ) n(τ) with w = τ² (1 − τ)², which keeps values and slopes at both ends.
 struct Corrected<'a> {
     cubic: &'a Cubic,
-    /// Where was looked, first to last.
     nodes: [f64; PLACES],
     /// Coefficients of n in Newton's form.
     terms: [f64; PLACES],
@@ -31,7 +30,6 @@ fn sum(a: Jet, b: Jet) -> Jet {
     core::array::from_fn(|i| a[i] + b[i])
 }
 
-/// w(τ) and its derivatives.
 fn weight(tau: f64) -> Jet {
     let root = [tau * (1.0 - tau), 1.0 - 2.0 * tau, -2.0];
     product(root, root)
@@ -42,7 +40,6 @@ impl<'a> Corrected<'a> {
         Self { cubic, nodes: [0.0; PLACES], terms: [0.0; PLACES], used: 0 }
     }
 
-    /// n(τ) and its derivatives.
     fn correction(&self, tau: f64) -> Jet {
         let known = self.nodes.iter().zip(&self.terms).take(self.used);
         known.rev().fold([0.0; 3], |sum_, (node, term)| {
@@ -50,13 +47,11 @@ impl<'a> Corrected<'a> {
         })
     }
 
-    /// p(τ) and its derivatives.
     fn jet(&self, tau: f64) -> Jet {
         let cubic = [self.cubic.at(tau), self.cubic.slope(tau), self.cubic.bend(tau)];
         sum(cubic, product(weight(tau), self.correction(tau)))
     }
 
-    /// Takes over that the guard is `value` at `tau`.
     fn learn(&mut self, tau: f64, value: f64) {
         let missing = value - self.jet(tau)[0];
         let reach: f64 = self.nodes.iter().take(self.used).map(|node| tau - node).product();
@@ -64,7 +59,7 @@ impl<'a> Corrected<'a> {
         self.used += 1;
     }
 
-    /// Where the polynomial is lowest next to `tau`, by Newton, if it is curved upwards there.
+    /// Returns the minimum of the polynomial next to `tau`, by Newton, if it is convex there.
     fn lowest(&self, mut tau: f64) -> Option<f64> {
         const ROUNDS: usize = 4;
         for _ in 0..ROUNDS {
@@ -79,16 +74,14 @@ impl<'a> Corrected<'a> {
     }
 }
 
-/// Looks for a dip below zero.
 pub(crate) struct Dip;
 
 impl Dip {
-    /// Most looks at the true guard.
     pub(crate) const LOOKS: u32 = 4;
 
-    /// A place where `guard` is below `-band`, found from the minimum `tau` of its `cubic`.
+    /// Returns a place where `guard` is below `-band`, searched from the `cubic`'s minimum `tau`.
     ///
-    /// A look is worth it as long as the polynomial expects less than half of what was seen.
+    /// The search continues while the polynomial predicts less than half of the lowest value found.
     pub(crate) fn below(
         cubic: &Cubic,
         tau: f64,
@@ -119,7 +112,7 @@ impl Dip {
 mod tests {
     use super::*;
 
-    /// Looks that it takes to find that `guard` dips below zero, if it does.
+    /// Returns whether a dip of `guard` was found, and the number of evaluations.
     fn looks(guard: impl Fn(f64) -> [f64; 2]) -> (bool, usize) {
         let ([g0, d0], [g1, d1]) = (guard(0.0), guard(1.0));
         let cubic = Cubic::hermite(g0, d0, g1, d1);

@@ -1,14 +1,12 @@
-//! How far a computed orbit moves over one step, and what a guard can do there.
+//! Bounds of a computed orbit over one step, and of the guards along it.
 //!
-//! A step is certain when no guard can have come to zero along the orbit as it was computed: the
-//! dense output between the step's two ends, with the input of the same time. The orbit encloses
-//! itself: sums of the magnitudes of its polynomial's coefficients bound its move, its speed and
-//! its bend, whatever the method has made of the equations. A model says how its guards follow
-//! from the state ([`Guarded::guard_bound`](crate::Guarded::guard_bound)), and nothing of the
-//! future has to be believed.
+//! A step is certain if no guard can have reached zero along the computed orbit: the dense output
+//! between the step's two ends, with the input of the same time. Sums of the magnitudes of the
+//! polynomial's coefficients bound its move, speed and bend, whatever the method has made of the
+//! equations; the model bounds its guards by those of the state
+//! ([`Guarded::guard_bound`](crate::Guarded::guard_bound)). No prediction is needed.
 //!
-//! How far the computed orbit is from the true one is another question, which the step's error
-//! answers.
+//! The distance of the computed orbit from the true one is the step's error, not bounded here.
 
 use crate::input::Motion;
 use crate::state::State;
@@ -18,7 +16,6 @@ use crate::state::State;
 pub struct Enclosure<S, I> {
     /// Length of the step (s).
     pub h: f64,
-    /// State at the start of the step.
     pub start: S,
     /// Bound of |x(τ) − x(0)|, entry by entry.
     pub moves: S,
@@ -26,14 +23,13 @@ pub struct Enclosure<S, I> {
     pub speeds: S,
     /// Bound of |d²x/dτ²|.
     pub bends: S,
-    /// Input at the start of the step.
     pub input_start: I,
-    /// Largest magnitudes of the input and its rates over the step (unit/s, unit/s² and so on);
-    /// `None` where the signal does not know them.
+    /// Largest magnitudes of the input and its rates over the step (unit/s, unit/s², …); `None`
+    /// where the signal does not know them.
     pub input: Option<I>,
 }
 
-/// What a guard does over a step, at most.
+/// Upper bounds of a guard's change over a step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct GuardBound {
     /// Bound of |g(τ) − g(0)|.
@@ -43,25 +39,21 @@ pub struct GuardBound {
 }
 
 impl GuardBound {
-    /// The bound of a guard of which nothing is known.
     pub const UNKNOWN: Self = Self { moves: f64::INFINITY, bend: f64::INFINITY };
-    /// The bound of a guard that keeps its value.
     pub const STILL: Self = Self { moves: 0.0, bend: 0.0 };
 
-    /// A bound from those of |g(τ) − g(0)| and of |d²g/dτ²|.
+    /// Builds a bound from those of |g(τ) − g(0)| and of |d²g/dτ²|.
     #[inline]
     pub const fn new(moves: f64, bend: f64) -> Self {
         Self { moves, bend }
     }
 
-    /// The bound of the sum of two guards.
     #[inline]
     #[must_use]
     pub const fn plus(self, other: Self) -> Self {
         Self { moves: self.moves + other.moves, bend: self.bend + other.bend }
     }
 
-    /// The bound of a guard times `factor`.
     #[inline]
     #[must_use]
     pub const fn times(self, factor: f64) -> Self {
@@ -70,7 +62,7 @@ impl GuardBound {
 }
 
 impl<S: State, I> Enclosure<S, I> {
-    /// The bound of the entry `index` of the state as a guard; unknown where there is none.
+    /// Returns the bound of state entry `index` as a guard; unknown if there is no such entry.
     #[inline]
     pub fn entry(&self, index: usize) -> GuardBound {
         let at = |x: &S| x.entries().get(index).copied().unwrap_or(f64::INFINITY);
@@ -79,7 +71,6 @@ impl<S: State, I> Enclosure<S, I> {
 }
 
 impl<S: State> Enclosure<S, Motion> {
-    /// The bound of the input's position as a guard.
     #[inline]
     pub fn position(&self) -> GuardBound {
         self.input.map_or(GuardBound::UNKNOWN, |most| {
@@ -87,7 +78,6 @@ impl<S: State> Enclosure<S, Motion> {
         })
     }
 
-    /// The bound of the input's rate as a guard.
     #[inline]
     pub fn rate(&self) -> GuardBound {
         self.input.map_or(GuardBound::UNKNOWN, |most| {
@@ -95,7 +85,7 @@ impl<S: State> Enclosure<S, Motion> {
         })
     }
 
-    /// The bound of the input's acceleration as a guard; its bend would take a fourth derivative.
+    /// Returns the bound of the input's acceleration; its bend would need a fourth derivative.
     #[inline]
     pub fn acceleration(&self) -> GuardBound {
         self.input
@@ -103,10 +93,10 @@ impl<S: State> Enclosure<S, Motion> {
     }
 }
 
-/// Least value over a step of a guard whose values at its ends, less the rounding, are `g0` and
-/// `g1`, and whose second derivative stays within ±`bend` (per step²).
+/// Returns a lower bound over a step of a guard with the values `g0` and `g1` (less rounding) at
+/// its ends and a second derivative within ±`bend` (per step²).
 ///
-/// Below the chord between both ends lies at most a parabola: g ≥ chord − ½ bend τ (1 − τ).
+/// The guard is at most a parabola below its chord: g ≥ chord − ½ bend τ (1 − τ).
 #[inline]
 pub(crate) fn least(g0: f64, g1: f64, bend: f64) -> f64 {
     // bend = 0 gives an infinite or undefined place, and the lower end.

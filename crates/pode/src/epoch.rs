@@ -1,7 +1,7 @@
-//! How a guard stands when an epoch, a tick or a step begins: the rule at g = 0.
+//! Stand of a guard when an epoch, a tick or a step begins: the rule at g = 0.
 //!
-//! Both guards of the paper's figure 6 start at zero, which it names as a source of
-//! faulty transitions. Nothing is nudged here; the guard's rates decide:
+//! Both guards of the paper's figure 6 start at zero, which it names as a source of faulty
+//! transitions. Nothing is nudged here; the guard's rates decide:
 //!
 //! | g | g' | g'' | stands | and then |
 //! |---|---|---|---|---|
@@ -13,38 +13,34 @@
 //! | 0 | 0 | 0 | `Resting` | silent while it stays zero; fires where it turns negative |
 //! | − | | | `Leaving` | fires at once; `Disarmed` if it fires on crossings only |
 //!
-//! Zero means: within rounding at the guard's size, or, right after an event, within
-//! what the guard's rate covers in the width to which that event was located.
+//! Zero means within rounding at the guard's size or, right after an event, within the guard's rate
+//! times the width to which that event was located.
 //!
-//! A guard that its own reset map leaves at zero, or below, has done its work: it is `Spent`,
-//! and silent like a disarmed one. If it then sinks, and the reset map would turn it there, as
-//! an impact turns what has come to rest on a floor, it fires again where it leaves zero.
+//! A guard that its own reset map leaves at zero or below is `Spent`, and silent like a disarmed
+//! one. If it then sinks, and the reset map would turn it there, as an impact turns a body at rest
+//! on a floor, it fires again where it leaves zero.
 //!
-//! A guard that fires on crossings only is also `Leaving` where it is due: it has crossed
-//! at the same instant as another one that went first, or in a jump of the input.
+//! A guard that fires on crossings only is also `Leaving` if it crossed at the instant of another
+//! one that fired first, or in a jump of the input.
 
 use crate::guard::{Fires, GuardSpec, GuardValue};
 
-/// How a guard stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Stand {
     Armed,
-    /// Zero and on its way up.
     Departing,
-    /// Zero, with nothing known to move it.
+    /// Zero, with all known rates zero.
     Resting,
-    /// Negative without effect until it has been positive.
     Disarmed,
-    /// The same where its own reset map has left it, as long as that map would not turn it.
+    /// Left disarmed by its own reset map, which would not turn it.
     Spent,
-    /// Spent, but its reset map would turn it back: it fires where it leaves zero.
+    /// Spent, but its reset map would turn it: it fires where it leaves zero.
     Sinking,
     Leaving,
-    /// Not watched in this mode.
     Unwatched,
 }
 
-/// How a guard stands by its value and rate, over the `h` (s) ahead.
+/// Returns the stand of a guard by its value and rate, over the `h` (s) ahead.
 ///
 /// `since_event` is the width (s) to which the event just before was located, or 0.
 #[inline]
@@ -72,23 +68,22 @@ const fn below(spec: &GuardSpec) -> Stand {
 }
 
 impl Stand {
-    /// The same for a guard that stood `before` in this very mode: what was disarmed
-    /// stays so until it has been positive.
+    /// Returns the stand of a guard that stood `before` in this mode: a disarmed one stays disarmed
+    /// until it has been positive.
     #[inline]
     pub(crate) fn again(self, before: Self) -> Self {
         let is_off = matches!(before, Self::Disarmed | Self::Spent);
         if is_off && self != Self::Armed { before } else { self }
     }
 
-    /// The same for a guard that has crossed at this very instant and has not fired yet,
-    /// because another guard went first or because the input jumped.
+    /// Returns the stand of a guard that crossed at this instant and has not fired yet: another
+    /// guard fired first, or the input jumped.
     #[inline]
     pub(crate) fn crossed(self) -> Self {
         if self == Self::Disarmed { Self::Leaving } else { self }
     }
 }
 
-/// How a guard that did not fire stands at the end of a step.
 #[inline]
 pub(crate) fn stand_after(before: Stand, spec: &GuardSpec, end: GuardValue, h: f64) -> Stand {
     if end.value > spec.band() {

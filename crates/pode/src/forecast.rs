@@ -1,12 +1,11 @@
-//! What a guard is known to do next, carried from step to step and from tick to tick.
+//! Forecast of a guard, carried from step to step and from tick to tick.
 //!
-//! `[GC93]` 5.1: the burden of the root finder can be shared by prior steps if a root is
-//! predicted in advance. Two numbers per guard do that. `room` is how far the guard is above zero
-//! at least: each step takes off as much as the guard can have moved along the orbit that was
-//! computed, and until nothing is left the guard is not even evaluated. And its curvature over the
-//! last step tells when it is due to vanish: a step that would go past that ends just behind it
-//! instead, so that the crossing lies at a step's end, where the method is at its best, and not on
-//! its dense output.
+//! `[GC93]` 5.1: prior steps can share the burden of the root finder by predicting the root. Two
+//! numbers per guard do it: `room` is a lower bound of the guard: each step subtracts the most that
+//! the guard can have moved along the computed orbit, and the guard is not evaluated until nothing
+//! is left. Its curvature over the last step predicts its root: a step that would pass the root
+//! ends just behind it, so that the crossing lies at a step's end, where the method is most exact,
+//! not on its dense output.
 
 use crate::crossing::GuardSpan;
 use crate::enclosure::GuardBound;
@@ -14,23 +13,22 @@ use crate::epoch::Stand;
 use crate::guard::{GuardSpec, GuardValue};
 use crate::math::sqrt;
 
-/// One guard of the present mode: how it stands, and what is known of it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct GuardSlot {
     pub(crate) stand: Stand,
-    /// Value and rate at the present instant, or where it was evaluated last.
+    /// Value and rate at the present instant, or at the last evaluation.
     pub(crate) value: GuardValue,
-    /// The same at the start of the step that was taken last.
+    /// Value and rate at the start of the last step.
     pub(crate) start: GuardValue,
-    /// Whether `value` belongs to the present instant.
+    /// `true` if `value` belongs to the present instant.
     pub(crate) is_fresh: bool,
-    /// Whether it has moved by more than the model's bound allows: what that says is not used.
+    /// `true` if it has moved beyond the model's bound, which is then not used.
     pub(crate) is_doubted: bool,
-    /// How far the guard is above the rounding around zero, at least; 0 unless it is armed.
+    /// Lower bound of its distance above the rounding around zero; 0 unless it is armed.
     pub(crate) room: f64,
-    /// Bound of its bend over the step that was taken last (per step²).
+    /// Bound of its bend over the last step (per step²).
     pub(crate) bend: f64,
-    /// Its second derivative (1/s²) over the last step; infinite where there was none.
+    /// Its second derivative (1/s²) over the last step; infinite if unknown.
     pub(crate) curvature: f64,
 }
 
@@ -45,17 +43,14 @@ impl GuardSlot {
         bend: f64::INFINITY,
         curvature: f64::INFINITY,
     };
-    /// A guard that is not watched in the mode.
     pub(crate) const UNWATCHED: Self = Self { stand: Stand::Unwatched, ..Self::EMPTY };
 
-    /// A guard that stands so at the present instant.
     #[inline]
     pub(crate) const fn new(stand: Stand, spec: &GuardSpec, value: GuardValue) -> Self {
         let slot = Self { stand, value, start: value, is_fresh: true, ..Self::EMPTY };
         Self { room: slot.room_of(spec), ..slot }
     }
 
-    /// The room that its value at the present instant gives.
     #[inline]
     pub(crate) const fn room_of(&self, spec: &GuardSpec) -> f64 {
         match self.stand {
@@ -70,21 +65,21 @@ impl GuardSlot {
         }
     }
 
-    /// Whether the guard is positive all over a step in which it moves within `bound`.
+    /// Returns `true` if the guard, moving within `bound`, is positive over the whole step.
     #[inline]
     pub(crate) fn is_clear_of(&self, bound: &GuardBound) -> bool {
         self.room > bound.moves
     }
 
-    /// Whether it is by so much that its value after the step is not needed either: it is known
-    /// at both ends of the last step before the one in which it may vanish.
+    /// Returns `true` if its value after the step is not needed either: both ends of the last step
+    /// before the one in which it may vanish are known.
     #[inline]
     pub(crate) fn is_asleep(&self, bound: &GuardBound) -> bool {
         self.room > 4.0 * bound.moves
     }
 
-    /// Takes over the guard's value at the `end` of a step of `h` (s) that moves it within
-    /// `bound`; returns whether it has moved further, so that nothing is known of it.
+    /// Sets the guard's value at the `end` of a step of `h` (s) that moves it within `bound`;
+    /// returns `true` if it has moved further, which makes the bound useless.
     #[inline]
     pub(crate) fn step_to(
         &mut self,
@@ -104,23 +99,22 @@ impl GuardSlot {
         is_doubted
     }
 
-    /// The guard over the step of `h` (s) that was taken last.
     #[inline]
     pub(crate) const fn span(&self, spec: GuardSpec, h: f64) -> GuardSpan {
         let Self { stand, start, value: end, bend, .. } = *self;
         GuardSpan { spec, stand, start, end, h, bend }
     }
 
-    /// When (s) it is expected to vanish, if that is within `h` (s); infinite otherwise.
+    /// Returns the time (s) until it is predicted to vanish, if within `h` (s); infinite otherwise.
     #[inline]
     pub(crate) fn due_within(&self, h: f64) -> f64 {
-        // A sleeping guard is not due, and most others are too far to fall that low.
+        // A sleeping guard is not due, and most others cannot fall to zero within `h`.
         let fall = h * (self.value.rate.abs() + 0.5 * self.curvature.abs() * h);
         let is_far = !self.is_fresh || fall < self.value.value;
         if is_far { f64::INFINITY } else { due(self.value, self.curvature) }
     }
 
-    /// The same a step later that moved it within `bound`, with nothing new known.
+    /// Advances the slot over a step without an evaluation; the guard moves within `bound`.
     #[inline]
     pub(crate) fn pass(&mut self, bound: &GuardBound) {
         self.room -= bound.moves;
@@ -128,7 +122,7 @@ impl GuardSlot {
     }
 }
 
-/// When (s) a guard with this curvature vanishes, from above; infinite if it does not.
+/// Returns the time (s) until a guard with this curvature falls to zero; infinite if never.
 fn due(guard: GuardValue, curvature: f64) -> f64 {
     let discriminant = guard.rate * guard.rate - 2.0 * curvature * guard.value;
     if discriminant < 0.0 || discriminant.is_nan() || guard.value <= 0.0 {

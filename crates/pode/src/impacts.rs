@@ -1,37 +1,34 @@
-//! Impacts that would come to rest in one mode, as they come: whether they accumulate, where, and with what impulse.
+//! Sequences of impacts that would come to rest in one mode: their limit, its time and impulse.
 //!
-//! A bouncing thing meets its floor at ever shorter intervals. If these shrink like a geometric
-//! sequence, or ever more like one, infinitely many of them fit into a finite time (Zeno); if
-//! they tend to a constant, they do not, however much they shrink at first: a pendulum against
-//! a wall keeps its period. Aitken's Δ² tells the two apart: it is the limit of the intervals.
+//! A ball bounces at ever shorter intervals. If the intervals shrink like a geometric sequence, or
+//! ever more like one, infinitely many of them fit into a finite time (Zeno). If they tend to a
+//! constant, they do not, however much they shrink at first: a pendulum against a wall keeps its
+//! period. Aitken's Δ², the limit of the intervals, distinguishes both.
 
 /// Changes of a ratio below this may be rounding: an interval is known to some 1e-9 of it.
 const NOISE: f64 = 1e-6;
 
-/// The latest impacts that would come to rest in one mode, whichever guards fired.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Impacts<M> {
     resting: Option<M>,
-    /// Time from the latest one (s) to the end that was declared then; infinite if none was.
+    /// Time from the latest impact (s) to the end declared then; infinite if none was.
     declared: f64,
-    /// Time since the latest one (s).
+    /// Time since the latest impact (s).
     since: f64,
-    /// Times between them (s), newest first; 0 where there was none yet.
+    /// Times between impacts (s), newest first; 0 where none is known.
     intervals: [f64; 4],
     /// Their impulses, newest first.
     impulses: [f64; 4],
 }
 
-/// A sequence of impacts that comes to its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Accumulation {
-    /// From the latest impact to the last of them all (s).
+    /// Time from the latest impact to the last of all (s).
     pub(crate) after: f64,
-    /// How far `after` may be wrong (s), by what the ratio did last.
+    /// Error of `after` (s), estimated by the last change of the ratio.
     pub(crate) error: f64,
-    /// Each interval's ratio to the one before, as it will be.
+    /// Predicted ratio of each interval to the one before.
     pub(crate) ratio: f64,
-    /// Impulse of all that are to come.
     pub(crate) impulse: f64,
 }
 
@@ -44,13 +41,13 @@ impl<M: Copy + PartialEq> Impacts<M> {
         impulses: [0.0; 4],
     };
 
-    /// Time passes (s).
+    /// Advances the time by `dt` (s).
     #[inline]
     pub(crate) fn pass(&mut self, dt: f64) {
         self.since += dt;
     }
 
-    /// Something was thrown back with this impulse that would come to rest in the mode `resting`.
+    /// Adds an impact with this impulse that would come to rest in the mode `resting`.
     pub(crate) fn strike(&mut self, resting: M, impulse: f64) {
         if self.resting == Some(resting) {
             self.intervals = pushed(self.intervals, self.since);
@@ -61,20 +58,18 @@ impl<M: Copy + PartialEq> Impacts<M> {
         self.since = 0.0;
     }
 
-    /// The end of all impacts is declared to come `after` (s) the one that has just happened, each
-    /// interval `ratio` times the one before; returns how far that may be wrong (s), by how far
-    /// the declaration at the impact before was. Infinite at the first one.
+    /// Declares the end of all impacts `after` (s) the latest one, with intervals shrinking by
+    /// `ratio`; returns the error (s) by the declaration before, infinite at first.
     pub(crate) fn declare(&mut self, resting: M, after: f64, ratio: f64) -> f64 {
         let is_known = self.resting == Some(resting);
         let before = if is_known { self.declared - self.since } else { f64::INFINITY };
         *self = Self { resting: Some(resting), declared: after, ..Self::NONE };
-        // Whatever moves the end from impact to impact shrinks with their speed at least.
+        // The motion of the end from impact to impact shrinks at least with their speed.
         (after - before).abs() * ratio / (1.0 - ratio)
     }
 
-    /// Where the impacts accumulate, if they do.
     pub(crate) fn accumulation(&self) -> Option<Accumulation> {
-        /// The intervals' limit, as a part of the newest, that still counts as zero.
+        /// Limit of the intervals, relative to the newest, that counts as zero.
         const NOTHING: f64 = 0.05;
         let [c, b, a, first] = self.intervals;
         let shrinks = 0.0 < c && c < b && b < a;
@@ -85,34 +80,32 @@ impl<M: Copy + PartialEq> Impacts<M> {
         }
         let now = c / b;
         let after = remaining(self.intervals)?;
-        // What the change of the ratio adds is known to about its own square, and to what one
-        // change more or less of its last size would make; rounding is part of that.
+        // The contribution of the ratio's change is known to about its own square, and to the
+        // effect of one more or less such change; rounding is part of that.
         let added = (after - c * now / (1.0 - now)).abs();
         let wavers = ((now - b / a) - (b / a - a / first)).abs().min((now - b / a).abs());
         let error = (30.0 * added * added / after).max(wavers * after / (1.0 - now));
-        // Impacts without an impulse on the input have none to come.
+        // Impacts without an impulse on the input have none in future either.
         let impulse = remaining(self.impulses).unwrap_or(0.0);
         after.is_finite().then_some(Accumulation { after, error, ratio: now, impulse })
     }
 }
 
-/// `list` with `newest` before it, and the oldest gone.
 fn pushed([a, b, c, _]: [f64; 4], newest: f64) -> [f64; 4] {
     [newest, a, b, c]
 }
 
-/// Σ of all that follow a sequence of which these were the last four, newest first; `None` if
-/// the sum is not finite.
+/// Sums all terms after a sequence with these last four, newest first; `None` if not finite.
 ///
-/// The ratio of one to the one before tends to a constant, and its distance from there shrinks
-/// by a factor of its own: like a power of the speed, whatever the law of the impact is.
+/// The ratio of successive terms tends to a constant, and its distance from that shrinks by a
+/// factor of its own: like a power of the speed, whatever the law of the impact is.
 fn remaining([d, c, b, a]: [f64; 4]) -> Option<f64> {
     /// Terms before the rest is summed up as a geometric sequence.
     const TERMS: usize = 48;
     let [first, second, third] = [b / a, c / b, d / c];
     let shrinks = (third - second) / (second - first);
-    // Where the ratio is constant but for rounding, that quotient says nothing; and it shrinks
-    // at least like the speed itself.
+    // Where the ratio is constant but for rounding, that quotient is noise. The distance shrinks at
+    // least like the speed itself.
     let is_noise = (third - second).abs() < NOISE;
     let shrinks = if is_noise { 0.0 } else { shrinks.max(0.0).min(third) };
     let (mut ratio, mut change) = (third, third - second);
@@ -131,7 +124,6 @@ fn remaining([d, c, b, a]: [f64; 4]) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// What is made of impacts at these intervals, each with this impulse.
     fn after(intervals: &[f64], impulses: &[f64]) -> Option<Accumulation> {
         let mut impacts = Impacts::NONE;
         impacts.strike((), impulses[0]);
@@ -156,7 +148,7 @@ mod tests {
 
     #[test]
     fn a_ratio_that_still_changes_is_followed_to_its_limit() {
-        // Intervals whose ratio is 0.6 less a part of the interval itself.
+        // The ratio of two intervals is 0.6 less a fraction of the interval itself.
         let mut intervals = [0.2; 200];
         for n in 1..intervals.len() {
             let last = intervals[n - 1];
@@ -179,7 +171,7 @@ mod tests {
         let mut impacts = Impacts::NONE;
         assert!(impacts.declare((), 1.0, 0.5).is_infinite(), "the first one");
         impacts.pass(0.5);
-        // Half a second later half a second is left, and a hundredth more is said now.
+        // Half a second later half a second remains; the new declaration adds 0.01 s.
         let error = impacts.declare((), 0.51, 0.5);
         assert!((error - 0.01).abs() < 1e-15, "{error}");
         impacts.pass(0.255);

@@ -1,33 +1,32 @@
 //! The first root of a guard in a step, isolated with certainty where its bend is bounded.
 //!
-//! The step is halved from left to right until each part is either free of roots, since the guard
+//! The step is halved from left to right until each half is either free of roots, since the guard
 //! lies above a parabola through its ends, or holds exactly one, since the guard falls through it
-//! with a slope that cannot vanish. `[MKC09]` ch. 8: roots are isolated by enclosures of a function and of its derivatives.
+//! with a slope that cannot vanish. `[MKC09]` ch. 8: roots are isolated by enclosures of a function
+//! and of its derivatives.
 
 use crate::enclosure::least;
 
-/// What is known of the first root.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Isolated {
-    /// The guard is positive all over the step.
+    /// The guard is positive over the whole step.
     Free,
-    /// The first root lies between these places, and it is the only one there.
+    /// The first root lies between these places, the only one there.
     Root { lo: (f64, f64), hi: (f64, f64) },
-    /// Too many halvings: the guard may have a root. `low` is the first place at which it was
-    /// seen to be negative, and its value there.
+    /// Too many halvings: the guard may have a root. `low` is the first place, with its value,
+    /// where it is known to be negative.
     Open { low: Option<(f64, f64)> },
 }
 
-/// Most evaluations of the guard in one search.
 pub(crate) const LOOKS: u32 = 32;
 
-/// Most parts of the step that wait to be looked at: one for each halving.
+/// Maximum of intervals that wait for their turn: one for each halving.
 const DEPTH: usize = LOOKS as usize + 1;
 
 /// Isolates the first root of a `guard` that is positive at the start of the step.
 ///
 /// `start` and `end` are its values there, `bend` bounds its second derivative (per step²), and
-/// what is within `band` of zero is not told from zero.
+/// values within `band` of zero count as zero.
 #[cold]
 pub(crate) fn isolate(
     (start, end): (f64, f64),
@@ -70,7 +69,7 @@ pub(crate) fn isolate(
 mod tests {
     use super::*;
 
-    /// What is found of `guard`, whose second derivative is at most `bend`, and the looks.
+    /// Returns the result for `guard` with a second derivative up to `bend`, and the evaluations.
     fn found(bend: f64, guard: impl Fn(f64) -> f64) -> (Isolated, u32) {
         let mut looks = 0;
         let isolated = isolate((guard(0.0), guard(1.0)), bend, 1e-15, |tau| {
@@ -82,7 +81,7 @@ mod tests {
 
     #[test]
     fn a_wave_that_falls_below_zero_ten_times_is_found_at_its_first_fall() {
-        // The example of a guard that is faster than the step: 0.999 − sin 10 τ at bend 100.
+        // A guard faster than the step: 0.999 − sin 10 τ at bend 100.
         let (isolated, looks) = found(100.0, |tau| 0.999 - (10.0 * tau).sin());
         let root = 0.999_f64.asin() / 10.0;
         let Isolated::Root { lo, hi } = isolated else { panic!("{isolated:?}") };

@@ -9,9 +9,9 @@
 //! x⁺ = H_i(x⁻, u)            reset map       [GC93] eq. 9, 12 (which writes y for x)
 //! ```
 //!
-//! [`Simulator::advance`] moves a model over one tick: it steps, watches the guards,
-//! locates crossings inside the step, applies reset maps, and goes on, with a fixed
-//! maximum of every kind of work. Time is (tick, θ), never a sum of steps.
+//! [`Simulator::advance`] moves a model over one tick: it steps, watches the guards, locates
+//! crossings inside the step, applies reset maps and continues, with a fixed maximum of every kind
+//! of work. Time is (tick, θ), never a sum of steps.
 //!
 //! # Glossary
 //!
@@ -94,7 +94,7 @@ pub use state::{Factors, Matrix, State};
 pub use stepper::{Field, Step, Stepper};
 pub use watch::{Event, EventCause, Piece, Silent, Watch};
 
-/// The examples of the README, as tests.
+/// Examples of the README, as tests.
 #[cfg(all(doctest, feature = "std"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,17 +1,16 @@
 //! Bracketed root finding with a fixed maximum: ITP, seeded by the guard's cubic.
 //!
-//! A deadline is about the maximum: ITP never needs more than bisection plus one,
-//! where Brent, Chandrupatla and Illinois reach 2–5 times bisection on 3/2-power guards.
+//! A deadline is about the maximum: ITP never needs more than bisection plus one, where Brent,
+//! Chandrupatla and Illinois reach 2–5 times bisection on 3/2-power guards.
 
-/// A crossing shut in: positive at `lo`, not positive at `hi`.
+/// A bracketed crossing: positive at `lo`, not positive at `hi`.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Bracket {
     pub lo: f64,
-    /// The guard there, positive.
+    /// The guard at `lo`, positive.
     pub at_lo: f64,
-    /// At or after the crossing.
     pub hi: f64,
-    /// The guard there, zero or negative.
+    /// The guard at `hi`, zero or negative.
     pub at_hi: f64,
 }
 
@@ -21,7 +20,6 @@ impl Bracket {
         self.hi - self.lo
     }
 
-    /// Where the chord through both ends vanishes.
     #[inline]
     fn chord(&self) -> f64 {
         let tau = (self.hi * self.at_lo - self.lo * self.at_hi) / (self.at_lo - self.at_hi);
@@ -29,34 +27,31 @@ impl Bracket {
         if tau.is_finite() { tau.max(self.lo).min(self.hi) } else { self.hi }
     }
 
-    /// Whether the guard falls more steeply than any root: it jumps inside.
-    ///
-    /// `whole` is the bracket that the search began with.
+    /// Returns `true` if the guard falls more steeply than any root: it jumps inside. `whole` is
+    /// the initial bracket.
     fn holds_jump(&self, whole: &Self) -> bool {
         let [drop, most] = [self, whole].map(|it| it.at_lo - it.at_hi);
-        // A square root's drop shrinks like the root of the width, a jump's not at all.
+        // A square root's drop shrinks like the root of the width, a jump's does not shrink.
         let left = drop / most;
         left * left * whole.width() > self.width()
     }
 }
 
-/// Where a crossing was found.
+/// A located crossing of a guard.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Located {
     /// The crossing, as a fraction of the step.
     pub tau: f64,
-    /// Evaluations of the guard that it took.
     pub evaluations: u32,
-    /// A guard value was not finite; the search stopped at once.
+    /// `true` if a guard value was not finite, which stops the search at once.
     pub not_finite: bool,
 }
 
 /// Locates the crossing in `bracket`, at most 1 wide, to a width of `tolerance`.
 ///
-/// `seed` is where a model of the guard vanishes, with its `slope` there.
-/// Takes at most the bisections that the tolerance asks for plus four evaluations of `guard`.
-/// A guard that lies at zero for a while is located where it turns negative, one that
-/// jumps is located after the jump.
+/// `seed` is the root of a model of the guard, with its `slope` there. `guard` is evaluated at most
+/// four times more than bisection to the tolerance needs. A guard that rests at zero is located
+/// where it turns negative, one that jumps is located after the jump.
 ///
 /// # References
 /// Oliveira & Takahashi 2020 `[OT20]`, with κ1 = 0.2/(b − a), κ2 = 2, n0 = 1.
@@ -78,32 +73,29 @@ pub fn locate(
     Located { tau, evaluations: search.evaluations, not_finite: search.not_finite }
 }
 
-/// Most evaluations of one search: two looks at the seed, one past a zero, and bisection
-/// plus one.
+/// Maximum of evaluations in one search: two at the seed, one past a zero, and bisection plus one.
 pub(crate) const fn most_evaluations(tolerance: f64) -> u32 {
     halvings(tolerance) + 4
 }
 
-/// Halvings from 1 to `tolerance`, at most 60: a fraction has no more digits than that.
+/// Halvings from 1 to `tolerance`, at most 60, since a fraction has no more digits.
 const fn halvings(tolerance: f64) -> u32 {
     const MOST: u32 = 60;
-    /// The exponent that stands for 1.
     const ONE: u32 = 1023;
-    // The largest power of two that is not above the tolerance: its exponent. What is
-    // negative has its sign there, and gets as few as a tolerance above 1.
+    // The exponent: the largest power of two not above the tolerance. A negative tolerance has its
+    // sign in that field, and needs as few halvings as one above 1.
     let exponent = (tolerance.to_bits() >> 52) as u32;
     let halvings = ONE.saturating_sub(exponent);
     if halvings < MOST && tolerance > 0.0 { halvings } else { MOST }
 }
 
-/// A search in progress.
 struct RootSearch<G> {
     guard: G,
     bracket: Bracket,
     tolerance: f64,
     evaluations: u32,
     not_finite: bool,
-    /// The guard lies at zero over a stretch: zero counts as before the crossing.
+    /// `true` if the guard rests at zero over a stretch: zero then counts as before the crossing.
     is_flat: bool,
 }
 
@@ -116,12 +108,12 @@ impl<G: FnMut(f64) -> f64> RootSearch<G> {
         self.bracket.width() <= self.tolerance || self.bracket.at_hi == 0.0 || self.not_finite
     }
 
-    /// Looks at the seed, and beyond where its slope says that the root is.
+    /// Evaluates at the seed, and beyond the root that its slope predicts.
     fn look_around(&mut self, seed: f64, slope: f64) {
         if !self.is_inside(seed) {
             return;
         }
-        // Not divided by the slope after the look: that would have to be waited for.
+        // Not divided by the slope after the evaluation, which would wait for the division.
         let per_value = 2.0 / slope.abs();
         let value = self.look(seed);
         let reach = value * per_value;
@@ -133,7 +125,6 @@ impl<G: FnMut(f64) -> f64> RootSearch<G> {
         }
     }
 
-    /// Looks where interpolation, truncation and projection say, until the bracket is narrow.
     fn narrow(&mut self) {
         let itp = Itp::new(&self.bracket, self.tolerance);
         for round in 0..=halvings(self.tolerance) {
@@ -148,7 +139,7 @@ impl<G: FnMut(f64) -> f64> RootSearch<G> {
         self.bracket.lo < tau && tau < self.bracket.hi
     }
 
-    /// Evaluates the guard at `tau` and moves the end on its side there.
+    /// Evaluates the guard at `tau` and moves the bracket's end on that side.
     fn look(&mut self, tau: f64) -> f64 {
         let value = self.value(tau);
         if value == 0.0 && !self.is_flat {
@@ -161,7 +152,7 @@ impl<G: FnMut(f64) -> f64> RootSearch<G> {
         value
     }
 
-    /// A zero is the crossing if the guard is negative just after it.
+    /// Accepts a zero as the crossing if the guard is negative just after it.
     fn look_past_zero(&mut self, tau: f64) {
         let past = tau + self.tolerance;
         let value = if past < self.bracket.hi { self.value(past) } else { self.bracket.at_hi };
@@ -181,10 +172,9 @@ impl<G: FnMut(f64) -> f64> RootSearch<G> {
     }
 }
 
-/// The constants of one interpolate-truncate-project search.
 struct Itp {
     truncation: f64,
-    /// Radius that bisection plus one would have at round 0.
+    /// Radius of bisection plus one at round 0.
     radius: f64,
 }
 
@@ -201,7 +191,6 @@ impl Itp {
         Self { truncation: 0.2 / bracket.width(), radius }
     }
 
-    /// The next place to look.
     fn probe(&self, bracket: &Bracket, round: u32) -> f64 {
         let middle = 0.5 * (bracket.lo + bracket.hi);
         let chord = bracket.chord();
@@ -265,7 +254,6 @@ mod tests {
         }
     }
 
-    /// Roots near both ends and between.
     fn roots() -> impl Iterator<Item = f64> {
         let inside = (1..40).map(|n| (f64::from(n) * 0.618_033_988_749_895).fract());
         [1e-15, 1e-9, 1e-3, 0.5, 0.75, 1.0 - 1e-9].into_iter().chain(inside)

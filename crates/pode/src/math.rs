@@ -1,6 +1,5 @@
-//! The only door to elementary functions: from std, or from libm without it.
-//!
-//! `--no-default-features` gives the same bits on every machine.
+//! The only access to elementary functions: std, or libm with `--no-default-features`, which gives
+//! the same bits on every machine. Angles are in rad.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -23,35 +22,24 @@ macro_rules! door {
 door! {
     sqrt(x) = sqrt;
     cbrt(x) = cbrt;
-    /// Sine of `x` (rad).
     sin(x) = sin;
-    /// Cosine of `x` (rad).
     cos(x) = cos;
-    /// Tangent of `x` (rad).
     tan(x) = tan;
     tanh(x) = tanh;
-    /// Angle whose sine is `x` (rad).
     asin(x) = asin;
-    /// Angle whose cosine is `x` (rad).
     acos(x) = acos;
-    /// Angle of the point (`x`, `y`) (rad).
     atan2(y, x) = atan2;
-    /// Length of (`x`, `y`).
     hypot(x, y) = hypot;
-    /// e to the power `x`.
     exp(x) = exp;
     ln(x) = log;
-    /// `x` to the power `p`.
     powf(x, p) = pow;
-    /// Largest integer not above `x`.
     floor(x) = floor;
-    /// Smallest integer not below `x`.
     ceil(x) = ceil;
 }
 
-/// Sine and cosine of `x` (rad).
+/// Returns sine and cosine of `x` (rad).
 ///
-/// Within ±π/4, where levers and hammers live, both come from one pair of polynomials
+/// Within ±π/4, the usual range of levers and hammers, both come from one pair of polynomials
 /// (fdlibm's kernels, below 1 ulp): the same bits on every machine, in half the time.
 #[inline]
 pub fn sin_cos(x: f64) -> (f64, f64) {
@@ -63,14 +51,13 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     }
 }
 
-/// The same beyond; apart, so that a caller's own numbers stay in registers.
+/// [`sin_cos`] beyond ±π/4; out of line, so that the caller's numbers stay in registers.
 #[cold]
 #[inline(never)]
 fn large(x: f64) -> (f64, f64) {
     (sin(x), cos(x))
 }
 
-/// The same of two angles, one of which may be small.
 #[cold]
 #[inline(never)]
 fn large_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
@@ -78,8 +65,8 @@ fn large_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     ([first.0, second.0], [first.1, second.1])
 }
 
-/// Sines and cosines of two angles (rad), the same bits as [`sin_cos`]'s: in the time of one
-/// where they lie side by side already, as a state's entries do.
+/// Returns sines and cosines of two angles (rad), with the bits of [`sin_cos`], in the time of one
+/// if they lie side by side, as a state's entries do.
 #[expect(clippy::inline_always, reason = "a call takes angles and results through memory")]
 #[inline(always)]
 pub fn sin_cos_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
@@ -92,13 +79,12 @@ pub fn sin_cos_of_two(x: [f64; 2]) -> ([f64; 2], [f64; 2]) {
     }
 }
 
-/// Whether the polynomials hold; NaN is not.
+/// Returns `true` if the polynomials hold; `false` for NaN.
 #[inline]
 fn is_small(x: f64) -> bool {
     x.abs() <= core::f64::consts::FRAC_PI_4
 }
 
-/// One number, or one in each lane.
 trait SimdLanes:
     Copy + From<f64> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {
@@ -132,7 +118,7 @@ const C: [f64; 6] = [
 #[inline]
 fn small_sine<T: SimdLanes>(x: T, z: T) -> T {
     let s = |i: usize| T::from(S[i]);
-    // Two halves side by side: half the depth of Horner's rule, and the depth is the time.
+    // Two halves side by side: half the depth of Horner's rule, and the depth costs the time.
     let w = z * z;
     let tail = (s(1) + z * s(2)) + w * ((s(3) + z * s(4)) + w * s(5));
     x + z * x * (s(0) + z * tail)

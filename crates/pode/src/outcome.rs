@@ -1,77 +1,63 @@
-//! All that an advance can report.
-
-/// How a tick ended.
+/// End of a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use]
 pub enum Advance {
-    /// The whole tick was advanced.
     Completed,
-    /// A declared maximum was reached: the state was held for the rest of the tick.
+    /// A declared maximum was reached, and the state held for the rest of the tick.
     Capped(Cap),
-    /// The model or its input failed: the last finite state was kept.
+    /// The model or its input failed, and the last finite state was kept.
     Faulty(Fault),
 }
 
-/// Which declared maximum was reached.
+/// A declared maximum that was reached.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Cap {
-    /// Events in one tick.
     Events,
-    /// Transitions at one instant.
     Cascade,
-    /// Guard evaluations in one tick.
     Guards,
-    /// Pieces (steps and parts of steps) in one tick.
+    /// Steps and parts of steps.
     Pieces,
-    /// Evaluations of derivatives and guards together, with the limit that was reached.
+    /// Limit of derivatives and guards together.
     Work(u32),
 }
 
-/// Why the model could not be advanced.
+/// Reason for which the model could not be advanced.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
     /// The period is not a positive, finite number.
     Period,
-    /// The derivative or the state left the set of finite numbers.
+    /// The derivative or the state is not finite.
     State,
-    /// A guard left the set of finite numbers, or a mode has more than
-    /// [`MAX_GUARDS`](crate::MAX_GUARDS) of them.
+    /// A guard is not finite, or a mode has more than [`MAX_GUARDS`](crate::MAX_GUARDS) of them.
     Guard,
-    /// The readout or an impulse left the set of finite numbers.
+    /// The readout or an impulse is not finite.
     Readout,
     /// An event moved a coordinate onto its constraint by more than
     /// [`Nature::longest_projection`](crate::Nature::longest_projection).
     Projection,
 }
 
-/// Evaluations that a tick took; independent of the machine.
+/// Evaluations of a tick; independent of the machine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Work {
-    /// Steps and parts of steps.
     pub pieces: u32,
-    /// Evaluations of the derivative, of each part on its own, those for a Jacobian apart.
+    /// Evaluations of the derivative, of each part on its own, without those for a Jacobian.
     pub derivatives: u32,
-    /// Rates of the state's entries in these evaluations: of a part only its own entries count.
+    /// Rates of the state's entries in these evaluations: for a part only its own entries.
     pub rates: u32,
-    /// Evaluations of the Jacobian.
     pub jacobians: u32,
-    /// Evaluations of one guard each.
     pub guards: u32,
-    /// Evaluations of the readout.
     pub readouts: u32,
     pub events: u32,
-    /// Events whose reset map left the guard that had fired below zero or falling from it, in the
-    /// same mode: it does not fire again until it has been positive. A reset map with a wrong sign
-    /// does so.
+    /// Events with a reset map, perhaps of the wrong sign, that left the fired guard below zero or
+    /// falling from it in the same mode: it does not fire again until it has been positive.
     pub ineffective: u32,
-    /// Steps in which no root of a guard can have been missed: each guard is bounded, and the
-    /// bound leaves no room for one on the orbit as it was computed.
+    /// Steps in which no root of a guard can have been missed: the bound of each guard excludes one
+    /// on the computed orbit.
     pub certain: u32,
-    /// Steps of which that is not known.
     pub unknown: u32,
 }
 
-/// Whether a root of a guard can have been missed in a step.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Certainty {
     Certain,
@@ -79,13 +65,11 @@ pub(crate) enum Certainty {
 }
 
 impl Work {
-    /// Returns the evaluations of derivatives and guards.
     #[inline]
     pub const fn evaluations(&self) -> u32 {
         self.derivatives.saturating_add(self.guards)
     }
 
-    /// Counts a step that was kept, whole or up to its first event.
     #[inline]
     pub(crate) const fn judge(&mut self, certainty: Certainty) {
         match certainty {
@@ -94,7 +78,6 @@ impl Work {
         }
     }
 
-    /// Sum of two counts.
     #[must_use]
     pub const fn plus(self, other: Self) -> Self {
         Self {
@@ -112,20 +95,19 @@ impl Work {
     }
 }
 
-/// What one tick gave.
+/// Result of one tick.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Tick {
     pub advance: Advance,
-    /// The readout's mean over the tick, impulses included.
+    /// Mean of the readout over the tick, impulses included.
     pub mean_readout: f64,
-    /// The readout at the end of the tick.
     pub end_readout: f64,
     /// Impulses alone (readout × s).
     pub impulse: f64,
-    /// Largest local error that the stepper estimated; 0 if it has no estimate.
+    /// Largest local error by the stepper's estimate; 0 if it has none.
     pub local_error: f64,
-    /// How far an event moved a coordinate onto the constraint of the mode that it led to, at
-    /// most, in the unit of that coordinate; 0 where nothing is slaved.
+    /// Largest move of a coordinate by an event onto the constraint of the next mode, in that
+    /// coordinate's unit; 0 where nothing is slaved.
     pub projection: f64,
     pub work: Work,
 }

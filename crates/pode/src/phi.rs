@@ -6,8 +6,8 @@ use crate::state::{State, largest};
 
 /// eᴬ and k! φₖ(A) for k = 1, 2, 3.
 ///
-/// k! φₖ(z) = k ∫₀¹ (1 − s)ᵏ⁻¹ eˢᶻ ds is a mean of the exponential, 1 at z = 0, so that
-/// x' = A x + r0 + r1 t + r2 t² is at 1: x0 + p1 (A x0 + r0) + p2 r1/2 + p3 r2/3.
+/// k! φₖ(z) = k ∫₀¹ (1 − s)ᵏ⁻¹ eˢᶻ ds is a mean of the exponential, 1 at z = 0, so that the
+/// solution of x' = A x + r0 + r1 t + r2 t² at 1 is x0 + p1 (A x0 + r0) + p2 r1/2 + p3 r2/3.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Phi<S: State> {
     exp: S::Matrix,
@@ -16,8 +16,8 @@ pub(crate) struct Phi<S: State> {
     pub(crate) p3: S::Matrix,
 }
 
-/// Coefficients of 6 φ3(z): each is the one before divided by (j + 3), to z¹⁵, where the
-/// rest is below rounding for |z| ≤ 1.
+/// Coefficients of 6 φ3(z), each the one before divided by (j + 3), to z¹⁵: the rest is below
+/// rounding for |z| ≤ 1.
 const SERIES: [f64; 16] = {
     let (mut series, mut j) = ([1.0; 16], 1);
     while j < 16 {
@@ -28,12 +28,11 @@ const SERIES: [f64; 16] = {
 };
 
 impl<S: State> Phi<S> {
-    /// The functions of h A/4, h A/2 and h A.
+    /// Computes the functions of h A/4, h A/2 and h A.
     ///
-    /// h A is halved until its series is short, at most 64 times, and the functions are doubled
-    /// as often: at most 10 + 4 · 64 products. The error is a few ε (1 + |h A|) of the largest
-    /// entries. If A is not finite, or h A so large that no digit would be right, the
-    /// functions are not finite.
+    /// h A is halved until its series is short, at most 64 times, and the functions are doubled as
+    /// often: at most 10 + 4 · 64 products. The error is a few ε (1 + |h A|) of the largest
+    /// entries. If A is not finite, or h A too large for any right digit, they are not finite.
     pub(crate) fn quarters(a: &S::Matrix, h: f64) -> [Self; 3] {
         let mut powers = [*a; 4];
         for n in 1..4 {
@@ -48,7 +47,7 @@ impl<S: State> Phi<S> {
         [quarter, half, half.doubled()]
     }
 
-    /// The functions of `part` · A, by Taylor series, from A, A², A³ and A⁴. `[PS73]`
+    /// Sums the functions of `part` · A by Taylor series, from A, A², A³ and A⁴. `[PS73]`
     fn series(powers: &[S::Matrix; 4], part: f64) -> Self {
         let [a, a2, a3, a4] = powers;
         let (part2, part3) = (part * part, part * part * part);
@@ -68,7 +67,7 @@ impl<S: State> Phi<S> {
         Self { exp, p1, p2, p3 }
     }
 
-    /// The functions of 2 A from those of A. `[BSW07]`
+    /// Computes the functions of 2 A from those of A. `[BSW07]`
     fn doubled(&self) -> Self {
         let Self { exp, p1, p2, p3 } = self;
         let half = |m: &S::Matrix| m.plus(-0.5, m);
@@ -83,10 +82,9 @@ impl<S: State> Phi<S> {
     }
 }
 
-/// How often a matrix of the size `size` (1/s) is halved over `h` (s) so that the series
-/// holds, at least twice, and what is left of `h`.
+/// Returns the number of halvings, at least two, of a matrix of the size `size` (1/s) over `h` (s)
+/// after which the series holds, and the rest of `h`.
 fn halvings(size: f64, h: f64) -> (u32, f64) {
-    /// Beyond this no digit would be right.
     const MOST: u32 = 64;
     let (mut halvings, mut part) = (2, 0.25 * h);
     while halvings < MOST && part * size > 1.0 {
@@ -95,15 +93,13 @@ fn halvings(size: f64, h: f64) -> (u32, f64) {
     (halvings, if part * size <= 1.0 { part } else { f64::NAN })
 }
 
-/// The least row sum of magnitudes in any units of the state's entries, nearly: at least
-/// the largest eigenvalue of the magnitudes. `[HJ13]` theorem 8.1.26
+/// Approximates the least row sum of magnitudes in any units of the state's entries: at least the
+/// largest eigenvalue of the magnitudes. `[HJ13]` theorem 8.1.26
 ///
-/// The rounding of sums and products does not depend on the units, but the row sum of a stiff
-/// oscillator is as large as its stiffness, and would halve it many times in vain.
+/// Rounding does not depend on the units, but the row sum of a stiff oscillator is as large as its
+/// stiffness, and would cause many useless halvings.
 fn size<S: State>(a: &S::Matrix) -> f64 {
-    /// Changes of the units.
     const ROUNDS: u32 = 8;
-    /// Smallest square of a change.
     const LEAST: f64 = 1.0 / 65536.0;
     let column = |index| a.apply(&S::ZERO.with_entry(index, 1.0));
     let magnitudes = S::Matrix::from_columns(|index| mapped(&column(index), |_, it| it.abs()));
@@ -118,7 +114,6 @@ fn size<S: State>(a: &S::Matrix) -> f64 {
     least
 }
 
-/// `x` with `f` of each entry in its place.
 fn mapped<S: State>(x: &S, f: impl Fn(usize, f64) -> f64) -> S {
     let entries = x.entries().iter().enumerate();
     entries.fold(*x, |mapped, (index, entry)| mapped.with_entry(index, f(index, *entry)))
@@ -135,7 +130,6 @@ mod tests {
         <Square as Matrix<[f64; 2]>>::from_columns(|index| columns[index])
     }
 
-    /// p1, p2 and p3 of h A for A = [[a, b], [c, d]], by columns.
     fn phi(entries: [f64; 4], h: f64) -> [[[f64; 2]; 2]; 3] {
         let [a, b, c, d] = entries;
         let [_, _, whole] = Phi::<[f64; 2]>::quarters(&matrix([[a, c], [b, d]]), h);
@@ -150,7 +144,7 @@ mod tests {
         }
     }
 
-    /// k! φₖ(z) by its series where that is short, by eᶻ where nothing cancels.
+    /// Returns k! φₖ(z) by its series where that is short, by eᶻ where nothing cancels.
     fn exact(z: f64) -> [f64; 3] {
         if z.abs() > 2.0 {
             let p1 = z.exp_m1() / z;

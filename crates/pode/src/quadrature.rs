@@ -1,7 +1,6 @@
-//! The mean of a readout over a piece, its value at both ends being known.
+//! The mean of a readout over a piece with known values at both ends.
 
-/// Simpson's rule: the one place inside, and weights of the ends and of that place.
-/// Exact up to cubics.
+/// Simpson's rule, exact up to cubics: one place inside, with the weights of the ends and of it.
 pub(crate) const SIMPSON: Rule<1> = Rule { ends: 1.0 / 6.0, inside: [(0.5, 4.0 / 6.0)], looks: 1 };
 
 /// Gauss–Lobatto with six places: exact up to degree 9, for dense outputs of high order.
@@ -17,15 +16,13 @@ pub(crate) const LOBATTO: Rule<4> = Rule {
     looks: 4,
 };
 
-/// Order of a dense output from which on Simpson's rule would lose what it has gained.
+/// Order of a dense output at which Simpson's rule becomes the larger error.
 pub(crate) const HIGH: u32 = 5;
 
-/// Most evaluations inside a piece for the mean of a method whose dense output has this order.
 pub(crate) const fn looks(dense: u32) -> u32 {
     if dense >= HIGH { LOBATTO.looks() } else { SIMPSON.looks() }
 }
 
-/// Places inside 0 .. 1 with their weights, and the weight of each end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rule<const N: usize> {
     ends: f64,
@@ -34,12 +31,10 @@ pub(crate) struct Rule<const N: usize> {
 }
 
 impl<const N: usize> Rule<N> {
-    /// Returns the number of evaluations inside the step.
     pub(crate) const fn looks(&self) -> u32 {
         self.looks
     }
 
-    /// The mean over 0 ..= 1 of a function with the values `ends` there.
     #[inline]
     pub(crate) fn mean(&self, ends: [f64; 2], mut value: impl FnMut(f64) -> f64) -> f64 {
         let inside: f64 = self.inside.iter().map(|(place, weight)| weight * value(*place)).sum();

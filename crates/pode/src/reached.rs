@@ -1,4 +1,4 @@
-//! A declared maximum that was reached, in words: what it was, and which limit to raise.
+//! Text for a reached maximum: its kind, and the limit to raise.
 
 use core::fmt::{self, Display, Formatter};
 
@@ -6,7 +6,7 @@ use crate::limits::Limits;
 use crate::outcome::Cap;
 
 impl Cap {
-    /// Returns what it is a maximum of, as in `events in one tick`.
+    /// Returns the counted quantity, as in `events in one tick`.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Events => "events in one tick",
@@ -36,9 +36,7 @@ impl Display for Cap {
     }
 }
 
-/// A maximum that a tick has reached, with its number.
-///
-/// It is displayed as `64 events in one tick: raise Limits::events`.
+/// A maximum reached by a tick, displayed as `64 events in one tick: raise Limits::events`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ReachedMaximum {
     pub cap: Cap,
@@ -52,7 +50,7 @@ impl Display for ReachedMaximum {
 }
 
 impl Limits {
-    /// Returns the maximum that a tick which ended with `cap` has reached, for people.
+    /// Returns the maximum that a tick ended with `cap` has reached, for display.
     pub const fn reached(&self, cap: Cap) -> ReachedMaximum {
         let maximum = match cap {
             Cap::Events => self.events,

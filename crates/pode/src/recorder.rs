@@ -1,5 +1,5 @@
-//! A watch that keeps what a person reads afterwards: events, samples and work, with the time in
-//! seconds. It grows, so it is for offline runs and tests.
+//! A watch that keeps events, samples and work, with the time in seconds, for a person to read. It
+//! grows, so it is for offline runs and tests.
 #![expect(clippy::disallowed_methods, reason = "not for the tick: a record grows")]
 
 use std::fmt::{self, Display, Formatter};
@@ -10,19 +10,15 @@ use crate::model::{Guarded, Model};
 use crate::outcome::{Tick, Work};
 use crate::watch::{Event, Piece, Watch};
 
-/// An event as a person reads it.
+/// An event with its time in seconds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedEvent<M: Model> {
-    /// When it happened (s).
+    /// Time (s).
     pub t: f64,
-    /// Name of the guard, or what else the cause was.
     pub name: &'static str,
-    /// Modes before and after.
     pub from: M::Mode,
     pub to: M::Mode,
-    /// State before the reset map.
     pub before: M::State,
-    /// State after the reset map.
     pub after: M::State,
     pub input: M::Input,
     /// Impulse on what drives the input (readout × s).
@@ -40,27 +36,21 @@ impl<M: Model> Display for RecordedEvent<M> {
 /// A row of samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sample<M: Model> {
-    /// When it was taken (s).
+    /// Time (s).
     pub t: f64,
     pub mode: M::Mode,
     pub state: M::State,
     pub input: M::Input,
-    /// Readout in that state.
     pub readout: f64,
 }
 
-/// Keeps events, samples and work.
-///
-/// # Examples
-///
-/// See `examples/bouncing_ball.rs` and [`Simulator::run`](crate::Simulator::run).
+/// Keeps events, samples and work; used in `examples/bouncing_ball.rs`.
 #[derive(Clone, Debug)]
 pub struct RunRecorder<M: Model> {
-    /// Length of a tick (s).
     h: f64,
     /// Time (s) at which tick 0 would have begun, had all ticks had this length.
     origin: f64,
-    /// Interval between two samples (s), or none.
+    /// Interval between two samples (s), if any are taken.
     every: Option<f64>,
     next_sample: u64,
     events: Vec<RecordedEvent<M>>,
@@ -69,7 +59,7 @@ pub struct RunRecorder<M: Model> {
 }
 
 impl<M: Guarded> RunRecorder<M> {
-    /// A recorder of events for ticks of `h` (s), of which tick 0 begins at the time 0.
+    /// Builds a recorder of events for ticks of `h` (s); tick 0 begins at the time 0.
     pub const fn new(h: f64) -> Self {
         Self {
             h,
@@ -82,24 +72,21 @@ impl<M: Guarded> RunRecorder<M> {
         }
     }
 
-    /// The same that also takes a sample `every` so many seconds, at the multiples of it, from
-    /// dense output.
+    /// Returns the recorder, also taking samples from dense output at the multiples of `every` (s).
     ///
-    /// At the time of an event it is the state before it. A time within a move over impacts that
-    /// accumulate, or held after a maximum was reached, has no sample.
+    /// At an event's time it samples the state before it. Times within a move over accumulating
+    /// impacts, or held after a maximum was reached, have no sample.
     #[must_use]
     pub fn sampled(self, every: f64) -> Self {
         Self { every: Some(every).filter(|it| *it > 0.0), ..self }
     }
 
-    /// Has `tick` begin at the time `begin` (s), and last `h` (s) as those after it do; what was
-    /// recorded keeps its times.
+    /// Sets the begin (s) of `tick`, and the length `h` (s) from then on; recorded times stay.
     pub fn place_tick(&mut self, tick: u64, begin: f64, h: f64) {
         self.h = h;
         self.origin = begin - tick as f64 * h;
     }
 
-    /// Returns the events in order of time.
     pub fn events(&self) -> &[RecordedEvent<M>] {
         &self.events
     }
@@ -115,18 +102,16 @@ impl<M: Guarded> RunRecorder<M> {
         named.map(|event| event.t).collect()
     }
 
-    /// Returns the samples in order of time.
     pub fn samples(&self) -> &[Sample<M>] {
         &self.samples
     }
 
-    /// Returns what each tick gave; [`Simulator::run`](crate::Simulator::run) hands them over,
-    /// and who advances tick by tick does it with [`Watch::tick`].
+    /// Returns the results of all ticks, from [`Simulator::run`](crate::Simulator::run) or, when
+    /// advancing tick by tick, from the caller's [`Watch::tick`].
     pub fn ticks(&self) -> &[Tick] {
         &self.ticks
     }
 
-    /// Returns the work of those ticks together.
     pub fn work(&self) -> Work {
         self.ticks.iter().fold(Work::default(), |sum, tick| sum.plus(tick.work))
     }
@@ -141,15 +126,15 @@ impl<M: Guarded> RunRecorder<M> {
         self.origin + (tick as f64 + theta) * self.h
     }
 
-    /// Takes the samples that lie in a piece, its start excluded but for the very first one.
+    /// Takes the samples within a piece, without its start except for the very first piece.
     fn sample<S: Signal<M::Input>>(&mut self, every: f64, model: &M, piece: &Piece<'_, M, S>) {
-        /// A sample this part of a tick after the end still belongs to it.
+        /// Fraction of a tick beyond the end in which a sample still belongs to it.
         const CRUMB: f64 = 1e-9;
         let start = self.time(piece.tick, piece.theta.0);
         let end = self.time(piece.tick, piece.theta_end());
         let crumb = CRUMB * self.h;
         if self.samples.is_empty() || (self.next_sample as f64) * every < start - crumb {
-            // What lies before the first piece, or was jumped over.
+            // Skips samples before the first piece, or jumped over.
             let first = ((start - crumb) / every).ceil().max(0.0);
             #[expect(clippy::cast_possible_truncation, reason = "a count of samples")]
             #[expect(clippy::cast_sign_loss, reason = "not negative")]

@@ -1,11 +1,8 @@
-//! How the readout goes on for a moment: what a board renders between two ticks.
-
 use crate::input::Motion;
 use crate::model::Guarded;
 
-/// Slopes of the readout by the input, at one instant.
-///
-/// A board between ticks renders F0 + `per_position` (s − s0) + `per_rate` (s' − s0').
+/// Slopes of the readout by the input, at one instant: between ticks a board renders
+/// F0 + `per_position` (s − s0) + `per_rate` (s' − s0').
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct ReadoutSlopes {
     /// ∂F/∂s (readout / unit of the input).
@@ -14,23 +11,22 @@ pub struct ReadoutSlopes {
     pub per_rate: f64,
 }
 
-/// A model whose readout has slopes; those of a mode that slaves coordinates to the input
-/// take them along.
+/// A model whose readout has slopes; coordinates slaved to the input move with it.
 pub trait Sloped: Guarded<Input = Motion> {
-    /// The slopes in `mode` at `x`; by central differences unless a model knows better.
+    /// Returns the slopes in `mode` at `x`; by default central differences.
     fn slopes(&self, mode: Self::Mode, x: &Self::State, input: &Motion) -> ReadoutSlopes {
         differenced_slopes(self, mode, x, input)
     }
 }
 
-/// The slopes of a model's readout by central differences.
+/// Computes the slopes of a model's readout by central differences.
 pub fn differenced_slopes<M: Guarded<Input = Motion> + ?Sized>(
     model: &M,
     mode: M::Mode,
     x: &M::State,
     input: &Motion,
 ) -> ReadoutSlopes {
-    /// Part of the input's size by which it is moved; forces are all but linear in it.
+    /// Fraction of the input's size by which it is moved; forces are nearly linear in it.
     const PART: f64 = 1e-6;
     let readout = |input: &Motion| model.readout(mode, &model.constrain(mode, x, input), input);
     let slope = |size: f64, moved: &dyn Fn(f64) -> Motion| {

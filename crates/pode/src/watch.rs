@@ -1,4 +1,4 @@
-//! What follows a simulation: a log, a plot, an audit.
+//! Observers of a simulation: a log, a plot, an audit.
 
 use crate::dense::Dense;
 use crate::guard::GuardSpec;
@@ -6,40 +6,34 @@ use crate::input::Signal;
 use crate::model::{Guarded, Model};
 use crate::outcome::Tick;
 
-/// A stretch of one tick in which one mode held, with its dense output.
+/// A stretch of one tick in one mode, with its dense output.
 #[derive(Debug)]
 pub struct Piece<'a, M: Model, S> {
-    /// Mode in which the piece was computed.
     pub mode: M::Mode,
-    /// Dense output over the step of which this piece is the first part.
+    /// Dense output over the whole step; the piece is its first part.
     pub dense: &'a dyn Dense<M::State>,
-    /// Length of that whole step (s).
+    /// Length of the whole step (s).
     pub h: f64,
-    /// How much of the step was kept, 0 ..= 1.
+    /// Kept fraction of the step, 0 ..= 1.
     pub tau: f64,
-    /// State at the start of the piece.
     pub start: M::State,
-    /// State at the end of the piece.
     pub end: M::State,
-    /// Input at both ends.
     pub inputs: [M::Input; 2],
-    /// State and input in the middle, if the readout's mean took them.
     pub(crate) middle: Option<(M::State, M::Input)>,
-    /// Where the piece begins within its tick, and where the whole step would end.
+    /// Begin of the piece within its tick, and end of the whole step.
     pub theta: (f64, f64),
     pub tick: u64,
-    /// The input over the tick.
     pub signal: &'a S,
 }
 
 impl<M: Guarded, S: Signal<M::Input>> Piece<'_, M, S> {
-    /// State and input at the fraction `part` of the piece, 0 ..= 1.
+    /// Returns state and input at the fraction `part` of the piece, 0 ..= 1.
     #[inline]
     pub fn at(&self, part: f64) -> (M::State, M::Input) {
         self.at_in(self.dense, part)
     }
 
-    /// The same by the piece's dense output with its type, which costs no call.
+    /// Like [`Self::at`], by the typed dense output, which costs no call.
     #[inline]
     pub(crate) fn at_in<D: Dense<M::State> + ?Sized>(
         &self,
@@ -50,7 +44,7 @@ impl<M: Guarded, S: Signal<M::Input>> Piece<'_, M, S> {
         (dense.at(tau), self.signal.at(self.theta_at(tau)))
     }
 
-    /// State, with what is slaved in place, and input in the middle of the piece.
+    /// Returns state, with slaved entries in place, and input in the middle of the piece.
     #[inline]
     pub fn middle(&self, model: &M) -> (M::State, M::Input) {
         self.middle.unwrap_or_else(|| {
@@ -59,23 +53,23 @@ impl<M: Guarded, S: Signal<M::Input>> Piece<'_, M, S> {
         })
     }
 
-    /// Length of the piece (s).
+    /// Returns the length of the piece (s).
     #[inline]
     pub fn duration(&self) -> f64 {
         self.tau * self.h
     }
 
-    /// Times (s) at which the piece begins and ends, where all ticks have the length `h` (s).
+    /// Returns the times (s) of the piece's begin and end, where all ticks have the length `h` (s).
     pub fn times(&self, h: f64) -> [f64; 2] {
         [self.theta.0, self.theta_end()].map(|theta| (self.tick as f64 + theta) * h)
     }
 
-    /// Where the piece ends within its tick, 0 ..= 1.
+    /// Returns the end of the piece within its tick, 0 ..= 1.
     pub fn theta_end(&self) -> f64 {
         self.theta_at(self.tau)
     }
 
-    /// Where the fraction `tau` of the whole step is, to the bit where the simulator has it.
+    /// Returns θ at the fraction `tau` of the whole step, equal to the simulator's to the bit.
     #[inline]
     fn theta_at(&self, tau: f64) -> f64 {
         let (start, end) = self.theta;
@@ -83,18 +77,17 @@ impl<M: Guarded, S: Signal<M::Input>> Piece<'_, M, S> {
     }
 }
 
-/// Why an event happened.
+/// Cause of an event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum EventCause<'a> {
     Guard(&'a GuardSpec),
-    /// Impacts of a declared Zeno sequence, this many in one move.
+    /// Impacts of a declared Zeno sequence: their number in one move.
     Impacts(f64),
-    /// A declared Zeno sequence came to its end.
     Settled,
 }
 
 impl EventCause<'_> {
-    /// Its name in logs and files.
+    /// Returns its name in logs and files.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Guard(spec) => spec.name,
@@ -104,47 +97,45 @@ impl EventCause<'_> {
     }
 }
 
-/// A transition, with the reset map's effect.
+/// A transition, with the effect of its reset map.
 #[derive(Debug)]
 pub struct Event<'a, M: Model> {
     pub tick: u64,
-    /// Where in the tick, 0 ..= 1.
+    /// Place in the tick, 0 ..= 1.
     pub theta: f64,
     pub cause: EventCause<'a>,
-    /// Mode and state before.
     pub before: (M::Mode, M::State),
-    /// Mode and state after.
     pub after: (M::Mode, M::State),
     pub input: M::Input,
-    /// Impulse on what drives the input (readout × s).
+    /// Impulse on the input's driver (readout × s).
     pub impulse: f64,
-    /// How far its time may be wrong on the orbit as it was computed (s): the width to which it
-    /// was located, or what the impacts of a sequence leave open.
+    /// Error of its time on the computed orbit (s): the width to which it was located, or the open
+    /// end of a sequence of impacts.
     pub error: f64,
-    /// How far a coordinate was moved onto the constraint of the mode after it, at most.
+    /// Largest distance by which a coordinate was moved onto the constraint of the next mode.
     pub projection: f64,
 }
 
 impl<M: Model> Event<'_, M> {
-    /// Time (s) of the event, where all ticks have the length `h` (s).
+    /// Returns the time (s) of the event, where all ticks have the length `h` (s).
     pub fn time(&self, h: f64) -> f64 {
         (self.tick as f64 + self.theta) * h
     }
 }
 
-/// Follows a simulation; everything is optional.
+/// An observer of a simulation; all functions are optional.
 pub trait Watch<M: Model> {
-    /// Whether pieces are looked at between their ends: their dense output then has its full
+    /// `true` if pieces are evaluated between their ends: their dense output then has its full
     /// order, which costs some methods evaluations.
     const LOOKS_INSIDE: bool = true;
 
-    /// A piece was advanced.
+    /// Observes an advanced piece, with its dense output.
     fn piece<S: Signal<M::Input>>(&mut self, _model: &M, _piece: &Piece<'_, M, S>) {}
 
-    /// Takes a transition that has happened.
+    /// Observes a transition after its reset map.
     fn event(&mut self, _model: &M, _event: &Event<'_, M>) {}
 
-    /// Takes what a tick gave; [`Simulator::run`](crate::Simulator::run) calls it after each.
+    /// Observes a finished tick; [`Simulator::run`](crate::Simulator::run) calls it after each.
     fn tick(&mut self, _model: &M, _tick: &Tick) {}
 }
 

@@ -12,7 +12,7 @@ use crate::known::{PENDULUM, check_order, exact, global_error, largest_inside, s
 #[test]
 fn steps_of_any_length_keep_the_order_and_that_of_the_dense_output() {
     fn check<T: Stepper>() {
-        // Up to four times as long as the step before is still one of its own.
+        // Up to four times as long as the step before is still a multistep step.
         for parts in [[0.5, 0.5], [0.75, 0.25], [0.78, 0.22]] {
             let error = |h: f64| global_error::<T>(PENDULUM, &parts, h);
             check_order(T::NAME, f64::from(T::ORDER), error, 1.0 / 64.0);
@@ -37,7 +37,7 @@ fn the_next_step_is_a_first_one_after_a_restart_and_after_a_crumb() {
         let ends = |before: &[f64], restarts: bool| {
             let mut memory = T::Memory::default();
             for h in before {
-                // From elsewhere: it would tell in the next step.
+                // Memory from elsewhere would show in the next step.
                 step::<T>(PENDULUM, (0.0, &[0.3, 0.2]), &mut memory, *h);
             }
             if restarts {
@@ -54,11 +54,9 @@ fn the_next_step_is_a_first_one_after_a_restart_and_after_a_crumb() {
     check::<AdamsBashforth3>();
 }
 
-/// An oscillator at a wall: q'' = −q over q = [`WALL`], where its speed is turned round.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Rebound;
 
-/// Off the middle, so that the amplitude tells as well as the phase.
 const WALL: f64 = 0.3;
 
 impl Model for Rebound {
@@ -92,7 +90,6 @@ impl Resets for Rebound {
     }
 }
 
-/// Error of the time of the fourth rebound in `steps` steps until then.
 fn rebound_error<T: Stepper>(steps: i32) -> f64 {
     // From the top to the wall, and three times up and down again.
     let exact = 7.0 * WALL.acos();
@@ -105,7 +102,6 @@ fn rebound_error<T: Stepper>(steps: i32) -> f64 {
     (recorder.events()[3].t - exact).abs()
 }
 
-/// The method `T` with a memory that does not let go.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Stale<T>(T);
 
@@ -136,7 +132,6 @@ impl<T: Stepper> Stepper for Stale<T> {
 #[test]
 fn the_order_is_kept_across_events_by_starting_anew() {
     fn check<T: Stepper>() {
-        // The part of a step at which an event falls differs with the step: a mean over many.
         let sum = |error: fn(i32) -> f64, m| (200..240).map(|n| error(m * n)).sum::<f64>();
         let observed = |error| (sum(error, 1) / sum(error, 2)).log2();
         let (kept, stale) = (observed(rebound_error::<T>), observed(rebound_error::<Stale<T>>));

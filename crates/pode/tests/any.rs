@@ -1,4 +1,4 @@
-//! A method that is chosen at run time does what the method itself does, to the last bit.
+//! A method chosen at run time does the same as the method itself, to the last bit.
 
 use pode::stepper::{
     Any, BogackiShampine, ByNeed, Controlled, Dop853, Exact, Rk4, Rodas4, Tolerance, Tsitouras5,
@@ -7,7 +7,6 @@ use pode::{Limits, Simulator, Stepper, Tick};
 
 use crate::common::{Ball, BallMode, run};
 
-/// Every tick of a ball that bounces through long and short steps.
 fn ticks<T: Stepper>(stepper: T) -> (Vec<Tick>, Vec<u64>) {
     let ball = Ball { restitution: 0.8, mass: 1.0 };
     let start = Simulator::new(ball, stepper, Limits::default(), BallMode::Flight, [1.0, 0.0]);

@@ -1,20 +1,17 @@
 //! Case C5: guards that are zero, or nearly so, at the start.
 //!
-//! Error model: a guard counts as zero within 16 roundings at its size. A guard without a
-//! first or second derivative is therefore seen to turn only where tᵖ leaves that band:
-//! (16 ε)^⅓ for t³, which is 1.5e-5. Any other root is located to 2⁻⁴⁰ of the tick.
+//! Error model: a guard counts as zero within 16 roundings at its size. A guard without a first or
+//! second derivative is seen to turn only where tᵖ leaves that band: (16 ε)^⅓ for t³, which is
+//! 1.5e-5. Any other root is located to 2⁻⁴⁰ of the tick.
 
 use pode::{Advance, GuardId, GuardValue, RunRecorder};
 
 use crate::common::{ONE, Timed, close, count, count_and_flip, no_input};
 
-/// How a unit of time is cut into ticks.
 const TICKS: [u32; 4] = [1, 10, 143, 1000];
 
-/// 2⁻⁴⁰ of a tick of 1 s.
 const LOCATED: f64 = 9.1e-13;
 
-/// Asserts that `guard` of x' = 1 fires at `expected` only, in 0 ..= 1.
 #[track_caller]
 fn check(guard: fn(GuardId, f64) -> GuardValue, expected: &[f64], tolerance: f64) {
     for n in TICKS {
@@ -93,7 +90,7 @@ fn a_guard_that_is_positive_by_rounding_and_falls_fires_at_once() {
     check(|_, t| GuardValue::new(1e-17 - t, -1.0), &[0.0], 1e-17);
 }
 
-/// Goes to the negated guard, t − 0.5, two roundings below its zero.
+/// Moves to the negated guard, t − 0.5, two roundings below its zero.
 fn land_short(id: GuardId, x: &mut [f64; 3]) -> bool {
     x[0] = 0.5 - 2.0 * f64::EPSILON;
     count_and_flip(id, x)
@@ -143,8 +140,8 @@ fn hops_lower_than_rounding_take_time_and_no_cascade() {
         assert_eq!(ball.advance(1e-7, &no_input, &mut recorder).advance, Advance::Completed);
     }
     close("the first hop", recorder.events()[0].t, hop, 1e-9 * hop);
-    // Where a tick ends in the air, it ends within rounding of the floor: the fall is then
-    // seen at 16 ε below, up to half a hop late.
+    // A tick that ends in the air ends within rounding of the floor: the fall is seen at 16 ε
+    // below, up to half a hop late.
     let (number, most) = (recorder.events().len() as f64, 1e-6 / hop);
     assert!(0.5 * most < number && number <= most, "{number} of {most}");
 }

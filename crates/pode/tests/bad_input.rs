@@ -1,4 +1,4 @@
-//! What broke the solver once, one test for each; found by `fuzz/` and by its twin.
+//! Inputs that once broke the solver, found by `fuzz/` and by its twin.
 
 use crate::common::no_input;
 use pode::stepper::{Controlled, Dop853, Heun, Rk4};
@@ -7,12 +7,10 @@ use pode::{
     Model, Nature, Piece, Reset, Resets, Signal, Silent, Simulator, Stepper, Watch, locate,
 };
 
-/// x' = rate, with what a careless modeller may say of it.
 #[derive(Clone, Copy, Debug)]
 struct Careless {
     rate: f64,
     longest_step: f64,
-    /// Where the state is put at every look, if it is.
     pinned: Option<f64>,
     guards: &'static [GuardSpec],
     guard: fn(f64) -> GuardValue,
@@ -71,7 +69,6 @@ fn start<T: Stepper>(model: Careless, stepper: T) -> Simulator<Careless, T> {
     Simulator::new(model, stepper, Limits::default(), (), [0.0])
 }
 
-/// How a tick of 1 s ends.
 fn end<T: Stepper>(model: Careless, stepper: T) -> Advance {
     start(model, stepper).advance(1.0, &no_input, &mut Silent).advance
 }
@@ -79,7 +76,7 @@ fn end<T: Stepper>(model: Careless, stepper: T) -> Advance {
 #[test]
 fn a_longest_step_that_is_no_length_takes_more_pieces_than_there_are() {
     for longest_step in [0.0, -0.0, -1.0, f64::NEG_INFINITY] {
-        // A state that is put in place cannot show that a step was not a number.
+        // A state that is put in place cannot show a NaN of the step.
         for pinned in [None, Some(0.5)] {
             let model = Careless { longest_step, pinned, ..SOUND };
             assert_eq!(end(model, Rk4), Advance::Capped(Cap::Pieces), "{longest_step}");
@@ -136,7 +133,7 @@ fn a_mode_with_too_many_guards_is_a_fault() {
 
 #[test]
 fn a_guard_that_is_not_a_number_where_only_a_look_finds_it_is_a_fault() {
-    // Positive at both ends of the step; lowest, and not a number, between them.
+    // Positive at both ends of the step; lowest, and NaN, between them.
     let dips = |x: f64| {
         let value = if (x - 0.5).abs() < 1e-3 { f64::NAN } else { 0.01 + (x - 0.5).powi(2) };
         GuardValue::new(value, 2.0 * (x - 0.5))
@@ -152,7 +149,6 @@ fn the_last_of_all_ticks_is_followed_by_the_first() {
     assert_eq!(simulator.tick(), 0);
 }
 
-/// Asserts that each piece begins where the one before has ended, to the bit.
 #[derive(Default)]
 struct Seamless(f64);
 
@@ -169,7 +165,7 @@ fn pieces_leave_no_gap_where_their_ends_are_rounded() {
     static ONCE: [GuardSpec; 1] = [ONE[0].on_crossing()];
     let falls = |x: f64| GuardValue::new(0.13 - x, -1.0);
     for n in 1..200 {
-        // An event in the first of three steps; what is left of that ends where the step would.
+        // An event in the first of three steps; the rest of that step ends where the step would.
         let rate = 1.0 + f64::from(n) / 200.0;
         let model = Careless { guards: &ONCE, guard: falls, rate, ..SOUND };
         let model = Careless { longest_step: 1.0 / 3.0, ..model };
@@ -179,10 +175,8 @@ fn pieces_leave_no_gap_where_their_ends_are_rounded() {
     }
 }
 
-/// Numbers that are no places and no tolerances, and some that are.
 const ODD: [f64; 8] = [0.0, -0.0, 1.0, 0.5, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-/// All pairs of odd numbers.
 fn pairs() -> impl Iterator<Item = [f64; 2]> {
     ODD.into_iter().flat_map(|first| ODD.map(|second| [first, second]))
 }

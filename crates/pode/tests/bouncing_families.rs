@@ -1,8 +1,6 @@
-//! Case C1 and its family: a ball on a floor, of any restitution and height, whose bounces
-//! accumulate (Zeno).
-//!
-//! Flights are parabolas, which RK4 and its dense output follow exactly: what is
-//! left is rounding, of each step's sum and of the time at the speed of the impact.
+//! Case C1 and its family: a ball of any restitution and height, whose bounces accumulate (Zeno).
+//! Flights are parabolas, which RK4 and its dense output follow exactly: what is left is rounding,
+//! of each step's sum and of the time at the speed of the impact.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
@@ -13,7 +11,6 @@ use crate::common::{
     Ball, BallMode, G, STEPS, all_completed, close, each_step_and_phase, no_input, run,
 };
 
-/// The lowest place that a ball was seen at, between events too.
 #[derive(Debug)]
 struct Lowest(f64);
 
@@ -34,7 +31,7 @@ fn c1_the_ball_is_never_below_its_floor_not_even_between_ticks() {
             while ball.mode() == BallMode::Flight {
                 let _ = ball.advance(h, &no_input, &mut lowest);
             }
-            // An impact is located to rounding of 1 m.
+            // Rounding of 1 m.
             assert!(lowest.0 > -2e-15, "e {e}, h {h}: {:e}", lowest.0);
         }
     }
@@ -50,7 +47,6 @@ fn c1_an_elastic_ball_keeps_its_energy_at_every_step() {
         }
         let [y, v] = *ball.state();
         let drift = (y * G + 0.5 * v * v) / G - 1.0;
-        // The limit of 1e-10 is for 1e5 bounces.
         let limit = 1e-10 * f64::from(most) / 1e5;
         assert!(drift.abs() < limit, "h {h}: relative drift {drift:e}, over {limit:e}");
     }
@@ -86,13 +82,12 @@ proptest! {
         let (recorder, ticks) = run(&mut ball, h, phase, rest + 0.05);
         all_completed(&ticks);
         for (n, seen) in (1..).zip(recorder.events()).take(10) {
-            // Where a tick holds many of them, they are taken in one move.
             if seen.name != "floor" {
                 break;
             }
             let expected = first * (1.0 + 2.0 * e * (1.0 - e.powi(n - 1)) / (1.0 - e));
-            // The sums round the height by some 1e-15, which the speed makes a time; a speed
-            // that was lost is lost for all that follows.
+            // The sums round the height by some 1e-15, which the speed makes a time; lost speed is
+            // lost.
             let speed = G * first * e.powi(n - 1);
             close(format_args!("bounce {n} of {}", recorder.events().len()), seen.t, expected, 1e-12 + 1e-14 / speed);
         }

@@ -1,11 +1,11 @@
-//! A tick ends within its declared maxima; what a maximum of one more or less changes.
+//! A tick ends within its declared maxima.
 
 use pode::stepper::Rk4;
 use pode::{Advance, Cap, GuardId, GuardValue, Limits, Silent, Simulator, Work, WorkLimit};
 
 use crate::common::{Ball, ONE, Timed, count, no_input};
 
-/// A guard that is negative again as soon as it has fired: each reset goes back 1/64 s.
+/// A guard that is negative again after each reset, which goes back 1/64 s.
 fn comes_back() -> Timed {
     fn back(_: GuardId, x: &mut [f64; 3]) -> bool {
         x[0] -= 1.0 / 64.0;
@@ -16,7 +16,7 @@ fn comes_back() -> Timed {
 
 #[test]
 fn a_tick_with_exactly_the_most_events_completes_and_one_more_is_capped() {
-    // Comes to 0.25 and then, from t = 0 on, every 1/64 s: 49 times in a tick of 1 s.
+    // Reaches 0.25 and then, from t = 0, every 1/64 s: 49 times in a tick of 1 s.
     for (events, advance) in
         [(50, Advance::Completed), (49, Advance::Completed), (48, Advance::Capped(Cap::Events))]
     {
@@ -34,7 +34,6 @@ fn a_tick_with_exactly_the_most_guards_completes_and_one_more_is_capped() {
         let limits = Limits { guards, ..Limits::default() };
         let mut simulator = Simulator::new(far, Rk4, limits, true, [0.0; 3]);
         let tick = simulator.advance(1e-3, &no_input, &mut Silent);
-        // Once at the very start, and at the end of the step.
         assert_eq!((tick.advance, tick.work.guards), (advance, guards));
     }
 }
@@ -65,10 +64,8 @@ fn a_tick_with_exactly_the_most_work_completes_and_one_more_is_capped() {
     for limit in 0..needed {
         let (advance, done) = work(Limits { work: WorkLimit::of(limit), ..whole });
         assert_eq!(advance, Advance::Capped(Cap::Work(limit)));
-        // A step that no more fits into is not begun.
         assert!(done <= limit && limit < done + 6, "{done} of {limit}");
     }
-    // The first quarter of ten steps is over after three.
     let early = |early| work(Limits { work: WorkLimit { early, most: needed }, ..whole }).0;
     assert_eq!([early(20), early(10)], [Advance::Completed, Advance::Capped(Cap::Work(10))]);
 }
@@ -87,13 +84,13 @@ fn work_of_typical_ticks() {
         unknown: pieces,
         ..Work::default()
     };
-    // The first tick takes the guards; then a look at the end of each.
+    // The first tick evaluates the guards; then once at the end of each.
     assert_eq!(next(), tick(1, 4, 2, 3, 0), "first tick");
     let quiet = tick(1, 4, 1, 3, 0);
     for n in 1..451 {
         assert_eq!(next(), quiet, "tick {n}: no event");
     }
-    // The end of the step, two looks that locate the impact, one after it, and the end again.
+    // The end of the step, two evaluations that locate the impact, one after it, and the end again.
     assert_eq!(next(), tick(2, 8, 5, 6, 1), "one event");
     for n in 452..600 {
         assert_eq!(next(), quiet, "tick {n}: after it");

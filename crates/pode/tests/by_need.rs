@@ -1,4 +1,4 @@
-//! The choice by need meets its budget, and nothing on its menu would be cheaper.
+//! The choice by need meets its budget, and no other line of its menu is cheaper.
 
 #![expect(clippy::disallowed_macros, reason = "a test names its case")]
 
@@ -27,7 +27,6 @@ fn oscillate<T: Stepper>(stepper: T, kind: EquationKind, omega: f64, h: f64) -> 
     ((x[0] - cos).hypot(x[1] / omega + sin), evaluations / n)
 }
 
-/// The same with a method of the menu.
 fn oscillate_with(method: NeededMethod, omega: f64, h: f64) -> (f64, f64) {
     match method {
         NeededMethod::Heun => oscillate(Heun, EquationKind::Smooth, omega, h),
@@ -58,7 +57,6 @@ fn the_budget_is_met_by_the_cheapest_on_the_menu() {
             for offer in
                 MENU.iter().filter(|it| it.is_for_damped || kind == EquationKind::Conservative)
             {
-                // One step a tick less than it takes, if there are several, is too long.
                 let reach = (budget / offer.constant).powf(1.0 / offer.order).min(1.0) / omega;
                 let others = steps(reach) * offer.evaluations;
                 assert!(cost <= others, "{what}: {choice:?} costs {cost}, {offer:?} {others}");
@@ -90,7 +88,7 @@ fn each_kind_gets_its_method() {
     assert_eq!(choice(EquationKind::Stiff, 1e6).method, NeededMethod::Rodas3);
     assert_eq!(choice(EquationKind::Conservative, 20.0).method, NeededMethod::VelocityVerlet);
     assert_eq!(choice(EquationKind::Smooth, 20.0).method, NeededMethod::Heun);
-    // Nobody said how fast it is: the model's own step with the safest of the menu.
+    // Unknown rate: the model's own step with the safest of the menu.
     let unknown = choice(EquationKind::Smooth, 0.0);
     assert_eq!((unknown.method, unknown.step), (NeededMethod::Rk4, 1e-3));
 }

@@ -1,8 +1,8 @@
 //! Cases C8 and C9 on the exact flow: events and energy to rounding, at any stiffness.
 //!
-//! Error model: each step rounds by ε/2 of the largest term, all in one direction at worst
-//! (a fall adds the same g h again and again). The time of an event inherits the rounding of
-//! the height over the speed there, which is of the same size.
+//! Error model: each step rounds by ε/2 of the largest term, at worst always in one direction (a
+//! fall adds the same g h each time). The time of an event inherits the rounding of the height over
+//! the speed there, which is of the same size.
 
 #![expect(clippy::disallowed_macros, reason = "a test names its case")]
 
@@ -12,15 +12,14 @@ use pode::{Advance, Silent};
 use crate::common::head::{CONTACTS, Head, MASS, Mode};
 use crate::common::{G, all_completed, close, each_step_and_phase, no_input, run};
 
-/// Whatever fills the modes that are not linear: there are none.
 const EXACT: Exact = Exact;
 
-/// v² + 2 g x of a head in the air: 1 m²/s² at the start.
+/// Returns v² + 2 g x of a head in the air: 1 m²/s² at the start.
 fn energy([x, v]: [f64; 2]) -> f64 {
     v * v + 2.0 * G * x
 }
 
-/// What 2 s in steps of `h` (s) may round a speed of 1 m/s by.
+/// Returns the rounding of a speed of 1 m/s in 2 s of steps of `h` (s).
 fn rounding(h: f64) -> f64 {
     1e-14 + 2.0 / h * 0.5 * f64::EPSILON
 }
@@ -83,7 +82,6 @@ fn the_impulse_of_a_contact_is_in_the_mean_force_however_ticks_cut_it() {
 fn a_contact_within_one_tick_takes_few_steps() {
     let [k, ..] = CONTACTS[2];
     let tick = Head { k }.dropped(EXACT).advance(1e-3, &no_input, &mut Silent);
-    // Three guards at the start, four steps of contact and one of flight.
     assert_eq!((tick.advance, tick.work.events), (Advance::Completed, 3));
     assert!(tick.work.pieces <= 8, "{:?}", tick.work);
 }

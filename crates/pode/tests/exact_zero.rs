@@ -1,7 +1,7 @@
 //! The exact flow through places where an entry of the state vanishes.
 //!
-//! What counts in a Taylor series is counted against the series, not against its sum: an
-//! entry that comes to zero within rounding would have terms that count for ever.
+//! The terms of a Taylor series are compared with its largest term, not with its sum: an entry that
+//! reaches zero within rounding would have terms that count for ever.
 
 use pode::stepper::Exact;
 use pode::{
@@ -12,7 +12,6 @@ use pode::{
 use crate::common::head::{CONTACTS, Head};
 use crate::common::{close, no_input};
 
-/// x'' = −x.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Swing;
 
@@ -55,7 +54,6 @@ impl Resets for Swing {
 fn a_step_that_ends_at_zero_ends() {
     for n in 1..=1000 {
         let h = f64::from(n) * 1e-3;
-        // Place, or speed, at zero after h; and within a few roundings of it.
         for (x, v) in [(-h.sin(), h.cos()), (h.cos(), h.sin())] {
             for x in [x, x.next_up(), x.next_down()] {
                 let exact = Exact;

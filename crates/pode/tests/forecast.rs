@@ -1,5 +1,5 @@
-//! What is known of a guard's future, carried from tick to tick (`[GC93]` 5.1): fewer
-//! evaluations in every tick, the worst one included, and events where the method is at its best.
+//! A guard's forecast, carried from tick to tick (`[GC93]` 5.1): fewer evaluations in every tick,
+//! the worst one included, and events where the method is most exact.
 
 #![allow(
     clippy::fn_params_excessive_bools,
@@ -17,8 +17,8 @@ use pode::{
 use crate::common::head::{CONTACTS, Head};
 use crate::common::{G, no_input, run};
 
-/// A pendulum between a wall at its lowest point and seven more that it never reaches:
-/// angle (rad) and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
+/// A pendulum between a wall at its lowest point and seven more that it never reaches: angle (rad)
+/// and its rate. |θ''| ≤ ω0² everywhere, which bounds every guard's curvature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Walled {
     is_bounded: bool,
@@ -72,7 +72,7 @@ impl Resets for Walled {
     }
 }
 
-/// Every event's time in 5 s at 1 ms, the work of the worst tick, and that of all.
+/// Returns every event's time in 5 s at 1 ms, the work of the worst tick, and that of all.
 fn swing(is_bounded: bool) -> (Vec<f64>, Work, Work) {
     let limits = Limits::default();
     let mut pendulum = Simulator::new(Walled { is_bounded }, Rk4, limits, (), [1.2, 0.0]);
@@ -89,13 +89,12 @@ fn far_guards_are_left_alone_and_every_tick_is_cheaper_the_worst_one_too() {
     let (plain_times, plain_worst, plain_sum) = swing(false);
     assert_eq!((times.len(), plain_times.len()), (5, 5));
     for (time, plain) in times.iter().zip(&plain_times) {
-        // The same events; a step that ends behind one may end elsewhere.
         crate::common::close("an impact", *time, *plain, 1e-12);
     }
     // Eight guards a tick, 5000 ticks; with a bound, each when its worst parabola comes near.
     assert!(plain_sum.guards > 40_000 && sum.guards < 2_000, "{plain_sum:?}\n{sum:?}");
-    // The tick with the impact: all guards are taken anew after it; before it and at the end
-    // of the tick only the wall itself, with its two looks.
+    // The tick with the impact: all guards are evaluated again after it; before it and at the end
+    // of the tick only the wall itself, with its two evaluations.
     assert!(plain_worst.guards >= 8 + 8 + 8 + 2, "{plain_worst:?}");
     assert!(worst.guards <= 1 + 3 + 8 + 1, "{worst:?}");
     assert_eq!(worst.derivatives, plain_worst.derivatives);
@@ -104,13 +103,12 @@ fn far_guards_are_left_alone_and_every_tick_is_cheaper_the_worst_one_too() {
 #[test]
 fn bounded_guards_certify_their_steps() {
     let (_, _, sum) = swing(true);
-    // All but the step after each impact, which begins with the guard at zero.
     assert!(sum.unknown <= 5 && sum.certain > 4990, "{sum:?}");
     let (_, _, sum) = swing(false);
     assert_eq!(sum.certain, 0);
 }
 
-/// Error of the exit speed of a contact of 1e5 N/m from `start` (s) before, in steps of
+/// Returns the error of the exit speed of a contact of 1e5 N/m from `start` (s) before, in steps of
 /// `radians`, and its derivatives.
 fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
     let head = Head { k: CONTACTS[1][0] };
@@ -130,8 +128,8 @@ fn exit_speed(radians: f64, start: f64, forecast: bool) -> (f64, u32) {
 
 #[test]
 fn an_expected_event_lies_at_a_steps_end_and_costs_no_more() {
-    // RK4's third-order dense output takes (ωh)⁴/69 of the amplitude where an event lies in
-    // the middle of a step; at the step's end a fiftieth of that is left.
+    // RK4's third-order dense output takes (ωh)⁴/69 of the amplitude at an event in the middle of a
+    // step; at the step's end a fiftieth of that is left.
     for radians in [0.05, 0.04] {
         let (mut with, mut without) = ((0.0_f64, 0), (0.0_f64, 0));
         for n in 0..20 {
@@ -148,7 +146,7 @@ fn an_expected_event_lies_at_a_steps_end_and_costs_no_more() {
 
 #[test]
 fn a_bound_that_is_exact_hides_nothing() {
-    // A parabola that touches its bound everywhere: thrown up so that it comes back late.
+    // A parabola that touches its bound everywhere: thrown up so that it returns late.
     for h in crate::common::STEPS {
         let mut ball = Simulator::new(Tossed, Rk4, Limits::default(), (), [0.0, 9.81]);
         let (recorder, ticks) = run(&mut ball, h, 0.0, 2.5);
@@ -160,7 +158,6 @@ fn a_bound_that_is_exact_hides_nothing() {
     }
 }
 
-/// A ball that is thrown up and stays where it falls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Tossed;
 

@@ -1,8 +1,8 @@
 //! Sticking as a sliding mode: a mass on a spring, held by the friction of a belt.
 //!
-//! Error model, with r = ω h the part of a radian per step: RK4 keeps a phase to r⁴/120, and
-//! its third-order dense output takes r⁴/69 of the amplitude at an event. A speed errs like
-//! the amplitude times ω, and the time of a landing by that over the slope of the slip speed.
+//! Error model, with r = ω h the radians per step: RK4 keeps a phase to r⁴/120, and its third-order
+//! dense output takes r⁴/69 of the amplitude at an event. A speed errs like the amplitude times ω,
+//! and the time of a landing by that over the slope of the slip speed.
 
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::input::{Reconstruction, Reconstructor};
@@ -14,7 +14,6 @@ use pode::{
 use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::run_driven;
 
-/// Part of a radian that one step may take.
 const RADIANS: f64 = 0.02;
 
 /// Relative error of an amplitude after one event.
@@ -33,12 +32,11 @@ struct Block {
     slow: f64,
     /// Slip speed at which friction has fallen half way (m/s).
     half: f64,
-    /// Friction that holds (N).
+    /// Static friction (N).
     limit: f64,
 }
 
 impl Block {
-    /// Coulomb friction: one force.
     fn coulomb(mass: f64, k: f64, friction: f64) -> Self {
         Self { mass, k, kinetic: friction, slow: friction, half: 1.0, limit: friction }
     }
@@ -47,7 +45,7 @@ impl Block {
         (self.k / self.mass).sqrt()
     }
 
-    /// Friction on the mass (N), at a slip speed `slip` over the belt (m/s).
+    /// Returns the friction on the mass (N) at a slip speed `slip` over the belt (m/s).
     fn friction(&self, branch: Branch, slip: f64) -> f64 {
         let sign = branch.side.sign();
         let free = self.kinetic + (self.slow - self.kinetic) / (1.0 + sign * slip / self.half);
@@ -66,7 +64,7 @@ impl Sided for Block {
         [x[1], (self.readout(branch, x, belt) - self.k * x[0]) / self.mass]
     }
 
-    /// The friction (N).
+    /// Returns the friction (N).
     fn readout(&self, branch: Branch, x: &[f64; 2], belt: &Motion) -> f64 {
         self.friction(branch, x[1] - belt.rate)
     }
@@ -77,7 +75,6 @@ impl Sided for Block {
     }
 
     fn nature(&self, _: SurfaceSide) -> Nature {
-        // One force, whatever the slip: a spring and a constant.
         let is_coulomb = self.slow.to_bits() == self.kinetic.to_bits();
         Nature::new(
             if is_coulomb { EquationKind::Affine } else { EquationKind::Smooth },
@@ -102,12 +99,11 @@ fn start_with<T: Stepper>(
     Simulator::new(model, stepper, Limits::default(), mode, state)
 }
 
-/// A belt at a constant speed (m/s).
+/// Returns a belt at a constant speed (m/s).
 fn steady(speed: f64) -> impl Fn(f64) -> Motion {
     move |t| Motion { position: speed * t, rate: speed, ..Motion::default() }
 }
 
-/// A belt at rest.
 fn ground(_: f64) -> Motion {
     Motion::default()
 }
@@ -142,7 +138,6 @@ fn stribeck_friction_has_its_limit_cycle() {
     });
 }
 
-/// Asserts each turn of a block on a ground that does not move, and where it stops.
 #[track_caller]
 fn check_rest(block: Block, x0: f64, (h, phase): (f64, f64)) {
     let dead = block.kinetic / block.k;
@@ -164,9 +159,7 @@ fn check_rest(block: Block, x0: f64, (h, phase): (f64, f64)) {
         close(format_args!("place {n} of {x0}, {block:?}"), seen.after[0], x, error);
     }
     assert_eq!(it.mode(), Mode::Sliding, "x0 {x0}, {block:?}");
-    // Put back each time, to the rounding of what was left.
     close("it lies still", it.state()[1], 0.0, 1e-30);
-    // What holds it is the spring's force.
     let held = ticks[ticks.len() - 1].end_readout;
     close("friction", held, block.k * it.state()[0], 1e-12 * block.kinetic);
 }
@@ -235,10 +228,10 @@ fn a_sampled_belt_carries_without_chatter() {
             assert_eq!(tick.advance, Advance::Completed);
             events += tick.work.events;
         }
-        // |k x + m s''| ≤ 2 + 1.62 N in opposite phase: 0.38 N, it is never let go.
+        // |k x + m s''| ≤ 2 + 1.62 N in opposite phase: 0.38 N, so it never slips.
         assert_eq!((events, it.mode()), (0, Mode::Sliding), "{kind:?}");
         let lag = if kind == Reconstruction::LateHermite { 1e-3 } else { 0.0 };
-        // The mass takes the sum of what the belt was said to do: jumps of s''' h² each tick.
+        // The mass adds up the belt's reconstructed motion: jumps of s''' h² each tick.
         close(format_args!("{kind:?}"), it.state()[0], place(2.0 - lag), 2.0 * 0.02 * 729.0 * 1e-3);
     }
 }

@@ -1,8 +1,8 @@
 //! A mass on a belt whose speed swings, at random, against closed forms.
 //!
-//! While it slips, the mass swings harmonically about ±F/k, and while it sticks, it goes with
-//! the belt: the reference joins those pieces where slip speed or friction, both in closed
-//! form, come to their ends. No equation is integrated.
+//! While it slips, the mass swings harmonically about ±F/k, and while it sticks, it follows the
+//! belt: the reference joins those pieces where slip speed or friction, both in closed form, reach
+//! their ends. No equation is integrated.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
@@ -14,10 +14,10 @@ use proptest::prelude::*;
 
 use crate::driven::{root, run_driven};
 
-/// Mass 1 kg, ω = 10 rad/s; the belt goes at v + w sin Ωt.
+/// Mass 1 kg, ω = 10 rad/s; the belt moves at v + w sin Ωt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Belt {
-    /// Friction of a slip, and what holds (N).
+    /// Sliding and static friction (N).
     kinetic: f64,
     limit: f64,
     /// Mean and amplitude of the belt's speed (m/s), and its frequency (rad/s).
@@ -29,7 +29,6 @@ struct Belt {
 const OMEGA: f64 = 10.0;
 const K: f64 = OMEGA * OMEGA;
 
-/// Part of a radian that one step may take.
 const RADIANS: f64 = 0.02;
 
 impl Belt {
@@ -69,18 +68,16 @@ impl Sided for Belt {
     }
 }
 
-/// A piece of the reference: from when, in which mode, and from which state.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     from: f64,
     mode: Mode,
     x: [f64; 2],
-    /// How sharply it began: the smallest slope or distance that had a say in it.
+    /// Sharpness of its start: the smallest slope or distance in that decision.
     margin: f64,
 }
 
 impl Piece {
-    /// The state at `t`, of which the mass slips or goes with the belt.
     fn at(&self, belt: &Belt, t: f64) -> [f64; 2] {
         let side = match self.mode {
             Mode::Above => SurfaceSide::Above,
@@ -96,7 +93,6 @@ impl Piece {
         [center + a * cos + b * sin, OMEGA * (b * cos - a * sin)]
     }
 
-    /// What is positive while the piece lasts.
     fn guard(&self, belt: &Belt, t: f64) -> f64 {
         let (x, motion) = (self.at(belt, t), belt.motion(t));
         match self.mode {
@@ -106,7 +102,7 @@ impl Piece {
         }
     }
 
-    /// The next piece, if one begins before `until`; by looks 1/500 of a radian apart.
+    /// Returns the next piece, if one begins before `until`; by samples 1/500 of a radian apart.
     fn next(&self, belt: &Belt, until: f64) -> Option<Self> {
         let step = 0.002 / OMEGA.max(belt.frequency);
         let mut near = f64::INFINITY;
@@ -118,7 +114,6 @@ impl Piece {
                 let t = root(t, t + step, |t| self.guard(belt, t));
                 return (t < until).then(|| self.follow(belt, t));
             }
-            // A dip that nearly reaches zero is not for this test.
             if before > now {
                 near = now;
             } else if near < 1e-4 {
@@ -131,12 +126,10 @@ impl Piece {
         None
     }
 
-    /// The piece that begins at `t`, where this one ends.
     fn follow(&self, belt: &Belt, t: f64) -> Self {
         let (x, motion) = (self.at(belt, t), belt.motion(t));
         let held = K * x[0] + motion.acceleration;
         let free = (belt.limit - held.abs()).abs();
-        // The slope of the slip speed, where it ends.
         let friction = if self.mode == Mode::Above { -belt.kinetic } else { belt.kinetic };
         let slope = (friction - held).abs();
         let leaves = if held > 0.0 { Mode::Below } else { Mode::Above };
@@ -190,7 +183,6 @@ proptest! {
     ) {
         const UNTIL: f64 = 4.0;
         let pieces = reference(&belt, UNTIL);
-        // Up to the first decision that hangs by a thread.
         let sure = pieces.iter().position(|it| it.margin < 0.01).unwrap_or(pieces.len());
         let until = pieces.get(sure).map_or(UNTIL, |it| it.from - 1e-3);
         let model = Filippov(belt);
@@ -201,8 +193,8 @@ proptest! {
         let found: Vec<_> = recorder.events().iter().map(|it| (it.t, it.to)).collect();
         let expected: Vec<_> = pieces[1..sure].iter().map(|it| (it.from, it.mode)).collect();
         prop_assert_eq!(found.len(), expected.len(), "{:?} {:?}", &found, &expected);
-        // Each landing takes r⁴/69 of a speed of 1 m/s, over the slope with which it lands,
-        // and hands it on: a stick resets the speed, and a slip passes the place on.
+        // Each landing takes r⁴/69 of a speed of 1 m/s, over the slope with which it lands, and
+        // passes it on: a stick resets the speed, and a slip passes the place on.
         let mut error = 1e-12;
         for (piece, (t, mode)) in pieces[1..sure].iter().zip(&found) {
             prop_assert_eq!(*mode, piece.mode);

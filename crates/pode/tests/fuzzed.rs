@@ -1,7 +1,7 @@
-//! Whatever a model, its input and its limits are: every tick keeps its promises.
+//! Every tick keeps its promises for every model, input and limits.
 //!
-//! The twin of `fuzz/`, which looks for hours where this looks for seconds: the same model of
-//! arbitrary bytes, the same promises.
+//! The twin of `fuzz/`, which searches for hours, this one for seconds: the same model of arbitrary
+//! bytes, the same promises.
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::wildcard_imports, reason = "the list of methods is `every_stepper`")]
 
@@ -18,7 +18,6 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use proptest::test_runner::TestRunner;
 
-/// Bytes that a whole session takes, about.
 const SESSION: usize = 500;
 
 macro_rules! sessions {

@@ -1,7 +1,7 @@
-//! Case C2: touches, and dips that are hardly more than that.
+//! Case C2: touches, and dips that are hardly deeper.
 //!
-//! Error model: the gap is a function of the time, known at any time to rounding; a root is
-//! met with the slope 20 √d and located to 2⁻⁴⁰ of the tick, far below that.
+//! Error model: the gap is a function of the time, known to rounding; a root is met with the slope
+//! 20 √d and located to 2⁻⁴⁰ of the tick, far below that.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
@@ -20,7 +20,7 @@ struct Platform {
 }
 
 impl Model for Platform {
-    /// Whether the platform has not come yet.
+    /// `true` until the platform arrives.
     type Mode = bool;
     type State = [f64; 1];
     type Input = Motion;
@@ -57,7 +57,6 @@ impl Resets for Platform {
     }
 }
 
-/// When the gap closes, under both kinds of guard, at one step and phase.
 fn closes(at: (f64, f64), until: f64, gap: impl Fn(f64) -> [f64; 2]) -> Option<f64> {
     let [a, b] = [Fires::WhileNegative, Fires::OnCrossing].map(|fires| {
         let mut it = Simulator::new(Platform { fires }, Rk4, Limits::default(), true, [0.0]);
@@ -72,13 +71,11 @@ fn closes(at: (f64, f64), until: f64, gap: impl Fn(f64) -> [f64; 2]) -> Option<f
     a
 }
 
-/// Asserts when the gap closes first within 0.25 s, if it does, at all steps and phases.
 #[track_caller]
 fn check(what: &str, gap: impl Fn(f64) -> [f64; 2], expected: Option<f64>, tolerance: f64) {
     check_until(what, 0.25, gap, expected, tolerance);
 }
 
-/// The same within another time (s).
 #[track_caller]
 fn check_until(
     what: &str,
@@ -96,7 +93,6 @@ fn check_until(
     });
 }
 
-/// t* of the case.
 const TOUCH: f64 = 0.123_456_789;
 
 #[test]
@@ -133,7 +129,7 @@ fn a_dip_is_found_down_to_rounding() {
 
 #[test]
 fn a_swinging_platform_grazes_as_precisely() {
-    // gap = A (1 − d − cos ω(t − t*)), with ωh up to 0.7: its cubic does not know the dip.
+    // gap = A (1 − d − cos ω(t − t*)), with ωh up to 0.7: its cubic misses the dip.
     for omega in [5.0, 20.0, 60.0, 100.0] {
         for d in [-1e-12_f64, 1e-3, 1e-6, 1e-9, 1e-12] {
             let gap = |t: f64| {
@@ -141,7 +137,6 @@ fn a_swinging_platform_grazes_as_precisely() {
                 [2.0 * half * half - d, omega * (omega * (t - TOUCH)).sin()]
             };
             let half = 2.0 * (0.5 * d.max(0.0)).sqrt().asin() / omega;
-            // The first of its dips, one in each turn.
             let root = (d > 0.0).then(|| (TOUCH - half).rem_euclid(std::f64::consts::TAU / omega));
             let until = TOUCH + 0.5 * std::f64::consts::PI / omega;
             // Rounding of the gap, 1e-16, over its slope, ω √(2d).

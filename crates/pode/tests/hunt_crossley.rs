@@ -1,9 +1,9 @@
 //! Case C11 and its family: F = k xⁿ (1 + λv), for any n, λ, k and speed.
 //!
-//! With u = 1 + λv, u − ln u + (k λ² / m) xⁿ⁺¹ / (n + 1) is conserved: exit speed and depth
-//! are closed forms. Error model: steps are as long as a tolerance of 1e-13 per step allows,
-//! in the unit of each entry; a contact takes some 100 of them, and the force's xⁿ at both
-//! ends, which no method follows at its order, some more.
+//! With u = 1 + λv, u − ln u + (k λ² / m) xⁿ⁺¹ / (n + 1) is conserved: exit speed and depth are
+//! closed forms. Error model: steps have a tolerance of 1e-13 each, in the unit of each entry; a
+//! contact takes some 100 of them, and the force's xⁿ at both ends, which no method follows at its
+//! order, some more.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
@@ -14,8 +14,8 @@ use proptest::prelude::*;
 use crate::common::{all_completed, close, each_step_and_phase, run};
 use crate::driven::root;
 
-/// A mass (kg) against a felt: penetration and its rate, in parts of the closed form's depth
-/// and of the entry speed, so that tolerances mean the same for every k.
+/// A mass (kg) against a felt: penetration and its rate, in units of the closed form's depth and of
+/// the entry speed, so that tolerances mean the same for every k.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Felt {
     mass: f64,
@@ -27,20 +27,20 @@ struct Felt {
 }
 
 impl Felt {
-    /// u − ln u − 1 at the entry.
+    /// Returns u − ln u − 1 at the entry.
     fn invariant(&self) -> f64 {
         let v = self.lambda * self.speed;
         v - v.ln_1p()
     }
 
-    /// Speed at the exit (m/s).
+    /// Returns the speed at the exit (m/s).
     fn exit(&self) -> f64 {
         let target = self.invariant();
         // v − ln(1 + v) falls from +∞ at −1 to 0 at 0.
         root(-1.0 + 1e-15, 0.0, |v| v - v.ln_1p() - target) / self.lambda
     }
 
-    /// Deepest penetration (m).
+    /// Returns the deepest penetration (m).
     fn depth(&self) -> f64 {
         let one = self.power + 1.0;
         (self.mass * one * self.invariant() / (self.k * self.lambda * self.lambda)).powf(1.0 / one)
@@ -48,7 +48,6 @@ impl Felt {
 }
 
 impl Model for Felt {
-    /// Whether the felt is touched.
     type Mode = bool;
     type State = [f64; 2];
     type Input = ();
@@ -59,7 +58,7 @@ impl Model for Felt {
         [x[1] * self.speed / self.depth(), -force / self.mass / self.speed]
     }
 
-    /// The force (N).
+    /// Returns the force (N).
     fn readout(&self, touched: bool, x: &[f64; 2], (): &()) -> f64 {
         if !touched {
             return 0.0;
@@ -97,8 +96,8 @@ impl Resets for Felt {
     }
 }
 
-/// Exit speed (m/s), depth (m), contact time (s) and impulse (N s) of a felt that is touched
-/// 2 ms after the start.
+/// Returns exit speed (m/s), depth (m), contact time (s) and impulse (N s) of a felt that is
+/// touched 2 ms after the start.
 fn contact(felt: Felt, h: f64, phase: f64, until: f64) -> [f64; 4] {
     let method = Controlled { method: Dop853, tolerance: Tolerance::both(1e-13) };
     let start = [-2e-3 * felt.speed / felt.depth(), 1.0];
@@ -115,7 +114,7 @@ fn contact(felt: Felt, h: f64, phase: f64, until: f64) -> [f64; 4] {
     [speed, seen[1].before[0] * felt.depth(), seen[2].t - seen[0].t, impulse]
 }
 
-/// Relative: a hundred steps of 1e-13, and some.
+/// Relative: a hundred steps of 1e-13, and some more.
 const ERROR: f64 = 1e-10;
 
 #[test]
@@ -174,11 +173,10 @@ proptest! {
         phase in prop_oneof![Just(0.0), Just(1.0 / 3.0), Just(0.999)],
     ) {
         let felt = Felt { mass: 0.01, k: 10_f64.powf(exponent), power, lambda, speed };
-        // At most five times what it takes at its entry speed.
+        // At most five times the duration at its entry speed.
         let until = 4e-3 + 20.0 * felt.depth() / -felt.exit();
         prop_assume!(until < 2.0);
         let [exit, depth, ..] = contact(felt, h, phase, until);
-        // Towards n = 1 the force begins with a kink.
         close("exit", exit, felt.exit(), 10.0 * ERROR * speed);
         close("depth", depth, felt.depth(), 10.0 * ERROR * felt.depth());
     }

@@ -1,8 +1,8 @@
 //! A driven oscillator that hits a wall: x'' + x = β cos ωt, x ≥ σ, v⁺ = −r v⁻.
 //!
-//! Between impacts x is a sum of two sines in closed form. Error model, with R the part of
-//! a radian per step: RK4 keeps a phase to R⁴/120, the dense output takes R⁴/69 of the
-//! amplitude at each impact, and an impact hands an error on, over the speed that it has.
+//! Between impacts x is a sum of two sines in closed form. Error model, with R the radians per
+//! step: RK4 keeps a phase to R⁴/120, the dense output takes R⁴/69 of the amplitude at each impact,
+//! and an impact passes an error on, over its speed.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
@@ -26,16 +26,14 @@ struct Oscillator {
     wall: f64,
 }
 
-/// Part of a radian that one step may take.
 const RADIANS: f64 = 0.005;
 
 impl Oscillator {
-    /// γ: the forced motion is γ cos ωt.
+    /// Returns γ: the forced motion is γ cos ωt.
     fn forced(&self) -> f64 {
         self.drive / (1.0 - self.omega * self.omega)
     }
 
-    /// The state at `t` of a motion that was at `x` at `from`.
     fn flown(&self, from: f64, x: [f64; 2], t: f64) -> [f64; 2] {
         let gamma = self.forced();
         let [(s0, c0), (s1, c1)] = [from, t].map(|t| (self.omega * t).sin_cos());
@@ -44,15 +42,14 @@ impl Oscillator {
         [a * cos + b * sin + gamma * c1, b * cos - a * sin - gamma * self.omega * s1]
     }
 
-    /// The next impact after `from`: its time and the speed before; `None` if there is none
-    /// before `until`, or none that is sharp.
+    /// Returns time and speed of the next impact after `from`; `None` if there is none before
+    /// `until`, or none that is sharp.
     fn impact(&self, from: f64, x: [f64; 2], until: f64) -> Option<[f64; 2]> {
         let step = 2e-3 / self.omega.max(1.0);
         let gap = |t: f64| self.flown(from, x, t)[0] - self.wall;
         // An impact leaves with 1e-2 at least: a step later it is far above rounding.
         let mut t = from + step;
         while gap(t) > 0.0 {
-            // A graze that the looks could step over ends the test.
             let is_graze = gap(t) < 1e-4 && self.flown(from, x, t)[1].abs() < 2e-2;
             if is_graze || t >= until {
                 return None;
@@ -64,7 +61,6 @@ impl Oscillator {
         (t < until && speed < -2e-2).then_some([hit, speed])
     }
 
-    /// The impacts until `until`, up to the first that is not sharp: times, speeds before.
     fn impacts(&self, mut x: [f64; 2], until: f64) -> Vec<[f64; 2]> {
         let mut impacts = vec![];
         let mut from = 0.0;
@@ -119,14 +115,12 @@ impl Resets for Oscillator {
     }
 }
 
-/// The periodic orbit with one impact at σ = 0 per `turns` periods of the drive: the phase
-/// of the drive and the speed after the impact.
-///
-/// From x(0) = x(T) = 0 and v(0) = −r v(T): tan φ = −tan(T/2) (1 − r) / (ω (1 + r)).
+/// Returns phase of the drive and speed after the impact of the periodic orbit with one impact at σ
+/// = 0 per `turns` periods of the drive. From x(0) = x(T) = 0 and v(0) = −r v(T): tan φ = −tan(T/2)
+/// (1 − r) / (ω (1 + r)).
 fn orbit(it: &Oscillator, turns: f64) -> [f64; 2] {
     let (gamma, r, omega) = (it.forced(), it.restitution, it.omega);
     let half = std::f64::consts::PI * turns / omega;
-    // Both signs of tan φ = p/q; the one that leaves the wall is it.
     let p = -half.sin() * (1.0 - r);
     let q = half.cos() * omega * (1.0 + r);
     let [a, b] = [p.atan2(q), (-p).atan2(-q)]
@@ -134,13 +128,11 @@ fn orbit(it: &Oscillator, turns: f64) -> [f64; 2] {
     if a[1] > 0.0 { a } else { b }
 }
 
-/// Follows the orbit over 8 impacts.
 #[track_caller]
 fn check_orbit(omega: f64, turns: f64, restitution: f64) {
     let it = Oscillator { drive: 1.0, omega, restitution, wall: 0.0 };
     let [phase, speed] = orbit(&it, turns);
     let period = std::f64::consts::TAU * turns / omega;
-    // It has to stay off the wall in between.
     let t0 = phase / omega;
     assert!(
         (1..1000).all(|n| it.flown(t0, [0.0, speed], t0 + period * f64::from(n) / 1000.0)[0] > 0.0)
@@ -152,7 +144,7 @@ fn check_orbit(omega: f64, turns: f64, restitution: f64) {
         assert_eq!(recorder.events().len(), 8, "ω {omega}, r {restitution}, h {h}");
         for (n, seen) in (1_u32..).zip(recorder.events()) {
             let n = f64::from(n);
-            // A stable orbit forgets; each period adds its own error once or a few times.
+            // A stable orbit forgets errors; each period adds its own once or a few times.
             let tolerance = 10.0 * (period * RADIANS.powi(4) / 120.0 + RADIANS.powi(4) / 69.0);
             close(
                 format_args!("ω {omega}, r {restitution}, h {h}, impact {n}"),
@@ -197,8 +189,8 @@ proptest! {
         let (recorder, ticks) = run_driven(&mut it.start(x), (h, phase), until, Clock);
         prop_assert!(ticks.iter().all(|tick| tick.advance == Advance::Completed));
         prop_assert_eq!(recorder.events().len(), expected.len());
-        // An error of the phase meets the wall at this impact's speed, and leaves it as an
-        // error of the speed times the acceleration.
+        // An error of the phase meets the wall at this impact's speed, and leaves as an error of
+        // the speed times the acceleration.
         let size = drive / (1.0 - omega * omega).abs() * (1.0 + omega) + height + speed.abs() + 1.0;
         let mut error = 1e-13;
         let mut before = 0.0;

@@ -1,9 +1,9 @@
-//! Case C9 and its family: what is left after hours.
+//! Case C9 and its family: accuracy after hours.
 //!
-//! Error model of RK4, with r = ω h the part of a radian per step in contact: an amplitude
-//! loses r⁶/144 per step and r⁴/69 at each of a contact's two events, the dense output's
-//! own. The exact flow has neither: each step rounds by ε/2 of its largest term, which adds
-//! up like a random walk, or at worst in one direction.
+//! Error model of RK4, with r = ω h the radians per step in contact: an amplitude loses r⁶/144 per
+//! step and r⁴/69 at each of a contact's two events, the dense output's own. The exact flow has
+//! neither: each step rounds by ε/2 of its largest term, which adds up like a random walk, or at
+//! worst in one direction.
 
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "counts are small")]
 
@@ -17,7 +17,7 @@ use crate::common::head::{CONTACTS, Head, MASS, Mode, RADIANS};
 use crate::common::stick_slip::StickSlip;
 use crate::common::{G, STEPS, close, no_input};
 
-/// How often each guard fired, and when last (s).
+/// Number of each guard's events, and time of the last (s).
 #[derive(Debug)]
 struct Count {
     guard: &'static str,
@@ -41,7 +41,6 @@ impl<M: Model> Watch<M> for Count {
     }
 }
 
-/// Runs `seconds` and then on until `ready`; every tick must complete.
 #[track_caller]
 fn run_for<M: Resets<Input = ()>, T: Stepper>(
     it: &mut Simulator<M, T>,
@@ -55,7 +54,6 @@ fn run_for<M: Resets<Input = ()>, T: Stepper>(
     }
 }
 
-/// Energy of a head in the air, as a part of what it had at the start, less 1.
 fn drift([x, v]: [f64; 2]) -> f64 {
     v * v + 2.0 * G * x - 1.0
 }
@@ -67,10 +65,9 @@ fn c9_ten_thousand_seconds_on_the_exact_flow_keep_energy_and_time() {
     let mut count = Count::of("touch", h);
     run_for(&mut head, &mut count, 1e4, |mode| mode == Mode::Flight);
     close("energy", drift(*head.state()), 0.0, 1e-9);
-    // The first contact begins at 0; each one after a period.
     let expected = (head.tick() as f64 * h / period).floor() as u32 + 1;
     assert_eq!(count.number, expected, "contacts");
-    // A speed that is off by δ moves each landing by 2δ/g.
+    // An error δ of the speed moves each landing by 2δ/g.
     let n = f64::from(count.number - 1);
     close("time", count.last, n * period, 1e-9 * n * period);
 }
@@ -118,7 +115,7 @@ fn an_hour_of_stick_and_slip_keeps_its_period() {
         let mut count = Count::of("leaves downwards", h);
         run_for(&mut it, &mut count, 3600.0, |mode| mode == filippov::Mode::Sliding);
         let n = f64::from(count.number - 1);
-        // Each release sets the cycle anew: what adds up are roundings of its times.
+        // Each release restarts the cycle, so only roundings of its times add up.
         close(format_args!("h {h}: last release"), count.last, 0.15 + n * period, 1e-12 * n);
         assert_eq!(count.number, ((count.last - 0.15) / period).round() as u32 + 1);
     }

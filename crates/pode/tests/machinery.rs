@@ -1,4 +1,4 @@
-//! Case C12: what the machinery does with broken models, broken periods and odd resets.
+//! Case C12: broken models, broken periods and odd resets.
 
 use pode::input::Cubic;
 use pode::stepper::Rk4;
@@ -17,7 +17,6 @@ fn a_nan_guard_is_a_fault_in_bounded_work_and_keeps_the_last_state() {
     const GUARDS: [fn(GuardId, f64) -> GuardValue; 3] = [
         |_, t| GuardValue::new(if t > 0.05 { f64::NAN } else { 1.0 }, 0.0),
         |_, t| GuardValue::new(1.0, if t > 0.05 { f64::NAN } else { 0.0 }),
-        // Not a number inside the step only, where the search looks.
         |_, t| {
             let left = 0.05 - t;
             GuardValue::new(if left.abs() < 1e-4 { f64::NAN } else { left }, -1.0)
@@ -43,7 +42,6 @@ fn a_nan_guard_is_a_fault_in_bounded_work_and_keeps_the_last_state() {
     }
 }
 
-/// A driven model with a fault of choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Broken {
     derivative: f64,
@@ -97,7 +95,6 @@ fn still(_: f64) -> Motion {
     Motion::default()
 }
 
-/// Asserts that a tick of 1 s fails so, and leaves the state at `state`.
 #[track_caller]
 fn check_fault(model: Broken, fault: Fault, state: f64) {
     let mut simulator = start(model);
@@ -137,7 +134,6 @@ fn an_input_that_is_not_finite_is_a_fault_and_does_not_reach_the_state() {
         let tick = simulator.advance(0.1, &bad(from), &mut Silent);
         assert!(matches!(tick.advance, Advance::Faulty(_)), "from {from}: {:?}", tick.advance);
         assert!(simulator.state()[0].is_finite(), "from {from}: {:?}", simulator.state());
-        // The next good tick goes on.
         let tick = simulator.advance(0.1, &still, &mut Silent);
         assert_eq!(tick.advance, Advance::Completed, "after a fault from {from}");
     }
@@ -157,7 +153,7 @@ fn a_period_that_is_not_positive_and_finite_is_refused_without_work() {
     }
 }
 
-/// Falls to zero at 0.1, lies there until 0.2, and then falls on or rises.
+/// Returns a guard that falls to zero at 0.1, rests until 0.2, and then falls on or rises.
 fn flat(t: f64, then: f64) -> GuardValue {
     if t < 0.1 {
         GuardValue::new(0.1 - t, -1.0)
@@ -202,13 +198,13 @@ fn a_guard_that_lies_flat_at_zero_and_rises_is_silent() {
 
 #[test]
 fn a_reset_that_flips_the_sign_at_once_has_one_effect() {
-    /// Jumps back to where the guard, and in the other mode its negative, is at 0.1.
+    /// Jumps back to where the guard is 0.1, and in the other mode its negative.
     fn jump(id: GuardId, x: &mut [f64; 3]) -> bool {
         x[0] -= 0.1;
         count_and_flip(id, x)
     }
-    // The other mode's guard, t − 0.3, is then negative: it must be left at once, from
-    // where the first mode's guard is positive.
+    // The other mode's guard, t − 0.3, is then negative and must be left at once, from where the
+    // first mode's guard is positive.
     each_step_and_phase(|h, phase| {
         let guard = |_: GuardId, t: f64| GuardValue::new(0.3 - t, -1.0);
         let mut timed = Timed { guards: &ONE, guard, effect: jump }.start();
@@ -224,14 +220,12 @@ fn a_reset_that_flips_the_sign_at_once_has_one_effect() {
     });
 }
 
-/// x' = 1 in a chain of modes, each left for the next when x reaches 0.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Chain {
     modes: u8,
     end: End,
 }
 
-/// What follows the last mode of a chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum End {
     Stays,
@@ -302,7 +296,6 @@ fn a_cycle_stops_at_the_cap_and_says_so_in_every_tick() {
             assert_eq!(tick.work.events, cap);
         }
         assert_eq!(recorder.events().len(), capped.len() * cap as usize);
-        // Held at the guard.
         close("the coordinate", cycle.state()[0], 0.3, 1e-12);
     });
 }
@@ -356,7 +349,7 @@ fn a_mode_is_frozen_while_its_end_is_searched() {
     }
 }
 
-/// Nothing moves but the input; guarded by 1 − u, and then by u − 1.
+/// Only the input moves; guarded by 1 − u, and then by u − 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Threshold {
     guards: &'static [GuardSpec],
@@ -394,7 +387,6 @@ impl Resets for Threshold {
     }
 }
 
-/// Where in its tick each event lies.
 #[derive(Debug, Default)]
 struct Thetas(Vec<(u64, f64)>);
 
@@ -461,8 +453,8 @@ fn an_event_at_the_end_of_a_tick_is_not_undone_by_an_input_that_jumps_by_roundin
         let model = Threshold { guards: &ONE };
         let mut simulator = Simulator::new(model, Rk4, Limits::default(), true, [0.0]);
         let mut thetas = Thetas::default();
-        // Reaches 1 at the very end of tick 0, and starts tick 1 short of it by less than
-        // the input moves in the width to which the event was located.
+        // Reaches 1 at the very end of tick 0, and starts tick 1 short of it by less than the input
+        // moves in the width to which the event was located.
         for start in [0.0, 1.0 - 1e-13] {
             let _ = simulator.advance(h, &Cubic::new([start, 1.0, 0.0, 0.0], h), &mut thetas);
         }
@@ -470,7 +462,6 @@ fn an_event_at_the_end_of_a_tick_is_not_undone_by_an_input_that_jumps_by_roundin
     }
 }
 
-/// Events of a ball that is dropped at `tick`: ticks since then, θ and state.
 fn bounces_from(tick: u64, h: f64) -> Vec<(u64, u64, [u64; 2])> {
     #[derive(Default)]
     struct Log(Vec<(u64, u64, [u64; 2])>);

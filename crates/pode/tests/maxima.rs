@@ -1,5 +1,5 @@
-//! The declared maxima of work per tick, with the default limits: for each there is a model
-//! that reaches it to the number, and cannot exceed it, tick after tick.
+//! The declared maxima of work per tick, with the default limits: for each there is a model that
+//! reaches it exactly, tick after tick.
 
 use crate::common::no_input;
 use pode::stepper::{
@@ -32,7 +32,6 @@ fn the_default_limits_are_those_tested_here() {
     assert_eq!(Limits::default(), LIMITS);
 }
 
-/// Four ticks of 1 s of `model`.
 fn ticks<T: Stepper>(model: Busy, stepper: T) -> [Tick; 4] {
     let mut simulator = Simulator::new(model, stepper, Limits::default(), false, [0.0; 3]);
     [0; 4].map(|_| simulator.advance(1.0, &no_input, &mut Silent))
@@ -40,7 +39,6 @@ fn ticks<T: Stepper>(model: Busy, stepper: T) -> [Tick; 4] {
 
 const ONE: [GuardSpec; 1] = [GuardSpec::new(0, "g")];
 
-/// Two hundred guards a second, one after the other.
 const SAW: Busy = Busy {
     guards: &ONE,
     guard: |_, [t, n, _]| GuardValue::new((n + 1.0) / 200.0 - t, -1.0),
@@ -65,7 +63,7 @@ fn modes_that_send_each_other_away_reach_the_most_events_at_one_instant() {
 
 #[test]
 fn impacts_of_no_length_count_at_their_instant() {
-    // Every reset is followed by a move over a sequence that takes no time.
+    // Every reset is followed by a move over a sequence of no duration.
     let stuck = Busy { guards: &ONE, guard: |_, _| GuardValue::new(-1.0, 0.0), ..Busy::IDLE };
     for after in [0.0, -1.0, f64::NEG_INFINITY] {
         for tick in ticks(Busy { settles: Some(after), goes_on: true, ..stuck }, Rk4) {
@@ -92,8 +90,8 @@ fn eight_guards_over_short_steps_reach_the_most_guard_evaluations() {
     }
 }
 
-/// Asserts that short steps of a mode of this `nature` reach the most pieces, and with them the
-/// most derivatives and Jacobians, of which `T` does some.
+/// Asserts that short steps of a mode of this `nature` reach the maximum of pieces, and with them
+/// those of derivatives and Jacobians, of which `T` needs some.
 #[track_caller]
 fn check_steps<T: Stepper>(stepper: T, nature: Nature) {
     let short = Busy { nature, longest_step: 1e-4, ..Busy::IDLE };
@@ -127,8 +125,7 @@ fn short_steps_reach_the_most_pieces_derivatives_and_jacobians() {
     assert_eq!(LIMITS.most_derivatives::<Rk4>(), 4096);
 }
 
-/// Asserts that a motion that no step can follow has every step refused, at this many
-/// derivatives in each tick.
+/// Asserts that all steps of an impossible motion are refused, at this many derivatives per tick.
 #[track_caller]
 fn check_refused<T: Stepper>(stepper: T, derivatives: u32) {
     let limits = Limits::default();
@@ -177,8 +174,8 @@ fn a_guard_that_answers_by_malice_reaches_the_most_evaluations_of_a_search() {
         let (mut lo, mut hi, mut answers) = (0.0, 1.0, 0);
         let malice = |tau: f64| {
             answers += 1;
-            // Leaves the longer part, and pretends that the root is at its very start. Once a
-            // zero, so that it has to be seen what comes after it.
+            // Leaves the longer part, and pretends that the root is at its very start. Once a zero,
+            // so that the search must check the guard after it.
             let is_longer_after = hi - tau >= tau - lo;
             match (answers, is_longer_after) {
                 (2, _) | (_, false) => hi = tau,
@@ -190,7 +187,6 @@ fn a_guard_that_answers_by_malice_reaches_the_most_evaluations_of_a_search() {
                 (_, true) => 1e-9,
             }
         };
-        // A slope that leads to the other end.
         let seed = Some((1e-12, -2e-9 / (1.0 - 2e-12)));
         let located = locate(malice, whole, seed, tolerance);
         assert_eq!(located.evaluations, halvings.unsigned_abs() + 4, "{located:?}");

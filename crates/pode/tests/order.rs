@@ -1,5 +1,5 @@
-//! Observed order of every stepper, of its dense output and of the events located on it,
-//! and the evaluations that a step takes.
+//! Observed order of every stepper, of its dense output and of the events located on it, and the
+//! evaluations of a step.
 
 use pode::stepper::{
     AdamsBashforth2, AdamsBashforth3, BogackiShampine, ExplicitEuler, ExponentialRosenbrock,
@@ -17,7 +17,6 @@ use crate::known::{
     largest_inside, step, whole_step,
 };
 
-/// Asks `$check` of every method.
 macro_rules! every {
     ($check:ident) => {
         $check::<ExplicitEuler>();
@@ -38,7 +37,6 @@ macro_rules! every {
     };
 }
 
-/// Global order of the method, and local order of its dense output, by a known error.
 fn check_stepper<T: Stepper>() {
     let h = 1.0 / 32.0;
     for (name, problem) in [("oscillator", OSCILLATOR), ("pendulum", PENDULUM)] {
@@ -84,14 +82,12 @@ fn dense_output_ends_where_the_step_does() {
         let bits = |x: &[f64; 2]| x.map(f64::to_bits);
         assert_eq!(bits(&step.at(1.0)), bits(step.end()), "{}", T::NAME);
         assert_eq!(bits(&step.at(0.0)), bits(&exact(0.3)), "{}", T::NAME);
-        // A polynomial that ends elsewhere by its last roundings only.
         let gap = distance(&step.at(1.0 - f64::EPSILON), step.end());
         assert!(gap < 2e-15, "{}: {gap:e}", T::NAME);
     }
     every!(check);
 }
 
-/// The same oscillator with the time as its third state, guarded where q falls to a level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Driven {
     level: f64,
@@ -129,7 +125,7 @@ impl Resets for Driven {
     }
 }
 
-/// When q first falls through `level` (s), by bisection on the closed form.
+/// Returns when q first falls through `level` (s), by bisection on the closed form.
 fn crossing(level: f64) -> f64 {
     let (mut lo, mut hi) = (1.0, 4.6);
     for _ in 0..60 {
@@ -139,8 +135,8 @@ fn crossing(level: f64) -> f64 {
     hi
 }
 
-/// Errors of the times of crossings with `n` whole steps before each and half a one, summed:
-/// a level alone may lie where the terms of an error cancel.
+/// Sums errors of crossing times with `n` whole steps before each and half a one: at a single level
+/// the terms of an error may cancel.
 fn event_error<T: Stepper>(n: f64) -> f64 {
     let error = |level: f64| {
         let t = crossing(level);
@@ -168,24 +164,23 @@ fn events_are_located_at_the_order_of_the_method() {
     every!(check);
 }
 
-/// Work of the first two of three ticks without an event, each in `steps` steps.
 fn work<T: Stepper>(steps: f64) -> [Work; 2] {
     let limits = Limits { longest_step: 1e-3 / steps, ..Limits::default() };
     let mut simulator =
         Simulator::new(Driven { level: -0.3 }, T::default(), limits, (), [0.5, 0.0, 0.0]);
-    // Guards are taken anew in the first tick: the second is as later ones are.
+    // Guards are evaluated again in the first tick: the second is like later ones.
     let mut recorder = pode::RunRecorder::new(1e-3);
     [(); 2].map(|()| simulator.advance(1e-3, &no_input, &mut recorder).work)
 }
 
 #[test]
 fn a_step_takes_its_stated_evaluations() {
-    /// Evaluations of the first tick in one step, of later ones in one and in five, and
-    /// Jacobians of a step.
+    /// Evaluations of the first tick in one step, of later ones in one and five; Jacobians per
+    /// step.
     fn check<T: Stepper>(derivatives: [u32; 3], jacobians: u32) {
         let [first, later @ ..] = derivatives;
         for (steps, derivatives) in [1, 5].into_iter().zip(later) {
-            // One look at the guard per step; the readout at both ends and in the middle.
+            // One guard evaluation per step; the readout at both ends and in the middle.
             let expected = Work {
                 pieces: steps,
                 derivatives,
@@ -206,7 +201,6 @@ fn a_step_takes_its_stated_evaluations() {
     check::<Heun>([2, 2, 10], 0);
     // Two of three: the coordinate's rate is its speed.
     check::<VelocityVerlet>([2, 2, 10], 0);
-    // First-same-as-last within the tick.
     check::<BogackiShampine>([4, 4, 16], 0);
     check::<Rk4>([4, 4, 20], 0);
     check::<Tsitouras5>([7, 7, 31], 0);
@@ -218,7 +212,7 @@ fn a_step_takes_its_stated_evaluations() {
     check::<Rodas4>([9, 9, 45], 1);
     check::<ExponentialRosenbrock>([2, 2, 10], 1);
     check::<Exprb32>([4, 4, 20], 1);
-    // Still one of its first steps in the second tick of one.
+    // The second tick of one step is still one of its first steps.
     check::<AdamsBashforth3>([3, 3, 5], 0);
 }
 

@@ -1,5 +1,5 @@
-//! What a mode does not need is not computed: modes without degrees of freedom, slaved entries,
-//! and parts that do not touch each other.
+//! Computations that a mode does not need are skipped: modes without degrees of freedom, slaved
+//! entries, and parts independent of each other.
 
 #![allow(clippy::expect_used, reason = "a test fails aloud")]
 
@@ -11,8 +11,8 @@ use pode::{
 
 use crate::common::close;
 
-/// Two oscillators that do not touch each other, slow (1 rad/s) and fast (30 rad/s), the fast one
-/// driven: coordinates, then speeds, each with three that rest, so that parts are stepped apart.
+/// Two independent oscillators, slow (1 rad/s) and fast (30 rad/s), the fast one driven:
+/// coordinates, then speeds, each with three that rest, so that parts are stepped apart.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     parts: &'static [Part],
@@ -64,7 +64,6 @@ impl Resets for Pair {
     }
 }
 
-/// State and work after 100 ticks of 1 ms, from rest of the fast one.
 fn after<T: Stepper>(parts: &'static [Part], stepper: T) -> ([f64; 10], Work) {
     let mut start = [0.0; 10];
     start[0] = 1.0;
@@ -87,8 +86,8 @@ fn parts_apart_go_where_they_go_together() {
     for method in methods.chain(controlled) {
         let [(together, _), (apart, work)] = [&WHOLE[..], &APART].map(|it| after(it, method));
         for (index, (one, other)) in together.iter().zip(&apart).enumerate() {
-            // To rounding with one method for both; `exact` and `by-need` choose part by part,
-            // and what they choose is of the error of the method.
+            // To rounding with one method for both; `exact` and `by-need` choose part by part, with
+            // errors of the chosen methods.
             let tolerance = match method.name() {
                 "exact" | "by-need" | "exponential-rosenbrock" | "exprb32" => 1e-4,
                 _ => 1e-12,
@@ -103,7 +102,6 @@ fn parts_apart_go_where_they_go_together() {
 #[test]
 fn each_part_takes_the_method_that_its_own_nature_asks_for() {
     let (state, work) = after(&APART, Exact);
-    // The slow one on its exact flow, the fast one by RK4, against closed forms.
     close("the slow one", state[0], 0.1_f64.cos(), 1e-15);
     let fast = 10.0 * (0.1 - (FAST * 0.1).sin() / FAST);
     close("the fast one", state[1], fast, 1e-6);
@@ -129,7 +127,6 @@ fn a_slow_part_takes_one_step_for_three_of_the_others() {
     assert_eq!((work.derivatives, work.pieces), (4 * (100 + 34), 100));
     close("the slow one", state[0], 0.1_f64.cos(), 1e-12);
     close("the fast one", state[1], after(&WHOLE, Rk4).0[1], 1e-14);
-    // A dense output that cannot be cut is tried once.
     let (state, work) = after(&SLOWLY, Dop853);
     assert_eq!(work.derivatives, 2 * 100 * (13 + 3) + 13, "with what refines it for the readout");
     close("the slow one", state[0], 0.1_f64.cos(), 1e-14);

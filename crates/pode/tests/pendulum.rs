@@ -1,8 +1,8 @@
 //! Case C3: a pendulum against a wall at its lowest point.
 //!
-//! Error model: RK4's phase error is (ω h)⁴/120 of the time; the third-order dense output
-//! adds as much again per impact. Together less than (ω h)⁴ t / 30; below that, the
-//! rounding of some 1e5 steps, 1e-12 of the time.
+//! Error model: RK4's phase error is (ω h)⁴/120 of the time; the third-order dense output adds as
+//! much again per impact. Together less than (ω h)⁴ t / 30; below that, the rounding of some 1e5
+//! steps, 1e-12 of the time.
 
 use pode::stepper::Rk4;
 use pode::{
@@ -44,8 +44,8 @@ impl Guarded for Pendulum {
 }
 
 impl Resets for Pendulum {
-    /// Declares the Zeno sequence of the formula, which at this wall lies at infinity:
-    /// nothing pulls the pendulum against it.
+    /// Declares the Zeno sequence of the formula, at infinity for this wall: nothing pulls the
+    /// pendulum against it.
     fn reset(&self, (): (), _: GuardId, x: &[f64; 2], (): &()) -> Reset<Self> {
         let after = -RESTITUTION * x[1];
         let closing = G * 0.0_f64.sin();
@@ -63,7 +63,7 @@ fn from_rest() -> Simulator<Pendulum, Rk4> {
     Simulator::new(Pendulum, Rk4, Limits::default(), (), [1.2, 0.0])
 }
 
-/// Tolerance (s) of a time `t` (s) with steps of `h` (s).
+/// Returns the tolerance (s) of a time `t` (s) with steps of `h` (s).
 fn tolerance(h: f64, t: f64) -> f64 {
     (G.sqrt() * h).powi(4) * t / 30.0 + 1e-12 * t
 }

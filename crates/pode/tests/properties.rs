@@ -1,4 +1,4 @@
-//! What holds for every ball, not only for the ones with known digits.
+//! Properties of every ball, not only of those with known digits.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
@@ -11,7 +11,6 @@ use proptest::prelude::*;
 
 use crate::common::{Ball, G, close, no_input};
 
-/// Three balls over one floor: heights, then speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Balls {
     guards: &'static [GuardSpec],
@@ -59,7 +58,6 @@ impl Resets for Balls {
     }
 }
 
-/// The bits of everything that 500 ticks of `h` (s) give.
 fn bits(guards: &'static [GuardSpec], heights: [f64; 3], e: f64, h: f64) -> Vec<u64> {
     let [a, b, c] = heights;
     let model = Balls { guards, restitution: e };
@@ -117,13 +115,13 @@ proptest! {
         };
         let whole = events(h, 300);
         let cut = events(h / f64::from(parts), 300 * parts);
-        // Up to the first ten: later ones may be taken in one move in one of the two.
+        // Up to the first ten: one of the two may take later ones in one move.
         for (n, (a, b)) in whole.iter().zip(&cut).take(10).enumerate() {
             if a.name != "floor" || b.name != "floor" {
                 break;
             }
-            // A parabola is followed exactly: each of some 3600 sums rounds the height by
-            // 2e-16, at a speed of 0.5 m/s at least.
+            // A parabola is followed exactly: each of some 3600 sums rounds the height by 2e-16, at
+            // a speed of 0.5 m/s at least.
             let speed = a.before[1].abs();
             close(format_args!("impact {n}"), a.t, b.t, 3600.0 * 4.5e-16 * height.max(1.0) / speed);
         }
@@ -145,20 +143,18 @@ proptest! {
 
     #[test]
     fn a_wave_fires_once_per_fall(omega in 1.0..400.0, h in 1e-4..7e-3) {
-        // ω h stays below 3: one fall per step at most, wherever the step lies.
+        // ω h stays below 3: one fall per step at most, at every place of the step.
         let mut wave = Simulator::new(Wave { omega }, Rk4, Limits::default(), (), [0.0]);
         let mut recorder = RunRecorder::new(h);
         for _ in 0..400 {
             let _ = wave.advance(h, &no_input, &mut recorder);
         }
         let turns = 400.0 * h * omega / std::f64::consts::TAU;
-        // cos ωt falls at a quarter of each turn.
         let falls = (0_u32..1000).take_while(|n| f64::from(*n) + 0.25 <= turns).count();
         prop_assert_eq!(recorder.events().len(), falls);
     }
 }
 
-/// The time, guarded by cos ωt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Wave {
     omega: f64,

@@ -1,12 +1,12 @@
 //! Case C10: a threshold under an input that is quantised and noisy.
 //!
-//! Hysteresis is the model's: a switch that fires at its threshold fires there again only
-//! after the input has been a band's width beyond it. Thresholds apart would do too, but fire
-//! late by half their distance, where this one does not.
+//! Hysteresis is the model's: a switch that fires at its threshold fires there again only after the
+//! input has been a band's width beyond it. Separate thresholds would also do, but fire late by
+//! half their distance.
 //!
-//! Error model: a reading is off by e at most. A reconstruction makes λe of it within a
-//! tick, its noise gain, and a transition errs by that over the input's speed, and by the
-//! tick, and by the reconstruction's latency. With a band of 2λe no noise can fire twice.
+//! Error model: a reading is off by e at most. A reconstruction amplifies it to λe within a tick,
+//! its noise gain. A transition errs by that over the input's speed, by the tick, and by the
+//! reconstruction's latency. With a band of 2λe no noise can fire twice.
 
 use pode::input::{Cubic, Reconstruction, Reconstructor};
 use pode::stepper::Rk4;
@@ -17,21 +17,20 @@ use pode::{
 
 use crate::common::{PHASES, STEPS, close};
 
-/// A switch with a threshold and a band around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Switch {
     threshold: f64,
     band: f64,
 }
 
-/// Which side of the threshold the input is on, and whether it has been a band beyond.
+/// Side of the threshold on which the input is, and whether it has been a band beyond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mode {
     high: bool,
     fresh: bool,
 }
 
-/// Comes back through the threshold; gets a band beyond it; falls a band behind it.
+/// Guards: back through the threshold, a band beyond it, a band behind it.
 const BACK: GuardSpec = GuardSpec::new(0, "back");
 const BEYOND: GuardSpec = GuardSpec::new(1, "beyond");
 const BEHIND: GuardSpec = GuardSpec::new(2, "behind");
@@ -58,7 +57,6 @@ impl Guarded for Switch {
 
     fn guard(&self, mode: Mode, id: GuardId, _: &[f64; 1], u: &Motion) -> GuardValue {
         let sign = if mode.high { 1.0 } else { -1.0 };
-        // How far the input is on the mode's own side.
         let (far, rate) = (sign * (u.position - self.threshold), sign * u.rate);
         match id {
             id if id == BACK.id => GuardValue::new(far, rate),
@@ -79,7 +77,7 @@ impl Resets for Switch {
     }
 }
 
-/// The transitions: when (s), and up or down.
+/// Times (s) and directions of the transitions, `true` for up.
 #[derive(Debug)]
 struct Transitions {
     h: f64,
@@ -99,7 +97,7 @@ impl Watch<Switch> for Transitions {
 /// One encoder count of the paper (rad).
 const QUANTUM: f64 = 1.309e-3;
 
-/// A reading of `s` in whole counts, and how far it may be off, in counts.
+/// A reading of `s` in whole counts, and its largest error in counts.
 #[derive(Clone, Copy, Debug)]
 enum Encoder {
     /// Noise of half a count before rounding.
@@ -129,11 +127,9 @@ impl Encoder {
     }
 }
 
-/// A linear congruential generator.
 struct Noise(u64);
 
 impl Noise {
-    /// One of 0 .. `n`.
     fn next(&mut self, n: u32) -> f64 {
         self.0 =
             self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -148,7 +144,7 @@ const KINDS: [Reconstruction; 4] = [
     Reconstruction::LateHermite,
 ];
 
-/// λ: how much a reconstruction makes of an error of 1 in every sample.
+/// Returns λ, the amplification of an error of 1 in every sample.
 fn gain(kind: Reconstruction) -> f64 {
     let respond = |impulse: usize, theta: f64| {
         let mut it = Reconstructor::new(kind, 0.0, 1.0);
@@ -163,12 +159,10 @@ fn gain(kind: Reconstruction) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// An input, and how it is read.
 #[derive(Clone, Copy, Debug)]
 struct Setup {
     kind: Reconstruction,
     encoder: Encoder,
-    /// Width of the band in quanta.
     band: f64,
     h: f64,
     phase: f64,
@@ -176,7 +170,6 @@ struct Setup {
 }
 
 impl Setup {
-    /// The transitions of `s` over a threshold of 0.1 until `until` (s).
     #[track_caller]
     fn transitions(&self, s: impl Fn(f64) -> f64, until: f64) -> Vec<(f64, bool)> {
         let mut noise = Noise(self.seed);
@@ -202,23 +195,21 @@ impl Setup {
     }
 }
 
-/// 0.3 sin 2πt, as in the case.
 fn sine(t: f64) -> f64 {
     0.3 * (std::f64::consts::TAU * t).sin()
 }
 
-/// When it goes up through 0.1 for the first time; down as long before half a period.
+/// Returns the time of the first rise through 0.1; the fall is as long before half a period.
 fn first() -> f64 {
     (0.1_f64 / 0.3).asin() / std::f64::consts::TAU
 }
 
-/// Its speed at the threshold (rad/s).
+/// Returns the speed at the threshold (rad/s).
 fn speed() -> f64 {
     std::f64::consts::TAU * (0.09_f64 - 0.01).sqrt()
 }
 
-/// Asserts two transitions in each of `periods`, off by `tolerance` (s) at most, after a
-/// latency.
+/// Asserts two transitions in each of `periods`, off by `tolerance` (s) at most, after a latency.
 #[track_caller]
 fn check_sine(setup: Setup, periods: u32, tolerance: f64) {
     let seen = setup.transitions(sine, f64::from(periods));
@@ -285,7 +276,7 @@ fn a_reading_that_is_held_needs_two_quanta_and_no_more() {
         setup.transitions(drift, 8.0 * QUANTUM / 1e-3).len()
     };
     assert_eq!(number(2.0), 1);
-    // Without one, and with half a quantum, the noise is heard: these tests can fail.
+    // With no band, and with half a quantum, noise fires: these tests can fail.
     assert!(number(0.0) > 20, "{}", number(0.0));
     assert!(number(0.5) > 1, "{}", number(0.5));
 }

@@ -1,4 +1,4 @@
-//! Rules that a modeller might not expect, each held by a test.
+//! Rules that might surprise a modeller.
 
 #![allow(clippy::expect_used, reason = "a test fails aloud")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_macros, reason = "a test may use the heap")]
@@ -13,7 +13,6 @@ use pode::Stepper as _;
 
 use crate::common::{G, all_completed, close, run};
 
-/// A block that rocks on two edges, each with a guard of its own, and comes to rest on both.
 #[derive(Clone, Copy, Debug)]
 struct Rocking {
     restitution: f64,
@@ -213,7 +212,7 @@ impl Resets for OnFloor {
     }
 }
 
-/// The time of the last event (s) and what it says of its error.
+/// Time of the last event (s) and its stated error.
 struct Last {
     h: f64,
     at: (f64, f64),
@@ -225,7 +224,7 @@ impl Watch<OnFloor> for Last {
     }
 }
 
-/// When the ball comes to rest on a floor that swings (s), by its last event, and that one's error.
+/// Returns when the ball rests on a swinging floor (s), by its last event, and that one's error.
 fn settles(h: f64) -> (f64, f64) {
     let start = [0.5, 0.0];
     let mut ball = Simulator::new(OnFloor, Rk4, Limits::default(), true, start);
@@ -260,7 +259,6 @@ fn a_settle_time_states_its_error() {
 
 #[test]
 fn how_far_an_event_moved_the_state_is_told_and_too_far_is_a_fault() {
-    // The floor jumps past the ball between two ticks, by so much.
     for (jump, is_fault) in [(5e-4, false), (2e-3, true)] {
         let mut ball = Simulator::new(OnFloor, Rk4, Limits::default(), true, [1e-6, -1.0]);
         let at = |position: f64| move |_: f64| Motion { position, ..Motion::default() };
@@ -320,7 +318,6 @@ fn by_need_gets_more_exact_with_a_shorter_step() {
             assert!(swing.run(1.0, h, |_| (), &mut Silent).is_completed());
             (swing.state()[0] - 10.0_f64.cos()).abs()
         });
-        // At 4 ms the method takes two steps of its own.
         let shrinks =
             errors.windows(2).all(|pair| pair[1] <= pair[0]) && errors[4] < 0.1 * errors[1];
         assert!(shrinks, "budget {budget}: {errors:?}");

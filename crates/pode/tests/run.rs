@@ -1,4 +1,4 @@
-//! Runs of many ticks, and what is recorded of them.
+//! Runs of many ticks, and their records.
 
 use pode::stepper::{Dop853, Rk4};
 use pode::{
@@ -8,7 +8,6 @@ use pode::{
 
 use crate::common::{Ball, BallMode, G, close};
 
-/// x' = the input, with one guard that only tells where x passes one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Integral {
     guards: &'static [GuardSpec],
@@ -39,7 +38,6 @@ impl Guarded for Integral {
 
 impl Resets for Integral {}
 
-/// The same with a guard that is listed and nowhere defined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Undefined;
 
@@ -91,7 +89,6 @@ fn a_run_ends_at_the_nearest_line_and_goes_on_from_there() {
         let mut simulator = Simulator::new(model, Rk4, Limits::default(), (), [0.0]);
         let report = simulator.run(until, 0.1, |_| 1.0, &mut Silent);
         close("state", simulator.state()[0], report.ticks as f64 * 0.1, 1e-14);
-        // Nothing is left to do.
         let again = simulator.run(until, 0.1, |_| f64::NAN, &mut Silent);
         assert_eq!(
             (again.advance, again.ticks, again.work),

@@ -4,10 +4,9 @@ use pode::{GuardId, GuardSpec, GuardValue, RunRecorder};
 
 use crate::common::{ONE, Timed, close, count, no_input};
 
-/// Fires on each fall; a rise brings it back without a word.
+/// Fires on each fall; a rise resets it silently.
 const FALLS: [GuardSpec; 1] = [ONE[0].on_crossing()];
 
-/// Asserts the times of the events in one tick of 1 s, and in many.
 #[track_caller]
 fn check(guard: fn(GuardId, f64) -> GuardValue, effect: Effect, expected: &[f64]) {
     for n in [1_u32, 3, 10, 1000] {

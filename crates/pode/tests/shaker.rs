@@ -1,8 +1,8 @@
-//! Case C2's family: a ball that lies on a table, is thrown by it, and lands.
+//! Case C2's family: a ball on a table, thrown by it, and landing.
 //!
-//! The table's motion is the input, a sine. Lift-off is where its acceleration reaches −g,
-//! with gap, speed and acceleration all zero: the gap opens like t³. Flight is a parabola,
-//! which RK4 follows exactly, so that all times are known to rounding.
+//! The table's motion is the input, a sine. Lift-off is where its acceleration reaches −g, with
+//! gap, speed and acceleration all zero: the gap opens like t³. Flight is a parabola, which RK4
+//! follows exactly, so that all times are known to rounding.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
@@ -40,7 +40,7 @@ impl Model for Ball {
         }
     }
 
-    /// The force on the table (N).
+    /// Returns the force on the table (N).
     fn readout(&self, mode: Mode, _: &[f64; 2], table: &Motion) -> f64 {
         match mode {
             Mode::OnTable => G + table.acceleration,
@@ -86,7 +86,6 @@ impl Resets for Ball {
     }
 }
 
-/// A table at A sin ωt.
 #[derive(Clone, Copy, Debug)]
 struct Table {
     amplitude: f64,
@@ -94,7 +93,7 @@ struct Table {
 }
 
 impl Table {
-    /// A table whose acceleration reaches so many g.
+    /// Returns a table with this maximum acceleration (g).
     fn of(g_forces: f64, omega: f64) -> Self {
         Self { amplitude: g_forces * G / omega.powi(2), omega }
     }
@@ -110,14 +109,12 @@ impl Table {
         }
     }
 
-    /// The first time after `t` at which the table's acceleration is −g and falling.
     fn lift_off(&self, t: f64) -> f64 {
         let phase = (G / (self.amplitude * self.omega * self.omega)).asin();
         let turn = std::f64::consts::TAU;
         (phase + ((self.omega * t - phase) / turn).ceil() * turn) / self.omega
     }
 
-    /// When a ball lands that leaves at `t`.
     fn landing(&self, t: f64) -> f64 {
         let leave = self.at(t);
         let gap = |s: f64| {
@@ -133,9 +130,8 @@ impl Table {
         root(s - step, s, gap)
     }
 
-    /// How far off (s) a landing may be: rounding of `steps` sums of heights and speeds, and
-    /// what the lift-off was off, over the speed with which it lands, which is small if it
-    /// all but skims by.
+    /// Returns the error (s) of a landing: rounding of `steps` sums of heights and speeds, and the
+    /// error of the lift-off, over the landing speed, which is small for a near miss.
     fn off(&self, [leave, land]: [f64; 2], steps: f64, leave_off: f64) -> f64 {
         let flown = land - leave;
         let speed = (self.at(leave).rate - G * flown - self.at(land).rate).abs();
@@ -144,7 +140,6 @@ impl Table {
         1e-12 + (steps * f64::EPSILON * size + turn * leave_off) / speed
     }
 
-    /// Lift-offs and landings up to `until`, each pair in one row.
     fn flights(&self, until: f64) -> Vec<[f64; 2]> {
         let mut flights = vec![];
         let mut t = self.lift_off(0.0);
@@ -158,7 +153,6 @@ impl Table {
     }
 }
 
-/// Runs from rest on the table; returns the names and times of the events.
 fn events(table: Table, at: (f64, f64), until: f64) -> (Vec<(&'static str, f64)>, Vec<pode::Tick>) {
     let start = table.at(0.0);
     let state = [start.position, start.rate];
@@ -177,7 +171,7 @@ fn c2_the_shaker_throws_and_catches() {
         assert_eq!(names, ["lift-off", "landing"], "h {h}, phase {phase}");
         close(format_args!("h {h}: lift-off"), events[0].1, 0.002_513_355_797_052_246, 1e-16);
         close(format_args!("h {h}: landing"), events[1].1, 0.051_865_286_988_733_95, 1e-15);
-        // What the table gave: the relative speed, and before, weight and its own motion.
+        // Impulse from the table: the relative speed, and before, weight and its own motion.
         let impulse: f64 = ticks.iter().map(|tick| tick.impulse).sum();
         close(format_args!("h {h}: landing speed"), impulse, 0.489_701_201_981_647_3, 1e-13);
     });
@@ -220,7 +214,7 @@ proptest! {
             expected.push(("landing", land, off));
         }
         expected.retain(|it| it.1 < until);
-        // Thrown again within a whisker of −g: rounding may decide.
+        // Thrown again very near −g: rounding may decide.
         let is_sharp = |[_, t]: &[f64; 2]| (table.at(*t).acceleration + G).abs() > 1e-6 * G;
         prop_assume!(flights.iter().all(is_sharp));
         prop_assume!(expected.iter().all(|it| (it.1 - until).abs() > 1e-9));

@@ -36,7 +36,6 @@ fn an_effect_that_cures_the_other_guard_is_the_only_one() {
     });
 }
 
-/// Two guards of different shape that vanish at the same time.
 fn shapes(id: GuardId, t: f64) -> GuardValue {
     let left = 0.3 - t;
     match id.0 {
@@ -45,7 +44,6 @@ fn shapes(id: GuardId, t: f64) -> GuardValue {
     }
 }
 
-/// y → 2y, or y → y + 1.
 fn double_or_add(id: GuardId, x: &mut [f64; 3]) -> bool {
     x[1] = if id.0 == 0 { 2.0 * x[1] } else { x[1] + 1.0 };
     false
@@ -66,7 +64,7 @@ fn resets_that_do_not_commute_go_by_priority() {
             close(format_args!("h {h}, phase {phase}"), timed.state()[1], expected, 0.0);
         });
     };
-    // From 0: doubled and then added to is 1, added to and then doubled is 2.
+    // From 0: double, then add is 1; add, then double is 2.
     for (double_first, add_first) in DOUBLE_FIRST.iter().zip(&ADD_FIRST) {
         check(double_first, 1.0);
         check(add_first, 2.0);

@@ -1,8 +1,8 @@
 //! Case C7 and its family: a surface that attracts, is crossed, or repels.
 //!
-//! Error model: the fields are polynomials of the time, of degree 3 at most, which RK4
-//! integrates exactly. What is left is rounding: each step rounds a state of size 4 at most
-//! by 4.5e-16, and an event's time errs by the state over the rate at which it is met.
+//! Error model: the fields are polynomials of the time, of degree 3 at most, which RK4 integrates
+//! exactly. What is left is rounding: each step rounds a state of size 4 at most by 4.5e-16, and an
+//! event's time errs by the state over the rate at which it is met.
 
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
@@ -11,8 +11,8 @@ use pode::{Limits, RecordedEvent, Simulator, Tick};
 use crate::common::{all_completed, close, each_step_and_phase};
 use crate::driven::{Clock, run_driven};
 
-/// Two fields that depend on the time alone, on either side of x = 0: x' = r₊(t) above and
-/// r₋(t) below; y' = +1 above and −1 below, so that y tells the share of each.
+/// Two fields that depend on the time alone, on either side of x = 0: x' = r₊(t) above and r₋(t)
+/// below; y' = +1 above and −1 below, so that y shows the share of each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Fields {
     /// Coefficients of r₊ by power of t.
@@ -47,19 +47,16 @@ impl Sided for Fields {
 
 type Slide = Simulator<Filippov<Fields>, Rk4>;
 
-/// The fields at t = 0 and `x`.
 fn start(above: [f64; 4], below: [f64; 4], x: f64) -> Slide {
     let model = Filippov(Fields { above, below });
     let (mode, state) = model.start(&[x, 0.0], &Clock(0.0));
     Simulator::new(model, Rk4, Limits::default(), mode, state)
 }
 
-/// What rounding adds up to over `t` (s) in steps of `h`.
 fn rounding(h: f64, t: f64) -> f64 {
     (t / h + 10.0) * 4.5e-16
 }
 
-/// Runs to `until`; every tick must complete.
 fn events(
     it: &mut Slide,
     at: (f64, f64),
@@ -70,7 +67,6 @@ fn events(
     (recorder.events().to_vec(), ticks)
 }
 
-/// Asserts the modes entered and when, from `x` to `until`, at all steps and phases.
 #[track_caller]
 fn check(above: [f64; 4], below: [f64; 4], x: f64, until: f64, expected: &[(f64, Mode)]) {
     each_step_and_phase(|h, phase| {
@@ -124,14 +120,14 @@ fn a_surface_that_repels_is_left_upwards_for_good() {
 
 #[test]
 fn a_surface_that_turns_from_attracting_to_repelling_is_left_where_it_turns() {
-    // r₊ = t − 1 and r₋ = 2 − 2t vanish together: leaving upwards goes first.
+    // r₊ = t − 1 and r₋ = 2 − 2t vanish together: leaving upwards has priority.
     let [above, below] = [[-1.0, 1.0, 0.0, 0.0], [2.0, -2.0, 0.0, 0.0]];
     check(above, below, 0.125, 2.0, &[(1.0 - 0.75_f64.sqrt(), Mode::Sliding), (1.0, Mode::Above)]);
 }
 
 #[test]
 fn a_touch_of_an_attracting_surface_is_held_and_let_go() {
-    // x = (t − 1)²/2 touches from above, where the other side is pushing up.
+    // x = (t − 1)²/2 touches from above, where the other side pushes up.
     let above = [-1.0, 1.0, 0.0, 0.0];
     for x in [0.5, 0.5 + 1e-9] {
         check(above, [1.0, 0.0, 0.0, 0.0], x, 2.0, &[]);
@@ -143,7 +139,6 @@ fn a_touch_of_an_attracting_surface_is_held_and_let_go() {
         let (seen, _) = events(it, (h, phase), 2.0);
         let modes: Vec<_> = seen.iter().map(|it| it.to).collect();
         assert_eq!(modes, [Mode::Sliding, Mode::Above], "h {h}, phase {phase}");
-        // It is met at a rate of 1.4e-3.
         close("hit", seen[0].t, hit, rounding(h, 1.0) / 1.4e-3);
         close("exit", seen[1].t, 1.0, 1e-14);
     });

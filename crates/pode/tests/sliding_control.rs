@@ -1,7 +1,7 @@
 //! Sliding along surfaces that are oblique, curved, or move.
 //!
-//! Error model: RK4, with r the part of a radian (or of a time constant) per step, errs by
-//! r⁴/120 of what it follows; what holds the state on the surface errs by rounding only.
+//! Error model: RK4, with r the radians (or time constants) per step, errs by r⁴/120 of the
+//! followed motion; the hold on the surface errs by rounding only.
 
 use pode::filippov::{Branch, Filippov, Mode, Sided, Surface, SurfaceSide};
 use pode::stepper::Rk4;
@@ -10,7 +10,6 @@ use pode::{Limits, Nature, Simulator, State as _};
 use crate::common::{all_completed, close, each_step_and_phase, run};
 use crate::driven::{Clock, root, run_driven};
 
-/// x'' = −u sign(x' + λx): a mass that is switched onto the line x' = −λx.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Switched {
     force: f64,
@@ -61,7 +60,6 @@ fn a_switched_mass_slides_home_along_its_line() {
         let t = recorder.time(it.tick(), 0.0);
         let home = x_hit * (-3.0 * (t - hit)).exp();
         close(format_args!("h {h}: x"), x, home, home * 3.0 * t * 0.02_f64.powi(4) / 120.0 + 1e-14);
-        // The force that holds it there, λ² x, is a mixture of +10 and −10.
         close(format_args!("h {h}: force"), ticks[ticks.len() - 1].end_readout, 9.0 * x, 1e-12);
     });
 }
@@ -86,7 +84,6 @@ fn a_line_too_steep_for_its_force_is_crossed_before_it_is_slid_along() {
     });
 }
 
-/// The meetings of a switched mass from rest at 1 with its line, each arc a parabola.
 fn crossings(u: f64, lambda: f64) -> Vec<(f64, Mode)> {
     let (mut t, mut x, mut v, mut sign) = (0.0, 1.0, 0.0, 1.0);
     let mut found = Vec::new();
@@ -111,11 +108,10 @@ fn crossings(u: f64, lambda: f64) -> Vec<(f64, Mode)> {
     }
 }
 
-/// Turns about the origin, and is drawn onto a circle whose radius swings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Ring;
 
-/// Radius, and its rate, at `t` (s).
+/// Returns radius and rate at `t` (s).
 fn radius(t: f64) -> [f64; 2] {
     let (sin, cos) = (3.0 * t).sin_cos();
     [1.0 + 0.1 * sin, 0.3 * cos]
@@ -162,7 +158,7 @@ fn a_curved_surface_that_moves_is_followed_to_rounding() {
         close(format_args!("h {h}: hit"), recorder.events()[0].t, hit, 1e-13 + h.powi(4));
         let [x, y] = *it.state();
         close(format_args!("h {h}: radius"), x.hypot(y), radius(5.0)[0], 4e-16);
-        // α r − (1 − α) r = −r': what the readout is made of.
+        // α r − (1 − α) r = −r': the sum in the readout.
         let [r, rate] = radius(5.0);
         let share = ticks[ticks.len() - 1].end_readout;
         close(format_args!("h {h}: share"), share, -rate / r, 1e-14);

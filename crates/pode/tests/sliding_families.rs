@@ -1,7 +1,7 @@
 //! Filippov systems at random against an event machine in closed form.
 //!
 //! The rates are lines in the time, so x is a parabola on each side: the reference solves
-//! quadratics, one after another, with no step at all.
+//! successive quadratics, without any step.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 #![allow(clippy::disallowed_methods, clippy::disallowed_types, reason = "a test may use the heap")]
@@ -18,14 +18,11 @@ use crate::driven::{Clock, run_driven};
 struct Lines {
     above: [f64; 2],
     below: [f64; 2],
-    /// Speed of the surface.
     drift: f64,
-    /// What all lengths are multiplied by.
     size: f64,
 }
 
 impl Lines {
-    /// The line of a side, relative to the surface.
     fn relative(&self, side: SurfaceSide) -> [f64; 2] {
         let [a, b] = if side == SurfaceSide::Above { self.above } else { self.below };
         [a - self.drift, b]
@@ -54,7 +51,6 @@ impl Sided for Lines {
     }
 }
 
-/// The smallest root above `from` of c0 + c1 t + c2 t², if any.
 fn first_root([c0, c1, c2]: [f64; 3], from: f64) -> Option<f64> {
     let roots = if c2 == 0.0 {
         [-c0 / c1, f64::NAN]
@@ -66,12 +62,11 @@ fn first_root([c0, c1, c2]: [f64; 3], from: f64) -> Option<f64> {
     roots.into_iter().filter(|t| *t > from).min_by(f64::total_cmp)
 }
 
-/// One epoch of the reference: from when, in which mode, and how sharply it began.
 #[derive(Clone, Copy, Debug)]
 struct Epoch {
     from: f64,
     mode: Mode,
-    /// The smallest rate that had a say in it.
+    /// Smallest rate in the decision for it.
     margin: f64,
 }
 
@@ -79,7 +74,6 @@ fn rate([a, b]: [f64; 2], t: f64) -> f64 {
     a + b * t
 }
 
-/// The modes from the height `x` at t = 0 to `until`.
 fn reference(lines: &Lines, x: f64, until: f64) -> Vec<Epoch> {
     let [up, down] = [SurfaceSide::Above, SurfaceSide::Below].map(|side| lines.relative(side));
     let begin = if x > 0.0 { Mode::Above } else { Mode::Below };
@@ -93,7 +87,6 @@ fn reference(lines: &Lines, x: f64, until: f64) -> Vec<Epoch> {
                 let ends = exits.map(|t| t.unwrap_or(f64::INFINITY));
                 let (t, mode) =
                     if ends[0] < ends[1] { (ends[0], Mode::Above) } else { (ends[1], Mode::Below) };
-                // How far apart the exits are.
                 t.is_finite().then(|| Epoch { from: t, mode, margin: (ends[0] - ends[1]).abs() })
             }
             Mode::Above | Mode::Below => {
@@ -170,7 +163,7 @@ proptest! {
         h in prop_oneof![Just(1e-3), Just(7e-3), Just(0.125)],
         phase in prop_oneof![Just(0.0), Just(1.0 / 3.0), Just(0.999)],
     ) {
-        // Halves, so that rates, hits and exits coincide in the very bits.
+        // Halves, so that rates, hits and exits coincide to the bit.
         let halves = |it: [i32; 2]| it.map(|n| 0.5 * f64::from(n));
         let lines = Lines {
             above: halves(above),

@@ -1,7 +1,7 @@
 //! Stick and slip with every method: the same modes, and times as good as its order.
 //!
-//! Error model: with r = ω h, a method of order p keeps the phase of a slip of 5 rad to some
-//! 5 rᵖ, and its dense output, of order p at least, the landing. 8 rᵖ / ω covers both.
+//! Error model: with r = ω h, a method of order p keeps the phase of a slip of 5 rad to some 5 rᵖ,
+//! and its dense output, of order p at least, the landing. 8 rᵖ / ω covers both.
 
 use pode::filippov::{Filippov, Mode};
 use pode::stepper::{
@@ -14,7 +14,6 @@ use pode::{Limits, Nature, Simulator, Stepper};
 use crate::common::stick_slip::StickSlip;
 use crate::common::{all_completed, close, run};
 
-/// Asserts four cycles with the method `T`.
 #[track_caller]
 fn check<T: Stepper>() {
     let slip = (std::f64::consts::TAU - 2.0 * 0.5_f64.atan()) / 10.0;

@@ -1,4 +1,4 @@
-//! What the methods promise of energy and of motion much faster than the step.
+//! The methods' promises on energy and on motion much faster than the step.
 
 use pode::stepper::{
     ExplicitEuler, ExponentialRosenbrock, Exprb32, Given, LinearImplicitMidpoint, Rodas3, Rodas4,
@@ -6,7 +6,6 @@ use pode::stepper::{
 };
 use pode::{Dense as _, EquationKind, Nature, State, Stepper};
 
-/// The dense output of one step of `h` (s) of x' = f(τ, x).
 fn step<T: Stepper, S: State>(
     kind: EquationKind,
     coords: usize,
@@ -37,9 +36,8 @@ impl Chain {
         0.5 * (u * u + v * v + self.k[0] * a * a + self.k[1] * (b - a) * (b - a))
     }
 
-    /// What a step of [`H`] may round the energy by: that of the entries, and that of the
-    /// stiff spring's force at the rounding of the positions, by ε in each of some dozen
-    /// operations that make up an entry.
+    /// Returns the rounding of the energy in a step of [`H`]: of the entries, and of the stiff
+    /// spring's force at the positions' rounding, by ε in each of some dozen operations per entry.
     fn rounding(&self, x: &[f64; 4]) -> f64 {
         let ([a, b, u, v], energy) = (x.map(f64::abs), self.energy(x));
         let way = a + b + H * (u + v);
@@ -50,7 +48,7 @@ impl Chain {
 /// A step (s).
 const H: f64 = 1e-3;
 
-/// From 0.01 to 1e4 rad of the stiff spring in a step, damped and not.
+/// Returns chains from 0.01 to 1e4 rad of the stiff spring in a step, damped and not.
 fn chains() -> impl Iterator<Item = Chain> {
     let rates = (-4..=8).map(|n| 10_f64.powf(0.5 * f64::from(n)) / H);
     rates.flat_map(|rate| {
@@ -66,7 +64,6 @@ fn the_linear_implicit_midpoint_never_makes_energy_at_any_stiffness() {
         for n in 0..2000 {
             let f = |_: f64, x: &[f64; 4]| chain.derivative(x);
             let step = step::<LinearImplicitMidpoint, _>(EquationKind::Linear, 2, f, &x, H);
-            // An event may end the step anywhere.
             for part in 1..=10 {
                 let growth = chain.energy(&step.at(f64::from(part) / 10.0)) - before;
                 assert!(growth <= chain.rounding(&x), "{chain:?}, step {n}: {growth:e}");
@@ -84,7 +81,7 @@ fn the_linear_implicit_midpoint_never_makes_energy_at_any_stiffness() {
     }
 }
 
-/// x1/x0 of x' = λ x for hλ = `re` + i `im`, as a rotation's x and y; and at ten places inside.
+/// Returns x1/x0 of x' = λ x for hλ = `re` + i `im`, as a rotation's x and y; and ten inner places.
 fn response<T: Stepper>(re: f64, im: f64) -> Vec<f64> {
     let f = |_: f64, x: &[f64; 2]| [re * x[0] - im * x[1], im * x[0] + re * x[1]];
     let step = step::<T, _>(EquationKind::Linear, 0, f, &[1.0, 0.0], 1.0);
@@ -93,7 +90,7 @@ fn response<T: Stepper>(re: f64, im: f64) -> Vec<f64> {
 
 #[test]
 fn what_is_much_faster_than_the_step_is_gone_after_it() {
-    /// `left` / |hλ| is left at the end, and nothing inside is larger than the start.
+    /// Asserts that `left` / |hλ| is left at the end, and nothing inside exceeds the start.
     fn check<T: Stepper>(left: f64) {
         for exponent in 2..=8 {
             let rate = 10_f64.powi(exponent);
@@ -142,8 +139,8 @@ fn undamped_motion_of_any_rate_does_not_grow() {
     check::<Rodas4>();
 }
 
-/// Largest error over 5 s of x' = λ (x − sin t) + cos t, λ = −1e6 / s, in steps of `h` (s).
-/// `[HW96]` IV.15, eq. 15.1
+/// Returns the largest error over 5 s of x' = λ (x − sin t) + cos t, λ = −1e6 / s, in steps of `h`
+/// (s). `[HW96]` IV.15, eq. 15.1
 fn prothero_robinson<T: Stepper>(h: f64) -> f64 {
     const RATE: f64 = -1e6;
     let (mut x, mut t, mut worst): (_, f64, f64) = ([0.0], 0.0, 0.0);
@@ -172,18 +169,18 @@ fn a_stiff_mode_follows_what_it_is_forced_to() {
     // An eighth of h² x'', as of a chord: it alternates.
     check::<LinearImplicitMidpoint>(|h| 1.1 * h * h / 8.0);
     check::<Ros2>(|h| 0.4 * h * h);
-    // Stiffly accurate: a part of the step times the fast motion's time.
+    // Stiffly accurate: a fraction of the step times the fast motion's time.
     check::<Rodas3>(|h| 0.4 * h / 1e6);
     check::<Rodas4>(|h| 0.03 * h / 1e6);
-    // What the straight forcing misses, a half of h² x''.
+    // Missed by the straight forcing: half of h² x''.
     check::<ExponentialRosenbrock>(|h| h * h / 2.0);
-    // What the parabola misses, and that for the fast motion's time only.
+    // Missed by the parabola, for the fast motion's time only.
     check::<Exprb32>(|h| 1.1 * h * h / 6.0 / 1e6);
     let explicit = prothero_robinson::<ExplicitEuler>(0.05);
     assert!(explicit.is_nan() || explicit > 1e10, "{explicit:e}");
 }
 
-/// Largest error of the energy of q'' = −sin q over `steps` steps of 0.1 s, from 2.5 rad.
+/// Returns the largest energy error of q'' = −sin q over `steps` steps of 0.1 s, from 2.5 rad.
 fn pendulum<T: Stepper>(steps: u32) -> f64 {
     let f = |_: f64, x: &[f64; 2]| [x[1], -x[0].sin()];
     let energy = |x: &[f64; 2]| 0.5 * x[1] * x[1] - x[0].cos();

@@ -12,16 +12,14 @@ use pode::{
 
 const SQUARE: f64 = 9.81;
 
-/// A pendulum from 1.2 rad whose wall at 0 turns it back with restitution 0.9.
 #[derive(Clone, Copy, Debug)]
 struct Pendulum {
-    /// Whether it says its series.
     has_series: bool,
 }
 
 const EXPANDED: Pendulum = Pendulum { has_series: true };
 
-/// θ'' = −9.81 sin θ, by hand: sine and cosine drive each other. The guard is the angle.
+/// Expands θ'' = −9.81 sin θ by hand: sine and cosine drive each other. The guard is the angle.
 fn expand(out: &mut Expansion<[f64; 2]>) {
     let (sine, cosine) = out.terms[0][0].sin_cos();
     let (mut sines, mut cosines) = (vec![sine], vec![cosine]);
@@ -94,7 +92,7 @@ const IMPACTS: [(usize, f64); 4] = [
     (10, 9.898_785_767_259_402),
 ];
 
-/// The largest error of an impact's time (s) in 10 s, taken in ticks of `h` (s), and the work.
+/// Returns the largest error of an impact's time (s) in 10 s, in ticks of `h` (s), and the work.
 #[expect(clippy::large_stack_frames, reason = "a simulator on the stack of a test")]
 fn impacts(pendulum: Pendulum, tolerance: f64, h: f64) -> (f64, pode::Work) {
     let method = Taylor::to(Tolerance::both(tolerance));
@@ -137,7 +135,6 @@ fn a_model_without_a_series_is_stepped_within_the_tolerance_too() {
     assert!(work.pieces > 200, "steps of order 5: {}", work.pieces);
 }
 
-/// The pendulum as a field on its own.
 struct Swing;
 
 impl Field<[f64; 2]> for Swing {
@@ -159,7 +156,6 @@ impl Field<[f64; 2]> for Swing {
     }
 }
 
-/// The state after one step of `h` (s) of this order.
 fn after(order: usize, h: f64) -> [f64; 2] {
     let method = Taylor { order, tolerance: Tolerance::default() };
     let mut memory = TaylorMemory::default();
@@ -203,7 +199,6 @@ fn a_pendulum_keeps_its_energy_for_a_thousand_swings() {
     assert!(drift < 1e-12, "{drift:e}");
 }
 
-/// The pendulum without its wall.
 #[derive(Clone, Copy, Debug)]
 struct Free(Pendulum);
 
@@ -285,7 +280,6 @@ fn a_graze_is_seen_in_a_step_that_is_a_million_times_longer() {
             continue;
         }
         assert_eq!(times.len(), 1, "{depth:e}");
-        // Rounding of the guard, over its slope.
         let error = (times[0] - (LOWEST - depth.sqrt())).abs();
         assert!(error < 1e-15 / depth.sqrt() + 2e-12, "{depth:e}: {error:e}");
     }
@@ -330,7 +324,7 @@ impl Resets for Bent {}
 #[test]
 fn a_step_ends_where_the_equations_change_their_form() {
     let e = 1.0_f64.exp();
-    // Either way zero is reached after 1 s, from −1 or from e − 1.
+    // Both reach zero after 1 s, from −1 or from e − 1.
     for (way, from) in [(1.0, -1.0), (-1.0, e - 1.0)] {
         for h in [3.0, 0.7, 0.1, 1.0] {
             let method = Taylor::to(Tolerance::both(1e-14));

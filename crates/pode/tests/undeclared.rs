@@ -1,5 +1,5 @@
-//! Impacts that accumulate where no mode is there to rest in: the floor holds all the same,
-//! in bounded work, and the ticks say that they gave up.
+//! Accumulating impacts without a mode to rest in: the floor holds nevertheless, in bounded work,
+//! and the ticks report that they stopped.
 
 #![allow(
     clippy::cast_possible_truncation,
@@ -16,11 +16,11 @@ use pode::{
 
 use crate::common::{G, STEPS, no_input};
 
-/// A ball over a floor, which never says where it rests.
+/// A ball over a floor whose model names no mode of rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Ball {
     restitution: f64,
-    /// Whether an impact puts it on the floor, or leaves it where it was found.
+    /// `true` if an impact puts it on the floor, instead of leaving it in place.
     puts: bool,
 }
 
@@ -57,7 +57,6 @@ impl Resets for Ball {
     }
 }
 
-/// Follows a ball from `height` for 200 ticks after its last impact.
 #[track_caller]
 fn check(ball: Ball, height: f64, h: f64) {
     let mut it = Simulator::new(ball, Rk4, Limits::default(), (), [height, 0.0]);
@@ -70,7 +69,7 @@ fn check(ball: Ball, height: f64, h: f64) {
         let is_known =
             matches!(last, Advance::Completed | Advance::Capped(Cap::Events | Cap::Cascade));
         assert!(is_known, "{ball:?} from {height}, h {h}: {tick:?}");
-        // Each impact may find it 16 ε below; where none lifts it, that adds up.
+        // Each impact may find it 16 ε below; without a lift that adds up.
         let y = it.state()[0];
         assert!(y > -1e-12, "{ball:?} from {height}, h {h}: it has sunk to {y:e}");
     }

@@ -1,7 +1,6 @@
-//! Zeno sequences that no model declares: the simulator measures the intervals, tells those
-//! that accumulate from those that do not, and settles them into the contact mode.
-//!
-//! References are the same impacts followed one by one in closed form, to rounding.
+//! Undeclared Zeno sequences: the simulator measures the intervals, distinguishes those that
+//! accumulate, and settles them into the contact mode. References are the same impacts followed one
+//! by one in closed form, to rounding.
 
 #![expect(clippy::disallowed_macros, reason = "a test names its case")]
 
@@ -13,12 +12,12 @@ use pode::{
 
 use crate::common::{G, all_completed, close, each_step_and_phase, run};
 
-/// A ball over a floor whose restitution falls with the speed of the impact: e0 / (1 + v/v0).
-/// Its ratio of intervals is constant only in the limit.
+/// A ball over a floor whose restitution falls with the speed of the impact: e0 / (1 + v/v0). Its
+/// ratio of intervals is constant only in the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Soft {
     e0: f64,
-    /// Speed (m/s) at which half of e0 is left; infinite for a constant restitution.
+    /// Speed (m/s) at which restitution is half of e0; infinite for a constant one.
     v0: f64,
 }
 
@@ -76,7 +75,7 @@ impl Resets for Soft {
     }
 }
 
-/// When the ball dropped from 1 m comes to rest (s), and its impulse until then per kilogram.
+/// Returns the time of rest (s) of a ball dropped from 1 m, and its impulse until then (N s/kg).
 fn rest(ball: Soft) -> (f64, f64) {
     let mut v = (2.0 * G).sqrt();
     let (mut t, mut impulse) = (v / G, 0.0);
@@ -109,8 +108,8 @@ fn impacts_whose_ratio_tends_to_a_constant_come_to_rest_in_time() {
             all_completed(&ticks);
             let last = recorder.events().last().expect("an event");
             assert_eq!((last.name, last.to), ("settled", Mode::Rest), "{}", what("end"));
-            // Settled as soon as the time is known to 2⁻²⁰ of a tick, or as well as the
-            // last events of a tick allow; where hops are lost in rounding, to 1e-5 of their rest.
+            // Settled as soon as the time is known to 2⁻²⁰ of a tick, or as well as the last events
+            // of a tick permit; where hops are lost in rounding, to 1e-5 of their rest.
             close(what("time of rest"), last.t, t, 1e-5 * h + 5e-9);
             let sum: f64 = ticks.iter().map(|tick| tick.impulse).sum();
             close(what("impulse"), sum, impulse, G * (1e-5 * h + 5e-9));
@@ -134,8 +133,8 @@ fn hundreds_of_bounces_in_one_tick_are_a_handful_of_events() {
     assert!(recorder.events().len() < 30, "{} events", recorder.events().len());
 }
 
-/// A ball on a spring instead of gravity, x'' = −x, with a wall at 0: its interval tends to π,
-/// however much restitution takes from it.
+/// A ball on a spring instead of gravity, x'' = −x, with a wall at 0: its interval tends to π, for
+/// any restitution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Springy {
     e: f64,

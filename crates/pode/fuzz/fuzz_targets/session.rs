@@ -1,5 +1,5 @@
-//! A session of eight ticks with a model, inputs and limits out of arbitrary bytes, against
-//! everything that a tick promises. The twin of `tests/fuzzed.rs`, of the same parts.
+//! A session of eight ticks with a model, inputs and limits from arbitrary bytes, against every
+//! promise of a tick. The twin of `tests/fuzzed.rs`, built from the same modules.
 #![no_main]
 
 #[path = "../../tests/common/adversary/mod.rs"]
@@ -13,7 +13,6 @@ use pode::stepper::*;
 
 macro_rules! sessions {
     ($($name:ident: $stepper:ty = $value:expr,)+) => {
-        /// One session for each method.
         const SESSIONS: &[fn(&[u8])] = &[$(|bytes| {
             check::<$stepper>(bytes, $value, heap::calls);
         }),+];
@@ -23,7 +22,7 @@ macro_rules! sessions {
 every_stepper!(sessions);
 
 fuzz_target!(|bytes: &[u8]| {
-    // The last byte says which method, so that the others keep their meaning.
+    // The last byte selects the method, so that the others keep their meaning.
     let Some((method, bytes)) = bytes.split_last() else { return };
     SESSIONS[usize::from(*method) % SESSIONS.len()](bytes);
 });

@@ -1,13 +1,13 @@
-//! Where the energy of a mechanism with contacts came from and went.
+//! Sources and sinks of the energy of a mechanism with contacts.
 
 use crate::contacts::{ContactIndices, ContactMode, FrictionForces, GuardedContacts, WithContacts};
 use crate::{Energetic, EnergyBalance};
 
-/// A mechanism that can account for its energy; what friction takes is known without it.
+/// A mechanism that can account for its energy; friction's losses are computed for it.
 pub trait EnergeticContacts: GuardedContacts {
-    /// Returns the energy stored in `x` and in the `closed` contacts, which does not depend on the
-    /// friction `forces`, the power that the drive of the input puts in, by friction too, as a belt
-    /// does, and the power that dampers and the `closed` contacts take, without friction.
+    /// Returns the energy stored in `x` and in the `closed` contacts, independent of the friction
+    /// `forces`; the power from the input's driver, also through friction, as from a belt; and the
+    /// power that dampers and the `closed` contacts absorb, without friction.
     fn balance(
         &self,
         structure: Self::Structure,
@@ -32,7 +32,7 @@ impl<M: EnergeticContacts> Energetic for WithContacts<M> {
         self.balance_of_input(mode, x, input).dissipated
     }
 
-    /// The friction forces, which may cost a derivative, are worked out once.
+    /// Computes the friction forces once, since they may cost a derivative.
     fn balance_of_input(
         &self,
         mode: ContactMode<M::Structure>,

@@ -1,8 +1,6 @@
-//! The friction forces of the closed contacts, one by one.
-
 use crate::contacts::MAX_FRICTIONS;
 
-/// The friction forces that act (N, or N m), each in the direction of positive slip.
+/// Friction forces (N, or N m), each in the direction of positive slip.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct FrictionForces {
     contacts: [u8; MAX_FRICTIONS],
@@ -11,11 +9,9 @@ pub struct FrictionForces {
 }
 
 impl FrictionForces {
-    /// The forces where no friction acts.
     pub const NONE: Self =
         Self { contacts: [0; MAX_FRICTIONS], forces: [0.0; MAX_FRICTIONS], len: 0 };
 
-    /// Adds the force of one contact; what is more than a model can have is dropped.
     pub(super) fn add(&mut self, contact: usize, force: f64) {
         let Ok(number) = u8::try_from(contact) else { return };
         if self.len < MAX_FRICTIONS {

@@ -1,14 +1,12 @@
-//! How well a friction holds, and which way it goes where it does not.
+//! The hold of a friction, and the direction of its slip.
 
 use crate::contacts::point::{ContactMotion, ContactPoint};
 use crate::contacts::{ContactState, FrictionSpec, GuardedContacts};
 use crate::filippov::Surface;
 use crate::{GuardSpec, GuardValue};
 
-/// The guards of a friction are in parts of its own sizes.
 pub(super) const UNIT: GuardSpec = GuardSpec::new(0, "");
 
-/// A friction at a point of the motion.
 pub(super) struct Friction<'a, M: GuardedContacts> {
     pub(super) point: ContactPoint<'a, M>,
     pub(super) contact: usize,
@@ -16,7 +14,6 @@ pub(super) struct Friction<'a, M: GuardedContacts> {
 }
 
 impl<M: GuardedContacts> Friction<'_, M> {
-    /// The guard of the friction in the state of its mode; positive while that goes on.
     pub(super) fn guard(&self) -> GuardValue {
         let state = self.point.mode.contacts.state(self.contact);
         match state {
@@ -26,8 +23,8 @@ impl<M: GuardedContacts> Friction<'_, M> {
         }
     }
 
-    /// Whether the slip speed is zero, as far as can be told where a guard of the friction, or of
-    /// its contact, has fired.
+    /// Returns `true` if the slip speed is zero within the width to which a guard of the friction,
+    /// or of its contact, was located.
     pub(super) fn is_stopped(&self) -> bool {
         let zero = match self.point.mode.contacts.state(self.contact) {
             ContactState::Stick => self.spec.slack,
@@ -37,7 +34,6 @@ impl<M: GuardedContacts> Friction<'_, M> {
         self.point.slip(self.contact).value.abs() <= zero
     }
 
-    /// The state that it must be in at slip speed zero, if it is not the present one.
     pub(super) fn revised(&self) -> Option<ContactState> {
         let state = self.point.mode.contacts.state(self.contact);
         match state {
@@ -51,8 +47,8 @@ impl<M: GuardedContacts> Friction<'_, M> {
         }
     }
 
-    /// Limit² − force² in parts of the friction's size, and its rate; negative where no force
-    /// of this friction can hold.
+    /// Limit² − force² relative to the friction's size, and its rate; negative where no force of
+    /// this friction can hold.
     fn stick_guard(&self) -> GuardValue {
         let slip = self.point.slip(self.contact);
         if slip.value.abs() > self.spec.slack {
@@ -69,12 +65,11 @@ impl<M: GuardedContacts> Friction<'_, M> {
         GuardValue::new(value, (late - early) / (2.0 * dt))
     }
 
-    /// The slip acceleration, if it is more than rounding leaves.
+    /// Returns the slip acceleration, if it is more than rounding.
     ///
-    /// It can be that where a friction is to hold: others have taken from its force what it
-    /// could move.
+    /// It is not zero at a held friction if others have taken away its force's effect.
     fn moves(&self, slip: &Surface<M::State>, motion: &ContactMotion<M::State>) -> Option<f64> {
-        /// Part of what the friction's own force can do that counts as none.
+        /// Fraction of the acceleration by the friction's own force that counts as zero.
         const PART: f64 = 1e-10;
         let force = self.spec.force + motion.forces.at(self.contact).abs();
         let reach = slip.slope(&self.point.response(self.contact)) * force;
@@ -93,10 +88,8 @@ impl<M: GuardedContacts> Friction<'_, M> {
         (limit - force) * (limit + force)
     }
 
-    /// The slip speed in the direction of the slide.
-    ///
-    /// A slide that begins where the force has come to its limit starts at zero, with a rate of
-    /// zero that rounding may make negative.
+    /// Returns the slip speed in the direction of the slide. A slide that starts as the force
+    /// reaches its limit has speed zero and rate zero, which rounding may make negative.
     fn slide_guard(&self, state: ContactState) -> GuardValue {
         let (slip, motion) = (self.point.slip(self.contact), self.point.motion());
         let part = state.slip_sign() / self.spec.slip;
@@ -109,17 +102,17 @@ impl<M: GuardedContacts> Friction<'_, M> {
         GuardValue::new(value, rate)
     }
 
-    /// Whether the force that holds is within its limit, and not about to leave it.
+    /// Returns `true` if the holding force is within its limit, and not about to leave it.
     fn holds(&self) -> bool {
-        /// Part of a moment: a force that is at its limit sooner does not hold.
+        /// Relative time: a force at its limit sooner does not hold.
         const SOON: f64 = 1.0 / 4096.0;
         let grip = self.stick_guard();
         let lost = (-grip.rate).max(0.0) * SOON * M::MOMENT;
         grip.value > UNIT.band() + lost || (grip.value.abs() <= UNIT.band() && grip.rate >= 0.0)
     }
 
-    /// Where it slips if it is let go: as it does if it cannot be held, or against the force that
-    /// holds it.
+    /// Returns the slip's direction if let go: its acceleration's if it cannot be held, otherwise
+    /// against the holding force.
     pub(super) fn slip_direction(&self) -> ContactState {
         let motion = self.point.motion();
         let left = self.moves(&self.point.slip(self.contact), &motion);

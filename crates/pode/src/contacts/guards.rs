@@ -7,21 +7,19 @@ use crate::contacts::{
 };
 use crate::{Enclosure, GuardBound, GuardId, GuardSpec, GuardValue, Guarded, MAX_GUARDS};
 
-/// A model with more parts than can be followed.
+/// Error for a model with too many contacts, frictions or guards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TooManyGuards {
-    /// More contacts than [`MAX_CONTACTS`], with their number.
+    /// Number of contacts, more than [`MAX_CONTACTS`].
     Contacts(usize),
-    /// More frictions than [`MAX_FRICTIONS`].
     Frictions,
-    /// More guards than [`MAX_GUARDS`](crate::MAX_GUARDS): one for each contact, one for each
-    /// friction, and those of the structure.
+    /// More guards than [`MAX_GUARDS`](crate::MAX_GUARDS): those of the structure, and one for each
+    /// contact and each friction.
     Guards,
-    /// A guard of the structure with an id that is not below 128.
+    /// Structure guard whose id is not below 128.
     Id(GuardId),
 }
 
-/// The guards of a model, whatever its mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct GuardList {
     specs: [GuardSpec; MAX_GUARDS],
@@ -29,7 +27,7 @@ pub(super) struct GuardList {
 }
 
 impl GuardList {
-    /// Contacts go after the structure, and frictions after them.
+    /// Priority of contacts: after the structure, before frictions.
     const CONTACT_PRIORITY: u8 = 64;
     const FRICTION_PRIORITY: u8 = 128;
 
@@ -132,8 +130,8 @@ impl<M: GuardedContacts> Guarded for WithContacts<M> {
 }
 
 impl<M: GuardedContacts> WithContacts<M> {
-    /// The bound of a friction's guard: of a slide the slip speed, in parts of its size. What holds
-    /// a stick depends on all that act with it, and nothing bounds it.
+    /// Bounds a friction's guard: a slide's by the slip speed relative to its size. A stick's guard
+    /// depends on all frictions that act with it and has no bound.
     fn friction_bound(
         &self,
         mode: ContactMode<M::Structure>,
@@ -150,7 +148,6 @@ impl<M: GuardedContacts> WithContacts<M> {
         }
     }
 
-    /// The friction of `contact` in `mode`, if it has any.
     pub(super) fn friction<'a>(
         &'a self,
         mode: ContactMode<M::Structure>,

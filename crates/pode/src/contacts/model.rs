@@ -29,7 +29,6 @@ impl<M: GuardedContacts> Model for WithContacts<M> {
 }
 
 impl<M: GuardedContacts> WithContacts<M> {
-    /// The state with the slip speeds of what sticks at zero.
     pub(super) fn stopped(
         &self,
         mode: ContactMode<M::Structure>,
@@ -41,7 +40,7 @@ impl<M: GuardedContacts> WithContacts<M> {
         for contact in mode.contacts.sticking() {
             let Some(friction) = self.friction(mode, contact, x, input) else { continue };
             let slip = point.slip(contact).value.abs();
-            // What the input has torn off is left to the guard.
+            // A contact torn off by the input is left to the guard.
             if slip > friction.spec.slack {
                 held = held.with(contact, ContactState::Closed);
             }

@@ -1,4 +1,4 @@
-//! A state in one mode of the contacts: the friction forces, and the motion that they give.
+//! A state in one mode of the contacts: friction forces and the resulting motion.
 
 use crate::State as _;
 use crate::contacts::solve::{Mobility, PerFriction, least_norm};
@@ -7,7 +7,7 @@ use crate::contacts::{
 };
 use crate::filippov::{Continued as _, Surface};
 
-/// A state and an input of a system, and the contacts that are to hold there.
+/// A state, an input, and the mode of the contacts there.
 pub(super) struct ContactPoint<'a, M: GuardedContacts> {
     pub(super) system: &'a M,
     pub(super) mode: ContactMode<M::Structure>,
@@ -15,13 +15,11 @@ pub(super) struct ContactPoint<'a, M: GuardedContacts> {
     pub(super) input: &'a M::Input,
 }
 
-/// The derivative, and the friction forces in it.
 pub(super) struct ContactMotion<S> {
     pub(super) flow: S,
     pub(super) forces: FrictionForces,
 }
 
-/// The contacts that are held at a point, with what each force of them moves.
 struct Held<S> {
     contacts: ContactIndices,
     slips: [Surface<S>; MAX_FRICTIONS],
@@ -30,7 +28,6 @@ struct Held<S> {
 }
 
 impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
-    /// The same mode with another state and input.
     const fn moved<'b>(&self, x: &'b M::State, input: &'b M::Input) -> ContactPoint<'b, M>
     where
         'a: 'b,
@@ -50,9 +47,8 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         self.system.friction(self.mode.structure, contact, self.x, self.input)
     }
 
-    /// The derivative with all friction forces.
-    ///
-    /// Costs one derivative of the system, and a response for each closed contact with friction.
+    /// Computes the derivative with all friction forces, at the cost of one derivative of the
+    /// system and a response for each closed contact with friction.
     pub(super) fn motion(&self) -> ContactMotion<M::State> {
         let (structure, contacts) = (self.mode.structure, self.mode.contacts);
         let mut flow = self.system.derivative(structure, contacts.closed(), self.x, self.input);
@@ -66,12 +62,11 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         ContactMotion { flow, forces }
     }
 
-    /// All friction forces; only those that hold cost what [`ContactPoint::motion`] does.
+    /// Computes all friction forces; only holding ones cost as much as [`ContactPoint::motion`].
     pub(super) fn forces(&self) -> FrictionForces {
         if self.mode.contacts.sticking().is_empty() { self.sliding() } else { self.motion().forces }
     }
 
-    /// The friction forces of contacts that slip.
     fn sliding(&self) -> FrictionForces {
         let mut forces = FrictionForces::NONE;
         for contact in self.mode.contacts.sliding() {
@@ -81,7 +76,6 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         forces
     }
 
-    /// Adds the forces that keep all sticking contacts from slipping to `flow`.
     fn hold(&self, flow: &mut M::State, forces: &mut FrictionForces) {
         let held = self.held(self.mode.contacts.sticking());
         let wanted = held.column(|slip| -slip.rate(flow));
@@ -92,7 +86,6 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         }
     }
 
-    /// What the forces at `contacts` move, taken together.
     fn held(&self, contacts: ContactIndices) -> Held<M::State> {
         let none = Surface { value: 0.0, gradient: M::State::ZERO, drift: 0.0 };
         let mut slips = [none; MAX_FRICTIONS];
@@ -108,10 +101,8 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         Held { contacts, slips, responses, mobility }
     }
 
-    /// The state with the slip speed of all `contacts` at zero.
-    ///
-    /// It moves along what their forces move, so that nothing that a friction cannot change
-    /// changes.
+    /// Returns the state with the slip speed of all `contacts` at zero, moved along the motions of
+    /// their forces, so that only what a friction can change changes.
     pub(super) fn without_slip(&self, contacts: ContactIndices) -> M::State {
         let held = self.held(contacts);
         let wanted = held.column(|slip| -slip.value);
@@ -120,7 +111,7 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
         moved.fold(*self.x, |x, (impulse, response)| x.plus(*impulse, response))
     }
 
-    /// The same point `dt` (s) later along `flow`, or earlier if negative.
+    /// Returns the point `dt` (s) later along `flow`, or earlier if negative.
     pub(super) fn after<T>(
         &self,
         dt: f64,
@@ -133,7 +124,6 @@ impl<'a, M: GuardedContacts> ContactPoint<'a, M> {
 }
 
 impl<S: crate::State> Held<S> {
-    /// One number for each contact.
     fn column(&self, number: impl Fn(&Surface<S>) -> f64) -> PerFriction {
         let mut column = [0.0; MAX_FRICTIONS];
         let slips = self.slips.iter().take(self.contacts.len());

@@ -1,4 +1,4 @@
-//! In which mode a state starts, and what follows where a contact opens or closes, a friction
+//! The mode in which a state starts, and the resets where a contact opens or closes, a friction
 //! sticks or slips, or the structure changes.
 
 use crate::contacts::{
@@ -32,7 +32,6 @@ impl<M: GuardedContacts> Resets for WithContacts<M> {
 }
 
 impl<S> ContactMode<S> {
-    /// The same with `contact` in another state.
     #[must_use]
     pub fn with(self, contact: usize, state: ContactState) -> Self {
         Self { contacts: self.contacts.with(contact, state), ..self }
@@ -40,10 +39,10 @@ impl<S> ContactMode<S> {
 }
 
 impl<M: GuardedContacts> WithContacts<M> {
-    /// The mode in which `x` starts in `structure`, and `x` with what sticks put to rest.
+    /// Returns the mode in which `x` starts in `structure`, and `x` with sticking contacts at rest.
     ///
-    /// A contact starts closed where its gap is negative; its friction slides where the slip
-    /// speed is not zero, and sticks where the forces that hold are within their limits.
+    /// A contact starts closed where its gap is negative; its friction slides where the slip speed
+    /// is not zero, and sticks where the holding forces are within their limits.
     pub fn start(
         &self,
         structure: M::Structure,
@@ -58,7 +57,6 @@ impl<M: GuardedContacts> WithContacts<M> {
         (self.decided(mode, mode.contacts.sticking(), &x, input), x)
     }
 
-    /// What a contact does as far as its gap and its slip speed tell.
     fn first_state(
         &self,
         structure: M::Structure,
@@ -76,7 +74,6 @@ impl<M: GuardedContacts> WithContacts<M> {
         if slip.abs() > friction.same() { ContactState::slide(slip) } else { ContactState::Stick }
     }
 
-    /// Where a closed contact goes on whose friction has to be found anew.
     fn touch(
         &self,
         mode: ContactMode<M::Structure>,
@@ -91,17 +88,17 @@ impl<M: GuardedContacts> WithContacts<M> {
             let slip = friction.point.slip(contact).value;
             return Reset::to(mode.with(contact, ContactState::slide(slip)), *x);
         }
-        // A stick that has come to its limit lets go first; everything else may stick.
+        // A stick at its limit lets go first; all others may stick.
         let held = mode.contacts.state(contact) == ContactState::Stick;
         let first = if held { friction.slip_direction() } else { ContactState::Stick };
         let stopped = self.stopped_with(mode, contact, x, input);
         let resting = stopped.contacts.sticking();
-        // What goes back begins at zero, too.
+        // A slide that turns back also starts at zero.
         let x = self.point(stopped, x, input).without_slip(resting);
         Reset::to(self.decided(stopped.with(contact, first), resting, &x, input), x)
     }
 
-    /// The mode with `contact` sticking, and all that have come to rest by the same motion.
+    /// Returns the mode with `contact` sticking, and all others that stopped by the same motion.
     fn stopped_with(
         &self,
         mode: ContactMode<M::Structure>,
@@ -119,9 +116,8 @@ impl<M: GuardedContacts> WithContacts<M> {
         stopped
     }
 
-    /// The mode in which each of `resting`, whose slip speeds are zero, either holds or slides
-    /// the way that its own force lets it: the contact with the lowest number that does not is
-    /// revised, until none is left.
+    /// Returns the mode in which each of `resting`, with slip speeds zero, holds or slides as its
+    /// own force permits: the lowest contact that does neither is revised until none is left.
     pub(super) fn decided(
         &self,
         mut mode: ContactMode<M::Structure>,
@@ -142,7 +138,7 @@ impl<M: GuardedContacts> WithContacts<M> {
         mode
     }
 
-    /// The mode with what the structure's impulse has made slip let go.
+    /// Returns the mode with those contacts let go that the structure's impulse makes slip.
     fn released(
         &self,
         mode: ContactMode<M::Structure>,

@@ -1,27 +1,22 @@
-//! Which contacts are closed, and what their frictions do: bits beside the structural mode.
+//! States of the contacts and their frictions: bits beside the structural mode.
 
 use core::fmt;
 
-/// Most contacts and bearings of one model: one bit each.
+/// Maximum of contacts and bearings of one model: one bit each.
 pub const MAX_CONTACTS: usize = 64;
 
-/// What one contact does.
+/// State of one contact.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ContactState {
-    /// The surfaces are apart.
     Open,
-    /// They touch, without friction.
     Closed,
-    /// They touch, and friction holds them at slip speed zero.
     Stick,
-    /// They touch, and the slip speed is positive.
     SlideUp,
-    /// They touch, and the slip speed is negative.
     SlideDown,
 }
 
 impl ContactState {
-    /// The sign of the slip speed while it slides, 0 otherwise.
+    /// Returns the sign of the slip speed while it slides, 0 otherwise.
     pub const fn slip_sign(self) -> f64 {
         match self {
             Self::SlideUp => 1.0,
@@ -30,7 +25,6 @@ impl ContactState {
         }
     }
 
-    /// The slide in the direction of `slip`, a number with that sign.
     pub(super) fn slide(slip: f64) -> Self {
         if slip < 0.0 { Self::SlideDown } else { Self::SlideUp }
     }
@@ -39,19 +33,17 @@ impl ContactState {
 /// The states of all contacts of a model, by their numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Default)]
 pub struct ContactSet {
-    /// Those that touch, with or without friction.
     closed: u64,
-    /// Of these, those whose friction holds, and those that slide.
+    /// Closed contacts with a friction that holds; `up` and `down` slide.
     stick: u64,
     up: u64,
     down: u64,
 }
 
 impl ContactSet {
-    /// The set in which all contacts are open.
     pub const OPEN: Self = Self { closed: 0, stick: 0, up: 0, down: 0 };
 
-    /// The same with `contact` in the state `state`; a number that no contact has is ignored.
+    /// Returns the set with `contact` in `state`; a number beyond all contacts is ignored.
     #[must_use]
     pub const fn with(self, contact: usize, state: ContactState) -> Self {
         let bit = bit(contact);
@@ -71,7 +63,6 @@ impl ContactSet {
         set
     }
 
-    /// Returns what `contact` does.
     pub const fn state(&self, contact: usize) -> ContactState {
         let bit = bit(contact);
         if self.closed & bit == 0 {
@@ -87,7 +78,6 @@ impl ContactSet {
         }
     }
 
-    /// Whether the surfaces of `contact` touch.
     #[inline]
     pub const fn is_closed(&self, contact: usize) -> bool {
         self.closed & bit(contact) != 0
@@ -99,26 +89,23 @@ impl ContactSet {
         ContactIndices(self.closed)
     }
 
-    /// Returns the contacts whose friction holds.
     #[inline]
     pub const fn sticking(&self) -> ContactIndices {
         ContactIndices(self.stick)
     }
 
-    /// Returns the contacts that slide, in either direction.
     #[inline]
     pub const fn sliding(&self) -> ContactIndices {
         ContactIndices(self.up | self.down)
     }
 }
 
-/// The bit of a contact; none beyond the last one.
 const fn bit(contact: usize) -> u64 {
     if contact < MAX_CONTACTS { 1 << contact } else { 0 }
 }
 
 impl fmt::Debug for ContactSet {
-    /// Names what is not open, as in `{0: Closed, 5: Stick}`.
+    /// Lists the contacts that are not open, as in `{0: Closed, 5: Stick}`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_map()
             .entries(self.closed().iter().map(|contact| (contact, self.state(contact))))
@@ -126,30 +113,26 @@ impl fmt::Debug for ContactSet {
     }
 }
 
-/// A set of contacts by their numbers: going through it takes as many steps as there are.
+/// A set of contacts by their numbers; iterating costs one step per member.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ContactIndices(u64);
 
 impl ContactIndices {
-    /// Whether `contact` is one of them.
     #[inline]
     pub const fn contains(self, contact: usize) -> bool {
         self.0 & bit(contact) != 0
     }
 
-    /// Whether there are none.
     #[inline]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// How many numbers there are.
     #[inline]
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }
 
-    /// Returns those that are not among `others`.
     #[inline]
     #[must_use]
     pub const fn without(self, others: Self) -> Self {

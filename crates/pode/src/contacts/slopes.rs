@@ -1,9 +1,7 @@
-//! How the readout of a mechanism with contacts goes on for a moment.
-
 use crate::contacts::{ContactMode, GuardedContacts, WithContacts};
 use crate::{Model, Motion, ReadoutSlopes, Sloped, differenced_slopes};
 
-/// With the contacts as they are: as the system knows them, else by central differences.
+/// In the present contacts: the system's own slopes, otherwise central differences.
 impl<M: GuardedContacts<Input = Motion>> Sloped for WithContacts<M> {
     fn slopes(
         &self,

@@ -2,29 +2,24 @@
 
 use crate::contacts::MAX_FRICTIONS;
 
-/// What the slip accelerations change by per unit of each force: row by slip, column by force.
+/// Change of the slip accelerations per unit of each force: row by slip, column by force.
 ///
-/// Symmetric and without negative eigenvalues where slips and forces belong together, as they
-/// do in mechanics.
+/// Symmetric and without negative eigenvalues where slips and forces match, as in mechanics.
 pub(super) type Mobility = [[f64; MAX_FRICTIONS]; MAX_FRICTIONS];
 
-/// One number for each friction of a system.
 pub(super) type PerFriction = [f64; MAX_FRICTIONS];
 
-/// A pivot below this part of its own diagonal entry is rounding: the contact can be held
-/// by the others.
+/// Relative size below which a pivot is rounding: other contacts can hold this one.
 const DEPENDENT: f64 = 1e-11;
 
-/// The factor B of W = B Bᵀ, as far as its rank goes; rows in the order of the contacts.
+/// The factor B of W = B Bᵀ, of the rank of W; rows in the order of the contacts.
 struct Factor {
     b: Mobility,
-    /// The contact of each pivot.
     order: [usize; MAX_FRICTIONS],
     rank: usize,
 }
 
-/// Returns the solution of W λ = b for the first `n` entries, of all solutions the one with
-/// the least norm; of b what no λ can give is left out.
+/// Solves W λ = b for the first `n` entries with the least norm; ignores what no λ can reach.
 pub(super) fn least_norm(w: &Mobility, b: &PerFriction, n: usize) -> PerFriction {
     let factor = factor(w, n);
     if factor.rank == n {
@@ -39,13 +34,13 @@ pub(super) fn least_norm(w: &Mobility, b: &PerFriction, n: usize) -> PerFriction
     applied(&factor, &y, n)
 }
 
-/// Cholesky with diagonal pivots, which ends where what is left is rounding.
+/// Cholesky with diagonal pivots, until the rest is rounding.
 fn factor(w: &Mobility, n: usize) -> Factor {
     let mut it = Factor { b: [[0.0; MAX_FRICTIONS]; MAX_FRICTIONS], order: [0; _], rank: 0 };
     let mut rest: PerFriction = core::array::from_fn(|i| w[i][i]);
     let mut is_free = [true; MAX_FRICTIONS];
     for k in 0..n {
-        // The pivot with the largest part of its own entry left, whatever the units.
+        // The pivot with the largest fraction of its own entry left, in any units.
         let part = |i: usize| rest[i] / w[i][i];
         let best = (0..n).filter(|i| is_free[*i] && part(*i) > DEPENDENT);
         let Some(pivot) = best.max_by(|i, j| part(*i).total_cmp(&part(*j))) else { break };
@@ -64,7 +59,6 @@ fn factor(w: &Mobility, n: usize) -> Factor {
     it
 }
 
-/// Solves B Bᵀ x = b where B is regular.
 fn solve_regular(it: &Factor, b: &PerFriction, n: usize) -> PerFriction {
     let mut y = [0.0; MAX_FRICTIONS];
     for k in 0..n {
@@ -80,7 +74,6 @@ fn solve_regular(it: &Factor, b: &PerFriction, n: usize) -> PerFriction {
     x
 }
 
-/// The factor of BᵀB.
 fn gram(it: &Factor, n: usize) -> Factor {
     let mut gram = [[0.0; MAX_FRICTIONS]; MAX_FRICTIONS];
     for (i, row) in gram.iter_mut().enumerate().take(it.rank) {
@@ -91,12 +84,10 @@ fn gram(it: &Factor, n: usize) -> Factor {
     factor(&gram, it.rank)
 }
 
-/// Returns Bᵀ times x.
 fn transposed(it: &Factor, x: &PerFriction, n: usize) -> PerFriction {
     core::array::from_fn(|j| (0..n).map(|i| it.b[i][j] * x[i]).sum())
 }
 
-/// Returns B times y.
 fn applied(it: &Factor, y: &PerFriction, n: usize) -> PerFriction {
     core::array::from_fn(
         |i| if i < n { (0..it.rank).map(|j| it.b[i][j] * y[j]).sum() } else { 0.0 },
@@ -135,7 +126,7 @@ mod tests {
 
     #[test]
     fn independent_contacts_have_the_one_solution() {
-        // W = [[1, 1], [1, 2]]; the same with rows of very different units.
+        // W = [[1, 1], [1, 2]]; then with rows of very different units.
         check(&[[1.0, 0.0], [1.0, 1.0]], &[1.0, 3.0], &[-1.0, 2.0]);
         check(&[[1e-6, 0.0], [1e6, 1e6]], &[1e-6, 3e6], &[-1e6, 2e-6]);
     }
@@ -143,7 +134,7 @@ mod tests {
     #[test]
     fn contacts_that_hold_the_same_motion_share_it_evenly() {
         check(&[[1.0], [1.0]], &[4.0, 4.0], &[2.0, 2.0]);
-        // Least norm: in proportion to what each one moves.
+        // Least norm: in proportion to each row.
         check(&[[1.0], [3.0]], &[10.0, 30.0], &[1.0, 3.0]);
         check(&[[1.0, 0.0], [0.0, 2.0], [1.0, 0.0]], &[4.0, 8.0, 4.0], &[2.0, 2.0, 2.0]);
     }

@@ -11,19 +11,18 @@ use crate::state::State;
 
 /// Dense output: the solution at any fraction of a step.
 pub trait Dense<S>: Debug {
-    /// The solution of what does not move: `x` all over the step.
+    /// Returns the solution without motion: `x` over the whole step.
     fn still(x: &S) -> Self
     where
         Self: Sized;
 
-    /// The same with the entries of `part` from `other`, over the same step.
+    /// Returns the solution with the entries of `part` from `other`, over the same step.
     #[must_use]
     fn merged(&self, other: &Self, part: &Part) -> Self
     where
         Self: Sized;
 
-    /// The same solution over a part of the step, from one fraction of it to another; `None` where
-    /// this form of dense output cannot be cut.
+    /// Returns the solution between two fractions of the step; `None` if this form cannot be cut.
     fn within(&self, _from: f64, _to: f64) -> Option<Self>
     where
         Self: Sized,
@@ -31,13 +30,12 @@ pub trait Dense<S>: Debug {
         None
     }
 
-    /// The state at the fraction `tau` of the step, 0 ..= 1.
+    /// Returns the state at the fraction `tau` of the step, 0 ..= 1.
     fn at(&self, tau: f64) -> S;
 
-    /// The state at the end of the step.
     fn end(&self) -> &S;
 
-    /// How far and how fast the solution moves over the step; `None` where that is not known.
+    /// Bounds the solution's motion over the step; `None` if unknown.
     fn bounds(&self) -> Option<DenseBounds<S>>;
 }
 
@@ -52,17 +50,17 @@ pub struct DenseBounds<S> {
     pub bends: S,
 }
 
-/// A cubic per entry.
+/// A cubic per entry of the state.
 pub type Cubic<S> = Polynomial<S, 4>;
 
 impl<S: State> Cubic<S> {
-    /// The cubic with the given coefficients by power of τ; `end` is the step's end, exactly.
+    /// Builds the cubic with these coefficients by power of τ; `end` is the step's end, exactly.
     #[inline]
     pub const fn cubic(x0: S, c1: S, c2: S, c3: S, end: S) -> Self {
         Self::new([x0, c1, c2, c3], end)
     }
 
-    /// The parabola from `x0` with slope `k0` to `end`: locally of third order.
+    /// Builds the parabola from `x0` with slope `k0` to `end`: locally of third order.
     #[inline]
     pub fn parabola(x0: &S, k0: &S, end: &S, h: f64) -> Self {
         let c1 = k0.times(h);
@@ -70,7 +68,7 @@ impl<S: State> Cubic<S> {
         Self::cubic(*x0, c1, c2, S::ZERO, *end)
     }
 
-    /// The cubic Hermite with slopes `k0`, `k1` at both ends: locally of fourth order.
+    /// Builds the cubic Hermite with slopes `k0`, `k1` at both ends: locally of fourth order.
     #[inline]
     pub fn hermite(x0: &S, k0: &S, end: &S, k1: &S, h: f64) -> Self {
         let rise = end.plus(-1.0, x0);

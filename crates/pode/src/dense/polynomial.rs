@@ -7,24 +7,21 @@ use crate::state::State;
 /// x(τ) = c0 + τ (c1 + τ (c2 + …)) for τ in 0 ..= 1 of a step, with at most `N` terms.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Polynomial<S, const N: usize> {
-    /// Coefficients by power of τ.
     terms: [S; N],
-    /// How many of them count, at least one.
     used: usize,
     end: S,
 }
 
-/// As short as this it is summed up whole: a branch takes longer than a term.
+/// Polynomials up to this length are summed up whole: a branch takes longer than a term.
 const SHORT: usize = 5;
 
 impl<S: State, const N: usize> Polynomial<S, N> {
-    /// The polynomial with coefficients `terms` by power of τ; `end` is its value at 1.
+    /// Builds the polynomial with coefficients `terms` by power of τ; `end` is its value at 1.
     #[inline]
     pub const fn new(terms: [S; N], end: S) -> Self {
         Self { terms, used: N, end }
     }
 
-    /// The polynomial with more terms, all zero; `M` is at least `N`.
     pub(crate) fn lengthened<const M: usize>(&self) -> Polynomial<S, M> {
         let mut terms = [S::ZERO; M];
         for (term, known) in terms.iter_mut().zip(&self.terms) {
@@ -33,7 +30,7 @@ impl<S: State, const N: usize> Polynomial<S, N> {
         Polynomial { terms, used: self.used.min(N), end: self.end }
     }
 
-    /// The same where only the first `used` terms are not zero.
+    /// Returns the polynomial with zero for all but the first `used` terms.
     #[inline]
     #[must_use]
     pub fn truncated(self, used: usize) -> Self {
@@ -62,7 +59,7 @@ impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
         merged
     }
 
-    /// Taylor's shift: every power of `from + width τ` by repeated Horner.
+    /// Taylor's shift: all powers of `from + width τ` by repeated Horner.
     fn within(&self, from: f64, to: f64) -> Option<Self> {
         let (used, width) = (self.used.clamp(1, N), to - from);
         let mut terms = self.terms;
@@ -98,7 +95,6 @@ impl<S: State, const N: usize> Dense<S> for Polynomial<S, N> {
         &self.end
     }
 
-    /// Sums of the coefficients' magnitudes.
     #[inline]
     fn bounds(&self) -> Option<DenseBounds<S>> {
         let used = if N <= SHORT { N } else { self.used.min(N) };

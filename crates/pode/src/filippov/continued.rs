@@ -1,13 +1,11 @@
-//! An input that is known a little ahead.
-
 use core::fmt::Debug;
 
 use crate::input::Motion;
 
-/// An input that can be continued for a moment by its own rates: a surface that moves with
-/// it has a rate, and the rate has one.
+/// An input that extrapolates itself by its own rates, so that a surface that moves with it has a
+/// rate, and the rate has one.
 pub trait Continued: Copy + PartialEq + Debug + Send {
-    /// The input `dt` (s) later, or earlier if negative.
+    /// Returns the input `dt` (s) later, or earlier if negative.
     #[must_use]
     fn after(&self, dt: f64) -> Self;
 }

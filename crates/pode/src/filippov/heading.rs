@@ -1,21 +1,17 @@
-//! Where a motion goes that starts on the surface: the rule at zero, of `epoch`, for h.
+//! Direction of a motion that starts on the surface: the rule at zero, of `epoch`, for h.
 
-/// Where one side's equations lead from the surface.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Heading {
-    /// To h > 0.
     Up,
-    /// To h < 0.
     Down,
-    /// Along the surface, as far as can be seen.
+    /// Along the surface, within rounding.
     Still,
 }
 
-/// The heading by the rate h' (1/s) and its own `change` h'' (1/s²).
+/// Returns the heading by the rate h' (1/s) and its own `change` h'' (1/s²).
 ///
-/// A rate counts as zero if it is lost in rounding, `rate_band`, or if its change turns it
-/// before it has moved h by `height_band`, the rounding of h itself. Nothing else is small:
-/// neither a step nor a time enters.
+/// A rate counts as zero if it is within rounding, `rate_band`, or if its change turns it before it
+/// has moved h by `height_band`, the rounding of h itself. No other threshold, step or time enters.
 pub(super) fn heading(
     (rate, change): (f64, f64),
     height_band: f64,

@@ -1,8 +1,8 @@
 //! Sliding modes (Filippov) and stick: one description of two sides gives all three modes.
 //!
-//! A surface h(x, u) = 0 parts two sets of equations, f₊ above it and f₋ below. Where both
-//! lead onto it, neither can hold: a simulation that switches between them chatters at its
-//! own step. Filippov's solution slides along the surface with the one mixture that stays on:
+//! A surface h(x, u) = 0 separates two sets of equations, f₊ above it and f₋ below. Where both lead
+//! onto it, neither can hold: a simulation that switches between them chatters at its own step.
+//! Filippov's solution slides along the surface with the one mixture that stays on it:
 //!
 //! ```text
 //! x' = (1 − α) f₋ + α f₊,   α = h'₋ / (h'₋ − h'₊),   so that h' = 0
@@ -28,9 +28,9 @@
 //! | + | + | is crossed upwards | `Above` |
 //! | + | − | repels | the side that the state comes from; `Above` if none |
 //!
-//! A slide ends tangentially, with h = h' = 0 and h'' ≠ 0: the side that takes over departs
-//! from there and fires nothing. The state is kept on the surface by a move along f₊ − f₋,
-//! the only direction in which the share α can have gone wrong, so that nothing accumulates.
+//! A slide ends tangentially, with h = h' = 0 and h'' ≠ 0: the next side departs from there and
+//! fires nothing. The state is kept on the surface by a move along f₊ − f₋, the only direction in
+//! which an error of the share α can push it, so no error accumulates.
 //!
 //! # What is not here
 //!
@@ -51,14 +51,13 @@ pub use sided::{Branch, Sided, Surface, SurfaceSide};
 use heading::Heading;
 use point::SurfacePoint;
 
-/// Which of the two fields holds, or that the state slides between them.
+/// The field that holds, or the slide between both.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Mode {
     /// Above the surface, h > 0.
     Above,
     /// Below the surface, h < 0.
     Below,
-    /// On the surface, between both.
     Sliding,
 }
 
@@ -74,14 +73,13 @@ impl From<SurfaceSide> for Mode {
 /// A two-sided system as a model with the modes [`Mode`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Filippov<M>(
-    /// What is on both sides.
+    /// The equations on both sides.
     pub M,
 );
 
 impl<M: Sided> Filippov<M> {
-    /// The mode in which `x` starts, and `x`, put on the surface if it starts there.
-    ///
-    /// A state on a surface that repels goes up.
+    /// Returns the mode in which `x` starts and `x`, moved onto the surface if it starts there; on
+    /// a surface that repels the mode is `Above`.
     pub fn start(&self, x: &M::State, input: &M::Input) -> (Mode, M::State) {
         let height = self.0.surface(x, input).value;
         if height.abs() > Sizes::<M>::HEIGHT_BAND {
@@ -91,9 +89,8 @@ impl<M: Sided> Filippov<M> {
         self.meet(SurfaceSide::Above, x, input)
     }
 
-    /// What a state at the surface does that comes `from` a side: the table above.
-    ///
-    /// A state that rounding has left on the wrong side of its mode is put on the surface.
+    /// Returns mode and state of a state that reaches the surface `from` a side: the table above. A
+    /// state left on the wrong side of its mode by rounding is moved onto the surface.
     fn meet(&self, from: SurfaceSide, x: &M::State, input: &M::Input) -> (Mode, M::State) {
         let height = self.0.surface(x, input).value;
         let foot = SurfacePoint::new(&self.0, x, input).onto_surface();
@@ -113,16 +110,15 @@ impl<M: Sided> Filippov<M> {
     }
 }
 
-/// What counts as zero, from the sizes that a system declares.
 struct Sizes<M>(core::marker::PhantomData<M>);
 
 impl<M: Sided> Sizes<M> {
     /// Rounding at the size of h.
     const HEIGHT_BAND: f64 = 16.0 * f64::EPSILON * M::SIZE;
-    /// Rounding at the size of its rates (1/s).
+    /// Rounding at the size of h's rates (1/s).
     const RATE_BAND: f64 = 16.0 * f64::EPSILON * M::RATE;
-    /// Over which rates are compared to know their own derivative (s).
+    /// Interval over which rates are differenced (s).
     const MOMENT: f64 = M::SIZE / M::RATE / 16_384.0;
-    /// Rounding of such a derivative, with some to spare (1/s²).
+    /// Rounding of a differenced rate, with some to spare (1/s²).
     const CHANGE_BAND: f64 = 64.0 * Self::RATE_BAND / Self::MOMENT;
 }

@@ -1,28 +1,24 @@
-//! The whole model: what holds in each mode, and what ends it.
+//! The model with three modes: equations, guards and resets of each.
 
 use super::{Branch, Filippov, Heading, Mode, Sided, Sizes, SurfacePoint, SurfaceSide};
 use crate::guard::{GuardId, GuardSpec, GuardValue};
 use crate::model::{Guarded, Model, Reset, Resets};
 use crate::nature::{EquationKind, Nature};
 
-/// Meets the surface from above, or from below.
+/// Guards that meet the surface from above, and from below.
 const MEETS: [GuardId; 2] = [GuardId(0), GuardId(1)];
-/// Leaves it upwards, or downwards.
+/// Guards that leave it upwards, and downwards.
 const LEAVES: [GuardId; 2] = [GuardId(2), GuardId(3)];
-/// The surface jumps away.
 const TORN: GuardId = GuardId(4);
 
-/// The free equations of a side.
 const fn free(side: SurfaceSide) -> Branch {
     Branch { side, holds: false }
 }
 
-/// What can hold against a side.
 const fn limit(side: SurfaceSide) -> Branch {
     Branch { side, holds: true }
 }
 
-/// The side that a guard is about.
 fn side_of(guard: GuardId) -> SurfaceSide {
     if guard == MEETS[0] || guard == LEAVES[0] { SurfaceSide::Above } else { SurfaceSide::Below }
 }
@@ -77,15 +73,14 @@ impl<M: Sided> Filippov<M> {
     const SLIDING: [GuardSpec; 3] = [
         GuardSpec::new(2, "leaves upwards").scaled(M::RATE),
         GuardSpec::new(3, "leaves downwards").scaled(M::RATE),
-        // A side is looked for before a share is asked for.
+        // This guard precedes those that evaluate a share.
         GuardSpec::new(4, "torn off").scaled(M::SLACK).with_priority(0),
     ];
 }
 
 impl<M: Sided> Guarded for Filippov<M> {
     fn constrain(&self, mode: Mode, x: &M::State, input: &M::Input) -> M::State {
-        /// From a jump of [`Sided::SLACK`], each one squares what is left; the last one
-        /// is for the rounding.
+        /// Each move squares the rest of a jump of [`Sided::SLACK`]; the last removes rounding.
         const MOVES: usize = 4;
         let mut x = *x;
         if mode != Mode::Sliding {
@@ -124,10 +119,10 @@ impl<M: Sided> Guarded for Filippov<M> {
     }
 }
 
-/// How far the state is on its `side` of the surface.
+/// Distance of the state from the surface on its `side`.
 ///
-/// A side that is entered tangentially, from the end of a slide, starts at zero with a rate
-/// of either sign, as rounding will. What its own change makes good counts as zero.
+/// A side entered tangentially, at the end of a slide, starts at zero with a rate of either sign by
+/// rounding. A rate that its own change makes up for counts as zero.
 fn distance<M: Sided>(point: &SurfacePoint<'_, M>, side: SurfaceSide) -> GuardValue {
     let surface = point.surface();
     let height = side.sign() * surface.value;
@@ -143,7 +138,7 @@ fn distance<M: Sided>(point: &SurfacePoint<'_, M>, side: SurfaceSide) -> GuardVa
     GuardValue::new(height, rate)
 }
 
-/// How fast the equations of `side` lead back onto the surface: what holds the state there.
+/// Speed at which the equations of `side` lead back onto the surface: the hold on the state.
 fn grip<M: Sided>(point: &SurfacePoint<'_, M>, side: SurfaceSide) -> GuardValue {
     let rate = point.rate(limit(side));
     let change = point.change(limit(side), &point.sliding_flow());
@@ -163,7 +158,6 @@ impl<M: Sided> Resets for Filippov<M> {
             return Reset::to(side_of(guard).into(), *x);
         }
         if guard == TORN || height.abs() > M::SLACK {
-            // The input has jumped, and the surface with it.
             return Reset::to(if height > 0.0 { Mode::Above } else { Mode::Below }, *x);
         }
         let (mode, x) = self.meet(side_of(guard), x, input);

@@ -1,16 +1,14 @@
-//! A state near the surface: its one-sided rates, how they change, and the way back on.
+//! A state near the surface: its one-sided rates, their changes, and its projection onto it.
 
 use super::{Branch, Continued as _, Heading, Sided, Sizes, Surface, SurfaceSide, heading};
 use crate::state::State as _;
 
-/// A state and an input of a two-sided system.
 pub(super) struct SurfacePoint<'a, M: Sided> {
     system: &'a M,
     x: &'a M::State,
     input: &'a M::Input,
 }
 
-/// Both limits of what the surface can hold against, at a point.
 pub(super) struct SurfaceLimits<S> {
     above: S,
     below: S,
@@ -20,11 +18,11 @@ pub(super) struct SurfaceLimits<S> {
 }
 
 impl<S> SurfaceLimits<S> {
-    /// α, the share of the equations above that keeps h' = 0; between 0 and 1 on a surface
+    /// Returns α, the share of the equations above that keeps h' = 0; between 0 and 1 on a surface
     /// that attracts, and the same formula a little beyond its end.
     pub(super) fn share(&self) -> f64 {
         let share = self.rate_below / (self.rate_below - self.rate_above);
-        // Both rates are zero: both sides go along the surface.
+        // Both rates are zero: both sides lead along the surface.
         if share.is_finite() { share } else { 0.5 }
     }
 }
@@ -38,24 +36,23 @@ impl<'a, M: Sided> SurfacePoint<'a, M> {
         self.system.surface(self.x, self.input)
     }
 
-    /// Rounding of h here: of its declared size, or of its terms if they are larger.
+    /// Returns the rounding of h: of its declared size, or of its terms if they are larger.
     pub(super) fn rounding(&self, surface: &Surface<M::State>) -> f64 {
         let pairs = surface.gradient.entries().iter().zip(self.x.entries());
         let terms: f64 = pairs.map(|(a, b)| (a * b).abs()).sum();
         Sizes::<M>::HEIGHT_BAND.max(16.0 * f64::EPSILON * terms)
     }
 
-    /// The derivative on a branch.
     pub(super) fn flow(&self, branch: Branch) -> M::State {
         self.system.derivative(branch, self.x, self.input)
     }
 
-    /// The rate of h on a branch (1/s).
+    /// Returns the rate of h on `branch` (1/s).
     pub(super) fn rate(&self, branch: Branch) -> f64 {
         self.surface().rate(&self.flow(branch))
     }
 
-    /// How fast the rate on `branch` changes along `flow` (1/s²), by a central difference.
+    /// Returns the change of the rate on `branch` along `flow` (1/s²), by a central difference.
     pub(super) fn change(&self, branch: Branch, flow: &M::State) -> f64 {
         let dt = Sizes::<M>::MOMENT;
         let [late, early] = [dt, -dt].map(|dt| {
@@ -65,25 +62,22 @@ impl<'a, M: Sided> SurfacePoint<'a, M> {
         (late - early) / (2.0 * dt)
     }
 
-    /// Where a side leads from here, taken as a point of the surface.
     pub(super) fn heading(&self, side: SurfaceSide) -> Heading {
         self.heading_on(Branch { side, holds: true })
     }
 
-    /// The same for any branch.
     pub(super) fn heading_on(&self, branch: Branch) -> Heading {
         let flow = self.flow(branch);
         let rate = self.surface().rate(&flow);
         Self::heading_of(rate, self.change(branch, &flow))
     }
 
-    /// The heading by a rate (1/s) and its change (1/s²).
+    /// Returns the heading by a rate (1/s) and its change (1/s²).
     pub(super) fn heading_of(rate: f64, change: f64) -> Heading {
         let [height, band] = [Sizes::<M>::HEIGHT_BAND, Sizes::<M>::RATE_BAND];
         heading::heading((rate, change), height, band, Sizes::<M>::CHANGE_BAND)
     }
 
-    /// Both limits, with their rates.
     pub(super) fn limits(&self) -> SurfaceLimits<M::State> {
         let surface = self.surface();
         let [above, below] = [SurfaceSide::Above, SurfaceSide::Below]
@@ -92,25 +86,23 @@ impl<'a, M: Sided> SurfacePoint<'a, M> {
         SurfaceLimits { above, below, rate_above, rate_below }
     }
 
-    /// The derivative along the surface.
     pub(super) fn sliding_flow(&self) -> M::State {
         let limits = self.limits();
         let share = limits.share();
         limits.below.times(1.0 - share).plus(share, &limits.above)
     }
 
-    /// The point of the surface next to here.
     pub(super) fn onto_surface(&self) -> M::State {
         let surface = self.surface();
         let step = surface.value / surface.slope(&surface.gradient);
         if step.is_finite() { self.x.plus(-step, &surface.gradient) } else { *self.x }
     }
 
-    /// The point of the surface that is reached along f₊ − f₋; the state itself if that does
-    /// not lead there, or not soon.
+    /// Returns the point of the surface reached along f₊ − f₋; the state itself if that direction
+    /// does not lead there, or not soon.
     pub(super) fn back(&self) -> M::State {
         let limits = self.limits();
-        // How much sooner or later the share would have had to change [s].
+        // Shift (s) of the share's change that would have kept the state on the surface.
         let time = self.surface().value / (limits.rate_below - limits.rate_above);
         let is_soon = time.abs() <= M::SIZE / M::RATE;
         if !is_soon || limits.rate_below <= limits.rate_above {

@@ -1,4 +1,4 @@
-//! What a modeller implements: two sides and the surface between them.
+//! The modeller's interface: two sides and the surface between them.
 
 use core::fmt::Debug;
 
@@ -9,14 +9,13 @@ use crate::state::State;
 /// A side of the surface.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SurfaceSide {
-    /// Where the surface function is positive.
+    /// The surface function is positive.
     Above,
-    /// Where it is negative.
+    /// The surface function is negative.
     Below,
 }
 
 impl SurfaceSide {
-    /// The sign of the surface function there.
     pub const fn sign(self) -> f64 {
         match self {
             Self::Above => 1.0,
@@ -28,10 +27,9 @@ impl SurfaceSide {
 /// One of the sets of equations of a two-sided system.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Branch {
-    /// The side on which they hold.
     pub side: SurfaceSide,
-    /// Whether the state is on the surface and the question is what can keep it there: with
-    /// friction, the static limit towards this side. Otherwise the state moves freely.
+    /// `true` for the equations that can keep the state on the surface (with friction, the static
+    /// limit towards this side), `false` for free motion.
     pub holds: bool,
 }
 
@@ -47,12 +45,12 @@ pub struct Surface<S> {
 }
 
 impl<S: State> Surface<S> {
-    /// The rate of h along the derivative `flow` (1/s).
+    /// Returns the rate of h along the derivative `flow` (1/s).
     pub fn rate(&self, flow: &S) -> f64 {
         self.slope(flow) + self.drift
     }
 
-    /// The rate of h along `direction` at a fixed time.
+    /// Returns the rate of h along `direction` at a fixed time.
     pub fn slope(&self, direction: &S) -> f64 {
         let pairs = self.gradient.entries().iter().zip(direction.entries());
         pairs.map(|(a, b)| a * b).sum()
@@ -61,36 +59,30 @@ impl<S: State> Surface<S> {
 
 /// A system with equations on either side of a surface, h(x, u) = 0.
 ///
-/// Each side's equations are asked for a little beyond the surface too, within a step: they
-/// go on there as if the surface were not, and never look at the sign of h.
+/// Within a step each side's equations are also evaluated a little beyond the surface: they
+/// continue smoothly there and never test the sign of h.
 pub trait Sided {
     /// Coordinates, then speeds.
     type State: State;
-    /// What drives the system.
     type Input: Continued;
 
-    /// How many leading entries of the state are coordinates.
     const COORDS: usize;
     /// Typical size of h's terms, in its own unit.
     const SIZE: f64;
     /// Typical size of the one-sided rates of h (1/s).
     const RATE: f64;
-    /// Largest jump of the surface, where the input jumps, that a sliding state follows.
-    ///
-    /// A larger one tears it off, onto a side. An input that is put together from samples
-    /// jumps a little at each tick, where the real one went on: say how much that can be.
+    /// Largest jump of the surface, where the input jumps, that a sliding state follows; a larger
+    /// one tears it off, onto a side. An input built from samples jumps a little at each tick:
+    /// declare its largest jump.
     const SLACK: f64 = Self::SIZE / 64.0;
 
-    /// Returns the derivative of `x` on `branch`.
     fn derivative(&self, branch: Branch, x: &Self::State, input: &Self::Input) -> Self::State;
 
-    /// Returns the readout on `branch`.
     fn readout(&self, branch: Branch, x: &Self::State, input: &Self::Input) -> f64;
 
-    /// Returns the surface function with its derivatives.
     fn surface(&self, x: &Self::State, input: &Self::Input) -> Surface<Self::State>;
 
-    /// Returns what is constant on a side; both longest steps hold along the surface too.
+    /// Returns the constants of a side; both longest steps hold along the surface, too.
     fn nature(&self, _side: SurfaceSide) -> Nature {
         Nature::default()
     }

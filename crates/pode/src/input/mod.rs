@@ -1,4 +1,4 @@
-//! The input inside a tick: a measured motion, as a function of θ.
+//! The input inside a tick: a measured motion as a function of θ.
 
 mod reconstruct;
 
@@ -7,7 +7,7 @@ pub use reconstruct::{Cubic, Reconstruction, Reconstructor};
 /// A measured motion with its rates.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Motion {
-    /// s, in the unit of the model's input.
+    /// s, in the model's unit of length or angle.
     pub position: f64,
     /// s' (1/s).
     pub rate: f64,
@@ -18,7 +18,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Largest magnitudes over the `dt` (s) that follow, if the jerk stays as it is.
+    /// Returns the largest magnitudes over the next `dt` (s) at constant jerk.
     #[inline]
     #[must_use]
     pub const fn bound_over(&self, dt: f64) -> Self {
@@ -37,18 +37,16 @@ impl Motion {
 
 /// An input over one tick, as a function of θ in 0 ..= 1.
 pub trait Signal<I> {
-    /// The input at `theta`.
     fn at(&self, theta: f64) -> I;
 
-    /// Largest magnitudes of the input's entries between two places of the tick; `None` where
-    /// they are not known. A step under an input without bounds is not certain as soon as a
-    /// guard depends on that input.
+    /// Returns the largest magnitudes of the input's entries between two places of the tick; `None`
+    /// if unknown. Without them no step is certain if a guard depends on the input.
     fn bound(&self, _from: f64, _to: f64) -> Option<I> {
         None
     }
 
-    /// Writes the input at `theta` + `span` τ as a power series in τ, one entry of `out` for each
-    /// power; returns `false` where it has none. Of a [`Motion`] only the positions are asked for.
+    /// Writes the input at `theta` + `span` τ as a power series in τ, one entry of `out` per power;
+    /// returns `false` if it has none. Only the positions of a [`Motion`] are used.
     fn series(&self, _theta: f64, _span: f64, _out: &mut [I]) -> bool {
         false
     }

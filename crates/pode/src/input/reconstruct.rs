@@ -11,7 +11,7 @@
 
 use crate::input::{Motion, Signal};
 
-/// How a sampled input is continued over a tick.
+/// Reconstruction of a sampled input over a tick.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Reconstruction {
     /// The newest sample, at rest.
@@ -21,31 +21,30 @@ pub enum Reconstruction {
     /// The parabola through the three newest samples, continued.
     #[default]
     Quadratic,
-    /// The cubic through the four newest samples, over the tick that has just passed.
+    /// The cubic through the four newest samples, over the previous tick.
     LateHermite,
 }
 
 /// A cubic motion over one tick of `h` (s): s(θ) = c0 + θ (c1 + θ (c2 + θ c3)).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Cubic {
-    /// Coefficients by power of θ.
     c: [f64; 4],
     /// Ticks per second (1/s).
     per_second: f64,
 }
 
 impl Cubic {
-    /// The cubic with coefficients `c` by power of θ, over `h` (s).
+    /// Builds the cubic with coefficients `c` by power of θ, over `h` (s).
     pub fn new(c: [f64; 4], h: f64) -> Self {
         Self { c, per_second: 1.0 / h }
     }
 
-    /// The motion that keeps `acceleration` from the given start over `h` (s).
+    /// Builds the motion with constant `acceleration` from the given start over `h` (s).
     pub fn ballistic(position: f64, rate: f64, acceleration: f64, h: f64) -> Self {
         Self::new([position, rate * h, 0.5 * acceleration * h * h, 0.0], h)
     }
 
-    /// The cubic from (`s0`, `v0`) to (`s1`, `v1`) over `h` (s).
+    /// Builds the cubic from (`s0`, `v0`) to (`s1`, `v1`) over `h` (s).
     pub fn hermite(s0: f64, v0: f64, s1: f64, v1: f64, h: f64) -> Self {
         let rise = s1 - s0;
         let (d0, d1) = (v0 * h, v1 * h);
@@ -96,12 +95,12 @@ pub struct Reconstructor {
 }
 
 impl Reconstructor {
-    /// At rest at `sample`, with ticks of `h` (s).
+    /// Starts at rest at `sample`, with ticks of `h` (s).
     pub const fn new(kind: Reconstruction, sample: f64, h: f64) -> Self {
         Self { kind, samples: [sample; 4], h }
     }
 
-    /// Takes the sample at the start of a tick and returns the motion over that tick.
+    /// Adds the sample at the start of a tick and returns the motion over that tick.
     #[inline]
     pub fn push(&mut self, sample: f64) -> Cubic {
         let [s1, s2, s3, _] = self.samples;
@@ -129,7 +128,7 @@ impl Reconstructor {
 mod tests {
     use super::*;
 
-    /// Each reconstruction, its order, and its latency in ticks.
+    /// Each reconstruction with its order and its latency (ticks).
     const ALL: [(Reconstruction, i32, f64); 4] = [
         (Reconstruction::Hold, 1, 0.0),
         (Reconstruction::Linear, 2, 0.0),
@@ -137,7 +136,7 @@ mod tests {
         (Reconstruction::LateHermite, 4, 1.0),
     ];
 
-    /// Largest distance from `motion` (m) over 0.64 s in ticks of `h` (s), after four samples.
+    /// Returns the largest error (m) over 0.64 s in ticks of `h` (s), after four samples.
     fn error(kind: Reconstruction, latency: f64, h: f64, motion: impl Fn(f64) -> f64) -> f64 {
         let mut reconstructor = Reconstructor::new(kind, motion(-4.0 * h), h);
         let mut most: f64 = 0.0;
@@ -160,7 +159,7 @@ mod tests {
             let coarse = error(kind, latency, 0.02, |t| (t + 0.4).sin());
             let fine = error(kind, latency, 0.01, |t| (t + 0.4).sin());
             let observed = (coarse / fine).log2();
-            // The next term of the error is some 0.02 of the first.
+            // The next term of the error is about 0.02 of the first.
             let off = (observed - f64::from(order)).abs();
             assert!(off < 0.1, "{kind:?}: observed order {observed:.3}, not {order}");
         }

@@ -1,11 +1,10 @@
-//! The series of a bell, the input of strokes that are given as formulas.
+//! The series of a bell, the input of strokes given as formulas.
 
 use super::PER_ORDER;
 use crate::math::exp;
 
-/// Adds the coefficients of height exp(−(z + dz τ)²) by power of τ to `terms`.
-///
-/// With f' = −2 dz (z + dz τ) f each takes the two before it.
+/// Adds the coefficients of height exp(−(z + dz τ)²) by power of τ to `terms`; each follows from
+/// the two before it, by f' = −2 dz (z + dz τ) f.
 #[inline]
 pub fn add_bell(terms: &mut [f64], height: f64, z: f64, dz: f64) {
     let (by_last, by_last_but_one) = (-2.0 * z * dz, -2.0 * dz * dz);

@@ -1,30 +1,26 @@
 //! The first fall of a polynomial through zero, with certainty.
 //!
-//! In Bernstein's basis a polynomial lies between its least and its largest coefficient, and has
-//! no more roots than its coefficients change their sign. A piece in which neither decides is
+//! In Bernstein's basis a polynomial lies between its least and its largest coefficient, and has no
+//! more roots than its coefficients have sign changes. A stretch in which neither decides is
 //! halved, by de Casteljau's scheme. `[LR81]`
 
 use super::TERMS;
 use super::guards::GuardPolynomial;
 
-/// Where a polynomial that is positive at 0 first falls through zero.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Fall {
-    /// It is positive all over the step.
     None,
-    /// Between these places, and nowhere before.
     Within(f64, f64),
-    /// Too many halvings: it comes close to zero, or touches it.
+    /// Too many halvings: the polynomial touches zero or comes close to it.
     Open,
 }
 
-/// Most halvings of one search.
 const HALVINGS: u32 = 48;
 
-/// Where a piece is cut: near its middle, and where no root is likely to be.
+/// Cut of a stretch: near its middle, at an unlikely place for a root.
 const CUT: f64 = 0.486_3;
 
-/// A piece of the step and the polynomial's coefficients there, in Bernstein's basis.
+/// A stretch of the step, and the polynomial's coefficients there in Bernstein's basis.
 #[derive(Clone, Copy)]
 struct Stretch {
     terms: [f64; TERMS],
@@ -32,14 +28,13 @@ struct Stretch {
     width: f64,
 }
 
-/// What the coefficients of a piece say.
 enum StretchVerdict {
     Positive,
     FallsOnce,
     Unknown,
 }
 
-/// The first fall of `guard`, where what is within `band` of zero is not told from zero.
+/// Finds the first fall of `guard`; values within `band` of zero count as zero.
 pub(crate) fn first_fall(guard: &GuardPolynomial, band: f64) -> Fall {
     let order = guard.order;
     let whole = Stretch { terms: bernstein(guard), from: 0.0, width: 1.0 };
@@ -50,10 +45,9 @@ pub(crate) fn first_fall(guard: &GuardPolynomial, band: f64) -> Fall {
     }
 }
 
-/// The first fall in the pieces of `whole`.
 #[cold]
 fn by_halving(whole: Stretch, order: usize, band: f64) -> Fall {
-    /// Pieces that can wait: each one is about half as wide as the one before.
+    /// Maximum of stretches that wait: each is about half as wide as the one before.
     const DEPTH: usize = 24;
     let mut waiting = [whole; DEPTH];
     let mut count = 1;
@@ -106,7 +100,6 @@ impl Stretch {
         }
     }
 
-    /// Both sides of its cut, by means of neighbours.
     fn halves(&self, order: usize) -> [Self; 2] {
         let part = CUT * self.width;
         let mut left = Self { width: part, ..*self };
@@ -126,7 +119,6 @@ impl Stretch {
 mod tests {
     use super::*;
 
-    /// The polynomial with these roots, positive at 0, and what is found of it.
     fn with_roots(roots: &[f64]) -> (GuardPolynomial, Fall) {
         let mut terms = [0.0; TERMS];
         terms[0] = 1.0;

@@ -1,22 +1,19 @@
-//! The guards of a mode along one step, as polynomials.
-
 use super::TERMS;
 use crate::guard::GuardValue;
 
-/// The guards of a mode along one step.
+/// Polynomials of a mode's guards along one step.
 #[derive(Clone, Copy, Debug)]
 pub struct GuardSeries<'a> {
     /// Coefficients by power of the time in units of the expansion.
     pub(crate) terms: &'a [[f64; TERMS]],
-    /// How many of them are known.
     pub(crate) known: usize,
     pub(crate) order: usize,
-    /// The step's length in units of the expansion.
+    /// Length of the step in units of the expansion.
     pub(crate) ratio: f64,
 }
 
 impl GuardSeries<'_> {
-    /// The guard at the place `index` of the mode's list, by power of the fraction of the step.
+    /// Returns the guard at `index` of the mode's list, by power of the fraction of the step.
     #[inline]
     pub(crate) fn guard(&self, index: usize) -> Option<GuardPolynomial> {
         if index >= self.known {
@@ -39,26 +36,24 @@ pub(crate) struct GuardPolynomial {
     pub(crate) order: usize,
 }
 
-/// Sums over the coefficients of a guard.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct GuardSums {
     /// Value and rate (per second) at both ends of the step.
     pub(crate) start: GuardValue,
     pub(crate) end: GuardValue,
-    /// How far it can fall below its start: no power of τ exceeds 1, and none is negative.
+    /// Largest fall below its start: no power of τ exceeds 1, and none is negative.
     pub(crate) falls: f64,
-    /// What the coefficients that are not there may add.
+    /// Largest contribution of the unknown coefficients.
     pub(crate) rest: f64,
 }
 
 impl GuardPolynomial {
-    /// The coefficients that count.
     #[inline]
     pub(crate) fn terms(&self) -> &[f64] {
         self.terms.get(..=self.order).unwrap_or(&self.terms)
     }
 
-    /// Its ends, and how far it goes, over a step of `h` (s).
+    /// Returns the guard's ends and its largest fall over a step of `h` (s).
     #[inline]
     pub(crate) fn sums(&self, h: f64) -> GuardSums {
         let (mut value, mut slope, mut falls) = (0.0, 0.0, 0.0);
@@ -77,13 +72,11 @@ impl GuardPolynomial {
         }
     }
 
-    /// Bound of its second derivative over the step.
     pub(crate) fn bend(&self) -> f64 {
         let bend = |(k, term): (usize, &f64)| (k * k.saturating_sub(1)) as f64 * term.abs();
         self.terms().iter().enumerate().map(bend).sum()
     }
 
-    /// Its value and its slope at `tau`.
     #[inline]
     pub(crate) fn at(&self, tau: f64) -> (f64, f64) {
         self.terms()
@@ -92,13 +85,11 @@ impl GuardPolynomial {
             .fold((0.0, 0.0), |(value, slope), term| (term + tau * value, value + tau * slope))
     }
 
-    /// The same with the opposite sign.
     pub(crate) fn negated(&self) -> Self {
         Self { terms: self.terms.map(|term| -term), order: self.order }
     }
 
-    /// The same without its value at the start, divided by τ: what a guard that leaves zero does
-    /// next.
+    /// Returns the polynomial less its start, divided by τ: the motion of a guard that leaves zero.
     #[inline]
     pub(crate) fn departed(&self) -> Self {
         let mut terms = [0.0; TERMS];

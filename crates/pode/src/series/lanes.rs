@@ -1,4 +1,4 @@
-//! Many sums of products at once: one lane for each.
+//! Many sums of products at once, one per lane.
 
 use wide::f64x2;
 
@@ -9,14 +9,12 @@ use super::TERMS;
 pub struct SeriesPair(f64x2);
 
 impl SeriesPair {
-    /// The coefficients of the first lane and of the second.
     #[expect(clippy::inline_always, reason = "one instruction")]
     #[inline(always)]
     pub fn new(one: f64, other: f64) -> Self {
         Self(f64x2::new([one, other]))
     }
 
-    /// Both coefficients, as they stand.
     #[expect(clippy::inline_always, reason = "one instruction")]
     #[inline(always)]
     pub fn both(self) -> [f64; 2] {
@@ -26,9 +24,9 @@ impl SeriesPair {
 
 /// Rows of factors, with a lane for each product, quotient or sine of a series: two to a pair.
 ///
-/// The next order of all lanes is one pass over the orders before it, two lanes at a time,
-/// whatever the products are. Rows are written as they are read, since a processor cannot hand on
-/// two numbers that were written one by one before both are in its cache.
+/// The next order of all lanes is one pass over the orders before it, two lanes at a time. Rows are
+/// written as they are read: a processor cannot forward two numbers that were written one by one
+/// before both are in its cache.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SeriesLanes<const PAIRS: usize> {
     first: [[SeriesPair; PAIRS]; TERMS],
@@ -36,13 +34,12 @@ pub struct SeriesLanes<const PAIRS: usize> {
 }
 
 impl<const PAIRS: usize> SeriesLanes<PAIRS> {
-    /// Lanes without coefficients.
     pub const ZERO: Self = Self {
         first: [[SeriesPair(f64x2::ZERO); PAIRS]; TERMS],
         second: [[SeriesPair(f64x2::ZERO); PAIRS]; TERMS],
     };
 
-    /// Enters the coefficients of order `k` of all first and of all second factors.
+    /// Sets the coefficients of order `k` of all first and of all second factors.
     #[expect(clippy::inline_always, reason = "what is entered stays in registers")]
     #[inline(always)]
     pub fn enter(&mut self, k: usize, first: [SeriesPair; PAIRS], second: [SeriesPair; PAIRS]) {
@@ -51,7 +48,7 @@ impl<const PAIRS: usize> SeriesLanes<PAIRS> {
         }
     }
 
-    /// Σ a(j) b(k − j) for j from 1 to k − 1, in every lane.
+    /// Returns Σ a(j) b(k − j) for j from 1 to k − 1, in every lane.
     #[expect(clippy::inline_always, reason = "a few products, asked for thousands of times")]
     #[inline(always)]
     pub fn inner(&self, k: usize) -> [SeriesPair; PAIRS] {

@@ -1,8 +1,7 @@
-//! Impacts that accumulate (Zeno), taken in one move: to where they come to rest, or over all
-//! that one tick holds.
+//! Accumulating impacts (Zeno) in one move: to their rest, or over all that one tick holds.
 //!
-//! A model declares such a sequence in closed form ([`Settling`]), or names the mode in which
-//! its impacts would come to rest ([`Reset::rests`]) and the intervals tell the rest.
+//! A model declares such a sequence in closed form ([`Settling`]), or names the mode of its rest
+//! ([`Reset::rests`]); the intervals then give the sequence.
 
 use super::Simulator;
 use super::parts::{Memories, ModeStep, PartMemory};
@@ -18,26 +17,25 @@ use crate::state::State as _;
 use crate::stepper::Stepper;
 use crate::watch::{EventCause, Watch};
 
-/// A hop must rise above this many times the width of rounding to be seen.
+/// Multiple of the rounding above which a hop must rise to be detected.
 const SEEN: f64 = 64.0;
 
-/// And above this many to be measured: where it rises to H, rounding by δ takes δ/H of its
-/// speed, and of all that is concluded from it.
+/// Multiple above which a hop can be measured: where it rises to H, rounding by δ is an error of
+/// δ/H in its speed, and in all that follows from it.
 const MEASURED: f64 = 1_048_576.0;
 
-/// How far a sequence is taken in one move.
 struct Move {
-    /// Which part of the sequence's time, 0 ..= 1.
+    /// Fraction of the sequence's time, 0 ..= 1.
     part: f64,
-    /// Which part of the motion is left after it.
+    /// Fraction of the motion left after it.
     left: f64,
     cause: EventCause<'static>,
-    /// How far the end of the sequence may be wrong (s).
+    /// Error of the sequence's end (s).
     error: f64,
 }
 
 impl Move {
-    /// To the end if that lies within `rest` (s), otherwise over the impacts that do.
+    /// Takes the whole sequence if it ends within `rest` (s), otherwise the impacts that do.
     fn within(rest: f64, (after, ratio): (f64, f64), error: f64) -> Self {
         if after <= rest {
             return Self { part: 1.0, left: 0.0, cause: EventCause::Settled, error };
@@ -48,15 +46,15 @@ impl Move {
     }
 }
 
-/// How many impacts are over within `rest` (s), less than `after`: `after (1 − ratioⁿ)` has
-/// passed with the n-th.
+/// Returns the number of impacts within `rest` (s), less than `after`: the n-th one happens at
+/// `after (1 − ratioⁿ)`.
 fn impacts_within(rest: f64, after: f64, ratio: f64) -> f64 {
     math::floor(math::ln(1.0 - rest / after) / math::ln(ratio))
 }
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Takes the impacts that follow the reset of `fired` in one move if they accumulate and it
-    /// is time to; tells then whether the tick goes on.
+    /// Takes the impacts that follow the reset of `fired` in one move if they accumulate and the
+    /// move is worth it. Returns then `true` if the tick continues.
     pub(super) fn accumulates<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
@@ -79,7 +77,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         if is_sure { self.come_to_rest(run, rest, &end) } else { None }
     }
 
-    /// Takes a declared sequence in one move.
     fn accumulate<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
@@ -94,9 +91,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.jump(run, it.part * settling.after, &it, &reset)
     }
 
-    /// Takes a measured sequence in one move: the resting mode's own motion goes on, and what
-    /// is left of the bouncing rides on it. It is one step, a piece of the tick as any other;
-    /// `None` if the method refuses it.
+    /// Takes a measured sequence in one move: the resting mode's motion, plus the rest of the
+    /// bouncing. It is one step, a piece of the tick; `None` if the method refuses it.
     fn come_to_rest<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
@@ -128,8 +124,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Some(self.jump(run, time, &it, &reset))
     }
 
-    /// Lands `time` (s) from now, with the readout going its way between the impacts, nearly
-    /// straight.
+    /// Lands `time` (s) from now; the readout between the impacts is nearly straight.
     fn jump<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
@@ -154,8 +149,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.land(run, EventReport { cause, error, projection: 0.0 }, reset, &to)
     }
 
-    /// Whether a measured sequence is known well enough to be taken in one move to `resting`:
-    /// to a part of the tick, or as well as the tick's last events allow.
+    /// Returns `true` if the end of a measured sequence, to `resting`, is known to a fraction of
+    /// the tick, or as well as the tick's last events permit.
     fn is_sure<S: Signal<M::Input>, W>(
         &self,
         run: &TickRun<'_, S, W>,
@@ -169,8 +164,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         is_known && has_piece && end.after.min(run.rest()) <= longest
     }
 
-    /// Whether enough impacts were followed one by one in this tick, or they are too close to
-    /// tell apart, in time or in the guard's own rounding; and a move takes at least one.
+    /// Returns `true` if this tick followed enough impacts one by one, or they are too close to
+    /// distinguish, in time or in the guard's rounding; and if the move takes at least one.
     fn is_worth_it<S, W>(
         &self,
         run: &TickRun<'_, S, W>,
@@ -185,9 +180,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
             && (after <= run.rest() || impacts_within(run.rest(), after, ratio) >= 1.0)
     }
 
-    /// Whether a hop is lost in the rounding of its guard.
+    /// Returns `true` if a hop is lost in the rounding of its guard.
     fn is_flat(&self, (after, ratio): (f64, f64), (fired, bands): (GuardId, f64)) -> bool {
-        // A hop rises to a quarter of its first rate times the time that it takes.
+        // A hop rises to a quarter of its first rate times its duration.
         self.guards.iter().zip(self.model.guards(self.mode)).any(|(slot, spec)| {
             let rise = 0.25 * slot.value.rate * after * (1.0 - ratio);
             spec.id == fired && rise <= bands * spec.band()
@@ -195,13 +190,12 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 }
 
-/// Whether the tick has only the events left that are kept back for what comes after impacts.
 fn is_near_the_last<S, W>(run: &TickRun<'_, S, W>) -> bool {
     const SPARE: u32 = 2;
     run.work.events + SPARE >= run.limits.events
 }
 
-/// Whether an error (s) is lost in a tick of `h` (s): 1 ns at 1 ms.
+/// Returns `true` if an error (s) is negligible in a tick of `h` (s): 1 ns at 1 ms.
 fn is_exact(error: f64, h: f64) -> bool {
     const PART: f64 = 1.0 / 1_048_576.0;
     error <= PART * h

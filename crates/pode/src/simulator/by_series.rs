@@ -1,4 +1,4 @@
-//! Guards of which the method knows the series: looked for as polynomials, not evaluated.
+//! Guards with a series from the method: searched as polynomials, not evaluated.
 
 use super::Simulator;
 use super::detect::GuardVerdict;
@@ -12,22 +12,19 @@ use crate::series::{Fall, GuardPolynomial, first_fall};
 use crate::stepper::{Memory as _, Stepper};
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Whether all `guards` of the mode are known along the step just taken.
     #[inline]
     pub(super) fn has_series(&self, guards: usize) -> bool {
         let [memory, ..] = &self.memory;
         T::IS_EXPANDED && memory.method().guards().is_some_and(|it| it.known >= guards)
     }
 
-    /// The guard at the place `index` along the step just taken, if the method knows it.
     #[inline]
     pub(super) fn guard_along(&self, index: usize) -> Option<GuardPolynomial> {
         let [memory, ..] = &self.memory;
         memory.method().guards()?.guard(index)
     }
 
-    /// Takes over a guard's values at both ends of a step of `h` (s), and says whether it may
-    /// cross.
+    /// Sets a guard's values at both ends of a step of `h` (s); returns its verdict.
     pub(super) fn look_along(
         &mut self,
         guard: &GuardPolynomial,
@@ -59,8 +56,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok(if is_falling { GuardVerdict::Candidate } else { GuardVerdict::Clear })
     }
 
-    /// The first crossing of a guard that starts positive, or leaves zero: its polynomial says
-    /// between which places, and the true guard has the last word. `None` where it does not agree.
+    /// Finds the first crossing of a guard that starts positive, or leaves zero: its polynomial
+    /// brackets it, and the true guard decides. `None` where both disagree.
     pub(super) fn crossing_along(
         &self,
         index: usize,
@@ -93,17 +90,17 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 }
 
-/// The true guard at both sides of the only root of its `series` between two places, as close to
-/// it as `rest` allows.
+/// Evaluates the true guard on both sides of the only root of its `series` between two places, as
+/// close to it as `rest` permits.
 fn shut_in(
     series: &GuardPolynomial,
     (mut lo, mut hi): (f64, f64),
     rest: f64,
     guard: impl Fn(f64) -> f64,
 ) -> Option<Bracket> {
-    /// Newton's method doubles the digits; bisection does what it does not.
+    /// Newton doubles the digits, and bisection covers the rest.
     const ROUNDS: usize = 60;
-    /// So far to both sides of the root, in units of what the series may be wrong.
+    /// Distance from the root to both sides, in units of the series' error.
     const SIDES: f64 = 4.0;
     let (whole, mut tau) = ((lo, hi), 0.5 * (lo + hi));
     for _ in 0..ROUNDS {

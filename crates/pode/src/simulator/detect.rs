@@ -1,5 +1,3 @@
-//! The first crossing of a step.
-
 use core::cell::Cell;
 
 use super::parts::ModeStep;
@@ -16,16 +14,15 @@ use crate::outcome::{Cap, Certainty, Fault};
 use crate::run::TickRun;
 use crate::stepper::Stepper;
 
-/// The first crossing of a step: which guard, where in the step, and who else is there.
 #[derive(Clone, Copy)]
 pub(super) struct First {
     pub(super) index: usize,
     pub(super) tau: f64,
-    /// All guards that cross there, this one included.
+    /// All guards that cross there, `index` included.
     pub(super) crossed: GuardSet,
 }
 
-/// Where in the step a guard crosses: `tau` ± `radius`.
+/// Time of a guard's crossing in the step: `tau` ± `radius`.
 #[derive(Clone, Copy)]
 struct CrossingTime {
     tau: f64,
@@ -36,28 +33,22 @@ impl CrossingTime {
     const NOWHERE: Self = Self { tau: f64::INFINITY, radius: 0.0 };
 }
 
-/// What the ends of a step tell of its guards.
 #[derive(Clone, Copy)]
 pub(super) struct Suspicion {
-    /// The guards that may cross in it: a bit for the place of each among the mode's guards.
+    /// A bit for each guard that may cross, by its index in the mode.
     pub(super) candidates: u32,
-    /// Whether all the others have no root in it for certain.
+    /// Certainty that all others have no root.
     pub(super) certainty: Certainty,
 }
 
-/// What a guard's ends tell of it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum GuardVerdict {
-    /// It has no root for certain.
     Clear,
-    /// It may cross in the step.
     Candidate,
-    /// It does not seem to.
     Unlikely,
 }
 
 impl Suspicion {
-    /// Adds what is known of the guard at the place `index`.
     #[inline]
     pub(super) const fn take(&mut self, index: usize, verdict: GuardVerdict) {
         match verdict {
@@ -69,8 +60,7 @@ impl Suspicion {
 }
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Evaluates the guards at the end of a step as far as they can have come to zero, and says
-    /// which of them may have crossed.
+    /// Evaluates the guards at the end of a step where they can have reached zero, and judges all.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     pub(super) fn suspicion<S: Signal<M::Input>, W>(
@@ -118,7 +108,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 
     /// Evaluates a guard at the end of a step that moves it within `bound`; returns it if it may
-    /// have come to zero in the step.
+    /// have reached zero in the step.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     fn look<S: Signal<M::Input>, W>(
@@ -149,7 +139,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok((!is_clear).then_some(span))
     }
 
-    /// How far the orbit and the input move over the step, if the method and the signal tell.
+    /// Bounds the orbit and the input over the step, if the method and the signal can.
     #[inline]
     fn enclosure<S: Signal<M::Input>, W>(
         &self,
@@ -162,8 +152,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Some(Enclosure { h, start, moves, speeds, bends, input_start, input })
     }
 
-    /// The earliest crossing of the candidates within the step, and whether none before it can
-    /// have been missed; ties go to the lower priority number.
+    /// Finds the earliest crossing of the candidates within the step, with the certainty that none
+    /// before it was missed; ties go to the lower priority number.
     pub(super) fn first_crossing<S: Signal<M::Input>, W>(
         &self,
         run: &mut TickRun<'_, S, W>,
@@ -199,7 +189,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Ok((first, certainty))
     }
 
-    /// Whether the reset map of a spent guard that sinks would bring it back up from the step's
+    /// Returns `true` if the reset map of a spent, sinking guard would turn it up from the step's
     /// end, at `x` and `input`.
     fn would_turn<S, W>(
         &self,
@@ -216,7 +206,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         reset.mode != self.mode || after.rate >= 0.0
     }
 
-    /// Has the stepper bring the step's dense output to its full order.
     #[inline]
     pub(super) fn refine<S: Signal<M::Input>, W>(
         &self,
@@ -240,7 +229,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         mode_step.refine(&self.memory, &mut taken.step.dense, &mut run.work);
     }
 
-    /// Where in the step one guard crosses, if it does.
     #[inline]
     fn crossing_place<S: Signal<M::Input>, W>(
         &self,
@@ -287,15 +275,14 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 }
 
-/// How far rounding alone can move a crossing with `slope` (1/step), as a part of the step.
+/// Returns the move of a crossing with `slope` (1/step) by rounding alone, in steps.
 fn slack(spec: &GuardSpec, slope: f64) -> f64 {
-    /// 1 ns at 1 ms; a touch without a slope is as sharp as that.
+    /// 1 ns at 1 ms, also for a touch without a slope.
     const MOST: f64 = 1.0 / 1_048_576.0;
     // A slope of zero gives infinity, or NaN without a band, and `min` takes the other.
     (spec.band() / slope.abs()).min(MOST)
 }
 
-/// The crossing of a mode's only guard.
 #[inline]
 fn alone(spec: &GuardSpec, place: CrossingTime) -> Option<First> {
     let mut crossed = GuardSet::EMPTY;
@@ -303,8 +290,7 @@ fn alone(spec: &GuardSpec, place: CrossingTime) -> Option<First> {
     place.tau.is_finite().then_some(First { index: 0, tau: place.tau, crossed })
 }
 
-/// The earliest crossing; among those that cannot be told from it, the lowest priority.
-///
+/// Returns the crossing of lowest priority among those indistinguishable from the earliest one.
 /// Depends on the set of guards only, not on their order.
 fn earliest(specs: &[GuardSpec], places: &[CrossingTime; MAX_GUARDS]) -> Option<First> {
     let limit = specs

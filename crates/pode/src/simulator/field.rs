@@ -1,4 +1,4 @@
-//! One mode's equations over one step, with its evaluations counted.
+//! One mode's equations over one step, with counted evaluations.
 
 use crate::input::Signal;
 use crate::model::{Guarded, Model};
@@ -9,29 +9,24 @@ use crate::series::{Expansion, INPUT_TERMS};
 use crate::state::{Matrix as _, State};
 use crate::stepper::{Field, differences, unit_differences};
 
-/// The index of all parts of a mode taken as one.
+/// Index of all parts of a mode taken as one.
 pub(super) const TOGETHER: usize = usize::MAX;
 
-/// The right-hand side of one part of a mode over a part of the tick.
 pub(super) struct ModeField<'a, M: Model, S> {
     model: &'a M,
     mode: M::Mode,
-    /// The part of the mode, and its place among them.
     part: Part,
     index: usize,
     signal: &'a S,
-    /// Where the step begins and ends in the tick.
     theta: (f64, f64),
-    /// The place of the step at which the input was taken last, and the input there: stages share
-    /// their instants, and an input may be costly.
+    /// Place of the last input, and that input: stages share instants, and an input may be costly.
     last: (f64, M::Input),
     derivatives: u32,
     jacobians: u32,
 }
 
 impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
-    /// The equations of a part of `mode` from one θ of the tick to another, with the `input` at the
-    /// first.
+    /// Builds the equations of a part of `mode` between two θ, with the `input` at the first.
     #[inline]
     pub(super) const fn new(
         model: &'a M,
@@ -44,7 +39,6 @@ impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
         Self { model, mode, part, index, signal, theta, last, derivatives: 0, jacobians: 0 }
     }
 
-    /// The input at the fraction `tau` of the step.
     #[inline]
     fn input(&mut self, tau: f64) -> M::Input {
         if self.last.0.to_bits() != tau.to_bits() {
@@ -55,19 +49,16 @@ impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
         self.last.1
     }
 
-    /// The input at the end of the step, if it was taken.
     #[inline]
     pub(super) fn known_end_input(&self) -> Option<M::Input> {
         (self.last.0.to_bits() == 1.0_f64.to_bits()).then_some(self.last.1)
     }
 
-    /// The input at the end of the step.
     #[inline]
     pub(super) fn end_input(&mut self) -> M::Input {
         self.input(1.0)
     }
 
-    /// Adds the evaluations to the tick's.
     #[inline]
     pub(super) fn count(&self, work: &mut Work) {
         work.derivatives += self.derivatives;
@@ -75,7 +66,7 @@ impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
         work.jacobians += self.jacobians;
     }
 
-    /// The derivative of the part's entries, zero for the others.
+    /// Computes the derivative of the part's entries, zero for the others.
     #[expect(clippy::inline_always, reason = "a call takes the state through memory")]
     #[inline(always)]
     fn rates(&self, x: &M::State, input: &M::Input) -> M::State {
@@ -87,7 +78,7 @@ impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
         if self.part.is_whole() { rates } else { M::State::ZERO.with_entries(&rates, &self.part) }
     }
 
-    /// The model's Jacobian for the entries of all parts, zero for the others.
+    /// Computes the model's Jacobian for the entries of all parts, zero for the others.
     fn jacobian_of_all(&self, x: &M::State, input: &M::Input) -> <M::State as State>::Matrix {
         let matrix = self.model.jacobian(self.mode, x, input);
         <M::State as State>::Matrix::from_columns(|index| {
@@ -99,7 +90,7 @@ impl<'a, M: Guarded, S: Signal<M::Input>> ModeField<'a, M, S> {
         })
     }
 
-    /// The derivative of the part's entries by themselves, zero for the others.
+    /// Differences the derivative of the part's entries by themselves, zero for the others.
     fn jacobian_of_part(&self, x: &M::State, input: &M::Input) -> <M::State as State>::Matrix {
         let rates = |x: &M::State| self.rates(x, input);
         let matrix: <M::State as State>::Matrix =
@@ -134,7 +125,7 @@ impl<M: Guarded, S: Signal<M::Input>> Field<M::State> for ModeField<'_, M, S> {
         let mut input = [self.input(0.0); INPUT_TERMS];
         let (from, to) = self.theta;
         let wanted = input.get_mut(..=out.order + 3).unwrap_or_default();
-        // An input of no size has nothing to say.
+        // An input of no size has no effect.
         let has_input = size_of::<M::Input>() > 0;
         if has_input && !self.signal.series(from, to - from, wanted) {
             return false;

@@ -1,7 +1,5 @@
-//! Advancing a model over a tick: step, watch guards, locate, reset, go on.
-//!
-//! Here is the tick itself; [`detect`] looks for the first crossing of a step, and
-//! [`transition`] fires guards until the present instant is over.
+//! One tick of a model: [`detect`] finds the first crossing of a step, and [`transition`] fires
+//! guards until the present instant is settled.
 
 mod accumulation;
 mod by_series;
@@ -42,36 +40,28 @@ pub struct Simulator<M: Resets, T: Stepper> {
     mode: M::Mode,
     state: M::State,
     guards: [GuardSlot; MAX_GUARDS],
-    /// The input at the end of the last tick: guards are taken anew where it jumped.
+    /// Input at the end of the last tick: guards are evaluated again where it jumped.
     last_input: Option<M::Input>,
     /// Width (s) to which an event at the very end of the last tick was located, or 0.
     since_event: f64,
-    /// What the stepper carries from one step to the next.
     memory: Memories<M, T>,
-    /// The latest impacts, to see whether they accumulate.
     impacts: Impacts<M::Mode>,
-    /// Whether anybody needs the readout.
     is_read: bool,
 }
 
-/// A step that was taken and not kept yet.
 struct TakenStep<M: Model, T: Stepper> {
     step: Step<M::State, T::Dense<M::State>>,
-    /// Where it ends in the tick.
     theta_end: f64,
-    /// Its length (s).
+    /// Length (s).
     h: f64,
-    /// Input at its start.
     input_start: M::Input,
-    /// State and input at its end, what is slaved in place.
     end: M::State,
     input: M::Input,
-    /// Whether its dense output has its full order.
+    /// `true` if its dense output has its full order.
     is_refined: bool,
 }
 
 impl<M: Model, T: Stepper> TakenStep<M, T> {
-    /// Where in the tick the fraction `tau` of a step from `theta` is.
     #[inline]
     fn theta(&self, theta: f64, tau: f64) -> f64 {
         if tau < 1.0 { theta + tau * (self.theta_end - theta) } else { self.theta_end }
@@ -79,7 +69,7 @@ impl<M: Model, T: Stepper> TakenStep<M, T> {
 }
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// A model at rest in `mode` and `state` at the start of tick 0.
+    /// Builds a simulator at rest in `mode` and `state` at the start of tick 0.
     pub fn new(model: M, stepper: T, limits: Limits, mode: M::Mode, state: M::State) -> Self {
         Self {
             model,
@@ -97,25 +87,23 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// The same at the start of `tick`.
     #[must_use]
     pub fn with_tick(self, tick: u64) -> Self {
         Self { tick, ..self }
     }
 
-    /// The same without the readout: none is evaluated, and a tick reads 0.
+    /// Returns the simulator without the readout: none is evaluated, and a tick reads 0.
     #[must_use]
     pub fn without_readout(self) -> Self {
         Self { is_read: false, ..self }
     }
 
-    /// Returns the model as it is now.
     pub const fn model(&self) -> &M {
         &self.model
     }
 
-    /// Puts another model of the same kind in its place, from the next tick on: the guards are
-    /// taken anew, since its parameters may have moved them.
+    /// Replaces the model by one of the same kind from the next tick on. The guards are evaluated
+    /// again, since the parameters may have moved them.
     pub fn set_model(&mut self, model: M) {
         self.model = model;
         self.last_input = None;
@@ -123,8 +111,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.impacts = Impacts::NONE;
     }
 
-    /// Makes steps `stretch` times as long as the model asks for from the next tick on, see
-    /// [`Limits::stretch`].
+    /// Stretches steps from the next tick on, see [`Limits::stretch`].
     pub const fn set_stretch(&mut self, stretch: f64) {
         self.limits.stretch = stretch;
     }
@@ -134,27 +121,25 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.limits.work = work;
     }
 
-    /// Forgets what the method carries: the state has jumped, or the mode has changed.
+    /// Clears the method's memory after a jump of the state or a change of the mode.
     fn restart(&mut self) {
         self.memory.iter_mut().for_each(PartMemory::restart);
     }
 
-    /// Returns the mode that holds now.
     pub const fn mode(&self) -> M::Mode {
         self.mode
     }
 
-    /// Returns the state at the present time.
     pub const fn state(&self) -> &M::State {
         &self.state
     }
 
-    /// Ticks advanced since the start.
+    /// Returns the ticks advanced since the start.
     pub const fn tick(&self) -> u64 {
         self.tick
     }
 
-    /// Puts the model into `mode` and `state` at the start of the next tick.
+    /// Sets `mode` and `state` at the start of the next tick.
     pub fn place(&mut self, mode: M::Mode, state: M::State) {
         (self.mode, self.state) = (mode, state);
         self.last_input = None;
@@ -165,8 +150,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     /// Advances one tick of `h` (s) under the input `signal`.
     ///
     /// # Real-time
-    /// Bounded by [`Limits`]; at a maximum, or when something is not finite, the last
-    /// good state is held for the rest of the tick and the tick says so.
+    /// Bounded by [`Limits`]. At a maximum, or at a number that is not finite, the last good state
+    /// is held for the rest of the tick, and the tick reports it.
     pub fn advance<S, W>(&mut self, h: f64, signal: &S, watch: &mut W) -> Tick
     where
         S: Signal<M::Input>,
@@ -185,7 +170,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         self.finish(run, input)
     }
 
-    /// Takes the guards at the start of the tick, and settles what is due at once.
+    /// Evaluates the guards at the start of the tick, and fires those that are due.
     #[inline]
     fn begin<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
@@ -215,8 +200,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Advances one step, or the part of it up to the first crossing; `input` is that of the
-    /// present instant.
+    /// Advances one step, or up to its first crossing; `input` is that of the present instant.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     fn advance_piece<S: Signal<M::Input>, W: Watch<M>>(
@@ -248,8 +232,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Leaves a step that began with `input` at its first crossing, or keeps it if there is none
-    /// after all; returns the input where it ends.
+    /// Ends a step that began with `input` at its first crossing, or keeps it whole if there is
+    /// none. Returns the input at its end.
     #[cold]
     #[inline(never)]
     fn cross<S: Signal<M::Input>, W: Watch<M>>(
@@ -273,7 +257,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.input()
     }
 
-    /// Takes a step that begins with `input`; `None` if the method refuses it, or its end is not finite.
+    /// Computes a step from `input`; `None` if the method refuses it, or its end is not finite.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     fn take_step<S: Signal<M::Input>, W>(
@@ -308,7 +292,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         Some(TakenStep { step, theta_end, h, input_start, end, input, is_refined: false })
     }
 
-    /// Has the method look ahead from the present state, under `input`.
+    /// Lets the method expand its series from the present state, under `input`.
     fn prepare<S: Signal<M::Input>, W>(&mut self, run: &mut TickRun<'_, S, W>, input: &M::Input) {
         let [memory, ..] = &self.memory;
         let known = memory.method().scale();
@@ -327,7 +311,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         mode_step.prepare(&self.state, &mut self.memory, &mut run.work);
     }
 
-    /// Keeps a whole step.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     fn keep<S: Signal<M::Input>, W: Watch<M>>(
@@ -346,7 +329,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.move_to(taken.theta_end);
     }
 
-    /// Keeps the step up to the first crossing, and fires what crosses there.
     #[cold]
     fn leave<S: Signal<M::Input>, W: Watch<M>>(
         &mut self,
@@ -373,7 +355,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Takes over the state at `tau` of a step, and what was to be felt and seen until there.
+    /// Moves to the state at `tau` of a step, adds its readout and notifies the watch.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     fn accept<S: Signal<M::Input>, W: Watch<M>>(
@@ -438,7 +420,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.readout = Some(end);
     }
 
-    /// The state with its slaved coordinates in place, if it is finite.
+    /// Returns the state with its slaved coordinates in place, if it is finite.
     #[inline]
     fn constrained(&self, mode: M::Mode, x: &M::State, input: &M::Input) -> Option<M::State> {
         Some(self.model.constrain(mode, x, input)).filter(is_finite)

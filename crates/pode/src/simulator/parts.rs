@@ -1,4 +1,4 @@
-//! A step of a mode, part by part: what moves by no equations takes no step at all.
+//! A step of a mode, part by part: entries that move by no equations take no step.
 
 use super::field::{ModeField, TOGETHER};
 use crate::dense::Dense;
@@ -9,41 +9,36 @@ use crate::part::{MAX_PARTS, Part};
 use crate::state::State;
 use crate::stepper::{Memory, Step, Stepper};
 
-/// What is carried from one step to the next for each part of the mode.
 pub(super) type Memories<M, T> =
     [PartMemory<<T as Stepper>::Memory<<M as Model>::State>, DenseOf<M, T>>; MAX_PARTS];
 
-/// The dense output of a method's steps of a model.
 type DenseOf<M, T> = <T as Stepper>::Dense<<M as Model>::State>;
 
-/// What is carried for one part.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct PartMemory<M, D> {
-    /// What the method itself carries.
     method: M,
-    /// A step of the part's own that is longer than the mode's, as far as it is ahead.
+    /// A step of the part that is longer than the mode's, with its unused rest.
     ahead: Option<Ahead<D>>,
-    /// The method's dense output cannot be cut, so that no step of it can be ahead.
+    /// `true` if the method's dense output cannot be cut, so no step can be ahead.
     is_uncut: bool,
 }
 
-/// A step that a part has taken ahead of the others.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Ahead<D> {
     dense: D,
     /// Its length (s).
     length: f64,
-    /// How much of it the other parts have come after (s).
+    /// Length that the other parts have followed (s).
     passed: f64,
 }
 
 impl<D> Ahead<D> {
-    /// Its dense output over the next `h` (s), if it reaches so far.
+    /// Returns its dense output over the next `h` (s), if it is long enough.
     fn next<S>(&mut self, h: f64) -> Option<D>
     where
         D: Dense<S>,
     {
-        /// Sums of steps are off by rounding.
+        /// Relative rounding of a sum of steps.
         const ROUNDING: f64 = 1e-9;
         let (from, to) = (self.passed / self.length, (self.passed + h) / self.length);
         self.passed += h;
@@ -58,55 +53,47 @@ impl<M: Default, D> Default for PartMemory<M, D> {
 }
 
 impl<M: Memory, D> PartMemory<M, D> {
-    /// Forgets the motion up to now.
     pub(super) fn restart(&mut self) {
         self.method.restart();
         self.ahead = None;
     }
 
-    /// What the method itself carries.
     #[inline]
     pub(super) const fn method(&self) -> &M {
         &self.method
     }
 
-    /// A new tick begins.
     pub(super) fn begin_tick(&mut self) {
         self.method.begin_tick();
     }
 
-    /// The step just taken is refused.
     fn refuse(&mut self) {
         self.method.refuse();
         self.ahead = None;
     }
 
-    /// Longest step (s) that is worth trying next.
+    /// Returns the longest step (s) worth trying next.
     #[inline]
     pub(super) fn reach(&self) -> f64 {
         self.method.reach()
     }
 }
 
-/// A step of one mode over a part of the tick.
 pub(super) struct ModeStep<'a, M: Model, T: Stepper, S> {
     pub(super) model: &'a M,
     pub(super) stepper: &'a T,
     pub(super) mode: M::Mode,
     pub(super) signal: &'a S,
-    /// Where the step begins and ends in the tick.
     pub(super) theta: (f64, f64),
-    /// The input where it begins.
     pub(super) input: M::Input,
-    /// Length of the step, and of the rest of the tick from where it begins (s).
+    /// Length of the step, and of the rest of the tick from its begin (s).
     pub(super) h: f64,
     pub(super) rest: f64,
 }
 
-/// The step that a method takes of a model.
 type Taken<M, T> = Step<<M as Model>::State, DenseOf<M, T>>;
 
-/// The step of several parts with that of one more.
+/// Merges the step of several parts with that of one more.
 #[inline]
 fn together<S: State, D: Dense<S>>(
     whole: &Step<S, D>,
@@ -121,14 +108,13 @@ fn together<S: State, D: Dense<S>>(
 }
 
 impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
-    /// The equations of a part up to `end` of the tick.
     fn field(&self, (index, part): (usize, Part), end: f64) -> ModeField<'_, M, S> {
         let theta = (self.theta.0, end);
         ModeField::new(self.model, (self.mode, index, part), self.signal, theta, self.input)
     }
 
-    /// What one step of the method takes: the mode's only part, or several as one; `None` where
-    /// they are stepped apart, and where nothing moves.
+    /// Returns the mode's only part, or several taken as one; `None` where they are stepped apart,
+    /// and where nothing moves.
     #[inline]
     fn whole(&self) -> Option<Part> {
         let length = M::State::ZERO.entries().len();
@@ -140,8 +126,7 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         }
     }
 
-    /// Steps all parts from `x0`, and counts their evaluations. Returns the input at the end as
-    /// well.
+    /// Steps all parts from `x0`, counts their evaluations, and also returns the input at the end.
     #[expect(clippy::inline_always, reason = "a call takes the step through memory")]
     #[inline(always)]
     pub(super) fn take(
@@ -158,7 +143,7 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         (step, field.end_input())
     }
 
-    /// Steps the parts one after another; a step that one of them refuses is refused by all.
+    /// Steps the parts one after another; a step refused by one of them is refused by all.
     fn take_apart(
         &self,
         x0: &M::State,
@@ -182,9 +167,9 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         (whole, end.unwrap_or_else(|| self.signal.at(self.theta.1)))
     }
 
-    /// Has the method look ahead from `x0`, for a step of about the length that is given.
+    /// Lets the method expand from `x0`, for a step of about this length.
     pub(super) fn prepare(&self, x0: &M::State, memories: &mut Memories<M, T>, work: &mut Work) {
-        // A method that looks ahead takes all parts together.
+        // Such a method takes all parts together.
         let Some(whole) = self.whole() else { return };
         let mut field = self.field((TOGETHER, whole), self.theta.1);
         let [memory, ..] = memories;
@@ -192,8 +177,8 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         field.count(work);
     }
 
-    /// Steps one of several parts: by the step that it has taken ahead, by one that is longer than
-    /// the mode's, or by one as long.
+    /// Steps one of several parts: by the step ahead, or by a new one at least as long as the
+    /// mode's.
     fn take_part(
         &self,
         (index, part): (usize, Part),
@@ -207,7 +192,7 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
             return Step::new(dense);
         }
         if known.is_some() {
-            // The rest of it is shorter than the step: it was taken for another grid.
+            // The rest of it is shorter than the step: it belongs to another grid.
             memory.restart();
         }
         let length = part.own_step(self.h, self.rest);
@@ -227,7 +212,6 @@ impl<M: Guarded, T: Stepper, S: Signal<M::Input>> ModeStep<'_, M, T, S> {
         self.stepper.step(field, x0, &mut memory.method, self.h)
     }
 
-    /// Brings the dense output of the step just taken to its full order.
     #[inline]
     pub(super) fn refine(
         &self,

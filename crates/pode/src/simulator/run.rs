@@ -1,4 +1,4 @@
-//! Many ticks at once, for a model that nobody waits for.
+//! Many ticks in one call, for offline use.
 
 use super::Simulator;
 use crate::math;
@@ -7,33 +7,29 @@ use crate::outcome::{Advance, Work};
 use crate::stepper::Stepper;
 use crate::watch::Watch;
 
-/// What a run of many ticks gave.
+/// Result of a run of many ticks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[must_use]
 pub struct RunOutcome {
-    /// How the last tick ended: the run stops at the first one that is not completed.
+    /// End of the last tick: the run stops at the first one that is not completed.
     pub advance: Advance,
-    /// Ticks that were advanced in this run, the last one included.
     pub ticks: u64,
-    /// Sum over all ticks.
     pub work: Work,
 }
 
 impl RunOutcome {
-    /// Returns whether every tick was advanced to its end.
     pub fn is_completed(&self) -> bool {
         self.advance == Advance::Completed
     }
 }
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Advances in ticks of `h` (s) from the present tick until the tick's line nearest to
-    /// `until` (s), or to the first tick that is not completed.
+    /// Advances in ticks of `h` (s) to the tick boundary nearest to `until` (s), or to the first
+    /// tick that is not completed.
     ///
-    /// Tick n begins at n h, so the time inside it is (n + θ) h, never a sum. `input` is a
-    /// function of that time (s), and has the very same argument at the end of a tick and at
-    /// the beginning of the next one. Every tick has the whole length `h`: an `until` between
-    /// two lines is rounded, and one that has passed already advances nothing.
+    /// Tick n begins at n h, so the time inside it is (n + θ) h, never a sum. `input` is a function
+    /// of that time (s), with the same argument at the end of a tick and at the start of the next
+    /// one. Every tick has the whole length `h`; an `until` that has passed advances nothing.
     ///
     /// # Real-time
     /// Each tick is bounded by [`Limits`](crate::Limits), but their number is `until / h`.
@@ -71,7 +67,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         let mut report =
             RunOutcome { advance: Advance::Completed, ticks: 0, work: Work::default() };
         let lines = math::floor(until / h + 0.5);
-        // What is no length is told by the tick itself.
+        // The tick itself reports an invalid length.
         let is_length = h > 0.0 && h < f64::INFINITY;
         while report.is_completed() && ((self.tick() as f64) < lines || !is_length) {
             let begin = self.tick() as f64;

@@ -1,5 +1,4 @@
-//! Where the next step ends: on the mode's grid, as far as its method reaches, and just behind
-//! an event that is expected.
+//! End of the next step: on the mode's grid, within the method's reach, or just behind an event.
 
 use super::Simulator;
 use super::parts::PartMemory;
@@ -10,23 +9,22 @@ use crate::run::TickRun;
 use crate::stepper::Stepper;
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Where the step that begins now under `input` ends.
     #[inline]
     pub(super) fn step_end<S, W>(&self, run: &mut TickRun<'_, S, W>, input: &M::Input) -> f64 {
         let end = self.line(run, input);
-        // Where the dense output is as good as the end there is nothing to gain.
+        // A dense output as good as the end leaves nothing to gain.
         let may_aim = run.limits.forecast
             && !run.has_aimed
             && self.stepper.aims(&self.model.nature(self.mode));
         if may_aim { self.aimed(run, end) } else { end }
     }
 
-    /// Just behind the first event that is expected before `end`, or there.
+    /// Returns a place just behind the first event predicted before `end`, otherwise `end`.
     #[inline]
     fn aimed<S, W>(&self, run: &mut TickRun<'_, S, W>, end: f64) -> f64 {
-        /// Part by which the expected time may be short.
+        /// Fraction by which the predicted time may be short.
         const MARGIN: f64 = 0.02;
-        /// Part of the step before which it is not worth while.
+        /// Fraction of the step before which it is not worth while.
         const WORTH: f64 = 0.02;
         let h = (end - run.theta) * run.h;
         let present = self.guards.iter().zip(self.model.guards(self.mode));
@@ -40,19 +38,18 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.theta + due / run.h
     }
 
-    /// The next line of the mode's grid, or as far as the method reaches.
+    /// Returns the next line of the mode's grid, limited by the method's reach.
     #[inline]
     fn line<S, W>(&self, run: &TickRun<'_, S, W>, input: &M::Input) -> f64 {
-        /// A rest shorter than this part of a step joins the next one.
+        /// A rest shorter than this fraction of a step joins the next one.
         const CRUMB: f64 = 1e-9;
-        /// More lines than any tick can have pieces.
         const MOST_LINES: f64 = 1e12;
         let own = run.limits.stretch * self.model.longest_step_at(self.mode, &self.state, input);
         let longest = self
             .stepper
             .longest_step(&self.model.nature(self.mode), own)
             .min(run.limits.longest_step);
-        // What is no length at all asks for more pieces than there are.
+        // An invalid length requests more pieces than there are.
         let longest = if longest > 0.0 { longest } else { 0.0 };
         let reach = self.memory.iter().map(PartMemory::reach).fold(f64::INFINITY, f64::min) / run.h;
         if reach < 1.0 - run.theta {
@@ -68,9 +65,9 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
     }
 }
 
-/// Where a step ends that its method wants no longer than `reach`, a part of the tick.
+/// Returns the end of a step of at most `reach`, a fraction of the tick.
 fn reached<S, W>(run: &TickRun<'_, S, W>, reach: f64, longest: f64) -> f64 {
-    // Never so short that the time would stand still.
+    // Never so short that the time would not advance.
     let reach = reach.min(longest).max(f64::EPSILON);
     let rest = 1.0 - run.theta;
     // Two even steps rather than a long one and a crumb.

@@ -1,4 +1,4 @@
-//! What happens at one instant: guards fire until none must leave.
+//! Events of one instant: guards fire until all are settled.
 
 use super::Simulator;
 use crate::epoch::{Stand, stand};
@@ -12,17 +12,16 @@ use crate::state::State as _;
 use crate::stepper::Stepper;
 use crate::watch::{Event, EventCause, Watch};
 
-/// What an event tells besides its reset map.
 pub(super) struct EventReport<'a> {
     pub(super) cause: EventCause<'a>,
-    /// How far its time may be wrong (s).
+    /// Error of its time (s).
     pub(super) error: f64,
-    /// How far it moves a coordinate onto a constraint.
+    /// Distance by which it moves a coordinate onto a constraint.
     pub(super) projection: f64,
 }
 
 impl<M: Resets, T: Stepper> Simulator<M, T> {
-    /// Fires guards until none must leave at this instant; at most `limits.cascade`.
+    /// Fires guards until none is due at this instant; at most `limits.cascade`.
     pub(super) fn settle<S, W>(&mut self, run: &mut TickRun<'_, S, W>)
     where
         S: Signal<M::Input>,
@@ -40,7 +39,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Applies one reset map and takes the guards anew; `false` if the tick ends here.
+    /// Applies one reset map and evaluates the guards again; `false` if the tick ends here.
     pub(super) fn fire<S, W>(&mut self, run: &mut TickRun<'_, S, W>, index: usize) -> bool
     where
         S: Signal<M::Input>,
@@ -58,7 +57,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         run.has_aimed = false;
         let fired = spec.id;
         run.due.remove(fired);
-        // What it stood like before is over.
+        // The guard has fired, so its earlier stand no longer applies.
         self.guards[index].stand = Stand::Leaving;
         let input = run.input();
         let reset = self.model.reset(self.mode, spec.id, &self.state, &input);
@@ -89,7 +88,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Takes over what a reset map gave, and tells the watch; `false` if it is not finite.
+    /// Sets the reset's state and notifies the watch; `false` if it is not finite.
     pub(super) fn land<S, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
@@ -129,7 +128,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         true
     }
 
-    /// How far a coordinate of the present state is from where `mode` constrains it to be, at most.
     fn projection(&self, mode: M::Mode, input: &M::Input) -> f64 {
         let constrained = self.model.constrain(mode, &self.state, input);
         let pairs =
@@ -137,7 +135,7 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         pairs.map(|(is, should_be)| (should_be - is).abs()).fold(0.0, f64::max)
     }
 
-    /// Notes that every guard that was positive crosses if the input's jump makes it negative.
+    /// Marks each positive guard as crossing in case the input's jump makes it negative.
     pub(super) fn expect_jumps<S, W>(&self, run: &mut TickRun<'_, S, W>) {
         for (slot, spec) in self.guards.iter().zip(self.model.guards(self.mode)) {
             if slot.stand == Stand::Armed {
@@ -146,10 +144,8 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         }
     }
 
-    /// Evaluates all guards at the present instant and says how each stands.
-    ///
-    /// A guard that was disarmed in the same mode `from` stays so until it is positive.
-    /// Returns `false` when the tick ends here.
+    /// Evaluates all guards at the present instant and finds how each stands; `false` if the tick
+    /// ends here. A guard disarmed in the same mode `from` stays so until it is positive.
     pub(super) fn take_guards<S, W>(
         &mut self,
         run: &mut TickRun<'_, S, W>,
@@ -192,7 +188,6 @@ impl<M: Resets, T: Stepper> Simulator<M, T> {
         true
     }
 
-    /// A guard that its own reset map left where it was has done its work.
     fn disarm_if_spent(&mut self, index: usize) {
         let slot = &mut self.guards[index];
         if matches!(slot.stand, Stand::Leaving | Stand::Resting) {

@@ -6,13 +6,10 @@ use nalgebra::{ArrayStorage, SMatrix};
 
 /// A square matrix that maps states of type `S` to states.
 pub trait Matrix<S>: Copy + PartialEq + Debug + Send + 'static {
-    /// The matrix, factored for solving.
     type Factored: Debug;
 
-    /// The unit matrix.
     const ONE: Self;
 
-    /// The matrix whose columns `column` returns.
     fn from_columns(column: impl FnMut(usize) -> S) -> Self;
 
     /// Returns `self · x`.
@@ -26,7 +23,7 @@ pub trait Matrix<S>: Copy + PartialEq + Debug + Send + 'static {
     #[must_use]
     fn plus(&self, a: f64, other: &Self) -> Self;
 
-    /// The largest sum of magnitudes in a row: the norm that goes with the largest entry.
+    /// Returns the largest row sum of magnitudes: the norm that belongs to the largest entry.
     fn norm(&self) -> f64;
 
     /// Factors `1 − a · self`, with partial pivoting.
@@ -36,19 +33,17 @@ pub trait Matrix<S>: Copy + PartialEq + Debug + Send + 'static {
     fn solve(factored: &Self::Factored, b: &S) -> Option<S>;
 }
 
-/// A square matrix as the product of a lower and an upper triangle, its rows interchanged.
-///
-/// nalgebra's own takes a bound on every size, which each generic model would have to repeat.
+/// A square matrix as the product of a lower and an upper triangle, with interchanged rows.
+/// nalgebra's needs a bound on every size, which each generic model would have to repeat.
 #[derive(Clone, Copy, Debug)]
 pub struct Factors<const N: usize> {
     /// Row by row: the upper triangle with the diagonal, and below it the factors of elimination.
     rows: [[f64; N]; N],
-    /// Which row of the matrix stands in each place.
+    /// Row of the matrix at each index.
     order: [usize; N],
 }
 
 impl<const N: usize> Factors<N> {
-    /// Factors `rows`, with partial pivoting.
     #[inline]
     fn new(mut rows: [[f64; N]; N]) -> Self {
         let mut order = core::array::from_fn(|index| index);
@@ -71,7 +66,6 @@ impl<const N: usize> Factors<N> {
         Self { rows, order }
     }
 
-    /// Solves for `b`; `None` if the matrix is singular.
     #[inline]
     fn solve(&self, b: &[f64; N]) -> Option<[f64; N]> {
         let mut x = self.order.map(|row| b[row]);
@@ -141,7 +135,6 @@ impl<const N: usize> Matrix<[f64; N]> for SMatrix<f64, N, N> {
     }
 }
 
-/// The unit matrix, at compile time.
 const fn unit<const N: usize>() -> SMatrix<f64, N, N> {
     let mut columns = [[0.0; N]; N];
     let mut index = 0;

@@ -12,10 +12,8 @@ pub use matrix::{Factors, Matrix};
 
 /// A state vector of fixed size: coordinates first, speeds after.
 pub trait State: Copy + PartialEq + Debug + Send + 'static {
-    /// A square matrix that maps states to states.
     type Matrix: Matrix<Self>;
 
-    /// The zero vector.
     const ZERO: Self;
 
     /// Returns `self + a * x`.
@@ -26,7 +24,6 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     #[must_use]
     fn times(&self, a: f64) -> Self;
 
-    /// Returns the magnitude of each entry.
     #[must_use]
     fn magnitudes(&self) -> Self;
 
@@ -42,7 +39,6 @@ pub trait State: Copy + PartialEq + Debug + Send + 'static {
     #[must_use]
     fn with_entries(&self, other: &Self, part: &Part) -> Self;
 
-    /// Returns the entries as a slice.
     fn entries(&self) -> &[f64];
 }
 
@@ -87,13 +83,12 @@ impl<const N: usize> State for [f64; N] {
     }
 }
 
-/// Whether every entry is a finite number.
 #[inline]
 pub(crate) fn is_finite<S: State>(x: &S) -> bool {
     x.entries().iter().all(|entry| entry.is_finite())
 }
 
-/// The largest entry by magnitude; NaN entries do not count.
+/// Returns the largest magnitude of the entries; NaN entries do not count.
 #[inline]
 pub(crate) fn largest<S: State>(x: &S) -> f64 {
     x.entries().iter().fold(0.0, |most: f64, entry| most.max(entry.abs()))

@@ -1,23 +1,21 @@
-//! The two-step Adams–Bashforth method.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::{DerivativeHistory, Field, Step, Stepper};
 
 /// Order 2 in 1 evaluation, 2 in the first step and after every event; no error estimate.
 ///
-/// The derivative at the start and the one a step before give a straight line in time; the
-/// step is its integral, and so is the dense output, locally of third order. The steps may
-/// differ in length. The first step is [`Heun`](crate::stepper::Heun)'s, and so is one more
-/// than four times as long as the step before.
+/// A straight line in time through the derivatives at the start and one step before is integrated
+/// for the step and for the dense output, locally of third order. Steps may differ in length. The
+/// first step, and one more than four times as long as the step before, is
+/// [`Heun`](crate::stepper::Heun)'s.
 ///
-/// Carried: the derivative at the start of the last step. A reset, an event that cuts a
-/// step short, a change of the mode and another model discard it, as `[GC93]` 2.2 demands of
-/// a multistep method. A new tick does not: where the derivative jumps between two ticks,
-/// with the input or with a parameter that the input carries, one step is of order 1 in it.
+/// Carried: the derivative at the start of the last step. A reset, an event that cuts a step short,
+/// a change of the mode and another model discard it, as `[GC93]` 2.2 demands of a multistep
+/// method. A new tick does not: where the derivative jumps between two ticks, with the input or
+/// with a parameter that the input carries, one step is of order 1 in it.
 ///
-/// Stability: h |λ| < 1 for damped motion; an undamped oscillator gains (ω h)⁴/2 of its
-/// energy in every step. Choose it where the derivative is dear and events are rare.
+/// Stability: h |λ| < 1 for damped motion; an undamped oscillator gains (ω h)⁴/2 of its energy in
+/// every step. Choose it where the derivative is costly and events are rare.
 ///
 /// # References
 /// `[HNW93]` III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
@@ -55,7 +53,6 @@ impl Stepper for AdamsBashforth2 {
     }
 }
 
-/// A step without anything known from before.
 #[inline]
 fn first<S: State>(field: &mut impl Field<S>, x0: &S, k1: &S, h: f64) -> Cubic<S> {
     let k2 = field.derivative(1.0, &x0.plus(h, k1));

@@ -1,5 +1,3 @@
-//! The three-step Adams–Bashforth method.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::history::Past;
@@ -7,19 +5,19 @@ use crate::stepper::{DerivativeHistory, Field, Step, Stepper};
 
 /// Order 3 in 1 evaluation, 3 in the first two steps and after every event; no error estimate.
 ///
-/// The derivatives at the start and one and two steps before give a parabola in time; the
-/// step is its integral, and so is the dense output, locally of fourth order. The steps may
-/// differ in length. The first two steps, and one more than four times as long as a step
-/// before, are [`BogackiShampine`](crate::stepper::BogackiShampine)'s of third order, with a
-/// parabola as dense output: locally of third order, which keeps event times at order 3.
+/// A parabola in time through the derivatives at the start and one and two steps before is
+/// integrated for the step and for the dense output, locally of fourth order. Steps may differ in
+/// length. The first two steps, and one more than four times as long as a step before, are
+/// [`BogackiShampine`](crate::stepper::BogackiShampine)'s of third order, with a parabola as dense
+/// output: locally of third order, which keeps event times at order 3.
 ///
-/// Carried: the derivatives at the starts of the last two steps. A reset, an event that cuts
-/// a step short, a change of the mode and another model discard them, as `[GC93]` 2.2 demands
-/// of a multistep method. A new tick does not: where the derivative jumps between two ticks,
-/// with the input or with a parameter that the input carries, two steps are of order 1 in it.
+/// Carried: the derivatives at the starts of the last two steps, discarded like those of
+/// [`AdamsBashforth2`](crate::stepper::AdamsBashforth2) (`[GC93]` 2.2). Where the derivative jumps
+/// between two ticks, with the input or with a parameter that the input carries, two steps are of
+/// order 1 in it.
 ///
 /// Stability: h |λ| < 6/11 for damped motion, h ω < 0.72 for undamped. Choose it where the
-/// derivative is dear, events are rare and the step is short for other reasons.
+/// derivative is costly, events are rare and the step is short for other reasons.
 ///
 /// # References
 /// `[HNW93]` III.1, eq. 1.5; steps of different lengths III.5, eq. 5.5.
@@ -28,7 +26,7 @@ pub struct AdamsBashforth3;
 
 impl Stepper for AdamsBashforth3 {
     const ORDER: u32 = 3;
-    /// That of the first steps, which follow every event.
+    /// Order of the first steps' dense output, which follow every event.
     const DENSE: u32 = 2;
     const EVALUATIONS: u32 = 3;
     const NAME: &'static str = "adams-bashforth3";
@@ -54,7 +52,7 @@ impl Stepper for AdamsBashforth3 {
     }
 }
 
-/// The integral of the parabola through `k` and the slopes before.
+/// Integrates the parabola through `k` and the slopes before.
 #[inline]
 fn integral<S: State>(x0: &S, k: &S, [last, older]: &[Past<S>; 2], h: f64) -> Cubic<S> {
     // Newton's divided differences of the slope, by time in steps.
@@ -68,7 +66,6 @@ fn integral<S: State>(x0: &S, k: &S, [last, older]: &[Past<S>; 2], h: f64) -> Cu
     Cubic::cubic(*x0, c1, c2, c3, x1)
 }
 
-/// A step without anything known from before.
 #[inline]
 fn first<S: State>(field: &mut impl Field<S>, x0: &S, k1: &S, h: f64) -> Cubic<S> {
     let k2 = field.derivative(0.5, &x0.plus(0.5 * h, k1));

@@ -1,5 +1,3 @@
-//! Any of the methods, chosen at run time.
-
 use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
 use crate::nature::Nature;
 use crate::part::Part;
@@ -16,14 +14,11 @@ use crate::stepper::{
 pub enum AnyDense<S> {
     Cubic(Cubic<S>),
     Quartic(Polynomial<S, 5>),
-    /// The exact flow's series.
     Flow(Flow<S>),
-    /// That of Dormand–Prince 8(5,3).
     Eighth(Dense8<S>),
 }
 
 impl<S: State> AnyDense<S> {
-    /// A polynomial solution as a series; `None` for one that is none.
     fn series(&self) -> Option<Flow<S>> {
         match self {
             Self::Cubic(dense) => Some(dense.lengthened()),
@@ -44,7 +39,7 @@ impl<S: State> Dense<S> for AnyDense<S> {
             (Self::Cubic(mine), Self::Cubic(other)) => Self::Cubic(mine.merged(other, part)),
             (Self::Quartic(mine), Self::Quartic(other)) => Self::Quartic(mine.merged(other, part)),
             (Self::Eighth(mine), Self::Eighth(other)) => Self::Eighth(mine.merged(other, part)),
-            // What does not move is a cubic, whatever the method.
+            // A solution without motion is a cubic, whatever the method.
             (_, Self::Eighth(other)) => {
                 Self::Eighth(Dense8::still(&self.at(0.0)).merged(other, part))
             }
@@ -94,10 +89,9 @@ impl<S: State> Dense<S> for AnyDense<S> {
 
 /// A dense output that [`AnyDense`] can hold.
 pub trait Fits<S>: Sized {
-    /// As one of many.
     fn wide(self) -> AnyDense<S>;
 
-    /// The one in `any`, if it is of this kind.
+    /// Returns the one in `any`, if it is of this kind.
     fn narrow(any: &mut AnyDense<S>) -> Option<&mut Self>;
 }
 
@@ -125,14 +119,12 @@ impl<S: State> Fits<S> for FlowOrCubic<S> {
         }
     }
 
-    /// Nothing of these is ever refined.
     fn narrow(_any: &mut AnyDense<S>) -> Option<&mut Self> {
         None
     }
 }
 
-/// A field whose type is forgotten, so that each method is compiled once for each kind of state
-/// and not once for each model.
+/// A field with its type erased, so that each method is compiled once per state, not per model.
 struct Erased<'a, S>(&'a mut dyn Field<S>);
 
 impl<S: State> Field<S> for Erased<'_, S> {
@@ -159,27 +151,23 @@ macro_rules! any {
         controlled { $($(#[$of:meta])* $controlled:ident($how:ty)),+ $(,)? }
     ) => {
         impl Any {
-            /// Names of the methods.
             pub const NAMES: &[&str] = &[$(<$stepper>::NAME),+];
         }
 
         any! { @all $($(#[$doc])* $name($stepper),)+ $($(#[$of])* $controlled($how)),+ }
     };
     (@all $($(#[$doc:meta])* $name:ident($stepper:ty)),+) => {
-        /// Any of the methods, chosen at run time: where a simulation is set up by name, and a
-        /// nanosecond does not count.
-        ///
-        /// Each step is the method's own, to the last bit; orders, dense output, memory and what
-        /// a reset discards are the method's.
+        /// Any of the methods, chosen at run time, for simulations set up by name where a
+        /// nanosecond does not count. Steps are the method's own to the last bit, as are orders,
+        /// dense output and memory.
         #[derive(Clone, Copy, PartialEq, Debug)]
         pub enum Any {
             $($(#[$doc])* $name($stepper)),+
         }
 
-        /// What the method carries.
+        /// Memory of the chosen method.
         #[derive(Clone, Copy, PartialEq, Debug, Default)]
         pub enum AnyMemory<S: State> {
-            /// No step was taken yet.
             #[default]
             None,
             $($(#[$doc])* $name(<$stepper as Stepper>::Memory<S>)),+
@@ -216,7 +204,7 @@ macro_rules! any {
         }
 
         impl Any {
-            /// The method called `name` with its defaults; of several of one name the first.
+            /// Returns the method called `name` with its defaults; the first of several.
             pub fn named(name: &str) -> Option<Self> {
                 $(if name == <$stepper>::NAME {
                     return Some(Self::$name(<$stepper>::default()));
@@ -224,14 +212,13 @@ macro_rules! any {
                 None
             }
 
-            /// Its name on the command line.
+            /// Returns its name on the command line.
             pub const fn name(&self) -> &'static str {
                 match self {
                     $(Self::$name(_) => <$stepper>::NAME),+
                 }
             }
 
-            /// The order of convergence of the method.
             pub const fn order(&self) -> u32 {
                 match self {
                     $(Self::$name(_) => <$stepper>::ORDER),+
@@ -240,9 +227,9 @@ macro_rules! any {
         }
 
         impl Stepper for Any {
-            /// That of the coarsest method.
+            /// Order of the coarsest method.
             const ORDER: u32 = 1;
-            /// That of the smoothest dense output, by which the work of a tick is bounded.
+            /// Order of the smoothest dense output, which bounds the work of a tick.
             const DENSE: u32 = 23;
             const EVALUATIONS: u32 = Dop853::EVALUATIONS;
             const REFINEMENT: u32 = Dop853::REFINEMENT;
@@ -298,7 +285,6 @@ macro_rules! any {
         }
 
         impl Any {
-            /// The method's step.
             fn step_erased<S: State>(
                 &self,
                 field: &mut Erased<'_, S>,
@@ -317,7 +303,6 @@ macro_rules! any {
                 }
             }
 
-            /// Brings the method's dense output to its full order.
             fn refine_erased<S: State>(
                 &self,
                 field: &mut Erased<'_, S>,
@@ -360,17 +345,14 @@ any! {
         Exact(Exact),
     }
     controlled {
-        /// [`BogackiShampine`] in steps as long as a tolerance allows.
         ControlledBogackiShampine(Controlled<BogackiShampine>),
-        /// [`Tsitouras5`] in steps as long as a tolerance allows.
         ControlledTsitouras5(Controlled<Tsitouras5>),
-        /// [`Dop853`] in steps as long as a tolerance allows.
         ControlledDop853(Controlled<Dop853>),
     }
 }
 
 impl Any {
-    /// Names of the methods that heed a tolerance.
+    /// Names of the methods that accept a tolerance.
     pub const TOLERANT: &[&str] =
         &[ByNeed::NAME, BogackiShampine::NAME, Tsitouras5::NAME, Dop853::NAME];
 
@@ -386,8 +368,8 @@ impl Any {
         }
     }
 
-    /// The same method as precise as `tolerance` says, in ticks of `tick` (s): see [`ByNeed`]
-    /// and [`Controlled`]. `None` for a method that has no say in its error.
+    /// Returns the method with `tolerance`, in ticks of `tick` (s): see [`ByNeed`] and
+    /// [`Controlled`]. `None` for a method that cannot control its error.
     #[must_use]
     pub fn with_tolerance(self, tolerance: f64, tick: f64) -> Option<Self> {
         let both = Tolerance::both(tolerance);

@@ -1,14 +1,11 @@
-//! The Bogacki–Shampine 3(2) pair.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::{EndDerivative, Field, Step, Stepper};
 
 /// Order 3 with an embedded estimate of order 2, in 4 evaluations, 3 after the first.
 ///
-/// Dense output: the cubic Hermite of the step. First-same-as-last: the derivative at
-/// the end is carried to the next step and must be discarded after a reset, a jump of
-/// the input, or a change of the mode.
+/// Dense output: the cubic Hermite of the step. First-same-as-last: the derivative at the end is
+/// carried, and void after a reset, a jump of the input, or a change of the mode.
 ///
 /// # References
 /// `[BS89]`; `[HNW93]` II.4.
@@ -37,7 +34,6 @@ impl Stepper for BogackiShampine {
         let sum = k1.times(2.0 / 9.0).plus(1.0 / 3.0, &k2).plus(4.0 / 9.0, &k3);
         let x1 = x0.plus(h, &sum);
         let k4 = field.derivative(1.0, &x1);
-        // Difference of the third- and second-order results.
         let difference =
             k1.times(-5.0 / 72.0).plus(1.0 / 12.0, &k2).plus(1.0 / 9.0, &k3).plus(-1.0 / 8.0, &k4);
         let dense = Cubic::hermite(x0, &k1, &x1, &k4, h);

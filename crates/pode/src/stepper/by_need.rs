@@ -1,18 +1,15 @@
-//! The cheapest method that meets an error budget, mode by mode.
-
 use crate::math::{ceil, powf};
 use crate::nature::{EquationKind, Nature};
 use crate::state::State;
 use crate::stepper::exact::{Exact, FlowOrCubic, RoundingCarry};
 use crate::stepper::{Field, Heun, Rk4, Rodas3, Step, Stepper, VelocityVerlet};
 
-/// Chooses for each mode, by what the model says of it, the method and the step that meet an
-/// error budget at the least cost.
+/// Chooses the method and the step for each mode, by the model's nature of it, that meet an error
+/// budget at the least cost.
 ///
-/// Linear modes get their exact flow, stiff ones RODAS3 at the model's own step, the others
-/// the cheapest of the [`MENU`] by evaluations per tick. Order, evaluations and dense output
-/// are those of the method; what is carried is the exact flow's, and void after a reset.
-/// [`ByNeed::choice`] says what is taken and why.
+/// Linear modes get their exact flow, stiff ones RODAS3 at the model's own step, the others the
+/// cheapest of the [`MENU`] by evaluations per tick. The exact flow's memory is carried, and void
+/// after a reset. [`ByNeed::choice`] returns the choice.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ByNeed {
     /// Length of the tick (s).
@@ -21,7 +18,7 @@ pub struct ByNeed {
     reaches: [f64; MENU.len()],
 }
 
-/// A method that `ByNeed` may take.
+/// A method available to [`ByNeed`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NeededMethod {
     Exact,
@@ -32,7 +29,7 @@ pub enum NeededMethod {
 }
 
 impl NeededMethod {
-    /// Its name on the command line.
+    /// Returns its name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Exact => Exact::NAME,
@@ -44,14 +41,13 @@ impl NeededMethod {
     }
 }
 
-/// What is taken in a mode.
+/// Method and step of a mode.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Choice {
     pub method: NeededMethod,
-    /// Longest step (s); infinite where the method sets no limit.
+    /// Longest step (s); infinite if the method sets no limit.
     pub step: f64,
-    /// Relative error to be expected per radian of the mode's fastest motion; NaN where the
-    /// model does not say how fast that is.
+    /// Expected relative error per radian of the mode's fastest motion; NaN for an unknown rate.
     pub error: f64,
 }
 
@@ -60,17 +56,14 @@ pub struct Choice {
 #[derive(Clone, Copy, Debug)]
 pub struct Offer {
     pub method: NeededMethod,
-    /// What its error is proportional to.
     pub constant: f64,
     pub order: f64,
-    /// Evaluations of the derivative per step.
     pub evaluations: f64,
-    /// Whether it keeps its order with forces that depend on the speed.
+    /// `true` if it keeps its order with forces that depend on the speed.
     pub is_for_damped: bool,
 }
 
-/// What there is to choose from in smooth modes; the constants are those of the phase.
-/// `[HNW93]` II.1, `[HLW06]` I.1.
+/// Methods for smooth modes; the constants are those of the phase. `[HNW93]` II.1, `[HLW06]` I.1.
 pub const MENU: [Offer; 3] = [
     Offer {
         method: NeededMethod::Heun,
@@ -103,18 +96,18 @@ impl Default for ByNeed {
 }
 
 impl ByNeed {
-    /// A relative error per radian that no finger feels.
+    /// Relative error per radian below what a finger feels.
     pub const BUDGET: f64 = 1e-4;
 
-    /// Meets `budget`, a relative error per radian, in ticks of `tick` (s).
+    /// Builds a method that meets `budget`, a relative error per radian, in ticks of `tick` (s).
     pub fn new(budget: f64, tick: f64) -> Self {
-        /// Guards are seen, and all of the menu is stable, up to this (rad).
+        /// Limit of the menu's stability and of guard detection (rad).
         const MOST: f64 = 1.0;
         let reach = |it: Offer| powf(budget / it.constant, 1.0 / it.order).min(MOST);
         Self { tick, reaches: MENU.map(reach) }
     }
 
-    /// What is taken in a mode of this `nature`, where the model asks for steps of `own` (s).
+    /// Returns the choice for a mode of this `nature`; the model asks for steps of `own` (s).
     pub fn choice(&self, nature: &Nature, own: f64) -> Choice {
         match nature.kind {
             EquationKind::Affine | EquationKind::Linear => {
@@ -133,11 +126,10 @@ impl ByNeed {
         }
     }
 
-    /// The line of the menu that meets the budget with the fewest evaluations per tick; of two
-    /// that cost the same, the one with the smaller error.
+    /// Returns the line of the menu that meets the budget with the fewest evaluations per tick; of
+    /// equals, the one with the smaller error.
     ///
-    /// Neither the model's own step nor the one that is taken has a say in which line it is: who
-    /// takes shorter steps to check a result gets the same method, with a smaller error.
+    /// The step does not influence the line: shorter steps keep the method, with a smaller error.
     #[inline]
     fn cheapest(&self, nature: &Nature, own: f64) -> Choice {
         let radians = nature.rate * self.tick;
@@ -159,13 +151,11 @@ impl ByNeed {
 }
 
 impl Offer {
-    /// The relative error per radian in steps of `radians`.
     fn error(&self, radians: f64) -> f64 {
         self.constant * powi(radians, self.order)
     }
 }
 
-/// `x` to the power of an even order.
 fn powi(x: f64, order: f64) -> f64 {
     let square = x * x;
     if order > 3.0 { square * square } else { square }
@@ -201,7 +191,6 @@ impl Stepper for ByNeed {
         }
     }
 
-    /// Each part gets the method that its nature asks for.
     #[inline]
     fn steps_apart(&self, _entries: usize) -> bool {
         true

@@ -6,12 +6,10 @@ use crate::nature::Nature;
 use crate::state::State;
 use crate::stepper::{Field, Memory, Step, Stepper};
 
-/// What an error estimate is measured by: absolute + relative × size, entry by entry.
+/// Scale of an error estimate: absolute + relative × size, entry by entry.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Tolerance {
-    /// In the unit of each entry.
     pub absolute: f64,
-    /// As a part of the entry.
     pub relative: f64,
 }
 
@@ -23,7 +21,6 @@ impl Default for Tolerance {
 }
 
 impl Tolerance {
-    /// The same number for both kinds.
     pub const fn both(tolerance: f64) -> Self {
         Self { absolute: tolerance, relative: tolerance }
     }
@@ -41,11 +38,11 @@ impl Tolerance {
     }
 }
 
-/// The method `T`, with each step as long as the tolerance allows; for offline work, where
-/// a tick may be as long as the whole simulation.
+/// The method `T` with steps as long as the tolerance permits; for offline work, where a tick may
+/// be as long as the whole simulation.
 ///
-/// A step whose estimate exceeds the tolerance is refused and taken again, shorter: the
-/// limit on pieces bounds that, too. What the step's length was is kept over events.
+/// A step with an estimate beyond the tolerance is refused and repeated, shorter, within the limit
+/// on pieces. The step's length is kept over events.
 ///
 /// # References
 /// `[HNW93]` II.4: elementary controller.
@@ -53,14 +50,12 @@ impl Tolerance {
 pub struct Controlled<T> {
     /// The method; it must have an error estimate.
     pub method: T,
-    /// What its estimate is measured by.
     pub tolerance: Tolerance,
 }
 
-/// What a controlled method carries.
+/// Memory of a controlled method.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Control<M> {
-    /// What the method itself carries.
     method: M,
     /// Length of the next step (s); infinite before the first.
     reach: f64,
@@ -89,7 +84,7 @@ impl<M: Memory> Memory for Control<M> {
     }
 }
 
-/// The root of this order of `x`, quickly where it is a power of two.
+/// Returns the root of this order of `x`, quickly where it is a power of two.
 #[inline]
 fn root(x: f64, order: u32) -> f64 {
     match order {
@@ -119,13 +114,12 @@ impl<T: Stepper> Stepper for Controlled<T> {
         memory: &mut Self::Memory<S>,
         h: f64,
     ) -> Step<S, Self::Dense<S>> {
-        /// The next step is never shorter or longer than this by these factors.
         const FACTORS: (f64, f64) = (0.1, 6.0);
-        /// Part of the length that would just meet the tolerance. Between events a step is
-        /// often followed by a harder one: 0.9 has a sixth of all steps refused on the paper's
-        /// figure 6, and takes a fifth more evaluations for the same error.
+        /// Fraction of the length that would just meet the tolerance. Between events a step is
+        /// often followed by a harder one: with 0.9 a sixth of all steps is refused on the paper's
+        /// figure 6, which takes a fifth more evaluations for the same error.
         const SAFETY: f64 = 0.7;
-        /// A step this short (s) without a number for its error is the model's own fault.
+        /// A step this short (s) with an estimate of NaN is the model's own fault.
         const SHORTEST: f64 = 1e-9;
         let mut step = self.method.step(field, x0, &mut memory.method, h);
         let error = self.tolerance.weigh(&step.error, x0, step.dense.end());
@@ -140,7 +134,6 @@ impl<T: Stepper> Stepper for Controlled<T> {
         step
     }
 
-    /// One step length is controlled for all parts.
     #[inline]
     fn steps_apart(&self, _entries: usize) -> bool {
         false

@@ -1,5 +1,3 @@
-//! The exact flow of linear modes.
-
 use crate::dense::{Cubic, Dense, DenseBounds, Polynomial};
 use crate::nature::{EquationKind, Nature};
 use crate::part::Part;
@@ -9,31 +7,29 @@ use crate::stepper::{Field, Memory, Rk4, Step, Stepper};
 
 /// The exact flow where a mode is linear, [`Rk4`] where it is not.
 ///
-/// x' = A x + r(t) is solved by its Taylor series to the last digit: each term is one product
-/// with A, and the series is the dense output as well, so that an event lies on the exact
-/// flow and costs no step of its own. No energy is made or lost, at any stiffness.
-/// r is taken as a cubic through four places of the step: exact for a constant (gravity) and
-/// for every [`Reconstruction`](crate::input::Reconstruction); for other inputs of order 4.
-/// At most 1 rad of the mode's fastest motion per step, so that guards are seen; a stiff
-/// contact within one tick is three or four steps. What a step lost in rounding is carried to
-/// the next one, and void after a reset.
-/// Evaluations: the Jacobian, and 4 derivatives; 1 where the input plays no part.
+/// x' = A x + r(t) is solved by its Taylor series to the last digit. Each term is one product with
+/// A, and the series is the dense output as well, so that an event lies on the exact flow and costs
+/// no step of its own. No energy is generated or lost, at any stiffness. r is taken as a cubic
+/// through four places of the step: exact for a constant (gravity) and for every
+/// [`Reconstruction`](crate::input::Reconstruction); of order 4 for other inputs. At most 1 rad of
+/// the mode's fastest motion per step, so that guards are detected; a stiff contact within one tick
+/// is three or four steps. The rounding of a step is carried to the next one, and void after a
+/// reset. Evaluations: the Jacobian, and 4 derivatives, or 1 without influence of the input.
 ///
 /// # References
 /// `[HNW93]` I.8 (power series), `[HO10]` 2 (variation of constants).
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Exact;
 
-/// Terms of the series: (1 rad)²¹/21! is below rounding, and two more show that it is.
+/// Terms of the series: (1 rad)²¹/21! is below rounding, and two more terms show it.
 const TERMS: usize = 24;
 
 /// Dense output of the exact flow: its Taylor series.
 pub type Flow<S> = Polynomial<S, TERMS>;
 
-/// Longest step, as a part of the fastest motion (rad).
+/// Longest step in terms of the fastest motion (rad).
 const RADIANS: f64 = 1.0;
 
-/// Places of the step at which the forcing is taken.
 const PLACES: [f64; 4] = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
 
 impl Stepper for Exact {
@@ -68,7 +64,6 @@ impl Stepper for Exact {
         Rk4.step(field, x0, &mut (), h).map(FlowOrCubic::Cubic)
     }
 
-    /// Each part gets the method that its nature asks for.
     #[inline]
     fn steps_apart(&self, _entries: usize) -> bool {
         true
@@ -91,7 +86,7 @@ impl Stepper for Exact {
     }
 }
 
-/// Coefficients by power of τ of the cubic through `r` at [`PLACES`].
+/// Returns the coefficients by power of τ of the cubic through `r` at [`PLACES`].
 #[inline]
 fn cubic<S: State>([r0, r1, r2, r3]: [S; 4]) -> [S; 4] {
     let sum = |weights: [f64; 4]| {
@@ -106,12 +101,12 @@ fn cubic<S: State>([r0, r1, r2, r3]: [S; 4]) -> [S; 4] {
     ]
 }
 
-/// The Taylor series of x' = A x + Σ rₖ τᵏ from `x0` over `h` (s).
+/// Returns the Taylor series of x' = A x + Σ rₖ τᵏ from `x0` over `h` (s).
 ///
-/// Term k + 1 is h (A termₖ + rₖ) / (k + 1); the series ends where two terms in a row no
-/// longer count against the largest in any entry: an entry may well end at zero. One that
-/// does not end within its terms ends in NaN: the rate that the model states is too low by far.
-/// What the end loses in rounding is left in `rounded`, and what the step before lost goes in.
+/// Term k + 1 is h (A termₖ + rₖ) / (k + 1). The series ends where two successive terms do not
+/// count against the largest one in any entry, since an entry may end at zero. A series that does
+/// not end within its terms is NaN: the model's rate is far too low. `rounded` holds the rounding
+/// of the step before, then that of this step.
 #[inline]
 fn series<S: State>(a: &S::Matrix, forcing: &[S], x0: &S, h: f64, rounded: &mut S) -> Flow<S> {
     let mut terms = [S::ZERO; TERMS];
@@ -139,7 +134,6 @@ fn series<S: State>(a: &S::Matrix, forcing: &[S], x0: &S, h: f64, rounded: &mut 
     Flow::new(terms, sum.times(f64::NAN))
 }
 
-/// The largest of each entry so far.
 #[inline]
 fn raised<S: State>(peak: &S, term: &S) -> S {
     let mut raised = *peak;
@@ -151,7 +145,7 @@ fn raised<S: State>(peak: &S, term: &S) -> S {
     raised
 }
 
-/// Whether a term is more than rounding of the largest one, in any entry. NaN counts.
+/// Returns `true` if a term is more than rounding of the largest one, in any entry; also for NaN.
 #[inline]
 fn counts<S: State>(term: &S, peak: &S) -> bool {
     const ROUNDING: f64 = 0.25 * f64::EPSILON;
@@ -159,8 +153,7 @@ fn counts<S: State>(term: &S, peak: &S) -> bool {
     !pairs.all(|(entry, most)| entry.abs() <= ROUNDING * most)
 }
 
-/// What the exact flow carries: what the last step lost in rounding, entry by entry, so that
-/// roundings do not add up.
+/// Rounding of the last step, entry by entry, so that roundings do not add up.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RoundingCarry<S> {
     rounded: S,
@@ -179,8 +172,7 @@ impl<S: State> Memory for RoundingCarry<S> {
     }
 }
 
-/// The dense output of a method that is exact in linear modes: the flow's series there, a cubic
-/// elsewhere.
+/// Dense output of a method that is exact in linear modes: the flow's series there, else a cubic.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum FlowOrCubic<S> {
     Flow(Flow<S>),
@@ -188,7 +180,6 @@ pub enum FlowOrCubic<S> {
 }
 
 impl<S: State> FlowOrCubic<S> {
-    /// The same solution as a series.
     fn series(&self) -> Flow<S> {
         match self {
             Self::Flow(flow) => *flow,

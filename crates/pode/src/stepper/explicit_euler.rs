@@ -1,18 +1,15 @@
-//! Explicit Euler.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::{Field, Step, Stepper};
 
 /// Order 1 in 1 evaluation, no error estimate.
 ///
-/// Dense output: the straight line, locally of second order, so events keep order 1.
-/// Nothing is carried to the next step, so nothing is discarded after a reset.
+/// Dense output: the straight line, locally of second order, so events keep order 1. Nothing is
+/// carried to the next step.
 ///
-/// Stability: damped motion needs h |λ| < 2; an undamped oscillator gains the part (ω h)²
-/// of its energy in every step, however short. Choose it to see what that does, and to
-/// compare with: [`SemiImplicitEuler`](crate::stepper::SemiImplicitEuler) is as cheap to
-/// write and keeps the energy bounded.
+/// Stability: damped motion needs h |λ| < 2; an undamped oscillator gains (ω h)² of its energy in
+/// every step, however short. For comparison only:
+/// [`SemiImplicitEuler`](crate::stepper::SemiImplicitEuler) is as simple and bounds the energy.
 ///
 /// # References
 /// `[HNW93]` I.7, eq. 7.3; `[HLW06]` I.1.2, eq. 1.5.

@@ -1,5 +1,3 @@
-//! The exponential Rosenbrock–Euler method.
-
 use crate::dense::Cubic;
 use crate::phi::Phi;
 use crate::state::Matrix as _;
@@ -10,17 +8,16 @@ use crate::stepper::{Field, Step, Stepper};
 
 /// Order 2, exponential: x1 = x0 + h φ1(h J) f + h² φ2(h J) ∂f/∂t.
 ///
-/// 2 evaluations, of which one is for ∂f/∂t by a difference of first order, and one Jacobian,
-/// which must be right to keep order 2; no linear system, no error estimate. Exact where the
-/// mode is linear with a forcing that is straight over the step, at any stiffness. Dense
-/// output: the cubic through the same formula at a quarter, a half and the whole of the
-/// step, which come with the functions of the matrix; locally of third order, and bounded in
-/// a stiff transient. Nothing is carried to the next step, so nothing is discarded after a
-/// reset.
+/// 2 evaluations, one of them for ∂f/∂t by a difference of first order, and one Jacobian, which
+/// must be exact to keep order 2; no linear system, no error estimate. Exact where the mode is
+/// linear with a forcing that is straight over the step, at any stiffness. Dense output: the cubic
+/// through the same formula at a quarter, a half and the whole of the step, by-products of the
+/// matrix functions; locally of third order, and bounded in a stiff transient. Nothing is carried
+/// to the next step.
 ///
-/// Stability: that of the linear part, which is solved: L-stable, and without damping of its
-/// own. Work: 18 matrix products, and 4 for every doubling of |h J| beyond 4. Choose it
-/// for nearly linear modes, an oscillator with a weak nonlinearity, whose phase counts.
+/// Stability: that of the linear part, which is solved: L-stable, without numerical damping. Work:
+/// 18 matrix products, and 4 for every doubling of |h J| beyond 4. Choose it for nearly linear
+/// modes, an oscillator with a weak nonlinearity, whose phase counts.
 ///
 /// # References
 /// `[HO10]` 2.4; `[HOS09]`.

@@ -8,20 +8,14 @@ use crate::stepper::quarters::{PLACES, through_quarters};
 use crate::stepper::time_slope::time_slope;
 use crate::stepper::{Field, Step, Stepper};
 
-/// Order 3, exponential: the exponential Rosenbrock–Euler step, and 2 h φ3(h J) of what the
-/// linearisation has missed at its end; the correction is the embedded estimate of order 2.
+/// Order 3, exponential: the exponential Rosenbrock–Euler step, and 2 h φ3(h J) times the error of
+/// the linearisation at its end; the correction is the embedded estimate of order 2.
 ///
-/// 4 evaluations, of which two are for ∂f/∂t by a difference of second order, and one
-/// Jacobian, which must be right to keep order 3; no linear system. Exact where the mode is
-/// linear with a forcing that is a parabola over the step, at any stiffness. Dense output:
-/// the cubic through the same formula at a quarter, a half and the whole of the step; locally
-/// of fourth order, and bounded in a stiff transient. Nothing is carried to the next step, so
-/// nothing is discarded after a reset.
-///
-/// Stability: that of the linear part, which is solved: L-stable, and without damping of its
-/// own. Work: 18 matrix products, and 4 for every doubling of |h J| beyond 4. Choose it for
-/// nearly linear modes where [`ExponentialRosenbrock`](crate::stepper::ExponentialRosenbrock)
-/// would need shorter steps: it costs no product more.
+/// 4 evaluations, two of them for ∂f/∂t by a difference of second order, and one Jacobian, which
+/// must be exact to keep order 3. Exact where the mode is linear with a forcing that is a parabola
+/// over the step. Dense output locally of fourth order. All else, work included, is that of
+/// [`ExponentialRosenbrock`](crate::stepper::ExponentialRosenbrock); choose it where that would
+/// need shorter steps.
 ///
 /// # References
 /// `[HOS09]`; `[HO10]` 2.4.
@@ -54,7 +48,7 @@ impl Stepper for Exprb32 {
             let steady = phi[n].p1.apply(&f0).times(tau * h);
             steady.plus(0.5 * tau * tau * h, &phi[n].p2.apply(&slope))
         });
-        // What the derivative at the end is beyond the linear part's.
+        // The derivative at the end beyond the linear part's.
         let linear = f0.plus(1.0, &jacobian.apply(&euler[2])).plus(1.0, &slope);
         let missed = field.derivative(1.0, &x0.plus(1.0, &euler[2])).plus(-1.0, &linear);
         // It grows as the square of time: 2 h τ³ φ3.

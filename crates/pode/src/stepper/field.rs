@@ -1,4 +1,4 @@
-//! The right-hand side over one step, as a method sees it.
+//! The right-hand side over one step, for a method.
 
 use crate::math::sqrt;
 use crate::nature::Nature;
@@ -8,16 +8,14 @@ use crate::state::State;
 
 /// A mode's equations over one step of known length.
 pub trait Field<S: State> {
-    /// How many leading entries of the state are coordinates.
     fn coords(&self) -> usize;
 
-    /// What the model says of the mode.
     fn nature(&self) -> Nature;
 
-    /// The derivative at the fraction `tau` of the step.
+    /// Evaluates the derivative at the fraction `tau` of the step.
     fn derivative(&mut self, tau: f64, x: &S) -> S;
 
-    /// The derivative's derivative by the state, at the fraction `tau` of the step.
+    /// Evaluates the derivative's Jacobian by the state, at the fraction `tau` of the step.
     fn jacobian(&mut self, tau: f64, x: &S) -> S::Matrix {
         if self.nature().is_linear() {
             return unit_differences(|x| self.derivative(tau, x));
@@ -25,21 +23,18 @@ pub trait Field<S: State> {
         differences(x, |x| self.derivative(tau, x))
     }
 
-    /// Expands the solution from the start of the step as `out` asks for, in units of the step;
-    /// `false` where it has no series.
+    /// Expands the solution from the start of the step as `out` requests, in units of the step;
+    /// `false` if it has no series.
     fn expand(&mut self, _out: &mut Expansion<S>) -> bool {
         false
     }
 }
 
-/// A right-hand side given as a function, for a method that is used on its own.
+/// A right-hand side given as a function, for a method used on its own.
 #[derive(Clone, Copy, Debug)]
 pub struct Given<F> {
-    /// How many leading entries of the state are coordinates.
     pub coords: usize,
-    /// What the equations are like.
     pub nature: Nature,
-    /// The derivative at a fraction of the step.
     pub f: F,
 }
 
@@ -58,22 +53,20 @@ impl<S: State, F: FnMut(f64, &S) -> S> Field<S> for Given<F> {
     }
 }
 
-/// The Jacobian of a field that is linear in the state, to rounding: one evaluation per entry.
+/// Computes the Jacobian of a field linear in the state, to rounding: one evaluation per entry.
 pub(crate) fn unit_differences<S: State>(mut f: impl FnMut(&S) -> S) -> S::Matrix {
     let origin = f(&S::ZERO);
     S::Matrix::from_columns(|index| f(&S::ZERO.with_entry(index, 1.0)).plus(-1.0, &origin))
 }
 
-/// A Jacobian by central differences: two evaluations of `f` per entry of the state.
-///
-/// The step is ∛ε of the entry's size, where rounding and curvature weigh the same. `[PTVF07]` 5.7
+/// Computes a Jacobian by central differences: two evaluations of `f` per entry of the state. The
+/// step is ∛ε of the entry's size, where rounding and curvature weigh the same. `[PTVF07]` 5.7
 pub(crate) fn differences<S: State>(x: &S, mut f: impl FnMut(&S) -> S) -> S::Matrix {
-    /// About ∛ε.
     const PART: f64 = 1.0 / 131_072.0;
     let size = sqrt(x.entries().iter().map(|entry| entry * entry).sum::<f64>());
     S::Matrix::from_columns(|index| {
         let entry = x.entries().get(index).copied().unwrap_or(0.0);
-        // An entry that is zero gets the size of the others, and 1 if all of them are.
+        // A zero entry gets the size of the others, and 1 if all are zero.
         let size = entry.abs().max(1e-3 * size).max(if size > 0.0 { 0.0 } else { 1.0 });
         let (up, down) = (entry + PART * size, entry - PART * size);
         let rise = f(&x.with_entry(index, up)).plus(-1.0, &f(&x.with_entry(index, down)));

@@ -1,13 +1,10 @@
-//! Heun's second-order method.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::{Field, Step, Stepper};
 
 /// Order 2 in 2 evaluations, no error estimate.
 ///
-/// Dense output: the parabola through the start, its slope and the end.
-/// Nothing is carried to the next step, so nothing is discarded after a reset.
+/// Dense output: the parabola through the start, its slope and the end. Nothing is carried.
 ///
 /// # References
 /// `[HNW93]` II.1.

@@ -1,5 +1,3 @@
-//! The derivatives at the starts of the last steps.
-
 use core::fmt::Debug;
 
 use crate::state::State;
@@ -7,19 +5,17 @@ use crate::stepper::Memory;
 
 /// The derivatives at the starts of at most `N` steps before, the newest first.
 ///
-/// Void after a reset, after a step that was cut short, in another mode and with another
-/// model. A new tick does not void it, for the motion goes on; where the derivative jumps
-/// between two ticks, with the input, the next `N` steps are of order 1 in that jump.
+/// Void after a reset, after a step that was cut short, in another mode and with another model. A
+/// new tick does not void it, for the motion continues; where the derivative jumps between two
+/// ticks, with the input, the next `N` steps are of order 1 in that jump.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct DerivativeHistory<S, const N: usize> {
     past: [Past<S>; N],
     known: usize,
 }
 
-/// What is known of one step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Past<S> {
-    /// The derivative at its start.
     pub(super) slope: S,
     /// Its length (s).
     pub(super) h: f64,
@@ -32,7 +28,7 @@ impl<S: State, const N: usize> Default for DerivativeHistory<S, N> {
 }
 
 impl<S: State, const N: usize> DerivativeHistory<S, N> {
-    /// The steps before, newest first, if all are known and none is so short against a step
+    /// Returns the steps before, newest first, if all are known and none is so short against a step
     /// of `h` (s) that the rounding of its slopes would be extrapolated.
     #[inline]
     pub(super) fn before(&self, h: f64) -> Option<&[Past<S>; N]> {
@@ -42,7 +38,6 @@ impl<S: State, const N: usize> DerivativeHistory<S, N> {
         is_sound.then_some(&self.past)
     }
 
-    /// Remembers a step of `h` (s) that began with the derivative `slope`.
     #[inline]
     pub(super) fn remember(&mut self, slope: S, h: f64) {
         self.past.rotate_right(1);

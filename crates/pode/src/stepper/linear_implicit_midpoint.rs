@@ -1,5 +1,3 @@
-//! The linearly implicit midpoint rule.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::shifted::Shifted;
@@ -7,20 +5,19 @@ use crate::stepper::{Field, Step, Stepper};
 
 /// Order 2, linearly implicit: k = (1 − h/2 J)⁻¹ f(t + h/2, x0), x1 = x0 + h k.
 ///
-/// 2 evaluations, one Jacobian in the middle of the step, one LU; no error estimate.
-/// Any error in the Jacobian of order h keeps order 2. Dense output: the parabola
-/// x0 + τ h k − τ (1 − τ) (1 − h/2 J)⁻¹ h (k − f0), locally of third order. Nothing is
-/// carried to the next step, so nothing is discarded after a reset.
+/// 2 evaluations, one Jacobian in the middle of the step, one LU; no error estimate. Any error in
+/// the Jacobian of order h keeps order 2. Nothing is carried to the next step. Dense output: the
+/// parabola x0 + τ h k − τ (1 − τ) (1 − h/2 J)⁻¹ h (k − f0), locally of third order.
 ///
-/// Stability: passive. Where a linear mechanical system makes no energy, xᵀ E J x ≤ 0,
-/// neither does a step, of any length, at any stiffness; without loss the energy is kept.
-/// For |R(z)| = |1 + w|, w = z/(1 − z/2), is 1 on the imaginary axis and less to its left,
-/// and a contraction's rational bound carries over to matrices. The same holds at every
-/// place of the dense output, where an event may end the step: with z = 2i tan φ and
-/// σ = 2τ − 1, |1 + τ w − τ (1 − τ) w²/2|² = 1 − τ (1 − τ) sin⁴φ (1 − σ)(3 − σ) ≤ 1.
-/// What is much faster than the step does not die out, though: it changes sign with every
-/// step, with the part 1 − 4/(h |λ|). Choose it for contacts too stiff for the tick whose
-/// energy counts more than their shape.
+/// Stability: passive. Where a linear mechanical system generates no energy, xᵀ E J x ≤ 0, neither
+/// does a step, of any length, at any stiffness; without loss the energy is kept. For
+/// |R(z)| = |1 + w|, w = z/(1 − z/2), is 1 on the imaginary axis and less to its left, and a
+/// contraction's rational bound carries over to matrices. The same holds at every place of the
+/// dense output, where an event may end the step: with z = 2i tan φ and σ = 2τ − 1,
+/// |1 + τ w − τ (1 − τ) w²/2|² = 1 − τ (1 − τ) sin⁴φ (1 − σ)(3 − σ) ≤ 1.
+/// Motion much faster than the step does not die out: it changes sign with every step, with the
+/// factor 1 − 4/(h |λ|). Choose it for contacts too stiff for the tick whose energy counts more
+/// than their shape.
 ///
 /// # References
 /// `[HW96]` IV.7 (one stage, γ = 1/2), IV.11, theorem 11.2 (J. von Neumann's).

@@ -1,40 +1,38 @@
-//! What a method carries from one step to the next, and when it must let go of it.
+//! A method's memory between steps, and its invalidation.
 
 use core::fmt::Debug;
 
 use crate::series::GuardSeries;
 
-/// What a method knows from the steps before.
+/// A method's knowledge of the steps before.
 pub trait Memory: Copy + PartialEq + Default + Debug + Send {
-    /// The state has jumped, or the mode has changed, or the step was cut short:
-    /// what was known of the motion is void.
+    /// Clears the memory: the state jumped, the mode changed, or the step was cut short.
     #[inline]
     fn restart(&mut self) {}
 
-    /// The step just taken is refused, and another will be taken from the same state.
+    /// Notes that the last step is refused; another follows from the same state.
     #[inline]
     fn refuse(&mut self) {
         self.restart();
     }
 
-    /// A new tick begins: the input may have jumped, and the model's parameters with it.
+    /// Begins a tick: the input and the model's parameters may have jumped.
     #[inline]
     fn begin_tick(&mut self) {}
 
-    /// Longest step (s) that is worth trying next.
+    /// Returns the longest step (s) that is worth trying next.
     #[inline]
     fn reach(&self) -> f64 {
         f64::INFINITY
     }
 
-    /// About how long (s) the next step will be, for a method that looks ahead; infinite where
-    /// that is not known.
+    /// Returns the approximate next step (s), for a method that looks ahead; infinite if unknown.
     #[inline]
     fn scale(&self) -> f64 {
         f64::INFINITY
     }
 
-    /// The mode's guards along the step just taken, where the method knows them.
+    /// Returns the mode's guards along the last step, if the method knows them.
     #[inline]
     fn guards(&self) -> Option<GuardSeries<'_>> {
         None
@@ -43,9 +41,8 @@ pub trait Memory: Copy + PartialEq + Default + Debug + Send {
 
 impl Memory for () {}
 
-/// The derivative at the end of the last step: the first stage of the next one.
-///
-/// Void after a reset, a jump of the input, and a change of the mode or the model.
+/// The derivative at the end of the last step: the first stage of the next one. Void after a reset,
+/// a jump of the input, and a change of the mode or the model.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct EndDerivative<S>(pub Option<S>);
 

@@ -1,13 +1,10 @@
-//! Dense output through a quarter, a half and the whole of a step.
-
 use crate::dense::Cubic;
 use crate::state::State;
 
-/// The places, as parts of the step.
 pub(super) const PLACES: [f64; 3] = [0.25, 0.5, 1.0];
 
-/// The cubic through `x0` and what the state has risen by at [`PLACES`]: locally of fourth
-/// order, and no larger than a small multiple of the values, however stiff the motion.
+/// Returns the cubic through `x0` and the state's rises at [`PLACES`]: locally of fourth order, and
+/// bounded by a small multiple of the values, however stiff the motion.
 #[inline]
 pub(super) fn through_quarters<S: State>(x0: &S, rises: &[S; 3]) -> Cubic<S> {
     let [first, second, third] = [0, 1, 2].map(|n| rises[n].times(1.0 / PLACES[n]));

@@ -6,9 +6,8 @@ use crate::stepper::{Field, Step, Stepper};
 
 /// Order 4 in 4 evaluations, no error estimate.
 ///
-/// Dense output: the third-order cubic from the same four stages, so that locating an
-/// event costs no derivative; its local error h⁴ keeps event times at order 4.
-/// Nothing is carried to the next step, so nothing is discarded after a reset.
+/// Dense output: the third-order cubic from the same four stages, so that locating an event costs
+/// no derivative; its local error h⁴ keeps event times at order 4. Nothing is carried.
 ///
 /// # References
 /// `[HNW93]` II.1, table 1.2; dense output II.6, eq. 6.9.

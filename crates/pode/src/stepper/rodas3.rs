@@ -1,5 +1,3 @@
-//! The Rosenbrock pair RODAS3.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::rosenbrock::{Tableau, weighted};
@@ -9,18 +7,17 @@ use crate::stepper::{Field, Step, Stepper};
 /// Order 3, linearly implicit: 5 evaluations, one Jacobian, one LU, with an embedded
 /// estimate of order 2.
 ///
-/// Three evaluations are for the four stages, of which two share one, and two for ∂f/∂t, by
-/// a difference of second order. Dense output: of order 2 from the same stages, bounded in
-/// a stiff transient; its local error h³ keeps event times at order 3. Nothing is carried
-/// to the next step, so nothing is discarded after a reset.
+/// Three evaluations are for the four stages, two of which share one, and two for ∂f/∂t, by a
+/// difference of second order. Dense output: of order 2 from the same stages, bounded in a stiff
+/// transient; its local error h³ keeps event times at order 3. Nothing is carried to the next step.
 ///
-/// Stability: L-stable and stiffly accurate, as its embedded method is: motion much faster
-/// than the step is gone after it, and what it is forced to follow is followed to a part of
-/// 1/(h |λ|). Choose it for stiff modes with loss where [`Ros2`](crate::stepper::Ros2)
-/// would need short steps.
+/// Stability: L-stable and stiffly accurate, as its embedded method is: motion much faster than the
+/// step is gone after it, and forced motion is followed to 1/(h |λ|). Choose it for stiff modes
+/// with loss where [`Ros2`](crate::stepper::Ros2) would need short steps.
 ///
 /// # References
-/// `[SVB97]` (RODAS3); the form without products `[HW96]` IV.7, eq. 7.25. The dense output is our own:
+/// `[SVB97]` (RODAS3); the form without products `[HW96]` IV.7, eq. 7.25. The dense output is our
+/// own:
 /// b1 + b2 + b3 + b4 = τ, Σ bᵢ βᵢ = τ²/2, b3 + b4 = τ³/3 (no choice meets the fourth
 /// condition of order 3), and b4 = τ³/2 for a quiet middle.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

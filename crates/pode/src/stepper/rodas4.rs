@@ -1,5 +1,3 @@
-//! The Rosenbrock pair RODAS.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::rosenbrock::{Tableau, weighted};
@@ -9,15 +7,13 @@ use crate::stepper::{Field, Step, Stepper};
 /// Order 4, linearly implicit: 9 evaluations, one Jacobian, one LU, with an embedded
 /// estimate of order 3.
 ///
-/// Six evaluations are for the stages and three for ∂f/∂t, by a difference of third order.
-/// Dense output: the pair's own of order 3 from the same stages; its local error h⁴ keeps
-/// event times at order 4. Nothing is carried to the next step, so nothing is discarded
-/// after a reset.
+/// Six evaluations are for the stages and three for ∂f/∂t, by a difference of third order. Dense
+/// output: the pair's own of order 3 from the same stages; its local error h⁴ keeps event times at
+/// order 4. Nothing is carried to the next step.
 ///
-/// Stability: L-stable and stiffly accurate, as its embedded method is. Choose it for stiff
-/// modes that must be followed closely: at a part in 10⁴ and below it is the cheapest of
-/// the implicit methods here.
-///
+/// Stability: L-stable and stiffly accurate, as its embedded method is. Choose it for stiff modes
+/// that must be followed closely: at an error of 1e-4 and below it is the cheapest implicit method
+/// here.
 /// # References
 /// `[HW96]` VI.4, and its code RODAS: coefficients of METH 1 and the dense output.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -60,11 +56,11 @@ const TABLEAU: Tableau<6> = Tableau {
     at_start: 1,
 };
 
-/// Weights of the fifth stage's place, which the end of the step repeats.
+/// Weights of the fifth stage's argument, reused by the end of the step.
 const A5: [f64; 4] =
     [1.221_224_509_226_641, 6.019_134_481_288_629, 12.537_083_329_320_87, -0.687_886_036_105_895];
 
-/// Weights of what bends the dense output, at τ (1 − τ) and at τ² (1 − τ).
+/// Weights of the dense output's bends, at τ (1 − τ) and at τ² (1 − τ).
 const BENDS: [[f64; 6]; 2] = [
     [
         10.126_235_083_445_86,

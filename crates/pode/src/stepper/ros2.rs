@@ -1,5 +1,3 @@
-//! The Rosenbrock method ROS2.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::rosenbrock::{Tableau, weighted};
@@ -9,24 +7,22 @@ use crate::stepper::{Field, Step, Stepper};
 /// Order 2, linearly implicit: 3 evaluations, one Jacobian, one LU, with an embedded
 /// estimate of order 1.
 ///
-/// One evaluation is for ∂f/∂t, by a difference of first order; it keeps order 2, as would
-/// any error in the Jacobian. Dense output: of order 2 from the same two stages; it follows
-/// the stages, not the slope at the start, and so stays bounded in a stiff transient.
-/// Nothing is carried to the next step, so nothing is discarded after a reset.
+/// One evaluation is for ∂f/∂t, by a difference of first order; it keeps order 2, as would any
+/// error in the Jacobian. Dense output: of order 2 from the same two stages; it follows the stages,
+/// not the slope at the start, and so stays bounded in a stiff transient. Nothing is carried.
 ///
-/// γ = 1 − 1/√2. The other root, 1 + 1/√2, makes the method L-stable as well and its answer
-/// to fast damped motion free of sign changes, but its error is 34 times as large.
+/// γ = 1 − 1/√2. The other root, 1 + 1/√2, also makes the method L-stable and its response to fast
+/// damped motion free of sign changes, but its error is 34 times as large.
 ///
-/// Stability: L-stable. Motion much faster than the step is gone after it, but for a part
-/// of 4.8/(h |λ|), on the other side. Choose it for stiff contacts with loss, where
-/// a few parts in 10³ are enough; it damps what oscillates faster than the step.
+/// Stability: L-stable. Motion much faster than the step is gone after it, but for 4.8/(h |λ|),
+/// with the opposite sign. Choose it for stiff contacts with loss, where a few parts in 10³ are
+/// enough; it damps motion that oscillates faster than the step.
 ///
 /// # References
 /// `[VSB99]` section 2; the form without products `[HW96]` IV.7, eq. 7.25.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Ros2;
 
-/// 1 − 1/√2.
 const GAMMA: f64 = 1.0 - core::f64::consts::FRAC_1_SQRT_2;
 
 const TABLEAU: Tableau<2> = Tableau {
@@ -70,7 +66,7 @@ impl Stepper for Ros2 {
         let [c1, c2] = [0, 1].map(|power| weighted(&DENSE[power], &u));
         let x1 = x0.plus(1.5 / GAMMA, &u[0]).plus(0.5 / GAMMA, &u[1]);
         let dense = Cubic::cubic(*x0, c1, c2, S::ZERO, x1).truncated(3);
-        // What x0 + h k1, of order 1, differs by.
+        // Difference from x0 + h k1, of order 1.
         let error = u[0].plus(1.0, &u[1]).times(0.5 / GAMMA);
         Step::new(dense).with_error(error)
     }

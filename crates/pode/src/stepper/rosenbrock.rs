@@ -17,13 +17,13 @@ pub(super) struct Tableau<const N: usize> {
     pub(super) a: [[f64; N]; N],
     pub(super) c: [[f64; N]; N],
     pub(super) d: [f64; N],
-    /// How many of the first stages stand at the start, and share its derivative.
+    /// Number of first stages at the start, which share its derivative.
     pub(super) at_start: usize,
 }
 
 impl<const N: usize> Tableau<N> {
-    /// The stages of a step of `h` (s) from `x0`, with the derivative `f0` there and
-    /// `time_slope` = h ∂f/∂t: one Jacobian, one LU, one solution a stage.
+    /// Computes the stages of a step of `h` (s) from `x0`, with the derivative `f0` there and
+    /// `time_slope` = h ∂f/∂t: one Jacobian, one LU, one solution per stage.
     #[inline]
     pub(super) fn stages<S: State>(
         &self,
@@ -47,7 +47,6 @@ impl<const N: usize> Tableau<N> {
     }
 }
 
-/// The sum of the stages `u`, each with its weight.
 #[inline]
 pub(super) fn weighted<S: State, const N: usize>(weights: &[f64; N], u: &[S; N]) -> S {
     let mut sum = S::ZERO;

@@ -6,9 +6,8 @@ use crate::stepper::{Field, Step, Stepper};
 
 /// Order 1 in 2 evaluations: speeds first, then coordinates with the new speeds.
 ///
-/// No error estimate. Keeps the energy of an oscillator bounded where explicit Euler
-/// lets it grow. Dense output: the parabola through the start, its slope and the end.
-/// Nothing is carried to the next step, so nothing is discarded after a reset.
+/// No error estimate. Keeps the energy of an oscillator bounded where explicit Euler lets it grow.
+/// Dense output: the parabola through the start, its slope and the end. Nothing is carried.
 ///
 /// # References
 /// `[HLW06]` I.1.2, eq. 1.9.

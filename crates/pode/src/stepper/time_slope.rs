@@ -1,18 +1,17 @@
-//! The derivative's own rate, at a state that stands still.
+//! The derivative's rate by time at a fixed state.
 
 use crate::state::State;
 use crate::stepper::Field;
 
-/// Distance of the places, as a part of the step: near enough that the error is small beside
-/// the step's own, and far enough that rounding is 1e-13 of the derivative.
+/// Distance of the places in steps: near enough that the error is small beside the step's own, and
+/// far enough that rounding is 1e-13 of the derivative.
 const PART: f64 = 1.0 / 64.0;
 
-/// h ∂f/∂t at the start (0, `x0`), where the derivative is `f0`; `h` is the step's length.
+/// Returns h ∂f/∂t at the start (0, `x0`), where the derivative is `f0`; `h` is the step's length.
 ///
-/// By one-sided differences over the next `ORDER` = 1, 2 or 3 places, each 1/64 of the step
-/// further: one evaluation a place, and an error of that order in h. One-sided, because the
-/// input is known inside the step only. Exactly zero where time plays no part.
-/// `[AS64]` table 25.2
+/// One-sided differences over the next `ORDER` = 1, 2 or 3 places, each 1/64 of the step further:
+/// one evaluation a place, and an error of that order in h. One-sided, because the input is known
+/// inside the step only. Exactly zero for autonomous equations. `[AS64]` table 25.2
 #[inline]
 pub(super) fn time_slope<S: State, const ORDER: usize>(
     field: &mut impl Field<S>,

@@ -1,19 +1,17 @@
-//! The Tsitouras 5(4) pair.
-
 use crate::dense::Polynomial;
 use crate::state::State;
 use crate::stepper::{EndDerivative, Field, Step, Stepper};
 
 /// Order 5 with an embedded estimate of order 4, in 7 evaluations, 6 after the first.
 ///
-/// Dense output: the pair's own interpolant of order 4 from the same stages, so that
-/// locating an event costs no derivative; its local error h⁵ keeps event times at order 5.
-/// First-same-as-last: the derivative at the end is carried to the next step and must be
-/// discarded after a reset, a jump of the input, or a change of the mode.
+/// Dense output: the pair's own interpolant of order 4 from the same stages, so that locating an
+/// event costs no derivative; its local error h⁵ keeps event times at order 5. First-same-as-last:
+/// the derivative at the end is carried, and void after a reset, a jump of the input, or a change
+/// of the mode.
 ///
-/// Stability: h |λ| < 3.5 for damped motion; undamped motion loses amplitude up to h ω = 0.4
-/// and gains it beyond, 1e-4 in a step of 1 rad. Choose it for smooth modes where RK4's step would have to be cut: per
-/// evaluation it is the most accurate of the explicit methods here.
+/// Stability: h |λ| < 3.5 for damped motion; undamped motion loses amplitude up to h ω = 0.4 and
+/// gains it beyond, 1e-4 in a step of 1 rad. Choose it for smooth modes where RK4's step would have
+/// to be cut: per evaluation it is the most accurate of the explicit methods here.
 ///
 /// # References
 /// `[Tsi11]` table 1 and the interpolant after it; the weights of the error are those of its
@@ -52,7 +50,6 @@ const A: [&[f64]; 6] = [
     ],
 ];
 
-/// Difference of the fifth- and fourth-order results.
 const E: [f64; 7] = [
     -0.001_780_011_052_225_777,
     -0.000_816_434_459_656_746_9,
@@ -63,7 +60,7 @@ const E: [f64; 7] = [
     1.0 / 66.0,
 ];
 
-/// Weights of the dense output at τ² and so on, stage by stage; at τ there is the first alone.
+/// Weights of the dense output from τ² on, stage by stage; τ has only the first stage.
 const D: [[f64; 3]; 7] = [
     [-2.763_706_197_274_826, 2.913_255_461_821_912_6, -1.053_088_497_729_021_6],
     [0.1317, -0.2234, 0.1017],
@@ -106,7 +103,6 @@ impl Stepper for Tsitouras5 {
     }
 }
 
-/// The sum of the first stages `k`, each with its weight.
 #[inline]
 fn weighted<S: State>(weights: &[f64], k: &[S; 7]) -> S {
     weights.iter().zip(k).fold(S::ZERO, |sum, (weight, k)| sum.plus(*weight, k))

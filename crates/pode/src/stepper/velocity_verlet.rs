@@ -1,26 +1,21 @@
-//! Velocity Verlet.
-
 use crate::dense::Cubic;
 use crate::state::State;
 use crate::stepper::{Field, Step, Stepper};
 
 /// Order 2 in 2 evaluations: half a kick, a drift with the speeds between, half a kick.
 ///
-/// No error estimate. Symplectic and symmetric for x'' = a(x, t): the energy of a
-/// conservative mode swings about its value by a part of (ω h)² and does not drift, over
-/// any number of steps. Dense output: the parabola through the start, its slope and the
-/// end, locally of third order. Nothing is carried to the next step, so nothing is
-/// discarded after a reset.
+/// No error estimate. Symplectic and symmetric for x'' = a(x, t): the energy of a conservative mode
+/// swings about its value by a fraction (ω h)² and does not drift. Dense output: the parabola
+/// through the start, its slope and the end, locally of third order. Nothing is carried.
 ///
 /// Forces that depend on the speed: the second kick takes them at the speed that the first
-/// derivative foretells, v0 + h a0. That keeps order 2, and gives up the symplectic
-/// structure, as damping does anyway.
+/// derivative predicts, v0 + h a0. That keeps order 2, and gives up the symplectic structure, as
+/// damping does anyway.
 ///
-/// The state is coordinates, then speeds: the entry `coords + i` is taken for the rate of
-/// the coordinate `i` if the derivative at the start says so, to the bit. Otherwise, with
-/// fewer speeds than coordinates or with coordinates whose rate is not their speed, the
-/// drift takes the rates from a third evaluation in the middle of the step, which keeps
-/// order 2. Entries after the speeds are moved as speeds are.
+/// The entry `coords + i` is the rate of the coordinate `i` if the derivative at the start equals
+/// it, to the bit. Otherwise, with fewer speeds than coordinates or with coordinates whose rate is
+/// not their speed, the drift takes the rates from a third evaluation in the middle of the step,
+/// which keeps order 2. Entries after the speeds are moved like speeds.
 ///
 /// Stability: h ω < 2. Choose it for conservative modes that are followed for long.
 ///
@@ -61,14 +56,12 @@ impl Stepper for VelocityVerlet {
     }
 }
 
-/// Whether the coordinates' part of the derivative `k` is the speeds' part of `x`.
 #[inline]
 fn speeds_are_rates<S: State>(coords: usize, x: &S, k: &S) -> bool {
     let (x, k) = (x.entries(), k.entries());
     2 * coords <= x.len() && x.iter().skip(coords).zip(k).take(coords).all(|(u, k)| u - k == 0.0)
 }
 
-/// `x` with its speeds also in the place of the coordinates.
 #[inline]
 fn speeds_first<S: State>(coords: usize, x: &S) -> S {
     let speeds = x.entries().iter().skip(coords).take(coords).enumerate();

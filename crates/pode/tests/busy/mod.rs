@@ -1,4 +1,4 @@
-//! Models that make as much work as one can.
+//! Models that cause as much work as possible.
 
 use pode::{
     GuardId, GuardSpec, GuardValue, Guarded, Model, Nature, Reset, Resets, Settling, State,
@@ -11,14 +11,12 @@ pub(crate) struct Busy {
     pub(crate) guard: fn(GuardId, [f64; 3]) -> GuardValue,
     pub(crate) nature: Nature,
     pub(crate) longest_step: f64,
-    /// Whether a reset goes to the other mode.
     pub(crate) goes_on: bool,
-    /// How long (s) the impacts take that every reset declares, if it does.
+    /// Duration (s) of the impacts that every reset declares, if it does.
     pub(crate) settles: Option<f64>,
 }
 
 impl Busy {
-    /// With guards that are far, if with any.
     pub(crate) const IDLE: Self = Self {
         guards: &[],
         guard: |_, _| GuardValue::new(1.0, 0.0),
@@ -33,7 +31,6 @@ impl Model for Busy {
     type Mode = bool;
     type State = [f64; 3];
     type Input = ();
-    // No speed is the rate of anything.
     const COORDS: usize = 2;
 
     fn derivative(&self, _: bool, _: &[f64; 3], (): &()) -> [f64; 3] {
@@ -77,14 +74,13 @@ impl Resets for Busy {
     }
 }
 
-/// A right-hand side, huge, of another sign at every place of the tick.
+/// A huge right-hand side, of another sign at every place of the tick.
 #[derive(Clone, Copy)]
 pub(crate) struct Stirred;
 
 impl Model for Stirred {
     type Mode = ();
     type State = [f64; 1];
-    /// The place in the tick.
     type Input = f64;
     const COORDS: usize = 1;
 

@@ -6,10 +6,10 @@ use pode::{
     Simulator, Stepper,
 };
 
-/// Mass of the head (kg).
+/// Mass (kg).
 pub const MASS: f64 = 0.01;
 
-/// Part of a radian of the contact's oscillation that one step of RK4 may take.
+/// Fraction of a radian of the contact's oscillation in one step of RK4.
 pub const RADIANS: f64 = 0.05;
 
 /// Stiffness (N/m), contact time (s), deepest point (m), period (s); from 40-digit arithmetic.
@@ -52,7 +52,7 @@ impl Model for Head {
         [x[1], self.readout(mode, x, &()) / MASS - G]
     }
 
-    /// The force of the contact (N).
+    /// Returns the force of the contact (N).
     fn readout(&self, mode: Mode, x: &[f64; 2], (): &()) -> f64 {
         match mode {
             Mode::Flight => 0.0,

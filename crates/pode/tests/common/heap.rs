@@ -1,4 +1,4 @@
-//! An allocator that counts by thread: the one unsafe island here.
+//! An allocator that counts by thread: the only unsafe code here.
 #![allow(unsafe_code, reason = "a global allocator cannot be written without it")]
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -10,11 +10,10 @@ struct Counted;
 static COUNTED: Counted = Counted;
 
 thread_local! {
-    /// Without a destructor and constant, so that looking at it never allocates.
+    /// Without a destructor and constant, so that reading it never allocates.
     static CALLS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// How often this thread has asked for memory, or given some back.
 pub(crate) fn calls() -> u64 {
     CALLS.get()
 }
@@ -23,8 +22,8 @@ fn count() {
     CALLS.set(CALLS.get() + 1);
 }
 
-// SAFETY: every call goes on to `System` with the arguments it came with and returns what
-// `System` returns; counting touches no memory of the heap.
+// SAFETY: every call passes its arguments to `System` and returns its result; counting touches no
+// memory of the heap.
 unsafe impl GlobalAlloc for Counted {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count();

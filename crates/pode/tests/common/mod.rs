@@ -1,4 +1,4 @@
-//! Small models with known solutions, and what the event tests share.
+//! Small models with known solutions, and helpers of the event tests.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 #![allow(clippy::disallowed_methods, reason = "a test may use the heap")]
 
@@ -13,17 +13,15 @@ use pode::{
 
 pub const G: f64 = 9.81;
 
-/// The three step sizes (s) at which every case is run.
+/// Step sizes (s) of every case.
 pub const STEPS: [f64; 3] = [1e-4, 1e-3, 7e-3];
 
-/// The tick phases: which part of a tick the start is shifted by.
+/// Tick phases: shifts of the start, in ticks.
 pub const PHASES: [f64; 3] = [0.0, 1.0 / 3.0, 0.999];
 
-/// The input of a model that takes none. One function, since a simulator is compiled anew for each
-/// closure that it is given.
+/// The input of a model without one. One function, since each closure compiles another simulator.
 pub fn no_input(_: f64) {}
 
-/// Calls `check` for each step size (s) and tick phase.
 pub fn each_step_and_phase(mut check: impl FnMut(f64, f64)) {
     for h in STEPS {
         for phase in PHASES {
@@ -32,22 +30,20 @@ pub fn each_step_and_phase(mut check: impl FnMut(f64, f64)) {
     }
 }
 
-/// Asserts that `found` is `expected` to within `tolerance`.
 #[track_caller]
 pub fn close(what: impl std::fmt::Display, found: f64, expected: f64, tolerance: f64) {
     let error = (found - expected).abs();
     assert!(error <= tolerance, "{what}: {found} is {error:e} from {expected}, over {tolerance:e}");
 }
 
-/// Asserts that every tick was advanced to its end.
 #[track_caller]
 pub fn all_completed(ticks: &[Tick]) {
     let odd = ticks.iter().position(|tick| tick.advance != Advance::Completed);
     assert_eq!(odd, None, "{:?}", odd.map(|n| ticks[n]));
 }
 
-/// Runs a model of no input until `until` (s) with ticks of `h`, the first one cut to
-/// `1 − phase` of a tick; returns the events and every tick.
+/// Runs a model without input until `until` (s) with ticks of `h`, the first one cut to `1 − phase`
+/// of a tick; returns the events and every tick.
 pub fn run<M: Resets<Input = ()>, T: Stepper>(
     simulator: &mut Simulator<M, T>,
     h: f64,
@@ -150,9 +146,8 @@ impl Resets for Ball {
 #[derive(Clone, Copy)]
 pub struct Timed {
     pub guards: &'static [GuardSpec],
-    /// Guard and its rate at time `t`.
     pub guard: fn(GuardId, f64) -> GuardValue,
-    /// What a guard does to the second and third state; `true` goes to the other mode.
+    /// Changes the second and third state; `true` leads to the other mode.
     pub effect: fn(GuardId, &mut [f64; 3]) -> bool,
 }
 
@@ -209,17 +204,15 @@ impl Resets for Timed {
     }
 }
 
-/// Counts in the second state and stays in the mode.
 pub fn count(_: GuardId, x: &mut [f64; 3]) -> bool {
     x[1] += 1.0;
     false
 }
 
-/// Counts in the second state and goes to the mode with the negated guard.
+/// Counts in the second state and switches to the negated guard.
 pub fn count_and_flip(_: GuardId, x: &mut [f64; 3]) -> bool {
     x[1] += 1.0;
     true
 }
 
-/// One unnamed guard.
 pub const ONE: [GuardSpec; 1] = [GuardSpec::new(0, "g")];

@@ -3,11 +3,10 @@
 use pode::Nature;
 use pode::filippov::{Branch, Sided, Surface, SurfaceSide};
 
-/// A mass on a spring on a belt at 0.1 m/s: 1 kg, 100 N/m, 1 N while it slips and 1.5 N while
-/// it sticks. Place and speed.
+/// Place and speed of a mass on a spring on a belt at 0.1 m/s: 1 kg, 100 N/m, 1 N while it slips
+/// and 1.5 N while it sticks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StickSlip {
-    /// What it says of itself.
     pub nature: Nature,
 }
 

@@ -19,7 +19,6 @@ const TOUCHING: f64 = 1e-9;
 /// Displacements from rest along the arc (m), then speeds (m/s).
 type State = [f64; 10];
 
-/// Which law resolves an impact.
 type Law = fn(&Contacts<4>) -> Resolved<4>;
 
 const LAWS: [(&str, Law); 2] =
@@ -28,19 +27,19 @@ const LAWS: [(&str, Law); 2] =
 #[derive(Clone, Copy, Debug)]
 struct Cradle {
     restitution: f64,
-    /// Resolves all contacts that touch; without one, each guard resolves its own pair alone.
+    /// Law for all contacts that touch; without one, each guard resolves its own pair alone.
     law: Option<Law>,
 }
 
 impl Cradle {
-    /// The cradle with its first `lifted` balls lifted to `angle` (rad).
+    /// Lifts the first `lifted` balls to `angle` (rad).
     fn lifted(self, lifted: usize, angle: f64) -> Simulator<Self, Rk4> {
         let start = std::array::from_fn(|i| if i < lifted { -angle * LENGTH } else { 0.0 });
         Simulator::new(self, Rk4, Limits::default(), (), start)
     }
 }
 
-/// Energy above rest (J) of balls of 1 kg.
+/// Returns the energy above rest (J) of balls of 1 kg.
 fn energy(x: &State) -> f64 {
     let height = |s: f64| LENGTH * (1.0 - (s / LENGTH).cos());
     (0..5).map(|i| G * height(x[i]) + 0.5 * x[i + 5].powi(2)).sum()
@@ -86,7 +85,6 @@ impl Guarded for Cradle {
 }
 
 impl Resets for Cradle {
-    /// Whichever gap has closed, all contacts that touch are resolved together.
     fn reset(&self, (): (), id: GuardId, x: &State, (): &()) -> Reset<Self> {
         let unit = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
         let row = |i: usize, j: usize| unit(i + 1, j) - unit(i, j);
@@ -106,7 +104,6 @@ impl Resets for Cradle {
     }
 }
 
-/// What holds at every impact: momentum is kept, and energy does not grow.
 #[track_caller]
 fn check_impacts(what: &str, recorder: &RunRecorder<Cradle>, lost: f64) {
     assert!(!recorder.events().is_empty(), "{what}: nothing has touched");
@@ -134,7 +131,7 @@ fn an_elastic_cradle_keeps_its_energy_for_30_s_under_both_laws() {
     }
 }
 
-/// The period (s) of a pendulum with this amplitude (rad), by the arithmetic-geometric mean.
+/// Returns the period (s) at this amplitude (rad), by the arithmetic-geometric mean.
 fn period(amplitude: f64) -> f64 {
     let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
     for _ in 0..8 {
@@ -175,8 +172,7 @@ fn a_cradle_with_losses_swings_as_one_after_a_while_under_both_laws() {
                 (5..10).map(|i| 0.5 * (x[i] - mean).powi(2)).sum::<f64>()
             };
             let first = apart(&recorder.events()[0].before);
-            // Some 66 meetings; each leaves at most e² of the energy of relative motion of those
-            // that meet.
+            // Some 66 meetings; each leaves at most e² of the energy of the balls' relative motion.
             let last = apart(cradle.state());
             assert!(last < 1e-3 * first, "{what}: {first:e} J to {last:e} J apart");
         }

@@ -17,9 +17,9 @@ impl Continued for Clock {
     }
 }
 
-/// Runs a model to exactly `until` (s) under `input`, a function of the time, with ticks of
-/// `h`, the first one cut to `1 − phase` of a tick and the last one to fit; returns the
-/// events and every tick.
+/// Runs a model to exactly `until` (s) under `input`, a function of the time, with ticks of `h`,
+/// the first one cut to `1 − phase` of a tick and the last one to fit; returns the events and every
+/// tick.
 pub fn run_driven<M: Resets, T: Stepper>(
     simulator: &mut Simulator<M, T>,
     (h, phase): (f64, f64),
@@ -31,11 +31,9 @@ pub fn run_driven<M: Resets, T: Stepper>(
     let line = |n: u32| (f64::from(n) - phase) * h;
     for n in 0_u32.. {
         let begin = line(n).max(0.0);
-        // A crumb joins the last tick.
         let end = if line(n + 1) < until - 1e-6 * h { line(n + 1) } else { until };
         let length = end - begin;
         recorder.place_tick(n.into(), begin, length);
-        // A tick ends at the very time at which the next one begins.
         let signal = |theta: f64| input(if theta < 1.0 { begin + theta * length } else { end });
         ticks.push(simulator.advance(length, &signal, &mut recorder));
         if end >= until {

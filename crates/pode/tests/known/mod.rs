@@ -1,27 +1,24 @@
-//! Problems with a known solution, and the order that is observed on them.
+//! Problems with a known solution, and the order observed on them.
 //!
-//! Orders are observed between a step and half of it, where the next term of the error is
-//! about a tenth of the first: ± 0.2. The driven oscillator is linear, and flatters methods
-//! that know its Jacobian; the driven pendulum is not.
+//! Orders are observed between a step and half of it, where the next term of the error is about a
+//! tenth of the first: ± 0.2. The driven oscillator is linear, and flatters methods that know its
+//! Jacobian; the driven pendulum is not.
 #![allow(dead_code, unreachable_pub, reason = "each test file uses its own part")]
 
 use pode::stepper::Given;
 use pode::{Dense, EquationKind, Nature, Step, Stepper};
 
-/// Equations q'' = a(t, q, q') with a known solution.
 #[derive(Clone, Copy)]
 pub struct Problem {
     pub kind: EquationKind,
     pub acceleration: fn(f64, &[f64; 2]) -> f64,
 }
 
-/// A driven oscillator, q'' = −q + e^(−t): its derivative depends on the time, so wrong
-/// nodes show.
+/// A driven oscillator, q'' = −q + e^(−t): its derivative depends on the time, so wrong nodes show.
 pub const OSCILLATOR: Problem =
     Problem { kind: EquationKind::Linear, acceleration: |t, x| -x[0] + (-t).exp() };
 
-/// A pendulum with a drag as the cube of its speed, driven so that it moves as the
-/// oscillator does.
+/// A pendulum with a cubic drag, driven so that it moves as the oscillator does.
 pub const PENDULUM: Problem = Problem {
     kind: EquationKind::Smooth,
     acceleration: |t, x| {
@@ -30,12 +27,12 @@ pub const PENDULUM: Problem = Problem {
     },
 };
 
-/// q = (e^(−t) + sin t) / 2 and its rate, from (1/2, 0).
+/// Returns q = (e^(−t) + sin t) / 2 and its rate, from (1/2, 0).
 pub fn exact(t: f64) -> [f64; 2] {
     [0.5 * ((-t).exp() + t.sin()), 0.5 * (t.cos() - (-t).exp())]
 }
 
-/// One step from `x` at `t`, its dense output brought to its full order.
+/// Returns one step from `x` at `t`, its dense output brought to its full order.
 pub fn whole_step<T: Stepper>(
     problem: Problem,
     (t, x): (f64, &[f64; 2]),
@@ -49,7 +46,6 @@ pub fn whole_step<T: Stepper>(
     step
 }
 
-/// Its dense output.
 pub fn step<T: Stepper>(
     problem: Problem,
     start: (f64, &[f64; 2]),
@@ -59,7 +55,7 @@ pub fn step<T: Stepper>(
     whole_step::<T>(problem, start, memory, h).dense
 }
 
-/// The same from the exact state at `t`, without anything known from before.
+/// Returns a step from the exact state at `t`, without memory.
 pub fn first_step<T: Stepper>(problem: Problem, t: f64, h: f64) -> T::Dense<[f64; 2]> {
     step::<T>(problem, (t, &exact(t)), &mut T::Memory::default(), h)
 }
@@ -75,7 +71,7 @@ pub fn check_order(what: impl std::fmt::Display, order: f64, error: impl Fn(f64)
     assert!((observed - order).abs() < 0.2, "{what}: observed order {observed:.3}, not {order}");
 }
 
-/// Error after 1 s in steps whose lengths (s) are the parts `parts` of `h`, over and over.
+/// Returns the error after 1 s in steps with lengths (s) cycling through `parts` of `h`.
 pub fn global_error<T: Stepper>(problem: Problem, parts: &[f64], h: f64) -> f64 {
     let mut x = exact(0.0);
     let (mut t, mut memory) = (0.0, T::Memory::default());
@@ -88,7 +84,7 @@ pub fn global_error<T: Stepper>(problem: Problem, parts: &[f64], h: f64) -> f64 
     distance(&x, &exact(1.0))
 }
 
-/// Largest error of `step`'s dense output, which begins at `t` and takes `h` (s).
+/// Returns the largest error of `step`'s dense output, which begins at `t` and lasts `h` (s).
 pub fn largest_inside(step: &impl Dense<[f64; 2]>, t: f64, h: f64) -> f64 {
     let inside = (1..=20).map(|n| f64::from(n) / 20.0);
     inside.map(|tau| distance(&step.at(tau), &exact(t + tau * h))).fold(0.0, f64::max)

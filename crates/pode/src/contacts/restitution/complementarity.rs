@@ -1,31 +1,28 @@
 //! A linear complementarity problem with a positive semidefinite matrix: find p ≥ 0 so that
 //! w = q + G p ≥ 0 and one of each pair is zero.
 //!
-//! It is the dual of a strictly convex quadratic program, the least change of speeds that meets
-//! all bounds, and is solved by its dual active-set method `[GI83]`: bounds that are violated
-//! become active one at a time, and those whose impulse would turn negative are dropped on the
-//! way. Bounds that depend on active ones, as in overdetermined contacts, are met by dropping, or
-//! cannot be met at all; so the matrix of the active ones is always regular. The objective rises
-//! with every bound that is added, so no set of active bounds comes back and the work is
-//! bounded by the number of such sets; in practice it takes about as many steps as contacts.
+//! It is the dual of a strictly convex quadratic program, the least change of speeds that meets all
+//! bounds, and is solved by its dual active-set method `[GI83]`: violated bounds become active one
+//! at a time, and those whose impulse would turn negative are dropped on the way. Bounds that
+//! depend on active ones, as in overdetermined contacts, are met by dropping, or cannot be met; so
+//! the matrix of the active ones is always regular. The objective rises with every added bound, so
+//! no active set recurs and their number bounds the work; usually it takes about as many steps as
+//! contacts.
 
 use crate::math::sqrt;
 
-/// What is smaller than this part of its terms is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A bound is met if less than this part of its terms is missing.
+/// Fraction of its terms that a bound that counts as met may miss.
 const MET: f64 = 1e-10;
 
-/// Whether all bounds are met.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Solution {
     Exact,
-    /// No p meets all of them; the others are met.
     Contradiction,
 }
 
-/// Finds p for the matrix `g` and `q`, which is the sum of terms of these `sizes`.
+/// Finds p for the matrix `g` and `q`, a sum of terms of these `sizes`.
 pub(super) fn solve<const N: usize>(
     g: &[[f64; N]; N],
     q: &[f64; N],
@@ -40,30 +37,26 @@ pub(super) fn solve<const N: usize>(
     (impulses, if problem.is_solved() { Solution::Exact } else { Solution::Contradiction })
 }
 
-/// Sets of active bounds among `n`, which is the most steps there are.
 const fn most_steps(n: usize) -> usize {
     1 << if n < 16 { n } else { 16 }
 }
 
-/// What is known of a bound as long as no other one becomes active.
+/// State of an inactive bound while no other one becomes active.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Fate {
     Open,
-    /// It follows from the active ones, within rounding.
+    /// Follows from the active ones, within rounding.
     Met,
-    /// It cannot be met together with the active ones.
     GivenUp,
 }
 
-/// The problem with ones on the diagonal, and where its solution stands.
 struct Problem<const N: usize> {
     g: [[f64; N]; N],
     q: [f64; N],
     sizes: [f64; N],
-    /// What an entry of the scaled p is multiplied by; 0 for a contact that no impulse moves.
+    /// Factor of each entry of the scaled p; 0 for a contact that no impulse moves.
     scale: [f64; N],
     p: [f64; N],
-    /// Active bounds, the first `count` entries.
     active: [usize; N],
     count: usize,
     fate: [Fate; N],
@@ -87,7 +80,7 @@ impl<const N: usize> Problem<N> {
         }
     }
 
-    /// w at `k`, and the size of its terms.
+    /// Returns w at `k`, and the size of its terms.
     fn slack(&self, k: usize) -> (f64, f64) {
         let terms = self.g[k].iter().zip(&self.p).map(|(g, p)| g * p);
         terms.fold((self.q[k], self.sizes[k]), |(w, size), term| (w + term, size + term.abs()))
@@ -97,7 +90,6 @@ impl<const N: usize> Problem<N> {
         self.active[..self.count].contains(&k)
     }
 
-    /// The inactive bound that is violated most, of those that can be met.
     fn most_violated(&self) -> Option<usize> {
         let (mut worst, mut lowest) = (None, 0.0);
         for k in (0..N).filter(|k| !self.is_active(*k) && self.fate[*k] == Fate::Open) {
@@ -109,7 +101,6 @@ impl<const N: usize> Problem<N> {
         worst
     }
 
-    /// Whether all bounds are met, and the active ones with equality.
     fn is_solved(&self) -> bool {
         (0..N).all(|k| {
             let (w, size) = self.slack(k);
@@ -152,8 +143,7 @@ impl<const N: usize> Problem<N> {
         }
     }
 
-    /// By how much the active impulses fall per impulse at `k`, by their place, and how much w
-    /// rises there.
+    /// Returns the fall of the active impulses per impulse at `k`, and the rise of w there.
     fn response(&self, k: usize) -> ([f64; N], f64) {
         let column = core::array::from_fn(|place| self.g[self.active[place]][k]);
         let fallen = self.solved(&column);
@@ -161,7 +151,7 @@ impl<const N: usize> Problem<N> {
         (fallen, self.g[k][k] - along)
     }
 
-    /// How far until one of the active impulses, which fall like this, is used up, and which.
+    /// Returns the step at which the first active impulse, falling so, is used up, and its index.
     fn first_used_up(&self, fallen: &[f64; N], noise: f64) -> (f64, Option<usize>) {
         let falling = (0..self.count).filter(|place| fallen[*place] > noise);
         let reaches =
@@ -175,7 +165,7 @@ impl<const N: usize> Problem<N> {
         self.active.copy_within(place + 1..=self.count, place);
     }
 
-    /// Takes the active impulses anew, so that rounding does not add up.
+    /// Recomputes the active impulses, so that rounding does not add up.
     fn settle(&mut self) {
         let aims = core::array::from_fn(|place| -self.q[self.active[place]]);
         let solved = self.solved(&aims);
@@ -184,15 +174,13 @@ impl<const N: usize> Problem<N> {
         }
     }
 
-    /// How much the matrix of the active bounds may amplify rounding: the inverse of its least
-    /// pivot.
+    /// Returns the amplification of rounding by the active bounds' matrix: its inverse least pivot.
     fn condition(&self) -> f64 {
         let l = self.factor();
         let least = (0..self.count).map(|i| l[i][i]).fold(1.0, f64::min);
         1.0 / (least * least)
     }
 
-    /// Cholesky's factor of the matrix of the active bounds.
     fn factor(&self) -> [[f64; N]; N] {
         let mut l = [[0.0; N]; N];
         for i in 0..self.count {
@@ -204,13 +192,11 @@ impl<const N: usize> Problem<N> {
         l
     }
 
-    /// The entry (`i`, `j`) of the active bounds' matrix less what its factor `l` has so far.
     fn left(&self, l: &[[f64; N]; N], i: usize, j: usize) -> f64 {
         let done: f64 = (0..j).map(|k| l[i][k] * l[j][k]).sum();
         self.g[self.active[i]][self.active[j]] - done
     }
 
-    /// Solves the matrix of the active bounds for `b`, both by place.
     fn solved(&self, b: &[f64; N]) -> [f64; N] {
         let (l, mut x) = (self.factor(), *b);
         for i in 0..self.count {

@@ -1,4 +1,4 @@
-//! From bodies to contacts: how speeds become rates of gaps, and impulses become speeds.
+//! Maps between bodies and contacts: speeds to rates of gaps, and impulses to speeds.
 
 use super::Contacts;
 
@@ -12,7 +12,6 @@ pub struct ContactJacobian<const N: usize, const D: usize> {
 }
 
 impl<const N: usize, const D: usize> ContactJacobian<N, D> {
-    /// The contacts of bodies with the generalized `speeds`.
     pub fn contacts(&self, speeds: &[f64; D], restitution: [f64; N]) -> Contacts<N> {
         let gains: [[f64; D]; N] = self.rows.map(|row| self.gained_per(&row));
         Contacts {
@@ -24,7 +23,7 @@ impl<const N: usize, const D: usize> ContactJacobian<N, D> {
         }
     }
 
-    /// The generalized speeds after `impulses` (N s) at the contacts: u + M⁻¹ Jᵀ p.
+    /// Returns the generalized speeds after `impulses` (N s) at the contacts: u + M⁻¹ Jᵀ p.
     pub fn speeds_after(&self, speeds: &[f64; D], impulses: &[f64; N]) -> [f64; D] {
         let mut after = *speeds;
         for (row, impulse) in self.rows.iter().zip(impulses).filter(|(_, p)| **p != 0.0) {
@@ -35,7 +34,6 @@ impl<const N: usize, const D: usize> ContactJacobian<N, D> {
         after
     }
 
-    /// The speeds that one unit of impulse along `row` gives.
     fn gained_per(&self, row: &[f64; D]) -> [f64; D] {
         self.inverse_mass.map(|inverse| dot(&inverse, row))
     }

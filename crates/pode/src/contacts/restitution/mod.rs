@@ -1,30 +1,29 @@
 //! Rigid contacts that close together, or against each other, at one instant.
 //!
 //! Contacts i = 0 .. N close with the velocities v (negative closes), and impulses p ≥ 0 change
-//! them by G p, with the Delassus matrix G = J M⁻¹ Jᵀ: `v⁺ = v + G p`. What else holds is a law,
-//! and there are two of them, which differ as soon as contacts touch each other:
+//! them by G p, with the Delassus matrix G = J M⁻¹ Jᵀ: `v⁺ = v + G p`. Two laws complete this, and
+//! differ as soon as contacts touch each other:
 //!
-//! | law | what it says | a row of equal balls, e = 1, one of them arrives |
+//! | law | statement | a row of equal balls, e = 1, one of them arrives |
 //! |---|---|---|
-//! | [`Contacts::sequential`] | one impact after another, each by Newton's `vᵢ⁺ = −eᵢ vᵢ` | the last ball leaves |
-//! | [`Contacts::simultaneous`] | all at once: `v⁺ + e v ≥ 0`, `p ≥ 0`, one of both zero | the first bounces back from all others |
+//! | [`Contacts::sequential`] | one by one, each Newton's `vᵢ⁺ = −eᵢ vᵢ` | the last ball leaves |
+//! | [`Contacts::simultaneous`] | `v⁺ + e v ≥ 0`, `p ≥ 0`, one zero | the first bounces back |
 //!
 //! The first is the limit of contacts with small gaps between them, the second Newton's law as
-//! Moreau wrote it for many contacts `[Mor88]`, a linear complementarity problem `[PG96]`, `[Bro16]`.
-//! Under both no contact closes afterwards, no impulse pulls, and no energy is made.
+//! Moreau wrote it for many contacts `[Mor88]`, a linear complementarity problem `[PG96]`,
+//! `[Bro16]`. After both, no contact closes, no impulse has pulled, and no energy was generated.
 //!
 //! # Where a law alone has no end
 //!
-//! Whatever the input, the answer comes after bounded work, and [`ImpactEnding`] says how:
+//! The work is bounded for every input, and [`ImpactEnding`] names the end:
 //!
 //! - A sequence may be infinite (for e < 1 three balls suffice) or very long. When the fastest
-//!   closing has fallen below 2⁻⁴⁰ of the first one, or after [`MOST_IMPACTS`] impacts, what is
-//!   left ends by the plastic law, `v⁺ ≥ 0`, `p ≥ 0`, one of both zero, which loses the most
-//!   energy and always has a solution.
-//! - Newton's law with coefficients that differ may have no solution, or make energy `[Bro16]`; the
-//!   smallest of them then holds for all contacts, and it has one, and makes none.
-//! - Newton's law may leave a contact closing that was opening before. That ends by the plastic
-//!   law too.
+//!   closing is below 2⁻⁴⁰ of the first one, or after [`MOST_IMPACTS`] impacts, the rest ends by
+//!   the plastic law, `v⁺ ≥ 0`, `p ≥ 0`, one of both zero, which loses the most energy and always
+//!   has a solution.
+//! - Newton's law with different coefficients may have no solution, or generate energy `[Bro16]`;
+//!   the smallest one for all contacts has a solution and generates none.
+//! - Newton's law may leave a contact closing that was opening before; the plastic law ends it.
 //!
 //! # Examples
 //!
@@ -55,11 +54,10 @@ mod simultaneous;
 pub use jacobian::ContactJacobian;
 pub use sequence::MOST_IMPACTS;
 
-/// What is smaller than this part of the velocities that it is a sum of is rounding.
 const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
-/// A contact is closed if it closes slower than this part of the largest velocity: rounding grows
-/// where contacts are nearly parallel.
+/// Fraction of the largest velocity below which closing counts as closed: rounding grows where
+/// contacts are nearly parallel.
 const CLOSED: f64 = 1e-9;
 
 /// Rigid contacts at one instant, before their impacts.
@@ -70,38 +68,36 @@ pub struct Contacts<const N: usize> {
     pub delassus: [[f64; N]; N],
     /// Rates of the gaps (m/s): negative where a contact closes.
     pub velocities: [f64; N],
-    /// Coefficients of restitution, held to 0 ..= 1.
+    /// Coefficients of restitution, clamped to 0 ..= 1.
     pub restitution: [f64; N],
 }
 
-/// How the impacts of an instant came to their end.
+/// End of an instant's impacts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ImpactEnding {
-    /// By the law alone.
     Law,
     /// By the simultaneous law with the smallest coefficient of restitution for all contacts.
     SmallestRestitution,
-    /// What the law left closing was ended by the plastic law.
+    /// By the plastic law, for contacts that the law left closing.
     Plastic,
-    /// Something closes still, because no impulses can prevent it: the velocities are not those
-    /// of any bodies with this matrix, or not finite.
+    /// A contact still closes: no impulses can prevent it, since the velocities are not those of
+    /// any bodies with this matrix, or not finite.
     Contradiction,
 }
 
-/// Impulses and velocities after the impacts, and how they ended.
+/// Impulses and velocities after the impacts, with their ending.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Resolved<const N: usize> {
     /// Impulse at each contact (N s), never negative.
     pub impulses: [f64; N],
-    /// Rates of the gaps after (m/s); none is negative.
+    /// Rates of the gaps afterwards (m/s), none negative.
     pub velocities: [f64; N],
-    /// Impacts that were followed one by one.
     pub impacts: u32,
     pub ending: ImpactEnding,
 }
 
 impl<const N: usize> Contacts<N> {
-    /// The same where only the contacts that touch take part: the others take no impulse.
+    /// Restricts the impacts to the contacts that touch: the others take no impulse.
     #[must_use]
     pub fn among(mut self, touches: [bool; N]) -> Self {
         for (i, _) in touches.iter().enumerate().filter(|(_, touches)| !**touches) {
@@ -112,12 +108,11 @@ impl<const N: usize> Contacts<N> {
         self
     }
 
-    /// The coefficient of restitution of contact `i` as it is used.
     fn restitution_at(&self, i: usize) -> f64 {
         self.restitution[i].clamp(0.0, 1.0)
     }
 
-    /// The velocities (m/s) after `impulses` (N s).
+    /// Returns the velocities (m/s) after `impulses` (N s).
     fn velocities_after(&self, impulses: &[f64; N]) -> [f64; N] {
         core::array::from_fn(|i| {
             let gains = self.delassus[i].iter().zip(impulses).map(|(g, p)| g * p);
@@ -133,8 +128,8 @@ impl<const N: usize> Contacts<N> {
         })
     }
 
-    /// Applies the plastic law to what the impulses of `resolved` leave closing; again where
-    /// nearly parallel contacts have left something by rounding.
+    /// Applies the plastic law to contacts left closing by `resolved`; repeatedly, since nearly
+    /// parallel contacts leave something by rounding.
     fn ended_plastically(&self, mut resolved: Resolved<N>) -> Resolved<N> {
         const ROUNDS: usize = 4;
         resolved.ending = ImpactEnding::Plastic;
@@ -151,7 +146,7 @@ impl<const N: usize> Contacts<N> {
         resolved
     }
 
-    /// Puts what closes within rounding to zero, and tells if something closes all the same.
+    /// Sets closing within rounding to zero, and reports a contact that closes nevertheless.
     fn checked(&self, mut resolved: Resolved<N>) -> Resolved<N> {
         let sizes = self.sizes(&resolved.impulses);
         let largest = sizes.iter().fold(0.0, |most: f64, size| most.max(*size));

@@ -2,19 +2,18 @@
 
 use super::{Contacts, ImpactEnding, ROUNDING, Resolved};
 
-/// Impacts of one instant that are followed one by one before the plastic law ends the rest.
-///
-/// A hundred times the mass between a wall and a ball take 31, ten thousand times 314 `[Gal03]`.
+/// Maximum of impacts followed one by one before the plastic law ends the rest. A hundred times the
+/// mass between a wall and a ball take 31, ten thousand times 314 `[Gal03]`.
 pub const MOST_IMPACTS: u32 = 1024;
 
-/// A closing slower than this part of the first one is left to the plastic law.
+/// Fraction of the first closing below which the plastic law takes over.
 const LEFT: f64 = 1.0 / ((1_u64 << 40) as f64);
 
 impl<const N: usize> Contacts<N> {
     /// Resolves impacts one after another until nothing closes.
     ///
-    /// The contact that closes fastest is next, of several the one with the lowest index, and
-    /// leaves with `vᵢ⁺ = −eᵢ vᵢ`. See the [module](super) for sequences without an end.
+    /// The contact that closes fastest is next (the lowest index of equals), and leaves with
+    /// `vᵢ⁺ = −eᵢ vᵢ`. See the [module](super) for infinite sequences.
     ///
     /// # Real-time
     /// At most [`MOST_IMPACTS`] impacts of N additions each, and four complementarity problems.
@@ -34,12 +33,11 @@ impl<const N: usize> Contacts<N> {
         if is_over {
             return self.checked(resolved);
         }
-        // Anew, without the rounding of all impacts.
+        // Recomputed, without the rounding of all impacts.
         resolved.velocities = self.velocities_after(&resolved.impulses);
         self.checked(self.ended_plastically(resolved))
     }
 
-    /// The contact whose impact is next, if one closes fast enough.
     fn next_impact(&self, velocities: &[f64; N], fastest: f64) -> Option<usize> {
         let mut next = None;
         let mut slowest = -LEFT * fastest;
@@ -51,7 +49,6 @@ impl<const N: usize> Contacts<N> {
         next
     }
 
-    /// Applies the impact of contact `i`.
     fn strike(&self, resolved: &mut Resolved<N>, i: usize) {
         let closing = resolved.velocities[i];
         let e = self.restitution_at(i);
@@ -59,7 +56,6 @@ impl<const N: usize> Contacts<N> {
         for (v, row) in resolved.velocities.iter_mut().zip(&self.delassus) {
             *v += row[i] * impulse;
         }
-        // To the bit, whatever the division has rounded.
         resolved.velocities[i] = -e * closing;
         resolved.impulses[i] += impulse;
         resolved.impacts += 1;

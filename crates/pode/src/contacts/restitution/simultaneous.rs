@@ -1,4 +1,4 @@
-//! All impacts at once: Newton's law for many contacts, as Moreau wrote it.
+//! All impacts at once: Newton's law for many contacts in Moreau's form.
 
 use super::complementarity::{self, Solution};
 use super::{Contacts, ImpactEnding, ROUNDING, Resolved};
@@ -6,7 +6,7 @@ use super::{Contacts, ImpactEnding, ROUNDING, Resolved};
 impl<const N: usize> Contacts<N> {
     /// Resolves all impacts at once: `v⁺ + e v ≥ 0`, `p ≥ 0`, and one of both is zero.
     ///
-    /// See the [module](super) for coefficients that differ, and for what this leaves closing.
+    /// See the [module](super) for different coefficients, and for contacts left closing.
     ///
     /// # Real-time
     /// At most six complementarity problems of N contacts.
@@ -22,7 +22,7 @@ impl<const N: usize> Contacts<N> {
         self.checked(if is_over { resolved } else { self.ended_plastically(resolved) })
     }
 
-    /// Newton's law with the given coefficients; `None` if it has no solution or makes energy.
+    /// Applies Newton's law; `None` if it has no solution or generates energy.
     fn newton(&self, restitution: &[f64; N], ending: ImpactEnding) -> Option<Resolved<N>> {
         let asked = core::array::from_fn(|i| (1.0 + restitution[i]) * self.velocities[i]);
         let (impulses, solution) =
@@ -32,7 +32,7 @@ impl<const N: usize> Contacts<N> {
         (solution == Solution::Exact && !self.gains_energy(&resolved)).then_some(resolved)
     }
 
-    /// Whether the impulses do work on the bodies: p (v + v⁺) / 2 is what they gain.
+    /// Returns `true` if the impulses do work on the bodies, p (v + v⁺) / 2.
     fn gains_energy(&self, resolved: &Resolved<N>) -> bool {
         let (mut work, mut size) = (0.0, 0.0);
         let sizes = self.sizes(&resolved.impulses);
@@ -43,7 +43,6 @@ impl<const N: usize> Contacts<N> {
         work > ROUNDING * size
     }
 
-    /// The smallest coefficient of the contacts that impulses can move.
     fn smallest_restitution(&self) -> f64 {
         let moved = (0..N).filter(|i| self.delassus[*i][*i] > 0.0);
         moved.map(|i| self.restitution_at(i)).fold(1.0, f64::min)

@@ -18,7 +18,6 @@ pub struct Dense8<S> {
 }
 
 impl<S: State> Dense8<S> {
-    /// The cubic Hermite with the slopes of the first and the last stage.
     #[inline]
     pub(super) fn hermite(x0: &S, x1: &S, slopes: [&S; 2], h: f64) -> Self {
         let rise = x1.plus(-1.0, x0);
@@ -29,7 +28,6 @@ impl<S: State> Dense8<S> {
         Self { terms, used: 4, end: *x1 }
     }
 
-    /// Evaluates three more stages, and the four terms that come of them.
     pub(super) fn refine(&mut self, field: &mut impl Field<S>, stages: &[S; 13], h: f64) {
         let x0 = self.terms[0];
         let mut k = [S::ZERO; 16];
@@ -78,11 +76,11 @@ impl<S: State> Dense<S> for Dense8<S> {
         &self.end
     }
 
-    /// Sums of the coefficients' magnitudes, each times the most that its product of τ and σ and
-    /// the derivatives of that product reach; not before it is refined.
+    /// Sums the coefficients' magnitudes, each times the maximum of its product of τ and σ and of
+    /// the derivatives of that product; only after refinement.
     fn bounds(&self) -> Option<DenseBounds<S>> {
-        /// Of τ, τσ, τ²σ, τ²σ², τ³σ², τ³σ³ and τ⁴σ³: most of each, of its first and its second
-        /// derivative, rounded up.
+        /// Maxima of τ, τσ, τ²σ, τ²σ², τ³σ², τ³σ³ and τ⁴σ³ and of their first and second
+        /// derivatives, rounded up.
         const MOST: [[f64; 3]; 7] = [
             [1.0, 1.0, 0.0],
             [0.25, 1.0, 2.0],

@@ -12,11 +12,10 @@ use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, Ta
 
 /// Order 8 with embedded estimates of orders 5 and 3, in 13 evaluations, 12 after the first.
 ///
-/// For offline work and references, where there is no tick: under
-/// [`Controlled`](crate::stepper::Controlled) its steps are as long as the tolerance allows.
-/// Dense output: the cubic Hermite of the step, and of order 7 with three evaluations more
-/// where a crossing is looked for. First-same-as-last: the slope at the end is carried, and
-/// void after a reset, a jump of the input, or a change of the mode.
+/// For offline work and references, without ticks: under [`Controlled`](crate::stepper::Controlled)
+/// its steps are as long as the tolerance permits. Dense output: the cubic Hermite of the step, or
+/// order 7 with three more evaluations where a crossing is searched. First-same-as-last: the slope
+/// at the end is carried, and void after a reset, a jump of the input, or a change of the mode.
 /// Stable for ωh up to about 6 on the real axis; choose it for tolerances below 1e-8.
 ///
 /// # References
@@ -24,12 +23,11 @@ use tableau::{A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, B, E3, E5, NODES, Ta
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Dop853;
 
-/// The stages of the last step, from which its dense output is refined; the last one is the
-/// next step's first.
+/// The stages of the last step, which refine its dense output; the last is the next step's first.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Stages<S> {
     k: [S; 13],
-    /// Whether the last stage is the slope where the next step begins.
+    /// `true` if the last stage is the slope at the next step's start.
     is_known: bool,
 }
 
@@ -101,13 +99,11 @@ impl Stepper for Dop853 {
     }
 }
 
-/// Σ weight × slope.
 #[inline]
 fn weighed<S: State, const N: usize, const K: usize>(k: &[S; K], row: &TableauRow<N>) -> S {
     row.iter().fold(S::ZERO, |sum, (stage, weight)| sum.plus(*weight, &k[*stage]))
 }
 
-/// x0 + h Σ weight × slope.
 #[inline]
 fn moved<S: State, const N: usize, const K: usize>(
     x0: &S,

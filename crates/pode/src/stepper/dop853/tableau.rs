@@ -1,11 +1,11 @@
 //! The coefficients of Dormand–Prince 8(5,3), as in Hairer's `dop853.f`. `[HNW93]` II.5, II.6.
 //!
-//! Each row is a list of (stage, weight), stages counted from 0; zeros are left out.
+//! Each row is a list of (stage, weight), stages counted from 0, without zeros. `A1` to `A11` weigh
+//! the stages before stage 1 to 11; `A13` to `A15` are those of the dense output.
 
-/// One row: (stage, weight).
 pub(super) type TableauRow<const N: usize> = [(usize, f64); N];
 
-/// When each stage is evaluated; the last three belong to the dense output.
+/// Time of each stage; the last three belong to the dense output.
 pub(super) const NODES: [f64; 16] = [
     0.0,
     0.052_600_151_958_767_73,
@@ -25,24 +25,18 @@ pub(super) const NODES: [f64; 16] = [
     0.777_777_777_777_777_8,
 ];
 
-/// Weights of the stages before, for stage 1.
 pub(super) const A1: TableauRow<1> = [(0, 0.052_600_151_958_767_73)];
 
-/// Weights of the stages before, for stage 2.
 pub(super) const A2: TableauRow<2> = [(0, 0.019_725_056_984_537_9), (1, 0.059_175_170_953_613_7)];
 
-/// Weights of the stages before, for stage 3.
 pub(super) const A3: TableauRow<2> = [(0, 0.029_587_585_476_806_85), (2, 0.088_762_756_430_420_54)];
 
-/// Weights of the stages before, for stage 4.
 pub(super) const A4: TableauRow<3> =
     [(0, 0.241_365_134_159_266_7), (2, -0.884_549_479_328_286_1), (3, 0.924_834_003_261_792)];
 
-/// Weights of the stages before, for stage 5.
 pub(super) const A5: TableauRow<3> =
     [(0, 0.037_037_037_037_037_035), (3, 0.170_828_608_729_473_86), (4, 0.125_467_687_566_822_42)];
 
-/// Weights of the stages before, for stage 6.
 pub(super) const A6: TableauRow<4> = [
     (0, 0.037_109_375),
     (3, 0.170_252_211_019_544_05),
@@ -50,7 +44,6 @@ pub(super) const A6: TableauRow<4> = [
     (5, -0.017_578_125),
 ];
 
-/// Weights of the stages before, for stage 7.
 pub(super) const A7: TableauRow<5> = [
     (0, 0.037_092_000_118_504_79),
     (3, 0.170_383_925_712_239_98),
@@ -59,7 +52,6 @@ pub(super) const A7: TableauRow<5> = [
     (6, 0.008_273_789_163_814_023),
 ];
 
-/// Weights of the stages before, for stage 8.
 pub(super) const A8: TableauRow<6> = [
     (0, 0.624_110_958_716_075_7),
     (3, -3.360_892_629_446_941_4),
@@ -69,7 +61,6 @@ pub(super) const A8: TableauRow<6> = [
     (7, -43.489_884_181_069_96),
 ];
 
-/// Weights of the stages before, for stage 9.
 pub(super) const A9: TableauRow<7> = [
     (0, 0.477_662_536_438_264_34),
     (3, -2.488_114_619_971_667_7),
@@ -80,7 +71,6 @@ pub(super) const A9: TableauRow<7> = [
     (8, -0.020_331_201_708_508_627),
 ];
 
-/// Weights of the stages before, for stage 10.
 pub(super) const A10: TableauRow<8> = [
     (0, -0.937_142_430_085_987_3),
     (3, 5.186_372_428_844_064),
@@ -92,7 +82,6 @@ pub(super) const A10: TableauRow<8> = [
     (9, -3.046_764_471_898_219_6),
 ];
 
-/// Weights of the stages before, for stage 11.
 pub(super) const A11: TableauRow<9> = [
     (0, 2.273_310_147_516_538),
     (3, -10.534_495_466_737_25),
@@ -117,7 +106,6 @@ pub(super) const B: TableauRow<8> = [
     (11, 0.044_710_615_727_772_59),
 ];
 
-/// Stage 13, for the dense output.
 pub(super) const A13: TableauRow<8> = [
     (0, 0.056_167_502_283_047_954),
     (6, 0.253_500_210_216_624_83),
@@ -129,7 +117,6 @@ pub(super) const A13: TableauRow<8> = [
     (12, -0.008_298),
 ];
 
-/// Stage 14, for the dense output.
 pub(super) const A14: TableauRow<8> = [
     (0, 0.031_834_648_163_502_14),
     (5, 0.028_300_909_672_366_776),
@@ -141,7 +128,6 @@ pub(super) const A14: TableauRow<8> = [
     (13, 0.141_312_443_674_632_5),
 ];
 
-/// Stage 15, for the dense output.
 pub(super) const A15: TableauRow<8> = [
     (0, -0.428_896_301_583_791_94),
     (5, -4.697_621_415_361_164),
@@ -177,7 +163,7 @@ pub(super) const E3: TableauRow<8> = [
     (11, 0.022_651_792_198_360_825),
 ];
 
-/// Dense output, term 4.
+/// Terms 4 to 7 of the dense output.
 pub(super) const D0: TableauRow<12> = [
     (0, -8.428_938_276_109_013),
     (5, 0.566_714_953_519_377_7),
@@ -193,7 +179,6 @@ pub(super) const D0: TableauRow<12> = [
     (15, -4.436_036_387_594_894),
 ];
 
-/// Dense output, term 5.
 pub(super) const D1: TableauRow<12> = [
     (0, 10.427_508_642_579_134),
     (5, 242.283_491_775_258_17),
@@ -209,7 +194,6 @@ pub(super) const D1: TableauRow<12> = [
     (15, 35.816_841_486_394_08),
 ];
 
-/// Dense output, term 6.
 pub(super) const D2: TableauRow<12> = [
     (0, 19.985_053_242_002_433),
     (5, -387.037_308_749_351_8),
@@ -225,7 +209,6 @@ pub(super) const D2: TableauRow<12> = [
     (15, 11.992_291_136_182_79),
 ];
 
-/// Dense output, term 7.
 pub(super) const D3: TableauRow<12> = [
     (0, -25.693_933_462_703_75),
     (5, -154.189_748_690_236_43),

@@ -1,19 +1,18 @@
-//! Where a series ends before its coefficients say so: the equations change their form.
+//! The end of a series where the equations change their form.
 
 use crate::series::{Expansion, Fall, GuardPolynomial, GuardSeries, first_fall};
 use crate::state::State;
 
 /// Rounding of a condition, in units of all its coefficients.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// So much longer is a step that ends where a condition does, in units of itself: what follows
-/// sees the other sign. Beyond the zero the orbit is wrong by no more than a rate times this.
+/// Relative excess of a step beyond a condition's zero, so that the next one sees the other sign.
+/// The orbit's error beyond the zero is at most a rate times this.
 const BEYOND: f64 = 1e-12;
-/// How often a step is halved where a condition only touches zero.
+/// Maximum of halvings of a step whose condition only touches zero.
 const HALVINGS: u32 = 8;
 
-/// How far (s) the series holds within `reach` (s): to just behind the first zero of a condition.
-///
-/// None where it does not hold at all, since a condition leaves zero to the other side.
+/// Returns the time (s) within `reach` (s) for which the series holds, just beyond the first zero
+/// of a condition; `None` if a condition leaves zero to the other side at once.
 pub(super) fn before<S: State>(expansion: &Expansion<S>, reach: f64) -> Option<f64> {
     let mut reach = reach;
     for index in 0..expansion.known_conditions {
@@ -35,13 +34,9 @@ pub(super) fn before<S: State>(expansion: &Expansion<S>, reach: f64) -> Option<f
     Some(reach)
 }
 
-/// Where a condition ends.
 enum BranchEnd {
-    /// Not within the step.
     Behind,
-    /// At this part of the step.
     At(f64),
-    /// Right at the start of the step.
     Here,
     Unclear,
 }
@@ -72,7 +67,7 @@ fn end<S: State>(expansion: &Expansion<S>, index: usize, reach: f64) -> BranchEn
     if start.abs() > ROUNDING * size {
         return falls(&condition);
     }
-    // It leaves zero, as every condition does behind its zero; or it is zero, and stays.
+    // It leaves zero, as every condition does behind its zero; or it stays zero.
     let next = condition.departed();
     match next.terms().iter().find(|it| it.abs() > ROUNDING * size) {
         None => BranchEnd::Behind,
@@ -82,9 +77,8 @@ fn end<S: State>(expansion: &Expansion<S>, index: usize, reach: f64) -> BranchEn
     }
 }
 
-/// The only root between a place where it is positive and one where it is negative.
 fn root(condition: &GuardPolynomial, from: f64, to: f64) -> f64 {
-    /// To the last bit of a root that is a millionth of the reach, as that of a straight line.
+    /// Reaches the last bit of a straight line's root at a millionth of the reach.
     const BISECTIONS: u32 = 76;
     let (mut from, mut to) = (from, to);
     for _ in 0..BISECTIONS {

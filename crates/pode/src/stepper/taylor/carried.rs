@@ -1,31 +1,27 @@
-//! What Taylor's method knows of a step before and after it is taken.
+//! Memory of Taylor's method before and after a step.
 
 use crate::series::{Expansion, GuardSeries};
 use crate::state::State;
 use crate::stepper::{Control, EndDerivative, Memory};
 
-/// What Taylor's method carries: the series of the present step, and how long steps are.
+/// The series of the present step, and the length of steps.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct TaylorMemory<S> {
     pub(super) expansion: Expansion<S>,
     pub(super) substitute: Control<EndDerivative<S>>,
     stage: SeriesStage,
-    /// How far the present step may reach (s).
+    /// Longest present step (s).
     reach: f64,
     /// Length of the last step that was not cut short (s); infinite before the first.
     scale: f64,
 }
 
-/// Where a step stands.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum SeriesStage {
-    /// Nothing is known of it.
     Ahead,
-    /// Its series is known.
     Expanded,
-    /// There is no series here.
     Singular,
-    /// It was taken along its series, over this part of the scale.
+    /// It was taken along its series, over this fraction of the scale.
     Taken(f64),
 }
 
@@ -42,8 +38,8 @@ impl<S: State> Default for TaylorMemory<S> {
 }
 
 impl<S: State> TaylorMemory<S> {
-    /// The step has been expanded, and may be as long as the first of `reaches` (s), where the
-    /// series itself reaches as far as the second; or it has no series.
+    /// Notes that the step was expanded, may be as long as the first of `reaches` (s), and has a
+    /// series up to the second; or that it has no series.
     pub(super) fn expand(&mut self, reaches: Option<(f64, f64)>) {
         (self.stage, (self.reach, self.scale)) = match reaches {
             Some(reaches) => (SeriesStage::Expanded, reaches),
@@ -55,8 +51,7 @@ impl<S: State> TaylorMemory<S> {
         matches!(self.stage, SeriesStage::Expanded | SeriesStage::Singular)
     }
 
-    /// Takes the step of `h` (s) along its series if there is one: the part of the scale that it
-    /// is.
+    /// Takes the step of `h` (s) along its series, if any; returns its fraction of the scale.
     pub(super) fn take(&mut self, h: f64) -> Option<f64> {
         let is_expanded = self.stage == SeriesStage::Expanded;
         let ratio = h / self.expansion.scale;
@@ -64,7 +59,7 @@ impl<S: State> TaylorMemory<S> {
         is_expanded.then_some(ratio)
     }
 
-    /// The step was taken otherwise, and the next one may reach so far (s).
+    /// Notes that the step was taken otherwise, and the next one may be `reach` (s) long.
     pub(super) const fn follow(&mut self, reach: f64) {
         (self.reach, self.scale) = (reach, reach);
     }

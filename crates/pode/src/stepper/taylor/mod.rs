@@ -12,18 +12,17 @@ use crate::series::{Expansion, MOST_ORDER, TERMS};
 use crate::state::State;
 use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, Tsitouras5};
 
-/// Taylor's method: the step is as long as the last coefficients of the solution's own series
-/// allow, and the dense output is the series.
+/// Taylor's method: the last coefficients of the solution's own series limit the step, and the
+/// series is the dense output.
 ///
-/// For offline work, as long steps as a tolerance allows, and for the smallest errors: the work
-/// grows with the square of the digits. One expansion a step ([`Guarded::series`]), and no step is
+/// For offline work, with steps as long as a tolerance permits, and for the smallest errors: the
+/// work grows with the square of the digits. One expansion a step ([`Guarded::series`]); no step is
 /// ever refused. Where the equations change their form along the series, as where a felt is left,
-/// the step ends. A step from a state at which the model has no series, since it has none at all
-/// or a felt is just being touched, is one of Tsitouras' method under the same tolerance.
+/// the step ends. At a state without a series, since the model has none or a felt is just being
+/// touched, the step is one of Tsitouras' method under the same tolerance.
 ///
-/// Dense output: the series, so that nothing is lost inside a step, and guards that the model
-/// expands too are searched as polynomials, without an evaluation. Nothing is carried over steps
-/// but their length.
+/// No precision is lost inside a step, and guards that the model expands too are searched as
+/// polynomials, without an evaluation. Only the length of steps is carried.
 ///
 /// [`Guarded::series`]: crate::Guarded::series
 ///
@@ -33,7 +32,6 @@ use crate::stepper::{Controlled, Field, Memory as _, Step, Stepper, Tolerance, T
 pub struct Taylor {
     /// Order of the series, 2 to [`MOST_ORDER`].
     pub order: usize,
-    /// What the last term of the series may be.
     pub tolerance: Tolerance,
 }
 
@@ -44,12 +42,11 @@ impl Default for Taylor {
 }
 
 impl Taylor {
-    /// The method with the order that takes the least work to a tolerance.
+    /// Builds the method with the order of least work for a tolerance.
     pub fn to(tolerance: Tolerance) -> Self {
         Self { order: reach::order_for(tolerance.relative.min(tolerance.absolute)), tolerance }
     }
 
-    /// The method for states without a series.
     const fn substitute(&self) -> Controlled<Tsitouras5> {
         Controlled { method: Tsitouras5, tolerance: self.tolerance }
     }
@@ -98,16 +95,14 @@ impl Stepper for Taylor {
         step.map(|dense| dense.lengthened())
     }
 
-    /// One expansion serves all parts.
     #[inline]
     fn steps_apart(&self, _entries: usize) -> bool {
         false
     }
 
-    /// A step may be longer than what resolves the motion for methods of low order; but not so
-    /// long that it does not see what the input does.
+    /// Permits a step longer than low-order methods resolve, but short enough to follow the input.
     fn longest_step(&self, _nature: &Nature, own: f64) -> f64 {
-        /// Six radians where a model's own steps have three quarters of one.
+        /// Six radians, where a model's own steps have three quarters of one.
         const STEPS: f64 = 8.0;
         STEPS * own
     }
@@ -115,7 +110,6 @@ impl Stepper for Taylor {
 
 const _: () = assert!(MOST_ORDER == 24, "the order that the trait is told");
 
-/// The step over `ratio` times the scale of an expansion.
 #[inline]
 fn along<S: State>(expansion: &Expansion<S>, ratio: f64) -> Step<S, Polynomial<S, TERMS>> {
     let order = expansion.order.min(MOST_ORDER);

@@ -1,15 +1,15 @@
-//! Of what order a series should be, and how far it reaches.
+//! Order and reach of a series.
 
 use crate::math::{floor, ln};
 use crate::series::{Expansion, MOST_ORDER};
 use crate::state::State;
 use crate::stepper::Tolerance;
 
-/// The order that takes the least work to a tolerance.
+/// Returns the order of least work for a tolerance.
 ///
-/// Where a step's work grows with the square of the order it is −½ ln ε `[JZ05]`. What a step
-/// takes beside its sums makes higher orders worth while: on the paper's figure 6 orders from 16
-/// to 22 differ by 5 % within 1e-9, and from 20 to 24 within 1e-13.
+/// It is −½ ln ε where a step's work grows with the square of the order `[JZ05]`. Work beside the
+/// sums favours higher orders: on the paper's figure 6 orders from 16 to 22 differ by 5 % within
+/// 1e-9, and from 20 to 24 within 1e-13.
 pub(super) fn order_for(tolerance: f64) -> usize {
     let digits = -ln(tolerance.clamp(f64::EPSILON, 0.5));
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 25")]
@@ -17,11 +17,9 @@ pub(super) fn order_for(tolerance: f64) -> usize {
     order.clamp(4, MOST_ORDER)
 }
 
-/// How far (s) the series reaches: its last two terms are then within the tolerance.
-///
-/// Two of them, since one of them may vanish. `[JZ05]` 3.2. `None` if it is no series.
+/// Returns the reach (s) at which the last two terms of the series are within the tolerance (two,
+/// since one may vanish). `[JZ05]` 3.2. `None` if it is not a series.
 pub(super) fn of<S: State>(expansion: &Expansion<S>, tolerance: Tolerance) -> Option<f64> {
-    /// Beyond it the series says nothing of what comes.
     const MOST: f64 = 1e6;
     let order = expansion.order;
     let ratios = [order, order - 1].map(|k| {
@@ -32,17 +30,17 @@ pub(super) fn of<S: State>(expansion: &Expansion<S>, tolerance: Tolerance) -> Op
     Some(expansion.scale * last.min(before).min(MOST))
 }
 
-/// Largest entry of a coefficient in units of the tolerance at `x`; not a number if one is not.
+/// Returns the largest entry of a coefficient in units of the tolerance at `x`; NaN if one is NaN.
 fn weigh<S: State>(term: &S, x: &S, tolerance: Tolerance) -> f64 {
     let entries = term.entries().iter().zip(x.entries());
     entries.fold(0.0, |most, (term, x)| {
         let size = term.abs() / (tolerance.absolute + tolerance.relative * x.abs());
-        // Not `max`, which takes the other where one is no number.
+        // Not `max`, which ignores NaN.
         if size <= most || most.is_nan() { most } else { size }
     })
 }
 
-/// 1/ᵏ√x of a positive x to a part in a thousand, which is enough for a step's length.
+/// Returns 1/ᵏ√x of a positive x to 1e-3, which is enough for a step's length.
 fn per_root(x: f64, k: usize) -> f64 {
     const MANTISSA: u64 = (1 << 52) - 1;
     const ONE: u64 = 1023 << 52;

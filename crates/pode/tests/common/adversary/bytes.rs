@@ -1,6 +1,5 @@
-//! Arbitrary bytes, read as numbers and choices; where they end, zeros follow.
+//! Arbitrary bytes, read as numbers and choices; followed by zeros.
 
-/// Numbers that a careless model may declare.
 const SPECIAL: [f64; 14] = [
     0.0,
     -0.0,
@@ -41,33 +40,31 @@ impl<'a> Bytes<'a> {
         self.byte() % 2 == 1
     }
 
-    /// Whether something rare happens: once in `n`.
+    /// Returns `true` once in `n`.
     pub fn is_one_in(&mut self, n: u8) -> bool {
         self.byte() % n == n - 1
     }
 
-    /// One of a list that is not empty.
     pub fn pick<T: Copy>(&mut self, list: &[T]) -> T {
         list[usize::from(self.byte()) % list.len()]
     }
 
-    /// A number in 0 ..= 1.
+    /// Returns a number in 0 ..= 1.
     pub fn part(&mut self) -> f64 {
         f64::from(u16::from_le_bytes([self.byte(), self.byte()])) / f64::from(u16::MAX)
     }
 
-    /// A positive number in `least` ..= `most`, of any size in between.
+    /// Returns a positive number in `least` ..= `most`, of any magnitude.
     pub fn sized(&mut self, least: f64, most: f64) -> f64 {
         least * (most / least).powf(self.part())
     }
 
-    /// The same of either sign.
     pub fn signed(&mut self, least: f64, most: f64) -> f64 {
         let sign = if self.is_true() { -1.0 } else { 1.0 };
         sign * self.sized(least, most)
     }
 
-    /// A `usual` number, or now and then one of another kind.
+    /// Returns a `usual` number, or now and then a special one.
     pub fn odd(&mut self, usual: impl FnOnce(&mut Self) -> f64) -> f64 {
         match self.byte() {
             0..224 => usual(self),

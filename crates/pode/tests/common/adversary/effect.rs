@@ -5,17 +5,14 @@ use pode::{Reset, Settling};
 use super::bytes::Bytes;
 use super::{Adversary, MODES, STATE};
 
-/// A state after a reset, made of the one before.
 #[derive(Clone, Copy, Debug)]
 enum Landing {
     Same,
-    /// The count goes up.
     Counts,
-    /// Thrown back from the floor with this part of the speed.
+    /// Returns from the floor with this fraction of the speed.
     Bounces(f64),
-    /// At rest on the floor.
     Rests,
-    /// The time moves by so much (s).
+    /// Moves the time by this (s).
     Moves(f64),
     Is(f64),
 }
@@ -44,7 +41,6 @@ impl Landing {
     }
 }
 
-/// What follows a reset.
 #[derive(Clone, Copy, Debug)]
 enum After {
     Nothing,
@@ -56,7 +52,6 @@ enum After {
         mode: u8,
         state: Landing,
     },
-    /// One that has to be measured.
     Rests {
         mode: u8,
         state: Landing,
@@ -79,10 +74,9 @@ impl After {
     }
 }
 
-/// What a guard's reset map does.
 #[derive(Clone, Copy, Debug)]
 pub struct Effect {
-    /// How many modes further: 0 stays, and 1 goes round all of them.
+    /// Modes ahead: 0 stays, and 1 visits all of them in turn.
     onward: u8,
     landing: Landing,
     impulse: f64,
@@ -99,7 +93,7 @@ impl Effect {
         }
     }
 
-    /// A bounce off the floor in one mode, that may end at rest on it in the next.
+    /// Bounces off the floor in one mode, and may end at rest on it in the next.
     pub fn bounce(bytes: &mut Bytes<'_>) -> Self {
         let after = After::Rests { mode: 1, state: Landing::Rests };
         let landing = Landing::Bounces(bytes.sized(0.05, 1.0));

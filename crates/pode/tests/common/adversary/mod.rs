@@ -1,5 +1,5 @@
-//! A model made of arbitrary bytes, as difficult as the traits allow, and what a tick promises
-//! whatever the model does. Shared by the fuzz target and its twin in the tests.
+//! A model built from arbitrary bytes, as difficult as the traits permit, and the promises of a
+//! tick. Shared by the fuzz target and its twin in the tests.
 #![allow(dead_code, unreachable_pub, reason = "each of its users has its own part")]
 
 pub mod bytes;
@@ -23,38 +23,33 @@ use pode::{
 };
 use trouble::Trouble;
 
-/// Entries of the state: the time, a count, a height and its rate.
+/// Entries of the state: time, count, height and its rate.
 pub const STATE: usize = 4;
 
-/// Modes of every adversary.
 pub const MODES: u8 = 4;
 
-/// How often a model was really asked.
 #[derive(Debug, Default)]
 pub struct Calls {
     pub derivatives: Cell<u32>,
     pub jacobians: Cell<u32>,
     pub guards: Cell<u32>,
     pub readouts: Cell<u32>,
-    /// For the list of a mode's guards.
     pub lists: Cell<u32>,
-    /// Where the guard that means no good has its root shut in.
+    /// Bracket of the malicious guard's root.
     pub malice: Cell<[f64; 2]>,
 }
 
-/// Counts one call and returns how many there were before.
 fn count(calls: &Cell<u32>) -> u32 {
     let before = calls.get();
     calls.set(before.wrapping_add(1));
     before
 }
 
-/// One guard of an adversary, in whatever mode.
 #[derive(Clone, Copy, Debug)]
 struct GuardPart {
     trouble: Trouble,
     effect: Effect,
-    /// What the model says of its curvature, true or not (1/s²).
+    /// Declared bound of its curvature, true or not (1/s²).
     bound: f64,
 }
 
@@ -72,14 +67,13 @@ impl GuardPart {
     }
 }
 
-/// The model.
+/// A model from arbitrary bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Adversary<'a> {
     calls: &'a Calls,
     modes: [ModePart; MODES as usize],
     lists: [&'static [GuardSpec]; MODES as usize],
     guards: [GuardPart; MAX_GUARDS],
-    /// Says now and then that a mode has no guards.
     is_forgetful: bool,
 }
 
@@ -104,7 +98,7 @@ impl<'a> Adversary<'a> {
         it
     }
 
-    /// The same with its modes' equations in other places.
+    /// Returns the model with its modes' equations in other places.
     pub fn turned(mut self) -> Self {
         self.modes.rotate_left(1);
         self

@@ -1,31 +1,25 @@
-//! What a mode does between its events: equations and all that the model says of them, sound
-//! or not.
+//! Motion of a mode between its events: equations and statements about them, sound or not.
 
 use pode::{EquationKind, Matrix, Motion, Nature, State};
 
 use super::STATE;
 use super::bytes::Bytes;
 
-/// The equations of a mode; the time always comes first.
+/// Equations of a mode; the time always comes first.
 #[derive(Clone, Copy, Debug)]
 enum Field {
-    /// Free fall over a floor.
     Falls,
-    /// Linear with this rate (1/s): dies out, or grows.
+    /// Rate (1/s), of decay or growth.
     Linear(f64),
-    /// An oscillator (rad/s).
+    /// Rate (rad/s).
     Swings(f64),
-    /// Explodes in finite time.
     Explodes,
-    /// Driven by the input.
     Driven,
-    /// Jumps by a size at a time (s).
+    /// Size and time (s) of the jump.
     Jumps(f64, f64),
-    /// One number everywhere, from a time (s) on.
+    /// Constant from a time (s) on.
     Becomes(f64, f64),
-    /// Nothing moves, not even the time.
     Frozen,
-    /// Time itself goes back.
     GoesBack,
 }
 
@@ -63,10 +57,10 @@ impl Field {
     }
 }
 
-/// What a number that a model returns is replaced by.
+/// Replacement of a number that a model returns.
 #[derive(Clone, Copy, Debug)]
 struct Lie {
-    /// From this time on (s); infinite if never.
+    /// Start (s); infinite if never.
     from: f64,
     value: f64,
 }
@@ -82,17 +76,15 @@ impl Lie {
     }
 }
 
-/// One mode.
 #[derive(Clone, Copy, Debug)]
 pub struct ModePart {
     field: Field,
     jacobian: Lie,
     readout: Lie,
-    /// What the last coordinate is slaved to, if it is: the input, or a lie.
+    /// Slaves the last coordinate to the input, or to a lie.
     slaved: Option<Lie>,
     pub nature: Nature,
     pub longest_step: f64,
-    /// Whether its guards have the other sign.
     pub is_negated: bool,
 }
 
@@ -122,7 +114,7 @@ impl ModePart {
         }
     }
 
-    /// Free fall, and nothing but the truth about it.
+    /// Returns free fall without lies.
     pub const fn fall() -> Self {
         const NEVER: Lie = Lie { from: f64::INFINITY, value: 0.0 };
         Self {
@@ -140,7 +132,7 @@ impl ModePart {
         self.field.derivative(x, input)
     }
 
-    /// By forward differences, lies apart.
+    /// By forward differences, without lies.
     pub fn jacobian(&self, x: &[f64; STATE], input: &Motion) -> <[f64; STATE] as State>::Matrix {
         let origin = self.derivative(x, input);
         Matrix::from_columns(|index| {
@@ -157,7 +149,7 @@ impl ModePart {
 
     pub fn constrain(&self, x: &[f64; STATE], input: &Motion) -> [f64; STATE] {
         match self.slaved {
-            // Nothing is left of the state: it cannot show that the step was not a number.
+            // The state is replaced whole, so it cannot show a NaN of the step.
             Some(lie) if lie.value < 0.0 => [1e-3, 0.0, 1.0, lie.or(1e-3, input.position)],
             Some(lie) => x.with_entry(3, lie.or(x[0], input.position)),
             None => *x,

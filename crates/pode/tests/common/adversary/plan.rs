@@ -1,4 +1,4 @@
-//! A whole session with an adversary, out of arbitrary bytes.
+//! A whole session with an adversary, from arbitrary bytes.
 
 use pode::{Limits, WorkLimit};
 
@@ -6,22 +6,16 @@ use super::bytes::Bytes;
 use super::wave::Wave;
 use super::{Adversary, Calls, MODES, STATE};
 
-/// Ticks of a session.
 pub const TICKS: usize = 8;
 
-/// What is done at one tick.
 #[derive(Clone, Copy, Debug)]
 pub struct Deed {
-    /// Length of the tick (s).
     pub h: f64,
     pub wave: Wave,
-    /// Where the model is put before, if it is.
     pub placed: Option<(u8, [f64; STATE])>,
-    /// Whether its parameters are changed before.
     pub is_changed: bool,
 }
 
-/// A session.
 #[derive(Debug)]
 pub struct Plan<'a> {
     pub model: Adversary<'a>,
@@ -35,7 +29,7 @@ pub struct Plan<'a> {
 impl<'a> Plan<'a> {
     pub fn from_bytes(bytes: &[u8], calls: &'a Calls) -> Self {
         let bytes = &mut Bytes::new(bytes);
-        // First what counts for all ticks, so that few bytes already make a session.
+        // First the settings of all ticks, so that few bytes make a session.
         let limits = limits(bytes);
         let tick = if bytes.is_one_in(16) { u64::MAX - 2 } else { 0 };
         let is_read = !bytes.is_one_in(4);
@@ -67,7 +61,6 @@ fn placed(bytes: &mut Bytes<'_>) -> (u8, [f64; STATE]) {
     (mode, [0.0, 0.0, height, rate])
 }
 
-/// The default limits, or any others that a session can reach in a moment.
 fn limits(bytes: &mut Bytes<'_>) -> Limits {
     if bytes.is_one_in(4) {
         return Limits { forecast: bytes.is_true(), ..Limits::default() };

@@ -1,4 +1,4 @@
-//! What a tick promises, whatever the model does.
+//! Promises of a tick for every model.
 
 use pode::{
     Advance, Event, EventCause, Fault, Guarded as _, Limits, Piece, Signal, Simulator, Stepper,
@@ -8,15 +8,13 @@ use pode::{
 use super::plan::{Deed, Plan, TICKS};
 use super::{Adversary, Calls, STATE};
 
-/// A state in its mode.
 type Place = (u8, [f64; STATE]);
 
-/// Plays the session that `bytes` describe, and checks every promise at every tick.
-///
-/// `allocated` says how often this thread has asked for memory.
+/// Plays the session in `bytes`, and checks every promise at every tick; `allocated` counts this
+/// thread's allocations.
 ///
 /// # Panics
-/// Where a promise is broken.
+/// If a promise is broken.
 pub fn check<T: Stepper>(bytes: &[u8], stepper: T, allocated: fn() -> u64) -> [Report; TICKS] {
     let calls = Calls::default();
     let plan = Plan::from_bytes(bytes, &calls);
@@ -41,11 +39,9 @@ pub fn check<T: Stepper>(bytes: &[u8], stepper: T, allocated: fn() -> u64) -> [R
     })
 }
 
-/// What one tick was.
 #[derive(Clone, Copy, Debug)]
 pub struct Report {
     pub tick: Tick,
-    /// Moves over impacts that accumulate.
     pub moves: u32,
 }
 
@@ -70,7 +66,6 @@ fn check_tick<T: Stepper>(
     Report { tick, moves: witness.moves }
 }
 
-/// Every kind of work is within its declared maximum.
 fn work_is_bounded<T: Stepper>(tick: &Tick, limits: &Limits) {
     let work = tick.work;
     assert!(work.pieces <= limits.pieces, "{tick:?}");
@@ -82,7 +77,6 @@ fn work_is_bounded<T: Stepper>(tick: &Tick, limits: &Limits) {
     assert!(work.certain + work.unknown <= work.pieces, "{tick:?}");
 }
 
-/// The counts are those of the calls that the model really got.
 fn work_is_what_was_done(tick: &Tick, calls: &Calls) {
     let work = tick.work;
     let counted = [work.derivatives, work.jacobians, work.guards, work.readouts];
@@ -90,7 +84,6 @@ fn work_is_what_was_done(tick: &Tick, calls: &Calls) {
     assert_eq!(counted, done.map(std::cell::Cell::get), "{tick:?}");
 }
 
-/// The outcome says what happened.
 fn outcome_is_sound(tick: &Tick, deed: &Deed, witness: &Witness, limits: &Limits) {
     let is_period = deed.h > 0.0 && deed.h.is_finite();
     assert_eq!(tick.advance == Advance::Faulty(Fault::Period), !is_period, "{tick:?}");
@@ -105,8 +98,8 @@ fn outcome_is_sound(tick: &Tick, deed: &Deed, witness: &Witness, limits: &Limits
     }
 }
 
-/// What is kept is the last state that was reached, with what is slaved in place; it is finite
-/// if what came before the tick was.
+/// Checks that the last reached state is kept, with slaved entries in place; it is finite if the
+/// state before the tick was.
 fn state_is_the_last_good_one<T: Stepper>(
     simulator: &Simulator<Adversary<'_>, T>,
     tick: &Tick,
@@ -126,7 +119,6 @@ fn state_is_the_last_good_one<T: Stepper>(
     assert!(kept.iter().any(|it| bits(it) == bits(&state)), "{state:?} is not {last:?}: {tick:?}");
 }
 
-/// Sees a tick go by, and that its time goes on.
 #[derive(Debug)]
 struct Witness {
     theta: f64,

@@ -11,7 +11,6 @@ const F: GuardSpec = GuardSpec::new(5, "f");
 const G: GuardSpec = GuardSpec::new(6, "g");
 const H: GuardSpec = GuardSpec::new(7, "h");
 
-/// What a mode may say that its guards are.
 pub const LISTS: [&[GuardSpec]; 11] = [
     &[A],
     &[A.on_crossing()],
@@ -20,7 +19,6 @@ pub const LISTS: [&[GuardSpec]; 11] = [
     &[A.on_crossing(), B.on_crossing(), C.on_crossing(), D.on_crossing()],
     &[A, B.on_crossing(), C, D.on_crossing(), E, F.on_crossing(), G, H.on_crossing()],
     &[A.of_state(), B.of_state().on_crossing()],
-    // Sizes that are no sizes.
     &[
         A.scaled(f64::NAN),
         B.scaled(f64::INFINITY),
@@ -29,9 +27,8 @@ pub const LISTS: [&[GuardSpec]; 11] = [
         E.scaled(1e300),
         F.scaled(f64::NEG_INFINITY).on_crossing(),
     ],
-    // Twins, and one who has the last of all names.
+    // Twins, and the last of all names.
     &[A, A.on_crossing(), B.with_priority(0), GuardSpec::new(255, "z")],
     &[],
-    // One too many.
     &[A, B, C, D, E, F, G, H, GuardSpec::new(8, "i")],
 ];

@@ -1,6 +1,5 @@
-//! The methods that are asked, one per line.
+//! The methods under test, one per line.
 
-/// Calls `$with!` with a name, a type and a value of every method.
 #[macro_export]
 macro_rules! every_stepper {
     ($with:ident) => {

@@ -12,35 +12,31 @@ use super::{Calls, STATE};
 pub enum Trouble {
     /// A line that falls through zero at this time (s).
     Falls(f64),
-    /// Height over a floor.
     Floor,
     /// Jumps between −1 and 1 at this frequency (1/s).
     Chatters(f64),
-    /// The same value and rate for ever.
     Constant(f64, f64),
     /// Falls by a jump at this time (s).
     Jumps(f64),
-    /// Not a number over this long from this time on (s).
+    /// NaN from the first time, for the second (s).
     NotANumber(f64, f64),
-    /// Its rate is not a number from this time on (s).
+    /// Rate NaN from this time (s).
     NoRate(f64),
     /// Many roots: cos ωt.
     Waves(f64),
-    /// Pairs of roots so close to each other: 1 + cos ωt − δ.
+    /// Close pairs of roots: 1 + cos ωt − δ.
     Dips(f64, f64),
     /// Flat roots: −(t − t0)⁹, with rate zero.
     Flat(f64),
-    /// Steep roots: a square root with a sign.
+    /// Steep roots: a signed square root.
     Steep(f64),
-    /// Changes with each reset.
     Counts(f64),
-    /// Beyond the largest number.
     Huge(f64),
     /// The input, up to this threshold.
     Follows(f64),
-    /// No function at all: another answer each time.
+    /// No function: another answer each time.
     Fickle(u64),
-    /// No function either: has whoever looks for its root look as long as possible.
+    /// No function: prolongs each search for its root as far as possible.
     Malice,
 }
 
@@ -72,7 +68,7 @@ impl Trouble {
         }
     }
 
-    /// The guard and its rate; `calls` are those that came before.
+    /// Returns the guard and its rate; `calls` are those before.
     pub fn value(self, x: &[f64; STATE], input: &Motion, calls: &Calls) -> GuardValue {
         let [t, n, z, w] = *x;
         let (value, rate) = match self {
@@ -99,7 +95,7 @@ impl Trouble {
     }
 }
 
-/// Two numbers that have nothing to do with those before. By splitmix64.
+/// Returns two numbers unrelated to those before, by splitmix64.
 fn fickle(seed: u64) -> (f64, f64) {
     const VALUES: [f64; 8] = [1.0, -1.0, 1.0, -1.0, 0.0, 1e-15, -1e-15, 1e9];
     const RATES: [f64; 8] = [1.0, -1.0, 1e6, -1e6, 0.0, 1e3, -1e3, -1e12];
@@ -109,8 +105,8 @@ fn fickle(seed: u64) -> (f64, f64) {
     (VALUES[(z >> 8) as usize % 8], RATES[(z >> 16) as usize % 8])
 }
 
-/// Leaves the longer part of the bracket, where the times asked for shut in a root, and leads
-/// to its start whoever interpolates.
+/// Leaves the longer part of the bracket in which the queried times enclose a root, and leads
+/// interpolation to its start.
 fn malice(t: f64, bracket: &Cell<[f64; 2]>) -> (f64, f64) {
     const BEFORE: (f64, f64) = (1e-9, -1e9);
     const AFTER: (f64, f64) = (-1e9, 1e12);
@@ -122,7 +118,6 @@ fn malice(t: f64, bracket: &Cell<[f64; 2]>) -> (f64, f64) {
         bracket.set([hi, t]);
         AFTER
     } else if t >= hi {
-        // The root was found: another one comes.
         bracket.set([t, t]);
         AFTER
     } else if hi - t >= t - lo {

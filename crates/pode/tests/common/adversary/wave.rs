@@ -5,21 +5,18 @@ use pode::{Motion, Signal};
 
 use super::bytes::Bytes;
 
-/// An input over one tick.
 #[derive(Clone, Copy, Debug)]
 pub enum Wave {
-    /// A cubic, sound or not.
     Smooth(Cubic),
-    /// Another position from this part of the tick on.
+    /// Another position from this fraction of the tick on.
     Jumps(f64, [f64; 2]),
-    /// Not a number between these parts of the tick.
+    /// NaN between these fractions of the tick.
     Gap(f64, f64),
-    /// Another answer at every place.
     Shakes,
 }
 
 impl Wave {
-    /// An input over a tick of `h` (s); `samples` go on from tick to tick.
+    /// Builds an input over a tick of `h` (s); `samples` continue from tick to tick.
     pub fn from_bytes(bytes: &mut Bytes<'_>, h: f64, samples: &mut Reconstructor) -> Self {
         let place = |bytes: &mut Bytes<'_>| bytes.odd(|it| it.signed(1e-6, 10.0));
         match bytes.byte() % 12 {
@@ -32,7 +29,6 @@ impl Wave {
         }
     }
 
-    /// Samples that start at rest.
     pub fn samples(bytes: &mut Bytes<'_>) -> Reconstructor {
         const KINDS: [Reconstruction; 4] = [
             Reconstruction::Hold,

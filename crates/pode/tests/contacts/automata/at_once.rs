@@ -15,7 +15,7 @@ use crate::driven::{root, run_driven};
 #[derive(Debug)]
 struct Springs {
     contacts: Vec<ContactSpec>,
-    /// Stiffness of all together (N/m).
+    /// Total stiffness (N/m).
     k: f64,
 }
 
@@ -74,11 +74,10 @@ fn a_cascade_that_is_too_short_is_told() {
     assert!(ticks.iter().any(|tick| tick.advance == Advance::Capped(Cap::Cascade)));
 }
 
-/// A mass on a spring on a belt, held by equal frictions that share its weight.
 #[derive(Debug)]
 struct Shared {
     contacts: Vec<ContactSpec>,
-    /// Friction of all together while they slide (N); 1.5 times that can hold.
+    /// Total sliding friction (N); 1.5 times that can hold.
     kinetic: f64,
 }
 
@@ -144,7 +143,7 @@ fn contacts_that_hold_the_same_motion_share_it_and_let_go_together() {
     all_completed(&ticks);
     let (one, _) = run_driven(&mut shared(1, belt), (1e-3, 0.0), 2.0, |_| belt);
     assert!(one.events().len() >= 4, "{:?}", one.times());
-    // They are decided together: each stop and each slip is one change of all three.
+    // Decided together: each stop and each slip is one change of all three.
     assert_eq!(all.events().len(), one.events().len(), "{:?}", all.times());
     for (single, seen) in one.events().iter().zip(all.events()) {
         let states = [0, 1, 2].map(|contact| seen.to.contacts.state(contact));
@@ -169,7 +168,6 @@ fn a_stick_follows_a_small_jump_of_the_belt_and_is_torn_off_by_a_large_one() {
         };
         for n in 0..2 {
             let t = f64::from(n) * 1e-3;
-            // The second tick's input is the jumped one from its very start.
             let tick = it.advance(1e-6, &|_| belt(t), &mut pode::Silent);
             assert_eq!(tick.advance, Advance::Completed);
         }

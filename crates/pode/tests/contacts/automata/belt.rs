@@ -27,7 +27,7 @@ struct Block {
     k: f64,
     stiction: f64,
     kinetic: f64,
-    /// Where the stop is (m), and its restitution.
+    /// Place of the stop (m), and its restitution.
     stop: f64,
     restitution: f64,
 }
@@ -127,7 +127,6 @@ impl EnergeticContacts for Block {
     }
 }
 
-/// What ends a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Ends {
     Slips,
@@ -135,14 +134,13 @@ enum Ends {
     Hits,
 }
 
-/// The motion from `x` after `t` (s), while it slips behind the belt.
 fn swing(it: &Block, x: [f64; 2], t: f64) -> [f64; 2] {
     let (w, c) = (it.omega(), it.kinetic / it.k);
     let (sin, cos) = (w * t).sin_cos();
     [c + (x[0] - c) * cos + x[1] / w * sin, x[1] * cos - w * (x[0] - c) * sin]
 }
 
-/// The first `n` ends of pieces from a stick at `x0`, with time (s), and the state after.
+/// Returns the first `n` ends of pieces from a stick at `x0`, with time (s), and the state after.
 fn pieces(it: &Block, x0: f64, belt: f64, n: usize) -> Vec<(f64, Ends, [f64; 2])> {
     const SAMPLES: u32 = 20_000;
     let (mut t, mut x, mut sticks, mut out) = (0.0, [x0, belt], true, vec![]);
@@ -222,7 +220,6 @@ fn block() -> Block {
 fn a_block_on_a_belt_is_carried_to_a_stop_thrown_back_and_carried_again() {
     use Ends::{Hits, Slips, Sticks};
     each_step_and_phase(|at, phase| {
-        // Stopped before friction gives way, and again before the belt has caught it.
         check(Block { stop: 0.02, ..block() }, &[Hits; 4], (at, phase));
         // The belt loses it at 0.025 m, and it slips on to a stop at 0.03 m …
         check(block(), &[Slips, Hits, Sticks, Slips, Hits, Sticks], (at, phase));

@@ -1,5 +1,5 @@
-//! Five frictions between three blocks and the ground, more than there are speeds: whatever
-//! drives them, the laws of friction hold at every tick, and the energy is kept.
+//! Five frictions between three blocks and the ground, more than there are speeds: under every
+//! drive the laws of friction hold at every tick, and the energy is kept.
 
 use pode::contacts::{
     ContactIndices, ContactSet, ContactSpec, ContactState, ContactSystem, EnergeticContacts,
@@ -14,7 +14,6 @@ use proptest::prelude::*;
 use crate::common::{all_completed, close};
 use crate::driven::Clock;
 
-/// Three blocks on springs: each rubs on the ground, and on the next one.
 #[derive(Clone, Copy, Debug)]
 struct Chain {
     contacts: [ContactSpec; 5],
@@ -26,7 +25,7 @@ struct Chain {
     drive: [[f64; 2]; 3],
 }
 
-/// The weights of the blocks' speeds in a slip: the ground's three, then the neighbours'.
+/// Weights of the blocks' speeds in a slip: the ground's three, then the neighbours'.
 const SLIPS: [[f64; 3]; 5] =
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 1.0, 0.0], [0.0, -1.0, 1.0]];
 
@@ -100,7 +99,6 @@ impl EnergeticContacts for Chain {
     }
 }
 
-/// Asserts Coulomb's law at each contact.
 #[track_caller]
 fn obeys_coulomb(it: &Simulator<WithContacts<Chain>, Rk4>, t: f64) {
     let (mode, x, clock) = (it.mode(), it.state(), Clock(t));
@@ -121,7 +119,6 @@ fn obeys_coulomb(it: &Simulator<WithContacts<Chain>, Rk4>, t: f64) {
     }
 }
 
-/// Runs for 2 s; returns the events.
 #[track_caller]
 fn check(chain: &Chain) -> u32 {
     let h = 5e-3;

@@ -1,4 +1,4 @@
-//! What a model cannot have too much of.
+//! Limits of a model's lists.
 
 use pode::contacts::{
     ContactGuard, ContactIndices, ContactSpec, ContactSystem, FrictionSpec, FrictionalContacts,
@@ -6,7 +6,6 @@ use pode::contacts::{
 };
 use pode::{GuardId, GuardSpec, GuardValue, Guarded as _, MAX_GUARDS};
 
-/// A mechanism that does nothing, with lists of any length.
 struct Lists {
     contacts: Vec<ContactSpec>,
     structure: Vec<GuardSpec>,

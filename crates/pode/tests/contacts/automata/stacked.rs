@@ -1,5 +1,5 @@
-//! Two blocks, one on the other, pulled by the lower one: stick on stick, slip on stick, both
-//! slip, and back to rest. Pulled along a straight rise and fall of the force, speeds are quadratics.
+//! Two blocks, one on the other, pulled by the lower one: stick on stick, slip on stick, both slip,
+//! and back to rest. Under a straight rise and fall of the force, speeds are quadratics.
 
 use pode::contacts::{
     ContactIndices, ContactSpec, ContactState, ContactSystem, FrictionLimits, FrictionSpec,
@@ -22,7 +22,7 @@ struct Stack {
     /// Friction to the ground, and between the blocks (N).
     stiction: [f64; 2],
     kinetic: [f64; 2],
-    /// The pull rises by this (N/s) until `turn` (s), and then falls.
+    /// Rise of the pull (N/s) until `turn` (s), then its fall.
     pull: f64,
     turn: f64,
 }
@@ -32,7 +32,7 @@ impl Stack {
         self.pull * (self.turn - (t - self.turn).abs())
     }
 
-    /// The integral of the pull since 0 (N s).
+    /// Returns the integral of the pull since 0 (N s).
     fn pulled(&self, t: f64) -> f64 {
         let rise = t.min(self.turn);
         let fall = t - rise;
@@ -78,10 +78,8 @@ impl FrictionalContacts for Stack {
 
 impl GuardedContacts for Stack {}
 
-/// Times of the changes, with what both frictions do from there, and the speeds.
 type Phases = [(f64, [ContactState; 2], [f64; 2]); 7];
 
-/// The closed form.
 fn phases(it: &Stack) -> Phases {
     let (m, [f0, f1]) = (it.m[0] + it.m[1], it.kinetic);
     // Together, from t0 at the speed v0: m v' = P − f0.
@@ -105,7 +103,6 @@ fn phases(it: &Stack) -> Phases {
     let t6 = t5 + v5 * it.m[1] / f1;
     let t7 = 2.0 * it.turn + t1;
     assert!(t3 < t4 && t6 < t7 && it.pull(t5) + f1 < it.stiction[0]);
-    // Pulled back at last, the lower block slips down; the upper one stays on it.
     [
         (t1, [SlideUp, Stick], [0.0; 2]),
         (t2, [SlideUp, SlideDown], [v2; 2]),

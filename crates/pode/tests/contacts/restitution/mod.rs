@@ -8,7 +8,6 @@ use pode::contacts::restitution::{ContactJacobian, Contacts, ImpactEnding, MOST_
 
 use crate::common::close;
 
-/// A row of D balls that touch, with contacts between neighbours.
 fn row<const N: usize, const D: usize>(masses: [f64; D]) -> ContactJacobian<N, D> {
     let mut rows = [[0.0; D]; N];
     for (i, row) in rows.iter_mut().enumerate() {
@@ -34,7 +33,6 @@ fn a_cradle_passes_its_momentum_through_one_impact_after_another() {
         let cradle = row::<4, 5>([1.0; 5]);
         let resolved = cradle.contacts(&before, [1.0; 4]).sequential();
         assert_eq!(cradle.speeds_after(&before, &resolved.impulses), mirrored, "{arriving} balls");
-        // Each of them passes through all that were at rest.
         let impacts = u32::from(arriving * (5 - arriving));
         assert_eq!((resolved.impacts, resolved.ending), (impacts, ImpactEnding::Law));
     }
@@ -55,7 +53,7 @@ fn a_cradle_hit_all_at_once_keeps_together_behind_the_first_ball() {
 
 #[test]
 fn a_small_ball_between_a_wall_and_a_large_one_counts_digits_of_pi() {
-    // [Gal03]: with 100ⁿ times the mass there are as many impacts as the first digits of π say.
+    // [Gal03]: with 100ⁿ times the mass the impacts' number has the first digits of π.
     for (ratio, digits) in [(1.0, 3), (100.0, 31), (10_000.0, 314)] {
         let balls = ContactJacobian {
             rows: [[1.0, 0.0], [-1.0, 1.0]],
@@ -82,7 +80,6 @@ fn a_ball_hit_from_both_sides_sends_both_back() {
     // By symmetry the middle stays, and both leave at half their speed.
     let at_once = contacts.simultaneous();
     all_close(balls.speeds_after(&before, &at_once.impulses), [-0.5, 0.0, 0.5]);
-    // One by one the left one comes first, and then the other one each time.
     let first = contacts.sequential();
     let after = balls.speeds_after(&before, &first.impulses);
     let (mut by_hand, mut a) = (before, 0);
@@ -96,8 +93,7 @@ fn a_ball_hit_from_both_sides_sends_both_back() {
 
 #[test]
 fn a_ball_in_a_wedge_turns_back() {
-    // Walls at 45° on both sides; along their normals both contacts close with v / √2 and are
-    // independent of each other.
+    // Walls at 45° on both sides; along the normals both contacts close independently with v / √2.
     let s = std::f64::consts::FRAC_1_SQRT_2;
     let wedge = ContactJacobian { rows: [[s, s], [-s, s]], inverse_mass: [[0.5, 0.0], [0.0, 0.5]] };
     let before = [0.3, -2.0];
@@ -123,7 +119,6 @@ fn a_narrow_wedge_shares_its_impulse_at_once() {
 
 #[test]
 fn a_contact_that_is_overdetermined_shares_its_impulse() {
-    // A block of 2 kg on four feet, three of them too many.
     let block = ContactJacobian { rows: [[1.0]; 4], inverse_mass: [[0.5]] };
     let contacts = block.contacts(&[-3.0], [0.5; 4]);
     for resolved in [contacts.sequential(), contacts.simultaneous()] {
@@ -135,8 +130,8 @@ fn a_contact_that_is_overdetermined_shares_its_impulse() {
 
 #[test]
 fn a_jammed_ball_comes_to_rest() {
-    // Between two walls without play: the sequence has no end, and Newton's law leaves the second
-    // wall closing.
+    // Between two walls without play the sequence is infinite; Newton's law leaves one wall
+    // closing.
     let ball = ContactJacobian { rows: [[1.0], [-1.0]], inverse_mass: [[1.0]] };
     for e in [0.3, 1.0] {
         let contacts = ball.contacts(&[-1.0], [e; 2]);
@@ -151,7 +146,6 @@ fn a_jammed_ball_comes_to_rest() {
 
 #[test]
 fn coefficients_that_contradict_each_other_give_way_to_the_smallest() {
-    // One wall asks for a way back that the other one closes.
     let ball = ContactJacobian { rows: [[1.0], [-1.0]], inverse_mass: [[1.0]] };
     let resolved = ball.contacts(&[-1.0], [1.0, 0.0]).simultaneous();
     assert_eq!(resolved.velocities, [0.0; 2]);
@@ -160,8 +154,7 @@ fn coefficients_that_contradict_each_other_give_way_to_the_smallest() {
 
 #[test]
 fn three_balls_that_collapse_leave_together() {
-    // Below e = 7 − 4√3 the inner ball goes to and fro without end [Bro16]; the limit has one
-    // speed for all.
+    // Below e = 7 − 4√3 the inner ball bounces forever [Bro16]; the limit has one speed for all.
     let balls = row::<2, 3>([1.0; 3]);
     let before = [1.0, 0.0, -0.5];
     let resolved = balls.contacts(&before, [0.05; 2]).sequential();
@@ -181,7 +174,6 @@ fn contacts_that_do_not_touch_take_no_part() {
 
 #[test]
 fn velocities_of_no_bodies_are_said_to_be_contradictions() {
-    // Both sides of one ball cannot close at once.
     let contacts = Contacts {
         delassus: [[1.0, -1.0], [-1.0, 1.0]],
         velocities: [-1.0, -1.0],

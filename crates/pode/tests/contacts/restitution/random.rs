@@ -1,12 +1,12 @@
-//! Contacts of random bodies: what holds under both laws.
+//! Contacts of random bodies under both laws.
 
 #![allow(clippy::disallowed_macros, reason = "a test may use the heap")]
 
 use pode::contacts::restitution::{ContactJacobian, Contacts, ImpactEnding, Resolved};
 use proptest::prelude::*;
 
-/// Bodies with D speeds and N contacts between them; some rows repeat, so that contacts depend on
-/// each other, and some come with the opposite sign, so that bodies jam.
+/// Bodies with D speeds and N contacts; some rows repeat, so that contacts depend on each other,
+/// and some have the opposite sign, so that bodies jam.
 fn bodies<const N: usize, const D: usize>()
 -> impl Strategy<Value = (ContactJacobian<N, D>, [f64; D], [f64; D], [f64; N], bool)> {
     let entry = prop_oneof![2 => -1.0..1.0_f64, 1 => Just(0.0), 1 => Just(1.0), 1 => Just(-1.0)];
@@ -36,7 +36,6 @@ fn energy<const D: usize>(masses: &[f64; D], speeds: &[f64; D]) -> f64 {
     masses.iter().zip(speeds).map(|(m, u)| 0.5 * m * u * u).sum()
 }
 
-/// What holds under both laws.
 fn check<const N: usize, const D: usize>(
     jacobian: &ContactJacobian<N, D>,
     (masses, speeds): (&[f64; D], &[f64; D]),
@@ -51,7 +50,6 @@ fn check<const N: usize, const D: usize>(
     let passed: f64 = (0..N).map(|i| resolved.impulses[i].powi(2) * delassus[i][i]).sum();
     let rounding = 1e-12 * before + 1e-13 * passed;
     prop_assert!(after_all <= before + rounding, "{before} J to {after_all} J");
-    // The gaps' rates are those of the bodies, and nothing else has changed them.
     for (i, row) in jacobian.rows.iter().enumerate() {
         let rate: f64 = row.iter().zip(after).map(|(a, u)| a * u).sum();
         let passed = delassus[i].iter().zip(resolved.impulses).map(|(g, p)| (g * p).abs());
@@ -61,7 +59,6 @@ fn check<const N: usize, const D: usize>(
     Ok(())
 }
 
-/// Newton's law as it is written, where it was applied as given.
 fn check_newton<const N: usize>(
     contacts: &Contacts<N>,
     resolved: &Resolved<N>,

@@ -1,7 +1,7 @@
-//! A planar rigid body between thirteen felts, skids and buffers, as read from the reference.
+//! A planar rigid body between thirteen felts, skids and buffers, read from the reference.
 //!
-//! Centre (x, y), angle φ, their rates, and two sums of energy: taken by contacts and friction,
-//! put in by the drive.
+//! Centre (x, y), angle φ, their rates, and two sums of energy: absorbed by contacts and friction,
+//! and supplied by the drive.
 
 #![allow(clippy::disallowed_types, reason = "a test may use the heap")]
 
@@ -19,10 +19,9 @@ use crate::driven::Clock;
 /// The state: q, q', and two energies (J).
 pub(super) type BodyState = [f64; 8];
 
-/// A point of the body before a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pad {
-    /// The point in the body's frame (m), the wall's normal, and where it stands (m).
+    /// The point in the body's frame (m), the wall's normal, and the wall's place (m).
     r: [f64; 2],
     n: [f64; 2],
     d: f64,
@@ -34,10 +33,9 @@ pub(super) struct Pad {
     kinetic: f64,
 }
 
-/// Calls of the model since the start.
 #[derive(Debug, Default)]
 pub(super) struct Calls {
-    /// Of the derivative, and of normal forces in it.
+    /// Evaluations of the derivative, and of normal forces in it.
     pub(super) derivatives: Cell<usize>,
     pub(super) normals: Cell<usize>,
     pub(super) gaps: Cell<usize>,
@@ -53,7 +51,6 @@ fn count(calls: &Cell<usize>) {
     calls.set(calls.get() + 1);
 }
 
-/// The body.
 #[derive(Debug)]
 pub(super) struct Body {
     mass: f64,
@@ -66,12 +63,11 @@ pub(super) struct Body {
     pub(super) calls: Calls,
 }
 
-/// Where a pad is, and how it moves.
 struct Kinematics {
     pad: Pad,
-    /// From the centre to the point (m).
+    /// Vector from the centre to the point (m).
     arm: [f64; 2],
-    /// Its velocity (m/s).
+    /// Velocity (m/s).
     v: [f64; 2],
     t: [f64; 2],
     gap: f64,
@@ -90,7 +86,7 @@ impl Kinematics {
         dot(self.pad.n, self.v)
     }
 
-    /// Elastic part and whole of the normal force (N), as odd functions of the depth.
+    /// Returns elastic part and whole of the normal force (N), as odd functions of the depth.
     fn normal(&self) -> [f64; 2] {
         let elastic = -self.pad.k * self.gap.abs().powf(self.pad.p).copysign(self.gap);
         [elastic, elastic * (1.0 - self.pad.chi * self.rate())]
@@ -102,7 +98,6 @@ fn numbers<const N: usize>(fields: &[&str]) -> [f64; N] {
     std::array::from_fn(|i| fields[i].parse().unwrap())
 }
 
-/// The lines of the reference that begin with `kind`, split at commas.
 pub(super) fn lines(file: &'static str, kind: &str) -> Vec<Vec<&'static str>> {
     let fields = file.lines().map(|line| line.split(',').collect::<Vec<_>>());
     fields.filter(|it| it[0] == kind).map(|it| it[1..].to_vec()).collect()
@@ -138,14 +133,13 @@ impl Body {
         Kinematics { pad, arm, v, t: [pad.n[1], -pad.n[0]], gap }
     }
 
-    /// What a force at the arm of a contact adds to the derivative.
     fn accelerations(&self, arm: [f64; 2], force: [f64; 2]) -> BodyState {
         let torque = cross(arm, force);
         let [ax, ay] = force.map(|f| f / self.mass);
         [0.0, 0.0, 0.0, ax, ay, torque / self.inertia, 0.0, 0.0]
     }
 
-    /// The energy of motion, of height and in the contacts (J).
+    /// Returns the energy of motion, of height and in the contacts (J).
     pub(super) fn energy(&self, x: &BodyState) -> f64 {
         let motion =
             0.5 * self.mass * (x[3] * x[3] + x[4] * x[4]) + 0.5 * self.inertia * x[5] * x[5];
@@ -203,7 +197,6 @@ impl FrictionalContacts for Body {
 
     fn response(&self, (): (), contact: usize, x: &BodyState, _: &Clock) -> BodyState {
         let it = self.kinematics(contact, x);
-        // A force along the slip takes no energy, it gives some.
         let mut response = self.accelerations(it.arm, it.t);
         response[6] = -dot(it.t, it.v);
         response

@@ -1,5 +1,5 @@
-//! Thirteen compliant contacts on one body, two of them with friction that sticks, against a
-//! program that shares no line with this one: `reference/thirteen_contacts.py`.
+//! Thirteen compliant contacts on one body, two of them with friction that sticks, against an
+//! independent program: `reference/thirteen_contacts.py`.
 
 mod body;
 
@@ -13,7 +13,7 @@ use body::{Body, BodyState, lines};
 
 const FILE: &str = include_str!("../../reference/thirteen_contacts.csv");
 
-/// An event: time (s), contact, what it does from there, and the state.
+/// An event: time (s), contact, its next state, and the body's state.
 #[derive(Clone, Debug)]
 struct Change {
     t: f64,
@@ -26,7 +26,6 @@ fn numbers(fields: &[&str]) -> BodyState {
     std::array::from_fn(|i| fields[i].parse().unwrap())
 }
 
-/// The reference's events.
 fn expected() -> Vec<Change> {
     let read = |it: Vec<&'static str>| Change {
         t: it[0].parse().unwrap(),
@@ -44,7 +43,6 @@ fn expected() -> Vec<Change> {
     lines(FILE, "event").into_iter().map(read).collect()
 }
 
-/// Records what changes.
 struct Changes {
     h: f64,
     seen: Vec<Change>,
@@ -71,7 +69,7 @@ fn start<T: Stepper>(scene: &'static str, stepper: T) -> Simulator<WithContacts<
     Simulator::new(model, stepper, Limits::default(), mode, x).without_readout()
 }
 
-/// Runs to `until` (s) with ticks of `h`, and tells `each` the mode before every tick.
+/// Runs to `until` (s) with ticks of `h`; calls `each` with the mode before every tick.
 fn run<T: Stepper>(
     it: &mut Simulator<WithContacts<Body>, T>,
     (h, until): (f64, f64),
@@ -92,7 +90,6 @@ fn until() -> f64 {
     lines(FILE, "end")[0][0].parse().unwrap()
 }
 
-/// Asserts events, end and energy against the reference.
 #[track_caller]
 fn check<T: Stepper>(stepper: T, h: f64, tolerance: f64) {
     let mut it = start(FILE, stepper);
@@ -124,8 +121,7 @@ fn thirteen_contacts_open_close_stick_and_slip_as_in_the_reference() {
 
 #[test]
 fn so_they_do_with_rk4_in_short_ticks() {
-    // The force of a felt begins as t^1.5: the first step errs by h^2.5, with any Runge–Kutta
-    // method of fixed step.
+    // A felt's force begins as t^1.5: the first step errs by h^2.5, with any fixed-step method.
     check(Rk4, 2e-5, 1e-6);
 }
 
@@ -133,7 +129,6 @@ fn so_they_do_with_rk4_in_short_ticks() {
 fn a_tick_costs_the_contacts_that_are_closed() {
     let mut it = start(FILE, Rk4);
     let mut last = it.model().system().calls.now();
-    // Ticks without an event: in free flight, with felts alone, and with friction.
     let mut ticks = [0_u32; 3];
     let _ = run(&mut it, (2e-4, until()), |it, before, tick| {
         let now = it.model().system().calls.now();
@@ -145,9 +140,8 @@ fn a_tick_costs_the_contacts_that_are_closed() {
         let contacts = before.contacts;
         let (stuck, slides) = (contacts.sticking().len(), contacts.sliding().len());
         let closed = contacts.closed().len();
-        // Each derivative takes one normal force per closed contact.
         assert_eq!(normals, derivatives * closed);
-        // RK4's four, and as many as the guards of frictions take; a gap for each contact.
+        // RK4's four, and those of the guards of frictions; a gap for each contact.
         assert_eq!(tick.work.derivatives, 4);
         let frictions = tick.work.guards as usize - gaps;
         assert!(frictions == 0 || stuck + slides > 0);
@@ -160,7 +154,7 @@ fn a_tick_costs_the_contacts_that_are_closed() {
     assert!(ticks.iter().all(|n| *n > 100), "{ticks:?}");
 }
 
-/// Both skids under the body: on a flat floor they hold nearly the same motion.
+/// Returns both skids under the body: on a flat floor they hold nearly the same motion.
 fn feet() -> &'static str {
     let wall = "skid-wall,0.1,0.004,-1.0,0.0,-0.1005,1500.0,1.0,0.6,0.8,0.6";
     assert!(FILE.contains(wall));
@@ -171,8 +165,8 @@ fn feet() -> &'static str {
 #[test]
 fn two_feet_that_hold_nearly_the_same_motion_keep_the_books() {
     let scene = feet();
-    // Each time that the body turns through the horizontal, one foot's slip passes zero while
-    // the other one holds, and no force can hold both: it goes on through.
+    // Each time that the body turns through the horizontal, one foot's slip passes zero while the
+    // other one holds, and no force can hold both: the slip continues.
     for (h, tolerance) in [(1e-3, 5e-5), (1e-4, 5e-8), (2e-5, 1e-9)] {
         let mut it = start(scene, Rk4);
         let x0 = *it.state();
