@@ -1,4 +1,4 @@
-//! From links to an armed keybed, and what is refused on the way.
+//! Bring-up of a keybed from links to arming, with its refusals.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
@@ -35,7 +35,6 @@ fn armed(keybed: Keybed<Offline>) -> Keybed<Armed> {
     calibrated.arm(terms(), PATIENCE).expect("boards that can be armed")
 }
 
-/// Exchanges `ticks` times, a millisecond apart, with the same force on all keys.
 fn exchange(keybed: &mut Keybed<Armed>, from: u64, ticks: u64, force: f64) -> [KeySample; KEYS] {
     let mut samples = [KeySample::default(); KEYS];
     for tick in from..from + ticks {

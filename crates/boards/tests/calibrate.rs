@@ -1,4 +1,4 @@
-//! Simulated boards on a bench: what they are made of is what is measured.
+//! Simulated boards on a bench: the measurements match their construction.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 #![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
@@ -22,16 +22,13 @@ use crate::common::{Living, clock, nominal, pair};
 
 const PATIENCE: u64 = 5_000_000;
 
-/// Times that a measurement is made again which a busy machine interrupted.
 const TRIES: usize = 5;
 
-/// A board of so many keys from F#3 on.
 fn make(n_keys: usize) -> BoardMake {
     let id = BoardId::new(3).expect("a board");
     BoardMake { n_keys, ..BoardMake::standard(id, 100e-6, RigParameters::default()) }
 }
 
-/// Such a board, armed, on a bench.
 fn bench(make: BoardMake) -> (Bench, Living) {
     let (host, away) = pair();
     let board = Living::start(SimulatedBoard::new(make).expect("a possible board"), away);
@@ -48,7 +45,6 @@ fn key(slot: u8) -> KeyIndex {
     KeyIndex::new(33 + slot).expect("a key")
 }
 
-/// Does it again when the machine was too busy.
 fn tried<T>(
     mut measure: impl FnMut() -> Result<T, CalibrationFault>,
 ) -> Result<T, CalibrationFault> {
@@ -108,7 +104,7 @@ fn an_encoder_of_another_scale_and_offset_is_known_after_the_trip() {
 fn a_weak_motor_is_known_by_a_weight_and_the_board_is_told() {
     let mut rig = RigParameters::default();
     rig.key.mass += 0.05;
-    // 50 g lie on the key from the start, so the trip without them is told.
+    // 50 g lie on the key from the start, so supply the trip without them.
     rig.key.weight = -0.05 * calibrate::G;
     let (mut bench, _board) = bench(BoardMake { rig, strength: 0.8, ..make(1) });
     let rested = Rested { position: 0.0, spread: 0.0 };
@@ -152,7 +148,7 @@ fn a_spring_is_raised_on_a_board_s_key_and_its_force_is_gone_afterwards() {
     let terms = RangeTerms { period: 1e-3, limit: MOST_FORCE, estimator };
     let spring = RangeMeasurement::new(RangedObject::Spring, terms, &rested, &travelled);
     let found = tried(|| bench.range(key(0), spring)).expect("a range");
-    // A link and a busy host are a delay, and only make it less: 2 b / T, and friction.
+    // A link and a busy host add delay, which only reduces it: 2 b / T, and friction.
     let free = SampledWall { stiffness: 0.0, damping: 0.0, period: 1e-3, delay: 0.0 };
     let most = 1.6 * free.linear_stiffness(1.0);
     assert!(found.good.is_some_and(|it| (20.0..most).contains(&it)), "{found:?}");

@@ -1,4 +1,4 @@
-//! The simulated keybed under a toy law: what it promises whoever plays it.
+//! The simulated keybed under a toy law: its promises to every player.
 #![expect(clippy::expect_used, reason = "helpers of tests, outside #[test]")]
 
 use std::ops::Range;
@@ -15,19 +15,18 @@ use scheduler::port::KeyBus as _;
 const PERIOD: f64 = 1e-3;
 const PLAYED: usize = 40;
 
-/// Two strokes of different kinds, the second before the first finger is gone.
+/// Returns two strokes of different kinds, the second before the first finger is gone.
 fn strokes() -> Vec<Gesture> {
     let stroke =
         |start, release, touch, speed| Gesture { start, release, touch, speed, ..Gesture::USUAL };
     vec![stroke(0.010_3, 0.150, Touch::Pressed, 0.3), stroke(0.170_7, 0.300, Touch::Struck, 1.2)]
 }
 
-/// A light spring against the key, so that it comes back; weightless at rest.
+/// A light spring against the key, which returns it; weightless at rest.
 fn law(position: f64) -> f64 {
     200.0 * position
 }
 
-/// A keybed with one key played, and what it has given.
 struct Bed {
     keybed: SimulatedKeybed,
     samples: Box<[KeySample; KEYS]>,
@@ -47,7 +46,6 @@ impl Bed {
         bed
     }
 
-    /// One whole exchange under the toy law; returns the played key's sample.
     fn exchange(&mut self, tick: u64) -> KeySample {
         let sample = self.receive(tick);
         let forces = self.samples.map(|sample| law(sample.position));
@@ -66,7 +64,6 @@ impl Bed {
         }
     }
 
-    /// Ticks in which the host sends nothing.
     fn silence(&mut self, ticks: Range<u64>) {
         for tick in ticks {
             self.receive(tick);
@@ -97,11 +94,10 @@ fn rehearsed() -> SimulatedKey {
 fn a_rehearsal_gives_the_same_bits_as_the_keybed_from_any_tick_on_and_trips_in_the_same() {
     check_rehearsal((0..500).chain([503, 504, 540, 900, 2_000]).map(|tick| (tick, true)));
     check_rehearsal((100..400).map(|tick| (tick, true)));
-    // Forces stop during the first stroke.
     check_rehearsal((0..200).map(|tick| (tick, tick < 60)));
 }
 
-/// Asserts equal samples at each tick; whether forces are sent stands beside it.
+/// Asserts equal samples at each tick, with or without forces.
 #[track_caller]
 fn check_rehearsal(ticks: impl Iterator<Item = (u64, bool)>) {
     let (mut bed, mut rehearsed) = (Bed::new(), rehearsed());
@@ -162,7 +158,6 @@ fn a_lost_sample_is_old_and_the_next_one_fresh() {
     assert_eq!(ages, [0, 0, 0, 0, 0, 1, 2, 3, 0, 0]);
     let counts = bed.keybed.statistics(BoardId::of(key(PLAYED))).samples;
     assert_eq!((counts.frames, counts.gaps, counts.missing), (7, 1, 3));
-    // The neighbours never noticed.
     assert_eq!(bed.samples[0].age, 0);
 }
 
@@ -189,7 +184,7 @@ fn a_flipped_bit_is_counted_and_never_moves_a_key() {
     let board = BoardId::of(key(PLAYED));
     let found = bed.keybed.wire(board).corrupt + bed.keybed.board_counts(board).corrupt;
     let made = bed.keybed.fault_counts(board).flipped;
-    // A flip of a closing zero joins two frames, which is one refusal for what may be two.
+    // A flip of a closing zero joins two frames, which is one refusal for two errors.
     assert!(0 < made && made / 2 <= found && found <= made * 2, "{found} of {made}");
 }
 
@@ -206,7 +201,6 @@ fn a_silent_host_loses_the_motors_within_30_ms_for_good() {
     assert!(bed.is_safe() && bed.motor_force().abs() < 1e-9, "{} N", bed.motor_force());
     let board = BoardId::of(key(PLAYED));
     assert!(bed.keybed.statistics(board).is_safe, "the host is told");
-    // The host returns: nothing until the board is armed.
     bed.exchanges(135..140);
     assert!(bed.is_safe() && bed.motor_force().abs() < 1e-9);
     bed.keybed.rearm();

@@ -1,4 +1,4 @@
-//! What a line was seen to carry, beside what was planned.
+//! Observed load of a line, compared with the plan.
 #![expect(clippy::disallowed_methods, reason = "boards live in real time")]
 
 use std::time::Duration;
@@ -49,7 +49,6 @@ fn a_line_is_as_full_as_the_frames_that_it_carried_make_it() {
         force_rate: statistics.sent as f64 / seconds,
         extras: Extras::NONE,
     };
-    // What it is asked beside, and while it is brought up.
     let beside = load.most - plan.load();
     let asked = BusPlan { extras: Extras::default(), ..plan.clone() }.load() - plan.load();
     assert!((0.8..4.0).contains(&(beside / asked)), "seen {load:?}, planned {}", plan.load());

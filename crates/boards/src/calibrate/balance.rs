@@ -1,42 +1,40 @@
-//! How strong a motor is, by a weight that it balances.
+//! Motor gain, measured by a weight that the motor balances.
 
 use super::key_push::KeyPush;
 use super::trip::{AWAY, BACK, RATE};
 use super::{CalibrationFault, G, Next, Rested, Travelled};
 
-/// A key that stood still so long has come to its end (s).
+/// Time at rest after which a key has reached its end (s).
 const SETTLED: f64 = 0.2;
-/// Gains that a motor can need (1).
+/// Possible motor gains (1).
 const GAINS: (f64, f64) = (0.1, 10.0);
 
-/// What a key with a weight on it does.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum BalancePhase {
-    /// It sinks under the weight.
+    /// Sinking under the weight.
     Sinking,
-    /// It has not left its bottom (m).
+    /// Not yet off its bottom (m).
     Lifting { bottom: f64 },
-    /// It goes up; the push that lifted it (N).
+    /// Rising under the push that lifted it (N).
     Rising { lifted_by: f64 },
-    /// It has not left its rest.
+    /// Not yet off its rest.
     Lowering { lifted_by: f64 },
 }
 
-/// The measurement of one key on which the weight lies already.
+/// The measurement of one key that already carries the weight.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Balance {
     key: KeyPush,
     phase: BalancePhase,
-    /// What the trip without the weight told.
     empty: Travelled,
     /// The weight's force (N).
     weight: f64,
-    /// Largest push that is tried (N).
+    /// Largest push (N).
     most: f64,
 }
 
 impl Balance {
-    /// Balances `mass` (kg) on a key that rested there and travelled so without it.
+    /// Balances `mass` (kg) on a key with these measurements without it.
     pub fn new(rested: &Rested, empty: &Travelled, mass: f64) -> Self {
         let weight = mass * G;
         let key = KeyPush::new(rested.position, rested.spread);
@@ -45,8 +43,8 @@ impl Balance {
         Self { key, phase: BalancePhase::Sinking, empty: *empty, weight, most }
     }
 
-    /// Takes where the key is at `t` (s, m); says how to push it, or the gain: what must be
-    /// asked of the motor for a newton (1).
+    /// Processes the key's position at `t` (s, m); returns the next push, or the gain: the command
+    /// to the motor per newton (1).
     ///
     /// # Errors
     /// The key does not sink, rise, or sink again.

@@ -12,32 +12,27 @@ use super::{
 };
 use crate::keybed::{Armed, Keybed};
 
-/// A key of which nothing was heard for so long is given up (us).
+/// Time without a sample after which a key is given up (us).
 const SILENT_US: u64 = 500_000;
-/// A sample that is so old is not used (us).
+/// Age beyond which a sample is not used (us).
 const STALE_US: u64 = 20_000;
-/// A push is taken back at this rate when a key is left (N/s).
+/// Rate at which a push is reduced when a key is left (N/s).
 const RELEASE: f64 = 5.0;
 
-/// One of several keys of which it is measured where they rest.
 #[derive(Clone, Copy, Debug)]
 enum Resting {
-    /// It is looked at.
     At {
         rest: RestMeasurement,
-        /// When its newest sample came (us).
+        /// Arrival of its newest sample (us).
         heard: u64,
     },
-    /// It was looked at.
     Done(Result<Rested, CalibrationFault>),
 }
 
 impl Resting {
-    /// What is said of a key of which nothing was heard.
     const SILENT: CalibrationFault = CalibrationFault::Silent { seconds: SILENT_US as f64 * 2e-6 };
 
-    /// Takes where the key is at `now` (us, m), if that is known; gives up a key that has been silent
-    /// for too long.
+    /// Processes the key's position at `now` (us, m), if known; gives up a silent key.
     fn advance(&mut self, now: u64, position: Option<f64>) {
         let Self::At { rest, heard } = self else { return };
         let Some(position) = position else {
@@ -62,28 +57,25 @@ impl Resting {
     }
 }
 
-/// How measurements are ended from outside.
+/// Manner in which measurements are ended from outside.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ending {
-    /// The push on the key is taken back gently.
     Gently,
-    /// The boards were told to render no force.
     AtOnce,
 }
 
-/// Looks whether measurements are to end, before each exchange.
 type StopCheck = Box<dyn FnMut(&mut Keybed<Armed>) -> Option<Ending>>;
 
-/// Armed boards whose keys are measured; all but the one at work feel no force.
+/// Armed boards under measurement; all keys but the measured one feel no force.
 pub struct Bench {
     keybed: Keybed<Armed>,
     watch: StopCheck,
     ending: Option<Ending>,
     samples: [KeySample; KEYS],
-    /// What is asked of the motors (N, up positive).
+    /// Forces for the motors (N, up positive).
     forces: [f64; KEYS],
     tick: u64,
-    /// When the next exchange is due (us).
+    /// Due time of the next exchange (us).
     due: u64,
 }
 
@@ -98,13 +90,13 @@ impl std::fmt::Debug for Bench {
 }
 
 impl Bench {
-    /// Returns a bench for boards that were armed as if they were nominal.
+    /// Returns a bench for boards armed as if they were nominal.
     pub fn new(keybed: Keybed<Armed>) -> Self {
         Self::watched(keybed, |_keybed| None)
     }
 
-    /// Returns the same, with `watch` to end what is measured: it is asked before each exchange,
-    /// and for [`Ending::AtOnce`] it has told the boards already.
+    /// Like [`Self::new`], with `watch`, called before each exchange to end measurements. Before it
+    /// returns [`Ending::AtOnce`] it has already stopped the boards.
     pub fn watched(
         keybed: Keybed<Armed>,
         watch: impl FnMut(&mut Keybed<Armed>) -> Option<Ending> + 'static,
@@ -115,23 +107,21 @@ impl Bench {
         Self { keybed, watch, ending, samples, forces: [0.0; KEYS], tick: 0, due }
     }
 
-    /// Returns how measurements were ended, if they were; from then on none is made.
+    /// Returns how measurements were ended, if they were; none is made afterwards.
     pub const fn ending(&self) -> Option<Ending> {
         self.ending
     }
 
-    /// Returns the boards again, without forces.
     pub fn release(mut self) -> Keybed<Armed> {
         self.keybed.disarm();
         self.keybed
     }
 
-    /// Returns the boards that are measured.
     pub const fn keybed(&self) -> &Keybed<Armed> {
         &self.keybed
     }
 
-    /// Measures where all of `keys` rest, at once.
+    /// Measures the rest of all `keys` at once.
     pub fn rests(&mut self, keys: &[KeyIndex]) -> Vec<Result<Rested, CalibrationFault>> {
         let (rest, heard) = (RestMeasurement::default(), self.keybed.now_us());
         let mut rests = vec![Resting::At { rest, heard }; keys.len()];
@@ -146,19 +136,12 @@ impl Bench {
     }
 
     /// Sends `key` down and up.
-    ///
-    /// # Errors
-    /// What is wrong with the key.
     pub fn trip(&mut self, key: KeyIndex, rested: &Rested) -> Result<Travelled, CalibrationFault> {
         let mut trip = TripMeasurement::new(rested);
         self.work(key, |t, position| trip.advance(t, position))
     }
 
-    /// Balances `mass` (kg), which lies on `key`; returns what must be asked of its motor for a
-    /// newton (1).
-    ///
-    /// # Errors
-    /// What is wrong with the key or the weight.
+    /// Balances `mass` (kg), which lies on `key`; returns the command to its motor per newton (1).
     pub fn balance(
         &mut self,
         key: KeyIndex,
@@ -170,16 +153,12 @@ impl Bench {
         self.work(key, |t, position| balance.advance(t, position))
     }
 
-    /// Raises an object on `key`; its force is gone at once, whatever ends it.
-    ///
-    /// # Errors
-    /// What is wrong with the key.
+    /// Raises an object on `key`; its force is gone at once at every end.
     pub fn range(
         &mut self,
         key: KeyIndex,
         mut measurement: RangeMeasurement,
     ) -> Result<RangeFound, CalibrationFault> {
-        // A position that is taken twice looks like a stop and a jump.
         let found = self.push(key, 0, |t, position| measurement.advance(t, position));
         self.forces[key.index()] = 0.0;
         self.exchange();
@@ -193,7 +172,6 @@ impl Bench {
         }
     }
 
-    /// Pushes `key` as `advance` says from its time and position, until it is done.
     fn work<T>(
         &mut self,
         key: KeyIndex,
@@ -204,7 +182,7 @@ impl Bench {
         outcome
     }
 
-    /// The same with positions that are at most so old (us), and without letting go.
+    /// Like [`Self::work`], with positions up to this age (us), and without letting go.
     fn push<T>(
         &mut self,
         key: KeyIndex,
@@ -223,7 +201,7 @@ impl Bench {
                 break Err(CalibrationFault::Interrupted);
             }
             let position = self.position_within(key, oldest_us);
-            // A host that was stopped for as long finds the samples of that time.
+            // A host that was stopped for that long finds the samples of that time.
             if position.is_none() && heard + SILENT_US < now {
                 break Err(CalibrationFault::Silent { seconds: SILENT_US as f64 * 1e-6 });
             }
@@ -241,7 +219,6 @@ impl Bench {
         }
     }
 
-    /// Takes the force from `key`, gently.
     fn let_go(&mut self, key: KeyIndex) {
         let step = RELEASE * self.keybed.period_us() as f64 * 1e-6;
         while self.forces[key.index()].abs() > step {
@@ -252,7 +229,6 @@ impl Bench {
         self.exchange();
     }
 
-    /// Waits until the board of `key` renders forces, and says how often it was armed.
     fn armings(&mut self, key: KeyIndex) -> Option<u64> {
         let until = self.keybed.now_us() + 2 * SILENT_US;
         let is_over = |it: &Self| it.ending.is_some() || until <= it.keybed.now_us();
@@ -262,7 +238,6 @@ impl Bench {
         self.keybed.armings(key)
     }
 
-    /// Waits until it is time, and exchanges once.
     fn exchange(&mut self) {
         let period = self.keybed.period_us();
         let now = self.keybed.now_us();
@@ -275,22 +250,21 @@ impl Bench {
         if self.ending == Some(Ending::AtOnce) {
             self.forces = [0.0; KEYS];
         }
-        // What was missed is not made up.
+        // Missed exchanges are not made up.
         self.due = self.due.max(now.saturating_sub(period)) + period;
         self.tick += 1;
         self.keybed.receive(self.tick, &mut self.samples);
-        // When they came matters here, and not what a board's clock says of it, which is not
-        // well known in the first seconds.
+        // Arrival times count here, not a board's clock, which is uncertain in the first seconds.
         self.samples = *self.keybed.newest();
         self.keybed.send(self.tick, &self.forces, &[KeySlope::HELD; KEYS]);
     }
 
-    /// Returns where `key` is, if that is known (m).
+    /// Returns the position of `key`, if known (m).
     fn position(&self, key: KeyIndex) -> Option<f64> {
         self.position_within(key, STALE_US)
     }
 
-    /// The same, if it is at most so old (us).
+    /// Returns the position (m) of a sample up to this age (us).
     fn position_within(&self, key: KeyIndex, oldest_us: u64) -> Option<f64> {
         let KeySample { position, age, .. } = self.samples[key.index()];
         let age_us = u64::from(age).saturating_mul(self.keybed.period_us());

@@ -1,38 +1,37 @@
-//! A push that changes slowly, and only while the key stands still.
+//! A push that changes slowly, and only while the key is at rest.
 
 use super::{CalibrationFault, TRAVELS};
 
-/// Within so much a key stands still, if its sensor is quiet (m).
+/// Range of positions of a key at rest with a quiet sensor (m).
 const STILL: f64 = 30e-6;
-/// A key that stood still so long is pushed on (s).
+/// Time at rest after which a key is pushed further (s).
 const PATIENCE: f64 = 20e-3;
-/// Longest time for which the push is changed at once: a pause of the host is no step (s).
+/// Longest time step of a change of the push: a pause of the host is no step (s).
 const LONGEST_STEP: f64 = 5e-3;
-/// So far above its rest a key can be (m).
+/// Largest height of a key above its rest (m).
 const ABOVE: f64 = 2e-3;
-/// So far a reading can go at once (m).
+/// Largest jump of a reading (m).
 const JUMP: f64 = 5e-3;
-/// Time without a position in which a key can go as far as a jump (s): at 1.7 m/s.
+/// Time without a position in which a key can move by a jump (s): at 1.7 m/s.
 const PAUSE: f64 = 3e-3;
-/// The longest time that one key may take (s).
+/// Longest measurement of one key (s).
 const LONGEST: f64 = 60.0;
 
-/// A push, and what the key does under it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct KeyPush {
     /// Push on the key, down positive (N).
     push: f64,
-    /// Rest of the key (m).
+    /// Position of the key without a push (m).
     rest: f64,
-    /// Within so much it stands still (m).
+    /// Range of positions at rest (m).
     still: f64,
     /// Time of the first position (s).
     began: Option<f64>,
-    /// Time of the last look, and of the one before (s).
+    /// Times of the last two positions (s).
     times: (f64, f64),
-    /// Where it is (m).
+    /// Last position (m).
     position: f64,
-    /// Where it stands still, and since when (m, s).
+    /// Position at rest and start of the rest (m, s).
     stand: (f64, f64),
 }
 
@@ -50,7 +49,7 @@ impl KeyPush {
         }
     }
 
-    /// Takes where the key is at `t` (s, m).
+    /// Processes the key's position at `t` (s, m).
     pub(super) fn update(&mut self, t: f64, position: f64) -> Result<(), CalibrationFault> {
         let began = *self.began.get_or_insert_with(|| {
             (self.position, self.times, self.stand) = (position, (t, t), (position, t));
@@ -84,7 +83,7 @@ impl KeyPush {
         Ok(())
     }
 
-    /// Changes the push towards `limit` by `rate` (N/s), if the key stands still.
+    /// Changes the push towards `limit` by `rate` (N/s), if the key is at rest.
     pub(super) fn press(&mut self, limit: f64, rate: f64) {
         if PATIENCE <= self.still_for() {
             let step = rate * (self.times.0 - self.times.1).clamp(0.0, LONGEST_STEP);
@@ -92,17 +91,17 @@ impl KeyPush {
         }
     }
 
-    /// Returns for how long the key has stood still (s).
+    /// Returns the time for which the key has been at rest (s).
     pub(super) fn still_for(&self) -> f64 {
         self.times.0 - self.stand.1
     }
 
-    /// Returns how far below its rest the key is (m).
+    /// Returns the key's depth below its rest (m).
     pub(super) fn depth(&self) -> f64 {
         self.position - self.rest
     }
 
-    /// Returns where the key is (m).
+    /// Returns the key's position (m).
     pub(super) const fn position(&self) -> f64 {
         self.position
     }

@@ -1,17 +1,17 @@
-//! How a key's encoder reads and how strong its motor is: measured with small forces.
+//! Calibration of encoders and motors by small forces.
 //!
 //! ```text
 //! rest      no force: the mean of 0.3 s
 //! trip      pushed down until it moves, until it stops; then up until it moves, until it is
 //!           back: the bottom, and the friction as half the difference of the two pushes
-//! balance   the same with a known weight on it: by how much that moved the middle of the
-//!           two is what must be asked of the motor for the weight
-//! range     a spring, a dashpot and a mass on it, raised until it shakes: what can be rendered
+//! balance   the same with a known weight on it: the shift of the middle of the two pushes is
+//!           the command to the motor for the weight
+//! range     a spring, a dashpot and a mass on it, raised until it shakes: the renderable range
 //! ```
 //!
-//! [`rest`], [`trip`], [`balance`] and [`range`] take times and positions and give pushes, and know no
-//! board; [`mod@bench`] lets them work on the keys of armed boards. A push is down positive, and
-//! but for a range it changes slowly, and only while the key stands still.
+//! [`rest`], [`trip`], [`balance`] and [`range`] turn times and positions into pushes, without
+//! boards; [`mod@bench`] connects them to the keys of armed boards. A push is down positive. Except
+//! for a range it changes slowly, and only while the key is at rest.
 
 pub mod balance;
 pub mod bench;
@@ -34,23 +34,23 @@ pub use trip::{Travelled, TripMeasurement};
 
 /// Largest push on a key without a weight (N).
 pub const MOST_PUSH: f64 = 1.5;
-/// Ways that a key can go (m).
+/// Possible travels of a key (m).
 pub const TRAVELS: (f64, f64) = (5e-3, 20e-3);
-/// Weights that can be told from friction, and that a finger's key carries (kg).
+/// Weights that differ from friction, and that a finger's key carries (kg).
 pub const WEIGHTS: (f64, f64) = (0.03, 0.15);
 /// Standard acceleration of free fall (m/s^2).
 pub const G: f64 = 9.806_65;
 
-/// What a measurement does next.
+/// Next action of a measurement.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Next<T> {
-    /// Push the key so much (N, down positive).
+    /// A push on the key (N, down positive).
     Push(f64),
     Done(T),
 }
 
-/// Returns a key's calibration from what was measured where `nominal` said how it reads; `gain` is
-/// what must be asked of the motor for a newton (1).
+/// Returns a key's calibration from measurements read by `nominal`; `gain` is the command to the
+/// motor per newton (1).
 pub fn calibrated(
     nominal: &KeyCalibration,
     rested: &Rested,
@@ -66,7 +66,7 @@ pub fn calibrated(
     }
 }
 
-/// Returns what the board in whose `slot` the key is keeps of its calibration.
+/// Returns the record of a calibration for the board whose `slot` the key is in.
 pub fn record(slot: u8, key: &KeyCalibration) -> wire::KeyCalibration {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     let gain_permille = (1e3 / key.gain).round() as u16;

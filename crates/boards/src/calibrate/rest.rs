@@ -1,17 +1,16 @@
-//! Where a key is without a force.
+//! Position of a key without a force.
 
 use super::{CalibrationFault, Next};
 
-/// How long a key is looked at (s).
+/// Length of the measurement (s).
 pub const TIME: f64 = 0.3;
-/// Largest spread of the readings of a key that is not touched (m).
+/// Largest spread of the readings of an untouched key (m).
 pub const MOST_SPREAD: f64 = 0.1e-3;
-/// Fewest samples of which a mean is taken.
 const FEWEST: u32 = 20;
-/// After so long there will not be enough samples (s).
+/// Time after which the wait for samples ends (s).
 const PATIENCE: f64 = 3.0;
 
-/// The measurement of one key.
+/// The rest measurement of one key.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct RestMeasurement {
     began: Option<f64>,
@@ -21,17 +20,17 @@ pub struct RestMeasurement {
     range: Option<(f64, f64)>,
 }
 
-/// Where a key rests.
+/// Rest position of a key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Rested {
-    /// The mean of its positions (m).
+    /// Mean of its positions (m).
     pub position: f64,
-    /// From the highest to the lowest of them (m).
+    /// Highest less lowest position (m).
     pub spread: f64,
 }
 
 impl RestMeasurement {
-    /// Takes where the key is at `t` (s, m); it must not be pushed.
+    /// Processes the key's position at `t` (s, m); it must not be pushed.
     ///
     /// # Errors
     /// The readings spread too much, or there are too few.

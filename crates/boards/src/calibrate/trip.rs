@@ -1,37 +1,34 @@
-//! Down to the bottom and up again.
+//! The trip of a key down to the bottom and up again.
 
 use super::key_push::KeyPush;
 use super::{CalibrationFault, MOST_PUSH, Next, Rested, TRAVELS};
 
-/// How fast the push changes (N/s).
+/// Rate of the push (N/s).
 pub(super) const RATE: f64 = 0.3;
-/// The same where no key breaks away (N/s).
+/// Rate where no key breaks away (N/s).
 pub(super) const FAST: f64 = 2.0;
-/// A key that has gone so far from an end has broken away, and is off the felt (m).
+/// Distance from an end at which a key has broken away, and is off the felt (m).
 pub(super) const AWAY: f64 = 1.5e-3;
-/// Within so much a key is back (m).
+/// Distance within which a key is back (m).
 pub(super) const BACK: f64 = 0.4e-3;
-/// So much more than what moved it last does not move a key at its end (N).
+/// Additional push that does not move a key at its end (N).
 const REACH: f64 = 0.3;
-/// How long the bottom is looked at (s).
+/// Length of the observation at the bottom (s).
 const LOOK: f64 = 0.1;
 
-/// What a key does.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum TripPhase {
-    /// It has not left its rest.
     Leaving,
-    /// It goes down; the last push that moved it (N).
+    /// Sinking under the last push that moved it (N).
     Sinking {
         moved_at: f64,
     },
-    /// It lies at the bottom; since when (s), the sum of positions (m) and their number.
+    /// At the bottom: since when (s), sum of positions (m) and their number.
     Lying {
         since: f64,
         sum: f64,
         n: u32,
     },
-    /// The push goes over to the other side.
     Lifting {
         bottom: f64,
     },
@@ -46,32 +43,31 @@ enum TripPhase {
 pub struct TripMeasurement {
     key: KeyPush,
     phase: TripPhase,
-    /// The push under which it left its rest (N).
+    /// Push under which it left its rest (N).
     left_by: f64,
 }
 
-/// What a trip tells.
+/// Result of a trip.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Travelled {
-    /// Where the bottom is (m).
+    /// Position of the bottom (m).
     pub bottom: f64,
     /// Half the difference of the pushes under which it left its ends (N).
     pub friction: f64,
-    /// Their mean: under this push it floats (N, down positive).
+    /// Mean of the two pushes, under which it floats (N, down positive).
     pub float: f64,
 }
 
 impl TripMeasurement {
-    /// Returns the trip of a key that rests there.
     pub const fn new(rested: &Rested) -> Self {
         let key = KeyPush::new(rested.position, rested.spread);
         Self { key, phase: TripPhase::Leaving, left_by: 0.0 }
     }
 
-    /// Takes where the key is at `t` (s, m); says how to push it.
+    /// Processes the key's position at `t` (s, m); returns the next push, or the result.
     ///
     /// # Errors
-    /// It does not move, does not stop, or does not come back.
+    /// The key does not move, does not stop, or does not come back.
     pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<Travelled>, CalibrationFault> {
         self.key.update(t, position)?;
         match self.phase {

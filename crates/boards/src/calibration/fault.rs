@@ -1,8 +1,6 @@
-//! Why a key could not be measured.
-
 use crate::untaken::UntakenForces;
 
-/// Why a key could not be measured, and what to do.
+/// Reason why a key could not be measured, with the remedy.
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
 #[expect(missing_docs, reason = "the sentences say it")]
 pub enum CalibrationFault {

@@ -9,22 +9,22 @@ use scheduler::motion::KeySlope;
 
 pub use fault::CalibrationFault;
 
-/// How one key's encoder reads, and how strong its motor is.
+/// Encoder and motor calibration of one key.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct KeyCalibration {
-    /// Reading of the key at rest (counts).
+    /// Reading at rest (counts).
     pub rest: Counts,
-    /// Displacement for each count, down positive (m).
+    /// Displacement per count, down positive (m).
     pub quantum: f64,
-    /// What must be asked of the motor for a newton (1).
+    /// Command to the motor per newton (1).
     pub gain: f64,
-    /// Reading of the key on its bottom felt (counts).
+    /// Reading on the bottom felt (counts).
     pub bottom: Counts,
-    /// Friction that holds the key where it is (N).
+    /// Friction that holds the key in place (N).
     pub friction: f64,
 }
 
-/// How far a key goes down that was never measured (m).
+/// Travel of a key that was never measured (m).
 const USUAL_TRAVEL: f64 = 10.16e-3;
 
 impl Default for KeyCalibration {
@@ -33,7 +33,7 @@ impl Default for KeyCalibration {
     }
 }
 
-/// Where a key was when it was measured.
+/// State of a key at a measurement.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MeasurementPoint {
     /// Displacement, down positive (m).
@@ -43,31 +43,30 @@ pub struct MeasurementPoint {
 }
 
 impl KeyCalibration {
-    /// Returns a key that was never measured, with a displacement of `quantum` (m) for each count.
+    /// Returns a key that was never measured, with a displacement of `quantum` (m) per count.
     pub fn nominal(quantum: f64) -> Self {
         Self::of_travel(quantum, USUAL_TRAVEL)
     }
 
-    /// Returns the same for a key that goes down by `travel` (m).
+    /// Like [`Self::nominal`], for a key with a travel of `travel` (m).
     pub fn of_travel(quantum: f64, travel: f64) -> Self {
         let rest = Counts::default();
         let bottom = Counts::saturating(nearest(travel / quantum));
         Self { rest, quantum, gain: 1.0, bottom, friction: 0.0 }
     }
 
-    /// Tells whether it was never measured.
     pub fn is_nominal(&self) -> bool {
         let nominal = Self::nominal(self.quantum);
         *self == nominal || *self == nominal.unmeasured()
     }
 
-    /// Returns the same of which not even that is known, how far it goes down: it may be anywhere.
+    /// Returns the calibration with unknown travel: the key may be anywhere.
     #[must_use]
     pub const fn unmeasured(self) -> Self {
         Self { bottom: self.rest, ..self }
     }
 
-    /// Returns how far the key goes down (m); 0 if that is not known.
+    /// Returns the key's travel (m); 0 if unknown.
     pub fn travel(&self) -> f64 {
         self.position(self.bottom)
     }
@@ -78,22 +77,22 @@ impl KeyCalibration {
         f64::from(counts.get() - self.rest.get()) * self.quantum
     }
 
-    /// Returns the reading nearest to `position` (m); the edge of 24 bits for what is beyond.
+    /// Returns the reading nearest to `position` (m), clamped to 24 bits.
     pub fn counts(&self, position: f64) -> Counts {
         Counts::saturating(nearest(position / self.quantum).saturating_add(self.rest.get()))
     }
 
-    /// Returns what to ask of this motor for `force` (N); nothing at all if it is not finite.
+    /// Returns the motor's command for `force` (N); 0 if it is not finite.
     pub fn millinewtons(&self, force: f64) -> Millinewtons {
         millinewtons(force * self.gain)
     }
 
-    /// Returns what to ask of this motor, where it was measured at `here`, for a force of `force`
-    /// (N) that goes on with `slope` from another place.
+    /// Returns the motor's command, at the measured point `here`, for a force of `force` (N) that
+    /// extrapolates with `slope` from another place.
     ///
-    /// The slopes on the wire are coarse, the force is not: it is taken to `here` along the
-    /// slopes that are sent, so that the board renders `force` exactly where it was meant.
-    /// What no frame can hold is sent as a held force.
+    /// The slopes on the wire are coarse, the force is not: it is moved to `here` along the sent
+    /// slopes, so that the board renders `force` exactly at its own place. Slopes beyond a frame's
+    /// range become a held force.
     pub fn sloped(
         &self,
         force: f64,
@@ -115,25 +114,25 @@ impl KeyCalibration {
     }
 }
 
-/// Stiffness of one unit on the wire (N/m).
+/// Stiffness per unit on the wire (N/m).
 const STIFFNESS_UNIT: f64 = SlopeCode::STIFFNESS_UNIT as f64 * 1e-3;
-/// Damping of one unit on the wire (N s/m).
+/// Damping per unit on the wire (N s/m).
 const DAMPING_UNIT: f64 = SlopeCode::DAMPING_UNIT as f64 * 1e-3;
-/// Largest force that a frame can hold (N).
+/// Largest force in a frame (N).
 const LARGEST: f64 = 32.767;
 
-/// Returns the wire's value nearest to `force` (N); no force at all if it is not finite.
+/// Returns the wire's value nearest to `force` (N); 0 if it is not finite.
 pub fn millinewtons(force: f64) -> Millinewtons {
     let force = if force.is_finite() { force } else { 0.0 };
     Millinewtons::saturating(nearest(force * 1e3))
 }
 
-/// Returns the force (N) that a wire's value means.
+/// Returns the force (N) of a wire's value.
 pub fn newtons(force: Millinewtons) -> f64 {
     f64::from(force.get()) / 1e3
 }
 
-/// Returns the speed (m/s) that a wire's value means.
+/// Returns the speed (m/s) of a wire's value.
 pub fn metres_per_second(speed: SpeedCode) -> f64 {
     f64::from(speed.get()) * (f64::from(SpeedCode::MICROMETRES_PER_SECOND) * 1e-6)
 }
@@ -143,13 +142,13 @@ pub fn speed(speed: f64) -> SpeedCode {
     SpeedCode::saturating(nearest(speed * (1e6 / f64::from(SpeedCode::MICROMETRES_PER_SECOND))))
 }
 
-/// Returns the stiffness (N/m) and damping (N s/m) that the wire's values mean.
+/// Returns the stiffness (N/m) and damping (N s/m) of the wire's values.
 pub fn slopes(slopes: KeySlopes) -> (f64, f64) {
     let KeySlopes { stiffness, damping } = slopes;
     (f64::from(stiffness.get()) * STIFFNESS_UNIT, f64::from(damping.get()) * DAMPING_UNIT)
 }
 
-/// Returns the whole number nearest to `value`; the edge of `i32` beyond it, 0 for NaN.
+/// Returns the integer nearest to `value`, clamped to `i32`; 0 for NaN.
 fn nearest(value: f64) -> i32 {
     #[expect(clippy::cast_possible_truncation, reason = "saturation is the contract")]
     let whole = value.round() as i32;

@@ -1,4 +1,4 @@
-//! Nonces, the watchdog, recovery, the emergency stop.
+//! Trials of nonces, the watchdog, recovery, and the emergency stop.
 
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::arm::{Arm, Disarmed, FADE_MS, SHORTEST_VALID_MS};
@@ -13,13 +13,12 @@ use super::{ConformanceItem, MOST_FORCE_MN, TestedBoard};
 use crate::refusal::reason_words;
 use crate::untaken::UntakenForces;
 
-/// How long forces are valid in these trials (ms): as long as they can be, since this machine may
-/// be busy.
+/// Validity of forces in these trials (ms): the longest, since this machine may be busy.
 const VALID_MS: u8 = firmware_protocol::acyclic::arm::LONGEST_VALID_MS;
-/// How long forces are sent (us).
+/// Length of a stream of forces (us).
 const FORCES_US: u64 = 400_000;
-/// Longest time between the end of forces and the first samples that say so (us), beside
-/// their validity: two periods, or a wait of the board's.
+/// Longest time between the end of forces and the first samples that report it (us), beside their
+/// validity: two periods, or a delay of the board.
 const TRIP_US: u64 = 20_000;
 
 pub(super) fn items(board: &mut TestedBoard<'_>) -> Vec<ConformanceItem> {
@@ -43,17 +42,14 @@ const fn answer(samples: &KeySamples) -> Option<(Header, i32)> {
     Some((samples.header, MOST_FORCE_MN))
 }
 
-/// Says whether the last samples have the flag; an error if there are none.
 fn flag(heard: &[TimedSamples]) -> Result<bool, String> {
     heard.last().map(|it| it.samples.header.flag).ok_or_else(|| "no samples came".to_owned())
 }
 
-/// Returns why it renders no force, by its hello.
 fn reason(board: &mut TestedBoard<'_>) -> Result<u8, String> {
     Ok(board.get::<Hello>(Operation::Hello)?.safe_reason)
 }
 
-/// Asserts that the samples of a while end with the flag, or without.
 fn expect_flag(heard: &[TimedSamples], flag_up: u8) -> Result<(), String> {
     let up = u8::from(flag(heard)?);
     let words = ["that it renders forces", "that it renders none"];
@@ -72,7 +68,7 @@ fn expect_status(
 }
 
 fn without_disarm(board: &mut TestedBoard<'_>) -> Result<String, String> {
-    // A nonce that was used is no good either.
+    // A used nonce is invalid, too.
     let Disarmed { nonce } = board.get(Operation::Disarm)?;
     let wanted = Arm { nonce, packing: 0, valid_ms: VALID_MS };
     let _armed: Nothing = board.get_with(Operation::Arm, &wanted)?;
@@ -146,7 +142,7 @@ fn drops(board: &mut TestedBoard<'_>) -> Result<String, String> {
     if taken == 0 && 0 < stale { Ok(seen) } else { Err(seen) }
 }
 
-/// Answers for a while and then no more, and sees when the flag goes up.
+/// Answers for a while and then stops, and measures when the flag goes up.
 fn watchdog(board: &mut TestedBoard<'_>) -> Result<String, String> {
     board.arm(VALID_MS)?;
     expect_flag(&board.listen(FORCES_US / 4, answer), 0)?;
@@ -196,7 +192,6 @@ fn disarms(board: &mut TestedBoard<'_>) -> Result<String, String> {
     }
 }
 
-/// Stops an armed board, and tries to bring it back.
 pub(super) fn stop(board: &mut TestedBoard<'_>) -> ConformanceItem {
     const ITEM: &str = "a stop is for good";
     ConformanceItem::new(ITEM, stopped(board))
@@ -205,7 +200,6 @@ pub(super) fn stop(board: &mut TestedBoard<'_>) -> ConformanceItem {
 fn stopped(board: &mut TestedBoard<'_>) -> Result<String, String> {
     board.arm(VALID_MS)?;
     expect_flag(&board.listen(FORCES_US / 4, answer), 0)?;
-    // Nobody answers a stop.
     (0..3).for_each(|_| board.stop());
     expect_flag(&board.listen(4_000 * u64::from(FADE_MS), answer), 1)?;
     let disarm = board.status(Operation::Disarm, &Nothing);

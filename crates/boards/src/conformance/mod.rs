@@ -1,14 +1,14 @@
-//! Whether a real board keeps the protocol: tried item by item, from outside.
+//! Conformance of a real board with the protocol, tried item by item from outside.
 //!
-//! | file | what is tried |
+//! | file | trials |
 //! |---|---|
 //! | `tested_board` | one request and its answer; samples, and forces that answer them |
-//! | `requests` | the hello, how quickly requests are answered, and what must be refused |
+//! | `requests` | the hello, the time of answers, and requests that must be refused |
 //! | `streams` | rate, numbers, times and age of samples, and the clock |
 //! | `arming` | nonces, the watchdog, recovery, the emergency stop |
 //!
-//! Nothing of the host's own bring-up is used, since that is what a board may break. No force is
-//! sent before [`ConformanceDepth::Arm`], and then at most [`MOST_FORCE_MN`].
+//! The host's own bring-up is not used, since a board may break it. No force is sent before
+//! [`ConformanceDepth::Arm`], and then at most [`MOST_FORCE_MN`].
 
 mod arming;
 mod requests;
@@ -20,44 +20,41 @@ use serde::Serialize;
 
 pub use tested_board::{TestedBoard, introductions};
 
-/// Largest force that is asked for on any key (mN): a weight of 5 g, up.
+/// Largest force on any key (mN): a weight of 5 g, up.
 pub const MOST_FORCE_MN: i32 = 50;
 
-/// How far a board is tried.
+/// Depth of a board's trial.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ConformanceDepth {
-    /// It is never armed.
     Quiet,
-    /// It is armed, and asked for [`MOST_FORCE_MN`].
+    /// It is armed, and commanded [`MOST_FORCE_MN`].
     Arm,
-    /// The same, and in the end an emergency stop, which only a start of the board undoes.
+    /// Like `Arm`, with a final emergency stop, which only a restart of the board undoes.
     Stop,
 }
 
-/// What came of one item.
+/// Result of one item.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ConformanceOutcome {
     Kept,
     Broken,
-    /// What was seen could also be this machine's doing.
+    /// This machine may have caused the observation.
     Undecided,
     NotTried,
 }
 
-/// One item of the protocol, and how the board keeps it.
+/// One item of the protocol, with the board's result.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct ConformanceItem {
-    /// What a board shall do.
+    /// Required behaviour of a board.
     pub item: &'static str,
     pub outcome: ConformanceOutcome,
-    /// What it was seen to do.
     pub seen: String,
 }
 
 impl ConformanceItem {
-    /// Returns an item that is kept if `seen` is, or broken.
     fn new(item: &'static str, seen: Result<String, String>) -> Self {
         let outcome =
             if seen.is_ok() { ConformanceOutcome::Kept } else { ConformanceOutcome::Broken };
@@ -65,10 +62,9 @@ impl ConformanceItem {
         Self { item, outcome, seen }
     }
 
-    /// Returns an item that is kept if `seen` is, or broken; one that this machine may have broken,
-    /// since it was late by `late_us` while it listened, is not decided.
+    /// Like [`Self::new`], but undecided if this machine, late by `late_us`, may have broken it.
     fn judged(item: &'static str, seen: Result<String, String>, late_us: u64) -> Self {
-        /// What a machine with time is late by in all (us).
+        /// Largest lateness of a machine that is in time (us).
         const IN_TIME_US: u64 = 20_000;
         match seen {
             Err(seen) if IN_TIME_US < late_us => {
@@ -83,13 +79,12 @@ impl ConformanceItem {
         }
     }
 
-    /// Returns an item that was not tried, and why.
     fn not_tried(item: &'static str, why: &str) -> Self {
         Self { item, outcome: ConformanceOutcome::NotTried, seen: why.to_owned() }
     }
 }
 
-/// Tries the board that said `introduction`, as far as `depth` says; it is disarmed in the end.
+/// Tries the board of `introduction`, to the given `depth`; it is disarmed in the end.
 pub fn conformance(
     board: &mut TestedBoard<'_>,
     introduction: &Introduction,

@@ -1,4 +1,4 @@
-//! The hello, how quickly requests are answered, and what must be refused.
+//! Trials of the hello, of the time of answers, and of requests that must be refused.
 
 use firmware_protocol::acyclic::arm::Disarmed;
 use firmware_protocol::acyclic::config::{self, Config, ReadConfig, setting};
@@ -11,9 +11,8 @@ use super::{ConformanceItem, TestedBoard};
 use crate::hello_values::impossible_values;
 use crate::identity::ClaimedKeys;
 
-/// Pings whose answers are timed.
 const PINGS: usize = 50;
-/// An operation that no version has yet.
+/// An operation of no version.
 const NO_OPERATION: u8 = 200;
 
 pub(super) fn items(
@@ -55,7 +54,6 @@ fn hello(introduction: &Introduction) -> Result<String, String> {
 
 fn asked(board: &mut TestedBoard<'_>, introduction: &Introduction) -> Result<String, String> {
     let asked: Hello = board.get(Operation::Hello)?;
-    // Time goes on, and nothing else.
     let board_us = introduction.hello.board_us;
     if (Hello { board_us, ..asked }) == introduction.hello {
         Ok("all fields are the same".into())
@@ -75,7 +73,7 @@ fn times(board: &mut TestedBoard<'_>) -> Result<String, String> {
         ms.push(reply.heard_us.saturating_sub(reply.sent_us) as f64 * 1e-3);
     }
     ms.sort_by(f64::total_cmp);
-    // Some that are late may be the fault of this machine.
+    // This machine may have delayed some.
     let most = ms[PINGS * 8 / 10];
     let seen = format!("median {:.1} ms, 80 % within {most:.1} ms", ms[PINGS / 2]);
     if most <= f64::from(ANSWER_MS) { Ok(seen) } else { Err(seen) }

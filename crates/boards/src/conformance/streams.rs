@@ -1,4 +1,4 @@
-//! Rate, numbers, times and age of samples, and the clock.
+//! Trials of rate, numbers, times and age of samples, and of the clock.
 
 use firmware_protocol::Nothing;
 use firmware_protocol::acyclic::Operation;
@@ -13,17 +13,15 @@ use super::tested_board::TimedSamples;
 use super::{ConformanceItem, TestedBoard};
 use crate::clock::{ClockModel, MOST_DRIFT};
 
-/// Highest rate of samples that is asked for (1/s).
+/// Highest rate of samples (1/s).
 const MOST_HZ: u16 = 1_000;
-/// Times that samples are listened to until they are right: a machine that is busy loses some,
-/// a board that is wrong is always so.
+/// Attempts until samples are right: a busy machine loses some, a faulty board always fails.
 const TRIALS: u8 = 3;
-/// How long samples are listened to (us).
+/// Length of an observation (us).
 const LISTEN_US: u64 = 700_000;
-/// Share of the samples that may be lost or come late, which the host's machine may be to blame
-/// for.
+/// Share of lost or late samples that the host's machine may have caused.
 const FEW: f64 = 0.05;
-/// Pings by which its clock is read, and the time between two (us).
+/// Pings for its clock, and the time between two (us).
 const PINGS: u32 = 40;
 const PING_US: u64 = 20_000;
 
@@ -35,7 +33,6 @@ pub(super) fn items(board: &mut TestedBoard<'_>, hello: &Hello) -> Vec<Conforman
         "samples are fresh when they come",
     ];
     let hz = hello.max_sample_hz.clamp(1, MOST_HZ);
-    // A period of whole periods of the board's law.
     let law_us = 1_000_000 / u32::from(hello.law_hz.max(1));
     let period_us = (1_000_000 / u32::from(hz)).next_multiple_of(law_us.max(1));
     let Ok(period_us) = u16::try_from(period_us) else {
@@ -85,7 +82,7 @@ fn rate(board: &TestedBoard<'_>, heard: &[TimedSamples], period_us: u16) -> Resu
     let expected = LISTEN_US as f64 / f64::from(period_us);
     let came = heard.len() as f64;
     let seen = format!("{came} of {expected:.0} came in {} ms", LISTEN_US / 1_000);
-    // A clock that is 3 % wrong, and a machine that was busy.
+    // A clock with an error of 3 %, and a machine that was busy.
     let is_right = (0.9 * expected..1.08 * expected).contains(&came);
     if is_right { Ok(seen) } else { Err(seen) }
 }
@@ -120,7 +117,6 @@ fn times(heard: &[TimedSamples], period_us: u16) -> Result<String, String> {
     if is_right { Ok(seen) } else { Err(seen) }
 }
 
-/// Reads the board's clock; returns it, and how wrong it runs.
 fn drift(board: &mut TestedBoard<'_>) -> (ClockModel, Result<String, String>) {
     let mut clock = ClockModel::default();
     for _ in 0..PINGS {
@@ -131,7 +127,7 @@ fn drift(board: &mut TestedBoard<'_>) -> (ClockModel, Result<String, String>) {
         let Some((reply, board_us)) = pong else {
             return (clock, Err("Ping was not answered with a time".into()));
         };
-        // What jumps is learned anew, and not known in the end.
+        // A clock that jumps is learned again, and unknown in the end.
         let _jumped = clock.learn(reply.sent_us, board_us, reply.heard_us);
         board.listen(PING_US, |_samples| None);
     }
@@ -160,12 +156,10 @@ fn ages(heard: &[TimedSamples], clock: &ClockModel) -> Result<String, String> {
     if (-2_000..=most).contains(median) { Ok(seen) } else { Err(seen) }
 }
 
-/// Tries whether Stream with 0 ends the samples.
 pub(super) fn ends(board: &mut TestedBoard<'_>) -> ConformanceItem {
     const ITEM: &str = "Stream with 0 ends the samples";
     let none = Stream { period_us: 0, packing: SamplePacking::Position24 as u8, phase_us: 0 };
     let ended = board.get_with::<_, Nothing>(Operation::Stream, &none).and_then(|_done| {
-        // Those that were on their way.
         board.listen(50_000, |_samples| None);
         match board.listen(150_000, |_samples| None).len() {
             0 => Ok("none came".to_owned()),

@@ -1,4 +1,4 @@
-//! One request and its answer; samples, and forces that answer them.
+//! A board under test: one request and its answer; samples, and forces that answer them.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -18,13 +18,11 @@ use firmware_protocol::{MAX_FRAME, Nothing, Record};
 
 use super::MOST_FORCE_MN;
 
-/// Time between two looks at what may have come.
 const LOOK: Duration = Duration::from_micros(200);
-/// Time between two looks that are in time (us).
+/// Longest time between two punctual polls (us).
 const IN_TIME_US: u64 = 2_000;
-/// Longest time in which an answer that is late is still waited for (us).
+/// Longest wait for a late answer (us).
 const LATE_US: u64 = 250_000;
-/// Times that a request is sent with the same id.
 const TRIES: u8 = 3;
 
 /// Returns the next whole frame on `link`; what is no frame is passed over.
@@ -39,8 +37,8 @@ fn next_frame(link: &mut dyn Link) -> Option<Vec<u8>> {
     }
 }
 
-/// Asks who is on a link for `patience_us`, or until nothing new comes for a third of a second;
-/// returns the hellos that can be read, by number.
+/// Asks all boards on a link to introduce themselves for `patience_us`, or until nothing new
+/// arrives for a third of a second; returns the valid hellos by number.
 pub fn introductions(
     link: &mut dyn Link,
     clock: &HostClock,
@@ -57,7 +55,6 @@ pub fn introductions(
             asked = Some(clock.now_us());
             let mut frame = [0; broadcast::MAX_LEN];
             let len = Broadcast::WhoIsThere { version: PROTOCOL_VERSION }.encode(&mut frame);
-            // What is not taken is asked again.
             let _lost = link.try_send(&frame[..len]);
         }
         while let Some(frame) = next_frame(link) {
@@ -72,33 +69,31 @@ pub fn introductions(
     found.into_values().collect()
 }
 
-/// An answer, and how long it took.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct TimedReply {
     pub(super) status: Status,
     pub(super) record: Vec<u8>,
-    /// When its request was sent first, and when it came (us).
+    /// First transmission of its request, and its arrival (us).
     pub(super) sent_us: u64,
     pub(super) heard_us: u64,
 }
 
-/// Samples that came, and when by the host's clock (us).
+/// Received samples, and their arrival by the host's clock (us).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct TimedSamples {
     pub(super) heard_us: u64,
     pub(super) samples: KeySamples,
 }
 
-/// A board that is tested.
+/// A board under test.
 pub struct TestedBoard<'l> {
     link: &'l mut dyn Link,
     pub(super) number: BoardId,
     clock: HostClock,
     pub(super) layout: SampleLayout,
     next_id: u8,
-    /// Frames of samples that could not be read.
     pub(super) unreadable: u32,
-    /// Time by which looks at the link were late, since this machine did something else (us).
+    /// Total lateness of polls (us), caused by this machine.
     pub(super) late_us: u64,
 }
 
@@ -109,7 +104,6 @@ impl std::fmt::Debug for TestedBoard<'_> {
 }
 
 impl<'l> TestedBoard<'l> {
-    /// Returns the board on `link` that said `introduction`.
     pub fn new(link: &'l mut dyn Link, introduction: &Introduction, clock: HostClock) -> Self {
         let n_keys = introduction.hello.n_keys.into();
         let layout = SampleLayout { packing: SamplePacking::Position24, n_keys };
@@ -122,19 +116,17 @@ impl<'l> TestedBoard<'l> {
         self.clock.now_us()
     }
 
-    /// Returns the next id of a request, which is never 0.
     fn id(&mut self) -> u8 {
         self.next_id = self.next_id.wrapping_add(1).max(1);
         self.next_id
     }
 
-    /// Returns a request of `operation` with `record`, of the next id.
     pub(super) fn request(&mut self, operation: u8, record: &[u8]) -> Vec<u8> {
         let head = (FrameKind::Request as u8) << 5 | self.number.number();
         [&[head, self.id(), operation], record].concat()
     }
 
-    /// Sends `request`, and waits for its answer; it is sent again if none comes.
+    /// Sends `request`, again if no answer comes, and waits for the answer.
     pub(super) fn exchange(&mut self, request: &[u8]) -> Option<TimedReply> {
         let sent_us = self.now_us();
         for attempt in 1..=u64::from(TRIES) {
@@ -147,7 +139,6 @@ impl<'l> TestedBoard<'l> {
         None
     }
 
-    /// Waits until `end_us` for the answer to `request`, which was sent at `sent_us`.
     fn wait(&mut self, request: &[u8], sent_us: u64, end_us: u64) -> Option<TimedReply> {
         while self.now_us() < end_us {
             if let Some(reply) = self.reply_to(request, sent_us) {
@@ -158,7 +149,6 @@ impl<'l> TestedBoard<'l> {
         None
     }
 
-    /// Returns the answer to `request` if it has come.
     fn reply_to(&mut self, request: &[u8], sent_us: u64) -> Option<TimedReply> {
         while let Some(frame) = next_frame(self.link) {
             let Ok(AcyclicReply { board, status, record, .. }) = AcyclicReply::decode(&frame)
@@ -173,13 +163,12 @@ impl<'l> TestedBoard<'l> {
         None
     }
 
-    /// Asks for `operation` by its number, with `record`.
     pub(super) fn ask_raw(&mut self, operation: u8, record: &[u8]) -> Option<TimedReply> {
         let request = self.request(operation, record);
         self.exchange(&request)
     }
 
-    /// Returns how `operation` with `record` is answered, as a status or in words.
+    /// Returns the answer to `operation` with `record`, as a status or in words.
     pub(super) fn status<Q: Record>(
         &mut self,
         operation: Operation,
@@ -191,7 +180,7 @@ impl<'l> TestedBoard<'l> {
         reply.map(|it| it.status).ok_or_else(|| format!("{operation:?} was not answered"))
     }
 
-    /// Returns the record with which `operation` is answered, or what is answered instead.
+    /// Returns the record that answers `operation`, or the answer in words.
     pub(super) fn get<A: Record>(&mut self, operation: Operation) -> Result<A, String> {
         self.get_with(operation, &Nothing)
     }
@@ -212,27 +201,26 @@ impl<'l> TestedBoard<'l> {
         A::take(&reply.record).ok_or_else(short)
     }
 
-    /// Sends a damaged request, and says whether it is answered all the same; nothing on a link
-    /// whose checksums are not ours.
+    /// Sends a damaged request; returns `true` if it is answered, `None` on a link without
+    /// checksums of the host.
     pub(super) fn answers_damaged(&mut self) -> Option<bool> {
         let mut request = self.request(Operation::Ping as u8, &[]);
         request[1] = 0x15;
         let _lost = self.link.try_send_damaged(&request)?;
-        // The id with the inverted bit is what a board that does not check answers.
+        // A board that does not check answers the id with the inverted bit.
         request[1] ^= 0x40;
         let sent_us = self.now_us();
         Some(self.wait(&request, sent_us, sent_us + LATE_US).is_some())
     }
 
-    /// Tells all boards to stop.
     pub(super) fn stop(&mut self) {
         let mut frame = [0; broadcast::MAX_LEN];
         let len = Broadcast::EmergencyStop { reason: 1 }.encode(&mut frame);
         let _lost = self.link.try_send(&frame[..len]);
     }
 
-    /// Listens for `for_us`, and answers each frame of samples as `answer` says, with the same
-    /// force (mN) on all keys.
+    /// Listens for `for_us`, and answers each frame of samples by `answer`, with the same force
+    /// (mN) on all keys.
     pub(super) fn listen(
         &mut self,
         for_us: u64,
@@ -252,7 +240,6 @@ impl<'l> TestedBoard<'l> {
         heard
     }
 
-    /// Takes a frame, and answers it if it is one of samples.
     fn take_samples(
         &mut self,
         frame: &[u8],
@@ -289,7 +276,6 @@ impl<'l> TestedBoard<'l> {
         Ok(())
     }
 
-    /// Leaves it disarmed and without samples.
     pub(super) fn leave(&mut self) {
         let _stopped = self.status(Operation::Disarm, &Nothing);
         let _latched = self.ask_raw(Operation::Stream as u8, &[0; 5]);

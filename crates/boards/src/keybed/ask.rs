@@ -1,4 +1,4 @@
-//! Single requests outside the tick: asked, and waited for.
+//! Single requests outside the tick, each with a wait for its answer.
 
 use crate::links::Link as _;
 use firmware_protocol::acyclic::{AcyclicReply, Operation, Status};
@@ -9,7 +9,7 @@ use super::{Keybed, LOOK, NamedLink};
 use crate::refusal::{BoardName, Refusal};
 use crate::request_channel::RequestChannel;
 
-/// The single requests to one board, with their numbers.
+/// Numbering of the single requests to one board.
 #[derive(Clone, Debug)]
 pub struct Asker {
     line: usize,
@@ -18,22 +18,21 @@ pub struct Asker {
 }
 
 impl<S> Keybed<S> {
-    /// Returns the means to ask `board` on `line`.
-    ///
-    /// Not while an armed keybed is attended: a board answers one request at a time.
+    /// Returns the means to ask `board` on `line`; not while an armed keybed is attended, since a
+    /// board answers one request at a time.
     pub fn asker(&mut self, line: usize, board: BoardId) -> Asker {
         let [first, ..] = self.now_us().to_le_bytes();
         let channel = RequestChannel::new(board, first);
         let name = self.lines.get(line).map_or_else(String::new, |it| it.name.clone());
         let name = BoardName { line: name, number: board.number() };
         let mut asker = Asker { line, name, channel };
-        // If the last request of another host had this number, the board repeats its answer to
-        // that: let it be the answer to nothing.
+        // If another host's last request had this number, the board repeats its answer: let that
+        // answer this ping.
         let _whatever = self.ask::<_, Nothing>(&mut asker, Operation::Ping, &Nothing);
         asker
     }
 
-    /// Asks for `operation` with `record`, and waits for the answer.
+    /// Requests `operation` with `record`, and waits for the answer.
     ///
     /// # Errors
     /// The board does not answer, or declines.
@@ -68,7 +67,6 @@ impl<S> Keybed<S> {
                 ));
             }
             if let Some(frame) = asker.channel.due(now) {
-                // What the link does not take is asked again.
                 let _lost = link.try_send(frame);
             }
             clock.pause(LOOK);
@@ -76,7 +74,6 @@ impl<S> Keybed<S> {
     }
 }
 
-/// Takes what has come until it is the answer.
 fn hear<A: Record>(
     link: &mut (impl crate::links::Link + ?Sized),
     channel: &mut RequestChannel,

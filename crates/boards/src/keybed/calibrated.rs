@@ -1,4 +1,4 @@
-//! The boards are known and measured: let them render forces.
+//! The stage of known and measured boards, which can be armed.
 
 use crate::links::{Link as _, RecvError};
 use firmware_protocol::acyclic::Operation;
@@ -15,7 +15,7 @@ use crate::rt::bus::KeybedBus;
 use crate::rt::terms::{BoardAgreement, Terms};
 use crate::topology::BoardPlace;
 
-/// The boards are known and measured.
+/// Boards that are known and measured.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Calibrated {
     pub(super) boards: Vec<BoardTerms>,
@@ -24,12 +24,12 @@ pub struct Calibrated {
 }
 
 impl Keybed<Calibrated> {
-    /// Returns where the boards are, and which keys they carry.
+    /// Returns the boards' locations and keys.
     pub fn places(&self) -> impl Iterator<Item = &BoardPlace> {
         self.stage.boards.iter().map(|board| &board.place)
     }
 
-    /// Returns the boards that were never calibrated, and what a command takes for their links.
+    /// Returns the boards that were never calibrated, with their links' addresses in commands.
     pub fn uncalibrated(&self) -> impl Iterator<Item = (BoardName, &str)> {
         let boards = self.stage.boards.iter().filter(|it| !it.is_calibrated());
         boards.map(|it| {
@@ -38,15 +38,13 @@ impl Keybed<Calibrated> {
         })
     }
 
-    /// Tells whether all boards have simulated fingers.
     pub fn has_fingers(&self) -> bool {
         self.stage.features.iter().all(|it| it & feature::FINGERS != 0)
     }
 
-    /// Returns the longest way to a board and back (us): of each board that answers, the shortest of
-    /// some round trips.
+    /// Returns the longest round trip (us) among the boards that answer: for each board, the
+    /// shortest of some trips.
     pub fn round_trip_us(&mut self) -> Option<u64> {
-        /// Enough for one of them to be prompt.
         const TRIPS: usize = 8;
         let places: Vec<_> = self.places().copied().collect();
         let shortest = |place: BoardPlace| {
@@ -61,16 +59,15 @@ impl Keybed<Calibrated> {
         places.into_iter().filter_map(shortest).max()
     }
 
-    /// Returns the keys of each board on `line`.
     pub fn boards_on(&self, line: usize) -> Vec<KeyRange> {
         let boards = self.stage.boards.iter().filter(|it| it.place.line == line);
         boards.filter_map(|it| it.place.key_range()).collect()
     }
 
-    /// Asks for samples and arms every board; waits until all are, for `patience_us` at most.
+    /// Starts samples and arms every board; waits until all are armed, for `patience_us` at most.
     ///
     /// # Errors
-    /// Which boards did not get there, and why.
+    /// The boards that were not armed, with the reasons.
     pub fn arm(self, terms: Terms, patience_us: u64) -> Result<Keybed<Armed>, Refusals> {
         let Self { mut lines, stage, clock } = self;
         lines.iter_mut().for_each(forget_the_past);
@@ -92,7 +89,7 @@ impl Keybed<Calibrated> {
         let mut keybed = Keybed { lines, stage: armed, clock };
         while !keybed.is_ready() {
             let now = keybed.now_us();
-            // Those that may not be armed will not be ready, however long that takes.
+            // Boards that may not be armed will not become ready.
             if start + patience_us <= now || keybed.is_settled() {
                 let seconds = now.saturating_sub(start) as f64 * 1e-6;
                 let mut refusals: Vec<_> = faults(&keybed.lines).collect();
@@ -107,10 +104,9 @@ impl Keybed<Calibrated> {
     }
 }
 
-/// Throws away what has come before: boards may have streamed to another host, and
-/// what a full queue had no room for would look like frames that were lost.
+/// Discards earlier input: boards may have streamed to another host, and the losses of a full queue
+/// would look like lost frames.
 fn forget_the_past(line: &mut NamedLink) {
-    /// More than any queue holds.
     const MOST: usize = 100_000;
     for _ in 0..MOST {
         if let Ok(None) | Err(RecvError::Down) = line.link.try_recv(&mut [0; MAX_FRAME]) {
@@ -119,10 +115,10 @@ fn forget_the_past(line: &mut NamedLink) {
     }
 }
 
-/// Returns what is agreed with each board.
+/// Returns the agreement with each board.
 ///
-/// Those on one line are asked to begin in turns. Each goes on by its own clock, so they drift
-/// apart; nothing relies on it, and plans take all at once.
+/// Boards on one line are asked to start in turns. Each continues by its own clock, so they drift
+/// apart; nothing relies on the turns, and plans assume all at once.
 fn phases(stage: &Calibrated, terms: Terms) -> Vec<BoardAgreement> {
     let on_line = |line| stage.boards.iter().filter(move |it| it.place.line == line);
     let known = stage.uids.iter().zip(&stage.features);
@@ -131,7 +127,7 @@ fn phases(stage: &Calibrated, terms: Terms) -> Vec<BoardAgreement> {
         let n = u16::try_from(on_line(line).count().max(1)).unwrap_or(1);
         let before = on_line(line).take_while(|it| it.place.board != board.place.board).count();
         let turn = u16::try_from(before).unwrap_or(0);
-        // Boards work things out every 100 us, and can send only then.
+        // Boards compute every 100 us, and can send only then.
         let phase_us = terms.period_us / n * turn / 100 * 100;
         BoardAgreement { place: board.place, uid: *uid, features: *features, phase_us, terms }
     });

@@ -1,4 +1,4 @@
-//! The boards are known by name: which keys do they carry, and how do they read?
+//! The stage of boards with known names: check of their keys and calibration.
 
 use firmware_protocol::frame::hello::{Hello, feature};
 use firmware_protocol::frame::key_forces::{ForceLayout, ForcePacking};
@@ -17,35 +17,31 @@ use crate::topology::BoardPlace;
 /// A board that answered.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct FoundBoard {
-    /// Which line it is on.
     pub line: usize,
     pub board: BoardId,
     pub hello: Hello,
 }
 
 impl FoundBoard {
-    /// Returns what it is called in sentences.
     pub(super) fn name(&self, lines: &[NamedLink]) -> BoardName {
         let line = lines.get(self.line).map_or_else(String::new, |line| line.name.clone());
         BoardName { line, number: self.board.number() }
     }
 
-    /// Returns the hello that the board says.
     pub const fn uid(&self) -> Uid {
         Uid(self.hello.uid)
     }
 
-    /// Returns the keys that it says it carries.
+    /// Returns the keys that it claims to carry.
     pub const fn keys(&self) -> ClaimedKeys {
         ClaimedKeys { first: self.hello.first_key, n: self.hello.n_keys }
     }
 
-    /// Returns how its keys read as long as they were not measured.
+    /// Returns the calibration of its keys before any measurement.
     pub fn nominal(&self) -> KeyCalibration {
         KeyCalibration::nominal(f64::from(self.hello.quantum_nm) * 1e-9)
     }
 
-    /// Returns its place, if it can carry these keys.
     fn place(&self) -> Option<BoardPlace> {
         let first_key = KeyIndex::new(self.hello.first_key)?;
         let n_keys = self.hello.n_keys.into();
@@ -54,20 +50,18 @@ impl FoundBoard {
     }
 }
 
-/// The boards are known.
+/// Boards that are known by name.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Identified {
     pub(super) found: Vec<FoundBoard>,
 }
 
-/// What a scene says of boards.
+/// A scene's requirements of boards.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct WantedBoards {
-    /// How samples shall be packed.
     pub samples: SamplePacking,
-    /// How forces shall be packed.
     pub forces: ForcePacking,
-    /// Boards that must be there, by line and number, with the keys that they must carry.
+    /// Required boards, by line and number, with their keys.
     pub boards: Vec<(usize, u8, KeyRange)>,
     /// Samples and forces a second.
     pub hz: u32,
@@ -79,21 +73,20 @@ impl Keybed<Identified> {
         &self.stage.found
     }
 
-    /// Leaves the boards alone that are not among those that `are_wanted`.
+    /// Drops the boards that are not among those that `are_wanted`.
     pub fn keep(&mut self, are_wanted: impl FnMut(&FoundBoard) -> bool) {
         self.stage.found.retain(are_wanted);
     }
 
-    /// Returns what the board is called in sentences.
     pub fn name(&self, found: &FoundBoard) -> BoardName {
         found.name(&self.lines)
     }
 
-    /// Checks what the boards carry and can against what is wanted, and takes over how their
-    /// keys read: `calibration` says it of a board, or why that is not known.
+    /// Checks keys and abilities of the boards against the requirements, and sets their
+    /// calibration: `calibration` returns it for a board, or the reason why it is unknown.
     ///
     /// # Errors
-    /// All that is wrong.
+    /// All faults of all boards.
     pub fn calibrate(
         self,
         wanted: &WantedBoards,
@@ -135,7 +128,6 @@ impl Keybed<Identified> {
     }
 }
 
-/// Returns what the host must know of a board at `place`.
 const fn terms(
     place: BoardPlace,
     wanted: &WantedBoards,
@@ -151,7 +143,6 @@ const fn terms(
     }
 }
 
-/// Refuses a board that cannot do what the scene wants.
 fn refuse_unable(
     found: &FoundBoard,
     name: &BoardName,
@@ -182,7 +173,6 @@ fn refuse_unable(
     }
 }
 
-/// Refuses keys that two boards carry.
 fn refuse_shared_keys(found: &[FoundBoard], lines: &[NamedLink], refusals: &mut Vec<Refusal>) {
     for (n, one) in found.iter().enumerate() {
         for other in &found[n + 1..] {
@@ -198,7 +188,6 @@ fn refuse_shared_keys(found: &[FoundBoard], lines: &[NamedLink], refusals: &mut 
     }
 }
 
-/// Refuses boards that are not what the scene says.
 fn refuse_other_boards(
     found: &[FoundBoard],
     wanted: &WantedBoards,

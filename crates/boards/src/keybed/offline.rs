@@ -1,4 +1,4 @@
-//! Nothing is known of the boards: who is there?
+//! The stage of unknown boards: identification on all lines.
 
 use std::collections::BTreeMap;
 
@@ -15,31 +15,30 @@ use super::{FoundBoard, Identified, Keybed, LOOK, NamedLink, faults};
 use crate::identity::Uid;
 use crate::refusal::{BoardName, LineTraffic, Refusal, Refusals};
 
-/// Time between two questions (us).
 const ASK_US: u64 = 100_000;
-/// After this long without another hello, all have answered (us).
+/// Time without another hello after which all have answered (us).
 const QUIET_US: u64 = 300_000;
 
-/// Nothing is known of the boards.
+/// Stage of boards before their identification.
 #[derive(Clone, Copy, Debug)]
 pub struct Offline;
 
 impl Keybed<Offline> {
-    /// Returns the boards behind `lines`, which were opened before, for a host that lives by `clock`.
+    /// Returns the boards behind the open `lines`, for a host with this `clock`.
     pub const fn new(lines: Vec<NamedLink>, clock: HostClock) -> Self {
         Self { lines, stage: Offline, clock }
     }
 
-    /// Asks on all lines who is there, for `patience_us` at most.
+    /// Asks for boards on all lines, for `patience_us` at most.
     ///
     /// # Errors
-    /// All that is wrong: lines without a board, boards of another version, twice the same.
+    /// All faults: lines without a board, boards of another version, the same board twice.
     pub fn identify(self, patience_us: u64) -> Result<Keybed<Identified>, Refusals> {
         let (keybed, refusals) = self.look(patience_us);
         if refusals.0.is_empty() { Ok(keybed) } else { Err(refusals) }
     }
 
-    /// Does the same, and returns the boards that are right beside what is wrong with others.
+    /// Like [`Self::identify`], but returns the valid boards beside the faults of others.
     pub fn look(mut self, patience_us: u64) -> (Keybed<Identified>, Refusals) {
         let start = self.now_us();
         let mut hearings: Vec<_> = self.lines.iter().map(|_| Hearing::default()).collect();
@@ -55,7 +54,7 @@ impl Keybed<Offline> {
                 self.lines.iter_mut().for_each(ask);
             }
             let pairs = self.lines.iter_mut().zip(&mut hearings);
-            // Every line is listened to.
+            // `||` must not skip a line.
             if pairs.fold(false, |any, (line, hearing)| hearing.listen(line) || any) {
                 news = now;
             }
@@ -73,18 +72,16 @@ impl Keybed<Offline> {
     }
 }
 
-/// Asks on a line who is there.
 fn ask(line: &mut NamedLink) {
     let mut frame = [0; broadcast::MAX_LEN];
     let len = Broadcast::WhoIsThere { version: PROTOCOL_VERSION }.encode(&mut frame);
-    // A line that does not take it is asked again.
+    // A line that rejects it is asked again.
     let _lost = line.link.try_send(&frame[..len]);
 }
 
-/// What came over one line.
 #[derive(Default)]
 struct Hearing {
-    /// By number, the boards that said it, by who they are.
+    /// By number and id, the boards that sent it.
     hellos: BTreeMap<u8, BTreeMap<[u8; 6], Hello>>,
     /// Boards of other versions, with their major number.
     foreign: BTreeMap<u8, u8>,
@@ -94,7 +91,6 @@ struct Hearing {
 }
 
 impl Hearing {
-    /// Takes what has come; says whether there was a new hello.
     fn listen(&mut self, line: &mut NamedLink) -> bool {
         let mut news = false;
         loop {
@@ -111,7 +107,6 @@ impl Hearing {
         }
     }
 
-    /// Takes a frame; says whether it was a new hello.
     fn hear(&mut self, frame: &[u8]) -> bool {
         self.frames += 1;
         if FrameKind::of(frame) != Some(FrameKind::Hello) {
@@ -130,7 +125,6 @@ impl Hearing {
         }
     }
 
-    /// Says what was found on the line, and what is wrong with it.
     fn conclude(
         self,
         index: usize,
@@ -164,7 +158,6 @@ impl Hearing {
     }
 }
 
-/// Refuses one board on two lines.
 fn refuse_twins(lines: &[NamedLink], found: &[FoundBoard], refusals: &mut Vec<Refusal>) {
     for (n, one) in found.iter().enumerate() {
         for other in &found[n + 1..] {

@@ -1,4 +1,4 @@
-//! Boards on one bus, and the share of its time that they take.
+//! Boards on one bus, and their share of its time.
 
 use std::ops::Range;
 use std::slice;
@@ -16,31 +16,26 @@ use super::{ForcePacking, Medium, SamplePacking};
 use crate::periods::{COUNTERS_US, HEALTH_US, PING_US, SYNC_US};
 use crate::topology::{self, BoardPlace};
 
-/// What time it is on the bus: kind, number, and 4 bytes of time (bytes).
+/// Bus time: kind, number, and 4 bytes of time (bytes).
 const SYNC: usize = 6;
-/// A request with nothing to say but what it is (bytes).
+/// A request without a record (bytes).
 const REQUEST: usize = REQUEST_HEAD;
-/// The answer to a ping (bytes).
+/// Answer to a ping (bytes).
 const PONG: usize = REPLY_HEAD + Pong::LEN;
-/// What a board has counted (bytes).
+/// Counters of a board (bytes).
 const COUNTERS: usize = REPLY_HEAD + Counters::LEN;
 
-/// What a bus shall carry.
+/// Planned load of a bus.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BusPlan {
-    /// What it is called in sentences.
     pub name: String,
-    /// What carries the frames.
     pub medium: Medium,
-    /// The keys of each of its boards.
     pub boards: Vec<KeyRange>,
-    /// What the boards tell.
     pub samples: SamplePacking,
-    /// What they are told.
     pub forces: ForcePacking,
-    /// How often every key is sampled (Hz).
+    /// Samples of every key (Hz).
     pub sample_rate: f64,
-    /// How often every key is given a force (Hz).
+    /// Forces for every key (Hz).
     pub force_rate: f64,
     pub extras: Extras,
 }
@@ -52,24 +47,21 @@ pub fn standard(boards: Range<usize>) -> Vec<KeyRange> {
     places.filter_map(BoardPlace::key_range).collect()
 }
 
-/// What goes over a bus besides samples and forces, as long as nothing goes wrong: what
-/// `rt::board_supervisor` asks each board that is armed, and the time of the bus where `rt::multicast`
-/// sends forces.
+/// Traffic of a bus besides samples and forces in normal operation: requests of
+/// `rt::board_supervisor` to each armed board, and the bus time where `rt::multicast` sends forces.
 ///
-/// Not planned are the second in which boards are brought up, what is asked again, and the
-/// gestures of simulated fingers.
+/// Not planned are the second of the bring-up, repeated requests, and simulated fingers' gestures.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Extras {
-    /// How often the host tells its time, if forces are for all boards (Hz).
+    /// Rate of the host's time, if forces are for all boards (Hz).
     pub sync_rate: f64,
-    /// How often each board is asked for its time (Hz).
+    /// Rate of requests for each board's time (Hz).
     pub ping_rate: f64,
-    /// How often each board is asked what it has counted, and how it is (Hz).
+    /// Rate of requests for each board's counts, and for its health (Hz).
     pub counters_rate: f64,
 }
 
 impl Extras {
-    /// Samples and forces only.
     pub const NONE: Self = Self { sync_rate: 0.0, ping_rate: 0.0, counters_rate: 0.0 };
 }
 
@@ -82,7 +74,6 @@ impl Default for Extras {
     }
 }
 
-/// What a frame is for; the first is the most urgent.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum TrafficKind {
     Sync,
@@ -92,13 +83,12 @@ enum TrafficKind {
     Reply,
 }
 
-/// A frame that comes again and again.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Traffic {
     kind: TrafficKind,
-    /// Before it is framed (bytes).
+    /// Length before framing (bytes).
     bytes: usize,
-    /// How often it comes (Hz).
+    /// Rate (Hz).
     rate: f64,
 }
 
@@ -111,39 +101,36 @@ impl Traffic {
         matches!(self.kind, TrafficKind::Sync | TrafficKind::Forces | TrafficKind::Request)
     }
 
-    /// Returns the share of the medium's time.
     fn load(&self, medium: Medium) -> f64 {
         self.rate * medium.time(self.bytes, Stuffing::Most) * 1e-6
     }
 }
 
 impl BusPlan {
-    /// Returns the share of the bus's time that is taken at worst; of the busier direction, if the
+    /// Returns the share of the bus's time that is taken at worst, in the busier direction if the
     /// two do not take turns.
     pub fn load(&self) -> f64 {
         let loads = self.lanes().map(|lane| self.sum(&lane, |_| true));
         loads.into_iter().fold(0.0, f64::max)
     }
 
-    /// Returns by how much both rates can be multiplied until the load is `limit`.
     pub(super) fn stretch(&self, limit: f64) -> f64 {
         let factors = self.lanes().map(|lane| {
             let cyclic = self.sum(&lane, Traffic::is_cyclic);
             (limit - self.sum(&lane, |it| !it.is_cyclic())) / cyclic
         });
-        // The empty lane's factor is infinite; nothing goes slower than not at all.
+        // The empty lane's factor is infinite, and no factor is negative.
         factors.into_iter().fold(f64::INFINITY, f64::min).max(0.0)
     }
 
-    /// Returns how long the most urgent frame waits for one that is on its way, at worst (us).
+    /// Returns the longest wait of the most urgent frame for one on its way (us).
     pub fn blocking(&self) -> f64 {
         let lanes = self.lanes();
         lanes.iter().map(|lane| self.blocking_in(lane)).fold(0.0, f64::max)
     }
 
-    /// Returns how long the least urgent of the force frames takes to arrive, at worst (us).
-    ///
-    /// None if it may wait for ever, or if there is none.
+    /// Returns the longest time to the arrival of the least urgent force frame (us); `None` if it
+    /// may wait forever, or if there is none.
     pub fn force_response(&self) -> Option<f64> {
         let [down, _] = self.lanes();
         let last = down.iter().rposition(|it| it.kind == TrafficKind::Forces)?;
@@ -157,28 +144,26 @@ impl BusPlan {
         worst_response(self.blocking_in(&down), &higher, time(down.get(last)?))
     }
 
-    /// Returns the longest time for which nothing else can be sent (us).
+    /// Returns the longest time in which nothing else can be sent (us).
     fn blocking_in(&self, lane: &[Traffic]) -> f64 {
         let sent = lane.iter().filter(|it| 0.0 < it.rate);
         sent.map(|it| self.medium.blocking(it.bytes)).fold(0.0, f64::max)
     }
 
-    /// Returns the share of the bus's time that those of `lane` take that `count`.
     fn sum(&self, lane: &[Traffic], count: impl Fn(&Traffic) -> bool) -> f64 {
         // Not `sum`, which makes -0 of nothing, and a factor of -infinity of that.
         let loads = lane.iter().filter(|it| count(it)).map(|it| it.load(self.medium));
         loads.fold(0.0, |sum, load| sum + load)
     }
 
-    /// Returns what does not take turns with one another, most urgent first: what goes down, with
-    /// or without what comes up, and the rest.
+    /// Returns the frames that share turns, most urgent first: the ones down, with or without the
+    /// ones up, and the rest.
     fn lanes(&self) -> [Vec<Traffic>; 2] {
         let shared = self.medium.is_shared();
         let (down, up) = self.traffic().into_iter().partition(|it| shared || it.goes_down());
         [down, up]
     }
 
-    /// Returns all that goes over the bus, most urgent first.
     fn traffic(&self) -> Vec<Traffic> {
         let of = |kind, bytes, rate| Traffic { kind, bytes, rate };
         let mut all: Vec<_> = self
@@ -208,12 +193,11 @@ impl BusPlan {
         all
     }
 
-    /// Tells whether forces are for all boards.
     fn is_for_all(&self) -> bool {
         self.forces == ForcePacking::Multicast16
     }
 
-    /// Returns how long each of the force frames of a cycle is (bytes).
+    /// Returns the lengths of the force frames of a cycle (bytes).
     fn force_frames(&self) -> Vec<usize> {
         if !self.is_for_all() {
             let len = |keys: &KeyRange| self.forces.frame_len(keys.numbers().len());
@@ -228,8 +212,7 @@ impl BusPlan {
     }
 }
 
-/// Returns how many groups of keys these boards have a key of: each takes a whole frame, whether it
-/// has one of them or thirty.
+/// Returns the number of key groups of these boards: each takes a whole frame, with 1 key or 30.
 fn groups(boards: &[KeyRange]) -> usize {
     let has = |keys: &KeyRange, group: usize| {
         keys.first().index() < (group + 1) * GROUP && group * GROUP <= keys.last().index()
@@ -266,7 +249,7 @@ mod tests {
         assert_eq!((of(0, 11), of(22, 11), of(29, 1), of(30, 1), of(29, 2)), (1, 2, 1, 1, 2));
         // The outermost boards have nothing in the middle.
         assert_eq!(groups(&[range(0, 11), range(77, 11)]), 2);
-        // Links of their own carry the groups of their own boards.
+        // Separate links carry the groups of their own boards.
         let usb = BusPlan { forces: ForcePacking::Multicast16, ..plan(Medium::UsbFullSpeed) };
         assert_eq!(usb.force_frames(), [64; 6 + 2 * 2]);
     }
@@ -292,7 +275,7 @@ mod tests {
 
     #[test]
     fn the_last_force_frame_waits_for_all_others_and_the_longest() {
-        // What a board has counted goes in 48 bytes, a board's forces in 32.
+        // A board's counts take 48 bytes, its forces 32.
         let expected = 136.8 + 7.0 * 104.8 + 104.8;
         let response = plan(FD).force_response().unwrap();
         assert!((response - expected).abs() < 1e-9, "{response} us");

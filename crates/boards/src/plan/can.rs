@@ -1,20 +1,20 @@
 //! Lengths of CAN frames in bits, from start of frame to the end of the pause after it.
 //!
-//! After five equal bits the sender inserts their inverse, so the length depends on the
-//! payload; fewest and most are given, and every frame lies between. A CAN FD frame's head
-//! and tail are sent at the nominal rate, what is between at the data rate.
+//! After five equal bits the sender inserts their inverse, so the length depends on the payload;
+//! minimum and maximum are given. Head and tail of a CAN FD frame are sent at the nominal rate, the
+//! rest at the data rate.
 
-/// Of a classic frame, what is never stuffed: CRC delimiter, ACK, ACK delimiter, 7 of the
-/// end, 3 of the pause (bits).
+/// Unstuffed end of a classic frame: CRC delimiter, ACK and its delimiter, 7 of end, 3 of pause
+/// (bits).
 const CLASSIC_TAIL: usize = 13;
-/// Of a CAN FD frame, what follows at the nominal rate: ACK, ACK delimiter, 7, 3 (bits).
+/// End of a CAN FD frame at the nominal rate: ACK, ACK delimiter, 7, 3 (bits).
 const FD_TAIL: usize = 12;
-/// After the rate switch and before the payload: ESI, 4 of the length (bits).
+/// Between the rate switch and the payload: ESI, 4 of the length (bits).
 const FD_HEAD: usize = 5;
 /// The stuff bits' count, 3 and parity (bits).
 const STUFF_COUNT: usize = 4;
 
-/// How long identifiers are.
+/// Length of a frame's identifier.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Id {
     #[default]
@@ -22,18 +22,15 @@ pub enum Id {
     Extended,
 }
 
-/// Which of the payloads of one length is charged.
+/// Charged payload among those of one length.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stuffing {
-    /// The one that needs no stuff bit.
     Fewest,
-    /// The one that needs most of them.
     Most,
 }
 
 impl Stuffing {
-    /// Returns the stuff bits among `bits`: the first comes after five, each further one after
-    /// four.
+    /// Returns the stuff bits among `bits`: the first after five, each further one after four.
     const fn among(self, bits: usize) -> usize {
         match self {
             Self::Fewest => 0,
@@ -58,7 +55,7 @@ pub fn classic_time(id: Id, bytes: usize, stuffing: Stuffing, bitrate: u32) -> f
     micros(classic_bits(id, bytes, stuffing), bitrate)
 }
 
-/// Length of a CAN FD frame, by the rate at which its bits are sent.
+/// Length of a CAN FD frame by the rates of its bits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct FdBits {
     /// At the nominal rate (bits).
@@ -71,9 +68,9 @@ impl FdBits {
     /// Returns the length of a frame that switches rates, with a payload of `bytes`, one of
     /// [`firmware_protocol::can::LENGTHS`].
     ///
-    /// The bits in which the rate switches belong half to each rate; the first is counted
-    /// as nominal, the last as data, which is exact if both rates sample at the same point.
-    /// [`Stuffing::Most`] puts as many stuff bits as can be into the slower part.
+    /// The bits in which the rate switches belong half to each rate; the first counts as nominal,
+    /// the last as data, which is exact if both rates sample at the same point. [`Stuffing::Most`]
+    /// puts as many stuff bits as possible into the slower part.
     pub const fn of(id: Id, bytes: usize, stuffing: Stuffing) -> Self {
         let head = match id {
             Id::Standard => 17,
@@ -96,7 +93,7 @@ impl FdBits {
     }
 }
 
-/// Returns the time of so many bits at a rate (bit/s) (us).
+/// Returns the time of these bits at a rate (bit/s) (us).
 fn micros(bits: usize, rate: u32) -> f64 {
     bits as f64 * 1e6 / f64::from(rate)
 }

@@ -1,4 +1,4 @@
-//! How long a frame of the protocol takes on any kind of wire.
+//! Time of a protocol frame on any kind of wire.
 
 use std::fmt;
 
@@ -10,52 +10,49 @@ use super::can::{self, FdBits, Id, Stuffing};
 use super::uart::{self, Wiring};
 use super::usb::UsbRate;
 
-/// What carries frames between the host and its boards.
+/// Medium of frames between the host and its boards.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Medium {
-    /// Classic CAN; a frame goes in pieces of 7 bytes.
+    /// Classic CAN; a frame takes pieces of 7 bytes.
     ClassicCan {
         /// Rate of all bits (bit/s).
         bitrate: u32,
     },
-    /// CAN FD with rate switch; a frame above 64 bytes goes as several.
+    /// CAN FD with rate switch; a frame above 64 bytes takes several.
     CanFd {
         /// Rate of head and tail (bit/s).
         nominal: u32,
         /// Rate of the rest (bit/s).
         data: u32,
     },
-    /// An asynchronous serial line.
     Uart {
         /// Rate of all bits (bit/s).
         baud: u32,
-        /// Who may speak at a time.
         wiring: Wiring,
     },
-    /// Bulk transfers of full-speed devices behind one transaction translator, framed as on
-    /// a serial line.
+    /// Bulk transfers of full-speed devices behind one transaction translator, framed as on a
+    /// serial line.
     UsbFullSpeed,
-    /// The same of high-speed devices.
+    /// Bulk transfers of high-speed devices.
     UsbHighSpeed,
 }
 
 impl Medium {
-    /// Returns how long a frame of `bytes` has the medium for itself (us).
+    /// Returns the time for which a frame of `bytes` occupies the medium (us).
     ///
     /// # Real-time
-    /// A few dozen operations, whatever the length.
+    /// A few dozen operations, at any length.
     pub fn time(self, bytes: usize, stuffing: Stuffing) -> f64 {
         let piece = self.piece(bytes);
         if piece == 0 {
             return self.piece_time(0, stuffing);
         }
-        // Full pieces, and a shorter one behind them.
         let (full, rest) = (bytes / piece, bytes % piece);
         let last = if rest == 0 { 0.0 } else { self.piece_time(rest, stuffing) };
         full as f64 * self.piece_time(piece, stuffing) + last
     }
 
-    /// Returns how long a frame of `bytes` keeps the most urgent other one waiting, at worst (us).
+    /// Returns the longest wait of the most urgent other frame for a frame of `bytes` (us).
     pub fn blocking(self, bytes: usize) -> f64 {
         match self {
             Self::UsbFullSpeed => UsbRate::Full.frame_time(),
@@ -66,7 +63,7 @@ impl Medium {
         }
     }
 
-    /// Returns what goes at once of a frame (bytes).
+    /// Returns the length of an uninterrupted piece (bytes).
     fn piece(self, bytes: usize) -> usize {
         match self {
             Self::ClassicCan { .. } => bytes.min(PIECE),
@@ -75,11 +72,11 @@ impl Medium {
         }
     }
 
-    /// Returns how long a piece takes that goes at once (us).
+    /// Returns the time of an uninterrupted piece (us).
     fn piece_time(self, bytes: usize, stuffing: Stuffing) -> f64 {
         match self {
             Self::ClassicCan { bitrate } => {
-                // Its first byte says which piece it is.
+                // Its first byte identifies the piece.
                 can::classic_time(Id::Standard, 1 + bytes, stuffing, bitrate)
             }
             Self::CanFd { nominal, data } => {
@@ -94,12 +91,11 @@ impl Medium {
         }
     }
 
-    /// Tells whether what comes up and what goes down take turns.
     pub const fn is_shared(self) -> bool {
         !matches!(self, Self::Uart { wiring: Wiring::FullDuplex, .. })
     }
 
-    /// Tells whether one frame reaches every board.
+    /// Returns `true` if one frame reaches every board.
     pub const fn reaches_all(self) -> bool {
         match self {
             Self::ClassicCan { .. } | Self::CanFd { .. } => true,

@@ -1,9 +1,8 @@
-//! How full a bus is by the frames that were seen on it.
+//! Load of a bus by its observed frames.
 
 use super::Medium;
 use super::can::Stuffing;
 
-/// Counts the frames on one medium; on a link with a pair of wires each way, in one direction.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Meter {
     medium: Medium,
@@ -12,32 +11,29 @@ struct Meter {
     most: f64,
 }
 
-/// What was seen in a window of time.
+/// Traffic in a window of time.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct MeterWindow {
     pub frames: u64,
-    /// How often a frame came (Hz).
+    /// Rate of frames (Hz).
     pub rate: f64,
-    /// Share of the medium's time, if no payload needed a stuff bit.
+    /// Share of the medium's time without any stuff bits.
     pub least: f64,
-    /// Share of the medium's time, if every payload was the worst, as planned.
+    /// Share of the medium's time with the worst payloads, as planned.
     pub most: f64,
 }
 
 impl Meter {
-    /// Returns a meter that has seen nothing.
     const fn new(medium: Medium) -> Self {
         Self { medium, frames: 0, least: 0.0, most: 0.0 }
     }
 
-    /// Counts a frame of `len` bytes.
     fn saw(&mut self, len: usize) {
         self.frames += 1;
         self.least += self.medium.time(len, Stuffing::Fewest);
         self.most += self.medium.time(len, Stuffing::Most);
     }
 
-    /// Returns what it saw since it was as `earlier`.
     fn since(&self, earlier: &Self) -> Self {
         Self {
             medium: self.medium,
@@ -47,7 +43,6 @@ impl Meter {
         }
     }
 
-    /// Returns what was seen in `seconds`.
     fn seen(&self, seconds: f64) -> MeterWindow {
         let share = |micros: f64| micros * 1e-6 / seconds;
         MeterWindow {
@@ -59,7 +54,7 @@ impl Meter {
     }
 }
 
-/// Counts the frames of both directions of a link.
+/// Counter of frames in both directions of a link.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LinkMeter {
     down: Meter,
@@ -67,7 +62,6 @@ pub struct LinkMeter {
 }
 
 impl LinkMeter {
-    /// Returns a meter that has seen nothing.
     pub const fn new(medium: Medium) -> Self {
         Self { down: Meter::new(medium), up: Meter::new(medium) }
     }
@@ -75,27 +69,23 @@ impl LinkMeter {
     /// Counts a frame of `len` bytes from the host.
     ///
     /// # Real-time
-    /// Some dozens of operations, whatever the length; no heap.
+    /// Some dozens of operations, at any length; no heap.
     pub fn saw_down(&mut self, len: usize) {
         self.down.saw(len);
     }
 
-    /// Counts a frame of `len` bytes to the host.
-    ///
-    /// # Real-time
-    /// As [`Self::saw_down`].
+    /// Counts a frame of `len` bytes to the host, bounded like [`Self::saw_down`].
     pub fn saw_up(&mut self, len: usize) {
         self.up.saw(len);
     }
 
-    /// Returns what it saw since it was as `earlier`.
     #[must_use]
     pub fn since(&self, earlier: &Self) -> Self {
         Self { down: self.down.since(&earlier.down), up: self.up.since(&earlier.up) }
     }
 
-    /// Returns what was seen in `seconds`: of both directions together where they take turns, else
-    /// of the busier one, as [`super::BusPlan::load`] has it.
+    /// Returns the traffic in `seconds`: of both directions together where they take turns, else of
+    /// the busier one, like [`super::BusPlan::load`].
     pub fn seen(&self, seconds: f64) -> MeterWindow {
         let (down, up) = (self.down.seen(seconds), self.up.seen(seconds));
         if self.up.medium.is_shared() {

@@ -1,17 +1,17 @@
-//! What a bus can carry: planned before boards are armed, metered while they run.
+//! Capacity of a bus: planned before boards are armed, metered while they run.
 //!
-//! | module | what stands there |
+//! | module | content |
 //! |---|---|
-//! | [`can`], [`uart`], [`usb`] | how long a frame takes on each kind of wire |
-//! | [`medium`] | the same question for any of them |
-//! | [`packing`] | how many bytes a board's keys take |
-//! | [`response`] | how long a frame waits behind others |
+//! | [`can`], [`uart`], [`usb`] | time of a frame on each kind of wire |
+//! | [`medium`] | time of a frame on any of them |
+//! | [`packing`] | bytes of a board's keys |
+//! | [`response`] | wait of a frame behind others |
 //! | [`bus`] | boards and rates on one bus: its load, its highest rate |
-//! | [`verdict`], [`propose`] | whether that will do, and what would |
-//! | [`meter`] | the same arithmetic over frames that were seen |
+//! | [`verdict`], [`propose`] | verdict on a plan, and an alternative |
+//! | [`meter`] | the same arithmetic over observed frames |
 //!
-//! Pure arithmetic; times in microseconds, rates in hertz, loads as shares of 1. Every load
-//! is the worst case: bits that depend on the payload are charged as if it were the worst.
+//! Pure arithmetic; times in microseconds, rates in hertz, loads as shares of 1. Every load is the
+//! worst case: each payload counts as the worst one.
 
 pub mod bus;
 pub mod can;

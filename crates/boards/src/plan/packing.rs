@@ -1,6 +1,5 @@
-//! How many bytes a frame takes for so many keys: the packings are those of the wire.
-//!
-//! Forces for all boards are another matter: their frames are always whole, see [`super::bus`].
+//! Packings of the wire: bytes of a frame by its number of keys. Frames with forces for all boards
+//! are always whole, see [`super::bus`].
 
 pub use firmware_protocol::frame::key_forces::ForcePacking;
 pub use firmware_protocol::frame::key_samples::SamplePacking;

@@ -1,10 +1,10 @@
-//! The richest packing that a bus can carry at the wanted rates, or what it can carry.
+//! The richest packing that a bus can carry at the wanted rates, or the rates that it can carry.
 
 use super::verdict::WARN;
 use super::{BusPlan, BusVerdict, ForcePacking, SamplePacking};
 
-/// All packings that go together, by what they tell of each key; of two that tell as much, first
-/// the one whose force depends on the key's own position, then the one with a frame for each
+/// All valid combinations of packings, by their information on each key; of two equals, first the
+/// one with a force that depends on the key's own position, then the one with a frame for each
 /// board. Slopes need velocities.
 const RICHEST_FIRST: [(SamplePacking, ForcePacking); 10] = [
     (SamplePacking::Position24Velocity, ForcePacking::Force16Slope),
@@ -19,32 +19,29 @@ const RICHEST_FIRST: [(SamplePacking, ForcePacking); 10] = [
     (SamplePacking::Position16, ForcePacking::Multicast16),
 ];
 
-/// What a bus can carry.
+/// Capacity of a bus for a plan.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Proposal {
     /// The wanted rates, with the richest packing for them.
     AsWanted(BusPlan),
     /// The leanest packing, at the highest rates for it.
     Slower {
-        /// What this bus can carry.
         plan: BusPlan,
-        /// Buses like this one among which the boards would have to be divided for the
-        /// wanted rates; none if one board is too much for one bus.
+        /// Number of such buses for the wanted rates; `None` if one board is too much for one bus.
         buses: Option<usize>,
     },
 }
 
 impl BusPlan {
-    /// Returns what this bus can carry of what is wanted of it, whatever the packing in the plan.
+    /// Returns the capacity of this bus for the plan, with any packing.
     ///
-    /// The richest packing with room to spare, else the leanest if it is only tight, else
-    /// the leanest at lower rates, in the wanted proportion.
+    /// The richest packing with room to spare, else the leanest if it is only tight, else the
+    /// leanest at lower rates, in the wanted proportion.
     pub fn propose(&self) -> Proposal {
         let roomy = self.candidates().find(|it| it.verdict() == BusVerdict::Fits);
         roomy.map_or_else(|| self.leanest(), Proposal::AsWanted)
     }
 
-    /// Returns the packing with the smallest load, slower if it must be.
     fn leanest(&self) -> Proposal {
         let by_load = |one: &Self, other: &Self| one.load().total_cmp(&other.load());
         let plan = self.candidates().min_by(by_load).unwrap_or_else(|| self.clone());
@@ -56,7 +53,7 @@ impl BusPlan {
         }
     }
 
-    /// Returns the same, at the highest whole rates with room to spare; below 1 Hz, not whole.
+    /// Returns the plan at the highest whole rates with room to spare; below 1 Hz, not whole.
     fn slowed(self) -> Self {
         let factor = self.stretch(WARN);
         let slowed = |rate: f64| {
@@ -66,7 +63,6 @@ impl BusPlan {
         Self { sample_rate: slowed(self.sample_rate), force_rate: slowed(self.force_rate), ..self }
     }
 
-    /// This plan with every packing, richest first.
     fn candidates(&self) -> impl Iterator<Item = Self> {
         let all = self.medium.reaches_all();
         RICHEST_FIRST
@@ -75,8 +71,8 @@ impl BusPlan {
             .map(|(samples, forces)| Self { samples, forces, ..self.clone() })
     }
 
-    /// Returns the fewest buses like this one on which the boards fit with room to spare; none if
-    /// one board is too much for one bus.
+    /// Returns the minimum of such buses on which the boards fit with room to spare; `None` if one
+    /// board is too much for one bus.
     pub fn buses_needed(&self) -> Option<usize> {
         (1..=self.boards.len()).find(|buses| {
             let most = self.boards.len().div_ceil(*buses);

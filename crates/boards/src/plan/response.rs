@@ -1,27 +1,25 @@
-//! How long a frame waits on a bus where the most urgent goes first and none is interrupted.
+//! Wait of a frame on a bus without preemption where the most urgent goes first.
 
-/// A frame that comes again and again.
+/// A frame with a minimum interval.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Periodic {
-    /// From one to the next at least (us).
+    /// Minimum interval (us).
     pub period: f64,
-    /// On the bus (us).
+    /// Time on the bus (us).
     pub time: f64,
 }
 
-/// Longer than any that converges in use; each step lasts for a frame at least.
+/// Larger than any that converges in use; each step lasts for a frame at least.
 const MAX_STEPS: u32 = 100_000;
 
-/// Returns the time from the wish to send a frame until it has arrived, at worst (us).
+/// Returns the longest time from the request to send a frame to its arrival (us).
 ///
-/// The frame that is on the bus already ends first (`blocking`, the longest there is (us));
-/// then go all of `higher`, as often as they come meanwhile; then the frame itself, for
-/// `own` (us). `R = B + sum(ceil(R / P) T) + own`, from below until it stays.
-///
-/// None if `higher` leave no room, or if a number is not one.
+/// First the frame on the bus ends (`blocking`, the longest there is (us)); then go all of
+/// `higher`, as often as they arrive meanwhile; then the frame itself, for `own` (us). `R = B +
+/// sum(ceil(R / P) T) + own`, iterated from below. `None` if `higher` leave no room, or for NaN.
 pub fn worst_response(blocking: f64, higher: &[Periodic], own: f64) -> Option<f64> {
     let share: f64 = higher.iter().map(|it| it.time / it.period).sum();
-    // Also false if a number is none.
+    // Also false for NaN.
     let has_room = share < 1.0;
     if !has_room {
         return None;

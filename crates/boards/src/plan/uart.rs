@@ -1,6 +1,6 @@
 //! Frames on an asynchronous serial line: 8 data bits, no parity, one stop bit.
 //!
-//! Each frame is sent with a CRC, without zeros (COBS), and with a zero behind it.
+//! Each frame has a CRC, is coded without zeros (COBS), and ends with a zero.
 
 /// Checksum of a frame (bytes).
 const CRC: usize = 2;
@@ -9,7 +9,7 @@ const BITS_PER_BYTE: f64 = 10.0;
 /// Bytes after which COBS needs a further code byte.
 const COBS_RUN: usize = 254;
 
-/// Who may speak at a time.
+/// Turns of the senders on a serial line.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Wiring {
     /// A pair of wires each way: a board's own link, or that of a hub for all keys.
@@ -21,7 +21,7 @@ pub enum Wiring {
     },
 }
 
-/// Returns what a frame of `bytes` is on the wire at most (bytes).
+/// Returns the maximum length of a frame of `bytes` on the wire (bytes).
 pub const fn wire_bytes(bytes: usize) -> usize {
     let checked = bytes + CRC;
     let code = 1 + checked / COBS_RUN;
@@ -29,7 +29,7 @@ pub const fn wire_bytes(bytes: usize) -> usize {
     checked + code + delimiter
 }
 
-/// Returns the time of a frame at `baud` (bit/s) on a line that its sender has (us).
+/// Returns the time of a frame at `baud` (bit/s), without turnaround (us).
 pub fn time(bytes: usize, baud: u32) -> f64 {
     wire_bytes(bytes) as f64 * BITS_PER_BYTE * 1e6 / f64::from(baud)
 }

@@ -1,8 +1,8 @@
-//! Bulk transfers over USB (USB 2.0, 5.8): how many bytes of a frame's budget they take.
+//! Bulk transfers over USB (USB 2.0, 5.8): bytes of a frame's budget.
 //!
 //! These are ceilings of the wire; the host's scheduling adds up to a frame of delay.
 
-/// How fast a device signals.
+/// Signalling rate of a device.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UsbRate {
     /// 12 Mbit/s, frames of 1 ms; all such devices behind one transaction translator share it.
@@ -12,7 +12,7 @@ pub enum UsbRate {
 }
 
 impl UsbRate {
-    /// Returns the most payload of one transaction (bytes).
+    /// Returns the maximum payload of one transaction (bytes).
     pub const fn payload(self) -> usize {
         match self {
             Self::Full => 64,
@@ -20,7 +20,7 @@ impl UsbRate {
         }
     }
 
-    /// Returns what a transaction takes besides its payload (bytes).
+    /// Returns the overhead of a transaction (bytes).
     const fn overhead(self) -> usize {
         match self {
             Self::Full => 13,
@@ -28,7 +28,7 @@ impl UsbRate {
         }
     }
 
-    /// Returns what one frame has room for (bytes).
+    /// Returns the budget of one frame (bytes).
     const fn budget(self) -> usize {
         match self {
             Self::Full => 1_500,
@@ -36,7 +36,7 @@ impl UsbRate {
         }
     }
 
-    /// Returns how long a frame is (us).
+    /// Returns the period of frames (us).
     pub const fn frame_time(self) -> f64 {
         match self {
             Self::Full => 1_000.0,
@@ -49,10 +49,8 @@ impl UsbRate {
         self.budget() / (self.overhead() + bytes)
     }
 
-    /// Returns what a transfer takes of a frame's budget (bytes).
-    ///
-    /// A transfer ends with a transaction that is not full; one that fills its last needs
-    /// an empty one behind it.
+    /// Returns the share of a frame's budget that a transfer takes (bytes). It ends with a
+    /// transaction that is not full; one that fills its last needs an additional empty one.
     pub const fn cost(self, bytes: usize) -> usize {
         let transactions = bytes / self.payload() + 1;
         bytes + transactions * self.overhead()

@@ -1,16 +1,15 @@
-//! Whether a plan will do, in one sentence.
+//! Verdict on a plan, in one sentence.
 
 use super::BusPlan;
 
-/// Above this share of its time, a bus has little left for repeats.
+/// Load above which a bus has little left for repeats.
 pub const WARN: f64 = 0.70;
-/// Above this share of its time, a bus is not used.
+/// Load above which a bus is not used.
 pub const REFUSE: f64 = 0.80;
 
-/// Whether a bus can carry what is planned.
+/// Verdict on the load of a bus.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum BusVerdict {
-    /// With room to spare.
     Fits,
     /// Above 70 %: repeats after an error delay what comes next.
     Tight,
@@ -19,7 +18,7 @@ pub enum BusVerdict {
 }
 
 impl BusVerdict {
-    /// Returns the verdict on a load; a load that is no number is refused.
+    /// Returns the verdict on a load; NaN is refused.
     pub fn of(load: f64) -> Self {
         if load <= WARN {
             Self::Fits
@@ -32,19 +31,18 @@ impl BusVerdict {
 }
 
 impl BusPlan {
-    /// Returns the rate at which all keys can be sampled and given a force, both in each cycle, if
-    /// the bus is taken as far as it may be (Hz); infinite without boards.
+    /// Returns the highest rate at which all keys can be sampled and given a force, both in each
+    /// cycle (Hz); infinite without boards.
     pub fn max_rate(&self) -> f64 {
         let one = Self { sample_rate: 1.0, force_rate: 1.0, ..self.clone() };
         one.stretch(REFUSE)
     }
 
-    /// Tells whether the bus can carry this.
     pub fn verdict(&self) -> BusVerdict {
         BusVerdict::of(self.load())
     }
 
-    /// Returns what the bus would carry, whether it can, and what to do if not.
+    /// Returns the planned load, the verdict, and the remedy.
     pub fn sentence(&self) -> String {
         let (what, load) = (self.what(), 100.0 * self.load());
         match self.verdict() {
@@ -64,7 +62,6 @@ impl BusPlan {
         }
     }
 
-    /// Returns the bus and what it is asked for.
     fn what(&self) -> String {
         let keys: usize = self.boards.iter().map(|it| it.numbers().len()).sum();
         format!(
@@ -77,14 +74,12 @@ impl BusPlan {
         )
     }
 
-    /// Says when a force arrives.
     fn arrival(&self) -> String {
         self.force_response().map_or_else(String::new, |response| {
             format!(", and a force arrives within {:.2} ms", response / 1e3)
         })
     }
 
-    /// Returns what keeps the load to `limit`.
     fn way_out(&self, limit: f64) -> String {
         let factor = self.stretch(limit);
         let rate = |rate: f64| (rate * factor).floor();
@@ -100,7 +95,6 @@ impl BusPlan {
     }
 }
 
-/// Returns a number and what is counted.
 fn count(n: usize, one: &str, many: &str) -> String {
     format!("{n} {}", if n == 1 { one } else { many })
 }

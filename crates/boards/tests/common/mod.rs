@@ -20,14 +20,12 @@ use firmware_protocol::key::BoardId;
 use firmware_protocol::key::PerKey;
 use haptics::plant::RigParameters;
 
-/// Microseconds since this program began.
 pub fn now_us() -> u64 {
     static BEGAN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let passed = BEGAN.get_or_init(Instant::now).elapsed();
     1_000_000 + u64::try_from(passed.as_micros()).expect("a short test")
 }
 
-/// The clock of a host in this program.
 pub fn clock() -> HostClock {
     HostClock::Monotonic(now_us)
 }
@@ -36,7 +34,6 @@ pub fn clock() -> HostClock {
 #[derive(Debug)]
 pub struct Socket(UnixDatagram);
 
-/// Both ends of a link.
 pub fn pair() -> (Socket, Socket) {
     let (one, other) = UnixDatagram::pair().expect("sockets");
     for end in [&one, &other] {
@@ -63,14 +60,14 @@ impl Link for Socket {
     }
 }
 
-/// A simulated board that lives on a thread until it is dropped.
+/// A simulated board that runs on a thread until it is dropped.
 pub struct Living {
     stop: Arc<AtomicBool>,
     thread: Option<JoinHandle<SimulatedBoard>>,
 }
 
 impl Living {
-    /// Sets `board` going on `link`.
+    /// Starts `board` on `link`.
     pub fn start(mut board: SimulatedBoard, mut link: impl Link + Send + 'static) -> Self {
         let stop = Arc::new(AtomicBool::new(false));
         let its_stop = Arc::clone(&stop);
@@ -87,7 +84,6 @@ impl Living {
         Self { stop, thread: Some(thread) }
     }
 
-    /// Stops it; returns what it has become.
     pub fn stop(mut self) -> SimulatedBoard {
         self.stop.store(true, Ordering::Release);
         self.thread.take().expect("it lives").join().expect("it lives well")
@@ -103,14 +99,14 @@ impl Drop for Living {
     }
 }
 
-/// A board of the standard compass that works out its forces every 100 us.
+/// Returns a board of the standard compass that computes its forces every 100 us.
 pub fn board(number: u8) -> SimulatedBoard {
     let id = BoardId::new(number).expect("a board");
     let make = BoardMake::standard(id, 100e-6, RigParameters::default());
     SimulatedBoard::new(make).expect("a possible board")
 }
 
-/// A keybed of the boards with these numbers, each on a line of its own.
+/// Returns a keybed of these boards, each on a line of its own.
 pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
     let (mut lines, mut boards) = (Vec::new(), Vec::new());
     for number in numbers {
@@ -121,7 +117,7 @@ pub fn keybed(numbers: &[u8]) -> (Keybed<Offline>, Vec<Living>) {
     (Keybed::new(lines, clock()), boards)
 }
 
-/// Keys that read as their boards say.
+/// Returns the calibration that the boards claim.
 pub fn nominal(found: &FoundBoard, _name: &BoardName) -> Result<PerKey<KeyCalibration>, Refusal> {
     let n = usize::from(found.hello.n_keys);
     Ok(PerKey::collect(std::iter::repeat_n(found.nominal(), n)))

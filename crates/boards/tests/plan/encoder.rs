@@ -1,4 +1,4 @@
-//! CAN frames bit by bit, as a controller sends them: the slow, plain way to their length.
+//! CAN frames bit by bit, as a controller sends them: the slow, plain method to their length.
 
 use boards::plan::can::{FdBits, Id};
 
@@ -7,7 +7,6 @@ const CLASSIC_TAIL: usize = 1 + 1 + 1 + 7 + 3;
 /// After the CRC's delimiter of a CAN FD frame.
 const FD_TAIL: usize = 1 + 1 + 7 + 3;
 
-/// Bits of a classic frame on the wire.
 pub(crate) fn classic(id: Id, number: usize, payload: &[u8]) -> usize {
     let mut bits = address(id, number);
     bits.push(false); // RTR
@@ -22,7 +21,6 @@ pub(crate) fn classic(id: Id, number: usize, payload: &[u8]) -> usize {
     wire.len() + last + CLASSIC_TAIL
 }
 
-/// Bits of a CAN FD frame with rate switch on the wire.
 pub(crate) fn fd(id: Id, number: usize, payload: &[u8]) -> FdBits {
     let mut bits = address(id, number);
     bits.push(false); // RRS
@@ -43,7 +41,7 @@ pub(crate) fn fd(id: Id, number: usize, payload: &[u8]) -> FdBits {
     FdBits { nominal: nominal + FD_TAIL, data: wire.len() - nominal + delimiter }
 }
 
-/// Start of frame, identifier, and of a long one the bits between its parts.
+/// Returns start of frame, identifier, and of a long one the bits between its parts.
 fn address(id: Id, number: usize) -> Vec<bool> {
     let mut bits = vec![false];
     match id {
@@ -57,7 +55,7 @@ fn address(id: Id, number: usize) -> Vec<bool> {
     bits
 }
 
-/// The stuff bits' count, Gray-coded with parity, and the CRC of all before.
+/// Returns the stuff bits' count, Gray-coded with parity, and the CRC of all before.
 fn check_field(wire: &[bool], count: usize, payload: usize) -> Vec<bool> {
     let (width, poly) = if payload <= 16 { (17, 0x1_685B) } else { (21, 0x10_2899) };
     let count = count % 8;
@@ -69,13 +67,11 @@ fn check_field(wire: &[bool], count: usize, payload: usize) -> Vec<bool> {
     field
 }
 
-/// The code of a payload's length.
 fn length_code(payload: usize) -> usize {
     let above_8 = [12, 16, 20, 24, 32, 48, 64];
     above_8.iter().position(|it| *it == payload).map_or(payload, |code| 9 + code)
 }
 
-/// Appends the lowest `n` bits of `value`, highest first.
 fn push(bits: &mut Vec<bool>, value: usize, n: usize) {
     bits.extend((0..n).rev().map(|at| (value >> at) & 1 == 1));
 }
@@ -86,7 +82,7 @@ fn push_all(bits: &mut Vec<bool>, payload: &[u8]) {
     }
 }
 
-/// After five equal bits, their inverse, which counts for the next five; not behind the last.
+/// Inserts the inverse after five equal bits, which counts for the next five; not behind the last.
 fn stuffed(bits: &[bool]) -> Vec<bool> {
     let mut wire = Vec::new();
     for bit in bits {
@@ -98,12 +94,11 @@ fn stuffed(bits: &[bool]) -> Vec<bool> {
     wire
 }
 
-/// Whether the last five are equal.
 fn ends_equal(wire: &[bool]) -> bool {
     wire.last_chunk::<5>().is_some_and(|five| five.iter().all(|bit| *bit == five[0]))
 }
 
-/// Before the first and after every fourth bit of `field`, the inverse of the bit before.
+/// Inserts the inverse of the bit before in front of and after every fourth bit of `field`.
 fn fixed_stuffed(wire: &[bool], field: &[bool]) -> Vec<bool> {
     let mut last = wire.last().is_some_and(|bit| *bit);
     let mut out = Vec::new();
@@ -117,7 +112,6 @@ fn fixed_stuffed(wire: &[bool], field: &[bool]) -> Vec<bool> {
     out
 }
 
-/// The CRC of `bits`, highest first.
 fn remainder(bits: &[bool], width: usize, poly: usize, start: usize) -> usize {
     bits.iter().fold(start, |crc, bit| {
         let out = ((crc >> (width - 1)) & 1 == 1) != *bit;

@@ -1,4 +1,4 @@
-//! Lengths of CAN frames: the table, exact vectors, and any payload between fewest and most.
+//! Lengths of CAN frames: the table, exact vectors, and any payload between minimum and maximum.
 
 use boards::plan::can::{FdBits, Id, Stuffing, classic_bits};
 use firmware_protocol::can::padded;
@@ -13,7 +13,7 @@ fn fd_bits(id: Id, bytes: usize, stuffing: Stuffing) -> (usize, usize) {
     (bits.nominal, bits.data)
 }
 
-/// Time at 1 Mbit/s and so many (us).
+/// Returns the time at 1 Mbit/s and this data rate (us).
 fn fd_time(bytes: usize, stuffing: Stuffing, data: u32) -> f64 {
     FdBits::of(Standard, bytes, stuffing).time(1_000_000, data)
 }
@@ -36,7 +36,7 @@ fn classic_frames_have_the_lengths_of_the_table() {
     assert_eq!((classic_bits(Extended, 8, Fewest), classic_bits(Extended, 8, Most)), (131, 160));
 }
 
-/// Payload (bytes), data bits fewest and most, time at 1/5 Mbit/s least and most, at 1/8 (us).
+/// Payload (bytes), data bits and time at 1/5 Mbit/s, each minimum and maximum, time at 1/8 (us).
 type FdRow = (usize, usize, usize, f64, f64, f64);
 
 const FD: [FdRow; 8] = [
@@ -61,7 +61,6 @@ fn fd_frames_have_the_lengths_and_times_of_the_table() {
             (fd_time(bytes, Most, 8_000_000), faster),
         ];
         for (got, printed) in times {
-            // The table is rounded to a tenth.
             assert!((got - printed).abs() < 0.051, "{bytes} bytes: {got} us, not {printed}");
         }
     }
@@ -102,7 +101,7 @@ fn fd_vectors_have_their_exact_length() {
     }
 }
 
-/// Payloads by their runs of equal bits: around four is what costs most.
+/// Payloads by their runs of equal bits: runs of about four cost most.
 fn by_runs() -> impl Strategy<Value = Vec<u8>> {
     (prop::collection::vec(1_usize..7, 64 * 8), any::<bool>()).prop_map(|(runs, first)| {
         let bits = runs.iter().scan(first, |bit, run| {
@@ -113,7 +112,7 @@ fn by_runs() -> impl Strategy<Value = Vec<u8>> {
     })
 }
 
-/// Runs of four behind a first of five, which is as many stuff bits as there can be.
+/// Runs of four behind a first of five: the maximum of stuff bits.
 fn worst() -> impl Strategy<Value = Vec<u8>> {
     (0_usize..8, any::<bool>())
         .prop_map(|(phase, first)| pack((0..64 * 8).map(|at| ((at + phase) / 4 % 2 == 0) != first)))
@@ -162,7 +161,7 @@ proptest! {
         let (fewest, most) = (FdBits::of(id, n, Fewest), FdBits::of(id, n, Most));
         prop_assert!(fewest.nominal <= bits.nominal && bits.nominal <= most.nominal);
         prop_assert!(fewest.data <= bits.data);
-        // What the head does not use of its stuff bits, the rest may need.
+        // Stuff bits that the head does not use, the rest may need.
         prop_assert!(bits.nominal + bits.data <= most.nominal + most.data);
         let exact = bits.time(1_000_000, 5_000_000);
         prop_assert!(exact <= most.time(1_000_000, 5_000_000) + 1e-9);

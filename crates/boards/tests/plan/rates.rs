@@ -9,8 +9,8 @@ pub(crate) const CLASSIC: Medium = Medium::ClassicCan { bitrate: 1_000_000 };
 pub(crate) const FD5: Medium = Medium::CanFd { nominal: 1_000_000, data: 5_000_000 };
 pub(crate) const FD8: Medium = Medium::CanFd { nominal: 1_000_000, data: 8_000_000 };
 
-/// The fullest of so many buses for eight boards: each has as many of them, and the one of board 2
-/// has keys of two groups of thirty, unless it has all three.
+/// Returns the fullest of these buses for eight boards: each has as many of them, and the one of
+/// board 2 has keys of two groups of thirty, unless it has all three.
 pub(crate) fn plan(medium: Medium, buses: usize, up: SamplePacking, down: ForcePacking) -> BusPlan {
     let first = [0, 0, 0, 0, 2, 0, 0, 0, 2][buses];
     BusPlan {
@@ -44,8 +44,8 @@ fn forces_for_each_board_over_can_fd_reach_the_rates_of_the_table() {
     check(FD8, Position24Velocity, Force16, [511, 1_022, 2_043, 4_087]);
 }
 
-/// The table has one bus for all 88 keys; for more it cuts frames off behind the last key, which
-/// nobody does. By hand: half of the boards have keys of two groups, as has board 2 alone.
+/// The table has one bus for all 88 keys; for more it cuts frames off behind the last key, unlike
+/// any real system. By hand: half of the boards have keys of two groups, as has board 2 alone.
 #[test]
 fn forces_for_all_boards_reach_the_rates_of_the_table_on_one_bus_and_take_whole_frames_on_more() {
     let check = |medium, up, sample: f64, whole: f64, table| {

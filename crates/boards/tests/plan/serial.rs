@@ -11,7 +11,7 @@ use SamplePacking::{Position16, Position16Velocity, Position24, Position24Veloci
 const PACKINGS: [SamplePacking; 4] =
     [Position16, Position24, Position16Velocity, Position24Velocity];
 
-/// Highest rates with these boards, for each packing (Hz).
+/// Returns the highest rates with these boards, for each packing (Hz).
 fn rates(medium: Medium, boards: &[KeyRange]) -> [u32; 4] {
     PACKINGS.map(|samples| {
         let plan = BusPlan {
@@ -36,11 +36,9 @@ fn frames_on_the_wire_have_the_lengths_of_the_table() {
     assert_eq!((up(88), down(88)), ([184, 273, 361, 449], 184));
 }
 
-/// One for all keys.
 const HUB: [KeyRange; 1] = [KeyRange::ALL];
 
-/// Rate (Mbaud); rates of a board's own link, of one for all 88 keys, of a line for eight
-/// boards (Hz).
+/// Rate (Mbaud); rates of a board's own link, one for all 88 keys, a line for eight boards (Hz).
 type Row = (u32, [u32; 4], [u32; 4], [u32; 4]);
 
 #[rustfmt::skip]

@@ -1,4 +1,4 @@
-//! Loads of plans whose rates differ up and down, and of what goes besides.
+//! Loads of plans with different rates up and down, and of additional traffic.
 
 use ForcePacking::{Force16, Multicast16};
 use SamplePacking::{Position16, Position16Velocity, Position24Velocity};
@@ -6,12 +6,11 @@ use boards::plan::{BusPlan, BusVerdict, Extras, ForcePacking, Medium, SamplePack
 
 use super::rates::{CLASSIC, FD5, FD8, plan};
 
-/// Asserts the load of the fullest of so many buses (%).
+/// Asserts the load of the fullest of these buses (%).
 #[track_caller]
 fn check(plan: &BusPlan, [sample_rate, force_rate]: [f64; 2], percent: f64) {
     let plan = BusPlan { sample_rate, force_rate, ..plan.clone() };
     let got = 100.0 * plan.load();
-    // The table is rounded to a tenth.
     assert!((got - percent).abs() < 0.051, "{got} %, not {percent}");
     assert_eq!(plan.verdict(), BusVerdict::Fits);
 }
@@ -33,7 +32,7 @@ fn what_is_asked_beside_takes_two_hundredths_of_can_fd() {
         let got = 100.0 * (all.load() - cyclic.load());
         assert!((got - percent).abs() < 0.001, "{got} % of {medium}, not {percent}");
     };
-    // Two questions after the health of board and key count as if they were after counts.
+    // Two requests for the health of board and key count as if they were for counts.
     let asked = |ping: f64, counts: f64| 100e-6 * (8.0 * 20.0 * ping + 3.0 * 8.0 * counts);
     check(FD5, Force16, asked(45.8 + 55.8, 45.8 + 136.8));
     check(FD8, Force16, asked(41.0 + 47.25, 41.0 + 97.875));

@@ -1,16 +1,15 @@
-//! What a rig can render: a spring, a dashpot and a mass that are raised until the key shakes.
+//! The range of a rig: a spring, a dashpot and a mass are raised until the key shakes.
 //!
 //! ```text
 //! raise     one of them, with its value; a pulse of the motor sets the key in motion. It comes
 //!           to rest: the value times 1.25
-//! let go    it does not: no force from that very exchange on, until the key stands still
-//! place     a soft spring brings it to the middle of its dip again, for a spring
+//! let go    it does not: no force from that very exchange on, until the key is at rest
+//! place     a soft spring returns it to the middle of its dip, for a spring
 //! confirm   the value before, by the same pulse; if the key shakes again, the one before that
 //! ```
 //!
-//! The key is held in the middle of its dip by a constant push that carries its weight, and by the
-//! spring, whose rest is there. Nobody has to touch it; a finger that rests on it takes energy, and
-//! more is stable.
+//! A constant push that carries the key's weight, and the spring, hold the key in the middle of its
+//! dip, without any hand; a finger on it takes energy and raises the stable values.
 
 mod object;
 #[cfg(test)]
@@ -25,53 +24,50 @@ use super::{CalibrationFault, Next, Rested, Travelled};
 
 pub use object::RangedObject;
 
-/// Largest force that is tried (N).
+/// Largest force (N).
 pub const MOST_FORCE: f64 = 8.0;
-/// From one value to the next (1).
+/// Ratio of successive values (1).
 pub const STEP: f64 = 1.25;
-/// The pulse that sets the key in motion (N), and its length (s).
+/// Pulse that sets the key in motion (N), and its length (s).
 const PULSE: (f64, f64) = (2.0, 8e-3);
-/// A key that stood still so long has been let go (s).
+/// Time at rest after which a key has been let go (s).
 const LET_GO: f64 = 0.2;
 
-/// How the objects of a range are rendered.
+/// Conditions of rendering during a range.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RangeTerms {
     /// Time between two exchanges (s).
     pub period: f64,
     /// Largest force (N).
     pub limit: f64,
-    /// What makes motion of positions.
     pub estimator: AnyEstimator,
 }
 
-/// What ended the raising of an object, at the value of which it happened.
+/// End of an object's rise, with the value at which it occurred.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum RangeEnd {
-    /// It did not come to rest, or gave back more energy than it got.
+    /// The key did not come to rest, or returned more energy than it received.
     Shook(f64),
-    /// It asked for more than the largest force.
+    /// It needed more than the largest force.
     ForceLimit(f64),
-    /// Nothing: it is the largest value that is tried.
+    /// The largest tried value passed.
     Highest,
 }
 
-/// What was found of one object.
+/// Result of one object.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RangeFound {
     pub object: RangedObject,
-    /// The largest value with which the key came to rest, twice unless nothing ended it; none if
-    /// it shook with all.
+    /// Largest value with which the key came to rest, twice unless nothing ended the rise; `None`
+    /// if it shook with all.
     pub good: Option<f64>,
     pub end: RangeEnd,
 }
 
-/// What is being done.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum RangePhase {
     Trying(TriedValue),
     LettingGo,
-    /// A soft spring brings the key to its middle.
     Placing(TriedValue),
 }
 
@@ -81,7 +77,7 @@ pub struct RangeMeasurement {
     object: RangedObject,
     terms: RangeTerms,
     key: KeyPush,
-    /// Middle and length of the key's way (m), and the push under which it floats (N).
+    /// Middle and length of the key's travel (m), and the push under which it floats (N).
     middle: f64,
     dip: f64,
     float: f64,
@@ -89,13 +85,12 @@ pub struct RangeMeasurement {
     value: f64,
     end: Option<RangeEnd>,
     observer: PassivityObserver,
-    /// The last position's time (s), and how many periods have passed.
+    /// Time of the last position (s), and number of periods since.
     last: Option<f64>,
     tick: u64,
 }
 
 impl RangeMeasurement {
-    /// Returns the measurement of `object` on a key that rests and travels so.
     pub fn new(
         object: RangedObject,
         terms: RangeTerms,
@@ -120,15 +115,15 @@ impl RangeMeasurement {
         }
     }
 
-    /// Returns whether the key shook, and feels no force until it stands still.
+    /// Returns `true` if the key shook, and feels no force until it is at rest.
     pub fn is_letting_go(&self) -> bool {
         self.phase == RangePhase::LettingGo
     }
 
-    /// Takes where the key is at `t` (s, m); says how to push it, or what was found.
+    /// Processes the key's position at `t` (s, m); returns the next push, or the result.
     ///
     /// # Errors
-    /// Its readings are not those of a key, or it does not come to rest.
+    /// The readings are not those of a key, or the key does not come to rest.
     pub fn advance(&mut self, t: f64, position: f64) -> Result<Next<RangeFound>, CalibrationFault> {
         let elapsed = self.elapse(t, position);
         self.key.update(t, position)?;
@@ -164,8 +159,8 @@ impl RangeMeasurement {
         Ok(found.map_or(Next::Push(push), Next::Done))
     }
 
-    /// Returns the value that is rendered: while the key is placed, at most as much as asks for a
-    /// quarter of the largest force.
+    /// Returns the rendered value: while the key is placed, at most as much as needs a quarter of
+    /// the largest force.
     fn rendered(&self) -> f64 {
         match (self.phase, self.object) {
             (RangePhase::Placing(_), RangedObject::Spring) => {
@@ -190,7 +185,7 @@ impl RangeMeasurement {
         periods * self.terms.period
     }
 
-    /// Returns the push on the key (N): what the object wants, what carries its weight, and the
+    /// Returns the push on the key (N): the object's, the one that carries its weight, and the
     /// pulse towards the middle.
     fn push(&mut self, wanted: f64, t: f64, position: f64, tried: &TriedValue) -> f64 {
         let limit = self.terms.limit;
@@ -202,7 +197,6 @@ impl RangeMeasurement {
         (held + self.float + pulse).clamp(-limit, limit)
     }
 
-    /// Goes on to the next value; says what was found if there is none to be tried.
     fn raise(&mut self) -> Option<RangeFound> {
         let next = self.value * STEP;
         if self.end.is_some() || self.object.most() < next {
@@ -213,18 +207,16 @@ impl RangeMeasurement {
         None
     }
 
-    /// Takes the force away, to go on with the value before, which is to be confirmed.
+    /// Removes the force, and continues with the value before, which must be confirmed.
     fn lower(&mut self, end: RangeEnd) -> Next<RangeFound> {
         self.end = Some(end);
         self.phase = RangePhase::LettingGo;
         Next::Push(0.0)
     }
 
-    /// Waits until the key stands still.
     fn let_go(&mut self) -> Next<RangeFound> {
         if LET_GO <= self.key.still_for() {
             let lower = self.value / STEP;
-            // Rounding must not lose the first.
             if lower < 0.99 * self.object.first() {
                 let end = self.end.unwrap_or(RangeEnd::Highest);
                 return Next::Done(RangeFound { object: self.object, good: None, end });

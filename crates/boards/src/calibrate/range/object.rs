@@ -1,20 +1,15 @@
-//! The three objects.
-
 use haptics::KeyMotion;
 
 /// An object that a rig should render before it renders an instrument.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RangedObject {
-    /// A force for the way from the middle.
     Spring,
-    /// A force for the speed.
     Dashpot,
-    /// A force for the acceleration.
     Mass,
 }
 
 impl RangedObject {
-    /// All of them, the easiest first.
+    /// All objects, the easiest first.
     pub const ALL: [Self; 3] = [Self::Spring, Self::Dashpot, Self::Mass];
 
     /// Returns its name, which is that of its instrument.
@@ -26,7 +21,6 @@ impl RangedObject {
         }
     }
 
-    /// Returns the unit of its value.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Spring => "N/m",
@@ -35,7 +29,7 @@ impl RangedObject {
         }
     }
 
-    /// Returns the value that is tried first: a fifth of the paper's limits, and 2 g.
+    /// Returns the first value: a fifth of the paper's limits, and 2 g.
     pub const fn first(self) -> f64 {
         match self {
             Self::Spring => 20.0,
@@ -44,7 +38,7 @@ impl RangedObject {
         }
     }
 
-    /// Returns the largest value that is tried: walls, and what no finger moves.
+    /// Returns the last value: a wall, or more than a finger moves.
     pub const fn most(self) -> f64 {
         match self {
             Self::Spring => 50e3,
@@ -53,8 +47,7 @@ impl RangedObject {
         }
     }
 
-    /// Returns its push on a key in `motion` (N, down positive), with the spring at rest at
-    /// `middle` (m).
+    /// Returns its push on a key in `motion` (N, down positive); a spring rests at `middle` (m).
     pub(super) fn push(self, value: f64, motion: &KeyMotion, middle: f64) -> f64 {
         match self {
             Self::Spring => value * (middle - motion.position),

@@ -1,43 +1,37 @@
-//! One value: does the key come to rest after its pulse?
+//! One value: whether the key comes to rest after its pulse.
 
 use haptics::Swing;
 
-/// A key is looked at in blocks of so much time (s), as trials look at it.
+/// Length of a block of observation (s), as in trials.
 const BLOCK: f64 = 0.15;
-/// After so many blocks it is judged.
 const BLOCKS: u32 = 8;
-/// Way to and fro in a block within which a key is at rest, as a part of its dip.
+/// Swing in a block within which a key is at rest, relative to its dip.
 const RESTING: f64 = 0.01;
-/// A key that meets its felts asks a mass for more than the largest force, and for less long (s).
+/// Longest demand above the largest force (s): a mass exceeds it briefly when the key meets felts.
 const LIMITED: f64 = 10e-3;
 
-/// What a key does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum KeyResponse {
-    /// It is not known yet.
     Moves,
     Rests,
     Shakes,
 }
 
-/// One value that is tried.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct TriedValue {
-    /// Time (s) and place (m) of the first look.
+    /// Time (s) and position (m) of the first sample.
     began: Option<(f64, f64)>,
-    /// Blocks that are over.
     blocks: u32,
-    /// How the key moved in this block.
     swing: Swing,
-    /// Way to and fro in the block before, of the dip.
+    /// Swing in the block before, relative to the dip.
     before: f64,
     position: f64,
-    /// For how long more than the largest force was asked for (s).
+    /// Total demand above the largest force (s).
     limited: f64,
 }
 
 impl TriedValue {
-    /// Takes where the key is at `t` (s, m), whose way is `dip` (m).
+    /// Processes the key's position at `t` (s, m); its travel is `dip` (m).
     pub(super) fn advance(&mut self, t: f64, position: f64, dip: f64) -> KeyResponse {
         let (began, _) = *self.began.get_or_insert_with(|| {
             self.position = position;
@@ -65,22 +59,21 @@ impl TriedValue {
         }
     }
 
-    /// Notes that more than the largest force is asked for during `period` (s).
+    /// Adds a `period` (s) of demand above the largest force.
     pub(super) fn limit(&mut self, period: f64) {
         self.limited += period;
     }
 
-    /// Tells whether the object needs a larger force.
     pub(super) fn is_limited(&self) -> bool {
         LIMITED < self.limited
     }
 
-    /// Returns the time since the first look (s).
+    /// Returns the time since the first sample (s).
     pub(super) fn age(&self, t: f64) -> f64 {
         self.began.map_or(0.0, |(began, _)| t - began)
     }
 
-    /// Returns where the key was then (m).
+    /// Returns the position of the first sample (m).
     pub(super) fn began_at(&self) -> f64 {
         self.began.map_or(self.position, |(_, place)| place)
     }

@@ -1,4 +1,4 @@
-//! Measurements of keys that are computed beside, without boards or clocks.
+//! Measurements of computed keys, without boards or clocks.
 
 use haptics::plant::{KeyRig, RigParameters};
 
@@ -10,8 +10,8 @@ const H: f64 = 1e-3;
 
 const RESTED: Rested = Rested { position: 0.0, spread: 0.0 };
 
-/// Lets `advance` push a key of this rig, whose motor gives `strength` for a newton asked for
-/// and whose sensor reads what `read` makes of its position.
+/// Lets `advance` push a key of this rig, whose motor gives `strength` per commanded newton and
+/// whose sensor reads `read` of its position.
 fn work<T>(
     rig: RigParameters,
     strength: f64,

@@ -1,7 +1,7 @@
 //! Calibration on the disk: a file for each board.
 //!
-//! TOML, to be read by people and not to be edited: a checksum over all values makes a file
-//! that was changed or cut be refused with a sentence.
+//! TOML, not to be edited by people: a checksum over all values makes a changed or cut file
+//! invalid.
 
 mod read;
 mod sheet;
@@ -20,22 +20,21 @@ pub use read::{load, load_partial};
 pub use sheet::CalibrationSheet;
 pub use write::{backup, partial, write};
 
-/// Returns where the files of this user are.
+/// Returns the folder of this user's files.
 pub fn usual_folder() -> Option<PathBuf> {
     let set = |name: &str| std::env::var_os(name).filter(|it| !it.is_empty()).map(PathBuf::from);
     let base = set("XDG_CONFIG_HOME").or_else(|| Some(set("HOME")?.join(".config")))?;
     Some(base.join("letoff/calibration"))
 }
 
-/// Returns the file of the board with this id.
 pub fn path(folder: &Path, uid: Uid) -> PathBuf {
     folder.join(format!("{uid}.toml"))
 }
 
-/// Reads the file of a board of `n_keys` keys; nothing if there is none.
+/// Reads the file of a board of `n_keys` keys; `None` if there is none.
 ///
 /// # Errors
-/// All that is wrong with the file, a sentence on each line.
+/// All faults of the file, a sentence on each line.
 pub fn read(
     path: &Path,
     uid: Uid,

@@ -1,4 +1,4 @@
-//! From a file to its values, or all that is wrong with it.
+//! Reader of a calibration file, which reports all of its faults.
 
 use std::fmt;
 use std::path::Path;
@@ -12,36 +12,32 @@ use super::CalibrationSheet;
 use crate::calibration::KeyCalibration;
 use crate::identity::Uid;
 
-/// Readings that 24 bits hold (counts).
+/// Readings of 24 bits (counts).
 const READINGS: (f64, f64) = (Counts::MIN.get() as f64, Counts::MAX.get() as f64);
-/// Displacements for each count that an encoder can have (m).
+/// Possible displacements per count (m).
 const QUANTA: (f64, f64) = (1e-9, 1e-3);
-/// Friction that a key can have (N).
+/// Possible friction of a key (N).
 const FRICTIONS: (f64, f64) = (0.0, 5.0);
-/// Gains that a motor can need (1).
+/// Possible motor gains (1).
 const GAINS: (f64, f64) = (0.1, 10.0);
-/// Ways that a key can go (m).
+/// Possible travels of a key (m).
 const TRAVELS: (f64, f64) = (5e-3, 20e-3);
 
-/// Which keys a file must have.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum WantedKeys {
     All,
     Any,
 }
 
-/// Reads the whole file of a board of `n_keys` keys; nothing if there is none.
+/// Reads the complete file of a board of `n_keys` keys; `None` if there is none.
 ///
 /// # Errors
-/// All that is wrong with the file, a sentence on each line.
+/// All faults of the file, a sentence on each line.
 pub fn load(path: &Path, uid: Uid, n_keys: usize) -> Result<Option<CalibrationSheet>, String> {
     load_wanted(path, uid, n_keys, WantedKeys::All)
 }
 
-/// Reads a file that may lack keys of a board of `n_keys` keys; nothing if there is none.
-///
-/// # Errors
-/// All that is wrong with the file, a sentence on each line.
+/// Like [`load`], but accepts a file without some of the board's keys.
 pub fn load_partial(
     path: &Path,
     uid: Uid,
@@ -64,7 +60,6 @@ fn load_wanted(
     parse(&shown(path), &bytes, uid, (n_keys, wanted)).map(Some)
 }
 
-/// Reads the bytes of a file that is called `file` in sentences.
 pub(super) fn parse(
     file: &str,
     bytes: &[u8],
@@ -79,7 +74,6 @@ pub(super) fn parse(
     }
 }
 
-/// Collects what is wrong.
 struct CalibrationReader<'a> {
     file: &'a str,
     wanted: WantedKeys,
@@ -122,9 +116,8 @@ impl CalibrationReader<'_> {
         Some(sheet)
     }
 
-    /// Compares the checksum with that of the values.
     fn check(&mut self, sheet: &CalibrationSheet, checksum: &str, board: &str) {
-        // The board's own file with another name fails for that alone.
+        // The board's own file under another name fails for that alone.
         let is_other_board = board != sheet.uid.to_string();
         if !is_other_board && checksum != format!("{:08x}", sheet.checksum()) {
             self.say(format_args!(
@@ -149,7 +142,6 @@ impl CalibrationReader<'_> {
         text.map(str::to_owned)
     }
 
-    /// Returns the keys of all slots.
     fn keys(&mut self, root: &Table, n_keys: usize) -> Option<PerKey<Option<KeyCalibration>>> {
         let Some(tables) = root.get("key").and_then(Item::as_array_of_tables) else {
             self.say(": there is no [[key]]; calibrate the board again");
@@ -182,7 +174,7 @@ impl CalibrationReader<'_> {
         (self.mistakes.len() == before).then_some(keys)
     }
 
-    /// Returns a key and its slot, as far as they can be read.
+    /// Returns a key and its slot, as far as they are valid.
     fn key(&mut self, table: &Table) -> (Option<usize>, Option<KeyCalibration>) {
         let slot = table.get("slot").and_then(Item::as_integer);
         let slot = slot.and_then(|slot| usize::try_from(slot).ok());
@@ -209,7 +201,6 @@ impl CalibrationReader<'_> {
         (slot, key)
     }
 
-    /// Tells whether a key can go that far.
     fn is_possible(&mut self, key: &KeyCalibration, place: &str) -> bool {
         let (least, most) = TRAVELS;
         let is_possible = (least..=most).contains(&key.travel());

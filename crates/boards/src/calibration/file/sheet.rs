@@ -1,4 +1,4 @@
-//! What stands in a calibration file, and its checksum.
+//! Content of a calibration file, and its checksum.
 
 use std::fmt::Write as _;
 
@@ -7,32 +7,29 @@ use firmware_protocol::key::PerKey;
 use crate::calibration::KeyCalibration;
 use crate::identity::Uid;
 
-/// What stands above the values.
 const HEAD: &str = "\
 # How the keys of one board read and push, as `letoff calibrate` has measured it.
 # Do not edit it: the checksum is that of the values. Calibrate anew instead.
 ";
 
-/// What stands above the keys.
 const UNITS: &str = "
 # rest and bottom [counts], metres_per_count [m], friction [N],
 # gain: what must be asked of the motor for a newton [1]
 ";
 
-/// How the keys of one board read and push, and where that is known from.
+/// Calibration of one board's keys, with its origin.
 #[derive(Clone, PartialEq, Debug)]
 pub struct CalibrationSheet {
     pub uid: Uid,
-    /// When it was measured, as the caller says it.
+    /// Time of the measurement, in the caller's words.
     pub made: String,
-    /// Who or what measured it.
+    /// Person or program that measured it.
     pub by: String,
-    /// Its keys, in the order of slots; none where one is not known.
+    /// Keys in the order of slots; `None` for an unknown one.
     pub keys: PerKey<Option<KeyCalibration>>,
 }
 
 impl CalibrationSheet {
-    /// Returns the text of the file.
     pub fn render(&self) -> String {
         let quoted = |text: &str| toml_edit::Value::from(text).to_string();
         let mut text = format!(
@@ -45,7 +42,6 @@ impl CalibrationSheet {
         for (slot, key) in self.keys.as_slice().iter().enumerate() {
             let Some(key) = key else { continue };
             let KeyCalibration { rest, quantum, gain, bottom, friction } = key;
-            // Writing to a text cannot fail.
             let _always = writeln!(
                 text,
                 "[[key]]\nslot = {slot}\nrest = {}\nbottom = {}\nmetres_per_count = {quantum:?}\n\
@@ -57,7 +53,7 @@ impl CalibrationSheet {
         text
     }
 
-    /// Returns the CRC-32 (ISO-HDLC) of all values in one rendering, however the file spells them.
+    /// Returns the CRC-32 (ISO-HDLC) of all values in one rendering, whatever the file's spelling.
     pub fn checksum(&self) -> u32 {
         const CRC32: crc::Crc<u32> = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC);
         let mut digest = CRC32.digest();

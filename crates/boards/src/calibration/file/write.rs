@@ -1,4 +1,4 @@
-//! From values to a file: whole or not at all, with the old one beside it.
+//! Writer of a calibration file: whole or not at all, with the old one beside it.
 
 use std::fs::{self, File};
 use std::io::{self, Write as _};
@@ -7,22 +7,18 @@ use std::path::{Path, PathBuf};
 use super::CalibrationSheet;
 use crate::Error;
 
-/// Returns where the file that was at `path` before is kept.
+/// Returns the path of the previous file of `path`.
 pub fn backup(path: &Path) -> PathBuf {
     beside(path, ".bak")
 }
 
-/// Returns where the keys are kept that were measured of a board whose file at `path` would not be
-/// whole.
+/// Returns the path of measured keys that do not make up a complete file at `path`.
 pub fn partial(path: &Path) -> PathBuf {
     beside(path, ".partial")
 }
 
-/// Writes `sheet` to `path`, and makes its folder; whatever happens there is the old file or
-/// the new one. The old one is kept, see [`backup`].
-///
-/// # Errors
-/// What the system says.
+/// Writes `sheet` to `path`, and creates its folder; on any failure the old file remains. The old
+/// file is kept, see [`backup`].
 pub fn write(path: &Path, sheet: &CalibrationSheet) -> Result<(), Error> {
     let written = replace(path, sheet.render().as_bytes());
     written.map_err(|source| Error::Unwritable { path: path.to_owned(), source })
@@ -35,7 +31,7 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let part = beside(path, ".part");
     let mut file = File::create(&part)?;
     file.write_all(bytes)?;
-    // What is renamed before it is on the disk may be empty after a power cut.
+    // A file renamed before it is on the disk may be empty after a power cut.
     file.sync_all()?;
     match fs::copy(path, backup(path)) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
@@ -44,7 +40,6 @@ fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     fs::rename(part, path)
 }
 
-/// Returns `path` with more behind its name.
 fn beside(path: &Path, more: &str) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(more);

@@ -26,62 +26,55 @@ use crate::rt::link_monitor::{LinkMonitor, LinkSample};
 use crate::rt::link_snapshot::{BoardSnapshot, LinkSnapshot};
 use crate::topology::BoardPlace;
 
-/// Time in which the forces of a board grow once it renders them, and fade once it does not (us).
+/// Time in which forces grow once a board renders them, and fade once it does not (us).
 const FADE_US: u64 = 20_000;
 
-/// Lights that may be asked for at once.
+/// Maximum of pending light requests.
 const MOST_IDENTIFY_REQUESTS: usize = 32;
 
-/// The boards render forces.
+/// Boards that render forces.
 #[derive(Debug)]
 pub struct Armed {
     bus: Box<KeybedBus>,
     supervisor: BoardSupervisor,
     names: Vec<BoardName>,
-    /// Time between two exchanges (us).
     period_us: u64,
-    /// Frames from and to each board before the beginning.
+    /// Frames from and to each board before the run.
     before: Vec<(u64, u64)>,
-    /// Since when the lines are metered (us).
+    /// Start of metering (us).
     since_us: u64,
-    /// What the samples of each board usually take.
+    /// Usual delay of each board's samples.
     lateness: Vec<Lateness>,
-    /// When tick 0 was due, but for a constant (us).
+    /// Due time of tick 0, but for a constant (us).
     first_us: Option<u64>,
     monitor: Option<LinkMonitor>,
-    /// Models play, and their keys are guarded.
+    /// `true` if models play, and their keys are guarded.
     is_guarded: bool,
-    /// Boards that shall show their lights.
     identify: Option<Consumer<usize>>,
 }
 
-/// What became of one board.
+/// State of one board.
 #[derive(Clone, PartialEq, Debug)]
 pub struct BoardReport {
     pub name: BoardName,
-    /// Where it is, and its keys.
+    /// Its location and its keys.
     pub place: BoardPlace,
-    /// Its keys were measured: how they read is not only what it says itself.
+    /// `true` if its keys were measured, so that their calibration is not only its own claim.
     pub is_calibrated: bool,
-    /// What it has sent and was sent.
     pub statistics: BoardStatistics,
-    /// Frames of samples and of forces since the beginning.
+    /// Frames of samples and of forces since the start.
     pub exchanged: (u64, u64),
-    /// What it is like.
     pub condition: Condition,
 }
 
-/// What became of one line.
+/// State of one line.
 #[derive(Clone, PartialEq, Debug)]
 pub struct LineReport {
     pub name: String,
-    /// What it has carried beside the boards' own counts.
     pub statistics: LineStatistics,
-    /// What it is made of, if that is known.
     pub medium: Option<Medium>,
-    /// How full it was, if its medium is known.
     pub load: Option<MeterWindow>,
-    /// The reason why it is down for good, if it is.
+    /// Reason why it is down for good, if it is.
     pub fault: Option<String>,
 }
 
@@ -113,7 +106,7 @@ impl Armed {
         }
     }
 
-    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
+    /// Returns the state of the line or board at `place`, lines first; `None` behind the last.
     fn snapshot(
         bus: &KeybedBus,
         supervisor: &BoardSupervisor,
@@ -129,11 +122,11 @@ impl Armed {
         })
     }
 
-    /// Dates by their board's clock the samples that have come in this tick.
+    /// Dates the samples of this tick by their board's clock.
     fn date(&mut self, tick: u64) {
         let period_us = self.period_us.max(1);
         let passed_us = tick.saturating_mul(period_us);
-        // The ticks are regular; when this thread wakes is not, and no reason to move a sample.
+        // The ticks are regular; the wake-up of this thread is not, and must not move a sample.
         let first_us = self.supervisor.now().saturating_sub(passed_us);
         let due_us = *self.first_us.get_or_insert(first_us) + passed_us;
         for (board, lateness) in self.lateness.iter_mut().enumerate() {
@@ -151,26 +144,25 @@ impl Armed {
     }
 }
 
-/// Makes a sample that was held up on its way as old as it is.
+/// Ages a sample by its unusual delay.
 ///
-/// What came in this tick is fresh, though it was taken a while before: that is the way's usual
-/// length, and within a tick or two of it no way is exact.
+/// A sample of this tick is fresh, though it was taken earlier: that is the usual delay, and within
+/// a tick or two no delay is exact.
 fn outdate(sample: &mut KeySample) {
-    /// Ticks beyond the usual that a sample may take.
+    /// Ticks beyond the usual that a sample may be late.
     const MOST_LATE: f64 = 2.0;
     if MOST_LATE <= sample.taken {
         sample.age = sample.age.max(whole(sample.taken));
     }
 }
 
-/// Returns whole ticks in some that are not negative.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
 const fn whole(ticks: f64) -> u32 {
     ticks as u32
 }
 
 impl Keybed<Armed> {
-    /// Takes what has come and sends what boards are asked, without forces.
+    /// Processes received frames and sends requests to boards, without forces.
     pub fn attend(&mut self) {
         let Self { lines, stage: Armed { bus, supervisor, is_guarded, .. }, clock } = self;
         supervisor.set_now(clock.now_us());
@@ -190,7 +182,7 @@ impl Keybed<Armed> {
         }
     }
 
-    /// Returns the line or board at `place`, lines first, as it is now; nothing behind the last.
+    /// Returns the state of the line or board at `place`, lines first; `None` behind the last.
     ///
     /// # Real-time
     /// Copies, and sorts 15 numbers; no heap.
@@ -198,16 +190,15 @@ impl Keybed<Armed> {
         Armed::snapshot(&self.stage.bus, &self.stage.supervisor, place)
     }
 
-    /// Returns where snapshots of all lines and boards come once a second, for ticks at `tick_hz`
-    /// (1/s); not for the tick.
+    /// Returns the receiver of snapshots of all lines and boards, once a second, for ticks at
+    /// `tick_hz` (1/s); not for the tick.
     pub fn monitor(&mut self, tick_hz: u32) -> Consumer<LinkSample> {
         let (monitor, samples) = LinkMonitor::new(tick_hz);
         self.stage.monitor = Some(monitor);
         samples
     }
 
-    /// Returns where boards are asked to show their lights, by their places among all boards; not
-    /// for the tick.
+    /// Returns the sender of requests for lights, by index among all boards; not for the tick.
     pub fn identify_requests(&mut self) -> Producer<usize> {
         let (requests, identify) = RingBuffer::new(MOST_IDENTIFY_REQUESTS);
         self.stage.identify = Some(identify);
@@ -219,12 +210,10 @@ impl Keybed<Armed> {
         self.stage.supervisor.request_light(board);
     }
 
-    /// Tells whether all boards render forces.
     pub fn is_ready(&self) -> bool {
         self.stage.supervisor.is_ready()
     }
 
-    /// Tells whether every board renders forces, or may not be armed.
     pub(super) fn is_settled(&self) -> bool {
         self.stage.supervisor.is_settled()
     }
@@ -242,22 +231,20 @@ impl Keybed<Armed> {
         }
     }
 
-    /// Plays all gestures again and again, each pass `length` (s) after the one before.
+    /// Repeats all gestures, each pass `length` (s) after the one before.
     pub fn repeat_after(&mut self, length: f64) {
         self.stage.supervisor.repeat_after(length);
     }
 
-    /// Returns the newest sample of every key, as old as it is since it came.
+    /// Returns the newest sample of every key, with its age since arrival.
     pub const fn newest(&self) -> &[KeySample; KEYS] {
         self.stage.bus.samples()
     }
 
-    /// Returns what was agreed with each board.
     pub fn terms(&self) -> impl Iterator<Item = &BoardTerms> {
         self.stage.bus.boards().iter().map(BoardEnd::terms)
     }
 
-    /// Returns the time between two exchanges (us).
     pub const fn period_us(&self) -> u64 {
         self.stage.period_us
     }
@@ -268,16 +255,13 @@ impl Keybed<Armed> {
         self.stage.supervisor.armings(self.terms().position(has)?)
     }
 
-    /// Sets the host time from which on gestures and frames count (us).
-    ///
-    /// What has come before is thrown away.
+    /// Sets the host time from which gestures and frames count (us); discards earlier input.
     pub fn begin_at(&mut self, origin_us: u64) {
         self.stage.supervisor.begin_at(origin_us);
         self.attend();
         self.forget_exchanges();
     }
 
-    /// Counts what is exchanged from now on only.
     fn forget_exchanges(&mut self) {
         let Armed { bus, before, .. } = &mut self.stage;
         for (before, board) in before.iter_mut().zip(bus.boards()) {
@@ -285,8 +269,8 @@ impl Keybed<Armed> {
         }
     }
 
-    /// Tells all boards to render no force until they are seen to; returns how many are on lines
-    /// that took it. The others are safe when their forces expire.
+    /// Stops all boards until an operator restarts them; returns the number on lines that accepted
+    /// the stop. The others are safe when their forces expire.
     pub fn stop(&mut self, reason: u8) -> usize {
         let mut frame = [0; broadcast::MAX_LEN];
         let len = Broadcast::EmergencyStop { reason }.encode(&mut frame);
@@ -301,32 +285,29 @@ impl Keybed<Armed> {
         told
     }
 
-    /// Tells every board that it shall render no force and send no samples; does not wait for
-    /// answers.
-    ///
-    /// One that was stopped, or has failed, is left as it is until a person sees to it.
+    /// Ends forces and samples of every board without waiting for answers. A board that was
+    /// stopped, or has failed, is left as it is for its operator.
     pub fn disarm(&mut self) {
         let Armed { bus, supervisor, .. } = &self.stage;
         let boards = bus.boards().iter().enumerate();
         for (_, board) in boards.filter(|(index, _)| !supervisor.is_latched(*index)) {
             let place = board.terms().place;
-            // Another number than that of any request that may be under way.
+            // Differs from the number of any pending request.
             let [first, ..] = self.now_us().to_le_bytes();
             let mut channel = RequestChannel::new(place.board, first ^ 0x80);
             channel.ask(Operation::Disarm, &Nothing);
             if let Some(frame) = channel.due(0) {
-                // A board that does not hear it is safe when its forces expire.
+                // A board that misses it is safe when its forces expire.
                 let _lost = self.lines[place.line].link.try_send(frame);
             }
             channel.ask(Operation::Stream, &Stream { period_us: 0, packing: 0, phase_us: 0 });
             if let Some(frame) = channel.due(0) {
-                // One that does not hear it sends to nobody, which does no harm.
+                // A board that misses it sends to no host, which is harmless.
                 let _lost = self.lines[place.line].link.try_send(frame);
             }
         }
     }
 
-    /// Returns what became of each board.
     pub fn board_reports(&self) -> Vec<BoardReport> {
         let Armed { bus, supervisor, names, .. } = &self.stage;
         let reports = bus.boards().iter().zip(names).enumerate().map(|(index, (board, name))| {
@@ -344,7 +325,6 @@ impl Keybed<Armed> {
         reports.flatten().collect()
     }
 
-    /// Returns what became of each line.
     pub fn line_reports(&self) -> Vec<LineReport> {
         let Armed { bus, supervisor, since_us, .. } = &self.stage;
         let seconds = supervisor.now().saturating_sub(*since_us) as f64 * 1e-6;
@@ -360,13 +340,12 @@ impl Keybed<Armed> {
     }
 }
 
-/// Returns the frames of samples that came, and of forces that went.
 const fn exchanged(statistics: &BoardStatistics) -> (u64, u64) {
     (statistics.samples.frames, statistics.sent)
 }
 
 impl KeyBus for Keybed<Armed> {
-    /// Takes what the lines bring.
+    /// Processes the frames of all lines.
     ///
     /// # Real-time
     /// At most 128 frames and one request for each board; no heap.

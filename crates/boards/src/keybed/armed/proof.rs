@@ -1,4 +1,4 @@
-//! Motors are proven before a model may use them.
+//! Proof of the motors before a model may use them.
 
 use scheduler::motion::{KEYS, KeySlope};
 use scheduler::port::KeyBus as _;
@@ -9,31 +9,31 @@ use crate::keybed::{Armed, LOOK};
 use crate::refusal::{Refusal, Refusals};
 use crate::rt::key_fault::KeyFault;
 
-/// Time in which no motor is pushed, after which those that are left wait for a hand to leave (us).
+/// Time without a push, after which the remaining motors wait for a hand to leave (us).
 const QUIET_US: u64 = 250_000;
 
-/// Longest time for all proofs, which run side by side (us).
+/// Longest time for all proofs, which run in parallel (us).
 const LONGEST_US: u64 = 4_000_000;
 
-/// Time in which boards say what they have counted (us).
+/// Time in which boards report their counts (us).
 const COUNTING_US: u64 = 200_000;
 
 impl Keybed<Armed> {
-    /// Guards all keys from now on: readings that cannot be, forces that change too fast, shaking,
-    /// and motors that do not follow.
+    /// Guards all keys from now on, against impossible readings, forces that change too fast,
+    /// shaking, and motors that do not follow.
     pub fn guard(&mut self) {
         let period_us = self.stage.period_us;
         self.stage.is_guarded = true;
         self.stage.bus.guard(period_us);
     }
 
-    /// Has every motor of guarded keys push its key gently, and waits for what they do.
+    /// Lets every motor of guarded keys push its key gently, and waits for the responses.
     ///
-    /// A key that a hand holds is proven in the run, once it has come to rest; until then it gets
-    /// 1 N at most. A key whose motor does not pass is muted.
+    /// A key held by a hand is proven in the run, once it has come to rest; until then it gets 1 N
+    /// at most. A key whose motor does not pass is muted.
     ///
     /// # Errors
-    /// Boards none of whose motors has passed.
+    /// The boards without any motor that passed.
     pub fn prove_motors(&mut self) -> Result<(), Refusals> {
         self.stage.bus.demand_proof();
         let start = self.now_us();
@@ -51,13 +51,12 @@ impl Keybed<Armed> {
         if refusals.is_empty() { Ok(()) } else { Err(Refusals(refusals)) }
     }
 
-    /// Tells whether the proof of every motor has ended.
     fn is_proven(&self) -> bool {
         let mut boards = self.stage.bus.boards().iter();
         boards.all(|board| board.statistics().keys.unproven == 0)
     }
 
-    /// Takes samples for one period and sends no forces but those of proofs, so that boards stay
+    /// Processes samples for one period and sends only the forces of proofs, so that boards stay
     /// armed while no model plays; returns the time (us).
     pub fn exchange(&mut self) -> u64 {
         let end = self.now_us() + self.stage.period_us;
@@ -70,7 +69,6 @@ impl Keybed<Armed> {
         self.now_us()
     }
 
-    /// Returns why boards are refused none of whose motors has passed.
     fn unproven_boards(&mut self) -> Vec<Refusal> {
         if !self.board_reports().iter().any(has_unmoved_keys) {
             return Vec::new();
@@ -81,14 +79,14 @@ impl Keybed<Armed> {
             self.exchange();
         }
         let reports = self.board_reports().into_iter().filter(has_unmoved_keys);
-        // A hand may hold one of its keys and prove nothing; a board that takes no force does.
+        // A hand may hold one of its keys and prove nothing; untaken forces prove a fault.
         let is_refused =
             |it: &BoardReport| it.statistics.keys.unproven == 0 || it.untaken_forces().is_some();
         reports.filter(is_refused).map(not_proven).collect()
     }
 }
 
-/// Tells whether a motor of a board has failed its proof, and no other has passed.
+/// Returns `true` if a motor of a board has failed its proof, and no other has passed.
 fn has_unmoved_keys(report: &BoardReport) -> bool {
     let keys = &report.statistics.keys;
     let muted = keys.muted[..report.place.n_keys].iter().enumerate();
@@ -100,7 +98,6 @@ fn has_unmoved_keys(report: &BoardReport) -> bool {
     muted.clone().all(is_unmoved) && muted.into_iter().any(|(_, it)| it.is_some())
 }
 
-/// Returns the refusal of a board none of whose motors has passed.
 fn not_proven(report: BoardReport) -> Refusal {
     let forces = report.untaken_forces();
     let BoardReport { name: board, place, statistics, .. } = report;

@@ -1,5 +1,3 @@
-//! Why boards do not render forces, as refusals.
-
 use firmware_protocol::acyclic::Operation;
 use firmware_protocol::key::KeyIndex;
 
@@ -9,11 +7,10 @@ use crate::refusal::{BoardName, Refusal};
 use crate::rt::board_supervisor::{ArmLockout, ArmState};
 use crate::untaken::UntakenForces;
 
-/// Time without an answer from which on a board counts as gone (us).
+/// Time without an answer after which a board counts as missing (us).
 const SILENCE_US: u64 = 1_000_000;
 
 impl Keybed<Armed> {
-    /// Returns why boards do not render forces after `seconds` of trying.
     pub(in crate::keybed) fn refusals(&self, seconds: f64) -> Vec<Refusal> {
         let boards = self.board_reports().into_iter().enumerate();
         let refusal = |(index, report): (usize, BoardReport)| {
@@ -61,7 +58,7 @@ impl Keybed<Armed> {
         boards.filter_map(refusal).collect()
     }
 
-    /// Returns why a board that nothing bars is not ready after `seconds`.
+    /// Returns the reason why a board without a known obstacle is not ready after `seconds`.
     fn unready(&self, index: usize, board: BoardName, seconds: f64) -> Refusal {
         let supervisor = &self.stage.supervisor;
         let asked = supervisor.asked(index).unwrap_or(Operation::Hello);
@@ -74,7 +71,7 @@ impl Keybed<Armed> {
 }
 
 impl Keybed<Armed> {
-    /// Returns the forces that the board of `key` has not taken, if those are most of them.
+    /// Returns the untaken forces of the board of `key`, if they are the majority.
     pub(crate) fn untaken_forces(&self, key: KeyIndex) -> Option<UntakenForces> {
         let mut reports = self.board_reports().into_iter();
         reports.find(|it| it.place.keys().contains(&key.index()))?.untaken_forces()
@@ -82,7 +79,6 @@ impl Keybed<Armed> {
 }
 
 impl BoardReport {
-    /// Returns the forces that it has not taken, if those are most of them.
     pub(super) fn untaken_forces(&self) -> Option<UntakenForces> {
         let (counters, sent) = (self.condition.counters?, self.statistics.sent);
         let forces = UntakenForces { sent, refused: counters.refused, stale: counters.stale };
@@ -90,7 +86,6 @@ impl BoardReport {
     }
 }
 
-/// Returns the names of the keys from `first` on whose bits are set.
 pub(super) fn slot_names(first: KeyIndex, slots: u16) -> String {
     let keys = (first.number()..).map_while(KeyIndex::new).enumerate().take(16);
     let keys = keys.filter(|(slot, _)| slots >> slot & 1 == 1).map(|(_, key)| key.to_string());

@@ -1,4 +1,4 @@
-//! Ranges of simulated keys whose limits are known, in virtual time.
+//! Ranges of simulated keys with known limits, in virtual time.
 
 use haptics::plant::RigParameters;
 use haptics::{AnyEstimator, BackwardDifference, SampledWall};
@@ -8,7 +8,6 @@ use super::super::{CalibrationFault, Next, Rested, Travelled};
 use super::{MOST_FORCE, RangeEnd, RangeFound, RangeMeasurement, RangeTerms, RangedObject, STEP};
 use crate::sim::key::SimulatedKey;
 
-/// A key of the simulated keybed, with the motor's lag taken away.
 fn rig(damping: f64, delay_steps: usize) -> RigParameters {
     let mut rig = RigParameters::default();
     rig.key.damping = damping;
@@ -27,7 +26,7 @@ fn measurement(object: RangedObject, rig: &RigParameters, period: f64) -> RangeM
 }
 
 /// Measures `object` on a key of this rig, in ticks of `period` (s); asserts that the motor gives
-/// no force from the tick on in which the key is seen to shake.
+/// no force from the tick on in which the shaking is detected.
 fn range(object: RangedObject, rig: RigParameters, period: f64) -> RangeFound {
     let mut measurement = measurement(object, &rig, period);
     let mut key = SimulatedKey::new(period, rig).unwrap();
@@ -35,7 +34,6 @@ fn range(object: RangedObject, rig: RigParameters, period: f64) -> RangeFound {
     let mut is_let_go = false;
     for tick in 0.. {
         let sample = key.receive(tick);
-        // The exchange in which it was seen is over.
         if delay == 0 && is_let_go {
             assert!(key.rig().motor_force().abs() <= 0.0, "tick {tick}");
         }
@@ -48,9 +46,8 @@ fn range(object: RangedObject, rig: RigParameters, period: f64) -> RangeFound {
     unreachable!()
 }
 
-/// Asserts that the stiffest spring is that of the theory of a rig with this damping (N s/m), delay
-/// and encoder at 1 kHz, within one step of values below and two above: friction stands for some
-/// damping.
+/// Asserts the stiffest spring of the theory of a rig with this damping (N s/m), delay and encoder
+/// at 1 kHz, within one step below and two above: friction counts as some damping.
 #[track_caller]
 fn check_spring(damping: f64, delay_steps: usize, quantum: f64) {
     let found =
@@ -62,7 +59,7 @@ fn check_spring(damping: f64, delay_steps: usize, quantum: f64) {
     assert!(matches!(found.end, RangeEnd::Shook(_)), "{found:?}");
 }
 
-/// One exchange in a thousandth of a second (s).
+/// Time between two exchanges (s).
 const H: f64 = 1e-3;
 
 #[test]
@@ -110,7 +107,7 @@ fn a_coarse_encoder_leaves_less_of_a_mass() {
 fn a_key_that_goes_where_no_key_goes_ends_it() {
     let mut measurement = measurement(RangedObject::Spring, &RigParameters::default(), H);
     assert!(matches!(measurement.advance(0.0, 0.0), Ok(Next::Push(_))));
-    // A key goes far in a pause of the host, and not within a tick.
+    // A key moves far in a pause of the host, and not within a tick.
     let mut paused = measurement;
     let fault = paused.advance(20.0 * H, 6e-3).unwrap_err();
     assert_eq!(fault, CalibrationFault::Interrupted);

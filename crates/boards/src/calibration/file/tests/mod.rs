@@ -1,4 +1,4 @@
-//! What is written is read back, and nothing else is.
+//! Written files are read back, and no others.
 
 use firmware_protocol::key::{MOST_KEYS, PerKey};
 use firmware_protocol::quantity::Counts;
@@ -21,7 +21,6 @@ fn key(n: i32) -> KeyCalibration {
     }
 }
 
-/// What a whole file says.
 fn parse(file: &str, bytes: &[u8], uid: Uid, n_keys: usize) -> Result<CalibrationSheet, String> {
     parse_wanted(file, bytes, uid, (n_keys, WantedKeys::All))
 }
@@ -35,7 +34,6 @@ fn sheet(n_keys: i32) -> CalibrationSheet {
     }
 }
 
-/// What is said of a file in which `from` was replaced.
 #[track_caller]
 fn said(from: &str, to: &str) -> String {
     let text = sheet(3).render();
@@ -120,7 +118,6 @@ fn a_file_without_some_keys_is_no_whole_one_and_is_read_as_what_it_is() {
     std::fs::remove_dir_all(folder).unwrap();
 }
 
-/// Any key that a file may have.
 fn any_key() -> impl Strategy<Value = KeyCalibration> {
     let travel = 5.1e-3..19.9e-3_f64;
     (-4_000_000..4_000_000_i32, 6e-9..1e-4_f64, 0.1..10.0_f64, travel, 0.0..5.0_f64).prop_map(
@@ -165,7 +162,7 @@ proptest! {
     #[test]
     fn a_file_that_was_cut_is_refused(at in 0..1_000_usize) {
         let text = sheet(3).render();
-        // The last lines end in a blank one, without which nothing is lost.
+        // The last line is blank and may be lost.
         let cut = &text.as_bytes()[..at * (text.len() - 4) / 1_000];
         prop_assert!(parse("f.toml", cut, UID, 3).is_err());
     }
